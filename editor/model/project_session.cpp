@@ -10,8 +10,8 @@
 #include "editor/model/game_session.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
+#include "import/import_file.hpp"
 #include "platform/paths.hpp"
-#include "scene/import/import_file.hpp"
 
 namespace plumb::editor {
 

@@ -18,7 +18,7 @@ constexpr std::array kTemplates{
                     "Tiles, creatures, sounds and an empty level: paint your own. The tutorial begins here.",
                     "platformer", "platformer-kit"},
     ProjectTemplate{"platformer", "Platformer",
-                    "A copy of the game that comes with Plumb: five levels, enemies, music. Change it.",
+                    "A copy of the game that comes with Plumb: four levels, enemies, music. Change it.",
                     "platformer", ""}};
 
 constexpr std::string_view kFirstScene = R"({

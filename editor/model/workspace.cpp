@@ -13,6 +13,7 @@
 #include "editor/model/prefab_file.hpp"
 #include "editor/model/prefab_group.hpp"
 #include "editor/model/prefab_visit.hpp"
+#include "editor/model/problems.hpp"
 #include "editor/model/project_habits.hpp"
 #include "editor/model/tile_layers.hpp"
 #include "scene/components/camera.hpp"
@@ -59,6 +60,7 @@ Result<LoadReport> Workspace::openText(std::string_view path, const std::string&
 /// @param text  instead of the file's; null for that
 Result<LoadReport> Workspace::load(const std::string& wanted, const std::string* text) {
     safety.leaving();
+    const std::string left = undo.total() > 0 && wanted != document.scenePath ? document.scenePath : "";
     viewFile.keep(document.scenePath, document.view);
     play.stop();
     toKeep.clear();
@@ -74,6 +76,7 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     tiles.layer = {};
     tiles.selected.clear();
     viewFile.read(document.scenePath, document.view);
+    problemsOf(*this).load = report ? std::string{} : report.error().text();
     if (!report) {
         logError("Editor", report.error());
         notice = report.error().text();
@@ -86,20 +89,17 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     const std::size_t count = document.objectCount();
     notice = format("Opened {}: {} {}", wanted, count, count == 1 ? "entity" : "entities");
     logNote("Editor", "{}", notice);
+    if (!left.empty()) notice += format("; the steps of undo of {} end here", left);
     showStart();
     return report;
 }
 
 Result<Done> Workspace::createScene(std::string_view name) {
-    const std::string path = format("scenes/{}.scene.json", name);
-    if (name.empty() || name.find('/') != std::string_view::npos)
-        return Error{path, "this is no name for a scene", "write a word, e.g. \"level1\""};
-    const Result<Path> file = pathInside(project.root, path);
+    const Result<Path> file = newSceneFile(project.root, name);
     if (!file) return file.error();
-    if (std::filesystem::exists(*file)) return Error{path, "there is such a scene", "choose another name"};
     const Result<Done> written = writeFile(*file, kEmptyScene);
     if (!written) return written;
-    const Result<LoadReport> opened = open(path);
+    const Result<LoadReport> opened = open(format("scenes/{}.scene.json", name));
     return opened ? Result<Done>{Done{}} : Result<Done>{opened.error()};
 }
 
@@ -121,6 +121,8 @@ void Workspace::showStart() {
 /// Whatever the outcome, it is said: a save that does nothing in silence loses work.
 Result<Done> Workspace::save() {
     const Result<Done> saved = write();
+    const bool asked = safety.onDisk() == FileWatch::State::Changed;  // which of the two to keep
+    problemsOf(*this).save = saved || asked ? std::string{} : saved.error().text();
     notice = saved ? format("Saved {}", document.scenePath) : saved.error().text();
     if (saved) {
         logNote("Editor", "{}", notice);
@@ -232,7 +234,7 @@ void Workspace::startPlaying(bool paused) {
     }
     play.start(std::move(session), paused);
     profiler.tend(play);  // for its first tick
-    notice = paused ? "Before the first tick" : "Playing";
+    notice = paused ? "Before the first tick" : std::string{kPlayingNotice};
 }
 
 void Workspace::stopPlaying() {

@@ -1,13 +1,18 @@
 #include "editor/ui/editor_window.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "editor/model/actions.hpp"
 #include "editor/model/project_habits.hpp"
+#include "editor/model/scene_of_game.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/prefab_strip.hpp"
+#include "editor/ui/toolbar.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/fitted_text.hpp"
+#include "editor/ui/widgets/physics_layers.hpp"
 #include "scene/draw_scene.hpp"
 
 namespace plumb::editor::ui {
@@ -145,7 +150,7 @@ void EditorWindow::drawAll() {
     const float top = ImGui::GetFrameHeight();
     const float toolbar = ui_.px(kToolbarHeight);
     const float status = ui_.px(kStatusHeight);
-    drawToolbar(toolbar);
+    drawToolbar(ui_, top, toolbar);
     const float strip = drawPrefabStrip(ui_, top + toolbar, display.x);
     const float above = top + toolbar + strip;
     panes_.draw(ui_, {0.0f, above}, {display.x, std::max(display.y - above - status, 1.0f)});
@@ -166,14 +171,15 @@ void EditorWindow::handleWelcomeKeys(std::span<const Event> events) {
 
 void EditorWindow::handleKeys(std::span<const Event> events) {
     const bool typing = ImGui::GetIO().WantTextInput;
-    const bool playing = workspace_.play.running() && !workspace_.play.paused();
+    const bool running = workspace_.play.running();
+    const bool playing = running && !workspace_.play.paused();
     ui_.panHeld = !typing && !playing && feed_->held(Key::Space);
     for (const Event& event : events) {
         if (event.kind == EventKind::MouseDown) endGestureOfKeys(workspace_.undo);
         if (ui_.takeEvent && ui_.takeEvent(event)) continue;
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
         if (event.kind == EventKind::FileDropped) bringIn(workspace_, event.text);
-        if (playing && !typing && isForGame(event)) devices_.handle(event);
+        if (running && isForGame(event, typing)) devices_.handle(event);
         if (preferences_.take(workspace_.settings.keys, event)) continue;
         if (event.kind != EventKind::KeyDown || typing) continue;
         if (event.key == Key::Escape && ui_.takesEscape) continue;
@@ -196,8 +202,10 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
         workspace_.undo.endGesture();
 }
 
-/// What is pressed or turned beside the scene belongs to the editor.
-bool EditorWindow::isForGame(const Event& event) const {
+/// What is typed, and what is pressed or turned beside the scene, belongs to the editor; what is let go is
+/// let go for both. Also while the game is paused: what is held when it goes on counts.
+bool EditorWindow::isForGame(const Event& event, bool typing) const {
+    if (typing && (event.kind == EventKind::KeyDown || event.kind == EventKind::TextInput)) return false;
     const bool begins = event.kind == EventKind::MouseDown || event.kind == EventKind::MouseWheel;
     return !begins || ui_.mouseOverScene;
 }
@@ -216,47 +224,80 @@ void EditorWindow::playGame(float seconds) {
         devices_.releaseAll();
         return;
     }
+    // Keys that were only tapped meanwhile are not for the game.
+    if (workspace_.play.paused()) static_cast<void>(devices_.take());
     if (!workspace_.play.paused()) ui_.playAlpha = workspace_.play.advance(seconds, takeGameInput());
+}
+
+void EditorWindow::drawMenu(const char* menu) {
+    const bool open = ImGui::BeginMenu(menu);
+    widgets_.mark(std::string{"Menu/"} + menu);
+    if (!open) return;
+    for (const Action& action : actionTable()) {
+        if (action.menu != menu) continue;
+        if (action.id.empty()) {
+            ImGui::Separator();
+            continue;
+        }
+        actionItem(ui_, action.id, std::string{"Menu/"} + menu);
+        // People look for these here as well.
+        if (action.id == "entity.rename") {
+            for (const char* id : {"edit.duplicate", "edit.delete"})
+                actionItem(ui_, id, std::string{"Menu/"} + menu);
+        }
+    }
+    if (std::string_view{menu} == "View") {
+        layoutMenu_.drawItems(ui_);
+        drawOverlayMenu();
+    }
+    ImGui::EndMenu();
 }
 
 void EditorWindow::drawMenus() {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "Entity", "Arrange", "Tool", "Tiles", "View", "Run"}) {
-        const bool open = ImGui::BeginMenu(menu);
-        widgets_.mark(std::string{"Menu/"} + menu);
-        if (!open) continue;
-        for (const Action& action : actionTable()) {
-            if (action.menu != menu) continue;
-            if (action.id.empty()) {
-                ImGui::Separator();
-                continue;
-            }
-            actionItem(ui_, action.id, std::string{"Menu/"} + menu);
-            // People look for these here as well.
-            if (action.id == "entity.rename") {
-                for (const char* id : {"edit.duplicate", "edit.delete"})
-                    actionItem(ui_, id, std::string{"Menu/"} + menu);
-            }
-        }
-        if (std::string_view{menu} == "View") {
-            layoutMenu_.drawItems(ui_);
-            drawOverlayMenu();
-        }
-        ImGui::EndMenu();
+    constexpr std::array kMenus{"File", "Edit", "Entity", "Arrange", "Tool", "Tiles", "View", "Run"};
+    constexpr const char* kMore = "\xe2\x80\xa6";
+    const auto width = [](const char* menu) {
+        return ImGui::CalcTextSize(menu).x + 2.0f * ImGui::GetStyle().ItemSpacing.x;
+    };
+    const float end = ImGui::GetIO().DisplaySize.x;
+    float left = ImGui::GetCursorPosX();
+    for (const char* menu : kMenus) left += width(menu);
+    const bool all = left <= end;
+    // What has no room is in a menu of menus.
+    std::size_t shown = 0;
+    for (; shown < kMenus.size(); ++shown) {
+        if (!all && ImGui::GetCursorPosX() + width(kMenus[shown]) + width(kMore) > end) break;
+        drawMenu(kMenus[shown]);
     }
-    const std::string title =
-        format("{}{}{}", workspace_.project.name, workspace_.document.scenePath.empty() ? "" : "  /  ",
-               workspace_.document.scenePath);
-    const float width = ImGui::CalcTextSize(title.c_str()).x;
-    ImGui::SetCursorPosX(std::max(ImGui::GetIO().DisplaySize.x - width - ui_.px(28.0f), ui_.px(360.0f)));
-    ImGui::TextDisabled("%s", title.c_str());
-    if (workspace_.unsaved()) {
-        const ImVec2 from = ImGui::GetItemRectMax();
-        ImGui::GetWindowDrawList()->AddCircleFilled(
-            {from.x + ui_.px(9.0f), from.y - ImGui::GetTextLineHeight() * 0.5f}, ui_.px(3.5f),
-            palette::kWarning);
+    if (!all) {
+        const bool open = ImGui::BeginMenu(kMore);
+        widgets_.mark("Menu/more");
+        for (std::size_t i = shown; open && i < kMenus.size(); ++i) drawMenu(kMenus[i]);
+        if (open) ImGui::EndMenu();
     }
+    drawTitle();
     ImGui::EndMainMenuBar();
+}
+
+/// Which project and scene are open, at the right end, as far as the menus leave room.
+void EditorWindow::drawTitle() {
+    const std::string played = sceneOfGame(workspace_);
+    const std::string& scene = played.empty() ? workspace_.document.scenePath : played;
+    const std::string title = format("{}{}{}", workspace_.project.name, scene.empty() ? "" : "  /  ", scene);
+    const float end = ImGui::GetIO().DisplaySize.x - ui_.px(28.0f);
+    const float from = ImGui::GetCursorPosX() + ui_.px(14.0f);
+    const std::string shown = fittedText(title, end - from);
+    if (shown.empty()) return;
+    ImGui::SetCursorPosX(std::max(end - ImGui::CalcTextSize(shown.c_str()).x, from));
+    ImGui::TextDisabled("%s", shown.c_str());
+    widgets_.mark("Menu/title", title);
+    if (shown != title) tooltip(title);
+    if (!workspace_.unsaved()) return;
+    const ImVec2 corner = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        {corner.x + ui_.px(9.0f), corner.y - ImGui::GetTextLineHeight() * 0.5f}, ui_.px(3.5f),
+        palette::kWarning);
 }
 
 void EditorWindow::drawOverlayMenu() {
@@ -271,7 +312,7 @@ void EditorWindow::drawOverlayMenu() {
     const bool open = ImGui::BeginMenu("Physics layers");
     widgets_.mark("Menu/View/Physics layers");
     if (!open) return;
-    physicsLayerItems("Menu/View/Physics layers/");
+    physicsLayerItems(ui_, "Menu/View/Physics layers/");
     ImGui::EndMenu();
 }
 

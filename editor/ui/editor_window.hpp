@@ -54,23 +54,20 @@ private:
     /// Those of the welcome screen: the scene behind it shall not hear them.
     void handleWelcomeKeys(std::span<const Event> events);
     void drawAll();
-    [[nodiscard]] bool isForGame(const Event& event) const;
+    [[nodiscard]] bool isForGame(const Event& event, bool typing) const;
     /// What the hands do; the mouse where it is in the game's own picture.
     InputFrame takeGameInput();
     void playGame(float seconds);
     void drawMenus();
     void drawOverlayMenu();
-    void drawToolbar(float height);
-    void drawPhysicsButton();
-    /// For each layer of the physics: of nobody, of the selected, of all. @param path  how tests call them
-    void physicsLayerItems(const std::string& path);
-    void toolButton(std::string_view action, bool on, ImU32 color);
+    void drawMenu(const char* menu);
+    void drawTitle();
     /// The panel of a file that somebody wants to edit comes to the front.
     void showAssetPanel();
     void drawStatus(float height);
+    [[nodiscard]] std::string stateInWords(float width) const;
+    [[nodiscard]] std::string noticeInWords() const;
     void drawDialogs();
-    void drawSceneChooser();
-    void drawPrefabChooser();
     void drawNewScene();
     /// Opens a scene or makes a new one, after the person said what to do with unsaved changes.
     void leaveFor(std::function<void()> next);
@@ -101,7 +98,8 @@ private:
     std::function<void()> next_;  ///< what comes once the person said what to do with unsaved changes
     std::array<char, 64> newScene_{};
     std::string newSceneError_;
-    Theme theme_ = Theme::Dark;  ///< as it is shown, like the two below
+    std::string unsavedProblem_;  ///< why the scene could not be saved before it is left
+    Theme theme_ = Theme::Dark;   ///< as it is shown, like the two below
     float textSize_ = 0.0f;
     bool askUnsaved_ = false;
     bool quit_ = false;

@@ -1,6 +1,7 @@
 #include "editor/ui/layout_menu.hpp"
 
 #include "core/text.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -77,13 +78,7 @@ void LayoutMenu::askName() {
 
 void LayoutMenu::drawQuestion(Ui& ui) {
     if (std::exchange(ask_, false)) ImGui::OpenPopup("Save layout as");
-    const ImVec2 size{ui.px(360.0f), 0.0f};
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, display.y * 0.3f});
-    ImGui::SetNextWindowSize(size);
-    if (!ImGui::BeginPopupModal("Save layout as", nullptr,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
-        return;
+    if (!beginDialog(ui, "Save layout as", {360.0f, 140.0f})) return;
     ImGui::TextDisabled("A layout of the same name is replaced.");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);

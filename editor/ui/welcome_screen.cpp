@@ -195,7 +195,7 @@ void WelcomeScreen::drawTemplate(Ui& ui, std::size_t index) {
     const ImVec2 size{ImGui::GetContentRegionAvail().x, ui.px(kTemplateHeight)};
     const ImVec2 to{at.x + size.x, at.y + size.y};
     const std::string id{row.id};
-    if (ImGui::InvisibleButton(id.c_str(), size) && there) template_ = index;
+    if (ImGui::InvisibleButton(id.c_str(), size) && there) template_ = index, focus_ = true;
     const bool chosen = template_ == index;
     ui.widgets.mark("Welcome/template/" + id, chosen ? "chosen" : "");
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMicro = 1e6;
 constexpr int kRounds = 3;           // the best counts: other programs can only make it slower
-constexpr int kWarmUp = 20;          // ticks, until everything has its memory
+constexpr int kWarmUpTicks = 20;          // ticks, until everything has its memory
 constexpr double kLongRound = 0.03;  // s: where ticks are so slow that fewer of them will do
 constexpr int kFewestTicks = 20;
 
@@ -65,7 +65,7 @@ std::string callersText(const EffectRow& row, const EffectLine& line) {
         text += format("{}{} ({})", text.empty() ? "" : ", ", caller.type->name, caller.count);
     if (!text.empty()) return line.calledFor ? text : text + ", none of which calls now";
     if (line.calledFor) return "tiles, or game code";
-    return "nobody: " + missingCallers(row);
+    return "none of: " + missingCallers(row);
 }
 
 std::string lineText(const EffectReport& report, const EffectLine& line) {
@@ -159,7 +159,7 @@ EffectReport reportEffects(const World& world, const Effects& effects, const Pro
 }
 
 EffectReport measureEffects(Game& game, Profile& profile, int ticks) {
-    for (int i = 0; i < kWarmUp; ++i) tickGame(game, InputFrame{});
+    for (int i = 0; i < kWarmUpTicks; ++i) tickGame(game, InputFrame{});
     const Snapshot start = game.world.save();
     const double first = play(game, start, ticks);
     if (first * ticks > kLongRound * kMicro)

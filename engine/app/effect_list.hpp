@@ -23,10 +23,10 @@ struct EffectCount {
     const TypeInfo* type = nullptr;
     std::size_t count = 0;
 };
-/// Who calls for an effect now, kinds of components that nobody has left out.
+/// What calls for an effect now, without the kinds of components that no entity has.
 std::vector<EffectCount> callersOf(const World& world, const EffectRow& row);
 
-/// The first kinds of components that could call for an effect, for who looks for them.
+/// The first kinds of components that could call for an effect.
 std::string missingCallers(const EffectRow& row);
 
 /// s that a zone of a profile takes by itself: to be taken from what it measured, once a call.
@@ -38,7 +38,7 @@ struct EffectLine {
     bool calledFor = false;
     bool runs = false;
     Pin pin = Pin::Auto;
-    std::string pinnedBy;  ///< path of a scene; empty: nobody, or the program
+    std::string pinnedBy;  ///< path of a scene; empty: not pinned, or by the program
     std::vector<EffectCount> callers;
     EffectZones zones;
     double microseconds = 0.0;  ///< of a tick: its own zones
@@ -53,7 +53,7 @@ struct EffectReport {
     std::vector<EffectLine> lines;
 };
 
-/// Who calls for what. @param profile  of `ticks` ticks; null: nothing was measured
+/// What calls for each effect. @param profile  of `ticks` ticks; null: nothing was measured
 EffectReport reportEffects(const World& world, const Effects& effects, const Profile* profile, int ticks);
 
 /// Plays some ticks, and the same ones without each effect that runs, to see what that saves. The game is

@@ -75,7 +75,7 @@ std::vector<EffectRow> systemEffectRows() {
         row<Ghost>("ghosts", "The physics runs again with other settings."),
         row<Plot>("plots", "Curves are drawn of the physics."),
         row<Label>("physics_counts", "Labels show numbers of the physics."),
-        row<Spring>("bouncers", "Springs throw up who lands on them."),
+        row<Spring>("bouncers", "Springs throw up what lands on them."),
         row<Portal>("portals", "Portals lead elsewhere."),
         row<TouchColor>("touch_colors", "What is touched changes its color."),
         row<Collectible>("collectibles", "Coins, keys and hearts are picked up."),

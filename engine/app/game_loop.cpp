@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kDemoTicks = 600;        ///< played where nobody can see it: 10 s
+constexpr std::int64_t kDemoTicks = 600;        ///< played where there is no display: 10 s
 constexpr double kPausedWait = 0.1;             ///< s until a paused game looks again
 constexpr std::int64_t kCheckTicks = 600;       ///< between two hashes of a recording
 constexpr std::int64_t kSaveTicks = 300;        ///< between two times that it is written
@@ -117,7 +117,7 @@ void GameLoop::runScreen() {
     }
 }
 
-/// For who calls for them; what is open stays open. The audio device opens with its first sound.
+/// Opens the devices that effects call for; open ones stay open. The audio device opens with its first sound.
 void GameLoop::openDevices() {
     if (padsOpen_ || !game_.effects.runs(game_.world, "pads")) return;
     padsOpen_ = true;

@@ -6,8 +6,8 @@ namespace {
 
 using physics::Effect;
 
-// Which components call for an effect of the physics. The physics counts its callers by itself; this is for
-// people: who they are.
+// Which components call for an effect of the physics. The physics counts its callers by itself; this list is
+// for people to read.
 
 bool falls(const RigidBody& body) { return body.gravityScale != 0.0f; }
 bool turns(const RigidBody& body) { return !body.fixedRotation; }
@@ -87,10 +87,10 @@ std::vector<EffectRow> physicsEffectRows() {
     rows.push_back(
         row<Some<BoxCollider, isTrigger>, Some<CircleCollider, isTrigger>, Some<CapsuleCollider, isTrigger>,
             Some<PolygonCollider, isTrigger>, Some<ChainCollider, isTrigger>>(
-            Effect::Triggers, "Colliders notice who is in them."));
+            Effect::Triggers, "Colliders notice what is inside them."));
     rows.push_back(
         row<BoxCollider, CircleCollider, CapsuleCollider, PolygonCollider, ChainCollider, TileCollider>(
-            Effect::ContactEvents, "Systems hear who touches whom.", kByDefault));
+            Effect::ContactEvents, "Systems hear what touches what.", kByDefault));
     rows.push_back(
         row<Some<BoxCollider, isOneWay>, Some<CircleCollider, isOneWay>, Some<CapsuleCollider, isOneWay>,
             Some<PolygonCollider, isOneWay>, Some<ChainCollider, isOneWay>>(

@@ -23,7 +23,7 @@ struct PlayerOptions {
     std::string capture;         ///< folder for a PNG of every frame
     std::string record;
     std::string replay;
-    bool allEffects = false;  ///< all run, whoever calls for them
+    bool allEffects = false;  ///< all run, also those that no component calls for
     bool effects = false;     ///< list what the scene calls for, and what it costs
     bool benchmark = false;
     int entities = 0;  ///< of the benchmark; 0: as many as the seed's table has

@@ -10,6 +10,7 @@
 #include "reflect/json_fields.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
+#include "scene/import_commit.hpp"
 
 namespace plumb {
 namespace {
@@ -136,12 +137,13 @@ Result<Project> loadProject(const Path& path) {
     const Path file = isFolder ? path / "project.json" : path;
     Result<std::string> text = readFile(file);
     if (!text) {
-        // Who means a file says so by its ending.
+        // A path that means a file has the ending of one.
         const bool noFolder = !isFolder && !path.has_extension() && !std::filesystem::exists(path, failed);
         return Error{file.generic_string(), noFolder ? "there is no such folder" : text.error().what,
                      "name a folder with a project.json in it, e.g. projects/platformer"};
     }
     const Path root = file.has_parent_path() ? file.parent_path() : Path{"."};
+    finishImport(root);  // one that was killed while its files took their places
     return projectFromText(*text, root, "project.json");
 }
 

@@ -18,7 +18,7 @@ struct Project {
     std::string name = "Untitled";
     std::string version = "0.1.0";
     std::string startScene;  ///< "scenes/title.scene.json"
-    std::string pauseScene;  ///< the overlay that the Pause action opens while somebody plays; empty for none
+    std::string pauseScene;  ///< the overlay that the Pause action opens during play; empty for none
     int windowWidth = 1280;  ///< px
     int windowHeight = 720;  ///< px
     bool fullscreen = false;

@@ -21,8 +21,8 @@
 namespace plumb {
 namespace {
 
-/// What a scene leaves behind stays this long: its last sounds are still being heard, and who goes straight
-/// back finds it.
+/// What a scene leaves behind stays this long: its last sounds are still being heard, and a player that goes
+/// straight back finds it.
 constexpr int kUnloadTicks = 60;
 
 }  // namespace
@@ -57,15 +57,21 @@ void SceneGame::onCreate() {
 }
 
 Result<Done> SceneGame::openScene(std::string_view path) {
-    const Result<LoadReport> report = switchScene(world, context(), path);
+    const bool isEdited = !editedPath_.empty() && path == editedPath_;
+    const Result<LoadReport> report = switchScene(world, context(), path, isEdited ? &editedText_ : nullptr);
     if (!report) return report.error();
-    tell(*report);
+    if (!isEdited) tell(*report);
     beginLevel(world);
     followed_.clear();
     followAssets();
     storePreviousTransforms(world);
     world.cluster();
     return Done{};
+}
+
+void SceneGame::edit(std::string path, std::string text) {
+    editedPath_ = std::move(path);
+    editedText_ = std::move(text);
 }
 
 void SceneGame::tell(const LoadReport& report) const {

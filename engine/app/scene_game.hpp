@@ -25,6 +25,9 @@ public:
     /// Takes all scenes away and loads this one. Persistent entities stay.
     /// @error the file cannot be read at all; the scenes before are still there
     Result<Done> openScene(std::string_view path);
+    /// From now on a text stands for the file of one scene, whenever the game goes there: an editor has
+    /// changed it or plays what is not saved. What is wrong with it is not logged.
+    void edit(std::string path, std::string text);
 
     [[nodiscard]] const Project& project() const { return project_; }
     [[nodiscard]] bool quitRequested() const override { return quit_; }
@@ -41,6 +44,7 @@ private:
 
     Project project_;
     std::string firstScene_;
+    std::string editedPath_, editedText_;
     PrefabLibrary prefabs_;
     SceneAssets held_{assets};
     std::vector<SceneId> followed_;  // the scenes whose assets are held

@@ -42,7 +42,7 @@ void Screen::clear() {
     device_->clear(Color{0, 0, 0, 255});
 }
 
-/// Nobody calls for a picture: there is not even something that could draw one.
+/// No effect calls for a picture: there is no device to draw one.
 void Screen::drawNothing() {
     clear();
     device_->finishWindow();

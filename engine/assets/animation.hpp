@@ -18,7 +18,7 @@ struct AnimationFrame {
     int cellX = 0;  ///< column in the sheet
     int cellY = 0;  ///< row in the sheet
     float seconds = 0.1f;
-    std::string event;  ///< told when the frame begins, e.g. "step"; empty for none
+    std::string event;  ///< emitted when the frame begins, e.g. "step"; empty for none
 
     friend bool operator==(const AnimationFrame&, const AnimationFrame&) = default;
 };
@@ -106,7 +106,7 @@ AnimationSet animationSetOf(std::vector<Animation> clips);
 /// The clips of a sheet of four cells in a row, as the first character of most games has: idle, run and jump.
 extern const std::vector<Animation> playerAnimations;
 
-/// Reads `*.anim.json`. What is wrong inside is told in `problems` and left out.
+/// Reads `*.anim.json`. What is wrong inside is listed in `problems` and left out.
 /// @param where  the file's path, for errors
 /// @error        the text is no JSON object, or of a newer format
 Result<AnimationSet> parseAnimationSet(std::string_view json, std::string_view where,

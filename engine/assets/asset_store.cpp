@@ -233,7 +233,7 @@ std::size_t AssetStore::size() const {
     return std::apply([](const auto&... shelf) { return (shelf.table.size() + ...); }, shelves_);
 }
 
-// ---- who needs what -----------------------------------------------------------------------------
+// ---- users of assets ----------------------------------------------------------------------------
 
 void AssetStore::acquire(AssetKind kind, TextId id) {
     visitShelf(kind, [&](auto& table) {

@@ -68,7 +68,7 @@ public:
     [[nodiscard]] const Tileset& tileset(TilesetId id) const;
     [[nodiscard]] const AnimationSet& animation(AnimationId id) const;
 
-    /// The pixels, decoded now when nobody asked before. Valid until the texture changes or is unloaded.
+    /// The pixels, decoded at the first request. Valid until the texture changes or is unloaded.
     const Image& image(TextureId id);
 
     /// Frees decoded pixels, e.g. once they are on the GPU; asking again decodes again. What code made stays.
@@ -86,12 +86,12 @@ public:
     /// Grows when the asset is replaced; 0 for an unknown id.
     [[nodiscard]] std::uint32_t revisionOf(AssetKind kind, TextId id) const;
 
-    /// Count who needs an asset. A tileset or an animation needs its pictures by itself.
+    /// Count the users of an asset. A tileset or an animation needs its pictures by itself.
     void acquire(AssetKind kind, TextId id);
     void release(AssetKind kind, TextId id);
     [[nodiscard]] int references(AssetKind kind, TextId id) const;
 
-    /// Forgets the files that nobody needs; ids stay valid and load again. What code made stays.
+    /// Forgets the files without users; ids stay valid and load again. What code made stays.
     /// @return how many
     std::size_t unloadUnused();
 
@@ -100,13 +100,13 @@ public:
     /// Memory that loaded assets hold: decoded pixels, bytes of files, tables (bytes).
     [[nodiscard]] std::size_t byteCount() const;
 
-    /// Looks at the next few files and reloads those that changed. A file that became broken is told in
+    /// Looks at the next few files and reloads those that changed. A file that became broken is listed in
     /// `errors()` and the old asset stays.
     /// @param budget  files to look at; the next call goes on behind them. About 2 us each
     std::vector<AssetChange> pollChanges(std::size_t budget = 32);
 
-    /// Reads a file again now, for who has just written it. A broken one is told in `errors()` and the old
-    /// asset stays. @return whether it was loaded
+    /// Reads a file again now, after the caller has written it. A broken one is listed in `errors()` and the
+    /// old asset stays. @return whether it was loaded
     bool refresh(AssetKind kind, TextId id);
 
     /// What went wrong since the last `clearErrors`, at most a thousand.
@@ -188,8 +188,8 @@ private:
     std::vector<Error> errors_;
     std::size_t pollAt_ = 0;
     std::size_t loads_ = 0;
-    /// Of what is loaded now: past all those before the last unloading, so that whoever remembers what was
-    /// made of an asset sees that it is another one.
+    /// Of what is loaded now: past all those before the last unloading, so that a caller that remembers what
+    /// was made of an asset sees that it is another one.
     std::uint32_t firstRevision_ = 1;
 };
 

@@ -78,7 +78,7 @@ int Autotile::terrainOf(TileCell cell) const {
                : 0;
 }
 
-/// Who decides about a cell: the terrain in it, else the one with the highest id at its corners.
+/// The terrain that decides about a cell: the one in it, else the one with the highest id at its corners.
 int Autotile::terrainFor(const Around& around) const {
     const int own = around[4];
     if (rules_[static_cast<std::size_t>(own)].known && !onCorners(own)) return own;

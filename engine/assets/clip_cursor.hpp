@@ -29,7 +29,7 @@ public:
     ClipAdvance(const Animation& clip, LoopMode mode, ClipCursor& cursor, float seconds);
 
     /// The frame that is entered next, or -1 when the time is used up. A time longer than two turns of the
-    /// clip leaves out whole turns: their events are not told.
+    /// clip leaves out whole turns: their events are not emitted.
     int next();
 
 private:

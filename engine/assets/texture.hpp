@@ -8,8 +8,8 @@ namespace plumb {
 struct Texture {
     int width = 0;        ///< px
     int height = 0;       ///< px
-    Image image;          ///< empty until somebody asked the store for it
-    bool wanted = false;  ///< somebody asked for the pixels once: a changed file is decoded before it counts
+    Image image;          ///< empty until the store was asked for it
+    bool wanted = false;  ///< the pixels were asked for once: a changed file is decoded before it counts
 
     /// How many square cells of a sheet lie side by side; 1 for a single picture. Only a guess for the log,
     /// made where the height is a whole number of 8 px, as cells are drawn.
@@ -18,7 +18,7 @@ struct Texture {
     }
 };
 
-/// What stands in for a picture that is missing: a checker of magenta and black that nobody overlooks.
+/// What stands in for a picture that is missing: a checker of magenta and black that cannot be overlooked.
 const Image& placeholderImage();
 
 }  // namespace plumb

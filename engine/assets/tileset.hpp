@@ -141,7 +141,7 @@ struct Tileset {
 /// @param size  px of the tile
 std::vector<Vec2> outlineOf(const Tile& tile, Vec2 size);
 
-/// Reads `*.tileset.json`. What is wrong inside is told in `problems` and left out.
+/// Reads `*.tileset.json`. What is wrong inside is listed in `problems` and left out.
 /// @param where  the file's path, for errors
 /// @error        the text is no JSON object, or of a newer format
 Result<Tileset> parseTileset(std::string_view json, std::string_view where, std::vector<Error>& problems);

@@ -39,7 +39,7 @@ AudioDevice::SoundHandle Mixer::handleOf(SoundId sound) {
     at->handle = -1;
     at->revision = revision;
     const FileBytes* file = assets_.find(sound);
-    if (file == nullptr || file->bytes.empty()) return -1;  // the store has told that it is missing
+    if (file == nullptr || file->bytes.empty()) return -1;  // the store has reported that it is missing
     const Result<AudioDevice::SoundHandle> handle = device_->load(file->bytes, assets_.pathOf(sound));
     if (handle) {
         at->handle = *handle;

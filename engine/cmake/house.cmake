@@ -14,7 +14,7 @@ set(PLUMB_SANITIZE "" CACHE STRING "sanitizers to build with, e.g. address,undef
 if(PLUMB_SANITIZE)
     add_compile_options(-fsanitize=${PLUMB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${PLUMB_SANITIZE})
-    # Who looks for mistakes wants the assertions too: ours and those of the standard library.
+    # A build that looks for mistakes has the assertions too: ours and those of the standard library.
     add_compile_definitions(PLUMB_ASSERTS _GLIBCXX_ASSERTIONS)
 endif()
 add_compile_definitions($<$<CONFIG:RelWithDebInfo>:PLUMB_ASSERTS>)
@@ -36,8 +36,8 @@ if(MSVC)
 else()
     add_compile_options(-ffp-contract=off -fno-fast-math)
 endif()
-# gcc (12 at least) makes vfmaddsub of neighbouring products all the same, where it is told of a processor that has
-# it (-march=native). So it is not told of that: here where the flags do so, and whoever uses the library always.
+# gcc (12 at least) makes vfmaddsub of neighbouring products all the same, where the flags name a processor that has
+# it (-march=native). So that is switched off: here where the flags name one, for users of the library always.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
     set(PLUMB_NEVER_FUSED -mno-fma -mno-fma4 -mno-avx512f)
 endif()

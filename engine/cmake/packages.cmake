@@ -4,7 +4,16 @@ find_package(SDL2 CONFIG REQUIRED)
 find_package(SDL2_image CONFIG REQUIRED)
 find_package(SDL2_mixer CONFIG REQUIRED)
 find_package(nlohmann_json 3.10 CONFIG REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(EXPAT REQUIRED)
 find_package(PkgConfig QUIET)
+
+# Its CMake files name the shared and the static library apart, and differ between systems.
+find_path(ZSTD_INCLUDE_DIR NAMES zstd.h REQUIRED)
+find_library(ZSTD_LIBRARY NAMES zstd zstd_static REQUIRED)
+add_library(plumb_zstd INTERFACE)
+target_include_directories(plumb_zstd SYSTEM INTERFACE ${ZSTD_INCLUDE_DIR})
+target_link_libraries(plumb_zstd INTERFACE ${ZSTD_LIBRARY})
 
 find_package(libepoxy CONFIG QUIET)
 if(NOT TARGET epoxy::epoxy)

@@ -4,10 +4,10 @@
 
 namespace plumb {
 
-/// Seconds since some fixed moment, never going back. For the loop, logs and measurements; never for the simulation.
+/// Monotonic time in seconds. For the loop, logs and measurements; never for the simulation.
 double wallSeconds();
 
-/// Seconds of CPU that this thread has used.
+/// CPU time used by this thread, in seconds.
 double threadSeconds();
 
 }  // namespace plumb

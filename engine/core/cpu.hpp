@@ -4,21 +4,21 @@
 
 namespace plumb {
 
-/// Which instructions handle several numbers at once. What is computed never depends on it, only how fast.
+/// The SIMD instruction set in use. It affects speed only, never results.
 enum class SimdWidth : std::uint8_t {
     Scalar,
     Sse2,  ///< x86, 4 floats; every 64-bit x86 has it
-    Avx2,  ///< x86, 8 floats; with the bit counting (BMI, POPCNT) that came with it
+    Avx2,  ///< x86, 8 floats; including the bit instructions (BMI, POPCNT) of the same generation
     Neon   ///< Arm, 4 floats
 };
 
-/// The widest that this build knows and this processor has, unless setSimdWidth() chose another.
+/// The widest that this build and this processor support, unless setSimdWidth() chose another.
 SimdWidth simdWidth();
 
-/// Chooses for whatever is made from now on; for tests. False, and nothing changes, where it cannot run.
+/// Selects a width for objects created from now on; for tests. Returns false if it is not supported.
 bool setSimdWidth(SimdWidth width);
 
-/// Whether it can run here.
+/// Whether this machine supports it.
 bool hasSimdWidth(SimdWidth width);
 
 }  // namespace plumb

@@ -41,7 +41,7 @@ bool flushToDisk(std::FILE* file) {
 #endif
 }
 
-/// Makes the rename itself survive a power cut. Best effort: some file systems have no such call.
+/// Makes the rename durable. Best effort: some file systems do not support it.
 void flushFolder([[maybe_unused]] const Path& folder) {
 #ifndef _WIN32
     const int handle = ::open(folder.string().c_str(), O_RDONLY);
@@ -52,7 +52,7 @@ void flushFolder([[maybe_unused]] const Path& folder) {
 #endif
 }
 
-/// Why a name from a file may not become a path; empty when it may.
+/// The reason why a name from a file must not become a path; empty if it may.
 std::string whyRefused(std::string_view relative) {
     if (relative.empty()) return "is empty";
     if (relative.size() > 1024) return "is longer than 1024 characters";
@@ -110,7 +110,8 @@ Result<Done> writeFile(const Path& path, std::string_view bytes) {
         }
         const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
         if (!written || !flushToDisk(file.get()) || std::fclose(file.release()) != 0) {
-            Error error = systemError(path, "could not be written", "free some space; the old file is untouched");
+            Error error =
+                systemError(path, "could not be written", "free some space; the old file is untouched");
             fs::remove(temporary, failed);
             return error;
         }
@@ -142,7 +143,8 @@ Result<Path> pathInside(const Path& root, std::string_view relative) {
 std::vector<std::string> filesBelow(const Path& folder, std::string_view ending) {
     std::vector<std::string> files;
     std::error_code failed;
-    for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end; at.increment(failed)) {
+    for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end;
+         at.increment(failed)) {
         if (at->is_regular_file(failed) && endsWith(at->path().filename().string(), ending)) {
             files.push_back(at->path().lexically_relative(folder).generic_string());
         }

@@ -17,19 +17,19 @@ using Path = std::filesystem::path;
 /// @error missing, not a file, larger than `limit`, unreadable
 Result<std::string> readFile(const Path& path, std::size_t limit = limits::kFileBytes);
 
-/// Writes so that a crash, a full disk or a power cut leaves the old file or the new one, never a part:
-/// temporary file beside it, flush, fsync, rename, fsync of the folder. Creates missing folders.
+/// Atomic write: a crash, a full disk or a power cut leaves either the old or the new file. Temporary
+/// file in the same folder, flush, fsync, rename, fsync of the folder. Creates missing folders.
 Result<Done> writeFile(const Path& path, std::string_view bytes);
 
-/// The one door through which names from files become paths: `relative` joined to `root`, with the proof
-/// that it stays inside, also through symbolic links.
-/// @error absolute, drive or UNC paths, `..` that climbs out, back slashes, control characters, links that leave
+/// Every path that comes from a file must pass through this function: joins `relative`
+/// to `root`, and checks that the result stays inside, also through symbolic links.
+/// @error absolute, drive or UNC paths, `..` or links that leave it, backslashes, control characters
 Result<Path> pathInside(const Path& root, std::string_view relative);
 
-/// Files below `folder` whose names end so, relative to it with '/', sorted. Links are not followed.
+/// Files below `folder` with this ending, relative to it with '/', sorted. Does not follow links.
 std::vector<std::string> filesBelow(const Path& folder, std::string_view ending);
 
-/// A number that changes when the file does (time and size); 0 when there is none. For hot reload.
+/// Changes when the file changes (time and size); 0 if there is no file. For hot reload.
 std::uint64_t fileStamp(const Path& path);
 
 }  // namespace plumb

@@ -16,7 +16,7 @@
 namespace plumb {
 namespace {
 
-/// -1 when it is held by another one, or cannot be made.
+/// -1 if another process holds it, or it cannot be created.
 int takeFile(const Path& path) {
 #ifdef _WIN32
     int handle = -1;

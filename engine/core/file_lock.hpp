@@ -6,12 +6,12 @@
 
 namespace plumb {
 
-/// A file that one program holds as long as it lives: others that ask are told no. The system takes it back
-/// however the program ends.
+/// A lock file that one process holds until it exits; another process that tries
+/// to lock it fails. The system releases the lock however the process ends.
 class FileLock {
 public:
-    /// Makes the file, and its folders, where there are none.
-    /// @return  nothing when another program holds it, or it cannot be made
+    /// Creates the file and its folders if necessary.
+    /// @return nothing if another process holds the lock, or the file cannot be created
     static std::optional<FileLock> take(const Path& path);
 
     ~FileLock();

@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-/// A list with a fixed capacity that lives in place: what a component uses for a few values of one kind.
-/// Trivially copyable when T is; unused slots stay T{} so that equal lists have equal bytes.
+/// A list with a fixed capacity and inline storage, for components with a few values.
+/// Trivially copyable if T is; unused slots stay T{} so that equal lists have equal bytes.
 template <class T, std::size_t N>
 struct FixedList {
     std::array<T, N> items{};

@@ -8,9 +8,9 @@
 
 namespace plumb {
 
-/// The second line of defense around a reader of data from outside. A reader refuses what it cannot read by
-/// an Error; an exception that leaves it, of a library or for want of memory, is a defect of the reader, and
-/// must not end a program that has unsaved work.
+/// Second line of defense around a reader of external data. A reader reports bad data as an Error. An
+/// exception that leaves it, from a library or for lack of memory, is a defect of the reader; it must not
+/// terminate a program that has unsaved work.
 ///
 ///     return guarded(path, [&] { return readScene(text); });
 ///

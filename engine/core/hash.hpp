@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// FNV-1a over the characters: the id of names and texts, the same on every machine.
+/// FNV-1a over the characters: the id of a name or text, the same on every machine.
 constexpr std::uint64_t hashText(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325ull;
     for (const char c : text) {
@@ -26,8 +26,8 @@ constexpr std::uint64_t mixBits(std::uint64_t word) {
     return word ^ (word >> 31);
 }
 
-/// Folds a stream of values into 64 bits: the hash of a simulation state.
-/// Floats count by value: -0 as 0 and every NaN as one, so that equal states hash equal.
+/// Hashes a sequence of values to 64 bits: the hash of a simulation state. Floats are
+/// hashed by value: -0 as 0 and every NaN alike, so that equal states have equal hashes.
 class Hasher {
 public:
     void add(std::uint64_t word) { state_ = mixBits(state_ ^ word) + 0x9e3779b97f4a7c15ull; }
@@ -58,14 +58,14 @@ private:
     std::uint64_t state_ = 0x243f6a8885a308d3ull;
 };
 
-/// Folds large pieces of memory into 64 bits at the speed at which they can be read: sixteen hashes side by
-/// side, none of which waits for another. Floats count by their bits.
+/// Hashes large blocks of memory to 64 bits at memory bandwidth, by sixteen independent
+/// hashes. Floats are hashed by their bits.
 /// Source of the step: G. Marsaglia, "Random number generators", 2003 (multiply with carry).
 class LaneHasher {
 public:
     void add(std::uint64_t word) { single_ = mixBits(single_ ^ word) + 0x9e3779b97f4a7c15ull; }
 
-    /// Raw memory, for types without padding. Its length counts too.
+    /// Raw memory, for types without padding. The length is hashed too.
     void addBytes(const void* bytes, std::size_t count);
 
     [[nodiscard]] std::uint64_t value() const;

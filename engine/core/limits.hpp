@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// Every limit on data from outside, in one place. A file past one of them is refused with a message.
+// All limits on external data in one place. A file that exceeds one is refused with a message.
 namespace plumb::limits {
 
 inline constexpr std::size_t kFileBytes = std::size_t{256} << 20;

@@ -14,7 +14,7 @@ void print(const LogLine& line) {
     std::fflush(stream);
 }
 
-// The one piece of global state in the engine: a program has one log, as it has one stdout.
+// The only global state of the engine: a program has one log, as it has one stdout.
 struct Log {
     std::mutex mutex;
     LogSink sink = &print;

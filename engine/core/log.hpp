@@ -20,8 +20,8 @@ struct LogLine {
 
 using LogSink = std::function<void(const LogLine&)>;
 
-/// Where log lines go. The default prints `[Channel] text`, notes to stdout, warnings and errors to stderr.
-/// @return the sink before, so that a test or a panel can put it back
+/// Receives log lines. Default: prints `[Channel] text`, notes to stdout, warnings and errors to stderr.
+/// @return the previous sink, so that a test or a panel can restore it
 LogSink setLogSink(LogSink sink);
 
 /// Lines below this level are dropped. Note by default.

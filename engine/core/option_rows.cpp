@@ -5,16 +5,16 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kColumn = 26;  // letters before what an option is for
-constexpr std::size_t kWidth = 80;   // letters in a line
+constexpr std::size_t kColumn = 26;  // characters before the description
+constexpr std::size_t kWidth = 80;   // characters in a line
 
 constexpr const char* kWhere = "command line";
 
-/// How much of a text goes into one line: up to a blank or behind a comma, and at least one word.
+/// Length of the part of a text for one line: up to a blank or after a comma, and at least one word.
 std::size_t lineLength(std::string_view text, std::size_t room) {
     if (text.size() <= room) return text.size();
     std::size_t end = text.find_last_of(" ,", room);
-    if (end == room && text[end] == ',') end = text.find_last_of(" ,", room - 1);  // it has no room
+    if (end == room && text[end] == ',') end = text.find_last_of(" ,", room - 1);  // no room for the comma
     if (end == std::string_view::npos || end == 0) end = text.find_first_of(" ,");
     if (end == std::string_view::npos) return text.size();
     return text[end] == ',' ? end + 1 : end;

@@ -9,14 +9,14 @@
 
 namespace plumb {
 
-/// What is said of one option of a command line.
+/// Help on one option of a command line.
 struct OptionHelp {
     std::string_view name;   ///< "--size"
-    std::string_view value;  ///< what is written behind it, "WxH"; empty for a switch
-    std::string_view doc;    ///< what it is for, and what the value may be
+    std::string_view value;  ///< its value, "WxH"; empty for a switch
+    std::string_view doc;    ///< its purpose, and allowed values
 };
 
-/// One row of a program's table of options. All programs read and tell theirs in the same way.
+/// A row of a program's option table. All programs parse and list their options in the same way.
 template <class Options>
 struct OptionRow {
     std::string_view name;
@@ -27,11 +27,11 @@ struct OptionRow {
     [[nodiscard]] OptionHelp help() const { return {name, value, doc}; }
 };
 
-/// The options below each other, what they are for beside them in one column.
+/// The options, one below the other, with their descriptions in a column.
 std::string optionLines(std::span<const OptionHelp> options);
 
 Error unknownOption(std::string_view name, std::span<const OptionHelp> options);
-/// @param value  what was given; none: nothing was
+/// @param value  the given value; null if it is missing
 Error wrongValue(const OptionHelp& option, const std::string_view* value);
 
 template <class Options>
@@ -42,8 +42,8 @@ std::vector<OptionHelp> helpOf(std::span<const OptionRow<Options>> rows) {
 }
 
 /// Reads `--name`, `--name value` and `--name=value`.
-/// @param onWord  takes each word that belongs to no option; says what is wrong with it
-/// @error  an unknown option, whose remedy names the closest one; a missing or wrong value
+/// @param onWord  receives each word that belongs to no option; returns what is wrong with it
+/// @error an unknown option (the remedy names the closest one), a missing or wrong value
 template <class Options, class OnWord>
 Result<Done> readOptions(std::span<const OptionRow<Options>> rows, std::span<const char* const> words,
                          Options& options, OnWord onWord) {

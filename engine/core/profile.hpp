@@ -8,24 +8,24 @@
 
 namespace plumb {
 
-/// CPU seconds per named zone, summed until `reset`. One belongs to a loop; a null one measures nothing.
+/// CPU seconds per named zone, summed until `reset`. A null pointer to one disables measuring.
 class Profile {
 public:
     struct Zone {
         std::string_view name;  ///< a literal: compared by text
         double seconds = 0.0;
         int calls = 0;
-        double rounds = 0.0;       ///< wall seconds of it in which work was shared among threads
-        std::vector<double> busy;  ///< wall seconds of these in which each thread worked, the caller first
+        double rounds = 0.0;       ///< s: wall time of the zone in which threads shared its work
+        std::vector<double> busy;  ///< s: wall time of these in which each thread worked, the caller first
     };
 
     void add(std::string_view name, double seconds);
-    /// Adds what a zone had of a pool's threads: what is in `after` and not in `before`.
+    /// Adds the thread times of a pool during a zone: the difference between `after` and `before`.
     void addThreads(std::string_view name, const TaskPool::Times& before, const TaskPool::Times& after);
     void reset();
     [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
 
-    bool on = true;  ///< else it measures nothing, as if there was none
+    bool on = true;  ///< false: measures nothing
 
 private:
     Zone& zoneOf(std::string_view name);
@@ -33,7 +33,7 @@ private:
     std::vector<Zone> zones_;
 };
 
-/// Adds its own lifetime to a zone.
+/// Adds the time of its own lifetime to a zone.
 class ProfileScope {
 public:
     ProfileScope(Profile* profile, std::string_view name)

@@ -4,9 +4,9 @@
 
 namespace plumb {
 
-/// A small seeded generator with the same numbers on every machine. Plain data: it is part of the state
-/// that it is used in, so a snapshot of that state repeats its numbers.
-/// Source: M. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms", 2014 (PCG32).
+/// A seeded generator with the same numbers on every machine. Plain data: restoring a
+/// snapshot of the state that contains it repeats its numbers. Source: M. O'Neill, "PCG:
+/// A Family of Simple Fast Space-Efficient Statistically Good Algorithms", 2014 (PCG32).
 struct Random {
     static constexpr std::uint64_t kIncrement = 0xda3e39cb94b95bdbull;
 
@@ -37,7 +37,7 @@ struct Random {
         return static_cast<std::uint32_t>((std::uint64_t{next()} * count) >> 32);
     }
 
-    /// Uniform in [0, 1), on a grid of 2^-24.
+    /// Uniform in [0, 1), in multiples of 2^-24.
     constexpr float unit() { return static_cast<float>(next() >> 8) * 0x1p-24f; }
 
     /// Uniform in [low, high).

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// What went wrong, where, and what to do about it. Written for the person at the keyboard.
+/// What went wrong, where, and what to do about it. Written for users.
 struct Error {
     std::string where;   ///< "levels/cave.json: entities[3].Spin.rate"
     std::string what;    ///< "expected a number, found \"fast\""
@@ -20,10 +20,10 @@ struct Error {
     }
 };
 
-/// The value of a Result that has nothing to give but success.
+/// The value of a Result without a value of its own.
 struct Done {};
 
-/// A value, or the Error that says why there is none. For data from outside; our own bugs assert.
+/// A value, or the Error that explains why there is none. For external data; our own bugs assert.
 template <class T>
 class [[nodiscard]] Result {
 public:

@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-/// Hints to the core that this thread only waits.
+/// Tells the CPU core that this thread is only waiting.
 void relaxCore() {
 #if defined(__x86_64__) || defined(_M_X64)
     _mm_pause();
@@ -22,17 +22,17 @@ void relaxCore() {
 #endif
 }
 
-// The next round comes some microseconds after the last one, or not before the next step. Waiting without
-// sleep catches the first case; about 0.1 ms of it costs less than to be woken.
+// The next round begins a few microseconds after the last one, or only with the next
+// step. Spinning covers the first case; about 0.1 ms of it costs less than waking up.
 constexpr int kSpins = 4000;
 constexpr int kYields = 20;
-// A thread that is about to finish its share is only disturbed by help: the line goes to and fro between the cores.
+// Helping a thread that is about to finish its share only makes its cache line move between cores.
 constexpr int kSpinsBeforeHelp = 8;
-constexpr int kMaxParts = 0xffff;  // of a round: as many as 16 bits can count
+constexpr int kMaxParts = 0xffff;  // of a round: counted in 16 bits
 
-/// The parts of a share that no thread has taken yet, in one word that can be compared and swapped: the round
-/// in the high half, then the end and the next part. The round makes sure that a thread that was interrupted
-/// cannot take a part of a later round for one of its own.
+/// The parts of a share that are not taken yet, in one word for compare-and-swap:
+/// the round in the high half, then the end and the next part. The round prevents
+/// a thread that was interrupted from taking a part of a later round.
 struct Parts {
     std::uint32_t round;
     std::uint16_t end;
@@ -48,15 +48,15 @@ constexpr Parts unpack(std::uint64_t word) {
 
 }  // namespace
 
-/// What one thread has to do, in a cache line of its own: a thread that waits reads nothing that others write
-/// but its next work.
+/// The work of one thread, in a cache line of its own: a waiting
+/// thread reads nothing that others write except its next work.
 struct alignas(64) TaskPool::Share {
     std::atomic<std::uint64_t> parts{0};
-    // Written only while the parts of the last round are all done, so what a thread reads here before it takes
-    // a part belongs to that part.
+    // Written only when all parts of the last round are done, so what
+    // a thread reads here before it takes a part belongs to that part.
     std::atomic<Call> call{nullptr};
     std::atomic<void*> context{nullptr};
-    std::atomic<int> begin{0};  // of the round: added to the part's number
+    std::atomic<int> begin{0};  // of the round: offset of the part's number
     std::atomic<bool> isAsleep{false};
     std::atomic<bool> stops{false};
     std::atomic<bool> isTimed{false};
@@ -74,9 +74,9 @@ struct alignas(64) TaskPool::Share {
         return left.next >= left.end;
     }
 
-    /// Runs half of what is left, from the front of the own share or from the end of another's: few threads meet at
-    /// this word then, and there is something left for those that are done early.
-    /// @return how many parts
+    /// Runs half of the remaining parts, from the front of the own share or from the end of another's:
+    /// so threads rarely collide at this word, and some parts remain for threads that are done early.
+    /// @return number of parts
     int runSome(bool own, int thread) {
         std::uint64_t word = parts.load(std::memory_order_acquire);
         for (;;) {
@@ -127,7 +127,7 @@ TaskPool::Times TaskPool::times() const {
     return times;
 }
 
-/// @return how many parts this thread did
+/// @return number of parts that this thread ran
 int TaskPool::workOff(int thread) {
     Share& own = shares_[static_cast<std::size_t>(thread)];
     const bool timed = own.isTimed.load(std::memory_order_relaxed);
@@ -161,7 +161,7 @@ void TaskPool::runRound(int begin, int end, Call call, void* context) {
     ++round_;
     const int count = end - begin, helped = std::min(threads_, count);
     done_.store(0, std::memory_order_relaxed);
-    // The caller's own share last: it begins with it at once.
+    // The caller's own share last: it starts on it at once.
     for (int i = helped; i-- > 0;) {
         Share& share = shares_[static_cast<std::size_t>(i)];
         share.call.store(call, std::memory_order_relaxed);
@@ -170,18 +170,18 @@ void TaskPool::runRound(int begin, int end, Call call, void* context) {
         share.isTimed.store(isTimed, std::memory_order_relaxed);
         const auto part = [&](int n) { return static_cast<std::uint16_t>(std::int64_t{count} * n / helped); };
         share.parts.store(pack({round_, part(i + 1), part(i)}), std::memory_order_release);
-        // A thread that falls asleep at this moment is missed: then its share is done by the others.
+        // A thread that falls asleep at this moment is not woken: then others run its share.
         if (share.isAsleep.load(std::memory_order_relaxed)) share.wake();
     }
     const int own = workOff(0);
-    // Only for parts that others have begun: a worker that has no core at the moment is not waited for.
+    // Waits only for parts that have begun: not for a worker that currently has no core.
     for (int spin = 0; done_.load(std::memory_order_acquire) != count - own; ++spin) {
         spin < kSpins ? relaxCore() : std::this_thread::yield();
     }
     if (isTimed) rounds_ += wallSeconds() - start;
 }
 
-/// Waits for parts of another round than `round`. @return false when the pool ends
+/// Waits for parts of a round other than `round`. @return false when the pool is destroyed
 bool TaskPool::waitForWork(Share& own, std::uint32_t round) {
     const auto isDue = [&] {
         return unpack(own.parts.load(std::memory_order_acquire)).round != round ||

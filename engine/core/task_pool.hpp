@@ -9,20 +9,20 @@
 
 namespace plumb {
 
-/// Threads that work on one thing at a time, together with the caller. Made once, used for every step.
+/// Threads that work on one task at a time, together with the caller. Created once, used for every step.
 ///
-/// A round of work is handed out as numbered parts. Each thread has a share of consecutive parts, the same ones
-/// in each round of the same size, so that what it works on stays in its caches; a thread that is done takes
-/// parts from the ends of the others' shares. Which thread does a part is left to chance, so parts must not
-/// depend on each other and must write to memory of their own. Then results are the same for any number of
-/// threads.
+/// Each round of work consists of numbered parts. Each thread has a share of consecutive parts, the same ones
+/// in every round of the same size, so that its data stays in its caches; a thread that is done takes parts
+/// from the ends of the other shares. It is undefined which thread does a part, so parts must not depend on
+/// each other and must write to separate memory. Then the results are the same for any number
+/// of threads.
 class TaskPool {
 public:
     /// @param threads  including the caller's, at least 1
     explicit TaskPool(int threads);
-    /// Uses the threads of another scheduler instead of its own: `foreign` calls `task(taskContext, part,
-    /// thread)` for every part in 0..count-1, on any thread, and returns when all are done. `thread` is a
-    /// number in 0..threads-1 that no other thread uses meanwhile.
+    /// Uses the threads of another scheduler instead of its own: `foreign` calls `task(taskContext,
+    /// part, thread)` for every part in 0..count-1, on any thread, and returns when all are done.
+    /// `thread` is in 0..threads-1; no two threads use the same number at the same time.
     using Call = void (*)(void* context, int part, int thread);
     using Foreign = void (*)(void* owner, int count, Call task, void* taskContext);
     TaskPool(int threads, Foreign foreign, void* owner);
@@ -32,16 +32,16 @@ public:
 
     [[nodiscard]] int threads() const { return threads_; }
 
-    /// Wall time of all rounds since the pool was made, while `isTimed`.
+    /// Wall time of all rounds since the pool was created, while `isTimed`.
     struct Times {
-        double rounds = 0.0;       ///< s: of the caller, with its waits for the others
+        double rounds = 0.0;       ///< s: of the caller, including waits for the others
         std::vector<double> busy;  ///< s: of each thread, the caller first
     };
     [[nodiscard]] Times times() const;
-    bool isTimed = false;  ///< costs two looks at the clock per thread and round
+    bool isTimed = false;  ///< costs two clock reads per thread and round
 
     /// Runs `task(part, thread)` for every part in 0..count-1 and waits for all. `thread` is 0..threads()-1.
-    /// @pre not called from within a task
+    /// @pre not called from a task
     template <class Task>
     void run(int count, Task&& task) {
         using Plain = std::remove_reference_t<Task>;
@@ -65,7 +65,7 @@ private:
     std::unique_ptr<Share[]> shares_;  // one for each thread, the caller's first
     std::vector<std::thread> workers_;
     std::uint32_t round_ = 0;
-    double rounds_ = 0.0;  // s: Times::rounds
+    double rounds_ = 0.0;                   // s: Times::rounds
     alignas(64) std::atomic<int> done_{0};  // parts of this round
 };
 

@@ -25,7 +25,7 @@ std::optional<Number> parseNumber(std::string_view text) {
     return value;
 }
 
-/// How many single-character edits turn one word into the other, ignoring case.
+/// Number of single-character edits between two words, ignoring case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -41,7 +41,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-/// The bytes that the UTF-8 sequence at the front takes; 0 when it is none.
+/// Length in bytes of the UTF-8 sequence at the front; 0 if it is invalid.
 std::size_t utf8Length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);

@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// One argument of `format`, already text.
+/// An argument of `format`, converted to text.
 struct FormatArgument {
     FormatArgument(std::string_view value) : text{value} {}
     FormatArgument(const std::string& value) : text{value} {}
@@ -30,7 +30,7 @@ struct FormatArgument {
 
 std::string formatArguments(std::string_view pattern, std::span<const FormatArgument> arguments);
 
-/// Puts each argument in place of the next `{}` of the pattern.
+/// Replaces each `{}` of the pattern by the next argument.
 template <class... Arguments>
 std::string format(std::string_view pattern, const Arguments&... arguments) {
     if constexpr (sizeof...(Arguments) == 0) {
@@ -41,18 +41,18 @@ std::string format(std::string_view pattern, const Arguments&... arguments) {
     }
 }
 
-/// The shortest decimal text that reads back to the same bits ("0.1", "1e+20", "-3").
+/// The shortest decimal text that is read back as the same bits ("0.1", "1e+20", "-3").
 std::string shortestText(float value);
 std::string shortestText(double value);
 
 /// With a fixed number of digits after the point, for people.
 std::string fixedText(double value, int digits);
 
-/// 16 lower-case hex digits, and back; nothing but 1..16 hex digits reads back.
+/// 16 lower-case hex digits, and the inverse, which accepts exactly 1..16 hex digits.
 std::string hexText(std::uint64_t value);
 std::optional<std::uint64_t> parseHex(std::string_view text);
 
-/// The whole text as a number, in the C locale; nothing when anything else is in it.
+/// The whole text as a number, in the C locale; nothing if it contains anything else.
 std::optional<float> parseFloat(std::string_view text);
 std::optional<std::int64_t> parseInt(std::string_view text);
 
@@ -62,7 +62,7 @@ bool startsWith(std::string_view text, std::string_view start);
 bool endsWith(std::string_view text, std::string_view end);
 bool isUtf8(std::string_view text);
 
-/// The candidate that is closest to a mistyped word, for "did you mean"; empty when none is near.
+/// The candidate closest to a mistyped word, for "did you mean"; empty if none is close.
 std::string_view closestName(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace plumb

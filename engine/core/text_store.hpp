@@ -10,8 +10,8 @@
 
 namespace plumb {
 
-/// The id of a text: a hash of its characters, so the same text has the same id everywhere, and a
-/// component that holds one stays trivially copyable. 0 is the empty text.
+/// The id of a text: a hash of its characters. So the same text has the same id everywhere,
+/// and a component that holds one stays trivially copyable. 0 is the empty text.
 struct TextId {
     std::uint64_t value = 0;
 
@@ -21,14 +21,14 @@ struct TextId {
 
 constexpr TextId textId(std::string_view text) { return {text.empty() ? 0 : hashText(text)}; }
 
-/// Remembers which text belongs to which id. Only grows; order of entry changes nothing that can be seen.
+/// Maps ids to texts. Only grows; the order of insertion has no visible effect.
 class TextStore {
 public:
     TextStore();
 
     TextId add(std::string_view text);
 
-    /// The text of an id; empty when it was never added here.
+    /// The text of an id; empty if it was never added here.
     [[nodiscard]] std::string_view find(TextId id) const;
     [[nodiscard]] std::string_view find(std::uint64_t id) const { return find(TextId{id}); }
     [[nodiscard]] std::size_t size() const { return texts_.size(); }

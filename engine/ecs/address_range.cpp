@@ -66,7 +66,7 @@ bool AddressRange::commit(std::size_t offset, std::size_t bytes) {
 #if defined(_WIN32)
     return VirtualAlloc(start_ + offset, bytes, MEM_COMMIT, PAGE_READWRITE) != nullptr;
 #elif defined(MADV_HUGEPAGE)
-    // Small parts stay on small pages, so that a small world takes little memory.
+    // Small parts use small pages, so that a small world takes little memory.
     if (bytes >= kHugePage) {
         const std::size_t first = (offset + kHugePage - 1) / kHugePage * kHugePage;
         const std::size_t end = (offset + bytes) / kHugePage * kHugePage;

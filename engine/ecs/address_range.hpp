@@ -4,12 +4,12 @@
 
 namespace plumb {
 
-/// Zeroed memory that is reserved in one piece and takes real pages only where it is touched.
-/// It never moves, so pointers into it stay valid however far it is used.
+/// A reserved range of zeroed memory whose pages are allocated when they are
+/// first used. It never moves, so pointers into it stay valid as it grows.
 class AddressRange {
 public:
     AddressRange() = default;
-    /// Reserves; `ok()` says whether the system had so many addresses to give.
+    /// Reserves the range; `ok()` is false if the system has not enough address space.
     explicit AddressRange(std::size_t bytes);
     ~AddressRange();
     AddressRange(const AddressRange&) = delete;
@@ -18,12 +18,12 @@ public:
     AddressRange& operator=(AddressRange&& other) noexcept;
 
     [[nodiscard]] bool ok() const { return start_ != nullptr; }
-    /// The first byte, on a 2 MiB border where the system can do that.
+    /// The first byte, aligned to 2 MiB if the system supports that.
     [[nodiscard]] std::byte* start() const { return start_; }
 
-    /// Makes a part usable. Needed before its first use on systems that count reserved memory apart
-    /// from used memory; elsewhere it asks for huge pages when the part is large.
-    /// @return false when the memory is used up
+    /// Makes a part usable. Required before its first use on systems that separate
+    /// reserving from committing; elsewhere it requests huge pages if the part is large.
+    /// @return false if there is not enough memory
     bool commit(std::size_t offset, std::size_t bytes);
 
 private:
@@ -37,14 +37,14 @@ private:
 /// The size of a huge page and the alignment that gets one, in bytes.
 inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
-/// Whether untouched addresses are free. Where they are not, worlds reserve less.
+/// Whether reserving address space costs nothing. Where it does, worlds reserve less.
 #if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
 inline constexpr bool kAddressesAreFree = sizeof(void*) == 8;
 #else
 inline constexpr bool kAddressesAreFree = false;
 #endif
 
-/// Bytes that this process may reserve: what `ulimit -v` sets; SIZE_MAX where nothing limits it.
+/// Bytes of address space that this process may reserve (`ulimit -v`); SIZE_MAX if unlimited.
 [[nodiscard]] std::size_t addressLimit();
 
 }  // namespace plumb

@@ -39,9 +39,9 @@ public:
 
     /// All entity indices, group by group.
     ///
-    /// The order of iteration is a part of the simulation, so it depends on nothing but the state: on names
-    /// and entity indices. The number of a pool says which type the program asked for first, and a program
-    /// with a window asks for other types than one without.
+    /// The order of iteration is part of the simulation, so it depends only on the state: on type names and
+    /// entity indices. It must not depend on pool numbers, which follow the order of first use: a program
+    /// with a window uses types in a different order than one without.
     [[nodiscard]] std::vector<std::uint32_t> order() {
         std::vector<Group*> sorted;
         sorted.reserve(groups_.size());
@@ -67,7 +67,7 @@ private:
         std::uint32_t last = 0;
         for (std::uint32_t index = 1; index < groupOf_.size(); ++index) {
             if (records_[index].mask == 0) continue;
-            // The overflow bit stays when the last such component is removed: it may say nothing.
+            // The overflow bit stays set when the last such component is removed, so it is not reliable.
             const std::uint64_t mask = records_[index].mask & ~Storage::kOverflowBit;
             if (groups_.empty() || groups_[last].mask != mask) {
                 const auto at = std::lower_bound(known.begin(), known.end(), std::pair{mask, 0u});
@@ -84,8 +84,8 @@ private:
         }
     }
 
-    /// Parts the entities that have a component of a pool without a bit from those of their group that have
-    /// none.
+    /// Splits groups: separates the entities that have a component of this
+    /// pool, which has no bit in the masks, from those that have none.
     void split(const Pool& pool) {
         constexpr std::uint32_t kNone = ~0u;
         std::vector<std::uint32_t> partOf(groups_.size(), kNone);
@@ -126,7 +126,7 @@ private:
     std::vector<std::uint32_t> groupOf_;  // by entity index
 };
 
-/// Puts a pool into the given order; `scratch` holds its column meanwhile. Tags have none.
+/// Sorts a pool into the given order; `scratch` is temporary storage for its column. Tags have none.
 void reorder(Pool& pool, const std::vector<std::uint32_t>& order, std::vector<std::byte>& scratch) {
     const std::size_t stride = pool.stride;
     scratch.resize(std::max(scratch.size(), stride * pool.count));
@@ -158,8 +158,8 @@ void Storage::cluster() {
 }
 
 bool Storage::fragmented() const {
-    // A function of what was done to the world, never of which queries ran: the order of iteration is a
-    // part of the simulation, and a game must run the same with and without a window.
+    // Depends only on changes of the world, never on which queries ran: the order of iteration
+    // is part of the simulation, and a game must run the same with and without a window.
     return std::any_of(pools_.begin(), pools_.end(), [](const std::unique_ptr<Pool>& pool) {
         return pool->count >= 256 && pool->disorder > pool->count / 4;
     });

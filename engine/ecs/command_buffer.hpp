@@ -12,8 +12,8 @@ namespace plumb {
 
 class World;
 
-/// Changes of a world that wait: recorded in any number, applied in order by flush(). World::update flushes
-/// the world's own buffer after each system. A command for an entity that is gone by then does nothing.
+/// Deferred changes of a world: recorded at any time, applied in order by flush(). World::update flushes
+/// the world's own buffer after each system. Commands for entities that no longer exist do nothing.
 class CommandBuffer {
 public:
     void destroy(EntityId id);
@@ -22,7 +22,7 @@ public:
     template <class T>
     void remove(EntityId id);
 
-    /// Applies everything, in the order of recording; also what the commands themselves record.
+    /// Applies all commands in order, including those that are recorded meanwhile.
     void flush(World& world);
     [[nodiscard]] bool empty() const { return commands_.empty(); }
     void clear() {
@@ -34,7 +34,7 @@ private:
     struct Command {
         EntityId id;
         void (*apply)(World& world, EntityId id, const std::byte* payload) = nullptr;
-        std::size_t payload = 0;  // where in payload_
+        std::size_t payload = 0;  // offset in payload_
     };
 
     std::vector<Command> commands_;

@@ -17,13 +17,13 @@ namespace plumb {
 struct ComponentType {
     TypeInfo info;               ///< without fields when the type is not described
     std::string name;            ///< the described name, else the compiler's
-    std::uint64_t nameHash = 0;  ///< orders types wherever the order can be seen: keys differ between builds
-    bool namesTiles = false;     ///< a field of it names a grid of the TileStore
+    std::uint64_t nameHash = 0;  ///< orders types where the order is visible: keys differ between builds
+    bool namesTiles = false;     ///< a field of it refers to a grid of the TileStore
 };
 
-/// The one description of a type: the first to arrive stays. May be called from any thread.
+/// The description of a type; the first one registered is kept. Thread-safe.
 const ComponentType& componentTypeOf(const TypeInfo& info);
-/// The description of a type that was used before, or nullptr.
+/// The description of a type that is already registered, or nullptr.
 const ComponentType* findComponentType(TypeKey key);
 
 /// Adds a component to a hash: by its fields where they are described, else by its bytes.
@@ -42,8 +42,8 @@ constexpr std::string_view compilerTypeName() {
     constexpr std::string_view text = __PRETTY_FUNCTION__;
     constexpr std::size_t start = text.find("T = ") + 4;
     constexpr std::size_t end = text.find(';', start) < text.size() ? text.find(';', start) : text.rfind(']');
-    // Some compilers leave out the namespace that this function is in, so it is left out always: the name is
-    // hashed, and the hash must be the same everywhere.
+    // Compilers differ in whether they print the namespace of this function, so it is
+    // always removed: the name is hashed, and the hash must be the same everywhere.
     constexpr std::string_view inside = "plumb::";
     constexpr std::string_view name = text.substr(start, end - start);
     return name.substr(0, inside.size()) == inside ? name.substr(inside.size()) : name;
@@ -58,7 +58,7 @@ constexpr std::string_view shortTypeName() {
     return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-/// Kept out of the loops that may be the first to use a type.
+/// Not inlined, to keep it out of loops that may be the first to use a type.
 template <class T>
 [[gnu::noinline]] const ComponentType& componentType() {
     static_assert(std::is_trivially_copyable_v<T>, "components are plain data; hold what has a length by id");

@@ -8,15 +8,15 @@ namespace plumb {
 
 class World;
 
-/// A handle to one entity of one world: small, copied freely, and checked. The handle of a destroyed entity
-/// stays what it is: alive() is false, find() gives nullptr, and get() says in words what went wrong.
+/// A handle to an entity of a world: small, copyable, and checked. The handle of a destroyed entity
+/// stays invalid: alive() is false, find() returns nullptr, and get() reports what is wrong.
 /// The functions are defined in ecs/world.hpp.
 class Entity {
 public:
     Entity() = default;
     Entity(World& world, EntityId id) : world_{&world}, id_{id} {}
 
-    /// Adds a component, or replaces the one that is there. A constructor of T may take World& first.
+    /// Adds a component, or replaces the existing one. A constructor of T may take World& first.
     template <class T, class... Arguments>
     T& addComponent(Arguments&&... arguments) const;
     template <class T>
@@ -26,7 +26,7 @@ public:
     /// @pre the entity is alive and has the component
     template <class T>
     T& get() const;
-    /// nullptr when the entity is gone or has no such component.
+    /// nullptr if the entity does not exist or has no such component.
     template <class T>
     [[nodiscard]] T* find() const;
 

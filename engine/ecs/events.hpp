@@ -9,8 +9,8 @@
 
 namespace plumb {
 
-/// What happened this tick, a list per type of event. Not part of snapshots: systems read events in the
-/// tick that made them.
+/// The events of this tick, one list per event type. Not part of
+/// snapshots: systems read events in the tick in which they are emitted.
 class Events {
 public:
     template <class E>

@@ -8,11 +8,11 @@
 
 namespace plumb {
 
-/// Says whose child an entity is, and stands between its siblings. Written by setParent only.
+/// Links an entity to its parent and its siblings. Written by setParent only.
 struct Parent {
     EntityId entity;
-    EntityId previous;  ///< the sibling before; nobody for the first
-    EntityId next;      ///< the sibling after; nobody for the last
+    EntityId previous;  ///< the sibling before; empty for the first
+    EntityId next;      ///< the sibling after; empty for the last
 
     static void describe(TypeBuilder<Parent>& type) {
         type.name("Parent").doc("Moves with another entity, and is destroyed with it.");
@@ -22,7 +22,7 @@ struct Parent {
     }
 };
 
-/// The children of an entity, in the order in which they got it as parent. Written by setParent only.
+/// The children of an entity, in the order in which they were attached. Written by setParent only.
 struct Children {
     EntityId first;
     EntityId last;
@@ -36,8 +36,8 @@ struct Children {
     }
 };
 
-/// Makes `child` the last child of `parent`; nobody as parent sets it free.
-/// @return false, and nothing happens, when that would close a circle or one of the two is gone
+/// Makes `child` the last child of `parent`; an empty `parent` makes it a root.
+/// @return false, without a change, if that would create a cycle or one of the two does not exist
 bool setParent(World& world, EntityId child, EntityId parent);
 
 /// The parent, or the empty handle.
@@ -48,7 +48,7 @@ bool setParent(World& world, EntityId child, EntityId parent);
 [[nodiscard]] bool isAncestor(const World& world, EntityId ancestor, EntityId entity);
 
 /// The children in order, for range-for: `for (Entity child : childrenOf(world, parent))`.
-/// The child in hand may be destroyed or given to another parent.
+/// The current child may be destroyed or attached to another parent during the loop.
 class ChildList {
 public:
     class Iterator {
@@ -77,7 +77,7 @@ private:
 
 [[nodiscard]] inline ChildList childrenOf(World& world, EntityId parent) { return {world, parent}; }
 
-/// What World::destroy does first: destroys the children and takes the entity from its parent.
+/// First part of World::destroy: destroys the children and detaches the entity from its parent.
 void leaveFamily(World& world, EntityId id);
 
 }  // namespace plumb

@@ -6,10 +6,10 @@
 
 namespace plumb {
 
-/// The entity stands still: queries leave it out, so that no system touches it. A query that names Paused, or
-/// asks for everything with `withPaused`, does find it: for drawing, saving, destroying.
+/// A paused entity: queries skip it, so that no system updates it. A query that names
+/// Paused, or is made with `withPaused`, does include it: for drawing, saving, destroying.
 struct Paused {
-    std::uint32_t by = 0;  ///< whose pause it is, so that it ends with its own and with no other
+    std::uint32_t by = 0;  ///< id of the pause, so that only the same one ends it
 
     static void describe(TypeBuilder<Paused>& type) {
         type.name("Paused").doc("Stands still until what paused it ends.");
@@ -17,7 +17,7 @@ struct Paused {
     }
 };
 
-/// In a query: also entities that are paused, `query<const Sprite>(withPaused)`.
+/// In a query: includes paused entities, `query<const Sprite>(withPaused)`.
 struct WithPaused {};
 inline constexpr WithPaused withPaused{};
 

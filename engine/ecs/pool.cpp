@@ -11,8 +11,8 @@ namespace {
 constexpr std::uint32_t kFirstCapacity = 1u << 14;
 constexpr std::size_t kColourSpan = 16384;  // bytes
 
-/// Columns that start at the same place of a page fight for the same lines of the cache; each array of
-/// each pool therefore starts a little further on.
+/// Offset of an array. Columns that start at the same offset in a page compete for
+/// the same cache lines; so each array of each pool starts at a different offset.
 std::size_t colour(std::uint32_t array) { return (array * std::size_t{1088}) % kColourSpan / 64 * 64; }
 
 std::size_t rounded(std::size_t bytes) {

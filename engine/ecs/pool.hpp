@@ -11,23 +11,23 @@
 
 namespace plumb {
 
-/// Where a pool keeps the component of one entity. `check` is the inverted generation of the entity, so
-/// that a fresh zero page means "nobody" and one load answers both "is it there" and "is it still the same".
+/// Where a pool keeps the component of one entity. `check` is the inverted generation of the entity:
+/// a fresh page of zeros means "no component", and one load checks both presence and generation.
 struct Slot {
     std::uint32_t check = 0;
     std::uint32_t position = 0;
 };
 
-/// Changes are noted per block of this many components, which costs nothing measurable.
+/// Changes are tracked per block of this many components, which has no measurable cost.
 inline constexpr std::uint32_t kStampShift = 8;
 
-/// All components of one type: a sparse array from entity to position, the entities in order of position,
-/// and the components in one column that never moves. Tags have no column.
+/// All components of one type: a sparse array from entity to position, the entities in order
+/// of position, and the components in one column that never moves. Tags have no column.
 ///
-/// A part of Storage, which keeps the invariants: for each position p below `count` that is no hole,
-/// sparse[dense[p]].position == p. Holes (dense == 0) exist only while somebody iterates.
+/// A part of Storage, which keeps the invariants: for each position p below `count` that is not
+/// a hole, sparse[dense[p]].position == p. Holes (dense == 0) exist only while a loop iterates.
 struct Pool {
-    /// A pool that holds nothing and never will.
+    /// An empty pool without capacity.
     Pool() = default;
     Pool(const ComponentType& componentType, std::uint32_t bitOrdinal, std::uint32_t maxEntities);
 
@@ -35,27 +35,27 @@ struct Pool {
     std::uint32_t* dense = nullptr;
     std::byte* column = nullptr;
     std::uint64_t* stamps = nullptr;  ///< per block: when it was last written
-    std::uint32_t count = 0;          ///< positions in use, holes among them
+    std::uint32_t count = 0;          ///< positions in use, including holes
     std::uint32_t stride = 0;         ///< bytes; 0 for tags
-    std::uint32_t capacity = 0;       ///< positions that may be written
-    std::uint32_t indexCapacity = 0;  ///< entities that may be looked up
+    std::uint32_t capacity = 0;       ///< positions for which memory is committed
+    std::uint32_t indexCapacity = 0;  ///< entities for which the sparse array is committed
     std::uint64_t version = 1;        ///< with `count` in changes()
-    std::uint64_t bit = 0;            ///< in EntityRecord::mask; the overflow bit for all past the 63rd
+    std::uint64_t bit = 0;            ///< in EntityRecord::mask; types beyond the 63rd share the overflow bit
     std::uint32_t ordinal = 0;
     std::uint32_t disorder = 0;  ///< changes since the last clustering
     const ComponentType* type = nullptr;
     std::vector<std::uint32_t> holes;  ///< positions
 
     [[nodiscard]] bool has(EntityId id) const {
-        const Slot* const slots = sparse;  // before the decision, so that loops read it once
+        const Slot* const slots = sparse;  // read before any branch, so that loops load it only once
         return id.index < indexCapacity && slots[id.index].check == ~id.generation;
     }
     /// Whether any entity at this index has one.
     [[nodiscard]] bool holds(std::uint32_t index) const {
         return index < indexCapacity && sparse[index].check != 0;
     }
-    /// Grows with every change of who is where. Adding raises `count` and need not write the version as well;
-    /// whatever lowers `count` raises the version by more.
+    /// Increases with every change of which entity is at which position. Adding raises `count`,
+    /// so it need not write the version too; whatever lowers `count` raises the version by more.
     [[nodiscard]] std::uint64_t changes() const { return version + count; }
     [[nodiscard]] std::uint32_t size() const { return count - static_cast<std::uint32_t>(holes.size()); }
     [[nodiscard]] std::byte* at(std::uint32_t position) const {
@@ -67,7 +67,7 @@ struct Pool {
         if (count == capacity || index >= indexCapacity) [[unlikely]]
             grow(index);
     }
-    /// A position at the end for an entity that has none yet. @pre makeRoom(id.index)
+    /// Appends a position for an entity that has none yet. @pre makeRoom(id.index)
     [[gnu::always_inline]] std::uint32_t append(EntityId id, std::uint64_t clock) {
         const std::uint32_t position = count;
         sparse[id.index].position = position;
@@ -78,7 +78,7 @@ struct Pool {
         return position;
     }
 
-    /// Takes the component out and moves the last one into its place.
+    /// Removes the component and moves the last one into its place.
     [[gnu::always_inline]] void erase(std::uint32_t index, std::uint32_t bytes, std::uint64_t clock) {
         const std::uint32_t position = sparse[index].position;
         const std::uint32_t last = --count;
@@ -94,7 +94,7 @@ struct Pool {
         version += 2;
     }
 
-    /// Takes the component out and leaves a hole for `compact`.
+    /// Removes the component and leaves a hole for `compact`.
     void punch(std::uint32_t index) {
         const std::uint32_t position = sparse[index].position;
         sparse[index] = {};
@@ -104,10 +104,10 @@ struct Pool {
         ++disorder;
     }
 
-    /// Fills the holes from the end.
+    /// Fills the holes with components from the end.
     void compact(std::uint64_t clock);
 
-    /// Notes a write to `length` positions from `first` on.
+    /// Records a write to `length` positions from `first` on.
     void stamp(std::uint32_t first, std::uint32_t length, std::uint64_t clock) const {
         std::uint64_t* const begin = stamps + (first >> kStampShift);
         std::uint64_t* const end = stamps + ((first + length - 1) >> kStampShift) + 1;
@@ -118,12 +118,12 @@ struct Pool {
         if (count > 0) stamp(0, count, clock);
     }
 
-    /// Makes room until positions up to `positions` and entities up to `index` fit.
+    /// Allocates memory for positions up to `positions` and entities up to `index`.
     void reserve(std::uint32_t positions, std::uint32_t index);
 
 private:
     void move(std::uint32_t to, std::uint32_t from, std::uint32_t bytes) const {
-        if (bytes == 8) {  // most components are small, and a call to memcpy is not
+        if (bytes == 8) {  // most components are small: faster than a call of memcpy
             std::memcpy(column + std::size_t{8} * to, column + std::size_t{8} * from, 8);
             return;
         }

@@ -28,11 +28,11 @@ std::uint32_t nextQueryKey();
 template <class... T>
 inline const std::uint32_t kQueryKey = nextQueryKey();
 
-/// The one object that all holders of a tag share, so that tags can stand in a query like components.
+/// The single object that all holders of a tag share, so that tags can be used in queries like components.
 template <class T>
 inline std::remove_const_t<T> kTagInstance{};
 
-/// A column of a query; of a tag there is nothing to step through.
+/// The column of a query; a tag has nothing to advance.
 template <class T>
 T& itemOf(T* column, std::size_t i) {
     if constexpr (kIsTag<T>) {
@@ -57,8 +57,8 @@ T* advanced(T* column, std::uint32_t by) {
     return kIsTag<T> ? column : column + by;
 }
 
-/// What a range-for over a query takes apart: the entity and its components.
-/// Its destructor says to compilers that a loop which only counts leaves nothing unused.
+/// The elements of a range-for over a query: the entity and its components.
+/// Its destructor keeps compilers from warning about unused variables in loops that only count.
 template <class... T>
 struct Row : std::tuple<Entity, T&...> {
     using std::tuple<Entity, T&...>::tuple;
@@ -67,8 +67,8 @@ struct Row : std::tuple<Entity, T&...> {
     ~Row() {}
 };
 
-/// A loop over the entities of a query: the state behind range-for. Entities that stop matching while it
-/// runs are skipped; those that start to match are not visited by this loop.
+/// A loop over the entities of a query: the state of a range-for. Entities that stop matching
+/// during the loop are skipped; entities that start to match are not visited by this loop.
 template <class... T>
 class Cursor {
     static constexpr std::uint32_t kColumns = sizeof...(T);
@@ -118,7 +118,7 @@ private:
         span_ = spanOf(*cache_, run, std::index_sequence_for<T...>{});
     }
 
-    /// A run as the loop walks it; of length 0 past the last one.
+    /// The current run of the loop; of length 0 after the last one.
     struct Span {
         std::size_t length = 0;
         const std::uint32_t* entities = nullptr;
@@ -133,8 +133,8 @@ private:
                 {advanced(columnOf<T>(*cache.included[I]), run[I])...}};
     }
 
-    /// All at once and before the loop: a call in it would make compilers reload whatever they keep in
-    /// registers.
+    /// Loads all columns at once before the loop: a call
+    /// inside it would make compilers reload registers.
     template <std::size_t... I>
     [[gnu::noinline]] static void stampAll(const QueryCache& cache, std::uint64_t clock,
                                            std::index_sequence<I...>) {
@@ -156,8 +156,8 @@ private:
     Span span_;
 };
 
-/// The entities that have all of T, but for the paused ones. Cheap to make; the answer is looked up when a
-/// loop begins.
+/// The entities that have all of T, except paused ones. Cheap
+/// to construct; the result is looked up when a loop begins.
 ///
 ///     for (auto [entity, body, transform] : world.query<const RigidBody, Transform>(without<Asleep>)) …
 ///
@@ -190,8 +190,8 @@ public:
         return found;
     }
 
-    /// Calls `f(T&...)`, or `f(Entity, T&...)`, for each entity. The fastest loop: without the entity it
-    /// becomes a plain one over arrays that the compiler can vectorise.
+    /// Calls `f(T&...)`, or `f(Entity, T&...)`, for each entity. The fastest loop:
+    /// without the entity it is a plain loop over arrays that the compiler can vectorize.
     template <class F>
     void each(F&& f) const {
         Loop loop{*this};
@@ -205,7 +205,7 @@ public:
         }
     }
 
-    /// Calls `f(count, T*...)` for arrays of entities that follow one another. Not for tags.
+    /// Calls `f(count, T*...)` for arrays of consecutive entities. Not for tags.
     template <class F>
     void chunks(F&& f) const {
         Loop loop{*this};
@@ -229,7 +229,7 @@ public:
 private:
     using Columns = std::index_sequence_for<T...>;
 
-    /// An iteration that ends with its scope.
+    /// Guard for an iteration, which ends with its scope.
     struct Loop {
         explicit Loop(const Query& query)
             : storage{query.storage_},
@@ -277,7 +277,7 @@ private:
             return length;
         }
     }
-    /// @return how many were visited before the world changed under the loop
+    /// @return how many were visited before the world changed during the loop
     template <class F>
     static std::uint32_t plainLoop(F& f, const std::uint64_t& structure, std::uint32_t length,
                                    T* __restrict... items) {
@@ -320,7 +320,7 @@ void addTerms(Without<T...>, Storage& storage, QueryCache& cache) {
 
 inline void addTerms(WithPaused, Storage&, QueryCache&) {}
 
-/// Whether a term of a query says by itself what becomes of the paused.
+/// True if a term of a query determines whether paused entities are included.
 template <class Term>
 inline constexpr bool kNamesPaused = std::is_same_v<std::remove_const_t<Term>, Paused>;
 template <>
@@ -330,7 +330,7 @@ inline constexpr bool kNamesPaused<With<T...>> = (kNamesPaused<T> || ...);
 template <class... T>
 inline constexpr bool kNamesPaused<Without<T...>> = (kNamesPaused<T> || ...);
 
-/// The cache of a query in a storage, made on first use.
+/// The cache of a query in a storage, created on first use.
 template <class... T, class... Filters>
 QueryCache& queryCache(Storage& storage, Filters... filters) {
     QueryCache& cache = storage.cache(kQueryKey<With<std::remove_const_t<T>...>, Filters...>);

@@ -10,7 +10,7 @@ namespace plumb {
 
 namespace {
 
-/// How far two arrays agree, at the speed of a compare of memory.
+/// Length of the common prefix of two arrays, at the speed of memcmp.
 std::uint32_t commonPrefix(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t n) {
     constexpr std::uint32_t kStep = 32;
     std::uint32_t i = 0;
@@ -58,7 +58,7 @@ void QueryCache::rebuild(const EntityRecord* records) {
         if (pool->count < lead->count) lead = pool;
     }
     version_ = poolChanges();
-    if (indexed && masked_) {  // was fragmented the last time, so it probably still is
+    if (indexed && masked_) {  // it was fragmented the last time, so it probably still is
         bool still = false;
         switch (columns) {
             case 1: still = buildIndex<1>(records, *lead); break;
@@ -106,7 +106,7 @@ void QueryCache::buildRuns(const EntityRecord* records, const Pool& lead) {
 }
 
 /// Writes one tuple of positions per match, without branches.
-/// @return false when the matches turned out to follow one another: then runs are better
+/// @return false if the matches are consecutive: then runs are better
 template <std::uint32_t N>
 bool QueryCache::buildIndex(const EntityRecord* records, const Pool& lead) {
     const std::uint32_t* dense = lead.dense;
@@ -116,7 +116,7 @@ bool QueryCache::buildIndex(const EntityRecord* records, const Pool& lead) {
     std::uint32_t* out = runs.data();
     std::uint32_t found = 0;
     std::uint32_t following = 0;
-    std::uint32_t before = 0;  // sum of the positions of the match before
+    std::uint32_t before = 0;  // sum of the positions of the previous match
     for (std::uint32_t k = 0; k < lead.count; ++k) {
         const std::uint32_t index = dense[k];
         const std::uint32_t hit = ((records[index].mask ^ need_) & care_) == 0 ? 1u : 0u;

@@ -8,36 +8,36 @@
 
 namespace plumb {
 
-/// What is known of an entity besides its components. Generations of the living are odd.
+/// Data of an entity besides its components. Generations of living entities are odd.
 struct EntityRecord {
     std::uint64_t mask = 0;  ///< Pool::bit of its components
     std::uint32_t generation = 0;
 };
 
-/// The remembered answer of a query: runs of entities that follow one another in all of its columns, so
-/// that the inner loop is a plain one. Valid as long as no pool of the query changes.
+/// The cached result of a query: runs of entities that are consecutive in all of its
+/// columns, so that the inner loop is a plain one. Valid while no pool of the query changes.
 struct QueryCache {
-    std::vector<Pool*> included;  ///< the named columns first, then those that must merely be there
+    std::vector<Pool*> included;  ///< the columns of the query first, then those that are only required
     std::vector<Pool*> excluded;
-    std::uint32_t columns = 0;  ///< how many of `included` are named
-    bool prepared = false;      ///< the pools above are filled in
+    std::uint32_t columns = 0;  ///< how many of `included` are columns
+    bool prepared = false;      ///< the pools above have been filled in
 
-    /// Per run the first position in each named column, then the length. When `indexed`, every run is of
-    /// one entity and the length is left out.
+    /// Per run: the first position in each column, then the length. If
+    /// `indexed`, every run is a single entity and the length is omitted.
     std::vector<std::uint32_t> runs;
     bool indexed = false;
     std::uint32_t total = 0;  ///< entities
-    std::uint32_t users = 0;  ///< loops that read `runs` right now
+    std::uint32_t users = 0;  ///< loops that currently read `runs`
 
     [[nodiscard]] std::uint32_t step() const { return indexed ? columns : columns + 1; }
     [[nodiscard]] bool stale() const { return version_ != poolChanges(); }
     void rebuild(const EntityRecord* records);
 
-    /// Whether the entity at the index answers the query now.
+    /// True if the entity at this index currently matches the query.
     [[nodiscard]] bool matches(const EntityRecord* records, std::uint32_t index) const {
         return masked_ ? ((records[index].mask ^ need_) & care_) == 0 : holdsAll(index);
     }
-    /// Whether what stood at a place of a run when the loop began is still there and still matches.
+    /// True if the entity that was at a position of a run when the loop began is still there and matches.
     [[nodiscard]] bool stillThere(const EntityRecord* records, const std::uint32_t* run,
                                   std::uint32_t i) const {
         const std::uint32_t index = included[0]->dense[run[0] + i];
@@ -48,9 +48,9 @@ struct QueryCache {
         return matches(records, index);
     }
 
-    /// Another cache of the same query, for a loop inside a loop after the world changed.
+    /// Another cache of the same query, for a nested loop after the world changed.
     QueryCache& spare();
-    /// Works out the masks; once the pools are known or were renumbered.
+    /// Computes the masks, once the pools are known or were renumbered.
     void prepare();
 
 private:
@@ -64,7 +64,7 @@ private:
         return true;
     }
     [[nodiscard]] std::uint64_t poolChanges() const {
-        // Each of them only grows, so equal sums mean that none of them changed.
+        // Each summand only grows, so equal sums mean that none of them changed.
         std::uint64_t sum = 0;
         for (const Pool* pool : included) sum += pool->changes();
         for (const Pool* pool : excluded) sum += pool->changes();
@@ -76,10 +76,10 @@ private:
     bool buildIndex(const EntityRecord* records, const Pool& lead);
     void expandRuns();
 
-    bool masked_ = false;  // the masks say it all: no pool of the query is past the 63rd
+    bool masked_ = false;  // the masks are sufficient: no pool of the query is beyond the 63rd
     std::uint64_t need_ = 0;
     std::uint64_t care_ = 0;
-    std::uint64_t version_ = 0;  // of the pools when `runs` was made
+    std::uint64_t version_ = 0;  // of the pools when `runs` was computed
     std::unique_ptr<QueryCache> spare_;
     std::vector<std::uint32_t> scratch_;
 };

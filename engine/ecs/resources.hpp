@@ -17,7 +17,7 @@ concept AddsToHash = requires(const T& value, Hasher& hasher) {
     value.addTo(hasher);
 };
 
-/// One value per type: what a world has once. Copied with snapshots; in the hash where T has `addTo`.
+/// One value per type, for data that a world has once. Part of snapshots; hashed if T has `addTo`.
 class Resources {
 public:
     Resources() = default;
@@ -26,7 +26,7 @@ public:
     Resources(Resources&&) = default;
     Resources& operator=(Resources&&) = default;
 
-    /// The value; made with its defaults on first use. The reference stays valid as long as the world.
+    /// The value; created with defaults on first use. The reference stays valid as long as the world.
     template <class T>
     T& get() {
         Box* box = find(typeKey<T>());
@@ -40,7 +40,7 @@ public:
         return box != nullptr && box->present ? &static_cast<BoxOf<T>*>(box)->value : nullptr;
     }
 
-    /// Makes these values equal to the other's; values that it lacks go back to their defaults.
+    /// Copies all values of the other; values that it lacks are reset to their defaults.
     void assign(const Resources& other);
     void addTo(Hasher& hasher) const;
 

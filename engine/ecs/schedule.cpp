@@ -45,7 +45,7 @@ std::vector<std::string_view> Schedule::names() const {
 
 void Schedule::run(World& world, float dt, Profile* profile) const {
     SystemGates* const gates = world.service<SystemGates>();
-    // By number: a system may add another one, which then runs if it comes later in the order.
+    // By index, because a system may add another one, which then runs if it comes later in the order.
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         if (gates != nullptr && !gates->admits(world, i, boxes_[i]->key)) continue;
         const ProfileScope scope{profile, boxes_[i]->name};

@@ -15,16 +15,16 @@ namespace plumb {
 class Profile;
 class World;
 
-/// A system that names itself for the order table: `static constexpr std::string_view kName`.
+/// A system with a name for the order table: `static constexpr std::string_view kName`.
 template <class S>
 concept NamedSystem = requires {
     std::string_view{S::kName};
 };
 
-/// The systems of a world, in the one order in which they run.
+/// The systems of a world, in the order in which they run.
 class Schedule {
 public:
-    /// Adds a system; a second one of the same type is not added, the first is returned.
+    /// Adds a system; if there is one of the same type already, returns that.
     template <class S, class... Arguments>
     S& add(Arguments&&... arguments) {
         if (S* known = find<S>()) return *known;
@@ -39,12 +39,12 @@ public:
         return box != nullptr ? &static_cast<BoxOf<S>*>(box)->system : nullptr;
     }
 
-    /// Systems named here run in this order, those not named after them in the order of adding.
+    /// Systems named here run in this order, the others after them in the order in which they were added.
     void setOrder(std::span<const std::string_view> names);
     [[nodiscard]] std::vector<std::string_view> names() const;
 
     /// Runs every system once and applies the world's commands after each.
-    /// @param profile  gets the time of each system; may be null
+    /// @param profile  receives the time of each system; may be null
     void run(World& world, float dt, Profile* profile) const;
 
 private:

@@ -30,7 +30,7 @@ void Storage::save(StorageImage& image) const {
     }
 }
 
-/// The masks in the records count on the numbers that the pools had when they were saved.
+/// The masks in the records depend on the pool numbers at the time of the save: restores these.
 void Storage::adoptPoolOrder(const StorageImage& image) {
     bool same = image.pools.size() <= pools_.size();
     for (std::size_t i = 0; same && i < image.pools.size(); ++i)
@@ -59,6 +59,7 @@ void Storage::restore(const StorageImage& image) {
     PLUMB_ASSERT(iterating_ == 0, "a snapshot is restored between loops, not inside one");
     if (iterating_ != 0) return;
     adoptPoolOrder(image);
+    noteAllLosses();
     const std::byte* from = image.bytes.data();
     const auto read = [&from](void* to, std::size_t bytes) {
         if (bytes > 0) std::memcpy(to, from, bytes);
@@ -71,7 +72,7 @@ void Storage::restore(const StorageImage& image) {
     retired_ = image.retired;
     read(records_, (std::size_t{used_} + 1) * sizeof(EntityRecord));
     read(free_, std::size_t{freeCount_} * sizeof(std::uint32_t));
-    // Indices first used after the save were never used now.
+    // Indices first used after the save become unused again.
     if (before > used_) {
         std::memset(static_cast<void*>(records_ + used_ + 1), 0,
                     std::size_t{before - used_} * sizeof(EntityRecord));

@@ -15,17 +15,17 @@ namespace plumb {
 struct ComponentType;
 class World;
 
-/// Bytes that are only ever overwritten: growing them does not clear them first.
+/// A byte buffer that is only overwritten: growing does not clear it first.
 class ByteBuffer {
 public:
-    /// Forgets the content and makes room.
+    /// Discards the content and reserves memory.
     void prepare(std::size_t bytes) {
         used_ = 0;
         if (bytes <= capacity_) return;
         capacity_ = bytes;
         bytes_.reset(new std::byte[bytes]);
     }
-    /// @pre prepare() made room for it
+    /// @pre prepare() has reserved enough memory
     void append(const void* from, std::size_t bytes) {
         if (bytes > 0) std::memcpy(bytes_.get() + used_, from, bytes);
         used_ += bytes;
@@ -39,8 +39,8 @@ private:
     std::size_t capacity_ = 0;
 };
 
-/// The entities and components of a world at one moment: the used beginnings of its arrays. What follows
-/// from the rest, the sparse arrays, is worked out again when it is restored.
+/// The entities and components of a world at one time: the used parts of its
+/// arrays. The sparse arrays follow from them and are recomputed by a restore.
 struct StorageImage {
     struct PoolImage {
         const ComponentType* type = nullptr;
@@ -55,8 +55,8 @@ struct StorageImage {
     ByteBuffer bytes;              ///< the records, the free indices, then entities and column of each pool
 };
 
-/// A world at one moment: World::save fills it, World::restore brings it back to the exact order, also into
-/// another world. Filling the same one again reuses its memory.
+/// The state of a world at one time: World::save fills it, World::restore restores it including
+/// the order, also in another world. Filling the same snapshot again reuses its memory.
 class Snapshot {
 public:
     [[nodiscard]] std::size_t byteCount() const { return storage_.bytes.size(); }
@@ -69,7 +69,7 @@ private:
     Resources resources_;
     TileStore tiles_;
     TextStore texts_;
-    const World* source_ = nullptr;  // compared, never followed
+    const World* source_ = nullptr;  // compared, never dereferenced
     std::uint64_t tick_ = 0;
 };
 

@@ -11,11 +11,11 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kFirstRecords = 1u << 14;
-/// The last generation of the dead: after it an index is given up, or its names would repeat.
+/// The last generation of a dead entity: then the index is retired, because its ids would repeat.
 constexpr std::uint32_t kLastGeneration = 0xfffffffeu;
 
-/// How many entities a world has addresses for. Where the addresses of the process are limited, all pools
-/// take about a quarter of them: 64 types with 64 bytes for an entity.
+/// The number of entities for which a world reserves address space. If the address space of the
+/// process is limited, all pools take about a quarter of it: 64 types with 64 bytes per entity.
 std::uint32_t roomOfWorld() {
     constexpr std::size_t kBytes = std::size_t{64} * 64, kMaximum = kAddressesAreFree ? 1u << 22 : 1u << 16;
     return static_cast<std::uint32_t>(
@@ -25,7 +25,7 @@ std::uint32_t roomOfWorld() {
 }  // namespace
 
 Storage::Storage()
-    : byKey_(kMaxTypes, &nobody_),
+    : byKey_(kMaxTypes, &emptyPool_),
       maxEntities_{roomOfWorld()},
       recordMemory_{maxEntities_ * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
     if (!recordMemory_.ok())
@@ -33,7 +33,7 @@ Storage::Storage()
     records_ = reinterpret_cast<EntityRecord*>(recordMemory_.start());
     free_ = reinterpret_cast<std::uint32_t*>(recordMemory_.start() + maxEntities_ * sizeof(EntityRecord));
     growRecords(1);
-    records_[0].generation = ~0u;  // so that the empty handle names nobody
+    records_[0].generation = ~0u;  // so that the empty handle matches no entity
 }
 
 void Storage::growRecords(std::uint32_t count) {
@@ -42,6 +42,7 @@ void Storage::growRecords(std::uint32_t count) {
     std::uint32_t capacity = std::max(recordCapacity_, kFirstRecords);
     while (capacity < count) capacity *= 4;
     recordCapacity_ = std::min(capacity, maxEntities_);
+    losses_.resize((recordCapacity_ >> kStampShift) + 1);
     if (!recordMemory_.commit(0, recordCapacity_ * sizeof(EntityRecord)) ||
         !recordMemory_.commit(maxEntities_ * sizeof(EntityRecord), recordCapacity_ * sizeof(std::uint32_t))) {
         failAssertion("the memory is used up", __FILE__, __LINE__);
@@ -72,7 +73,7 @@ std::uint32_t Storage::appendRange(Pool& pool, EntityId first, std::uint32_t cou
     return start;
 }
 
-/// Takes all components of an entity while somebody iterates, or from more pools than a mask has bits for.
+/// Removes all components of an entity during iteration, or from more pools than a mask has bits for.
 void Storage::removeCarefully(std::uint32_t index, std::uint64_t mask) {
     const auto take = [&](Pool& pool) {
         if (iterating_ == 0) {
@@ -94,6 +95,7 @@ void Storage::removeCarefully(std::uint32_t index, std::uint64_t mask) {
 void Storage::destroy(EntityId id) {
     EntityRecord& record = records_[id.index];
     const std::uint64_t mask = record.mask;
+    noteLoss(id.index);
     record.mask = 0;
     record.generation = id.generation + 1;
     if (record.generation != kLastGeneration) [[likely]] {
@@ -130,8 +132,9 @@ void Storage::clear() {
         pool->count = 0;
         pool->disorder = 0;
     }
+    noteAllLosses();
     const bool mayBeWorn = endAllLives();
-    // Lowest index on top, so that a cleared world gives out the same order as a new one.
+    // Lowest index on top, so that a cleared world gives out indices in the same order as a new one.
     freeCount_ = used_;
     for (std::uint32_t i = 0; i < used_; ++i) free_[i] = used_ - i;
     if (mayBeWorn) {
@@ -141,7 +144,7 @@ void Storage::clear() {
     retired_ = used_ - freeCount_;
 }
 
-/// @return whether some generation is so high that it needs a look
+/// @return true if some generation is so high that it needs a check
 bool Storage::endAllLives() {
     EntityRecord* const records = records_;
     const std::uint32_t used = used_;
@@ -168,7 +171,7 @@ void Storage::findWatched() {
     for (const TypeKey key : watchedKeys_) watchedMask_ |= knownPool(key).bit;
 }
 
-/// A cache of the same query that is up to date: this one, unless a loop reads its runs right now.
+/// An up-to-date cache of the same query: this one, unless a loop currently reads its runs.
 QueryCache& Storage::renewed(QueryCache& wanted) {
     QueryCache* cache = &wanted;
     while (cache->users != 0 && cache->stale()) cache = &cache->spare();

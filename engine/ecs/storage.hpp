@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <memory>
@@ -15,7 +16,7 @@ namespace plumb {
 
 struct StorageImage;
 
-/// The entities of a world and their components. World is the friendly face of it.
+/// The entities of a world and their components. World is its public interface.
 class Storage {
 public:
     static constexpr std::uint64_t kOverflowBit = std::uint64_t{1} << 63;
@@ -36,10 +37,10 @@ public:
         }
         return {index, ++records_[index].generation};
     }
-    /// Never used indices for all of `ids`, one after the other.
+    /// Takes unused consecutive indices for all of `ids`.
     void createFresh(std::span<EntityId> ids, std::uint64_t mask);
     [[nodiscard]] bool alive(EntityId id) const {
-        // Only odd generations are ever given out, and those of the dead are even.
+        // Only odd generations are given out; those of dead entities are even.
         return id.index <= used_ && records_[id.index].generation == id.generation;
     }
     /// @pre alive(id)
@@ -48,11 +49,11 @@ public:
     [[nodiscard]] std::uint32_t entityCount() const { return used_ - freeCount_ - retired_; }
     [[nodiscard]] std::uint32_t usedIndices() const { return used_; }
     [[nodiscard]] const EntityRecord* records() const { return records_; }
-    /// Whether it has a component of a type that was given to watch().
+    /// True if it has a component of a type that was passed to watch().
     [[nodiscard]] bool watched(EntityId id) const { return (records_[id.index].mask & watchedMask_) != 0; }
-    /// Destroying an entity with such a component needs care from the caller.
+    /// Destroying an entity with a component of this type needs special handling by the caller.
     void watch(TypeKey key) { watchedKeys_.push_back(key); }
-    /// Whether somebody lives at an index that was used. @pre 0 < index <= usedIndices()
+    /// Whether the entity at a used index is alive. @pre 0 < index <= usedIndices()
     [[nodiscard]] bool livesAt(std::uint32_t index) const { return (records_[index].generation & 1u) != 0; }
     [[nodiscard]] EntityId idAt(std::uint32_t index) const { return {index, records_[index].generation}; }
 
@@ -61,14 +62,14 @@ public:
     template <class T>
     Pool& pool() {
         const TypeKey key = typeKey<T>();
-        if (byKey_[key] != &nobody_) return *byKey_[key];
+        if (byKey_[key] != &emptyPool_) return *byKey_[key];
         return makePool(componentType<std::remove_const_t<T>>());
     }
-    /// The pool of a type; an empty one, which nothing fits into, when there is none.
+    /// The pool of a type, or an empty one without capacity if there is none.
     [[nodiscard]] const Pool& knownPool(TypeKey key) const { return *byKey_[key]; }
     [[nodiscard]] Pool& knownPool(TypeKey key) { return *byKey_[key]; }
     [[nodiscard]] Pool* findPool(TypeKey key) const {
-        return byKey_[key] != &nobody_ ? byKey_[key] : nullptr;
+        return byKey_[key] != &emptyPool_ ? byKey_[key] : nullptr;
     }
     Pool& pool(const TypeInfo& info) {
         Pool* known = findPool(info.key);
@@ -76,9 +77,9 @@ public:
     }
     [[nodiscard]] std::span<const std::unique_ptr<Pool>> pools() const { return pools_; }
 
-    /// Whether append() may be called at once: the entity is alive and has none, and there is room.
+    /// True if append() may be called right away: the entity is alive and has none, and there is room.
     [[nodiscard]] bool canAppend(const Pool& pool, EntityId id) const {
-        // Records are committed in the same steps as the pools' look-up tables, so one bound serves both.
+        // Records are committed in the same steps as the sparse arrays, so one check covers both.
         return pool.count != pool.capacity && id.index < pool.indexCapacity &&
                records_[id.index].generation == id.generation && pool.sparse[id.index].check == 0;
     }
@@ -92,6 +93,7 @@ public:
     /// @pre pool.has(id)
     [[gnu::always_inline]] void erase(Pool& pool, EntityId id, std::uint32_t bytes) {
         records_[id.index].mask &= ~(pool.bit & ~kOverflowBit);
+        noteLoss(id.index);
         if (iterating_ == 0) [[likely]] {
             pool.erase(id.index, bytes, clock_);
         } else {
@@ -100,7 +102,7 @@ public:
             holes_ = true;
         }
     }
-    /// Room for `count` more in a pool, behind one another, for entities with following indices.
+    /// Appends `count` consecutive positions to a pool, for entities with consecutive indices.
     std::uint32_t appendRange(Pool& pool, EntityId first, std::uint32_t count);
 
     // iteration
@@ -121,17 +123,26 @@ public:
         if (--iterating_ == 0 && holes_) compact();
     }
     [[nodiscard]] bool iterating() const { return iterating_ != 0; }
-    /// Counts the changes of who has what while somebody iterates, for loops that must notice.
+    /// Counts added and removed components during iteration, for loops that must detect them.
     [[nodiscard]] const std::uint64_t& structure() const { return structure_; }
 
     // changes
 
     [[nodiscard]] std::uint64_t clock() const { return clock_; }
+    /// Calls `f(EntityId)` for the indices near which an entity lost a component since the mark.
+    template <class F>
+    void eachLossSince(std::uint64_t mark, F&& f) const {
+        for (std::uint32_t first = 0; first <= used_; first += 1u << kStampShift) {
+            if (losses_[first >> kStampShift] <= mark) continue;
+            const std::uint32_t end = std::min(used_ + 1, first + (1u << kStampShift));
+            for (std::uint32_t index = std::max(first, 1u); index < end; ++index) f(idAt(index));
+        }
+    }
     std::uint64_t advanceClock() { return clock_++; }
 
     // order
 
-    /// Sorts every pool by which components its entities have, then by index.
+    /// Sorts every pool by the component sets of its entities, then by index.
     void cluster();
     [[nodiscard]] bool fragmented() const;
 
@@ -146,13 +157,15 @@ private:
     bool endAllLives();
     void removeCarefully(std::uint32_t index, std::uint64_t mask);
     void growRecords(std::uint32_t count);
+    void noteLoss(std::uint32_t index) { losses_[index >> kStampShift] = clock_; }
+    void noteAllLosses() { std::fill(losses_.begin(), losses_.end(), clock_); }
     void compact();
     void adoptPoolOrder(const StorageImage& image);
     void findWatched();
 
     EntityRecord* records_ = nullptr;
     std::uint32_t used_ = 0;         // highest index ever used
-    std::uint32_t* free_ = nullptr;  // a stack of indices to use again
+    std::uint32_t* free_ = nullptr;  // a stack of indices to reuse
     std::uint32_t freeCount_ = 0;
     std::uint32_t retired_ = 0;  // indices whose generations are used up
     std::uint32_t iterating_ = 0;
@@ -160,14 +173,15 @@ private:
     std::uint64_t clock_ = 1;
     bool holes_ = false;
     std::uint32_t recordCapacity_ = 0;
+    std::vector<std::uint64_t> losses_;  // per block of indices: when one there last lost a component
     std::uint64_t watchedMask_ = 0;
-    Pool nobody_;
-    std::vector<Pool*> byKey_;  // &nobody_ for types without a pool
+    Pool emptyPool_;
+    std::vector<Pool*> byKey_;  // &emptyPool_ for types without a pool
     std::vector<TypeKey> watchedKeys_;
     std::vector<std::unique_ptr<Pool>> pools_;  // by ordinal
     std::vector<std::unique_ptr<QueryCache>> caches_;
     std::vector<std::byte> scratch_;
-    std::uint32_t maxEntities_;  // what all arrays have addresses for
+    std::uint32_t maxEntities_;  // for which all arrays have reserved address space
     AddressRange recordMemory_;
 };
 

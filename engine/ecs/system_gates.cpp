@@ -10,7 +10,7 @@ std::size_t SystemGates::add(TypeKey system, bool (*calledFor)(const World& worl
     return gates_.size() - 1;
 }
 
-/// Rare: when a system was added or the order was changed.
+/// Rare: after a system was added or the order was changed.
 void SystemGates::findGate(std::size_t place, TypeKey system) {
     if (place >= places_.size()) places_.resize(place + 1);
     const auto found =
@@ -27,7 +27,7 @@ bool SystemGates::admits(const World& world, std::size_t place, TypeKey system) 
     const bool called = gate.calledFor(world);
     const bool runs = gate.pin == Pin::Auto ? called : gate.pin == Pin::On;
     gate.runs += runs ? 1 : 0;
-    // Whom a pin forbids to run must not, if there is something that it would do.
+    // A system pinned off must not run, not even its first time, if there is something that it would process.
     if (!runs && (gate.begun || called)) return false;
     gate.begun = true;
     return true;

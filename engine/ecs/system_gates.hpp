@@ -10,25 +10,25 @@ namespace plumb {
 
 class World;
 
-/// Whether something runs because somebody calls for it, always, or never.
+/// Whether something runs only when required, always, or never.
 enum class Pin : std::uint8_t { Auto, On, Off };
 
-/// Which systems of a world run: those that somebody calls for. A service of the world, so it has to outlive
-/// the last tick. A system without a gate always runs, and so do all of a world without this.
+/// Which systems of a world run: those that a component requires. A service of the world; it must outlive
+/// the last tick. A system without a gate always runs, as do all systems of a world without this service.
 ///
-/// Who calls is asked right before a system's turn, so that what an earlier system made is heard in the same
-/// tick. The answer is a look at the sizes of a few pools, however many entities there are.
+/// Requirements are checked right before a system's turn, so a system sees what earlier systems made in
+/// the same tick. The check reads the sizes of a few pools; its cost does not depend on entity counts.
 ///
-/// At its first turn a system runs once for nobody, so that its queries are made. Past 63 kinds of components
-/// the order of iteration depends on which were used first: it must not depend on who calls for what.
+/// At its first turn each system runs once even if not required, so that its queries are created. Beyond
+/// 63 types of components iteration order depends on first use; it must not depend on requirements.
 class SystemGates {
 public:
     struct Gate {
         TypeKey system = 0;
         bool (*calledFor)(const World& world) = nullptr;
         Pin pin = Pin::Auto;
-        std::uint64_t runs = 0;  ///< how often the system ran for somebody, or because it is pinned on
-        bool begun = false;      ///< its queries are made
+        std::uint64_t runs = 0;  ///< how often the system ran because it was required or pinned on
+        bool begun = false;      ///< its queries have been created
     };
 
     /// @return the number of the gate
@@ -36,13 +36,13 @@ public:
     void setPin(std::size_t gate, Pin pin) { gates_[gate].pin = pin; }
     [[nodiscard]] const Gate& gate(std::size_t number) const { return gates_[number]; }
 
-    /// Whether the system at this place of the schedule runs now. Counts it.
+    /// True if the system at this position of the schedule runs now. Counts the run.
     [[nodiscard]] bool admits(const World& world, std::size_t place, TypeKey system);
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-    /// A place of the schedule.
+    /// A position in the schedule.
     struct Place {
         TypeKey system = 0;
         std::size_t gate = kNone;

@@ -8,7 +8,7 @@ namespace plumb {
 
 namespace {
 
-/// Small grids are hashed as the rows they are; large ones by their chunks, of which most are empty.
+/// Small grids are hashed row by row, large ones chunk by chunk, as most of these are empty.
 constexpr std::size_t kSmallGrid = 256 * 256;
 
 std::uint64_t hashOf(const TileGrid& grid) {
@@ -39,7 +39,7 @@ bool canFollow(const TileGrid& grid, const TileGrid& other) {
     return other.cellCount() > kSmallGrid && grid.width() == other.width() && grid.height() == other.height();
 }
 
-/// Makes a large grid equal to another of its size, by what differs: a copy would touch all that they share.
+/// Makes a large grid equal to another of its size, by differing chunks; shared ones stay shared.
 void follow(TileGrid& grid, const TileGrid& other) {
     for (int row = 0; row < other.chunkRows(); ++row) {
         if (grid.rowStamp(row) == other.rowStamp(row)) continue;
@@ -49,7 +49,7 @@ void follow(TileGrid& grid, const TileGrid& other) {
     }
 }
 
-/// Stamps only tell copies of one edit from another edit; their order means nothing.
+/// Stamps only distinguish edits; their order has no meaning.
 std::uint64_t nextStamp() {
     static std::atomic<std::uint64_t> stamp{0};
     return ++stamp;
@@ -103,7 +103,7 @@ void TileStore::dropUnmarked() {
 TileStore& TileStore::operator=(const TileStore& other) {
     if (this == &other) return *this;
     lastId_ = other.lastId_;
-    // Mostly the same grids as before: what is the same keeps its memory and its place.
+    // Usually the same grids as before: equal ones keep their memory and position.
     std::size_t same = 0;
     const std::size_t both = std::min(entries_.size(), other.entries_.size());
     while (same < both && entries_[same].id == other.entries_[same].id) {

@@ -9,20 +9,20 @@
 
 namespace plumb {
 
-/// The tile grids of a world, named by TilesId so that components stay plain data. A grid lives as long as a
-/// component names it: the world drops the others at the start of a tick.
-/// Copies are cheap when little changed: assigning copies only the grids that differ.
+/// The tile grids of a world. Components refer to them by TilesId and so stay plain data. A grid
+/// lives while a component refers to it: the world drops the others at the start of a tick.
+/// Copying is cheap if little changed: assignment copies only the grids that differ.
 class TileStore {
 public:
-    /// A new name for the grid; names are never used again.
+    /// A new id for the grid; ids are never reused.
     TilesId add(TileGrid grid);
     void remove(TilesId id);
     [[nodiscard]] const TileGrid* find(TilesId id) const;
-    /// The grid, to change it. Ask anew after a snapshot was restored; only reading? use find.
+    /// The grid, for changes. Call again after a snapshot was restored; use find() to only read.
     TileGrid* edit(TilesId id);
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
-    /// To drop what nobody names: forget all marks, mark what is in use, drop the rest.
+    /// Garbage collection: unmark all grids, mark those in use, drop the rest.
     void unmarkAll();
     void mark(TilesId id);
     void dropUnmarked();
@@ -38,7 +38,7 @@ private:
         std::uint32_t id = 0;
         bool marked = false;
         TileGrid grid;
-        std::uint64_t stamp = 0;  // of the last edit(); no two edits of the program share one
+        std::uint64_t stamp = 0;  // of the last edit(); unique within the program
         mutable std::uint64_t hash = 0;
         mutable std::uint64_t hashedStamp = 0;
         mutable std::uint32_t hashedVersion = 0;

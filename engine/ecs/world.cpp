@@ -15,8 +15,8 @@ namespace plumb {
 
 namespace {
 
-/// Worlds up to this size are tidied while they run; larger ones would be felt (a pass takes about 10 ns
-/// per component) and are tidied when they are loaded.
+/// Worlds up to this size are sorted while they run; larger ones would cause a
+/// noticeable delay (about 10 ns per component) and are sorted when they are loaded.
 constexpr std::size_t kTidyEntities = 32768;
 
 }  // namespace
@@ -29,7 +29,7 @@ std::uint32_t nextQueryKey() {
 World::World() {
     storage_.watch(typeKey<Parent>());
     storage_.watch(typeKey<Children>());
-    storage_.pool<Paused>();  // among the first, as every query asks for it
+    storage_.pool<Paused>();  // among the first, because every query refers to it
 }
 
 void World::leaveFamily(EntityId id) { plumb::leaveFamily(*this, id); }
@@ -43,7 +43,7 @@ void World::beginTick() {
         missed_ = {};
     }
     dropUnusedTiles();
-    // What is paused comes back in the order in which it was left.
+    // Not while entities are paused: they must return in their former order.
     const bool tidy = !storage_.iterating() && entityCount() <= kTidyEntities && count<Paused>() == 0;
     if (tidy && storage_.fragmented()) storage_.cluster();
 }
@@ -76,7 +76,7 @@ std::vector<EntityId> World::entities() const {
 
 namespace {
 
-/// Tags have no memory, yet callers want to see that they are there.
+/// Tags have no memory, but callers check for null: all share this address.
 std::byte tagAddress;
 
 }  // namespace
@@ -133,9 +133,10 @@ void World::tellMissing(EntityId id, TypeKey key) const {
                                : !storage_.alive(id)
                                    ? "a destroyed entity; its handle is stale: ask alive() or use find()"
                                    : "an entity that has none; ask hasComponent() or use find()";
-    const std::string text = format("{} was asked of entity {} (generation {}), {}",
-                                    type != nullptr ? type->name : std::string{"a component that nobody has"},
-                                    id.index, id.generation, reason);
+    const std::string text =
+        format("{} was asked of entity {} (generation {}), {}",
+               type != nullptr ? type->name : std::string{"a component type without instances"}, id.index,
+               id.generation, reason);
     PLUMB_ASSERT(false, text.c_str());
     logError("World", Error{"entity handle", text, ""});
 }
@@ -171,7 +172,7 @@ void World::save(Snapshot& snapshot) const {
     storage_.save(snapshot.storage_);
     snapshot.resources_.assign(resources_);
     snapshot.tiles_ = tiles_;
-    // Texts only grow, so as many as before are the same as before.
+    // Texts are only added, so equal sizes mean equal content.
     if (snapshot.source_ != this || snapshot.texts_.size() != texts_.size()) snapshot.texts_ = texts_;
     snapshot.source_ = this;
     snapshot.tick_ = tick;
@@ -181,7 +182,7 @@ void World::restore(const Snapshot& snapshot) {
     storage_.restore(snapshot.storage_);
     resources_.assign(snapshot.resources_);
     tiles_ = snapshot.tiles_;
-    if (snapshot.source_ != this) texts_ = snapshot.texts_;  // adds those that are missing
+    if (snapshot.source_ != this) texts_ = snapshot.texts_;  // adds the missing ones
     tick = snapshot.tick_;
     events_.clear();
     commands_.clear();
@@ -189,7 +190,7 @@ void World::restore(const Snapshot& snapshot) {
 
 namespace {
 
-/// Adds the components of a pool in the order of their entities.
+/// Hashes the components of a pool in the order of their entities.
 void addTo(Hasher& hasher, const Storage& storage, const Pool& pool) {
     for (std::uint32_t index = 1; index <= storage.usedIndices(); ++index) {
         if (!pool.holds(index)) continue;
@@ -218,7 +219,7 @@ std::uint64_t World::hash() const {
     for (const auto& pool : storage_.pools()) {
         if (pool->size() > 0) pools.push_back(pool.get());
     }
-    // Two types may have one name, e.g. those of two unnamed namespaces; then their components decide.
+    // Two types may have the same name, e.g. in two unnamed namespaces; then their components decide.
     std::sort(pools.begin(), pools.end(), [this](const Pool* a, const Pool* b) {
         return a->type->nameHash != b->type->nameHash ? a->type->nameHash < b->type->nameHash
                                                       : hashOf(storage_, *a) < hashOf(storage_, *b);

@@ -23,13 +23,13 @@ namespace plumb {
 
 class TypeRegistry;
 
-/// A game's state: entities with components, one-of-a-kind resources, texts, tile grids, and the systems
-/// that change them. The same operations give the same world, in the same order, on any machine.
-/// It stays at one address, so handles may point to it.
+/// The state of a game: entities with components, resources (one per type), texts, tile grids, and the
+/// systems that change them. The same operations give the same world in the same order on any machine.
+/// It never moves, so handles may point to it.
 class World {
 public:
     World();
-    /// With the types that tools may ask for by name; the registry outlives the world.
+    /// With the types that tools may look up by name; the registry must outlive the world.
     explicit World(const TypeRegistry& types) : World{} { types_ = &types; }
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -44,7 +44,7 @@ public:
     void createEntities(std::span<EntityId> ids, const T&... components);
     [[nodiscard]] Entity entity(EntityId id) { return {*this, id}; }
     [[nodiscard]] bool alive(EntityId id) const { return storage_.alive(id); }
-    /// Destroys the entity, its components and its children. Nothing happens when it is gone already.
+    /// Destroys the entity, its components and its children. Does nothing if it does not exist.
     void destroy(EntityId id) {
         if (!storage_.alive(id)) return;
         if (storage_.watched(id)) [[unlikely]]
@@ -52,14 +52,14 @@ public:
         storage_.destroy(id);
     }
     [[nodiscard]] std::size_t entityCount() const { return storage_.entityCount(); }
-    /// All that are alive, paused ones too, by index.
+    /// All living entities, including paused ones, by index.
     [[nodiscard]] std::vector<EntityId> entities() const;
     /// Destroys all entities. Resources, services, systems, texts and tiles stay.
     void clear() { storage_.clear(); }
 
     // components
 
-    /// nullptr when the entity is gone or has no T. Counts as a write of T; ask for `const T` to read.
+    /// nullptr if the entity does not exist or has no T. Counts as a write of T; use `const T` to read.
     template <class T>
     [[nodiscard]] T* find(EntityId id);
     template <class T>
@@ -71,27 +71,27 @@ public:
     const T& get(EntityId id) const;
     template <class T>
     [[nodiscard]] bool has(EntityId id) const;
-    /// Adds a component, or replaces the one that is there. @pre alive(id)
+    /// Adds a component, or replaces the existing one. @pre alive(id)
     template <class T, class... Arguments>
     T& add(EntityId id, Arguments&&... arguments);
-    /// Nothing happens when there is none.
+    /// Does nothing if there is none.
     template <class T>
     void remove(EntityId id);
     /// How many entities have a T.
     template <class T>
     [[nodiscard]] std::size_t count() const;
 
-    // the same for types known only at run time; tags give an address that must not be written to
+    // The same for types known only at run time; for tags the returned address must not be written to.
 
     [[nodiscard]] void* find(const TypeInfo& type, EntityId id);
     [[nodiscard]] const void* find(const TypeInfo& type, EntityId id) const;
     [[nodiscard]] bool has(const TypeInfo& type, EntityId id) const;
-    /// Adds a component with its defaults, or resets the one that is there to them; nullptr when the entity
-    /// is gone.
+    /// Adds a component with its defaults, or resets the
+    /// existing one; nullptr if the entity does not exist.
     void* add(const TypeInfo& type, EntityId id);
     void remove(const TypeInfo& type, EntityId id);
     [[nodiscard]] std::size_t count(const TypeInfo& type) const;
-    /// Calls `f(EntityId, const void* component)` for everything that has one.
+    /// Calls `f(EntityId, const void* component)` for every entity that has one.
     template <class F>
     void eachOf(const TypeInfo& type, F&& f) const;
     [[nodiscard]] const TypeRegistry* types() const { return types_; }
@@ -103,7 +103,7 @@ public:
     [[nodiscard]] Query<T...> query(Filters... filters) {
         return {*this, storage_, queryCache<T...>(storage_, filters...)};
     }
-    /// For reading: all of T must be const. Not to be called from two threads at a time.
+    /// Read-only: all of T must be const. Must not be called from two threads at the same time.
     template <class... T, class... Filters>
     [[nodiscard]] Query<T...> query(Filters... filters) const {
         static_assert((std::is_const_v<T> && ...), "a const World gives const components: query<const T>");
@@ -129,26 +129,37 @@ public:
 
     // changes
 
-    /// A mark in time: writes from now on are newer than it.
+    /// A point in time: writes from now on count as newer.
     std::uint64_t markChanges() { return storage_.advanceClock(); }
-    /// Whether the entity's T, or one near it in memory, may have been written since the mark. Never misses
-    /// a write through find, get, add or a query that names T without const.
+    /// True if the entity's T, or one near it in memory, may have been written since the mark.
+    /// Never misses a write through find, get, add or a query that names T without const.
     template <class T>
     [[nodiscard]] bool changedSince(EntityId id, std::uint64_t mark) const;
-    /// Whether any T may have been written since the mark.
+    /// True if any T may have been written since the mark.
     template <class T>
     [[nodiscard]] bool changedSince(std::uint64_t mark) const;
-    /// Calls `f(EntityId)` for every T that may have been written since the mark, paused ones too. `f`
-    /// neither adds nor removes a T.
+    /// Calls `f(EntityId)` for every T that may have been written since
+    /// the mark, paused ones too. `f` must not add or remove a T.
     template <class T, class F>
     void eachChangedSince(std::uint64_t mark, F&& f) const;
-    /// Grows whenever an entity gets or loses one of these components.
+    /// Calls `f(EntityId)` for every entity that may have lost a component or been destroyed since the mark.
+    /// It is handed over as it is now: alive or not.
+    template <class F>
+    void eachLossSince(std::uint64_t mark, F&& f) const {
+        storage_.eachLossSince(mark, std::forward<F>(f));
+    }
+    /// The place of the entity's T in the order in which queries visit T. @pre has<T>(id)
+    template <class T>
+    [[nodiscard]] std::uint32_t positionOf(EntityId id) const {
+        return storage_.knownPool(typeKey<T>()).sparse[id.index].position;
+    }
+    /// Increases whenever an entity gains or loses one of these components.
     template <class... T>
     [[nodiscard]] std::uint64_t memberships() const {
         return (storage_.knownPool(typeKey<T>()).changes() + ...);
     }
 
-    // one of a kind
+    // resources and services
 
     template <class T>
     T& resource() {
@@ -158,12 +169,12 @@ public:
     [[nodiscard]] T* findResource() const {
         return resources_.find<T>();
     }
-    /// Lends a thing that lives outside the world, e.g. the AssetStore. Not in snapshots, not in the hash.
+    /// Registers an object outside the world, e.g. the AssetStore. Not in snapshots, not in the hash.
     template <class T>
     void provide(T& service) {
         provide(typeKey<T>(), const_cast<std::remove_const_t<T>*>(&service));
     }
-    /// What was lent, or nullptr.
+    /// The registered object, or nullptr.
     template <class T>
     [[nodiscard]] T* service() const {
         return static_cast<T*>(findService(typeKey<T>()));
@@ -172,7 +183,7 @@ public:
     [[nodiscard]] const TextStore& texts() const { return texts_; }
     [[nodiscard]] TileStore& tiles() { return tiles_; }
     [[nodiscard]] const TileStore& tiles() const { return tiles_; }
-    /// Drops the grids that no component names; every tick begins with it.
+    /// Drops the grids that no component refers to; every tick begins with it.
     void dropUnusedTiles();
 
     // events
@@ -189,7 +200,7 @@ public:
 
     // systems
 
-    /// Adds a system; one that is there already stays as it is and is returned.
+    /// Adds a system; if there is one of this type already, returns that unchanged.
     template <class S, class... Arguments>
     S& addSystem(Arguments&&... arguments) {
         return schedule_.add<S>(std::forward<Arguments>(arguments)...);
@@ -207,8 +218,8 @@ public:
     [[nodiscard]] std::vector<std::string_view> systemNames() const { return schedule_.names(); }
     [[nodiscard]] CommandBuffer& commands() { return commands_; }
 
-    /// Starts a fixed update: counts the tick, forgets the events, drops tile grids that nobody names, tidies
-    /// small worlds that are in disorder.
+    /// Starts a fixed update: counts the tick, clears the events, drops tile
+    /// grids without a reference, sorts small worlds that are out of order.
     void beginTick();
     /// Runs all systems in order; commands are applied after each.
     /// @param dt  s
@@ -219,21 +230,21 @@ public:
     [[nodiscard]] Snapshot save() const;
     void save(Snapshot& snapshot) const;
     void restore(const Snapshot& snapshot);
-    /// A number for the whole state: entities, components, tiles, resources with `addTo`, and the tick.
-    /// How the state came about does not matter, only what it is.
+    /// Hash of the whole state: entities, components, tiles, resources with
+    /// `addTo`, and the tick. Depends only on the state, not on how it came about.
     [[nodiscard]] std::uint64_t hash() const;
-    /// Sorts components by which others their entities have, so that every query becomes a few long runs.
-    /// Changes the order of queries. Call it after loading; it costs 5-14 ns per component.
+    /// Sorts components by the component sets of their entities, so that every query has few, long
+    /// runs. Changes the order of queries. Call it after loading; it costs 5-14 ns per component.
     void cluster() { storage_.cluster(); }
 
 private:
     void provide(TypeKey key, void* service);
     [[nodiscard]] void* findService(TypeKey key) const;
-    /// Destroys the children of an entity and takes it from its parent.
+    /// Destroys the children of an entity and detaches it from its parent.
     void leaveFamily(EntityId id);
 
-    /// A get() that found nothing: told now where asserts are on, else at the next tick, so that the loops
-    /// around get() hold no call that the compiler must expect to change everything.
+    /// A get() that found nothing: reported at once where asserts are on, else at the next tick, so
+    /// that loops around get() contain no call that could change anything from the compiler's view.
     struct Missed {
         std::uint64_t id = 0;
         std::uint64_t count = 0;

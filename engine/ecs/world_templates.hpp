@@ -14,7 +14,7 @@
 
 namespace plumb {
 
-/// Makes a T in place, from (World&, arguments...) where it has such a constructor.
+/// Constructs a T in place, from (World&, arguments...) if it has such a constructor.
 template <class T, class... Arguments>
 T* constructComponent(void* memory, World& world, Arguments&&... arguments) {
     T* const place = static_cast<T*>(memory);
@@ -33,7 +33,7 @@ inline constexpr bool kTellAtOnce = true;
 inline constexpr bool kTellAtOnce = false;
 #endif
 
-/// What get() gives when there is nothing to give: a component that belongs to nobody.
+/// What get() returns if the component is missing: a blank one that belongs to no entity.
 template <class T>
 struct Blank {
     alignas(T) inline static std::byte bytes[sizeof(T)] = {};
@@ -51,8 +51,8 @@ T& World::missing(EntityId id) const {
     return *reinterpret_cast<T*>(Blank<std::remove_const_t<T>>::bytes);
 }
 
-/// How an argument reaches the rare path: small plain ones by value, for what a rare path has the address of
-/// stays in memory on the usual path as well.
+/// How an argument is passed to the rare path: small plain ones by value, because a
+/// variable whose address the rare path takes would stay in memory on the usual path too.
 template <class Argument, class Value = std::remove_cvref_t<Argument>>
 using PassedOn = std::conditional_t<(std::is_scalar_v<Value> ||
                                      std::is_class_v<Value>)&&std::is_trivially_copyable_v<Value> &&
@@ -74,13 +74,13 @@ template <class T, class... Arguments>
         storage_.append(pool, id);
         return kTagInstance<T>;
     } else {
-        // A constructor that takes the World may add entities, even this component; so the place comes first.
+        // A constructor that takes the World may add entities, even this component; so append first.
         T* const place = reinterpret_cast<T*>(pool.column) + storage_.append(pool, id);
         return *constructComponent<T>(place, *this, std::forward<Arguments>(arguments)...);
     }
 }
 
-/// The first T of a world, one for which there is no room yet, a replacement, or one for the dead.
+/// The rare cases: the first T of a world, no capacity, a replacement, or a dead entity.
 template <class T, class... Arguments>
 [[gnu::noinline]] T& World::addSlowly(EntityId id, Arguments... arguments) {
     Pool& pool = storage_.pool<T>();
@@ -92,7 +92,7 @@ template <class T, class... Arguments>
     if constexpr (kIsTag<T>) {
         return kTagInstance<T>;
     } else {
-        // Made aside first: the arguments may be parts of the component that is replaced.
+        // Constructed in a temporary first: the arguments may refer to the component that is replaced.
         alignas(T) std::byte made[sizeof(T)] = {};
         constructComponent<T>(made, *this, std::forward<Arguments>(arguments)...);
         T* const there = find<T>(id);
@@ -110,7 +110,7 @@ void World::createEntities(std::span<EntityId> ids, const T&... components) {
         const std::uint32_t start =
             storage_.appendRange(pool, ids[0], static_cast<std::uint32_t>(ids.size()));
         if constexpr (!kIsTag<C>) {
-            const C value = component;  // ours: the caller's could lie in the column
+            const C value = component;  // a copy, because the caller's may be in the column
             C* const column = reinterpret_cast<C*>(pool.column) + start;
             for (std::size_t i = 0; i < ids.size(); ++i) std::construct_at(column + i, value);
         }
@@ -142,8 +142,8 @@ T& World::get(EntityId id) {
         T* const found = find<T>(id);
         return found != nullptr ? *found : missing<T>(id);
     } else {
-        // Everything that stays the same from one call to the next is read before anything is decided, so
-        // that loops around get() read it once.
+        // Everything that is constant between calls is read before
+        // any branch, so that loops around get() load it only once.
         const Pool& pool = storage_.knownPool(typeKey<T>());
         T* const column = reinterpret_cast<T*>(pool.column);
         std::uint64_t* const stamps = pool.stamps;

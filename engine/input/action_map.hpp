@@ -54,7 +54,7 @@ struct ActionMap {
 };
 
 /// Reads {"actions": {"Jump": ["Space", "Pad A"]}, "axes": {"Horizontal": {"negative": …, "positive": …,
-/// "analog": …}}} on top of the defaults: what it does not name keeps its keys. What is wrong is told and
+/// "analog": …}}} on top of the defaults: what it does not name keeps its keys. What is wrong is reported and
 /// left out.
 /// @param where  the place of the object, e.g. "project.json: input"
 ActionMap actionMapFromJson(const Json& json, std::string_view where, std::vector<Error>& problems);

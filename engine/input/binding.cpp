@@ -10,8 +10,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::string_view kMouse = "Mouse ";
-constexpr std::string_view kPad = "Pad";
+constexpr std::string_view kMousePrefix = "Mouse ";
+constexpr std::string_view kPadPrefix = "Pad";
 
 template <class Id>
 Binding bindingOf(BindingKind kind, Id id, std::int8_t pad = Binding::kAnyPad) {
@@ -90,12 +90,12 @@ std::string toText(Binding binding) {
 
 std::optional<Binding> bindingFromText(std::string_view text) {
     if (const auto key = keyFromName(text)) return bindingOf(BindingKind::Key, *key);
-    if (startsWith(text, kMouse)) {
-        const auto button = mouseButtonFromName(text.substr(kMouse.size()));
+    if (startsWith(text, kMousePrefix)) {
+        const auto button = mouseButtonFromName(text.substr(kMousePrefix.size()));
         return button ? std::optional{bindingOf(BindingKind::MouseButton, *button)} : std::nullopt;
     }
-    if (!startsWith(text, kPad)) return std::nullopt;
-    text.remove_prefix(kPad.size());
+    if (!startsWith(text, kPadPrefix)) return std::nullopt;
+    text.remove_prefix(kPadPrefix.size());
     std::int8_t pad = Binding::kAnyPad;
     if (!text.empty() && text[0] >= '1' && text[0] < '1' + kPadCount) {
         pad = static_cast<std::int8_t>(text[0] - '1');

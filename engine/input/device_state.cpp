@@ -21,7 +21,7 @@ void setBit(Word& word, Word& changed, unsigned bit, bool on) {
     word = next;
 }
 
-/// A bit that is as it was told but has changed in between is told the other way once.
+/// A bit that is as it was given out but changed in between is given out the other way once.
 template <class Word>
 Word toTell(Word now, Word changed, Word given) {
     const auto blips = static_cast<Word>(changed & static_cast<Word>(~(now ^ given)));

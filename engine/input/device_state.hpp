@@ -22,7 +22,7 @@ private:
 
     InputFrame now_;      // what the devices say
     InputFrame changed_;  // bits that changed since the last take
-    InputFrame given_;    // what the last tick was told
+    InputFrame given_;    // what the last tick got
 };
 
 }  // namespace plumb

@@ -13,7 +13,7 @@ inline float wrapAngle(float angle) {
     return angle - kTau * std::floor((angle + kPi) / kTau);
 }
 
-/// From one angle to another the short way round.
+/// Interpolates between two angles along the shorter arc.
 inline float lerpAngle(float from, float to, float t) { return from + wrapAngle(to - from) * t; }
 
 constexpr float degreesFromRadians(float angle) { return angle * (180.0f / kPi); }

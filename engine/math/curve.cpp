@@ -9,8 +9,8 @@ float slopeBetween(const CurveKey& from, const CurveKey& to) {
     return (to.value - from.value) / (to.at - from.at);
 }
 
-/// The slope at a key: 0 where the curve turns, else the harmonic mean of the slopes beside it, weighted so
-/// that what is monotone stays monotone. At an end: that of the only neighbour.
+/// The slope at a key: 0 at a local extremum, else the harmonic mean of the adjacent slopes,
+/// weighted so that monotone data gives a monotone curve. At an end: the slope to the only neighbor.
 float slopeAt(const Curve& curve, std::size_t index) {
     const auto& keys = curve.keys;
     const std::size_t last = curve.size() - 1;
@@ -41,13 +41,13 @@ float Curve::valueAt(float at) const {
     const float rise = to.value - from.value;
     float value = from.value + rise * t;
     if (shape == CurveShape::Smooth) {
-        // Hermite's polynomial, as what it differs from the straight line.
+        // Hermite's polynomial, as the difference from the straight line.
         const float start = slopeAt(*this, right - 1) * width - rise;
         const float end = slopeAt(*this, right) * width - rise;
         const float back = 1.0f - t;
         value += t * back * (start * back - end * t);
     }
-    // Rounding alone could carry it past a key.
+    // Rounding could exceed the values of the keys.
     return std::clamp(value, std::min(from.value, to.value), std::max(from.value, to.value));
 }
 

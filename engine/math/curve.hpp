@@ -14,11 +14,11 @@ struct CurveKey {
     friend bool operator==(CurveKey, CurveKey) = default;
 };
 
-/// A value that changes along 0..1, e.g. over a life: a few keys in place, so that what holds it stays plain
-/// data. Between keys it is straight or smooth, and smooth never swings beyond the two keys beside it.
-/// Before the first key and after the last it stays at theirs.
-/// Invariant: at least one key, `at` grows from key to key; unused keys are CurveKey{}, so that equal curves
-/// have equal bytes.
+/// A value that changes along 0..1, e.g. over a lifetime: a few inline keys, so that it
+/// stays plain data. It is linear or smooth between keys; smooth curves never exceed the
+/// two adjacent keys. Before the first key and after the last the value is constant.
+/// Invariant: at least one key, `at` increases from key to key; unused keys are
+/// CurveKey{}, so that equal curves have equal bytes.
 struct Curve {
     static constexpr std::size_t kKeys = 8;
 
@@ -46,7 +46,7 @@ struct Curve {
         return curve;
     }
 
-    /// 1..kKeys, whatever memory says.
+    /// 1..kKeys, even if the memory was corrupted.
     [[nodiscard]] constexpr std::size_t size() const {
         return count == 0 ? 1 : count < kKeys ? count : kKeys;
     }
@@ -57,12 +57,12 @@ struct Curve {
     /// Fritsch, J. Butland, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants", 1984.
     [[nodiscard]] float valueAt(float at) const;
 
-    /// Puts a key in its place among the others. @return its index, or kKeys when there is no room or a key
-    /// stands there already
+    /// Inserts a key at its position. @return its index, or kKeys
+    /// if there is no room or a key at this position already
     std::size_t insert(CurveKey key);
-    /// The last key stays: nothing happens then.
+    /// Does nothing for the only key that is left.
     void remove(std::size_t index);
-    /// Moves a key, not past its neighbours: it stays kCloseness away from them.
+    /// Moves a key, but not past its neighbors: it keeps a distance of kCloseness from them.
     void move(std::size_t index, CurveKey key);
     static constexpr float kCloseness = 0.005f;  ///< ratio
 

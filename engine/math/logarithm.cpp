@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLn2 = 0.69314718055994530942;
 constexpr double kLn10 = 2.30258509299404568402;
-constexpr float kLeast = -45.0f;  // below that of the smallest float
+constexpr float kMin = -45.0f;  // below that of the smallest float
 
 /// ln on [1/sqrt 2, sqrt 2] by the series of artanh: ln m = 2 artanh((m - 1) / (m + 1)).
 double logarithmNearOne(double m) {
@@ -23,7 +23,7 @@ double logarithmNearOne(double m) {
 }  // namespace
 
 float logarithm10(float x) {
-    if (!(x > 0.0f)) return kLeast;
+    if (!(x > 0.0f)) return kMin;
     if (x > std::numeric_limits<float>::max()) return 38.6f;
     // A double holds every float as a normal number.
     const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(x));

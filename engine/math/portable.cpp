@@ -81,9 +81,9 @@ float exponential(float x) {
 
 int floorToInt(float x) {
     if (x != x) return 0;
-    constexpr float kMost = 1073741824.0f;
+    constexpr float kMax = 1073741824.0f;
     const float floored = std::floor(x);
-    return static_cast<int>(floored < -kMost ? -kMost : floored > kMost ? kMost : floored);
+    return static_cast<int>(floored < -kMax ? -kMax : floored > kMax ? kMax : floored);
 }
 
 }  // namespace plumb

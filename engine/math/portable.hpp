@@ -2,8 +2,8 @@
 
 namespace plumb {
 
-// Functions with the same bits on every machine, compiler and flag: the system's own differ between CPUs.
-// Only + - * / and sqrt are exact everywhere; these are built from nothing else.
+// Functions with the same bits on every machine, compiler and flag; the system's differ
+// between CPUs. Only + - * / and sqrt are exact everywhere, so only these are used.
 
 inline constexpr float kPi = 3.14159265358979323846f;
 inline constexpr float kTau = 6.28318530717958647692f;
@@ -24,7 +24,7 @@ float arcTangent(float y, float x);
 /// e^x, relative error <= 1e-6; 0 below -87, the largest finite float above 88.
 float exponential(float x);
 
-/// The nearest integer below, as an int; clamped to +-2^30, 0 for NaN.
+/// The largest integer not above x, clamped to +-2^30; 0 for NaN.
 int floorToInt(float x);
 
 }  // namespace plumb

@@ -14,7 +14,7 @@ struct AABB {
     friend constexpr bool operator==(const AABB&, const AABB&) = default;
 };
 
-/// True when the insides overlap; boxes that only touch do not.
+/// True if the interiors overlap; boxes that only touch do not.
 constexpr bool intersects(const AABB& a, const AABB& b) {
     return a.max.x > b.min.x && a.min.x < b.max.x && a.max.y > b.min.y && a.min.y < b.max.y;
 }
@@ -26,7 +26,7 @@ constexpr AABB grown(const AABB& box, float margin) {
     return {box.min - Vec2{margin, margin}, box.max + Vec2{margin, margin}};
 }
 
-/// A part of an image or of the screen: top-left corner and size.
+/// A rectangle of an image or of the screen: top-left corner and size.
 struct Rect {
     float x = 0.0f;
     float y = 0.0f;

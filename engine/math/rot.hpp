@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// A turn, as the cosine and sine of its angle: turning costs no trigonometry. Counts from x towards y.
+/// A rotation from x towards y, as the cosine and sine of its angle: applying it needs no trigonometry.
 struct Rot {
     float cos = 1.0f;
     float sin = 0.0f;
@@ -25,7 +25,7 @@ constexpr Vec2 unrotate(Rot q, Vec2 v) { return {q.cos * v.x + q.sin * v.y, q.co
 constexpr Rot operator*(Rot a, Rot b) {
     return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
 }
-/// The turn that leads from `from` to `to`.
+/// The rotation that leads from `from` to `to`.
 constexpr Rot between(Rot from, Rot to) {
     return {from.cos * to.cos + from.sin * to.sin, from.cos * to.sin - from.sin * to.cos};
 }

@@ -93,7 +93,7 @@ void TileGrid::put(int column, int row, std::shared_ptr<Chunk> chunk) {
     const int right = std::min(width_ - column * kChunkSide, kChunkSide);
     const int bottom = std::min(height_ - row * kChunkSide, kChunkSide);
     if (chunk != nullptr && (right < kChunkSide || bottom < kChunkSide)) {
-        // Nothing lies beyond the border.
+        // Cells outside the grid are empty.
         chunk = std::make_shared<Chunk>(*chunk);
         for (int y = 0; y < kChunkSide; ++y) {
             for (int x = 0; x < kChunkSide; ++x) {

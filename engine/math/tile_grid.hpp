@@ -9,8 +9,8 @@
 
 namespace plumb {
 
-/// A cell of a tile layer: 0 is empty, else the tile's number in its tileset plus one, and how it is turned.
-/// Applied in the order diagonal, horizontal, vertical.
+/// A cell of a tile layer: 0 is empty, else the tile's number in its tileset plus
+/// one, and flip bits. These are applied in the order diagonal, horizontal, vertical.
 using TileCell = std::uint32_t;
 
 inline constexpr TileCell kTileFlipX = 0x80000000u;
@@ -21,17 +21,17 @@ inline constexpr TileCell kTileFlips = kTileFlipX | kTileFlipY | kTileFlipDiagon
 constexpr int tileOf(TileCell cell) { return static_cast<int>(cell & ~kTileFlips) - 1; }  ///< -1 when empty
 constexpr TileCell cellOf(int tile, TileCell flips = 0) { return static_cast<TileCell>(tile + 1) | flips; }
 
-/// Cells in rows, top row first, kept in chunks: an empty chunk takes no memory, and copies of a grid share
-/// those in which they are alike. `version` and the stamps of rows of chunks tell what changed, so that what
-/// is derived from the cells can be kept.
+/// Cells in rows, top row first, stored in chunks: an empty chunk takes no
+/// memory, and copies of a grid share equal chunks. `version` and the stamps
+/// of rows of chunks show what changed, so that derived data can be cached.
 class TileGrid {
 public:
     static constexpr int kChunkSide = 32;  ///< cells
 
-    /// Cells in rows. Those beyond the grid's border are empty.
+    /// Cells in rows. Those outside the grid are empty.
     struct Chunk {
         std::array<TileCell, std::size_t{kChunkSide} * kChunkSide> cells{};
-        std::uint64_t stamp = 0;  ///< of the last change; no two changes of the program share one
+        std::uint64_t stamp = 0;  ///< of the last change; unique within the program
 
         [[nodiscard]] TileCell at(int x, int y) const { return cells[slot(x, y)]; }
         static constexpr std::size_t slot(int x, int y) {
@@ -52,17 +52,17 @@ public:
     [[nodiscard]] std::uint32_t version() const { return version_; }
     [[nodiscard]] bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
 
-    /// The cell, or empty outside.
+    /// The cell, or empty outside the grid.
     [[nodiscard]] TileCell at(int x, int y) const {
         if (!has(x, y)) return 0;
         const Chunk* chunk = chunks_[chunkAt(x, y)].get();
         return chunk == nullptr ? 0 : chunk->at(x, y);
     }
-    /// Outside the grid nothing happens.
+    /// Does nothing outside the grid.
     void set(int x, int y, TileCell cell);
     void replaceCells(int width, int height, const std::vector<TileCell>& cells);
 
-    /// All cells in rows: for grids that are known to be small.
+    /// All cells in rows; only for small grids.
     [[nodiscard]] std::vector<TileCell> cells() const;
     /// Cells (x .. x + count - 1, y); those outside are empty.
     void copyRow(int x, int y, std::size_t count, TileCell* into) const;
@@ -71,16 +71,16 @@ public:
 
     [[nodiscard]] int chunkColumns() const { return columns_; }
     [[nodiscard]] int chunkRows() const { return rows_; }
-    /// Null when all its cells are empty; the other way round does not hold.
+    /// Null only if all its cells are empty; an empty chunk may still be non-null.
     [[nodiscard]] const Chunk* chunk(int column, int row) const {
         return chunks_[chunkSlot(column, row)].get();
     }
-    /// Another one after each change of a cell in this row of chunks.
+    /// Changes with every change of a cell in this row of chunks.
     [[nodiscard]] std::uint64_t rowStamp(int row) const { return rowStamps_[static_cast<std::size_t>(row)]; }
-    /// A chunk of equal cells, to be put in many places.
+    /// A chunk of equal cells, to be used in many places.
     [[nodiscard]] static std::shared_ptr<Chunk> filled(TileCell cell);
     void put(int column, int row, std::shared_ptr<Chunk> chunk);
-    /// Takes over one chunk from a grid of the same size, and the stamp of its row.
+    /// Copies one chunk from a grid of the same size, and the stamp of its row.
     void adopt(const TileGrid& from, int column, int row);
 
     friend bool operator==(const TileGrid& a, const TileGrid& b);

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// Two numbers: a place, a direction or a size. y points down on screen.
+/// Two numbers: a position, a direction or a size. y points down on screen.
 struct Vec2 {
     float x = 0.0f;
     float y = 0.0f;
@@ -29,13 +29,13 @@ constexpr float lengthSquared(Vec2 a) { return dot(a, a); }
 inline float length(Vec2 a) { return std::sqrt(lengthSquared(a)); }
 inline float distance(Vec2 a, Vec2 b) { return length(b - a); }
 
-/// The direction with length 1; {0, 0} stays {0, 0}.
+/// The direction, with length 1; {0, 0} stays {0, 0}.
 inline Vec2 normalized(Vec2 a) {
     const float size = length(a);
     return size > 0.0f ? a / size : Vec2{};
 }
 
-/// A quarter turn, clockwise on screen.
+/// Rotated by 90 degrees, clockwise on screen.
 constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
 constexpr Vec2 scaled(Vec2 a, Vec2 b) { return {a.x * b.x, a.y * b.y}; }
 constexpr Vec2 lerp(Vec2 a, Vec2 b, float t) { return a + (b - a) * t; }

@@ -12,7 +12,7 @@ struct Part {
 };
 
 /// Large elements first, so that small ones are drawn over them.
-constexpr Part kParts[] = {
+constexpr Part kDrawnParts[] = {
     {kDrawFields, drawFields},     {kDrawBroadPhase, drawBroadPhase},
     {kDrawBounds, drawBounds},     {kDrawIslands, drawIslands},
     {kDrawShapes, drawShapes},     {kDrawTriggers, drawTriggers},
@@ -30,7 +30,7 @@ const Workspace* lastStepOf(const World& world) { return world.work.lastStep(); 
 
 void debugDraw(const World& world, DebugCanvas& canvas, const DebugChoice& choice) {
     const Picture picture{world, canvas, choice};
-    for (const Part& part : kParts) {
+    for (const Part& part : kDrawnParts) {
         if ((choice.parts & part.bit) != 0) part.draw(picture);
     }
 }

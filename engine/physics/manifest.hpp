@@ -57,7 +57,7 @@ struct Manifest {
         for (std::size_t i = 0; i < kEffects; ++i) called |= callers[i] > 0 ? 1u << i : 0u;
         return called & ~pinnedOff;
     }
-    /// Adds users of an effect if `on`; a negative `times` removes them.
+    /// Adds `times` users of an effect if `on`; a negative number removes them.
     void call(Effect effect, bool on, int times = 1) {
         if (on) callers[static_cast<std::size_t>(effect)] += static_cast<std::uint32_t>(times);
     }

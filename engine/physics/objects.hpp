@@ -7,8 +7,8 @@
 
 namespace plumb::physics {
 
-// The library as objects: bodies that move, colliders that touch, and virtual functions that are called when
-// they do. A Physics owns everything; its world() is for the functions of all else.
+// Object-oriented interface: bodies that move, colliders that touch, and virtual functions that are
+// called when they do. A Physics owns everything; use its world() for functions without an object here.
 
 class Collider;
 class Physics;

@@ -68,7 +68,7 @@ bool nothingToDo(const World& world) {
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
-/// Wakes everything if gravity changed, under which nothing has to stay at rest, or nothing is to sleep.
+/// Wakes everything if gravity changed (resting bodies may have to move) or if sleeping is switched off.
 void wakeForSettings(World& world) {
     const bool gravityChanged = world.steps > 1 && world.gravityOfLastStep != world.settings.gravity;
     if (gravityChanged || !world.settings.sleeping) wakeAll(world);
@@ -79,7 +79,7 @@ std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     std::uint32_t effects = world.manifest.running();
     if (hooks.friction != nullptr) effects |= Manifest::bit(Effect::Friction);
     if (hooks.bounciness != nullptr) effects |= Manifest::bit(Effect::Restitution);
-    // The last shape that called for contacts is gone: those that it had still have to end.
+    // The last shape that needs contacts was destroyed: the contacts that it had still have to end.
     constexpr std::uint32_t kEnding = any(Effect::Contacts, Effect::Triggers, Effect::ContactEvents);
     if (!world.shapes.dying.empty() && !world.contacts.empty())
         effects |= kEnding & ~world.manifest.pinnedOff;
@@ -88,13 +88,13 @@ std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     return effects;
 }
 
-/// An effect that is only a part of a stage is counted by StepContext::starts() instead.
+/// Not for an effect that is only a part of a stage: StepContext::starts() counts that.
 void count(const StepContext& step, const StageInfo& stage) {
     ++step.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
     step.work.effectsRun |= stage.effects & step.effects;
 }
 
-/// Measures a stage: the time of this thread, and what each thread of the pool did of it.
+/// Measures a stage: the time of this thread, and the time of each thread of the pool in it.
 class StageScope {
 public:
     StageScope(const StepOptions& options, std::string_view name)

@@ -17,7 +17,7 @@ struct StepContext {
     /// Whether work on so many things is shared among threads in pieces of `grain`, or is one piece.
     [[nodiscard]] bool isShared(int count, int grain) const { return pool != nullptr && count > grain; }
     [[nodiscard]] bool runs(Effect effect) const { return (effects & Manifest::bit(effect)) != 0; }
-    /// Called by the part of a stage that implements an effect, before it runs: counts that (runsOf).
+    /// To be called before the code of an effect that is only a part of a stage: counts its run (runsOf).
     [[nodiscard]] bool starts(Effect effect) const {
         if (!runs(effect)) return false;
         work.effectsRun |= Manifest::bit(effect);
@@ -33,7 +33,7 @@ struct StepContext {
     }
 };
 
-/// Calls back the owner of the world, who must not change it meanwhile.
+/// Calls a callback of the world's owner, during which the world must not be changed.
 template <class Call>
 auto ask(World& world, Call&& call) {
     struct Asking {  // ends when the callback throws, too
@@ -44,7 +44,7 @@ auto ask(World& world, Call&& call) {
     return call();
 }
 
-/// Whether the owner of the world lets these two shapes meet.
+/// True if the owner's filter callback allows these two shapes to collide.
 inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
     const std::vector<ShapeInfo>& info = step.world.shapes.info;
     return step.hooks.filter == nullptr || ask(step.world, [&] {
@@ -61,7 +61,7 @@ void forPieces(TaskPool* pool, int count, int grain, Act&& act) {
     if (count == 0) return;
     if (pool == nullptr || count <= grain) return act(0, count, 0);
     const int pieces = piecesOf(count, grain);
-    // Of a copy: one thread alone keeps in registers what no pointer leads to.
+    // Calls a copy: its captures have no address elsewhere, so a single thread keeps them in registers.
     pool->run(pieces, [=](int piece, int) {
         act(piece * grain, piece + 1 < pieces ? (piece + 1) * grain : count, piece);
     });
@@ -75,8 +75,8 @@ void forEach(TaskPool* pool, std::size_t count, int grain, Act&& act) {
     });
 }
 
-/// Runs `act(begin, end, found)` for such pieces, each with a place of its own for what it finds. Taken in
-/// the order of the pieces, that is what one thread would have found.
+/// Runs `act(begin, end, found)` for such pieces, each with its own result
+/// object. In the order of the pieces, the results are those of a single thread.
 template <class Found, class Act>
 void forPieces(TaskPool* pool, std::size_t count, int grain, std::vector<Found>& all, Act&& act) {
     const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), grain));
@@ -88,7 +88,7 @@ void forPieces(TaskPool* pool, std::size_t count, int grain, std::vector<Found>&
     });
 }
 
-/// The same with lists, which are joined to `all`.
+/// The same with lists, which are concatenated to `all`.
 template <class T, class Act>
 void collect(const StepContext& step, std::size_t count, int grain, std::vector<std::vector<T>>& lists,
              std::vector<T>& all, Act&& act) {
@@ -98,7 +98,7 @@ void collect(const StepContext& step, std::size_t count, int grain, std::vector<
     for (const std::vector<T>& list : lists) all.insert(all.end(), list.begin(), list.end());
 }
 
-/// Lists the numbers i of 0..count-1 for which `is(i)`, in their order, on all threads.
+/// Lists the indices i of 0..count-1 for which `is(i)` holds, in ascending order, on all threads.
 template <class Is>
 void collectIf(const StepContext& step, std::size_t count, std::vector<std::uint32_t>& all, Is&& is) {
     constexpr int kGrain = 256;
@@ -110,14 +110,14 @@ void collectIf(const StepContext& step, std::size_t count, std::vector<std::uint
             });
 }
 
-/// Calls act(i) with each of these, one after the other.
+/// Calls act(i) for each of these, sequentially.
 template <class Is, class Act>
 void forThose(const StepContext& step, std::size_t count, Is&& is, Act&& act) {
     collectIf(step, count, step.work.pieceFound, is);
     for (const std::uint32_t i : step.work.pieceFound) act(i);
 }
 
-// The stages in the order of the step. Each has a file of its own name in stages/.
+// The stages in the order of the step. Each has a file of the same name in stages/.
 
 /// Reads: moved, bounds, filters. Writes: contacts (new ones), work.broadPhase, work.pairs.
 void findPairs(StepContext& step);
@@ -131,8 +131,8 @@ void colourJoints(StepContext& step);
 void explode(StepContext& step);
 /// Reads: fields, rest times. Writes: fields (removes those of destroyed bodies); wakes bodies on springs.
 void prepareFields(StepContext& step);
-/// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that touch nothing that they could
-/// push; contacts of the others for solve(): work.softSurroundings.
+/// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that cannot
+/// push a rigid body; contacts of the others for solve(): work.softSurroundings.
 void moveSoftBodies(StepContext& step);
 /// Reads: drives, masses, settings, soft contacts. Writes: work.slots, .groups, .velocity and others.
 void gatherBodies(StepContext& step);
@@ -140,18 +140,18 @@ void gatherBodies(StepContext& step);
 void applyFields(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.
 void prepareConstraints(StepContext& step);
-/// Reads and writes: work.velocity, work.shift, work's blocks, soft bodies. Writes: impulses.
+/// Reads and writes: work.velocity, work.deltaPosition, work's blocks, soft bodies. Writes: impulses.
 void solve(StepContext& step);
 /// Forces and springs of the soft bodies of a group, in a substep of h seconds, before their contacts.
 void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
-/// Takes velocities from displacements.
+/// Computes velocities from displacements.
 void closeSoft(const StepContext& step, const SoftGroup& group, float h);
 void finishSoft(StepContext& step, const SoftGroup& group, float h);
-/// Reads: fields, work.smooth. Writes: work.velocity, work.shift of bodies on which only fields act.
+/// Reads: fields, work.smooth. Writes: work.velocity, work.deltaPosition of bodies in fields only.
 void integrateFlyers(StepContext& step);
-/// Reads: joints, contacts, islands, work.shift. Writes: work.velocity, energy shares.
+/// Reads: joints, contacts, islands, work.deltaPosition. Writes: work.velocity, energy shares.
 void keepEnergy(StepContext& step);
-/// Reads: work.velocity, work.shift. Writes: poses, motions, bounds, moved.
+/// Reads: work.velocity, work.deltaPosition. Writes: poses, motions, bounds, moved.
 void finishBodies(StepContext& step);
 /// Reads: contacts, flags of bodies that moved fast. Writes: the poses of these bodies.
 void sweepFastBodies(StepContext& step);

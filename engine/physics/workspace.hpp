@@ -81,7 +81,7 @@ struct ContactLayout {
     bool isCurrent = false;  ///< the lanes still match
 };
 
-/// What later stages need to know of a contact in order to skip it.
+/// The properties of a contact that later stages read to decide whether to skip it.
 enum ContactKey : std::uint16_t {
     kKeyColour = 63,  ///< its color, if it pushes
     kKeyIdle = 63,    ///< as a color: it does not push

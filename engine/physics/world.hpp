@@ -368,7 +368,7 @@ struct World {
     WorkspaceHolder work;             ///< derived from the rest: neither copied nor hashed
 };
 
-/// True if an id is the last that its index was given to; its object may have been destroyed since.
+/// True if the id is the latest one given for its index; its object may have been destroyed since.
 template <class List, class Thing>
 [[nodiscard]] bool isLatest(const List& list, Id<Thing> id) {
     return id.generation != 0 && id.index < list.size() && list[id.index].generation == id.generation;
@@ -390,7 +390,7 @@ template <class List, class Thing>
     return isLatest(world.softBodies.all, id) && world.softBodies.all[id.index].isAlive;
 }
 
-/// What a list of the world has of an object, a default value if that is gone: so answer all getters.
+/// Returns the object's element of a list, or a default value if the object is gone. All getters use it.
 template <class T, class Thing>
 [[nodiscard]] const T& readOf(const World& world, const std::vector<T>& list, Id<Thing> id) {
     static const T kNeutral{};

@@ -22,7 +22,7 @@ int toMixVolume(float volume) {
     return static_cast<int>(std::clamp(volume == volume ? volume : 0.0f, 0.0f, 1.0f) * MIX_MAX_VOLUME + 0.5f);
 }
 
-/// Linear: the far side falls silent, the near side keeps its volume.
+/// Linear: the far side is attenuated, the near side keeps its volume.
 void setPan(int channel, float pan) {
     const float clamped = std::clamp(pan == pan ? pan : 0.0f, -1.0f, 1.0f);
     const auto side = [](float volume) { return static_cast<Uint8>(std::min(volume, 1.0f) * 255.0f + 0.5f); };
@@ -124,7 +124,7 @@ private:
     }
 
     std::vector<Mix_Chunk*> chunks_;  // by handle; null where one was unloaded
-    std::string musicBytes_;          // streamed from, so it must stay
+    std::string musicBytes_;          // must stay, because music is streamed from it
     Mix_Music* music_ = nullptr;
 };
 

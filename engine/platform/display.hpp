@@ -2,8 +2,8 @@
 
 namespace plumb {
 
-/// How often the display shows a new picture on which the window of this thread's GL context lies (Hz);
-/// 0 when nobody knows.
+/// Refresh rate (Hz) of the display that shows the window
+/// of this thread's GL context; 0 if it is unknown.
 double refreshRate();
 
 }  // namespace plumb

@@ -68,7 +68,7 @@ Event textEvent(EventKind kind, const char* text) {
     return event;
 }
 
-/// -32768..32767 as -1..1, with both ends reached.
+/// -32768..32767 as -1..1, including both ends.
 float axisValue(Sint16 value) { return std::max(static_cast<float>(value) / 32767.0f, -1.0f); }
 
 }  // namespace
@@ -94,7 +94,7 @@ std::optional<Event> EventTranslation::addPad(int device) {
     const SDL_JoystickID instance = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(controller));
     const auto free =
         std::find_if(pads_.begin(), pads_.end(), [](const Pad& pad) { return pad.controller == nullptr; });
-    // SDL reports a pad that was there at the start twice.
+    // SDL reports a pad that is connected at the start twice.
     if (placeOf(instance) || free == pads_.end()) {
         SDL_GameControllerClose(controller);
         return std::nullopt;
@@ -143,7 +143,7 @@ std::optional<Event> EventTranslation::translate(const SDL_Event& from) {
         case SDL_CONTROLLERAXISMOTION:
             return padAxisEvent(from.caxis.which, from.caxis.axis, axisValue(from.caxis.value));
         case SDL_DROPFILE: {
-            // SDL gives the path away: it is ours to free.
+            // SDL passes ownership of the path.
             Event event = textEvent(EventKind::FileDropped, from.drop.file);
             SDL_free(from.drop.file);
             return event;

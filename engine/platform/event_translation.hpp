@@ -10,13 +10,13 @@ union SDL_Event;
 
 namespace plumb {
 
-/// Turns SDL's events into ours and keeps the gamepads open: SDL numbers them by connection, we by place
-/// 0..3.
+/// Translates SDL's events and keeps the gamepads open. SDL
+/// numbers gamepads by connection, the engine by slots 0..3.
 class EventTranslation {
 public:
     ~EventTranslation();
 
-    /// @return the event in our words; nothing for what the engine does not use
+    /// @return the event; nothing for events that the engine does not use
     std::optional<Event> translate(const SDL_Event& event);
 
 private:

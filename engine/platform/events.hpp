@@ -9,8 +9,8 @@
 
 namespace plumb {
 
-/// What can happen to a window and its devices. Plain data: recorded, made up by tests, read by input and
-/// editor.
+/// Events of a window and its devices. Plain data:
+/// recorded, created by tests, read by input and editor.
 enum class EventKind : std::uint8_t {
     Quit,
     FocusGained,
@@ -31,7 +31,7 @@ enum class EventKind : std::uint8_t {
     FileDropped,
 };
 
-/// Which modifier keys were held when a key or a mouse button changed.
+/// Modifier keys that were held when a key or a mouse button changed.
 struct Modifiers {
     bool shift = false;
     bool control = false;  ///< also the command key on macOS
@@ -40,7 +40,7 @@ struct Modifiers {
     friend bool operator==(Modifiers, Modifiers) = default;
 };
 
-/// One thing that happened. Only the members that belong to its kind mean anything.
+/// An event. Only the members that belong to its kind are meaningful.
 struct Event {
     EventKind kind = EventKind::Quit;
     Key key = Key::None;                          ///< KeyDown, KeyUp

@@ -6,7 +6,7 @@ struct SDL_Window;
 
 namespace plumb {
 
-/// An OpenGL 3.3 core context of one window. Current on its thread from its making to its end.
+/// An OpenGL 3.3 core context of one window. Current on its thread during its whole lifetime.
 class GlContext {
 public:
     GlContext() = default;
@@ -16,7 +16,7 @@ public:
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
 
-    /// Asks for 3.3 core, before the window is made: the window's pixel format depends on it.
+    /// Requests 3.3 core. Call before the window is created: the window's pixel format depends on it.
     static void request();
     /// @error the driver has no OpenGL 3.3
     static Result<GlContext> create(SDL_Window* window);

@@ -25,14 +25,14 @@
 namespace plumb {
 namespace {
 
-/// Decoded pictures below this are never called a bomb: a blank sheet compresses very well.
+/// Smaller decoded pictures are never treated as bombs: a blank sheet compresses very well.
 constexpr std::size_t kHarmlessBytes = std::size_t{64} << 20;
 
 constexpr std::string_view kRemedy = "save it again as PNG";
 
 using Surface = std::unique_ptr<SDL_Surface, decltype(&SDL_FreeSurface)>;
 
-/// A progressive JPEG may ask for the whole picture to be passed over any number of times.
+/// Limit on scans: a progressive JPEG may require any number of passes over the whole picture.
 constexpr int kMaxScans = 64;
 
 bool hasTooManyScans(std::string_view bytes) {
@@ -101,7 +101,7 @@ Result<Image> decodeImage(std::string_view bytes, std::string_view where) {
     const ImageFormat kind = *imageFormatOf(bytes);
     if (kind == ImageFormat::Jpeg && hasTooManyScans(bytes))
         return imageError(where, format("the JPEG has more than {} scans", kMaxScans));
-    // The loader of that format alone: SDL_image would try others that guess, some without limits.
+    // Use only the loader of that format: SDL_image would try others that guess, some without limits.
     SDL_RWops* stream = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
     const Surface loaded{load(kind, stream), &SDL_FreeSurface};
     SDL_RWclose(stream);

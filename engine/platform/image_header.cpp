@@ -6,8 +6,8 @@
 
 #include "core/text.hpp"
 
-// Our own, because the header readers of the usual libraries trust the bytes: fuzzing stb_image's found a
-// write past the end of a table within seconds.
+// Our own parser, because the header readers of the usual libraries trust the bytes:
+// fuzzing stb_image's found a write beyond the end of a table within seconds.
 
 namespace plumb {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::string_view kPng{"\x89PNG\r\n\x1a\n", 8};
 
 std::uint32_t byteAt(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
-/// Whole numbers of the two byte orders; the caller has checked that the bytes are there.
+/// Integers of the two byte orders; the caller has checked that the bytes exist.
 std::uint32_t big(std::string_view bytes, std::size_t at, std::size_t count) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < count; ++i) value = value << 8 | byteAt(bytes, at + i);
@@ -29,8 +29,8 @@ std::uint32_t little(std::string_view bytes, std::size_t at, std::size_t count) 
 }
 
 std::optional<ImageHeader> headerOf(ImageFormat format, std::uint32_t width, std::uint32_t height) {
-    constexpr std::uint32_t kMost = std::numeric_limits<std::int32_t>::max();
-    if (width == 0 || height == 0 || width > kMost || height > kMost) return std::nullopt;
+    constexpr std::uint32_t kMax = std::numeric_limits<std::int32_t>::max();
+    if (width == 0 || height == 0 || width > kMax || height > kMax) return std::nullopt;
     return ImageHeader{format, static_cast<int>(width), static_cast<int>(height)};
 }
 
@@ -43,12 +43,12 @@ std::optional<ImageHeader> readBmp(std::string_view bytes) {
     if (bytes.size() < 26) return std::nullopt;
     const std::uint32_t headerSize = little(bytes, 14, 4);
     if (headerSize == 12) return headerOf(ImageFormat::Bmp, little(bytes, 18, 2), little(bytes, 20, 2));
-    // A negative height means that the rows begin at the top.
+    // A negative height means that the rows are top to bottom.
     const std::uint32_t height = little(bytes, 22, 4);
     return headerOf(ImageFormat::Bmp, little(bytes, 18, 4), height > 0x80000000u ? 0u - height : height);
 }
 
-/// Walks from segment to segment up to the one that states the size.
+/// Walks the segments up to the one that states the size.
 std::optional<ImageHeader> readJpeg(std::string_view bytes) {
     std::size_t at = 2;
     while (at + 4 <= bytes.size()) {
@@ -59,7 +59,7 @@ std::optional<ImageHeader> readJpeg(std::string_view bytes) {
             continue;
         }
         if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {
-            at += 2;  // without a length
+            at += 2;  // segments without a length
             continue;
         }
         const std::size_t length = big(bytes, at + 2, 2);

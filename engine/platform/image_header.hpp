@@ -7,18 +7,18 @@ namespace plumb {
 
 enum class ImageFormat : unsigned char { Png, Jpeg, Bmp };
 
-/// What the first bytes of an image file say.
+/// The header of an image file.
 struct ImageHeader {
     ImageFormat format = ImageFormat::Png;
     int width = 0;   ///< px
-    int height = 0;  ///< px; as large as the file states, without any limit
+    int height = 0;  ///< px; as the file states, without any limit
 };
 
-/// Which format the file has by its signature; nothing for all others.
+/// The format of the file by its signature; nothing for all others.
 std::optional<ImageFormat> imageFormatOf(std::string_view bytes);
 
 /// Reads the size without decoding anything.
-/// @return nothing when the header is cut off or senseless
+/// @return nothing if the header is truncated or invalid
 std::optional<ImageHeader> readImageHeader(std::string_view bytes);
 
 }  // namespace plumb

@@ -7,11 +7,11 @@
 
 namespace plumb {
 
-// What can be pressed, by our own numbers: they stand in bindings and in replays, so entries are only ever
-// added at the end, before Count. Names in files and in the editor are those of the enumerators, digits and
-// signs without prefix.
+// Keys and buttons, with our own numbers. Bindings and replays store these numbers,
+// so new entries are added at the end only, before Count. Names in files and in the
+// editor are those of the enumerators, without the prefix of digits and signs.
 
-/// A key by its place on a US keyboard, so that WASD stays under the same fingers on every layout.
+/// A key by its position on a US keyboard, so that WASD has the same position on every layout.
 enum class Key : std::uint8_t {
     // clang-format off
     None,
@@ -33,7 +33,7 @@ inline constexpr std::size_t kKeyCount = static_cast<std::size_t>(Key::Count);
 enum class MouseButton : std::uint8_t { Left, Middle, Right, X1, X2, Count };
 inline constexpr std::size_t kMouseButtonCount = static_cast<std::size_t>(MouseButton::Count);
 
-/// Buttons by their place on an Xbox pad: A is the lower one. In SDL's order.
+/// Buttons by their position on an Xbox pad: A is the lower one. In SDL's order.
 enum class PadButton : std::uint8_t {
     // clang-format off
     A, B, X, Y, Back, Guide, Start, LeftStick, RightStick, LeftShoulder, RightShoulder, Up, Down, Left, Right, Count
@@ -41,11 +41,11 @@ enum class PadButton : std::uint8_t {
 };
 inline constexpr std::size_t kPadButtonCount = static_cast<std::size_t>(PadButton::Count);
 
-/// Sticks reach from -1 to 1, right and down are positive; triggers from 0 to 1. In SDL's order.
+/// Axes: sticks from -1 to 1, right and down are positive; triggers from 0 to 1. In SDL's order.
 enum class PadAxis : std::uint8_t { LeftX, LeftY, RightX, RightY, LeftTrigger, RightTrigger, Count };
 inline constexpr std::size_t kPadAxisCount = static_cast<std::size_t>(PadAxis::Count);
 
-/// The name in bindings ("W", "Left", "5", "F11", "LeftShift"), and back; empty or nothing for what is none.
+/// The name in bindings ("W", "Left", "5", "F11", "LeftShift"), and the inverse; empty or nothing for None.
 std::string_view nameOf(Key key);
 std::string_view nameOf(MouseButton button);
 std::string_view nameOf(PadButton button);

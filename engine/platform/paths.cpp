@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-/// SDL's answer as a path; empty when it has none. SDL hands its texts over to be freed.
+/// A path returned by SDL, which has to be freed; empty if there is none.
 Path takePath(char* text) {
     Path path = text != nullptr ? Path{text} : Path{};
     SDL_free(text);

@@ -4,20 +4,20 @@
 
 namespace plumb {
 
-/// The folder that holds the running program; the current one when the system does not say.
+/// The folder of the running program; the current folder if the system does not know it.
 Path executableFolder();
 
-/// The engine's own assets (fonts, icons): what `engine:` in an asset's path stands for. The first that
-/// exists of PLUMB_ASSETS, assets/ beside the program (an exported game), assets/ of the tree it was built
-/// in.
+/// The engine's own assets (fonts, icons), which `engine:` in an asset
+/// path refers to. The first that exists of: PLUMB_ASSETS, assets/
+/// beside the program (an exported game), assets/ of the source tree.
 const Path& engineAssets();
 
-/// The folder of a game in code, which holds its assets/: the program's own, that of the project in the tree
-/// it was built in, else the current one.
-/// @param program  its name, as its project's folder is called
+/// The folder of a code-only game, which contains its assets/: the program's
+/// own, that of the project in the source tree, else the current one.
+/// @param program  its name, which is that of the project's folder
 Path codeGameFolder(const Path& program);
 
-/// Where the person's settings belong; made when missing. `$XDG_DATA_HOME/plumb` on Linux.
+/// The folder for user settings; created if missing. `$XDG_DATA_HOME/plumb` on Linux.
 Path settingsFolder();
 
 }  // namespace plumb

@@ -16,21 +16,21 @@ namespace plumb {
 namespace {
 
 #if defined(__linux__)
-/// Seconds between the start of the machine and that of this program; below 0 when nobody tells.
+/// Seconds between the start of the machine and that of this process; below 0 if it is unknown.
 double startedAt() {
     std::FILE* file = std::fopen("/proc/self/stat", "r");  // its size says 0, so readFile finds nothing
     if (file == nullptr) return -1.0;
     std::string text(1024, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file));
     std::fclose(file);
-    // The name in brackets may have spaces; behind it the start is the 20th word.
+    // The name in parentheses may contain spaces; after it, the start time is the 20th word.
     std::size_t at = text.rfind(')');
     for (int word = 0; word < 20 && at != std::string::npos; ++word) at = text.find(' ', at + 1);
     if (at == std::string::npos) return -1.0;
     return std::strtod(text.c_str() + at, nullptr) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// Seconds that the program has run before this was asked first.
+/// Seconds between the start of the program and the first call of this function.
 double ranBefore() {
     timespec now{};
     const double started = startedAt();

@@ -2,8 +2,8 @@
 
 namespace plumb {
 
-/// Seconds since the system started this program, so that what comes before main() counts too; to a hundredth
-/// on Linux. Where the system does not say, seconds since the first call. For logs and measurements only.
+/// Seconds since the system started this program, including the time before main(); accurate to 0.01 s
+/// on Linux. If the system does not know, seconds since the first call. For logs and measurements only.
 double processSeconds();
 
 }  // namespace plumb

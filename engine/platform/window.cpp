@@ -19,7 +19,7 @@ constexpr std::array kCursors{SDL_SYSTEM_CURSOR_ARROW,    SDL_SYSTEM_CURSOR_HAND
                               SDL_SYSTEM_CURSOR_SIZEALL,  SDL_SYSTEM_CURSOR_SIZEWE, SDL_SYSTEM_CURSOR_SIZENS,
                               SDL_SYSTEM_CURSOR_SIZENWSE, SDL_SYSTEM_CURSOR_NO};
 
-/// Starts SDL's video; falls back to its driver without a display, which draws into memory.
+/// Initializes SDL's video; falls back to its driver without a display, which draws into memory.
 Result<Done> startVideo() {
     SDL_SetMainReady();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) == 0) return Done{};

@@ -16,7 +16,7 @@ struct WindowSettings {
     int height = 720;  ///< px
     bool resizable = true;
     bool fullscreen = false;
-    bool hidden = false;  ///< for tests and tools: drawn into, never shown
+    bool hidden = false;  ///< for tests and tools: rendered, never shown
     bool vsync = true;
 };
 
@@ -39,8 +39,8 @@ enum class MouseShape : unsigned char {
     Forbidden
 };
 
-/// A window with an OpenGL 3.3 core context, current on the thread that opened it; and the source of events.
-/// Without a display it draws into memory and says so: tests and servers need no X.
+/// A window with an OpenGL 3.3 core context, current on the thread that opened it; also the source of
+/// events. Without a display it renders into memory and reports that: tests and servers need no X.
 class Window {
 public:
     /// @error no video driver, no OpenGL 3.3
@@ -49,15 +49,15 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Adds what happened since the last call to `events`, oldest first.
+    /// Appends the events since the last call to `events`, oldest first.
     void pollEvents(std::vector<Event>& events);
-    /// As pollEvents, but sleeps up to `seconds` when nothing has happened yet.
+    /// As pollEvents, but waits up to `seconds` if there are no events yet.
     void waitEvents(std::vector<Event>& events, double seconds);
 
-    /// From now on gamepads are heard; before, none is opened. Once is enough.
+    /// Opens gamepads and reports their events from now on. Calling it once is enough.
     void openPads();
 
-    /// Shows what was drawn. Read pixels before: afterwards they are undefined.
+    /// Shows the rendered frame. Read pixels before: afterwards they are undefined.
     void swap();
     void setVsync(bool on);
 

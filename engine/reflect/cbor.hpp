@@ -9,12 +9,12 @@
 
 namespace plumb {
 
-/// The binary twin of a JSON value. Numbers that a float holds take its four bytes.
+/// Encodes a JSON value as CBOR. Numbers that fit into a float take four bytes.
 /// Source: RFC 8949, Concise Binary Object Representation.
 std::string writeCbor(const Json& json);
 
-/// Reads what writeCbor wrote, or what else of CBOR has a JSON form, under the limits of JSON text.
-/// @error what was expected and what was found, with the byte's place
+/// Decodes the output of writeCbor and other CBOR that has a JSON form, with the limits of JSON text.
+/// @error what was expected and what was found, with the byte offset
 Result<Json> readCbor(std::string_view bytes, std::string_view where, const JsonLimits& limits = {});
 
 }  // namespace plumb

@@ -4,14 +4,14 @@
 
 namespace plumb {
 
-/// Values at two addresses, by value: 0 equals -0 only in bits that files can tell apart, so it does not
-/// here.
+/// Compares the values at two addresses as
+/// files store them: 0 and -0 are different.
 bool valuesEqual(const FieldInfo& field, const void* a, const void* b);
 
-/// The same field of two objects of its type.
+/// Compares one field of two objects of the same type.
 bool fieldsEqual(const FieldInfo& field, const void* a, const void* b);
 
-/// All fields, the transient ones too.
+/// Compares all fields, including transient ones.
 bool componentsEqual(const TypeInfo& type, const void* a, const void* b);
 
 void copyField(const FieldInfo& field, void* to, const void* from);

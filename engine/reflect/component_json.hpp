@@ -11,18 +11,18 @@ namespace plumb {
 
 class FieldContext;
 
-/// A key of a component that could not be read as it stands.
+/// A problem with one key of a component.
 struct FieldProblem {
-    std::string key;  ///< as in the file; empty when the whole component is wrong
+    std::string key;  ///< as in the file; empty if the whole component is invalid
     Error error;
 };
 
-/// The fields that differ from `defaults`, in the order of `describe`; transient ones never.
+/// The fields that differ from `defaults`, in the order of `describe`, without transient ones.
 Json componentToJson(const TypeInfo& type, const void* object, const void* defaults,
                      const FieldContext& context);
 
-/// Sets the fields that the file names; the others keep their values, and so do those with a problem.
-/// Every problem is one entry; its place is "Type.field".
+/// Sets the fields that are in the file; the others, and those with a problem, keep their values.
+/// Each problem is one entry; its place is "Type.field".
 void componentFromJson(const TypeInfo& type, void* object, const Json& json, FieldContext& context,
                        std::vector<FieldProblem>& problems);
 

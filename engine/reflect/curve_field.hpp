@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Who knows no curves sees a list of pairs: place and value of each key.
+/// Code that does not know curves sees a list of pairs: position and value of each key.
 template <>
 struct ListTraits<Curve> : std::true_type {
     using Element = Vec2;
@@ -14,8 +14,8 @@ struct ListTraits<Curve> : std::true_type {
 };
 static_assert(sizeof(CurveKey) == sizeof(Vec2));
 
-/// Whether a field is a curve; its range is that of the values. A list of pairs has 4 bytes beside them, its
-/// count; a curve has its shape too, so that no list is as large.
+/// True if a field is a curve; its range applies to the values. Recognized by its size: a list
+/// of pairs has a count of 4 bytes, a curve also has its shape, so no list has the same size.
 inline bool isCurve(const FieldInfo& field) {
     static_assert(sizeof(Curve) == Curve::kKeys * sizeof(Vec2) + 8);
     return field.kind == FieldKind::List && field.element == FieldKind::Vec2 && field.size == sizeof(Curve);

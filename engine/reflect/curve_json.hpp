@@ -9,12 +9,12 @@ namespace plumb {
 
 class FieldContext;
 
-/// A curve as files hold it, on one line: ["smooth", [0, 1], [0.5, 0.8], [1, 0]]. Each pair is a place along
-/// 0..1 and the value there.
+/// A curve as stored in files, on one line: ["smooth", [0, 1], [0.5,
+/// 0.8], [1, 0]]. Each pair is a position along 0..1 and the value there.
 Json curveToJson(const Curve& curve);
 
-/// Reads one. A value past the field's range is clamped, and the context is told.
-/// @error no curve, another word, no key, too many, out of order, outside 0..1; `value` keeps what it is
+/// Reads a curve. A value outside the field's range is clamped, with a warning to the context.
+/// @error not a curve, an unknown word, no key, too many, out of order, outside 0..1; `value` is unchanged
 Result<Done> readCurve(const FieldInfo& field, void* value, const Json& json, FieldContext& context);
 
 }  // namespace plumb

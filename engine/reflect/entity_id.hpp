@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Names an entity: its place, and how often the place was used before, so that an old name never means
-/// a new entity. Plain data, for components that refer to others. The default names nobody.
+/// Identifies an entity: its index and its generation (how often the index was used before), so that a
+/// stale id never refers to a new entity. Plain data, for use in components. The default is no entity.
 struct EntityId {
     std::uint32_t index = 0;
     std::uint32_t generation = 0;

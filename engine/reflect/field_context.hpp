@@ -11,8 +11,8 @@
 
 namespace plumb {
 
-/// What the ids inside components stand for. Fields hold ids; files hold texts, paths, hex ids and tiles,
-/// and only the one who owns the stores can tell one from the other.
+/// Resolves the ids inside components. Fields hold ids; files hold texts, paths,
+/// hex ids and tiles. Only the owner of the stores can convert between them.
 class FieldContext {
 public:
     virtual ~FieldContext() = default;
@@ -20,17 +20,17 @@ public:
     [[nodiscard]] virtual std::string_view text(TextId id) const = 0;
     virtual TextId keepText(std::string_view text) = 0;
 
-    /// The lasting id of an entity; 0 when it has none.
+    /// The lasting id of an entity; 0 if it has none.
     [[nodiscard]] virtual std::uint64_t stableId(EntityId entity) const = 0;
-    /// The entity with this lasting id; nobody when there is none.
+    /// The entity with this lasting id; the empty id if there is none.
     [[nodiscard]] virtual EntityId entity(std::uint64_t stableId) const = 0;
 
     [[nodiscard]] virtual Json tilesToJson(TilesId tiles) const = 0;
-    /// The field is named in errors and warnings.
+    /// @param field for errors and warnings
     virtual Result<TilesId> tilesFromJson(const FieldInfo& field, const Json& json) = 0;
     [[nodiscard]] virtual bool sameTiles(TilesId a, TilesId b) const { return a == b; }
 
-    /// Told of values that could be used only after a change, such as a clamp to a range.
+    /// Receives warnings about values that had to be changed, such as a clamp to a range.
     virtual void warn(Error error) = 0;
 };
 

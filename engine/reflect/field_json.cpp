@@ -78,7 +78,7 @@ std::uint64_t loadUnsigned(const FieldInfo& field, const void* value) {
     }
 }
 
-/// The low bytes of a number, whichever size and sign the field has.
+/// Stores the low bytes of a number, for a field of any size and sign.
 void storeWhole(const FieldInfo& field, void* value, std::uint64_t number) {
     switch (field.size) {
         case 1: store(value, static_cast<std::uint8_t>(number)); break;
@@ -100,7 +100,7 @@ struct Span64 {
     std::int64_t high;
 };
 
-/// What an Int field may hold: its bytes and its range. Not for 8 bytes without sign.
+/// The range of an Int field, by its size and its limits. Not for unsigned 8-byte fields.
 Span64 wholeRange(const FieldInfo& field) {
     constexpr double kEdge = 9.2e18;
     const int bits = static_cast<int>(field.size) * 8;
@@ -118,7 +118,7 @@ Span64 wholeRange(const FieldInfo& field) {
 }
 
 Result<Done> readInt(const FieldInfo& field, void* value, const Json& json, FieldContext& context) {
-    constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: every whole double below is exact
+    constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: smaller integers are exact as doubles
     std::int64_t number = 0;
     if (json.is_number_unsigned()) {
         const auto large = json.get<std::uint64_t>();
@@ -148,7 +148,7 @@ Result<Done> readInt(const FieldInfo& field, void* value, const Json& json, Fiel
     return Done{};
 }
 
-/// A finite float, or the error that says why there is none.
+/// A finite float, or the error.
 Result<float> finiteFrom(const FieldInfo& field, const Json& json) {
     if (!json.is_number()) return expected(field, "a number", json, numberRemedy(field));
     const double wide = json.get<double>();
@@ -167,7 +167,7 @@ Result<Done> readFloat(const FieldInfo& field, void* value, const Json& json, Fi
     return Done{};
 }
 
-/// The numbers of a Vec2 or a Rect: all of them, or the error.
+/// Reads the numbers of a Vec2 or a Rect: all of them, or none and an error.
 Result<Done> readFloats(const FieldInfo& field, void* value, const Json& json, std::size_t count) {
     const std::string_view form = count == 2 ? "[x, y]" : "[x, y, width, height]";
     if (!json.is_array() || json.size() != count) {
@@ -232,7 +232,7 @@ Result<std::string_view> textFrom(const FieldInfo& field, const Json& json, std:
     return std::string_view{*text};
 }
 
-/// A path that could only lead out of the project, whatever the disk holds.
+/// True for a path that leads out of the project, whatever files exist.
 bool leavesProject(std::string_view path) {
     if (path.front() == '/' || path.find('\\') != std::string_view::npos) return true;
     if (path.size() > 1 && path[1] == ':') return true;
@@ -259,12 +259,12 @@ Result<Done> readEntity(const FieldInfo& field, void* value, const Json& json, c
     const std::optional<std::uint64_t> id = text != nullptr ? parseHex(*text) : std::nullopt;
     if (!id || *id == 0) {
         return expected(field, "the id of an entity", json,
-                        "write its 16 hex digits in quotes, or null for nobody");
+                        "write its 16 hex digits in quotes, or null for no entity");
     }
     const EntityId entity = context.entity(*id);
     if (!entity) {
         return Error{std::string{field.name}, format("no entity has the id {}", foundText(json)),
-                     "write the id of an entity of this file, or null for nobody"};
+                     "write the id of an entity of this file, or null for no entity"};
     }
     store(value, entity);
     return Done{};

@@ -8,19 +8,19 @@ namespace plumb {
 
 class FieldContext;
 
-/// The value of a field as files hold it.
+/// The value of a field as stored in files.
 Json fieldToJson(const FieldInfo& field, const void* object, const FieldContext& context);
 
-/// Reads a field from what a file holds. A number past the field's range is clamped, and the context is told.
-/// @error the kind is wrong, not finite, an unknown name, a path that leaves the project; the field keeps
-///        its value. The error's place is the field's name.
+/// Reads a field from its form in files. A number outside the field's range is clamped, with a warning.
+/// @error wrong type, not finite, an unknown name, a path that leaves the project; the field keeps its
+/// value. The place of the error is the field's name.
 Result<Done> fieldFromJson(const FieldInfo& field, void* object, const Json& json, FieldContext& context);
 
-/// The same for a value at an address: an item of a list, or a copy.
+/// The same for a value at any address: an item of a list, or a copy.
 Json valueToJson(const FieldInfo& field, const void* value, const FieldContext& context);
 Result<Done> valueFromJson(const FieldInfo& field, void* value, const Json& json, FieldContext& context);
 
-/// A value in a few words, for messages: `"fast"`, `a list of 3`, `true`.
+/// Short description of a value for messages: `"fast"`, `a list of 3`, `true`.
 std::string foundText(const Json& json);
 
 }  // namespace plumb

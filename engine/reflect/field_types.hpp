@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// Names a file of the project: the hash of its path. What it means is in the stores that know paths.
+/// Refers to a file of the project by the hash of its path. The stores map it to the path.
 template <AssetKind Kind>
 struct AssetRef {
     TextId path;
@@ -24,7 +24,7 @@ using FontId = AssetRef<AssetKind::Font>;
 using SceneId = AssetRef<AssetKind::Scene>;
 using PrefabId = AssetRef<AssetKind::Prefab>;
 
-/// Names a tile grid in the store of its world; 0 names none.
+/// Refers to a tile grid in the store of its world; 0: none.
 struct TilesId {
     std::uint32_t value = 0;
 

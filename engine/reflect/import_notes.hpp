@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// What an importer notes beside what is ours: meant to be there, kept and written back, read by people only.
+/// True for keys that importers add as notes: kept and written back, but without effect.
 constexpr bool isImportNote(std::string_view key) {
     return key == "tiled" || key == "ldtk" || key == "aseprite";
 }

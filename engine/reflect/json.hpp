@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// A JSON value that keeps the order of its keys: files read in the order they were written.
+/// A JSON value that preserves the order of keys, so that files keep their order.
 using Json = nlohmann::ordered_json;
 
 }  // namespace plumb

@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-/// A property whose meaning is not ours to know: its value as JSON text, kept to be written back.
+/// A property that the engine does not know: its value as JSON text, kept to be written back.
 struct KeptProperty {
     std::string name;
     std::string json;
@@ -21,20 +21,20 @@ struct KeptProperty {
     friend bool operator==(const KeptProperty&, const KeptProperty&) = default;
 };
 
-/// Puts kept properties back into the object they came from.
+/// Writes kept properties back into their object.
 void writeKept(Json& object, const std::vector<KeptProperty>& properties);
 
 /// Reads the properties of one JSON object of a file. A property that is missing gives its fallback; one that
-/// is wrong gives its fallback too and tells the problem; `warnUnknown` tells those that nobody asked for.
+/// is wrong gives its fallback and reports a problem; `warnUnknown` reports properties that were never read.
 class JsonFields {
 public:
-    /// @param where  the place of the object, e.g. "tiles.tileset.json: tiles[3]"
-    /// @param object must outlive this; anything but an object is told as a problem and read as an empty one
+    /// @param where the path of the object, e.g. "tiles.tileset.json: tiles[3]"
+    /// @param object  must outlive this; anything but an object is reported and read as an empty one
     JsonFields(const Json& object, std::string where, std::vector<Error>& problems);
 
     [[nodiscard]] const std::string& where() const { return where_; }
 
-    /// The property as it stands; null when it is missing.
+    /// The property as it is; null if it is missing.
     const Json* find(std::string_view key);
 
     std::string text(std::string_view key, std::string_view fallback = {});
@@ -43,26 +43,26 @@ public:
     float number(std::string_view key, float fallback, float min, float max);
     Vec2 vec2(std::string_view key, Vec2 fallback);
 
-    /// One of `names`, as its place in them.
+    /// The index of the value in `names`.
     std::size_t choice(std::string_view key, std::size_t fallback, std::span<const std::string_view> names);
 
-    /// The items of an array of objects, each with its own place; empty when it is missing or no array.
+    /// The items of an array of objects, each with its own path; empty if it is missing or not an array.
     std::vector<JsonFields> objects(std::string_view key, std::size_t limit);
 
-    /// The items of an array of any values; null when it is missing or no array.
+    /// The items of an array of any values; null if it is missing or not an array.
     const Json* array(std::string_view key);
 
     /// The version that the file states in "format".
-    /// @return false, with a problem told, when this program is too old for it
+    /// @return false, after reporting a problem, when this program is too old for it
     bool acceptFormat(int newest);
 
     void warn(std::string_view key, std::string what, std::string remedy);
 
-    /// Tells the properties that nobody asked for, and gives them to be kept.
+    /// Reports the properties that were never read, and returns them so that they can be kept.
     std::vector<KeptProperty> keepUnknown();
     void warnUnknown() { static_cast<void>(keepUnknown()); }
 
-    /// The properties of an object inside this one, as they stand: those that only the game understands.
+    /// The properties of a nested object, unchanged: only the game interprets them.
     std::vector<KeptProperty> kept(std::string_view key);
 
 private:

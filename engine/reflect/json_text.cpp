@@ -33,7 +33,7 @@ void appendUtf8(std::string& out, std::uint32_t code) {
     }
 }
 
-/// Reads one text from front to back. Each read function leaves `at_` behind what it read, or sets the error.
+/// Parses a text from front to back. Each read function advances `at_` past what it read, or sets the error.
 class JsonReader {
 public:
     JsonReader(std::string_view text, std::string_view where, std::vector<Error>* warnings,
@@ -77,8 +77,8 @@ private:
         return fail(at_, format("expected {}, found {}", expected, found()), std::move(remedy));
     }
 
-    /// In an array or object stands something else than what was expected. What can never stand there shows
-    /// that its end is missing: the place to mend is where it begins, however much later one sees it.
+    /// An unexpected token in an array or object. If no value can start with it, the closing bracket
+    /// is missing: then the error refers to the opening bracket, because that is the place to fix.
     bool failInside(std::size_t openedAt, std::string_view expected, std::string_view remedy) {
         const char bracket = text_[openedAt];
         const bool isArray = bracket == '[';
@@ -151,7 +151,7 @@ private:
     bool readObject(Json& json, int depth) {
         json = Json::object();
         auto& properties = *json.get_ptr<Json::object_t*>();
-        std::unordered_set<std::string> seen;  // only asked, never walked; used once an object is large
+        std::unordered_set<std::string> seen;  // lookup only, never iterated; used once an object is large
         const std::size_t openedAt = at_++;
         skipBlank();
         if (peek() == '}') return ++at_, true;
@@ -252,7 +252,7 @@ private:
         return readCodePoint(*first, out);
     }
 
-    /// Joins the two halves that \u needs for what lies past the first 65,536 characters.
+    /// Combines the two \u escapes of a character beyond the first 65,536.
     bool readCodePoint(std::uint32_t first, std::string& out) {
         std::uint32_t code = first;
         if (first >= 0xd800 && first < 0xdc00 && text_.substr(at_, 2) == "\\u") {
@@ -281,7 +281,7 @@ private:
         return static_cast<std::uint32_t>(*value);
     }
 
-    /// JSON's own form of a number, which is narrower than what from_chars takes.
+    /// Length of a number in JSON's syntax, which is stricter than that of from_chars.
     [[nodiscard]] std::size_t numberLength(bool& whole) const {
         std::size_t i = at_;
         const auto digits = [&] {

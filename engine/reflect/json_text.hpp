@@ -10,33 +10,33 @@
 
 namespace plumb {
 
-/// What a text may be at most to be read. The defaults are the limits of the house.
+/// Limits on a JSON text. The defaults are those of limits.hpp.
 struct JsonLimits {
     std::size_t bytes = limits::kFileBytes;
-    int depth = limits::kJsonDepth;              ///< objects and arrays inside each other
+    int depth = limits::kJsonDepth;              ///< nesting of objects and arrays
     std::size_t textBytes = limits::kTextBytes;  ///< of one text
-    std::size_t values = limits::kJsonValues;    ///< numbers, texts, objects, … in all
+    std::size_t values = limits::kJsonValues;    ///< total number of numbers, texts, objects, …
 };
 
-/// Reads JSON text from outside: strict, in UTF-8, without recursion past the limit and without exceptions.
-///
-/// @param where     the file's name; the error's place is "where:line:column"
-/// @param warnings  when given, a repeated key is told there and its last value counts; else it is an error
-/// @error           what was expected and what was found instead
+/// Parses external JSON text: strict, in UTF-8, with limited recursion and without exceptions.
+/// @param where the file's name; the place of an error is "where:line:column"
+/// @param warnings if given, a repeated key adds a warning and its last value counts; else it
+/// is an error
+/// @error what was expected and what was found instead
 Result<Json> parseJson(std::string_view text, std::string_view where, std::vector<Error>* warnings = nullptr,
                        const JsonLimits& limits = {});
 
-/// The one way in which files of a project are written: two spaces, one property a line, arrays of numbers or
-/// short words on one line while they fit, a newline at the end. A number that came from a float takes the
-/// shortest text that reads back to it, so reading and writing again changes no byte.
+/// The standard format of project files: two spaces, one property per line, arrays of numbers or short
+/// words on one line if they fit, a newline at the end. Numbers that came from floats are written as
+/// the shortest text that is read back to the same value, so reading and writing again changes no byte.
 std::string writeJson(const Json& json);
 
-/// For files that are long lists of small things, tiles and frames of animations: whatever fits stands on one
-/// line.
+/// For files that are long lists of small values (tiles,
+/// animation frames): everything that fits is on one line.
 std::string writeCompactJson(const Json& json);
 
-/// The same without the newline at the end, for a value that stands `indent` spaces deep inside a larger
-/// text.
+/// The same without the final newline, for a value at an
+/// indentation of `indent` spaces inside a larger text.
 void appendJson(std::string& out, const Json& json, std::size_t indent);
 
 }  // namespace plumb

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLineWidth = 110;  // characters
 constexpr std::size_t kShortText =
-    16;  // bytes; longer ones, such as rows of tiles, stand on lines of their own
+    16;  // bytes; longer texts, such as rows of tiles, get lines of their own
 
 void writeEscaped(std::string& out, char c) {
     switch (c) {
@@ -27,7 +27,7 @@ void writeEscaped(std::string& out, char c) {
     }
 }
 
-/// What stands between two letters that need an escape is copied at once: packed tiles have none at all.
+/// Copies the characters between two escapes at once: packed tiles have none at all.
 void writeText(std::string& out, std::string_view text) {
     const auto isPlain = [](char c) {
         return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\';
@@ -44,7 +44,7 @@ void writeText(std::string& out, std::string_view text) {
     out += '"';
 }
 
-/// Reading goes through double, so the float's own shortest text serves only where that leads back to it.
+/// Readers parse doubles, so the float's shortest text is used only if it gives the same double.
 void writeReal(std::string& out, double value) {
     if (!std::isfinite(value)) {
         out += "null";
@@ -74,7 +74,7 @@ void writeScalar(std::string& out, const Json& json) {
     }
 }
 
-/// Numbers and short words, or arrays of them such as the corners of a polygon.
+/// True for numbers and short words, and arrays of them such as the corners of a polygon.
 bool mayStandInline(const Json& array, int depth = 0) {
     return std::all_of(array.begin(), array.end(), [depth](const Json& item) {
         if (item.is_array()) return depth < 1 && mayStandInline(item, depth + 1);
@@ -94,7 +94,7 @@ void writeInline(std::string& out, const Json& array) {
     out += ']';
 }
 
-/// The value on one line; false, with a part of it written, once it is wider than `room`.
+/// Writes the value on one line. Returns false, after writing a part of it, if it is wider than `room`.
 bool writeFlat(std::string& out, const Json& json, std::size_t start, std::size_t room) {
     if (!json.is_structured()) {
         writeScalar(out, json);
@@ -169,7 +169,7 @@ private:
 
     void writeArray(const Json& array, std::size_t indent) {
         const std::size_t start = out.size();
-        // Two characters an item at least: what cannot fit is not tried.
+        // Each item takes at least two characters: do not try what cannot fit.
         if (layout_ == Layout::OnePropertyALine && array.size() <= kLineWidth / 2 && mayStandInline(array)) {
             writeInline(out, array);
             if (array.empty() || out.size() - lineStart_ <= kLineWidth) return;

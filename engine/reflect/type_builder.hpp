@@ -61,7 +61,7 @@ constexpr FieldKind kindOf() {
     }
 }
 
-/// Adds meaning to the field just named: `type.field<&Spin::rate>("rate").unit(...)`.
+/// Sets properties of the field just added: `type.field<&Spin::rate>("rate").unit(...)`.
 class FieldBuilder {
 public:
     explicit FieldBuilder(FieldInfo& field) : field_{field} {}
@@ -69,16 +69,16 @@ public:
     FieldBuilder& unit(Unit unit) { return field_.unit = unit, *this; }
     FieldBuilder& range(float min, float max) { return field_.min = min, field_.max = max, *this; }
     FieldBuilder& doc(std::string_view text) { return field_.doc = text, *this; }
-    /// The field's name in older files, so that they still load.
+    /// The field's name in older files, so that they can still be loaded.
     FieldBuilder& was(std::string_view oldName) { return field_.was = oldName, *this; }
-    /// State of the running game: shown and hashed, not saved.
+    /// Runtime state: shown and hashed, not saved.
     FieldBuilder& transient() { return field_.transient = true, *this; }
-    /// By how much one pixel of a drag in the inspector changes it, in the field's unit.
+    /// Change per pixel of a drag in the inspector, in the field's unit.
     FieldBuilder& step(float step) { return field_.step = step, *this; }
-    /// Each bit stands for a layer of collisions.
+    /// Each bit is a collision layer.
     FieldBuilder& layerBits() { return field_.layerBits = true, *this; }
-    /// Does nothing unless another field of the component, a bool or an enum, has this value; the inspector
-    /// shows it only then.
+    /// The field has an effect only if another field of the component, a
+    /// bool or an enum, has this value; otherwise the inspector hides it.
     FieldBuilder& shownIf(std::string_view other, int value = 1) {
         return field_.shownIf = other, field_.shownIfValue = value, *this;
     }
@@ -131,7 +131,7 @@ private:
     TypeInfo& type_;
 };
 
-/// A type that says what it is made of.
+/// A type with a `describe` function.
 template <class T>
 concept Described = requires(TypeBuilder<T>& builder) { T::describe(builder); };
 

@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// Keys are below this, so that tables by key need no bounds check.
+/// Upper limit of keys, so that tables indexed by key need no bounds check.
 inline constexpr TypeKey kMaxTypes = 2048;
 
 TypeKey nextTypeKey();

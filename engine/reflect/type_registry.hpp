@@ -9,10 +9,10 @@
 
 namespace plumb {
 
-/// The component types a program knows, in the order in which files and the inspector list them.
+/// The component types of a program, in the order in which files and the inspector list them.
 class TypeRegistry {
 public:
-    /// Adds a type by its `describe`; adding it twice changes nothing.
+    /// Registers a type by its `describe`; has no effect the second time.
     template <Described T>
     const TypeInfo& add() {
         if (const TypeInfo* known = find(typeKey<T>())) return *known;

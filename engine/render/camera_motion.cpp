@@ -25,8 +25,8 @@ Vec2 keptInDeadZone(Vec2 camera, Vec2 followed, Vec2 deadZone) {
 
 Vec2 approached(Vec2 from, Vec2 to, float seconds, float dt) {
     if (seconds <= 0.0f) return to;
-    constexpr float kMostOfTheWay = 3.0f;  // e^-3 is 5 %
-    return to + (from - to) * exponential(-kMostOfTheWay * dt / seconds);
+    constexpr float kMaxOfTheWay = 3.0f;  // e^-3 is 5 %
+    return to + (from - to) * exponential(-kMaxOfTheWay * dt / seconds);
 }
 
 Vec2 keptInLimits(Vec2 center, Vec2 size, const Rect& limits) {
@@ -38,7 +38,7 @@ Vec2 keptInLimits(Vec2 center, Vec2 size, const Rect& limits) {
 Vec2 shakeOffset(float strength, float seconds, float time) {
     if (seconds <= 0.0f || time < 0.0f || time >= seconds) return {};
     const float left = 1.0f - time / seconds;
-    // Two rates without a common period for each axis: it does not look like a swing.
+    // Two frequencies per axis without a common period: it does not look like a regular oscillation.
     const float x = 0.6f * sine(time * 71.0f) + 0.4f * sine(time * 113.0f + 1.0f);
     const float y = 0.6f * sine(time * 83.0f + 2.0f) + 0.4f * sine(time * 131.0f + 4.0f);
     return Vec2{x, y} * (strength * left * left);

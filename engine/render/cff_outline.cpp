@@ -13,7 +13,7 @@ namespace {
 
 using Kind = OutlineStep::Kind;
 
-/// A list of pieces of bytes.
+/// An INDEX: a list of byte strings.
 struct Index {
     FontBytes bytes;
     std::size_t count = 0;
@@ -37,7 +37,7 @@ struct Index {
     }
 
 private:
-    /// Offsets count from the byte before the data.
+    /// Offsets are relative to the byte before the data.
     [[nodiscard]] std::size_t dataAt() const { return 2 + (count + 1) * width; }
     [[nodiscard]] std::size_t offset(std::size_t i) const {
         std::size_t value = 0;
@@ -46,7 +46,7 @@ private:
     }
 };
 
-/// The first two numbers that stand before an operator of a dictionary; nothing when it is not there.
+/// The first two operands of an operator in a dictionary; nothing if the operator is missing.
 std::optional<std::array<int, 2>> entryOf(FontBytes dictionary, std::uint32_t wanted) {
     std::array<int, 2> numbers{};
     std::size_t count = 0;
@@ -81,13 +81,13 @@ std::optional<std::array<int, 2>> entryOf(FontBytes dictionary, std::uint32_t wa
     return std::nullopt;
 }
 
-/// A place in the file that a dictionary names; 0 when it names none.
+/// An offset stored in a dictionary; 0 if it is missing.
 std::size_t placeIn(FontBytes dictionary, std::uint32_t wanted) {
     const int place = entryOf(dictionary, wanted).value_or(std::array<int, 2>{})[0];
     return place > 0 ? static_cast<std::size_t>(place) : 0;
 }
 
-/// The routines that the letters of one dictionary share.
+/// The local subroutines of a dictionary.
 Index subroutinesOf(FontBytes cff, FontBytes dictionary) {
     constexpr std::uint32_t kPrivate = 18, kSubroutines = 19;
     const std::array<int, 2> found = entryOf(dictionary, kPrivate).value_or(std::array<int, 2>{});
@@ -97,7 +97,7 @@ Index subroutinesOf(FontBytes cff, FontBytes dictionary) {
     return offset == 0 ? Index{} : Index::at(cff, begin + offset);
 }
 
-/// Fonts of several dictionaries: which of them a letter belongs to.
+/// For fonts with several dictionaries: the index of the one that a glyph uses.
 std::size_t dictionaryOf(FontBytes select, std::size_t glyph) {
     if (select.u8(0) == 0) return select.u8(1 + glyph);
     const std::size_t ranges = select.u8(0) == 3 ? select.u16(1) : 0;
@@ -108,11 +108,11 @@ std::size_t dictionaryOf(FontBytes select, std::size_t glyph) {
     return 0;
 }
 
-/// What one letter needs of the file.
+/// The data that one glyph needs.
 struct Program {
     FontBytes code;
-    Index shared;  ///< routines of all fonts of the file
-    Index own;     ///< routines of its dictionary
+    Index shared;  ///< global subroutines
+    Index own;     ///< local subroutines of its dictionary
 };
 
 std::optional<Program> programOf(FontBytes cff, int glyph) {
@@ -139,7 +139,7 @@ std::optional<Program> programOf(FontBytes cff, int glyph) {
     return program;
 }
 
-/// Follows the pen, with the box around all points that it is given.
+/// Tracks the current point and the bounding box of all points.
 class Pen {
 public:
     explicit Pen(GlyphOutline& outline) : outline_{outline} {}
@@ -189,7 +189,7 @@ private:
     bool any_ = false;
 };
 
-/// Runs the program of a letter: numbers go onto a stack, operators take all of them.
+/// Interpreter of a glyph's charstring: numbers are pushed onto a stack, operators consume all of them.
 class Charstring {
 public:
     Charstring(const Program& program, GlyphOutline& outline)
@@ -200,8 +200,8 @@ public:
 
 private:
     static constexpr std::size_t kMaxStack = 48;     // by the specification
-    static constexpr int kMaxCalls = 10;             // inside each other, by the specification
-    static constexpr int kMaxOperators = 1 << 16;    // routines that call each other could go on for years
+    static constexpr int kMaxCalls = 10;             // nesting, by the specification
+    static constexpr int kMaxOperators = 1 << 16;    // recursive subroutines could run for years
     static constexpr std::uint32_t kEscape = 0x100;  // operators of two bytes
 
     bool run(FontBytes code, int depth) {
@@ -235,7 +235,7 @@ private:
             }
             if (ended_) return true;
         }
-        return false;  // a program ends with an operator that says so
+        return false;  // a charstring must end with an explicit operator
     }
 
     static float numberFrom(std::uint32_t byte, FontCursor& cursor) {
@@ -264,7 +264,7 @@ private:
 
     void countHints() { hints_ += count_ / 2; }
 
-    /// @return false for an operator without enough numbers, or one that nothing draws
+    /// @return false for an operator with too few operands, or an unknown one
     bool draw(std::uint32_t code) {
         const std::span<const float> s{stack_.data(), count_};
         const std::size_t n = count_;
@@ -293,7 +293,7 @@ private:
     void lines(std::span<const float> s) {
         for (std::size_t i = 0; i + 1 < s.size(); i += 2) pen_.line(s[i], s[i + 1]);
     }
-    /// Along x and y in turn.
+    /// Lines, alternately along x and y.
     void straightLines(std::span<const float> s, bool alongX) {
         for (const float length : s) {
             pen_.line(alongX ? length : 0.0f, alongX ? 0.0f : length);
@@ -304,7 +304,7 @@ private:
         for (std::size_t i = 0; i + 5 < s.size(); i += 6)
             pen_.curve(s[i], s[i + 1], s[i + 2], s[i + 3], s[i + 4], s[i + 5]);
     }
-    /// Curves that begin and end along the same axis. An odd number says how far the first is beside it.
+    /// Curves that begin and end along the same axis. An odd operand is the offset of the first one.
     void parallelCurves(std::span<const float> s, bool alongX) {
         float beside = 0.0f;
         if (s.size() % 2 != 0) beside = s[0], s = s.subspan(1);
@@ -317,7 +317,7 @@ private:
             beside = 0.0f;
         }
     }
-    /// Curves that begin along one axis and end along the other, in turn. A fifth number bends the last end.
+    /// Curves alternately begin along one axis and end along the other. A fifth operand bends the last end.
     void turningCurves(std::span<const float> s, bool alongX) {
         for (std::size_t i = 0; i + 3 < s.size(); i += 4) {
             const float last = s.size() - i == 5 ? s[i + 4] : 0.0f;
@@ -330,7 +330,7 @@ private:
         }
     }
 
-    /// Two curves that are nearly a line, drawn as curves at every size.
+    /// Two curves that are nearly a line; drawn as curves at every size.
     bool flex(std::uint32_t code, std::span<const float> s) {
         if (code == 34 && s.size() >= 7) {
             pen_.curve(s[0], 0.0f, s[1], s[2], s[3], 0.0f);

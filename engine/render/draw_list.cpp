@@ -6,8 +6,8 @@ namespace plumb {
 void DrawList::begin(const View& view, TextureGrouping grouping) {
     view_ = view;
     visible_ = visibleBox(view);
-    // Sprites are sorted by y as finely as 65536 steps over three screens allow: what stands just outside may
-    // reach in.
+    // Resolution of the y order: 65536 steps over three screens,
+    // because sprites just outside the view may extend into it.
     const float height = std::max(visible_.size().y, 1.0f);
     yStart_ = visible_.min.y - height;
     yScale_ = static_cast<float>(kYSteps) / (3.0f * height);

@@ -18,16 +18,16 @@
 
 namespace plumb {
 
-/// The sortY of what takes no part in the y order: drawn first in its layer, in the order it was added.
+/// The sortY of objects outside the y order: drawn first in their layer, in the order of insertion.
 inline constexpr float kNoSortY = std::numeric_limits<float>::lowest();
 
-/// A picture in the world.
+/// A textured quad in the world.
 struct SpriteQuad {
     Vec2 center;            ///< px, world
     Vec2 half;              ///< px, half of the drawn size
     float rotation = 0.0f;  ///< rad about the center, clockwise on screen
     TextureHandle texture;
-    Rect source;  ///< texels: which part of the texture
+    Rect source;  ///< texels: the part of the texture
     Color tint;
     int layer = 0;           ///< higher is nearer
     float sortY = kNoSortY;  ///< px, world: within a layer, lower on screen is nearer
@@ -36,8 +36,8 @@ struct SpriteQuad {
     bool additive = false;  ///< adds light instead of covering
 };
 
-/// The center of a quad whose top left corner, before turning, lies at `origin - pivot * size`, turned about
-/// `origin`.
+/// The center of a quad whose top left corner, before rotation,
+/// is at `origin - pivot * size`, rotated about `origin`.
 inline Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation) {
     return origin + rotated(scaled(Vec2{0.5f, 0.5f} - pivot, size), rotation);
 }
@@ -54,36 +54,36 @@ struct RetainedSprites {
     int layer = 0;
 };
 
-/// How lines and shapes look.
+/// Style of lines and shapes.
 struct ShapeStyle {
     Color color;
-    float thickness = 1.0f;  ///< px of the picture, whatever the zoom
+    float thickness = 1.0f;  ///< px of the picture, independent of the zoom
     int layer = kHighestLayer;
 };
 
-/// Whether sprites of one layer and y may change places so that those of one texture come together.
+/// Whether sprites with the same layer and y may be reordered to group them by texture.
 enum class TextureGrouping : std::uint8_t {
-    Keep,   ///< drawn in the order they were added
+    Keep,   ///< drawn in the order of insertion
     Group,  ///< grouped 16 textures at a time: for worlds with very many textures
 };
 
-/// What is to be drawn with one view. Filled anew every frame; keeps its memory, so a steady frame allocates
-/// nothing. Things that the view cannot see are dropped when they are added.
+/// What is drawn with one view. Refilled every frame; it keeps its memory, so a steady
+/// frame allocates nothing. Objects outside the view are dropped when they are added.
 class DrawList {
 public:
-    /// Forgets everything and looks through `view` from now on.
+    /// Clears the list; from now on it uses `view`.
     void begin(const View& view, TextureGrouping grouping = TextureGrouping::Keep);
 
     [[gnu::always_inline]] void sprite(const SpriteQuad& quad);
     void retained(const RetainedSprites& sprites);
-    /// A quad that is in the device's form already; its slot holds flags only.
+    /// Adds a quad that is already in the device's format; its slot contains flags only.
     void instance(const SpriteInstance& instance, TextureHandle texture, int layer);
 
-    /// Room for many quads of one texture and layer, in the device's form, slots with flags only: to be
-    /// filled front to back and then given back by endRun, with nothing added in between. Who fills it leaves
-    /// out what visible() does not touch.
+    /// Reserves room for `most` quads of one texture and layer, in the device's format, with
+    /// only the flags of each slot set. Fill it front to back, then return it with endRun();
+    /// add nothing else in between. The caller leaves out quads that visible() rejects.
     [[nodiscard]] std::span<SpriteInstance> beginRun(std::size_t most);
-    /// @param count  how many were filled
+    /// @param count number of quads that were filled
     void endRun(std::size_t count, TextureHandle texture, int layer, float sortY = kNoSortY);
 
     void line(Vec2 from, Vec2 to, const ShapeStyle& style);
@@ -93,7 +93,7 @@ public:
     void polygon(std::span<const Vec2> corners, const ShapeStyle& style);
     void filledRect(const AABB& box, Color color, int layer = kHighestLayer);
     void filledCircle(Vec2 center, float radius, Color color, int layer = kHighestLayer);
-    /// @pre the corners go round a convex shape
+    /// @pre the corners form a convex shape, in order
     void filledPolygon(std::span<const Vec2> corners, Color color, int layer = kHighestLayer);
 
     [[nodiscard]] const View& view() const { return view_; }
@@ -101,8 +101,8 @@ public:
     [[nodiscard]] std::size_t spriteCount() const { return instances_.size(); }
     [[nodiscard]] std::size_t culledCount() const { return culled_; }
 
-    // What the renderer reads. An item's reference is its kind in the top two bits and its index in that
-    // kind's list.
+    // Interface for the renderer. An item's reference is its kind
+    // in the top two bits and its index in the list of that kind.
     enum class Kind : std::uint8_t { Sprite, Retained, Geometry, Run };
     struct Triangles {
         std::uint32_t first = 0;
@@ -159,7 +159,7 @@ private:
 inline bool DrawList::sees(Vec2 center, Vec2 half, float rotation) const {
     Vec2 reach{std::abs(half.x), std::abs(half.y)};
     if (rotation != 0.0f) reach.x = reach.y = reach.x + reach.y;
-    // Written so that NaN is not seen.
+    // Written so that NaN counts as invisible.
     return center.x + reach.x > visible_.min.x && center.x - reach.x < visible_.max.x &&
            center.y + reach.y > visible_.min.y && center.y - reach.y < visible_.max.y;
 }
@@ -170,7 +170,7 @@ inline std::uint32_t DrawList::yKey(float y) const {
     return steps > 1.0f ? static_cast<std::uint32_t>(std::min(steps, static_cast<float>(kYSteps))) : 1u;
 }
 
-/// Left, top, right, bottom; a flip is an exchange of two ends.
+/// Left, top, right, bottom; flips swap two ends.
 inline std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
     std::array<std::uint16_t, 4> uv{uvFromTexels(quad.source.x), uvFromTexels(quad.source.y),
                                     uvFromTexels(quad.source.x + quad.source.width),
@@ -180,7 +180,7 @@ inline std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
     return uv;
 }
 
-// Here, so that who makes a quad and what becomes of it are one piece of code: worlds have 100,000 of them.
+// Inline, so that a quad is made and converted in one piece of code: worlds have 100,000 of them.
 inline void DrawList::sprite(const SpriteQuad& quad) {
     if (!sees(quad.center, quad.half, quad.rotation)) {
         ++culled_;

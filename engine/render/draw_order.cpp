@@ -16,7 +16,7 @@ std::size_t digitOf(std::uint32_t key, std::size_t digit) {
     return (key >> (digit * kDigitBits)) & (kDigitValues - 1);
 }
 
-/// Counts every digit value in one pass. @return true when the keys are in order already
+/// Counts all digits in one pass. @return true if the keys are already sorted
 bool countDigits(std::span<const DrawItem> items, Counts& counts) {
     bool ordered = true;
     std::uint32_t before = 0;

@@ -5,14 +5,14 @@
 #include "math/angle.hpp"
 #include "render/draw_list.hpp"
 
-// The shapes of a draw list. Whatever is made of straight strokes becomes thin sprites of the white pixel, so
-// that it shares the draw call of the sprites around it; only filled round and slanted shapes are triangles.
+// The shapes of a draw list. Straight strokes become thin sprites of the white pixel, so that they
+// share the draw call of the sprites around them; only filled round and slanted shapes are triangles.
 namespace plumb {
 namespace {
 
 constexpr int kMaxSegments = 64;
 
-/// Enough that the corners stay below a quarter px of the picture.
+/// Number of segments such that the error stays below a quarter px of the picture.
 int segmentsFor(float radius, float zoom) {
     return std::clamp(8 + static_cast<int>(std::min(radius * zoom, 1000.0f) * 0.5f), 8, kMaxSegments);
 }
@@ -33,7 +33,7 @@ void DrawList::line(Vec2 from, Vec2 to, const ShapeStyle& style) {
     const float half = style.thickness * 0.5f / view_.zoom;
     SpriteQuad quad;
     quad.center = (from + to) * 0.5f;
-    // Before its angle is found, which takes the longest.
+    // Before computing its angle, which is the most expensive part.
     if (!sees(quad.center, {std::abs(along.x) * 0.5f + half, std::abs(along.y) * 0.5f + half}, 0.0f)) {
         ++culled_;
         return;

@@ -10,8 +10,8 @@
 #include "core/text.hpp"
 #include "render/glyph_outline.hpp"
 
-// Only its drawing of outlines is used: its readers trust the file. What it asserts holds up to the rounding
-// of outlines as they should be, not of damaged ones; it stays inside the picture in any case.
+// Only its rasterizer is used, because its readers trust the file. Its assertions can
+// fail by rounding or for damaged outlines, but it never writes outside the picture.
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
 #define STBTT_assert(condition) static_cast<void>(0)
@@ -23,17 +23,17 @@ namespace {
 constexpr char32_t kCommonLetters = 128;
 constexpr char32_t kFirstShown = 32;
 constexpr std::uint8_t kHalfCovered = 128;
-/// em^2 that one letter may cover: about five times the widest ligature of Unicode, which takes 12 by 1.
+/// em^2: maximum area of a glyph, about five times the widest ligature of Unicode (12 by 1)
 constexpr double kLargestLetter = 64.0;
-constexpr float kFlatness = 0.35f;  // px between a curve and its lines
+constexpr float kFlatness = 0.35f;  // px: maximum distance between a curve and its line segments
 
-/// True when the letter has edges, but none that is slanted or bent. One outline says it for the whole font.
+/// True if the glyph has edges, none of them slanted or curved. One glyph is representative of the font.
 bool hasOnlyStraightEdges(const GlyphOutline& outline) {
-    using Kind = OutlineStep::Kind;
     for (std::size_t i = 1; i < outline.steps.size(); ++i) {
         const OutlineStep& step = outline.steps[i];
         const OutlineStep& last = outline.steps[i - 1];
-        if (step.kind != Kind::Move && (step.kind != Kind::Line || (step.x != last.x && step.y != last.y)))
+        if (step.kind != OutlineStep::Kind::Move &&
+            (step.kind != OutlineStep::Kind::Line || (step.x != last.x && step.y != last.y)))
             return false;
     }
     return !outline.steps.empty();
@@ -104,7 +104,7 @@ float Font::advance(int glyph) const {
 }
 
 float Font::kerning(int left, int right) const {
-    if (parts_->pixelFont) return 0.0f;  // letters stay on their grid
+    if (parts_->pixelFont) return 0.0f;  // glyphs stay on their grid
     return static_cast<float>(parts_->tables.kerning(left, right)) * parts_->scale;
 }
 

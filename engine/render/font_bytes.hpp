@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// A part of a font's file: big-endian numbers at places that the file itself names. What lies outside reads
-/// as 0 and slices are cut at the end, so no damaged file can lead out of it.
+/// A part of a font file with big-endian numbers at offsets that the file itself contains. Reads
+/// outside of it return 0 and slices are cut at its end, so damaged files cannot cause invalid access.
 class FontBytes {
 public:
     FontBytes() = default;
@@ -32,13 +32,13 @@ private:
     std::string_view bytes_;
 };
 
-/// Reads from front to back.
+/// Reads sequentially.
 class FontCursor {
 public:
     explicit FontCursor(FontBytes bytes) : bytes_{bytes} {}
 
     [[nodiscard]] bool ended() const { return at_ >= bytes_.size(); }
-    /// Whether something was read or skipped that is not there.
+    /// True if a read or skip went beyond the end.
     [[nodiscard]] bool failed() const { return at_ > bytes_.size(); }
 
     std::uint32_t u8() { return bytes_.u8(at_++); }

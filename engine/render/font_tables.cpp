@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kHeader = 12;
 constexpr std::size_t kRecord = 16;
-constexpr int kLeastUnits = 16;  // per em, by the OpenType specification
-constexpr int kMostUnits = 16384;
+constexpr int kMinUnits = 16;  // per em, by the OpenType specification
+constexpr int kMaxUnits = 16384;
 
 Error notAFont(std::string_view where, std::string what) {
     return {std::string{where}, "not a TrueType or OpenType font: " + std::move(what),
@@ -39,7 +39,7 @@ FontBytes unicodeTable(FontBytes cmap) {
     return found;
 }
 
-/// The first of `count` items, in order, that is not before what is looked for.
+/// Binary search: the first of `count` sorted items for which isBefore is false.
 template <class IsBefore>
 std::size_t firstNotBefore(std::size_t count, IsBefore isBefore) {
     std::size_t low = 0;
@@ -55,7 +55,7 @@ std::size_t firstNotBefore(std::size_t count, IsBefore isBefore) {
     return low;
 }
 
-/// Format 4: segments of characters, each with a distance to its glyphs or a list of them.
+/// Format 4: segments of characters, each with an offset to its glyphs or a list of them.
 std::uint32_t glyphInSegments(FontBytes map, std::uint32_t code) {
     const std::size_t segments = map.u16(6) / 2;
     const std::size_t ends = 14;
@@ -72,7 +72,7 @@ std::uint32_t glyphInSegments(FontBytes map, std::uint32_t code) {
     return map.u16(offsets + i * 2 + offset + std::size_t{code - start} * 2);
 }
 
-/// Formats 12 and 13: groups of characters whose glyphs count up, or are the same.
+/// Formats 12 and 13: groups of characters with consecutive glyphs, or with the same glyph.
 std::uint32_t glyphInGroups(FontBytes map, std::uint32_t code, bool counts) {
     const std::size_t groups = std::min<std::size_t>(map.u32(12), map.size() / 12);
     const auto group = [](std::size_t i) { return 16 + i * 12; };
@@ -85,7 +85,7 @@ std::uint32_t glyphInGroups(FontBytes map, std::uint32_t code, bool counts) {
 
 // ---- kerning
 
-/// Of the first table of "kern", when it is one of pairs along the line.
+/// Kerning by the first table of "kern", if it contains horizontal pairs.
 int kernPair(FontBytes kern, std::uint32_t left, std::uint32_t right) {
     if (kern.u16(2) < 1 || kern.u16(8) != 1) return 0;
     const std::size_t pairs = kern.u16(10);
@@ -95,7 +95,7 @@ int kernPair(FontBytes kern, std::uint32_t left, std::uint32_t right) {
     return i < pairs && kern.u32(18 + i * 6) == wanted ? kern.i16(18 + i * 6 + 4) : 0;
 }
 
-/// The place of a glyph in a coverage table; -1 when it is not in it.
+/// The index of a glyph in a coverage table; -1 if it is not in it.
 int coverageOf(FontBytes table, std::uint32_t glyph) {
     const std::size_t count = table.u16(2);
     if (table.u16(0) == 1) {
@@ -111,7 +111,7 @@ int coverageOf(FontBytes table, std::uint32_t glyph) {
     return static_cast<int>(table.u16(range + 4) + glyph - table.u16(range));
 }
 
-/// The class of a glyph; those that no table names are of class 0.
+/// The class of a glyph; 0 for glyphs that the table does not contain.
 std::uint32_t classOf(FontBytes table, std::uint32_t glyph) {
     if (table.u16(0) == 1) {
         const std::uint32_t first = table.u16(2);
@@ -125,7 +125,7 @@ std::uint32_t classOf(FontBytes table, std::uint32_t glyph) {
     return inside ? table.u16(4 + i * 6 + 4) : 0;
 }
 
-/// What a record of values of this form takes, and where in it the advance of the line stands.
+/// Size of a value record of this format, and the offset of the horizontal advance in it.
 struct ValueForm {
     std::size_t size;
     std::size_t advanceAt;
@@ -151,7 +151,7 @@ bool listedPair(FontBytes table, int covered, std::uint32_t right, int& value) {
     return true;
 }
 
-/// Pairs of classes of glyphs.
+/// Pairs of glyph classes.
 bool classPair(FontBytes table, std::uint32_t left, std::uint32_t right, int& value) {
     const ValueForm first = formOf(table.u16(4));
     const std::size_t pairSize = first.size + formOf(table.u16(6)).size;
@@ -171,7 +171,7 @@ bool pairIn(FontBytes table, std::uint32_t left, std::uint32_t right, int& value
     return table.u16(0) == 2 && classPair(table, left, right, value);
 }
 
-/// Of the first subtable for pairs that knows this one.
+/// Kerning by the first pair subtable that contains this pair.
 int gposPair(FontBytes gpos, std::uint32_t left, std::uint32_t right) {
     constexpr std::uint32_t kPairs = 2;
     const FontBytes lookups = gpos.slice(gpos.u16(8));
@@ -195,7 +195,7 @@ public:
         start_ = file_.u32(0) == kCollection ? file_.u32(12) : 0;
     }
 
-    /// @error a table leaves the file
+    /// @error a table extends beyond the file
     [[nodiscard]] Result<Done> check() const {
         const std::size_t count = file_.u16(start_ + 4);
         if (count == 0 || file_.size() < start_ + kHeader + count * kRecord)
@@ -257,9 +257,9 @@ Result<FontTables> FontTables::read(std::string_view bytes, std::string_view whe
     tables.lineGap = hhea.i16(8);
     tables.advances = static_cast<int>(hhea.u16(34));
     tables.longOffsets = head.u16(50) != 0;
-    if (tables.unitsPerEm < kLeastUnits || tables.unitsPerEm > kMostUnits) {
-        return notAFont(where, format("its letters have {} units, not {} to {}", tables.unitsPerEm,
-                                      kLeastUnits, kMostUnits));
+    if (tables.unitsPerEm < kMinUnits || tables.unitsPerEm > kMaxUnits) {
+        return notAFont(where, format("its letters have {} units, not {} to {}", tables.unitsPerEm, kMinUnits,
+                                      kMaxUnits));
     }
     if (tables.advances == 0 || tables.hmtx.size() < static_cast<std::size_t>(tables.advances) * 4)
         return notAFont(where, "the widths of its letters are not all there");

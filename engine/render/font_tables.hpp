@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// Where the tables of a TrueType or OpenType file lie, and what they say about letters but their outlines.
-/// All measures are in font units.
+/// The tables of a TrueType or OpenType file, and the glyph
+/// data except outlines. All measures are in font units.
 struct FontTables {
-    FontBytes cmap;  ///< the one subtable that is used
+    FontBytes cmap;  ///< the subtable that is used
     FontBytes hmtx;
     FontBytes kern;
     FontBytes gpos;
@@ -22,14 +22,14 @@ struct FontTables {
     int ascent = 0;
     int descent = 0;
     int lineGap = 0;
-    int advances = 0;          ///< glyphs with an advance of their own; the others have the last one's
+    int advances = 0;          ///< number of glyphs with their own advance; the others use the last one
     bool longOffsets = false;  ///< of loca
 
-    /// @param bytes  must outlive what is returned
-    /// @param where  the file, for the error
+    /// @param bytes must outlive the result
+    /// @param where the file, for the error
     static Result<FontTables> read(std::string_view bytes, std::string_view where);
 
-    /// 0 for what the font has not.
+    /// 0 for characters that the font does not have.
     [[nodiscard]] int glyphOf(char32_t codepoint) const;
     [[nodiscard]] int advance(int glyph) const;
     [[nodiscard]] int kerning(int left, int right) const;

@@ -9,8 +9,8 @@ namespace {
 
 using Kind = OutlineStep::Kind;
 
-constexpr int kMaxDepth = 8;         // of letters made of letters; fonts use 1 or 2
-constexpr int kMaxComponents = 256;  // of one letter, those of its parts too
+constexpr int kMaxDepth = 8;         // nesting of composite glyphs; fonts use 1 or 2
+constexpr int kMaxComponents = 256;  // of one glyph, including nested ones
 
 struct Point {
     int x = 0;
@@ -20,7 +20,7 @@ struct Point {
 
 std::int16_t narrow(int value) { return static_cast<std::int16_t>(value); }
 
-/// As a 2 by 2 matrix and a translation.
+/// Transform of a component: a 2 by 2 matrix and a translation.
 struct Placing {
     float xx = 1.0f, xy = 0.0f, yx = 0.0f, yy = 1.0f;
     float dx = 0.0f, dy = 0.0f;
@@ -36,7 +36,7 @@ struct Placing {
     }
 };
 
-/// One closed line of points, of which those off the curve bend it.
+/// A closed contour; points off the curve are control points.
 class Contour {
 public:
     explicit Contour(std::vector<OutlineStep>& steps) : steps_{steps} {}
@@ -84,7 +84,7 @@ class GlyfReader {
 public:
     GlyfReader(const FontTables& tables, std::vector<OutlineStep>& steps) : tables_{tables}, steps_{steps} {}
 
-    /// @return false when the offsets of the letter lie outside the tables
+    /// @return false if the offsets of the glyph are outside the tables
     bool find(int glyph, FontBytes& data) const {
         const std::size_t width = tables_.longOffsets ? 4 : 2;
         const std::size_t at = static_cast<std::size_t>(glyph) * width;
@@ -147,8 +147,8 @@ private:
         return !cursor.failed();
     }
 
-    /// @param isByte  the flag of a distance in one byte
-    /// @param isSame  the flag of a byte that is positive, or of no distance at all
+    /// @param isByte flag for a distance in one byte
+    /// @param isSame flag for a positive byte, or for a distance of 0
     static void readCoordinates(FontCursor& cursor, std::vector<Point>& points,
                                 const std::vector<std::uint32_t>& flags, std::uint32_t isByte,
                                 std::uint32_t isSame, int Point::*coordinate) {
@@ -189,7 +189,7 @@ private:
         Placing placing;
         const int first = (flags & kWords) != 0 ? cursor.i16() : cursor.i8();
         const int second = (flags & kWords) != 0 ? cursor.i16() : cursor.i8();
-        if ((flags & kOffsets) != 0) {  // else numbers of points that are to meet: drawn where they are
+        if ((flags & kOffsets) != 0) {  // else point indices: not supported, no offset
             placing.dx = static_cast<float>(first);
             placing.dy = static_cast<float>(second);
         }

@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// A step along the outline of a letter, in font units, y up.
+/// A segment of the outline of a glyph, in font units, y up.
 struct OutlineStep {
     enum class Kind : std::uint8_t { Move, Line, Quadratic, Cubic } kind;
     std::int16_t x, y;
@@ -16,7 +16,7 @@ struct OutlineStep {
 };
 
 struct GlyphOutline {
-    /// A letter of more has not been seen; a damaged file may ask for any number.
+    /// Real glyphs have fewer; a damaged file may contain any number.
     static constexpr std::size_t kMaxSteps = std::size_t{1} << 16;
 
     std::vector<OutlineStep> steps;
@@ -26,11 +26,11 @@ struct GlyphOutline {
     int top = 0;
 };
 
-/// The outline of a letter: of quadratic curves from "glyf", or of cubic ones from "CFF ".
-/// @return false when the file is damaged there; a letter without outline, as the space, is an empty one
+/// The outline of a glyph: quadratic curves from "glyf", or cubic ones from "CFF ".
+/// @return false if the data is damaged; a glyph without an outline, such as the space, is empty
 bool readOutline(const FontTables& tables, int glyph, GlyphOutline& outline);
 
-/// The two kinds; use `readOutline`.
+/// Readers of the two formats; use `readOutline`.
 bool readGlyfOutline(const FontTables& tables, int glyph, GlyphOutline& outline);
 bool readCffOutline(FontBytes cff, int glyph, GlyphOutline& outline);
 

@@ -6,18 +6,18 @@
 
 namespace plumb {
 
-/// Writes down what it is told to draw. Tests and headless runs need no graphics card.
+/// Records the draw calls it receives. Tests and headless runs need no graphics card.
 class RecordingDevice final : public RenderDevice {
 public:
     struct SpriteDraw {
         SpriteBatch batch;
         Viewport viewport;
-        std::vector<SpriteInstance> instances;  ///< what the batch shows, in drawing order
+        std::vector<SpriteInstance> instances;  ///< instances of the batch, in drawing order
     };
     struct GeometryDraw {
         std::vector<GeometryVertex> vertices;
         Viewport viewport;
-        std::size_t afterSprites = 0;  ///< how many sprite draws came before
+        std::size_t afterSprites = 0;  ///< number of sprite draws before this one
     };
 
     struct Showing {
@@ -31,12 +31,12 @@ public:
     std::vector<Showing> showings;
     std::size_t texturesCreated = 0;
     std::size_t buffersCreated = 0;
-    std::size_t mostTextures = kTextureSlots;  ///< what batchTextures answers
-    bool software = false;                     ///< what drawsInSoftware answers
-    bool keepsDraws = true;                    ///< false: draws are taken and forgotten, at no memory
+    std::size_t mostTextures = kTextureSlots;  ///< result of batchTextures()
+    bool software = false;                     ///< result of drawsInSoftware()
+    bool keepsDraws = true;                    ///< false: draws are discarded, without using memory
 
     [[nodiscard]] std::size_t drawCalls() const { return spriteDraws.size() + geometryDraws.size(); }
-    /// Forgets the draws, keeps textures and buffers.
+    /// Removes recorded draws; keeps textures and buffers.
     void forgetDraws();
 
     TextureHandle createTexture(const Image& image, TextureFilter filter) override;
@@ -57,13 +57,13 @@ public:
     void drawSprites(const SpriteBatch& batch) override;
     void drawGeometry(const GeometryBatch& batch) override;
     void show(TargetHandle source, const Viewport& viewport) override;
-    /// One color everywhere: that of the last clear.
+    /// A uniform color: that of the last clear.
     [[nodiscard]] Image readPixels(TargetHandle target) override;
     [[nodiscard]] std::string description() const override { return "recording"; }
     [[nodiscard]] std::size_t batchTextures() const override { return mostTextures; }
     [[nodiscard]] bool drawsInSoftware() const override { return software; }
 
-    /// The picture of a texture, as created and updated since.
+    /// The current content of a texture.
     [[nodiscard]] const Image& image(TextureHandle texture) const { return textures_[texture.index]; }
 
 private:

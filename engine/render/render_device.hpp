@@ -14,17 +14,17 @@
 
 namespace plumb {
 
-/// Names a texture of a device; 0 is the device's own white pixel, which is always there.
+/// Handle of a texture of a device; 0 is the device's own white pixel, which always exists.
 struct TextureHandle {
     std::uint32_t index = 0;
     friend bool operator==(TextureHandle, TextureHandle) = default;
 };
-/// Names a picture that can be drawn into; 0 is the window.
+/// Handle of a render target; 0 is the window.
 struct TargetHandle {
     std::uint32_t index = 0;
     friend bool operator==(TargetHandle, TargetHandle) = default;
 };
-/// Names sprites that stay in the device's memory; 0 names none.
+/// Handle of sprites that stay in the device's memory; 0: none.
 struct InstanceBufferHandle {
     std::uint32_t index = 0;
     friend bool operator==(InstanceBufferHandle, InstanceBufferHandle) = default;
@@ -32,7 +32,7 @@ struct InstanceBufferHandle {
 
 enum class TextureFilter : std::uint8_t { Nearest, Linear };
 
-/// Source rectangles are kept in quarter texels: whole texels stay exact in textures of any size.
+/// Source rectangles are stored in quarter texels: whole texels are exact in textures of any size.
 inline constexpr float kUvPerTexel = 4.0f;
 constexpr std::uint16_t uvFromTexels(float texels) {
     const float quarters = texels * kUvPerTexel + 0.5f;
@@ -51,7 +51,7 @@ struct SpriteInstance {
 };
 static_assert(sizeof(SpriteInstance) == 36, "the vertex layout in gl/ counts on 36 bytes");
 
-inline constexpr std::uint32_t kSpriteDiagonal = 0x100u;  ///< x and y of the source change places (tiles)
+inline constexpr std::uint32_t kSpriteDiagonal = 0x100u;  ///< swaps x and y of the source (tiles)
 inline constexpr std::uint32_t kSpriteAdditive = 0x200u;  ///< adds light instead of covering
 
 /// A corner of a filled triangle.
@@ -78,7 +78,7 @@ struct SpriteBatch {
     std::array<TextureHandle, kTextureSlots> textures{};
     std::size_t textureCount = 0;
     ViewTransform transform;
-    Color tint;  ///< multiplies that of every instance: fades a retained layer
+    Color tint;  ///< multiplies the color of every instance: fades a retained layer
 };
 
 struct GeometryBatch {
@@ -86,7 +86,7 @@ struct GeometryBatch {
     ViewTransform transform;
 };
 
-/// Where the next draws go: a part of a target, px from its top left.
+/// The area of a target for the next draws, px from its top left corner.
 struct Viewport {
     TargetHandle target;
     int x = 0;
@@ -96,49 +96,49 @@ struct Viewport {
     friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 
-/// What a graphics card can do for us, and no more. One implementation draws with OpenGL, one writes down
-/// what it is told so that tests need no card.
+/// The operations that the renderer needs from a graphics card. One implementation
+/// uses OpenGL, another records the calls so that tests need no card.
 class RenderDevice {
 public:
     virtual ~RenderDevice() = default;
 
     virtual TextureHandle createTexture(const Image& image, TextureFilter filter) = 0;
-    /// Replaces a part; `image` is put at (x, y) and must fit.
+    /// Replaces a part; `image` is placed at (x, y) and must fit.
     virtual void updateTexture(TextureHandle texture, int x, int y, const Image& image) = 0;
     virtual void destroyTexture(TextureHandle texture) = 0;
     [[nodiscard]] virtual PixelSize textureSize(TextureHandle texture) const = 0;
-    /// The API's own name for it, e.g. for ImGui.
+    /// The API's own handle, e.g. for ImGui.
     [[nodiscard]] virtual std::uintptr_t nativeTexture(TextureHandle texture) const = 0;
 
     virtual TargetHandle createTarget(int width, int height) = 0;
     virtual void destroyTarget(TargetHandle target) = 0;
-    /// What was drawn into it, top row first as in every texture.
+    /// The content of a target as a texture, top row first.
     [[nodiscard]] virtual TextureHandle targetTexture(TargetHandle target) const = 0;
 
     virtual InstanceBufferHandle createInstances(std::span<const SpriteInstance> instances) = 0;
     virtual void destroyInstances(InstanceBufferHandle buffer) = 0;
 
-    /// The size of the window's picture: targets know theirs.
+    /// The size of the window's framebuffer; targets know their own.
     virtual void setWindowSize(PixelSize size) = 0;
     virtual void setViewport(const Viewport& viewport) = 0;
-    /// Fills the whole target of the viewport.
+    /// Clears the whole target of the viewport.
     virtual void clear(Color color) = 0;
 
-    /// Memory for `count` instances, to be written front to back and then given back by unmapInstances.
-    /// Its old contents are lost; batches of before keep theirs.
+    /// Memory for `count` instances: write it front to back, then call
+    /// unmapInstances. Its former content is lost; earlier batches keep theirs.
     virtual std::span<SpriteInstance> mapInstances(std::size_t count) = 0;
     virtual void unmapInstances() = 0;
     virtual void drawSprites(const SpriteBatch& batch) = 0;
     virtual void drawGeometry(const GeometryBatch& batch) = 0;
-    /// Fills a viewport with the picture of a target, enlarged without smoothing; what was there is replaced.
+    /// Fills a viewport with the content of a target, scaled without smoothing and without blending.
     virtual void show(TargetHandle source, const Viewport& viewport) = 0;
 
     /// The pixels of a target or, before the swap, of the window.
     [[nodiscard]] virtual Image readPixels(TargetHandle target) = 0;
     [[nodiscard]] virtual std::string description() const = 0;
-    /// Textures that a sprite batch should have at most, 1..kTextureSlots.
+    /// Recommended maximum number of textures per sprite batch, 1..kTextureSlots.
     [[nodiscard]] virtual std::size_t batchTextures() const { return kTextureSlots; }
-    /// True when no graphics card draws but the processor: every pixel costs.
+    /// True for software rendering, where every pixel costs CPU time.
     [[nodiscard]] virtual bool drawsInSoftware() const { return false; }
 };
 

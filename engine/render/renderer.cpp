@@ -12,21 +12,21 @@ bool hasSprites(DrawItem item) {
     return kind == DrawList::Kind::Sprite || kind == DrawList::Kind::Run;
 }
 
-/// The sprites at the front of `order`, up to the first thing of another kind.
+/// The sprites at the front of `order`, up to the first item of another kind.
 std::span<const DrawItem> leadingSprites(std::span<const DrawItem> order) {
     std::size_t count = 0;
     while (count < order.size() && hasSprites(order[count])) ++count;
     return order.first(count);
 }
 
-/// The sprites of an item that has some.
+/// The sprites of an item; empty if it has none.
 std::span<const SpriteInstance> spritesOf(DrawItem item, const DrawList& list) {
     const std::size_t index = DrawList::indexOf(item);
     if (DrawList::kindOf(item) == DrawList::Kind::Sprite) return list.instances().subspan(index, 1);
     return list.instances().subspan(list.runs()[index].first, list.runs()[index].count);
 }
 
-/// How many instances these items need.
+/// Number of instances of these items.
 std::size_t spritesIn(std::span<const DrawItem> order, const DrawList& list) {
     if (order.size() == list.items().size()) return list.spriteCount();
     std::size_t count = 0;
@@ -103,14 +103,14 @@ void Renderer::planSprites(const DrawList& list, std::span<const DrawItem> order
     if (sprites > 0) device_.unmapInstances();
 }
 
-/// Writes sprites until they end or need one texture too many. @return how many items
+/// Writes sprites until there are no more or a texture has no slot. @return the number of items written
 std::size_t Renderer::fillBatch(const DrawList& list, std::span<const DrawItem> items,
                                 std::span<SpriteInstance> out, SpriteBatch& batch) {
     ++batchNumber_;
     const std::size_t mostTextures = device_.batchTextures();
     constexpr std::uint32_t kFlags = kSpriteDiagonal | kSpriteAdditive;
-    // Where every slot costs time for every pixel, what covers much of the view is drawn alone, from one
-    // slot.
+    // Where every slot costs time per pixel, sprites that cover much
+    // of the view are drawn in a batch of their own, with one slot.
     const bool slotsAreCostly = mostTextures < kTextureSlots;
     const Vec2 seen = visibleBox(list.view()).size() * 0.5f;
     const float largeArea = seen.x * seen.y * kLargePart;
@@ -151,7 +151,7 @@ void Renderer::addRetained(const RetainedSprites& sprites, const ViewTransform& 
 void Renderer::addGeometry(const DrawList& list, const DrawList::Triangles& part,
                            const ViewTransform& transform) {
     const std::span<const GeometryVertex> vertices = list.vertices().subspan(part.first, part.count);
-    // Neighbours in the list that are also neighbours in memory share a call.
+    // Items that are adjacent in memory too share a draw call.
     if (!steps_.empty() && steps_.back().kind == DrawList::Kind::Geometry) {
         std::span<const GeometryVertex>& before = steps_.back().geometry.vertices;
         if (before.data() + before.size() == vertices.data()) {

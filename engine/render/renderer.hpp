@@ -10,28 +10,28 @@
 
 namespace plumb {
 
-/// What the drawing of one or more lists cost.
+/// Statistics of drawing one or more lists.
 struct RenderCounts {
     std::size_t drawCalls = 0;
-    std::size_t sprites = 0;  ///< of lists; retained ones are not counted
+    std::size_t sprites = 0;  ///< from lists; retained ones are not counted
     std::size_t culled = 0;
 };
 
-/// What lies farthest back, drawn into a smaller picture of its own that is then enlarged: where every pixel
-/// costs, backdrops that cover each other cost that much less.
+/// Distant layers, drawn into a smaller target that is then enlarged:
+/// cheaper where every pixel costs time and backdrops cover each other.
 struct FarPicture {
     Viewport viewport;  ///< all of a target
-    int nearLayer = 0;  ///< this layer and those above it are drawn straight into the window
+    int nearLayer = 0;  ///< this layer and those above it are drawn directly into the window
 };
 
-/// Draws lists on a device: sorts, writes the instances in order, cuts them into batches of at most 16
-/// textures.
+/// Draws lists on a device: sorts, writes the instances in
+/// order, and splits them into batches of at most 16 textures.
 class Renderer {
 public:
     explicit Renderer(RenderDevice& device) : device_{device} {}
 
     void draw(const DrawList& list, const Viewport& viewport);
-    /// The same, with what lies behind `far.nearLayer` enlarged to the viewport.
+    /// The same, with everything behind `far.nearLayer` drawn into `far` and enlarged to the viewport.
     void draw(const DrawList& list, const Viewport& viewport, const FarPicture& far);
 
     [[nodiscard]] RenderDevice& device() { return device_; }
@@ -39,7 +39,7 @@ public:
     void resetCounts() { counts_ = {}; }
 
 private:
-    /// One draw call to come: sprites of the frame, retained sprites or triangles.
+    /// A pending draw call: sprites of the frame, retained sprites or triangles.
     struct Step {
         DrawList::Kind kind = DrawList::Kind::Sprite;
         SpriteBatch batch;
@@ -57,8 +57,8 @@ private:
     RenderDevice& device_;
     DrawOrder order_;
     std::vector<Step> steps_;
-    /// By texture: the batch that last gave it a slot, and which; so that no table is cleared between
-    /// batches.
+    /// By texture: the last batch that assigned it a slot,
+    /// and the slot; so no table is cleared between batches.
     struct Slot {
         std::uint32_t batch = 0;
         std::uint32_t slot = 0;

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// A picture to draw into that is made when first asked for, and anew when it is asked for in another size.
+/// A render target that is created on first use, and again when another size is requested.
 class SizedTarget {
 public:
     explicit SizedTarget(RenderDevice& device) : device_{device} {}
@@ -12,7 +12,7 @@ public:
     SizedTarget(const SizedTarget&) = delete;
     SizedTarget& operator=(const SizedTarget&) = delete;
 
-    /// All of it, in this size (px).
+    /// The whole target, with this size (px).
     const Viewport& whole(int width, int height) {
         if (whole_.width != width || whole_.height != height) {
             device_.destroyTarget(whole_.target);

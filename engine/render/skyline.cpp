@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// How low a rectangle must lie whose left edge is that of a step; nothing when it reaches past the sheet.
+/// The y of a rectangle whose left edge is that of a step; nothing if it does not fit on the sheet.
 std::optional<int> Skyline::heightAt(std::size_t index, int width) const {
     if (steps_[index].x + width > side_) return std::nullopt;
     int top = 0;
@@ -30,7 +30,7 @@ std::optional<Skyline::Place> Skyline::add(int width, int height) {
     return best;
 }
 
-/// Puts a new step before `index` and takes from those behind it what now lies below it.
+/// Inserts a step before `index` and removes the parts of the following ones that it covers.
 void Skyline::raise(std::size_t index, const Step& top) {
     steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(index), top);
     const int end = top.x + top.width;

@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// Finds places for rectangles on a square sheet: each goes where it ends highest up, then furthest left.
+/// Packs rectangles onto a square sheet: each goes where its bottom is highest, then furthest left.
 /// Source: J. Jylanki, "A Thousand Ways to Pack the Bin", 2010, section 2.6, skyline bottom-left
 class Skyline {
 public:
@@ -16,11 +16,11 @@ public:
 
     explicit Skyline(int side) : side_{side}, steps_{{0, 0, side}} {}
 
-    /// @return where it lies now; nothing when there is no room
+    /// @return its position; nothing if there is no room
     std::optional<Place> add(int width, int height);
 
 private:
-    /// One horizontal piece of the line below which everything is taken.
+    /// A horizontal piece of the skyline, above which the sheet is occupied.
     struct Step {
         int x = 0;
         int y = 0;

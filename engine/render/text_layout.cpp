@@ -7,7 +7,7 @@ namespace {
 
 constexpr char32_t kBroken = 0xfffd;
 
-/// Lays one line after the other into a TextLayout.
+/// Lays out one line after the other in a TextLayout.
 class LineBreaker {
 public:
     LineBreaker(const Font& font, const TextShape& shape, TextLayout& layout)
@@ -19,7 +19,7 @@ public:
         const float width = font_.advance(glyph) * shape_.size;
         const float kerning = before_ > 0 ? font_.kerning(before_, glyph) * shape_.size : 0.0f;
         if (letter == U' ') {
-            // A space at the end of a line hangs over: words break behind it.
+            // A space at the end of a line may extend beyond it: words break after the space.
             wordStart_ = layout_.glyphs.size();
             widthAtBreak_ = pen_;
             pen_ += kerning + width;
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Takes the word that no longer fits to a new line; a word alone in its line is cut instead.
+    /// Moves a word that does not fit to a new line; splits it if it is the only word of its line.
     void breakLine() {
         if (wordPen_ <= 0.0f) {
             if (layout_.glyphs.size() > lineStart_) endLine(layout_.glyphs.size());
@@ -73,7 +73,7 @@ private:
     TextLayout& layout_;
     float baseline_;
     float pen_ = 0.0f;
-    float wordPen_ = 0.0f;  ///< where the last word began; 0 when it is the first of its line
+    float wordPen_ = 0.0f;  ///< where the last word began; 0 if it is the first of its line
     float widthAtBreak_ = 0.0f;
     std::size_t lineStart_ = 0;
     std::size_t wordStart_ = 0;

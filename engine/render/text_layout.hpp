@@ -24,17 +24,17 @@ struct PlacedGlyph {
                ///< line
 };
 
-/// Where every letter of a text goes. Reused, it allocates nothing.
+/// The positions of all glyphs of a text. Reuse it to avoid allocations.
 struct TextLayout {
     std::vector<PlacedGlyph> glyphs;
     Vec2 size;  ///< px: the widest line, all lines
     int lines = 0;
 };
 
-/// Puts UTF-8 text into lines. Broken bytes show as the replacement sign.
+/// Lays out UTF-8 text in lines. Invalid bytes are shown as the replacement character.
 void layOutText(const Font& font, std::string_view text, const TextShape& shape, TextLayout& layout);
 
-/// Takes the next character off the front of UTF-8 text; U+FFFD for broken bytes.
+/// Removes the next character from the front of UTF-8 text; U+FFFD for invalid bytes.
 /// @pre !text.empty()
 char32_t takeCodepoint(std::string_view& text);
 

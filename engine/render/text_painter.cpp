@@ -22,7 +22,7 @@ std::uint64_t keyOf(const Font& font, int glyph, int size) {
 
 Vec2 rounded(Vec2 v) { return {std::floor(v.x + 0.5f), std::floor(v.y + 0.5f)}; }
 
-/// With an empty border of one pixel, so that smooth letters fade out when they lie between pixels.
+/// Adds an empty border of one pixel, so that smooth glyphs fade out at positions between pixels.
 Image bordered(const Image& image) {
     Image wide{image.width + 2, image.height + 2, {}};
     wide.rgba.assign(static_cast<std::size_t>(wide.width) * static_cast<std::size_t>(wide.height) * 4, 255);
@@ -37,14 +37,14 @@ Image bordered(const Image& image) {
 
 }  // namespace
 
-/// Pixel fonts at their own size, to be enlarged with everything else; others as fine as the window shows
-/// them.
+/// Pixel fonts are rasterized at their own size and enlarged
+/// with everything else; others at the resolution of the window.
 int TextPainter::drawnSize(const DrawList& list, const Font& font, float size) const {
     const float shown = font.isPixelFont() ? size : size * list.view().zoom * pixelScale_;
     if (!(shown > static_cast<float>(kSmallestSize))) return kSmallestSize;
     if (shown >= static_cast<float>(kLargestSize)) return kLargestSize;
     const int whole = static_cast<int>(std::lround(shown));
-    // A camera that zooms passes through many sizes: large letters are drawn at every eighth and scaled.
+    // A zooming camera passes many sizes: rasterize large glyphs at every eighth size and scale them.
     return whole <= kExactSizes ? whole : (whole + kSizeStep - 1) / kSizeStep * kSizeStep;
 }
 
@@ -99,8 +99,8 @@ void TextPainter::drawPass(DrawList& list, const Font& font, Vec2 position, cons
                            Color color) {
     const int size = drawnSize(list, font, style.shape.size);
     const float toWorldPx = style.shape.size / static_cast<float>(size);
-    // The text stands on whole pixels of the window, its letters on whole pixels of what they were drawn for:
-    // between them they would be cut or blurred.
+    // The text is aligned to pixels of the window, its glyphs to pixels
+    // of their rasterized size; in between they would be cut or blurred.
     const float grid = std::max(list.view().zoom * pixelScale_, 1.0f);
     const Vec2 start = rounded(position * grid) / grid;
     for (const PlacedGlyph& placed : layout_.glyphs) {

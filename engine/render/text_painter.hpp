@@ -11,30 +11,30 @@
 
 namespace plumb {
 
-/// How a text looks.
+/// Style of a text.
 struct TextStyle {
     TextShape shape;
     Color color;
-    Color outline{0, 0, 0, 0};      ///< one px around every letter; drawn when it has opacity
-    Color shadow{0, 0, 0, 0};       ///< drawn when it has opacity
+    Color outline{0, 0, 0, 0};      ///< one px around every glyph; drawn if not transparent
+    Color shadow{0, 0, 0, 0};       ///< drawn if not transparent
     Vec2 shadowOffset{1.0f, 1.0f};  ///< px
     int layer = 0;
 };
 
-/// Writes text into draw lists. Letters are drawn once for each size and stay on the graphics card.
+/// Adds text to draw lists. Glyphs are rasterized once for each size and stay on the graphics card.
 class TextPainter {
 public:
     explicit TextPainter(RenderDevice& device)
         : pixelLetters_{device, TextureFilter::Nearest}, smoothLetters_{device, TextureFilter::Linear} {}
 
-    /// Window px for each px of the picture: fonts that are not pixel fonts are drawn that much finer.
+    /// Window px per px of the picture: fonts other than pixel fonts are rasterized at this resolution.
     void setPixelScale(float scale) { pixelScale_ = scale; }
 
     /// @param position  px, world: top left, top middle or top right, by the alignment
     /// @return          px: the size of the text
     Vec2 draw(DrawList& list, const Font& font, std::string_view text, Vec2 position, const TextStyle& style);
 
-    /// The size that draw would give (px).
+    /// The size that draw() would return (px).
     Vec2 measure(const Font& font, std::string_view text, const TextShape& shape);
 
 private:

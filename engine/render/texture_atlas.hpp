@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// A picture on the graphics card: all of a texture or a part of one.
+/// A picture on the graphics card: a whole texture or a part of one.
 struct TextureRegion {
     TextureHandle texture;
     int x = 0;  ///< texels
@@ -16,8 +16,8 @@ struct TextureRegion {
     int width = 0;
     int height = 0;
 
-    /// A part of the picture, px from its own top left, as a source for a sprite. What lies outside is cut
-    /// off: there are other pictures.
+    /// A part of the picture, px from its own top left corner, as a sprite source. Clipped
+    /// to the picture, because its surroundings in the texture are other pictures.
     [[nodiscard]] Rect part(const Rect& rect) const;
     [[nodiscard]] Rect whole() const {
         return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(width),
@@ -26,12 +26,12 @@ struct TextureRegion {
     friend bool operator==(const TextureRegion&, const TextureRegion&) = default;
 };
 
-/// Puts pictures on the graphics card, small ones together on pages, so that what they draw shares draw
-/// calls. No space is left between them: the shaders never sample outside a sprite's source.
+/// Uploads pictures to the graphics card, small ones together on pages, so that sprites share draw
+/// calls. No space is needed between them: the shaders never sample outside a sprite's source.
 class TextureAtlas {
 public:
     static constexpr int kPageSide = 1024;      ///< texels
-    static constexpr int kLargestShared = 512;  ///< a longer side gets a texture of its own
+    static constexpr int kLargestShared = 512;  ///< pictures with a longer side get their own texture
 
     explicit TextureAtlas(RenderDevice& device, TextureFilter filter = TextureFilter::Nearest)
         : device_{device}, filter_{filter} {}
@@ -40,9 +40,9 @@ public:
     TextureAtlas& operator=(const TextureAtlas&) = delete;
 
     TextureRegion add(const Image& image);
-    /// New pixels; the region stays where it is when the size is the same.
+    /// Replaces the pixels; the region stays the same if the size does.
     TextureRegion replace(const TextureRegion& region, const Image& image);
-    /// A page comes free when the last picture on it is removed.
+    /// A page is freed when its last picture is removed.
     void remove(const TextureRegion& region);
 
     [[nodiscard]] std::size_t textureCount() const { return pages_.size() + ownTextures_.size(); }

@@ -8,30 +8,30 @@
 
 namespace plumb {
 
-/// The textures of a project on the graphics card: each goes there when it is first drawn, and again when its
-/// file changed. Their pixels are then dropped from memory.
+/// The textures of a project on the graphics card: each is uploaded when it is first
+/// drawn, and again when its file changes. Its pixels in main memory are then released.
 class TextureLibrary {
 public:
     TextureLibrary(RenderDevice& device, AssetStore& assets, TextureFilter filter = TextureFilter::Nearest)
         : atlas_{device, filter}, assets_{assets} {}
 
-    /// Where the picture is on the card; the white pixel for an empty id, the placeholder for what is
-    /// missing.
+    /// The region of a picture; the white pixel for an
+    /// empty id, the placeholder for a missing one.
     const TextureRegion& regionOf(TextureId id);
 
-    /// Brings pictures that changed to the card and takes off those that the store unloaded. Once a frame; a
-    /// few ns for each picture.
+    /// Uploads pictures that changed and removes those that the store
+    /// unloaded. Call once per frame; costs a few ns per picture.
     void refresh();
-    /// Takes a picture off the card, e.g. after the store unloaded it.
+    /// Removes a picture from the card, e.g. after the store unloaded it.
     void forget(TextureId id);
 
-    /// Grows when a region moved: what was made of regions before must be made anew.
+    /// Increases when a region moved: data derived from regions must be rebuilt.
     [[nodiscard]] std::uint32_t version() const { return version_; }
 
 private:
     struct Uploaded {
         TextureRegion region;
-        std::uint32_t revision = 0;  ///< of the asset, when it was brought here
+        std::uint32_t revision = 0;  ///< of the asset, when it was uploaded
     };
 
     TextureAtlas atlas_;

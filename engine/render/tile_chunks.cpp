@@ -15,8 +15,8 @@ constexpr int kHighestLevel = 9;
 
 int chunksFor(int tiles, int side) { return (tiles + side - 1) / side; }
 
-/// Far away, one tile stands for a block of 2^level tiles a side: no more quads than the picture has room
-/// for.
+/// From far away one tile represents a block with sides of 2^level
+/// tiles, so that there are no more quads than the picture has room for.
 int levelFor(Vec2 cellSize, float zoom) {
     const float shown = std::min(cellSize.x, cellSize.y) * zoom;
     int level = 0;
@@ -24,8 +24,8 @@ int levelFor(Vec2 cellSize, float zoom) {
     return level;
 }
 
-/// The quad of one tile, or of a block of `span` tiles a side that it stands for. Diagonal, horizontal,
-/// vertical: with the first, the others turn the other axis of the source.
+/// The quad of one tile, or of a block with sides of `span` tiles that it represents. Flips apply in the
+/// order diagonal, horizontal, vertical: after the first, the others act on the other axis of the source.
 SpriteInstance tileInstance(int x, int y, int span, TileCell cell, const TileLook& look,
                             const TileSheet& sheet) {
     const bool diagonal = (cell & kTileFlipDiagonal) != 0;
@@ -55,15 +55,48 @@ const TileLook* lookOf(TileCell cell, const TileSheet& sheet) {
     return look.source.empty() ? nullptr : &look;
 }
 
-/// The cells of one chunk, cut off at the grid's edge.
+/// The cells of one chunk, clipped to the grid.
 struct CellRange {
     int left, top, right, bottom;
 };
 
-CellRange cellsOf(const TileGrid& grid, int chunkX, int chunkY, int side) {
-    return {chunkX * side, chunkY * side, std::min((chunkX + 1) * side, grid.width()),
-            std::min((chunkY + 1) * side, grid.height())};
+CellRange cellsOf(const TileGrid& grid, int chunkX, int chunkY, int width, int height) {
+    return {chunkX * width, chunkY * height, std::min((chunkX + 1) * width, grid.width()),
+            std::min((chunkY + 1) * height, grid.height())};
 }
+
+/// px by which the largest picture reaches out of its cell, turned or not.
+Vec2 overhangOf(const TileSheet& sheet) {
+    Vec2 overhang;
+    for (const TileLook& look : sheet.looks) {
+        const float longest = std::max(look.source.width * sheet.scale.x, look.source.height * sheet.scale.y);
+        overhang = max(overhang, Vec2{longest, longest} - sheet.cellSize);
+    }
+    return overhang;
+}
+
+/// How far the pictures of a layer reach, turned or not.
+struct Reach {
+    bool beside = false;    ///< some lie over the cell beside or above theirs
+    bool slanting = false;  ///< some lie over both, and so over cells of the row above that are not theirs
+};
+
+Reach reachOf(const TileSheet& sheet) {
+    constexpr float kSlack = 0.01f;  // px, of the scale's rounding
+    const Vec2 cell = sheet.cellSize + Vec2{kSlack, kSlack};
+    Reach reach;
+    for (const TileLook& look : sheet.looks) {
+        const Vec2 size{look.source.width * sheet.scale.x, look.source.height * sheet.scale.y};
+        for (const Vec2 lying : {size, Vec2{size.y, size.x}}) {
+            reach.beside = reach.beside || lying.x > cell.x || lying.y > cell.y;
+            reach.slanting = reach.slanting || (lying.x > cell.x && lying.y > cell.y);
+        }
+    }
+    return reach;
+}
+
+/// Tiles of a chunk of one row: few draws, and no table of very many chunks where the grid is very wide.
+int rowSideFor(const TileGrid& grid) { return grid.width() > 4096 ? 1024 : 256; }
 
 /// Calls `visit(column, row)` for the chunks of the grid that a range of cells touches.
 template <class Visit>
@@ -74,7 +107,7 @@ void eachChunk(const CellRange& range, Visit visit) {
     }
 }
 
-/// The tile that stands for a block: its first that is not empty.
+/// The tile that represents a block: its first one that is not empty.
 TileCell firstTile(const TileGrid& grid, const CellRange& block) {
     for (int row = block.top; row < block.bottom; ++row) {
         for (int column = block.left; column < block.right; ++column) {
@@ -89,7 +122,7 @@ TileCell firstTile(const TileGrid& grid, const CellRange& block) {
     return 0;
 }
 
-/// Another number when a cell of the range may be another one.
+/// Changes if a cell of the range may have changed.
 std::uint64_t stampOf(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
     eachChunk(range, [&](int column, int row) {
@@ -99,7 +132,7 @@ std::uint64_t stampOf(const TileGrid& grid, const CellRange& range) {
     return hasher.value();
 }
 
-/// The same, of all chunks beside them: quick to ask.
+/// The same for whole rows of chunks: faster to compute.
 std::uint64_t stampOfRows(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
     for (int row = range.top / TileGrid::kChunkSide; row * TileGrid::kChunkSide < range.bottom; ++row)
@@ -121,33 +154,37 @@ void TileChunks::release(Chunk& chunk) {
     chunk = {};
 }
 
-/// Starts anew when the layer has another size or its tiles look different.
+/// Starts over if the size of the layer or the look of its tiles changed.
 void TileChunks::prepare(const TileGrid& grid, const TileSheet& sheet, int level) {
-    const int side = kSide << level;
-    const int columns = chunksFor(grid.width(), side);
-    const int rows = chunksFor(grid.height(), side);
-    const bool same = level == level_ && columns == columns_ && rows == rows_ &&
-                      sheet.version == sheetVersion_ && sheet.cellSize == cellSize_;
+    if (sheet.version != sheetVersion_ || sheet.cellSize != cellSize_ || columns_ == 0) {
+        const Reach reach = reachOf(sheet);
+        overlaps_ = reach.beside;
+        byRows_ = reach.slanting;
+        overhang_ = overhangOf(sheet) + Vec2{std::abs(sheet.offset.x), std::abs(sheet.offset.y)};
+    }
+    const int width = (byRows_ ? rowSideFor(grid) : kSide) << level;
+    const int height = (byRows_ ? 1 : kSide) << level;
+    const int columns = chunksFor(grid.width(), width);
+    const int rows = chunksFor(grid.height(), height);
+    const bool same = level == level_ && columns == columns_ && rows == rows_ && width == chunkWidth_ &&
+                      height == chunkHeight_ && sheet.version == sheetVersion_ && sheet.cellSize == cellSize_;
     if (same) return;
     forget();
     level_ = level;
     columns_ = columns;
     rows_ = rows;
+    chunkWidth_ = width;
+    chunkHeight_ = height;
     sheetVersion_ = sheet.version;
     cellSize_ = sheet.cellSize;
     chunks_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    overhang_ = {};
-    for (const TileLook& look : sheet.looks) {
-        const float longest = std::max(look.source.width * sheet.scale.x, look.source.height * sheet.scale.y);
-        overhang_ = max(overhang_, Vec2{longest, longest} - sheet.cellSize);
-    }
-    overhang_ += {std::abs(sheet.offset.x), std::abs(sheet.offset.y)};
 }
 
 TileChunks::Range TileChunks::visibleChunks(const AABB& visible, const TileGrid& grid,
                                             const TileSheet& sheet) const {
     if (grid.width() == 0 || grid.height() == 0) return {};
-    const Vec2 chunkSize = sheet.cellSize * static_cast<float>(kSide << level_);
+    const Vec2 chunkSize =
+        scaled(sheet.cellSize, {static_cast<float>(chunkWidth_), static_cast<float>(chunkHeight_)});
     const auto index = [](float place, float size, int count) {
         return std::clamp(floorToInt(place / size), 0, count);
     };
@@ -173,19 +210,29 @@ void TileChunks::draw(DrawList& list, const TileGrid& grid, const TileSheet& she
                                    static_cast<std::size_t>(x)];
             refresh(chunk, x, y, grid, sheet);
             chunk.lastSeen = frame_;
-            for (const Part& part : chunk.parts) {
-                list.retained({part.buffer, part.count, part.textures, part.textureCount, chunk.bounds,
-                               placement.offset, placement.tint, placement.layer});
-            }
-            drawAnimated(list, chunk, grid, sheet, placement);
+            drawChunk(list, chunk, grid, sheet, placement);
         }
     }
     if (kept_ > kMaxKept) dropUnseen();
 }
 
-/// Most changes of a grid touch one chunk: the others find that their own cells are as they were.
+/// Its parts, each animated tile after those that lie below it.
+void TileChunks::drawChunk(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
+                           const TilePlacement& placement) const {
+    auto next = chunk.animated.begin();
+    for (std::size_t part = 0; part <= chunk.parts.size(); ++part) {
+        for (; next != chunk.animated.end() && next->parts == part; ++next)
+            drawAnimated(list, next->cell, grid, sheet, placement);
+        if (part == chunk.parts.size()) break;
+        const Part& shown = chunk.parts[part];
+        list.retained({shown.buffer, shown.count, shown.textures, shown.textureCount, chunk.bounds,
+                       placement.offset, placement.tint, placement.layer});
+    }
+}
+
+/// Most changes affect one chunk: the others find that their own cells are unchanged.
 void TileChunks::refresh(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet) {
-    const CellRange range = cellsOf(grid, chunkX, chunkY, kSide << level_);
+    const CellRange range = cellsOf(grid, chunkX, chunkY, chunkWidth_, chunkHeight_);
     const std::uint64_t rows = stampOfRows(grid, range);
     if (chunk.known && chunk.rowsStamp == rows) return;
     const std::uint64_t stamp = stampOf(grid, range);
@@ -201,7 +248,7 @@ void TileChunks::build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& gri
     chunk.known = true;
     ++kept_;
     ++built_;
-    const CellRange range = cellsOf(grid, chunkX, chunkY, kSide << level_);
+    const CellRange range = cellsOf(grid, chunkX, chunkY, chunkWidth_, chunkHeight_);
     const int span = 1 << level_;
     for (int y = range.top; y < range.bottom; y += span) {
         for (int x = range.left; x < range.right; x += span) {
@@ -210,6 +257,8 @@ void TileChunks::build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& gri
         }
     }
     closePart(chunk);
+    if (overlaps_) return;
+    for (Animated& tile : chunk.animated) tile.parts = chunk.parts.size();  // one draw for all the others
 }
 
 void TileChunks::addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileGrid& grid,
@@ -217,7 +266,8 @@ void TileChunks::addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileG
     const TileLook* look = lookOf(cell, sheet);
     if (look == nullptr) return;
     if (look->animated && level_ == 0) {
-        chunk.animated.push_back(static_cast<std::uint32_t>(y * grid.width() + x));
+        if (overlaps_) closePart(chunk);
+        chunk.animated.push_back({static_cast<std::uint32_t>(y * grid.width() + x), chunk.parts.size()});
         return;
     }
     const SpriteInstance instance = tileInstance(x, y, 1 << level_, cell, *look, sheet);
@@ -249,22 +299,20 @@ void TileChunks::closePart(Chunk& chunk) {
     scratch_.clear();
 }
 
-void TileChunks::drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid& grid,
-                              const TileSheet& sheet, const TilePlacement& placement) const {
-    for (const std::uint32_t place : chunk.animated) {
-        const int x = static_cast<int>(place) % grid.width();
-        const int y = static_cast<int>(place) / grid.width();
-        const TileCell cell = grid.at(x, y);
-        const TileLook* look = lookOf(cell, sheet);
-        if (look == nullptr) continue;
-        SpriteInstance instance = tileInstance(x, y, 1, cell, *look, sheet);
-        instance.center += placement.offset;
-        instance.tint = placement.tint;
-        list.instance(instance, look->texture, placement.layer);
-    }
+void TileChunks::drawAnimated(DrawList& list, std::uint32_t place, const TileGrid& grid,
+                              const TileSheet& sheet, const TilePlacement& placement) {
+    const int x = static_cast<int>(place) % grid.width();
+    const int y = static_cast<int>(place) / grid.width();
+    const TileCell cell = grid.at(x, y);
+    const TileLook* look = lookOf(cell, sheet);
+    if (look == nullptr) return;
+    SpriteInstance instance = tileInstance(x, y, 1, cell, *look, sheet);
+    instance.center += placement.offset;
+    instance.tint = placement.tint;
+    list.instance(instance, look->texture, placement.layer);
 }
 
-/// Frees what the last frames did not see. Rare: only when very much of a very large layer was seen.
+/// Frees chunks not visible in the last frames. Rare: after much of a very large layer was visible.
 void TileChunks::dropUnseen() {
     for (Chunk& chunk : chunks_) {
         if (chunk.known && chunk.lastSeen + 1 < frame_) release(chunk);

@@ -10,67 +10,75 @@
 
 namespace plumb {
 
-/// Where the picture of one tile is, now.
+/// The current picture of one tile.
 struct TileLook {
     TextureHandle texture;
     Rect source;            ///< texels; empty draws nothing
-    bool animated = false;  ///< may look different in the next frame
+    bool animated = false;  ///< may change with the next frame
 };
 
-/// How the tiles of a layer look.
+/// The pictures of the tiles of a layer.
 struct TileSheet {
     std::span<const TileLook> looks;  ///< by tile
     Vec2 cellSize{16.0f, 16.0f};  ///< px in the world; larger pictures stand on the cell's lower left corner
     Vec2 scale{1.0f, 1.0f};       ///< world px per texel
     Vec2 offset;                  ///< px added to every tile
-    std::uint32_t version = 0;    ///< another number when any look that is not animated changed
+    std::uint32_t version = 0;    ///< changes when any look that is not animated changes
 };
 
-/// Where and how a whole layer is drawn.
+/// Position and style of a whole layer.
 struct TilePlacement {
     Vec2 offset;  ///< px, world: the layer's top left corner
     Color tint;
     int layer = 0;
 };
 
-/// Draws a tile layer by chunks of 32x32 tiles that stay on the graphics card. A chunk is made when it is
-/// first seen and made again when one of its tiles changed; what is not seen costs nothing, whatever the size
-/// of the layer. From far
-/// away, where tiles would be smaller than a pixel, one tile stands for a block of them.
+/// Draws a tile layer in chunks of 32x32 tiles that stay on the graphics card. A chunk
+/// is built when it first becomes visible and rebuilt when one of its tiles changes;
+/// invisible chunks cost nothing, whatever the size of the layer. From far away, where
+/// tiles would be smaller than a pixel, one tile represents a block of them.
+///
+/// Tiles overlap in the order of rows from the top, each row from the left. Where pictures are both
+/// wider and higher than their cells, square chunks would break that order at their borders; such a layer is
+/// drawn by chunks of one row.
 class TileChunks {
 public:
     static constexpr int kSide = 32;               ///< tiles
-    static constexpr std::size_t kMaxKept = 4096;  ///< chunks; beyond, those longest unseen go first
+    static constexpr std::size_t kMaxKept = 4096;  ///< chunks; beyond, the longest unseen go first
 
     explicit TileChunks(RenderDevice& device) : device_{device} {}
     ~TileChunks() { forget(); }
     TileChunks(const TileChunks&) = delete;
     TileChunks& operator=(const TileChunks&) = delete;
 
-    /// Adds what the list's view sees of the layer.
+    /// Adds the visible part of the layer.
     void draw(DrawList& list, const TileGrid& grid, const TileSheet& sheet, const TilePlacement& placement);
-    /// Gives all memory back; the next draw makes it anew.
+    /// Releases all memory; the next draw rebuilds it.
     void forget();
 
-    [[nodiscard]] std::size_t builtCount() const { return built_; }  ///< chunks made since the beginning
+    [[nodiscard]] std::size_t builtCount() const { return built_; }  ///< total number of chunks built
     [[nodiscard]] std::size_t keptCount() const { return kept_; }
 
 private:
-    /// Tiles of a chunk that one draw call can show: at most 16 textures.
+    /// Tiles of a chunk that fit into one draw call: at most 16 textures.
     struct Part {
         InstanceBufferHandle buffer;
         std::size_t count = 0;
         std::array<TextureHandle, kTextureSlots> textures{};
         std::size_t textureCount = 0;
     };
+    struct Animated {
+        std::uint32_t cell = 0;  ///< place in the grid
+        std::size_t parts = 0;   ///< of the chunk, that lie below it
+    };
     struct Chunk {
         bool known = false;
-        std::uint64_t rowsStamp = 0;  ///< of the grid's chunks that it shows, and all beside them
+        std::uint64_t rowsStamp = 0;  ///< of the rows of the grid's chunks that it shows
         std::uint64_t stamp = 0;      ///< of the grid's chunks that it shows
         std::uint64_t lastSeen = 0;
         AABB bounds;
         std::vector<Part> parts;
-        std::vector<std::uint32_t> animated;  ///< cells, by place in the grid
+        std::vector<Animated> animated;
     };
     struct Range {
         int left = 0, top = 0, right = 0, bottom = 0;  ///< chunks, the last two excluded
@@ -84,19 +92,25 @@ private:
     void addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileGrid& grid, const TileSheet& sheet);
     void addTile(Chunk& chunk, const SpriteInstance& instance, TextureHandle texture);
     void closePart(Chunk& chunk);
-    void drawAnimated(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
-                      const TilePlacement& placement) const;
+    void drawChunk(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
+                   const TilePlacement& placement) const;
+    static void drawAnimated(DrawList& list, std::uint32_t cell, const TileGrid& grid, const TileSheet& sheet,
+                             const TilePlacement& placement);
     void release(Chunk& chunk);
     void dropUnseen();
 
     RenderDevice& device_;
     std::vector<Chunk> chunks_;
-    int level_ = 0;  ///< one tile stands for 2^level tiles a side
+    int chunkWidth_ = kSide;  ///< tiles of the grid
+    int chunkHeight_ = kSide;
+    bool overlaps_ = false;  ///< some pictures reach out of their cells
+    bool byRows_ = false;    ///< some reach out of them in both directions
+    int level_ = 0;          ///< one tile represents a block with sides of 2^level tiles
     int columns_ = 0;
     int rows_ = 0;
     std::uint32_t sheetVersion_ = 0;
     Vec2 cellSize_;
-    Vec2 overhang_;  ///< px by which the largest picture reaches out of its cell
+    Vec2 overhang_;  ///< px by which the largest picture extends beyond its cell
     std::uint64_t frame_ = 0;
     std::size_t built_ = 0;
     std::size_t kept_ = 0;

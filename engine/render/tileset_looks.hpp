@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// How the tiles of one tileset look on the graphics card, kept from frame to frame.
+/// The looks of the tiles of one tileset on the graphics card, cached between frames.
 class TilesetLooks {
 public:
     /// @param tileSize  px of a cell in the world; {0, 0} takes the tileset's own

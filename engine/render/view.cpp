@@ -27,7 +27,7 @@ AABB visibleBox(const View& view) {
 
 View snappedToPixels(const View& view, float pixelScale) {
     View snapped = view;
-    // The picture's own middle may lie between two px: snap its corner, not its center.
+    // The picture's middle may lie between two px: snap its corner, not its center.
     const float grid = view.zoom * pixelScale;
     const Vec2 half = view.size * (0.5f / view.zoom);
     const Vec2 corner = (view.center - half) * grid;
@@ -58,7 +58,7 @@ Viewport viewportFor(WindowScale scale, Vec2 picture, PixelSize window) {
     if (scale == WindowScale::Fill) factor.x = factor.y = std::max(factor.x, factor.y);
     if (scale == WindowScale::Integer) {
         const float least = std::min(factor.x, factor.y);
-        // A window smaller than the picture has no whole factor: better small than cut off.
+        // In a window smaller than the picture no whole factor fits: scale down instead of cutting off.
         factor.x = factor.y = least >= 1.0f ? std::floor(least) : least;
     }
     Viewport viewport;

@@ -1,6 +1,7 @@
 #include "scene/body_sync.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/log.hpp"
@@ -46,114 +47,177 @@ bool contains(const std::vector<EntityId>& entities, EntityId entity) {
     return std::find(entities.begin(), entities.end(), entity) != entities.end();
 }
 
-std::uint64_t membersOf(const World& world) {
-    return world.memberships<Transform, RigidBody, StaticBody, KinematicBody, CharacterBody, TileLayer,
-                             TileCollider, Parent, Paused>() +
-           colliderMembers(world) + jointMembers(world) + fieldMembers(world) + softMembers(world);
+PhysicsMembers membersOf(const World& world) {
+    // A pause takes an entity out of every query.
+    const std::uint64_t paused = world.memberships<Paused>();
+    PhysicsMembers members;
+    members.bodies = world.memberships<Transform, RigidBody, StaticBody, KinematicBody, CharacterBody,
+                                       TileLayer, TileCollider, Parent>() +
+                     colliderMembers(world) + paused;
+    members.joints = jointMembers(world) + paused;
+    members.fields = fieldMembers(world) + paused;
+    members.softBodies = softMembers(world) + paused;
+    return members;
+}
+
+/// Puts an index into a sorted list, or takes it out.
+void setListed(std::vector<std::uint32_t>& list, std::uint32_t index, bool isListed) {
+    const auto at = std::lower_bound(list.begin(), list.end(), index);
+    const bool wasListed = at != list.end() && *at == index;
+    if (isListed == wasListed) return;
+    if (isListed) {
+        list.insert(at, index);
+    } else {
+        list.erase(at);
+    }
 }
 
 /// Brings the bodies of one world up to date with its components.
 class BodySync {
 public:
     BodySync(World& world, PhysicsState& state)
-        : world_{world},
-          reader_{world},
-          state_{state},
-          bodies_{state.world},
-          collidersChanged_{plumb::collidersChanged(world, state.mark)} {}
+        : world_{world}, reader_{world}, state_{state}, bodies_{state.world} {}
 
-    /// Looks at everybody: components came or went.
-    void followAll() {
-        ++state_.syncs;
-        state_.unplaced.clear();
-        state_.carried.clear();
-        state_.driven.clear();
-        const auto visit = [](void* sync, EntityId entity) { static_cast<BodySync*>(sync)->follow(entity); };
-        forEachCollider(reader_, visit, this);
-        // Bodies without any collider still fall and move.
-        for (auto [entity, body] : reader_.query<const RigidBody>(with<Transform>)) follow(entity.id());
-        for (auto [entity, body] : reader_.query<const KinematicBody>(with<Transform>)) follow(entity.id());
-        removeUnseen();
-        for (std::uint32_t i = 0; i < state_.links.size(); ++i) {
-            if (!state_.links[i].entity) continue;
-            if (state_.links[i].hasParent) state_.carried.push_back(i);
-            if (bodies_.bodies.info[i].kind == BodyKind::Kinematic) state_.driven.push_back(i);
-        }
-    }
-
-    void followChanged(std::uint64_t mark) {
-        world_.eachChangedSince<Transform>(mark, [this](EntityId entity) {
-            if (const BodyId body = bodyOf(state_, entity)) {
-                followPose(body);
-            } else if (contains(state_.unplaced, entity)) {
-                tryAgain_ = true;
-            }
-        });
-        if (!state_.carried.empty()) followCarried();
-        world_.eachChangedSince<RigidBody>(mark, [this](EntityId entity) {
-            if (const BodyId body = bodyOf(state_, entity)) followRigid(body);
-        });
-        const auto visit = [](void* sync, EntityId entity) {
-            auto* self = static_cast<BodySync*>(sync);
-            if (const BodyId body = bodyOf(self->state_, entity)) self->followColliders(body);
-        };
-        forEachChangedCollider(reader_, mark, visit, this);
-        if (tryAgain_) followAll();
+    /// What it looks at grows with what was written since the mark, not with the world. Whatever the order in
+    /// which that is found, which may vary with what a tool has looked at, bodies follow in one order.
+    /// @param membersChanged  components came or went too
+    /// @return whether a body came or went
+    bool follow(std::uint64_t mark, bool membersChanged) {
+        state_.arrived.clear();
+        state_.departed.clear();
+        noteWrites(mark);
+        if (membersChanged) noteMembers(mark);
+        const bool cameOrWent = arriveAndDepart();
+        followStale();
+        return cameOrWent;
     }
 
 private:
+    // What differs between a body and its entity, by which components were written.
+    static constexpr std::uint8_t kPose = 1, kRigid = 2, kColliders = 4, kAll = 7;
+
+    void note(EntityId entity, std::uint8_t what) {
+        if (const BodyId body = bodyOf(state_, entity)) note(body.index, what);
+    }
+    void note(std::uint32_t body, std::uint8_t what) {
+        if (state_.stale.size() <= body) state_.stale.resize(bodies_.bodies.size());
+        state_.stale[body] |= what;
+        firstStale_ = std::min(firstStale_, body);
+        endStale_ = std::max(endStale_, body + 1);
+    }
+    /// The bodies below an entity move with it.
+    void noteBelow(EntityId entity) {
+        const Children* family = reader_.find<Children>(entity);
+        EntityId child = family == nullptr ? EntityId{} : family->first;
+        for (const Parent* link = nullptr; child; child = link->next) {
+            note(child, kPose);
+            noteBelow(child);
+            link = reader_.find<Parent>(child);
+        }
+    }
+
+    void noteWrites(std::uint64_t mark) {
+        world_.eachChangedSince<Transform>(mark, [this](EntityId entity) {
+            note(entity, kPose);
+            if (contains(state_.unplaced, entity)) compare(entity);  // its place may be good now
+        });
+        world_.eachChangedSince<RigidBody>(mark, [this](EntityId entity) { note(entity, kRigid); });
+        const auto visit = [](void* sync, EntityId entity) {
+            static_cast<BodySync*>(sync)->note(entity, kColliders);
+        };
+        forEachChangedCollider(reader_, mark, visit, this);
+        if (state_.carried.empty()) return;
+        // What moved since the last look, be it that the physics moved it.
+        world_.eachChangedSince<Transform>(state_.carriedMark, [this](EntityId entity) {
+            const BodyId body = bodyOf(state_, entity);
+            if (body && linkOf(body).hasParent) note(body.index, kPose);
+            noteBelow(entity);
+        });
+    }
+
+    void noteMembers(std::uint64_t mark) {
+        std::erase_if(state_.unplaced, [this](EntityId entity) { return !orderOf(entity); });
+        for (const EntityId entity : state_.unplaced) compare(entity);
+        const auto visit = [](void* sync, EntityId entity) { static_cast<BodySync*>(sync)->compare(entity); };
+        forEachChangedCollider(reader_, mark, visit, this);
+        compareChanged<Transform, RigidBody, StaticBody, KinematicBody, CharacterBody, Paused>(mark);
+        const auto noteFamily = [this](EntityId entity) {
+            compare(entity);
+            const BodyId body = bodyOf(state_, entity);
+            if (body) setParented(body, static_cast<bool>(parentOf(reader_, entity)));
+            note(entity, kAll);
+            if (!state_.carried.empty()) noteBelow(entity);
+        };
+        world_.eachChangedSince<Parent>(mark, noteFamily);
+        world_.eachLossSince(mark, noteFamily);
+    }
+
+    template <class... Components>
+    void compareChanged(std::uint64_t mark) {
+        (world_.eachChangedSince<Components>(mark, [this](EntityId entity) { compare(entity); }), ...);
+    }
+
+    void followStale() {
+        for (std::uint32_t index = firstStale_; index < endStale_; ++index) {
+            const std::uint8_t stale = std::exchange(state_.stale[index], std::uint8_t{0});
+            if (stale == 0) continue;
+            const BodyId body = idAt(index);
+            if ((stale & kPose) != 0) followPose(body);
+            if ((stale & kRigid) != 0) followRigid(body);
+            if ((stale & kColliders) != 0) followColliders(body);
+        }
+    }
+
+    /// Where an entity needs a body, its place in the order in which bodies are created: that of queries over
+    /// the colliders, kind after kind, then over bodies without collider.
+    [[nodiscard]] std::optional<std::uint64_t> orderOf(EntityId entity) const {
+        if (!reader_.has<Transform>(entity) || reader_.has<Paused>(entity)) return std::nullopt;
+        if (const auto order = colliderOrder(reader_, entity)) return order;
+        constexpr std::uint64_t kFirstRigid = std::uint64_t{1} << 62,
+                                kFirstKinematic = std::uint64_t{1} << 63;
+        if (reader_.has<RigidBody>(entity)) return kFirstRigid | reader_.positionOf<RigidBody>(entity);
+        if (reader_.has<KinematicBody>(entity))
+            return kFirstKinematic | reader_.positionOf<KinematicBody>(entity);
+        return std::nullopt;
+    }
+
+    /// Notes an entity whose body is missing or of another kind, and a body that nothing needs any more.
+    void compare(EntityId entity) {
+        ++state_.visits;
+        const std::uint32_t linked =
+            entity.index < state_.bodyOf.size() ? state_.bodyOf[entity.index] : 0;  // index + 1
+        const bool isOwn = linked != 0 && state_.links[linked - 1].entity == entity;
+        const std::optional<std::uint64_t> order = orderOf(entity);
+        if (linked != 0 && !(isOwn && order)) state_.departed.push_back(linked - 1);
+        if (order && !(isOwn && bodies_.bodies.info[linked - 1].kind == kindOf(reader_, entity)))
+            state_.arrived.push_back({*order, entity});
+    }
+
+    /// First what arrived, so that no new body takes the index of one that departs in the same tick.
+    bool arriveAndDepart() {
+        const auto sortOut = [](auto& list) {
+            std::sort(list.begin(), list.end());
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+        };
+        sortOut(state_.arrived);
+        sortOut(state_.departed);
+        for (const BodyArrival& arrival : state_.arrived) {
+            std::erase(state_.unplaced, arrival.entity);
+            if (const BodyId ofOtherKind = bodyOf(state_, arrival.entity)) forget(ofOtherKind);
+            create(arrival.entity, kindOf(reader_, arrival.entity));
+        }
+        for (const std::uint32_t body : state_.departed) forget(idAt(body));
+        return !state_.arrived.empty() || !state_.departed.empty();
+    }
+
     [[nodiscard]] BodyId idAt(std::uint32_t body) const {
         return {body, bodies_.bodies.info[body].generation};
     }
     [[nodiscard]] BodyLink& linkOf(BodyId body) { return state_.links[body.index]; }
 
-    /// What is below somebody who was put elsewhere goes with him.
-    void stirBelow(EntityId entity) {
-        const Children* family = reader_.find<Children>(entity);
-        EntityId child = family == nullptr ? EntityId{} : family->first;
-        for (const Parent* link = nullptr; child; child = link->next) {
-            if (const BodyId body = bodyOf(state_, child)) state_.stirred.push_back(body.index);
-            stirBelow(child);
-            link = reader_.find<Parent>(child);
-        }
-    }
-    /// Those who have a parent, in the order of the bodies; only where somebody above them, or they
-    /// themselves, are elsewhere since the last look, be it that the physics moved them.
-    void followCarried() {
-        constexpr std::size_t kFew = 8;  // fewer than one in so many are worth sorting
-        state_.stirred.clear();
-        world_.eachChangedSince<Transform>(state_.carriedMark, [this](EntityId entity) {
-            const BodyId body = bodyOf(state_, entity);
-            if (body && linkOf(body).hasParent) state_.stirred.push_back(body.index);
-            stirBelow(entity);
-        });
-        if (state_.stirred.size() * kFew < state_.carried.size()) {
-            std::sort(state_.stirred.begin(), state_.stirred.end());
-            for (const std::uint32_t body : state_.stirred) followPose(idAt(body));
-        } else if (!state_.stirred.empty()) {
-            for (const std::uint32_t body : state_.carried) followPose(idAt(body));
-        }
-        state_.stirred.clear();
-    }
-
-    void follow(EntityId entity) {
-        const BodyKind kind = kindOf(reader_, entity);
-        BodyId body = bodyOf(state_, entity);
-        if (body && linkOf(body).seen == state_.syncs) return;
-        if (body && bodies_.bodies.info[body.index].kind != kind) {
-            forget(body);
-            body = {};
-        }
-        if (!body) {
-            create(entity, kind);
-            return;
-        }
-        BodyLink& link = linkOf(body);
-        link.seen = state_.syncs;
-        link.hasParent = static_cast<bool>(parentOf(reader_, entity));
-        followPose(body);
-        if (collidersChanged_) followColliders(body);
-        followRigid(body);
+    void setParented(BodyId body, bool hasParent) {
+        linkOf(body).hasParent = hasParent;
+        setListed(state_.carried, body.index, hasParent);
     }
 
     void create(EntityId entity, BodyKind kind) {
@@ -182,26 +246,22 @@ private:
         link.entity = entity;
         link.pose = pose;
         link.rotation = rotationOf(bodies_, body);
-        link.seen = state_.syncs;
-        link.hasParent = static_cast<bool>(parentOf(reader_, entity));
+        setParented(body, static_cast<bool>(parentOf(reader_, entity)));
+        setListed(state_.driven, body.index, bodies_.bodies.info[body.index].kind == BodyKind::Kinematic);
         state_.bodyOf[entity.index] = body.index + 1;
     }
 
     void forget(BodyId body) {
         BodyLink& link = linkOf(body);
         if (state_.bodyOf[link.entity.index] == body.index + 1) state_.bodyOf[link.entity.index] = 0;
+        setParented(body, false);
+        setListed(state_.driven, body.index, false);
+        if (body.index < state_.stale.size()) state_.stale[body.index] = 0;
         physics::destroyBody(bodies_, body);
         link = {};
     }
 
-    void removeUnseen() {
-        for (std::uint32_t i = 0; i < state_.links.size(); ++i) {
-            const BodyLink& link = state_.links[i];
-            if (link.entity && link.seen != state_.syncs) forget(idAt(i));
-        }
-    }
-
-    /// Somebody put the entity elsewhere: the body goes there without a way. Kinematic ones are led (see
+    /// The entity was moved: the body is set to its place, without a path. Kinematic ones follow (see
     /// kinematics.hpp).
     void followPose(BodyId body) {
         BodyLink& link = linkOf(body);
@@ -322,8 +382,8 @@ private:
     const World& reader_;
     PhysicsState& state_;
     physics::World& bodies_;
-    bool collidersChanged_;
-    bool tryAgain_ = false;  // somebody without a body may have found a place for it
+    std::uint32_t firstStale_ = physics::kNone,
+                  endStale_ = 0;  // the bodies with something noted are among these
 };
 
 std::string nameOf(const World& world, EntityId entity) {
@@ -410,17 +470,20 @@ physics::Settings physicsSettingsOf(World& world) {
 
 void followComponents(World& world, PhysicsState& state, const physics::Settings& settings) {
     takeSettings(world, state, settings);
-    const std::uint64_t members = membersOf(world);
+    const PhysicsMembers members = membersOf(world);
+    const PhysicsMembers known = state.members;
     const std::uint64_t mark = state.mark;
-    const bool all = members != state.members || state.syncs == 0;
+    const bool isFirst = state.syncs == 0;
+    if (isFirst || members != known) ++state.syncs;
     BodySync sync{world, state};
     state.mark = world.markChanges();
-    all ? sync.followAll() : sync.followChanged(mark);
+    const bool bodiesDiffer = isFirst || members.bodies != known.bodies;
+    const bool bodiesCameOrWent = sync.follow(mark, bodiesDiffer);
     state.carriedMark = state.mark;
-    followTiles(world, state, all);
-    followJoints(world, state, all, mark);
-    followFields(world, state, all);
-    followSoftBodies(world, state, all);
+    followTiles(world, state, bodiesDiffer);
+    followJoints(world, state, members.joints != known.joints, bodiesCameOrWent, mark);
+    followFields(world, state, isFirst || members.fields != known.fields);
+    followSoftBodies(world, state, isFirst || members.softBodies != known.softBodies);
     state.members = membersOf(world);
 }
 

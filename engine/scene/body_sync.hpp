@@ -8,7 +8,7 @@ namespace plumb {
 // What the files of the bridge share.
 
 /// Bodies, terrains, joints and fields follow their components. Looks only at what was written since the last
-/// time, unless somebody got or lost such a component.
+/// time.
 /// @param settings  of the world, in metres
 void followComponents(World& world, PhysicsState& state, const physics::Settings& settings);
 
@@ -30,7 +30,7 @@ void tellRefusal(const World& world, PhysicsState& state, EntityId entity, const
     const std::uint64_t user = state.world.bodies.info[body.index].user;
     return {static_cast<std::uint32_t>(user >> 32), static_cast<std::uint32_t>(user)};
 }
-/// The entity's own body, or nobody.
+/// The entity's own body, or the empty id.
 [[nodiscard]] physics::BodyId bodyOf(const PhysicsState& state, EntityId entity);
 
 [[nodiscard]] inline physics::WorldPosition placeInMetres(Vec2 pixels, PixelScale scale) {

@@ -37,12 +37,8 @@ struct ShapeMaker {
     }
 };
 
-Vec2 sizeOf(float width, float height, Vec2 scale) {
-    return {width * std::abs(scale.x), height * std::abs(scale.y)};
-}
-
 Result<Done> make(const ShapeMaker& maker, const BoxCollider& box) {
-    const Vec2 size = sizeOf(box.width, box.height, maker.scale);
+    const Vec2 size = scaledSize(box.width, box.height, maker.scale);
     const float rounding = std::min(box.rounding, 0.49f * std::min(size.x, size.y));
     const Vec2 half = size * 0.5f - Vec2{rounding, rounding};
     return maker.add(physics::box(maker.point(half), maker.point(box.offset + size * 0.5f), {},
@@ -55,7 +51,7 @@ Result<Done> make(const ShapeMaker& maker, const CircleCollider& circle) {
 }
 
 Result<Done> make(const ShapeMaker& maker, const CapsuleCollider& capsule) {
-    const Vec2 size = sizeOf(capsule.width, capsule.height, maker.scale);
+    const Vec2 size = scaledSize(capsule.width, capsule.height, maker.scale);
     const float radius = 0.5f * std::min(size.x, size.y);
     const Vec2 middle = capsule.offset + size * 0.5f;
     const Vec2 arm = size * 0.5f - Vec2{radius, radius};
@@ -126,15 +122,14 @@ struct ColliderRow {
     void (*addTo)(Hasher& hasher, const ColliderSurface& collider);
     Result<Done> (*make)(const ShapeMaker& maker, const ColliderSurface& collider);
     std::uint64_t (*members)(const World& world);
-    bool (*changed)(const World& world, std::uint64_t mark);
     std::size_t (*count)(const World& world);
-    void (*forEach)(const World& world, void (*visit)(void*, EntityId), void* context);
+    std::uint32_t (*position)(const World& world, EntityId entity);
     void (*forEachChanged)(const World& world, std::uint64_t mark, void (*visit)(void*, EntityId),
                            void* context);
 };
 
 template <class Collider>
-constexpr ColliderRow row() {
+constexpr ColliderRow colliderRow() {
     ColliderRow row{};
     row.find = [](const World& world, EntityId entity) -> const ColliderSurface* {
         return world.find<Collider>(entity);
@@ -146,12 +141,8 @@ constexpr ColliderRow row() {
         return make(maker, static_cast<const Collider&>(collider));
     };
     row.members = [](const World& world) { return world.memberships<Collider>(); };
-    row.changed = [](const World& world, std::uint64_t mark) { return world.changedSince<Collider>(mark); };
     row.count = [](const World& world) { return world.count<Collider>(); };
-    row.forEach = [](const World& world, void (*visit)(void*, EntityId), void* context) {
-        for (auto [entity, collider] : world.query<const Collider>(with<Transform>))
-            visit(context, entity.id());
-    };
+    row.position = [](const World& world, EntityId entity) { return world.positionOf<Collider>(entity); };
     row.forEachChanged = [](const World& world, std::uint64_t mark, void (*visit)(void*, EntityId),
                             void* context) {
         world.eachChangedSince<Collider>(mark, [&](EntityId entity) { visit(context, entity); });
@@ -160,8 +151,8 @@ constexpr ColliderRow row() {
 }
 
 constexpr ColliderRow kColliders[] = {
-    row<BoxCollider>(),     row<CircleCollider>(), row<CapsuleCollider>(),
-    row<PolygonCollider>(), row<ChainCollider>(),
+    colliderRow<BoxCollider>(),     colliderRow<CircleCollider>(), colliderRow<CapsuleCollider>(),
+    colliderRow<PolygonCollider>(), colliderRow<ChainCollider>(),
 };
 
 float frictionOf(const ColliderSurface& surface, const RigidBody* rigid) {
@@ -252,18 +243,17 @@ std::uint64_t colliderMembers(const World& world) {
     return members;
 }
 
-bool collidersChanged(const World& world, std::uint64_t mark) {
-    return std::any_of(std::begin(kColliders), std::end(kColliders),
-                       [&](const ColliderRow& row) { return row.changed(world, mark); });
-}
-
 bool hasColliders(const World& world) {
     return std::any_of(std::begin(kColliders), std::end(kColliders),
                        [&](const ColliderRow& row) { return row.count(world) > 0; });
 }
 
-void forEachCollider(const World& world, void (*visit)(void*, EntityId), void* context) {
-    for (const ColliderRow& row : kColliders) row.forEach(world, visit, context);
+std::optional<std::uint64_t> colliderOrder(const World& world, EntityId entity) {
+    for (std::size_t kind = 0; kind < std::size(kColliders); ++kind) {
+        if (kColliders[kind].find(world, entity) == nullptr) continue;
+        return std::uint64_t{kind} << 32 | kColliders[kind].position(world, entity);
+    }
+    return std::nullopt;
 }
 
 void forEachChangedCollider(const World& world, std::uint64_t mark, void (*visit)(void*, EntityId),

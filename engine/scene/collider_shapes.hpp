@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "core/result.hpp"
 #include "ecs/world.hpp"
@@ -14,6 +16,11 @@ struct RigidBody;
 // From collider components to shapes. All colliders of an entity are parts of its body.
 
 inline constexpr float kDefaultFriction = 0.6f;  ///< of colliders without a RigidBody
+
+/// px: a size that an entity is drawn with; mirrored ones are as large.
+[[nodiscard]] inline Vec2 scaledSize(float width, float height, Vec2 scale) {
+    return {width * std::abs(scale.x), height * std::abs(scale.y)};
+}
 
 /// A number for the outlines of an entity's colliders: while it stays, so do their shapes. 0 without
 /// collider.
@@ -32,13 +39,13 @@ Result<Done> updateSurfaces(physics::World& bodies, physics::BodyId body, const 
 
 /// Grows whenever some entity gets or loses a collider.
 [[nodiscard]] std::uint64_t colliderMembers(const World& world);
-[[nodiscard]] bool collidersChanged(const World& world, std::uint64_t mark);
 [[nodiscard]] bool hasColliders(const World& world);
 
-/// Calls `visit(EntityId)` for every entity with a Transform and a collider that is not paused, those with
-/// several several times.
-void forEachCollider(const World& world, void (*visit)(void* context, EntityId entity), void* context);
-/// The same for those whose colliders may have been written since the mark, paused ones too.
+/// Where an entity has a collider, its place among all that have one: by kind, then in the order of queries.
+[[nodiscard]] std::optional<std::uint64_t> colliderOrder(const World& world, EntityId entity);
+
+/// Calls `visit(EntityId)` for every collider that may have been written since the mark, also where its
+/// entity is paused.
 void forEachChangedCollider(const World& world, std::uint64_t mark,
                             void (*visit)(void* context, EntityId entity), void* context);
 

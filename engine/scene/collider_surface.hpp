@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// What a collider is made of and whom it meets: the same for all outlines.
+/// What a collider is made of and what it collides with: the same for all outlines.
 struct ColliderSurface {
     bool isTrigger = false;            ///< reports contacts, stops nothing
     bool oneWay = false;               ///< solid only for what comes from above

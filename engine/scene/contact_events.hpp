@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Two solid colliders that touch. Emitted by the physics step, each pair once a tick. While both rest asleep,
-/// nobody tells that they stay.
+/// Two solid colliders that touch. Emitted by the physics step, each pair once a tick. While both rest
+/// asleep, no event says that they stay.
 struct Contact {
     EntityId a;
     EntityId b;
@@ -18,7 +18,7 @@ struct ContactBegan : Contact {};
 struct ContactStayed : Contact {};
 struct ContactEnded : Contact {};
 
-/// Somebody overlaps a trigger. When both are triggers, each gets its own event.
+/// Something overlaps a trigger. When both are triggers, each gets its own event.
 struct TriggerOverlap {
     EntityId trigger;
     EntityId other;

@@ -23,7 +23,6 @@
 namespace plumb {
 namespace {
 
-constexpr double kSecondsPerTick = 1.0 / 60.0;
 constexpr float kLinesOfThinStrokes = 1080.0f;  // px: on twice that height they are twice as wide
 
 Rect sourceOf(const Sprite& sprite) {
@@ -142,12 +141,12 @@ private:
     Pose pose_;
 };
 
+}  // namespace
+
 bool isSeen(const World& world, EntityId entity, const SceneView& how) {
     return isAt(world, entity, how.place) &&
            (how.hidden.empty() || !std::binary_search(how.hidden.begin(), how.hidden.end(), entity));
 }
-
-}  // namespace
 
 View cameraView(const World& world, Vec2 picture, float alpha, int place) {
     View view;
@@ -297,7 +296,7 @@ const SceneLayer* SceneRenderer::layerOf(int order) const {
 template <class... T, class Draw>
 void SceneRenderer::forSeen(const Query<const T...>& query, const World& world, const SceneView& how,
                             const Draw& draw) const {
-    // Who they are is asked only where it decides something.
+    // Their ids are looked up only where they decide something.
     if (how.place == kEveryScene && how.hidden.empty() && !anyPaused_)
         return query.each([&](const T&... parts) { draw(how.alpha, parts...); });
     query.each([&](Entity entity, const T&... parts) {

@@ -37,10 +37,15 @@ struct SceneView {
     int place = kEveryScene;               ///< in the stack of scenes: what is drawn
     LabelText labelText = nullptr;         ///< null shows texts as they are written
     double ahead = 0.0;                    ///< s by which animated tiles are shown ahead of the world's time
-    std::span<const EntityId> hidden;      ///< who is not drawn (sorted), without those below them
+    std::span<const EntityId> hidden;      ///< entities not drawn (sorted), without those below them
     const Particles* particles = nullptr;  ///< drawn in place of the world's own
     float particleBack = 0.0f;             ///< s before the last step of `particles` that is drawn
 };
+
+inline constexpr double kSecondsPerTick = 1.0 / 60.0;  ///< of the fixed rate
+
+/// Whether a view shows an entity, as far as scenes and hiding go.
+[[nodiscard]] bool isSeen(const World& world, EntityId entity, const SceneView& how);
 
 /// Turns a world into draw lists: sprites, backdrops, tile layers, texts. Keeps what is costly to make
 /// between frames; changes nothing in the world.

@@ -81,20 +81,20 @@ void EffectTable::checkNeeds(const World& world, SceneId scene, std::string_view
         if (pins[i] != Pin::Off || rows_[i].byDefault) continue;
         for (const EffectCaller& caller : rows_[i].callers) {
             EntityId first;
-            std::string who;
+            std::string firstText;
             std::size_t count = 0;
             world.eachOf(caller.type(), [&](EntityId entity, const void* component) {
                 if (caller.calls != nullptr && !caller.calls(component)) return;
                 const auto* source = world.find<SceneEntity>(entity);
                 if (source == nullptr || !(source->scene == scene)) return;
                 if (++count == 1 || entity.index < first.index)
-                    first = entity, who = entityText(world, entity, *source);
+                    first = entity, firstText = entityText(world, entity, *source);
             });
             if (count == 0) continue;
             const bool alone = count == 1;
             problems.push_back(
                 {format("{}: effects.{}", path, rows_[i].name),
-                 format("it is \"off\", but {}{} {} {}, which needs it", who,
+                 format("it is \"off\", but {}{} {} {}, which needs it", firstText,
                         alone ? std::string{} : format(" and {} more", count - 1), alone ? "has" : "have",
                         caller.type().name),
                  format("take {} away, or write \"auto\"; the effect stays off", caller.type().name)});

@@ -22,12 +22,12 @@ struct EffectCaller {
     [[nodiscard]] std::size_t callers(const World& world) const;  ///< how many call; O(1) where all do
 };
 
-/// One thing that a game can do without, and who calls for it.
+/// One thing that a game can do without, and what calls for it.
 struct EffectRow {
     std::string_view name;  ///< as scene files write it: "particles"
     std::string_view doc;
     std::span<const EffectCaller> callers;
-    /// Whether anybody calls for it, from the sizes of a few pools; null for an effect of the physics, which
+    /// Whether anything calls for it, from the sizes of a few pools; null for an effect of the physics, which
     /// counts its own callers.
     bool (*calledFor)(const World& world) = nullptr;
     physics::Effect physics = physics::Effect::Count;  ///< Count for none of the physics
@@ -56,7 +56,7 @@ public:
     /// The number of the row, or kNone.
     [[nodiscard]] std::size_t find(std::string_view name) const;
 
-    /// What the "effects" of a scene file say, by row. What cannot be read is told and counts as "auto".
+    /// What the "effects" of a scene file say, by row. What cannot be read is reported and counts as "auto".
     /// @param path  of the file, for errors
     [[nodiscard]] std::vector<Pin> readPins(const Json& json, std::string_view path,
                                             std::vector<Error>* problems) const;

@@ -51,7 +51,7 @@ void Effects::followScenes(World& world) {
     for (const LoadedScene& scene : loaded->scenes) {
         std::vector<Pin> others = pins_;
         for (std::size_t i = 0; i < others.size(); ++i) {
-            if (pinnedBy_[i] == scene.path) others[i] = Pin::Auto;  // told when it was loaded
+            if (pinnedBy_[i] == scene.path) others[i] = Pin::Auto;  // reported when it was loaded
         }
         table_.checkNeeds(world, scene.id, scene.path, others, problems);
     }

@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// Which effects of a world run: those that somebody calls for, but for what is pinned. A service of the
+/// Which effects of a world run: those that components call for, and what is pinned. A service of the
 /// world, so it has to outlive the last tick.
 ///
 /// All scenes of a stack share it. What pins an effect, from the strongest on: a measurement (`setMeasured`),
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] Pin pinOf(std::size_t row) const { return pins_[row]; }
     /// The path of the scene that pins it; empty for none.
     [[nodiscard]] const std::string& pinnedBy(std::size_t row) const { return pinnedBy_[row]; }
-    /// Whether somebody calls for it, in O(1).
+    /// Whether something calls for it, in O(1).
     [[nodiscard]] bool calledFor(const World& world, std::size_t row) const;
     [[nodiscard]] bool runs(const World& world, std::size_t row) const {
         return pins_[row] == Pin::Auto ? calledFor(world, row) : pins_[row] == Pin::On;

@@ -20,7 +20,6 @@ namespace plumb {
 namespace {
 
 using physics::FieldDefinition;
-using physics::FieldKind;
 using physics::RegionKind;
 
 /// A kind of field.
@@ -31,7 +30,7 @@ struct FieldRow {
 };
 
 template <class Component>
-constexpr FieldRow row() {
+constexpr FieldRow fieldRow() {
     FieldRow row{};
     row.describe = [](const World& world, EntityId entity, FieldDefinition& field, Vec2& size, float metres) {
         const Component* component = world.find<Component>(entity);
@@ -49,10 +48,11 @@ constexpr FieldRow row() {
 }
 
 constexpr FieldRow kFields[] = {
-    row<GravityField>(), row<WindField>(), row<BuoyancyField>(), row<Attractor>(), row<Explosion>(),
+    fieldRow<GravityField>(), fieldRow<WindField>(), fieldRow<BuoyancyField>(),
+    fieldRow<Attractor>(),    fieldRow<Explosion>(),
 };
 
-std::uint64_t madeFrom(const FieldDefinition& d) {
+std::uint64_t fieldHash(const FieldDefinition& d) {
     Hasher hasher;
     const auto add = [&hasher](auto... values) { (hasher.add(values), ...); };
     const auto place = [&](double value) { add(std::bit_cast<std::uint64_t>(value)); };
@@ -85,9 +85,9 @@ public:
     void bring(FieldLinkage& linkage) {
         FieldDefinition definition;
         if (!define(linkage, definition)) return;
-        const std::uint64_t made = madeFrom(definition);
+        const std::uint64_t made = fieldHash(definition);
         const bool lives = physics::alive(state_.world, linkage.field);
-        if (made == linkage.made && (lives || definition.kind == FieldKind::Explosion)) return;
+        if (made == linkage.made && (lives || definition.kind == physics::FieldKind::Explosion)) return;
         linkage.made = made;
         if (lives) {
             accept(linkage, physics::setField(state_.world, linkage.field, definition));
@@ -125,7 +125,7 @@ private:
         const Pose pose = worldPose(world_, linkage.entity);
         field.place = placeInMetres(pose.position, state_.scale);
         field.seed = linkage.entity.index;
-        if (field.kind == FieldKind::Explosion) return true;
+        if (field.kind == physics::FieldKind::Explosion) return true;
         if (const auto* box = world_.find<BoxCollider>(linkage.entity)) {
             setBox(field, pose, box->offset, {box->width, box->height});
         } else if (const auto* circle = world_.find<CircleCollider>(linkage.entity)) {
@@ -136,7 +136,7 @@ private:
         } else if (size != Vec2{}) {
             setBox(field, pose, {}, size);
         }
-        if (field.kind == FieldKind::Attractor && field.region == RegionKind::Everywhere) {
+        if (field.kind == physics::FieldKind::Attractor && field.region == RegionKind::Everywhere) {
             field.a = bodyOf(state_, linkage.entity);  // which it pulls to, and does not pull
             if (field.a) field.place = {};
         }
@@ -165,7 +165,7 @@ void followFields(World& world, PhysicsState& state, bool all) {
 
 void removeExploded(World& world, PhysicsState& state) {
     for (const FieldLinkage& linkage : state.fields) {
-        if (kFields[linkage.kind].members == row<Explosion>().members && linkage.made != 0 &&
+        if (kFields[linkage.kind].members == fieldRow<Explosion>().members && linkage.made != 0 &&
             !physics::alive(state.world, linkage.field))
             world.remove<Explosion>(linkage.entity);
     }

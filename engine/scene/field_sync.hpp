@@ -6,7 +6,7 @@
 namespace plumb {
 
 /// Fields follow their components, and the entities that have them.
-/// @param all  somebody got or lost one
+/// @param all  an entity got or lost one
 void followFields(World& world, PhysicsState& state, bool all);
 
 /// Removes the components of explosions that have happened.

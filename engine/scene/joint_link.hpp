@@ -11,7 +11,7 @@ namespace plumb {
 
 /// What ties an entity's body to another one: the same for all joints.
 struct JointLink {
-    EntityId other;           ///< whose body; nobody ties it to the world
+    EntityId other;           ///< whose body; empty ties it to the world
     Vec2 anchor;              ///< px from the entity's Transform, turned with it
     Vec2 otherAnchor;         ///< px from the other's Transform, or in the world
     bool autoAnchor = true;   ///< the other's anchor is where `anchor` is when the joint is made
@@ -22,7 +22,7 @@ struct JointLink {
 
 template <class T>
 void describeLink(TypeBuilder<T>& type) {
-    type.template field<&T::other>("other").doc("Whose body; nobody ties it to the world.");
+    type.template field<&T::other>("other").doc("Whose body; none ties it to the world.");
     type.template field<&T::anchor>("anchor").unit(Unit::Pixels).doc("From the entity's Transform.");
     type.template field<&T::otherAnchor>("otherAnchor")
         .unit(Unit::Pixels)

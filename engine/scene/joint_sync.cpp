@@ -38,7 +38,7 @@ struct JointRow {
 };
 
 template <class Component>
-constexpr JointRow row() {
+constexpr JointRow jointRow() {
     JointRow row{};
     row.find = [](const World& world, EntityId entity) -> const JointLink* {
         return world.find<Component>(entity);
@@ -57,13 +57,14 @@ constexpr JointRow row() {
 
 // A gear comes last: it ties two of the others.
 constexpr JointRow kJoints[] = {
-    row<RevoluteJoint>(), row<DistanceJoint>(), row<PrismaticJoint>(), row<WeldJoint>(), row<WheelJoint>(),
-    row<MouseJoint>(),    row<MotorJoint>(),    row<PulleyJoint>(),    row<GearJoint>(),
+    jointRow<RevoluteJoint>(), jointRow<DistanceJoint>(), jointRow<PrismaticJoint>(),
+    jointRow<WeldJoint>(),     jointRow<WheelJoint>(),    jointRow<MouseJoint>(),
+    jointRow<MotorJoint>(),    jointRow<PulleyJoint>(),   jointRow<GearJoint>(),
 };
 constexpr std::uint8_t kRevolute = 0, kPrismatic = 2;  // rows
 
 /// A number for all that a joint is made from, but for what setters change.
-std::uint64_t madeFrom(const JointDefinition& d, const JointLink& link) {
+std::uint64_t jointHash(const JointDefinition& d, const JointLink& link) {
     Hasher hasher;
     const auto add = [&hasher](auto... values) { (hasher.add(values), ...); };
     add(static_cast<std::uint64_t>(d.kind), userOf(link.other), link.anchor.x, link.anchor.y,
@@ -129,7 +130,7 @@ private:
     void bring(JointLinkage& linkage, const JointLink& link) {
         JointDefinition definition;
         kJoints[linkage.kind].apply(link, definition, state_.scale.metres);
-        const std::uint64_t made = madeFrom(definition, link);
+        const std::uint64_t made = jointHash(definition, link);
         const bool lives = physics::alive(bodies_, linkage.joint);
         if (made == linkage.made && lives) {
             change(linkage, definition);
@@ -242,9 +243,14 @@ private:
 
 }  // namespace
 
-void followJoints(World& world, PhysicsState& state, bool all, std::uint64_t mark) {
+void followJoints(World& world, PhysicsState& state, bool membersChanged, bool bodiesCameOrWent,
+                  std::uint64_t mark) {
     JointSync sync{world, state};
-    if (all) {
+    const auto waits = [&](const JointLinkage& linkage) {
+        return !physics::alive(state.world, linkage.joint);
+    };
+    if (membersChanged ||
+        (bodiesCameOrWent && std::any_of(state.joints.begin(), state.joints.end(), waits))) {
         sync.followAll();
     } else if (!state.joints.empty()) {
         sync.followChanged(mark);

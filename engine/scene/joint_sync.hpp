@@ -6,9 +6,11 @@
 namespace plumb {
 
 /// Joints follow their components.
-/// @param all   somebody got or lost one, or a body
-/// @param mark  what was written before it is known
-void followJoints(World& world, PhysicsState& state, bool all, std::uint64_t mark);
+/// @param membersChanged    an entity got or lost a joint
+/// @param bodiesCameOrWent  joints that wait for a body may find it
+/// @param mark              what was written before it is known
+void followJoints(World& world, PhysicsState& state, bool membersChanged, bool bodiesCameOrWent,
+                  std::uint64_t mark);
 
 /// Removes the components of joints that broke in the step, and tells.
 void publishBroken(World& world, PhysicsState& state);

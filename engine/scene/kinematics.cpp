@@ -29,7 +29,7 @@ Course courseOf(const World& world, const BodyLink& link) {
     course.pose = worldPose(world, link.entity);
     course.driven = course.pose.position != link.pose.position || course.pose.rotation != link.pose.rotation;
     const Transform& transform = world.get<Transform>(link.entity);
-    // Who teleports says so by having been there before.
+    // A body that teleports sets its stored pose too.
     course.jumps = course.driven && !link.hasParent && transform.previousPosition == transform.position &&
                    transform.previousRotation == transform.rotation;
     const KinematicBody* body = world.find<KinematicBody>(link.entity);
@@ -74,7 +74,7 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
     }
     const physics::BodyId body = idAt(state, index);
     const Course course = courseOf(std::as_const(world), link);
-    // Who was sent already, for queries, goes there.
+    // moveTo() was already called by syncBodies() this tick, for queries: keep that target.
     const bool sent = (state.world.bodies.info[index].flags & physics::kHasTarget) != 0;
     link.driven = course.driven || sent;
     if (sent && !course.driven) return;

@@ -52,7 +52,7 @@ struct GhostWorlds {
 struct PlotPast {
     struct Curve {
         EntityId plot;
-        EntityId source;            ///< a Ghost; nobody: the scene itself
+        EntityId source;            ///< a Ghost; empty: the scene itself
         std::uint64_t run = 0;      ///< that it belongs to
         double first = 0.0;         ///< the measure when it began
         bool same = false;          ///< now to the bit what the scene is

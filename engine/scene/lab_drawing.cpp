@@ -23,10 +23,9 @@ namespace plumb {
 
 namespace {
 
-constexpr float kSecondsPerTick = 1.0f / 60.0f;
 constexpr int kGhostLayer = 40;
-constexpr float kTextSize = 15.0f;   // px
-constexpr float kTextAbove = 30.0f;  // px over the track
+constexpr float kSliderTextSize = 15.0f;  // px
+constexpr float kTextAbove = 30.0f;       // px over the track
 
 /// The outlines of one ghost, in its colour.
 class GhostCanvas final : public physics::DebugCanvas {
@@ -80,7 +79,8 @@ void drawGhosts(const World& world, const SceneView& how, DrawList& list) {
         physics::DebugChoice choice;
         choice.parts = physics::kDrawShapes;
         choice.origin = placeInMetres(how.view.center, state->scale);
-        choice.behind = world.count<Paused>() > 0 ? 0.0f : (1.0f - how.alpha) * kSecondsPerTick;
+        choice.behind =
+            world.count<Paused>() > 0 ? 0.0f : (1.0f - how.alpha) * static_cast<float>(kSecondsPerTick);
         physics::debugDraw(one.world, canvas, choice);
     }
 }
@@ -98,7 +98,7 @@ std::string valueText(const World& world, const Slider& slider, const NumberFiel
     return format("{}{}{}", roughNumber(value), unit.empty() ? "" : " ", unit);
 }
 
-/// The value that a slider stands on; that of the first who has the component.
+/// The value that a slider stands on; that of the first entity with the component.
 float valueOf(const World& world, const Slider& slider, const NumberField& number) {
     if (slider.target) {
         const auto* lab = world.findResource<Lab>();
@@ -132,18 +132,13 @@ void drawSlider(const World& world, const Slider& slider, Vec2 start, LabelDrawi
     bar(start.x, knob.x, slider.color);
     list.filledCircle(knob, slider.held ? kSliderKnob + 2.0f : kSliderKnob, slider.color, slider.layer);
     TextStyle style;
-    style.shape.size = kTextSize;
+    style.shape.size = kSliderTextSize;
     style.color = slider.color;
     style.layer = slider.layer;
     labels.write(world.texts().find(slider.text), start - Vec2{0.0f, kTextAbove}, style, list);
     style.shape.align = TextAlign::Right;
     labels.write(valueText(world, slider, number ? &*number : nullptr, value),
                  start + Vec2{slider.width, -kTextAbove}, style, list);
-}
-
-bool isSeen(const World& world, EntityId entity, const SceneView& how) {
-    if (std::binary_search(how.hidden.begin(), how.hidden.end(), entity)) return false;
-    return how.place == kEveryScene || placeOf(world, entity) == static_cast<std::size_t>(how.place);
 }
 
 Vec2 cornerOf(const SceneView& how) {

@@ -48,7 +48,7 @@ Vec2 LabelDrawing::measure(const World& world, const Label& label, LabelText lab
 
 FontId LabelDrawing::ownFont(std::string_view path, bool& held) {
     const FontId id{textId(path)};
-    if (!held) {  // no entity names it, so nobody else keeps it loaded
+    if (!held) {  // no entity names it, so nothing else keeps it loaded
         assets_.loadFont(path);
         assets_.acquire(AssetKind::Font, id.path);
         held = true;

@@ -31,7 +31,7 @@ using physics::Manifest;
 struct Calls {
     bool motion = true;
     std::uint32_t off = 0;  // bits of effects that do not run
-    std::uint32_t on = 0;   // bits of effects that run though nobody calls for them
+    std::uint32_t on = 0;   // bits of effects that run though nothing calls for them
 };
 
 Calls callsOf(World& world) {

@@ -17,7 +17,7 @@ void syncBodies(World& world, float dt);
 /// Writes: Transform, RigidBody; removes joints that broke and explosions; emits contact_events.hpp.
 void stepPhysics(World& world, float dt);
 
-/// The body of an entity, or nobody.
+/// The body of an entity, or the empty id.
 physics::BodyId bodyOf(World& world, EntityId entity);
 
 /// Makes tile colliders anew in the next sync, e.g. after a tileset was changed.

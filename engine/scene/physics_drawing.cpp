@@ -272,9 +272,9 @@ void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float b
 
 void previewPhysics(World& world) {
     constexpr float kTick = 1.0f / 60.0f;  // s
-    // Nobody says what an editor wrote, so all is compared.
+    // An editor writes without saying what: with the oldest mark everything counts as changed.
     PhysicsState& state = world.resource<PhysicsState>();
-    state.members = ~std::uint64_t{0};
+    state.members = {};
     state.mark = 0;
     syncBodies(world, kTick);
 }

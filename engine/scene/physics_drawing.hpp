@@ -39,7 +39,7 @@ private:
 /// @param list  looks at the screen: its picture is as large as what it is drawn to
 void drawPhysicsPanel(const World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list);
 
-/// Gives a world that nobody steps the bodies of its components, so that they can be drawn.
+/// Gives a world that is not stepped the bodies of its components, so that they can be drawn.
 void previewPhysics(World& world);
 
 }  // namespace plumb

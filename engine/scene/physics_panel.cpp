@@ -18,10 +18,10 @@ namespace {
 
 constexpr float kLinesOfPicture = 1080.0f;  // px: of twice that height all is twice as large
 constexpr float kFewLines = 540.0f;         // px: below that height all is smaller
-constexpr float kTextSize = 13.0f;          // px
+constexpr float kPanelTextSize = 13.0f;     // px
 constexpr float kRow = 17.0f;               // px
 constexpr float kSwatch = 9.0f;             // px
-constexpr float kGap = 8.0f;                // px
+constexpr float kPanelGap = 8.0f;           // px
 constexpr float kLegendWidth = 120.0f;      // px
 constexpr float kNumbersWidth = 236.0f;     // px
 constexpr Color kBack{16, 18, 22, 205};
@@ -100,8 +100,8 @@ Panel::Shape Panel::shapeOn(Vec2 screen, const Stand& stand) const {
     const auto room = [](float size, float part) {
         return static_cast<std::size_t>(std::max(1.0f, size / part));
     };
-    const std::size_t most = room(screen.y / unit - 4.0f * kGap, kRow);
-    const std::size_t broadest = room(screen.x / unit - stand.free - 2.0f * kGap, stand.width);
+    const std::size_t most = room(screen.y / unit - 4.0f * kPanelGap, kRow);
+    const std::size_t broadest = room(screen.x / unit - stand.free - 2.0f * kPanelGap, stand.width);
     const std::size_t fewest = std::max<std::size_t>(1, (count_ + most - 1) / most);
     const std::size_t wanted = stand.right ? fewest : std::max(fewest, broadest);
     const std::size_t high = std::max<std::size_t>(1, (count_ + wanted - 1) / wanted);
@@ -115,33 +115,33 @@ void Panel::draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const
     const float width = stand.width;
     const auto [columns, high] = shapeOn(screen, stand);
     const Vec2 size =
-        Vec2{width * static_cast<float>(columns), kRow * static_cast<float>(high) + 2.0f * kGap} * unit;
-    const float margin = kGap * unit;
+        Vec2{width * static_cast<float>(columns), kRow * static_cast<float>(high) + 2.0f * kPanelGap} * unit;
+    const float margin = kPanelGap * unit;
     const Vec2 corner{stand.right ? screen.x - size.x - margin : margin, screen.y - size.y - margin};
     list.filledRect({corner, corner + size}, kBack, kBackLayer);
     labels.setPixelScale(1.0f);
     TextStyle style;
-    style.shape.size = kTextSize * unit;
+    style.shape.size = kPanelTextSize * unit;
     style.layer = kTextLayer;
     for (std::size_t i = 0; i < count_; ++i) {
         const Row& row = rows_[i];
-        const Vec2 at =
-            corner +
-            Vec2{width * static_cast<float>(i / high), kGap + kRow * static_cast<float>(i % high)} * unit;
+        const Vec2 at = corner + Vec2{width * static_cast<float>(i / high),
+                                      kPanelGap + kRow * static_cast<float>(i % high)} *
+                                     unit;
         const auto write = [&](std::string_view words, float x, TextAlign align) {
             style.shape.align = align;
             style.color = row.kind == Kind::Heading ? kDim : kText;
             labels.write(words, at + Vec2{x * unit, 0.0f}, style, list);
         };
-        float left = kGap;
+        float left = kPanelGap;
         if (row.kind == Kind::Color) {
-            const Vec2 swatch = at + Vec2{kGap, (kRow - kSwatch) * 0.5f} * unit;
+            const Vec2 swatch = at + Vec2{kPanelGap, (kRow - kSwatch) * 0.5f} * unit;
             list.filledRect({swatch, swatch + Vec2{kSwatch, kSwatch} * unit}, row.swatch, kTextLayer);
-            left += kSwatch + kGap;
+            left += kSwatch + kPanelGap;
         }
         write(row.label, left, TextAlign::Left);
         if (row.end > 0)
-            write({row.value.data(), static_cast<std::size_t>(row.end)}, width - kGap, TextAlign::Right);
+            write({row.value.data(), static_cast<std::size_t>(row.end)}, width - kPanelGap, TextAlign::Right);
     }
 }
 
@@ -221,7 +221,7 @@ void drawPhysicsPanel(const World& world, const PhysicsShown& shown, LabelDrawin
     if ((shown.any() & kPhysicsCounts) != 0 && state != nullptr)
         writeCounts(state->world, state == running ? physics::lastStepOf(running->world) : nullptr, numbers);
     const Panel::Stand right{kNumbersWidth, true, 0.0f};
-    const float taken = numbers.widthOn(list.view().size, right) + 2.0f * kGap;
+    const float taken = numbers.widthOn(list.view().size, right) + 2.0f * kPanelGap;
     legend.draw(labels, list, {kLegendWidth, false, taken});
     numbers.draw(labels, list, right);
 }

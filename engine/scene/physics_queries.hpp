@@ -12,7 +12,7 @@ namespace plumb {
 struct QueryFilter {
     std::uint32_t layers = 1;          ///< bits: what the query is, for the masks of others
     std::uint32_t mask = 0xffffffffu;  ///< bits: what it meets
-    EntityId except;                   ///< nobody, or one that it does not see
+    EntityId except;                   ///< empty, or one that it does not see
     bool triggers = false;             ///< triggers too
     bool oneWay = true;                ///< one-way surfaces too, from above
     bool movers = true;                ///< bodies that move too

@@ -25,7 +25,7 @@ struct PhysicsSettings {
     float pixelsPerMetre = 64.0f;  ///< px
     physics::Settings tolerances;  ///< all but gravity and stayEvents; metres
     bool stayEvents = true;        ///< ContactStayed and TriggerStayed in each tick that a contact goes on
-    std::uint32_t effectsOff = 0;  ///< bits of physics::Manifest that do not run whoever calls for them
+    std::uint32_t effectsOff = 0;  ///< bits of physics::Manifest that never run
 
     void addTo(Hasher& hasher) const {
         hasher.add(gravity.x), hasher.add(gravity.y), hasher.add(pixelsPerMetre);
@@ -41,9 +41,17 @@ struct BodyLink {
     Vec2 velocity;                 ///< px/s: the same for its velocity
     float angularVelocity = 0.0f;  ///< rad/s
     std::uint64_t outlines = 0;    ///< what its shapes were made from
-    std::uint64_t seen = 0;        ///< the last full sync that found its components
     bool hasParent = false;        ///< moves when another one does
     bool driven = false;           ///< its Transform moves it in this tick, not its velocity
+};
+
+/// An entity that needs a body.
+struct BodyArrival {
+    std::uint64_t order = 0;  ///< arrivals get their bodies in this order
+    EntityId entity;
+
+    friend bool operator==(const BodyArrival&, const BodyArrival&) = default;
+    friend bool operator<(const BodyArrival& a, const BodyArrival& b) { return a.order < b.order; }
 };
 
 /// The bodies of a tile layer.
@@ -94,14 +102,24 @@ struct SoftLinkage {
     std::uint64_t seen = 0;
 };
 
+/// Counters that grow whenever an entity gets or loses a component of a group (World::memberships).
+struct PhysicsMembers {
+    std::uint64_t bodies = 0;
+    std::uint64_t joints = 0;
+    std::uint64_t fields = 0;
+    std::uint64_t softBodies = 0;
+
+    friend bool operator==(const PhysicsMembers&, const PhysicsMembers&) = default;
+};
+
 /// The simulated bodies of a world and whose they are. A resource: snapshots and the hash include it.
 struct PhysicsState {
     physics::World world;
     PixelScale scale;
-    std::vector<BodyLink> links;         ///< by body index; nobody for what is no entity's own
+    std::vector<BodyLink> links;         ///< by body index; empty for bodies that belong to no entity
     std::vector<std::uint32_t> bodyOf;   ///< by entity index: body index + 1, 0 for none
     std::vector<std::uint32_t> carried;  ///< bodies of entities that have a parent
-    std::vector<std::uint32_t> stirred;  ///< of these, those above whom something was put elsewhere
+    std::vector<std::uint8_t> stale;     ///< by body: of the sync in hand, what differs from its entity
     std::vector<std::uint32_t> driven;   ///< kinematic bodies
     std::vector<std::uint32_t> stepped;  ///< bodies that were awake before the step
     std::vector<std::uint8_t> grounded;  ///< by body, in the last step
@@ -112,13 +130,16 @@ struct PhysicsState {
     std::vector<SoftLinkage> softBodies;
     std::vector<physics::CastHit> hits;  ///< of the query in hand
     std::vector<physics::ShapeId> found;
-    physics::BodyId ground;          ///< what joints with nobody are tied to
-    std::vector<EntityId> refused;   ///< whose numbers were bad, so that each is told once
-    std::vector<EntityId> unplaced;  ///< those who have no body for that
-    std::uint64_t syncs = 0;         ///< full ones
-    std::uint64_t members = 0;       ///< who has what, when it was last looked at
-    std::uint64_t mark = 0;          ///< what was written before it is known
-    std::uint64_t carriedMark = 0;   ///< the same for what is above somebody: with what the step moved
+    physics::BodyId ground;               ///< what joints with one entity are tied to
+    std::vector<EntityId> refused;        ///< whose numbers were bad, so that each is reported once
+    std::vector<EntityId> unplaced;       ///< of these, those without a body
+    std::vector<BodyArrival> arrived;     ///< of the sync in hand
+    std::vector<std::uint32_t> departed;  ///< of the sync in hand: bodies whose entities need none any more
+    std::uint64_t syncs = 0;              ///< those for which an entity had got or lost a component
+    std::uint64_t visits = 0;       ///< entities compared because components came or went, since the start
+    PhysicsMembers members;         ///< at the last sync
+    std::uint64_t mark = 0;         ///< what was written before it is known
+    std::uint64_t carriedMark = 0;  ///< the same for bodies with a parent: includes what the step moved
 
     void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
 };

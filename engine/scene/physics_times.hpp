@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// How long the stages of a world's physics take, while somebody watches. A service of that world: has to
+/// How long the stages of a world's physics take, while they are shown. A service of that world: has to
 /// outlive it, or at least its last tick.
 class PhysicsTimes {
 public:
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] std::span<const Row> rows() const { return rows_; }
 
     // For the physics.
-    /// Where to measure; null when nobody watches.
+    /// Where to measure; null while they are not shown.
     [[nodiscard]] Profile* profile() { return watching_ ? &profile_ : nullptr; }
     void endStep();
     /// Counts what another profile measured of a tick: a world has one at a time.

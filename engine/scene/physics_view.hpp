@@ -21,7 +21,7 @@ struct PhysicsLayer {
     unsigned bit;    ///< of a set of layers
     Key key;         ///< with Ctrl: shows or hides it in the player
     bool withShift;  ///< with Ctrl and Shift
-    bool atFirst;    ///< shown until somebody chooses
+    bool atFirst;    ///< shown until the user chooses
     bool ofBodies;   ///< can be shown of some bodies alone
 };
 std::span<const PhysicsLayer> physicsLayers();
@@ -39,7 +39,7 @@ enum class PhysicsReach : std::uint8_t { Off, Selected, All };
 
 /// What is drawn of the physics in a frame.
 struct PhysicsShown {
-    unsigned layers = 0;      ///< bits of PhysicsLayer: of everybody
+    unsigned layers = 0;      ///< bits of PhysicsLayer: of all bodies
     unsigned ofSelected = 0;  ///< of those alone:
     std::span<const EntityId> selected{};
     const PhysicsTimes* times = nullptr;
@@ -60,7 +60,7 @@ struct PhysicsView {
     }
     [[nodiscard]] PhysicsReach reachOf(const PhysicsLayer& layer) const;
     void setReach(const PhysicsLayer& layer, PhysicsReach reach);
-    /// Shows a layer of everybody, and the view with it, or hides it.
+    /// Shows a layer of all bodies, and the view with it, or hides it.
     void toggle(const PhysicsLayer& layer);
     /// F3 shows or hides all; while it is shown, Ctrl and a digit its layers, Ctrl+Shift and a digit the
     /// rest.

@@ -7,12 +7,12 @@
 
 namespace plumb {
 
-/// A sound that begins in this tick. Emitted by the simulation, heard by whoever plays sounds: the tick tells
+/// A sound that begins in this tick. Emitted by the simulation, heard by what plays sounds: the tick tells
 /// a sound that a replayed tick brings again from a new one.
 struct PlaySound {
     SoundId sound;
     float volume = 1.0f;  ///< ratio
-    EntityId source;      ///< who made it, or nobody
+    EntityId source;      ///< what made it, or empty
     std::uint64_t tick = 0;
 };
 

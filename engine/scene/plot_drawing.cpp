@@ -16,10 +16,10 @@ namespace plumb {
 
 namespace {
 
-constexpr float kTextSize = 14.0f;   // px
-constexpr float kLine = 18.0f;       // px from one line of text to the next
-constexpr float kGap = 10.0f;        // px around everything
-constexpr float kScaleRoom = 64.0f;  // px left of the curves, for the numbers of the scale
+constexpr float kPlotTextSize = 14.0f;  // px
+constexpr float kLine = 18.0f;          // px from one line of text to the next
+constexpr float kPlotGap = 10.0f;       // px around everything
+constexpr float kScaleRoom = 64.0f;     // px left of the curves, for the numbers of the scale
 constexpr float kMostLegend =
     150.0f;  // px right of the curves: "velocity Verlet" with room; the rest is theirs
 constexpr float kTicksPerSecond = 60.0f;
@@ -71,9 +71,9 @@ public:
     void draw(EntityId entity, const PlotPast& past) {
         const Vec2 size{plot_.width, plot_.height};
         list_.filledRect({corner_, corner_ + size}, plot_.background, plot_.layer);
-        write(world_.texts().find(plot_.text), {kGap, kGap * 0.6f}, plot_.color, TextAlign::Left);
-        curves_ = {corner_ + Vec2{kGap + kScaleRoom, kGap + kLine * 1.4f},
-                   corner_ + size - Vec2{kGap + legendWidth(), kGap}};
+        write(world_.texts().find(plot_.text), {kPlotGap, kPlotGap * 0.6f}, plot_.color, TextAlign::Left);
+        curves_ = {corner_ + Vec2{kPlotGap + kScaleRoom, kPlotGap + kLine * 1.4f},
+                   corner_ + size - Vec2{kPlotGap + legendWidth(), kPlotGap}};
         const Span span = spanOf(plot_, past, entity);
         drawScale(span);
         int row = 0;
@@ -90,7 +90,7 @@ private:
 
     void write(std::string_view text, Vec2 at, Color color, TextAlign align) {
         TextStyle style;
-        style.shape.size = kTextSize;
+        style.shape.size = kPlotTextSize;
         style.shape.align = align;
         style.color = color;
         style.layer = plot_.layer;
@@ -116,8 +116,9 @@ private:
             const float y = curves_.max.y - span.partOf(value) * (curves_.max.y - curves_.min.y);
             list_.line({curves_.min.x, y}, {curves_.max.x, y}, line);
             const float shown = plot_.powers ? exponential(value * 2.302585093f) : value;
-            write(roughNumber(shown), Vec2{curves_.min.x - kGap * 0.6f, y - kTextSize * 0.62f} - corner_,
-                  plot_.color, TextAlign::Right);
+            write(roughNumber(shown),
+                  Vec2{curves_.min.x - kPlotGap * 0.6f, y - kPlotTextSize * 0.62f} - corner_, plot_.color,
+                  TextAlign::Right);
         }
     }
 
@@ -136,13 +137,13 @@ private:
     }
 
     void drawLegend(const PlotPast::Curve& curve, const Legend& legend, int row) {
-        const float x = curves_.max.x - corner_.x + kGap;
+        const float x = curves_.max.x - corner_.x + kPlotGap;
         const float y = curves_.min.y - corner_.y + kLine * 2.0f * static_cast<float>(row);
         write(legend.name, {x, y}, legend.color, TextAlign::Left);
         const std::string value = curve.same             ? "the same bits"
                                   : curve.values.empty() ? std::string{}
                                                          : roughNumber(curve.values.back());
-        write(value, {x + kGap, y + kLine * 0.9f}, legend.color, TextAlign::Left);
+        write(value, {x + kPlotGap, y + kLine * 0.9f}, legend.color, TextAlign::Left);
     }
 
     const World& world_;

@@ -20,7 +20,7 @@ bool presses(const physics::Contact& contact, float slop) {
            std::min(contact.separation0, contact.separation1) <= slop;
 }
 
-/// Notes who stands on something.
+/// Notes which bodies stand on something.
 void findGrounded(const PhysicsState& state, std::vector<std::uint8_t>& grounded) {
     const physics::World& world = state.world;
     grounded.assign(world.bodies.size(), 0);

@@ -22,11 +22,11 @@ struct AssetName {
     }
 };
 
-/// The assets that the components of a world name, whoever made them: sorted, each once.
+/// The assets that the components of a world name: sorted, each once.
 std::vector<AssetName> namedAssets(const World& world, const TypeRegistry& types);
 
 /// Keeps the assets that a world names, and the files of its scenes, in the store, and those only: what two
-/// scenes share stays loaded when one follows the other, what nobody names any more may be unloaded.
+/// scenes share stays loaded when one follows the other, what is named no more may be unloaded.
 class SceneAssets {
 public:
     explicit SceneAssets(AssetStore& assets) : assets_{assets} {}

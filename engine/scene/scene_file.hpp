@@ -35,7 +35,7 @@ struct LoadReport {
     std::vector<Error> problems;
 };
 
-/// Adds a scene to a world, from the text of a `.scene.json`. What is broken is left out and told.
+/// Adds a scene to a world, from the text of a `.scene.json`. What is broken is left out and reported.
 /// @param path  the scene's name: its path in the project
 /// @error       nothing can be loaded: no JSON, no scene, a newer format. The world is as before.
 Result<LoadReport> loadScene(World& world, const SceneContext& context, std::string_view path,

@@ -379,7 +379,7 @@ void SceneReader::keepField(const TypeInfo& type, const std::string& key, const 
          field == nullptr || field->transient ? Json() : fieldToJson(*field, object, fields_)});
 }
 
-/// Where nobody knows which effects there are, nothing can be wrong with them.
+/// Where the list of effects is not known, nothing can be wrong with them.
 void SceneReader::checkEffects() {
     const auto* table = world_.service<const EffectTable>();
     if (table == nullptr || scene_.effects.empty()) return;
@@ -398,7 +398,7 @@ LoadReport SceneReader::finish() {
         if (parent && setParent(world_, link.child, parent)) continue;
         kept(link.id).parent = link.parent;
         const bool skipped = std::find(skippedIds_.begin(), skippedIds_.end(), id) != skippedIds_.end();
-        if (skipped) continue;  // told already
+        if (skipped) continue;  // reported already
         parent ? problem(link.where, "the entity would be inside itself",
                          "give one of the circle another parent; it has none now")
                : problem(link.where, format("no entity has the id {}", foundText(link.parent)),

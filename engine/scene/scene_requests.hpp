@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// What the simulation wants to happen to scenes after this tick. A resource; whoever keeps the scenes reads
+/// What the simulation wants to happen to scenes after this tick. A resource; the owner of the scenes reads
 /// and empties it between ticks.
 struct SceneRequests {
     TextId next;           ///< path of the scene to go to, or to lay over the current one; empty for none

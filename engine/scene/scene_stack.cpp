@@ -68,9 +68,18 @@ void pause(World& world, const std::vector<EntityId>& below, LoadedScene& overla
     physics = {};
 }
 
+Result<LoadReport> loadText(World& world, const SceneContext& context, std::string_view path,
+                            const std::string& text) {
+    Result<LoadReport> report = loadScene(world, context, path, text);
+    AssetStore* assets = world.service<AssetStore>();
+    if (report.ok() && assets != nullptr) loadAssets(world, context.types, *assets);
+    return report;
+}
+
 }  // namespace
 
-Result<LoadReport> switchScene(World& world, const SceneContext& context, std::string_view path) {
+Result<LoadReport> switchScene(World& world, const SceneContext& context, std::string_view path,
+                               const std::string* text) {
     // The new scene comes first: when it cannot be read, the old ones go on.
     const std::vector<SceneId> before = loadedIds(world);
     const std::vector<EntityId> entities = world.entities();
@@ -82,7 +91,8 @@ Result<LoadReport> switchScene(World& world, const SceneContext& context, std::s
     };
     const bool again = std::find(before.begin(), before.end(), sceneId(path)) != before.end();
     if (again) leave();
-    Result<LoadReport> report = loadSceneFile(world, context, path);
+    Result<LoadReport> report =
+        text != nullptr ? loadText(world, context, path, *text) : loadSceneFile(world, context, path);
     if (report.ok() && !again) leave();
     return report;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "core/result.hpp"
@@ -17,8 +18,10 @@ struct PhysicsState;
 
 /// Goes to a scene: loads it and takes all others away, with all entities that code made since. Persistent
 /// ones stay, with their children.
+/// @param text  stands for the file, as an editor has it; null: the file is read
 /// @error the file cannot be read; the scenes before are still there, but when it is one of them
-Result<LoadReport> switchScene(World& world, const SceneContext& context, std::string_view path);
+Result<LoadReport> switchScene(World& world, const SceneContext& context, std::string_view path,
+                               const std::string* text = nullptr);
 
 /// Lays a scene over those that are there. Its Overlay component says whether they stand still (as they do
 /// without one) and whether they hear the player.

@@ -17,8 +17,6 @@ namespace plumb {
 
 namespace {
 
-constexpr float kSecondsPerTick = 1.0f / 60.0f;
-
 Color shaded(Color color, float light) {
     const auto part = [light](std::uint8_t value) {
         return static_cast<std::uint8_t>(std::clamp(static_cast<float>(value) * light, 0.0f, 255.0f));
@@ -33,7 +31,7 @@ public:
                 DrawList& list)
         : scale_{state.scale},
           particles_{body.particles},
-          back_{(1.0f - alpha) * kSecondsPerTick},
+          back_{(1.0f - alpha) * static_cast<float>(kSecondsPerTick)},
           look_{look},
           list_{list} {}
 

@@ -29,7 +29,7 @@ struct SoftRow {
 };
 
 template <class Component>
-constexpr SoftRow row() {
+constexpr SoftRow softRow() {
     SoftRow row{};
     row.find = [](const World& world, EntityId entity) -> const SoftLook* {
         return world.find<Component>(entity);
@@ -52,7 +52,7 @@ constexpr SoftRow row() {
     return row;
 }
 
-constexpr SoftRow kSoft[] = {row<Rope>(), row<Cloth>(), row<Jelly>()};
+constexpr SoftRow kSoft[] = {softRow<Rope>(), softRow<Cloth>(), softRow<Jelly>()};
 
 /// The body that an entity has of a kind, if it lives.
 const SoftLinkage* linkageOf(const PhysicsState& state, EntityId entity, std::size_t kind) {
@@ -63,7 +63,7 @@ const SoftLinkage* linkageOf(const PhysicsState& state, EntityId entity, std::si
     return nullptr;
 }
 
-std::uint64_t madeFrom(const SoftRow& row, const SoftLook& look, Vec2 place) {
+std::uint64_t softHash(const SoftRow& row, const SoftLook& look, Vec2 place) {
     Hasher hasher;
     row.addTo(look, hasher);
     hasher.add(place.x), hasher.add(place.y);
@@ -92,7 +92,7 @@ public:
         if (look == nullptr) return;
         const SoftRow& row = kSoft[linkage.kind];
         const Vec2 place = worldPose(world_, linkage.entity).position;
-        const std::uint64_t from = madeFrom(row, *look, place);
+        const std::uint64_t from = softHash(row, *look, place);
         if (from == linkage.made) return;
         linkage.made = from;
         physics::destroySoftBody(state_.world, linkage.body);

@@ -12,7 +12,7 @@ struct SoftLook;
 
 /// Ropes, cloth and jellies are made where their components say. One whose component or place changes is made
 /// anew.
-/// @param all  somebody got or lost one
+/// @param all  an entity got or lost one
 void followSoftBodies(World& world, PhysicsState& state, bool all);
 
 /// Grows whenever some entity gets or loses a soft body.

@@ -11,7 +11,7 @@ namespace plumb {
 Vec2 tileSizeOf(const World& world, const TileLayer& layer);
 
 /// Terrains follow their tile layers; of a changed grid only the parts around changed cells are made anew.
-/// @param all  somebody got or lost one
+/// @param all  an entity got or lost one
 void followTiles(World& world, PhysicsState& state, bool all);
 
 }  // namespace plumb

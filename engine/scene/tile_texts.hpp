@@ -11,11 +11,11 @@ namespace plumb {
 using BlockStamps = std::array<std::uint64_t, 16>;
 
 /// How files have blocks of tiles: the text that a block was read from, or packed into. No two changes of the
-/// program share a stamp, so a text is right for whoever has a block with these stamps: the world it was read
-/// into, a copy of that in another thread, a step that was undone. So what nobody changed is written with the
-/// very bytes that the file had, whoever packed them, and is not packed again.
+/// program share a stamp, so a text is right for every block with these stamps: the world it was read
+/// into, a copy of that in another thread, a step that was undone. So what was not changed is written with
+/// the very bytes that the file had, and is not packed again.
 ///
-/// One for the whole program, for any thread. Texts that nobody asked for lately are dropped.
+/// One for the whole program, for any thread. Texts that were not asked for lately are dropped.
 
 void rememberTileText(const BlockStamps& stamps, const std::string& text);
 /// Nothing when it is not known.

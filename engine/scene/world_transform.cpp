@@ -63,7 +63,7 @@ void storePreviousTransforms(World& world) {
         world.each<Transform>(store);  // but for the paused ones
     } else {
         world.eachChangedSince<Transform>(stored.mark, [&world](EntityId entity) {
-            // Who looks for changes has nothing to learn from this one: it is not noted.
+            // This is no change of the game's: it is not noted.
             auto* transform = const_cast<Transform*>(std::as_const(world).find<Transform>(entity));
             if (!isStored(*transform) && !world.has<Paused>(entity)) store(*transform);
         });

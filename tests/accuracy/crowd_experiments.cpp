@@ -27,7 +27,7 @@ void pour(Trial& trial, int count, int row, float wide) {
     }
 }
 
-/// A small scene: crates on crates and a ball that falls on them, around the origin.
+/// A small scene: stacked crates and a ball that falls on them, around the origin.
 std::vector<BodyHandle> smallScene(Trial& trial) {
     std::vector<BodyHandle> bodies{trial.addFixed(scenes::box({10.0f, 1.0f}), {0.0f, -1.0f})};
     for (int i = 0; i < 5; ++i)

@@ -10,10 +10,10 @@ namespace {
 
 constexpr Material kElastic{.friction = 0.0f, .bounciness = 1.0f};
 
-/// How high a ball comes that falls 2 m, and keeps `kept` of its speed in each bounce.
+/// Bounce heights of a ball that falls 2 m and keeps `kept` of its speed in each bounce.
 void bounceTrain(Trial& trial, double kept, int count, double seconds, double target) {
     constexpr double kHeight = 2.0;  // m under the ball
-    // The floor too: some take the larger of both, some multiply.
+    // The floor needs it too: some engines use the larger of both, some multiply.
     const Material material{.friction = 0.0f, .bounciness = static_cast<float>(kept)};
     trial.floor(material);
     const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, 2.5f}, material);
@@ -29,7 +29,7 @@ void bounceTrain(Trial& trial, double kept, int count, double seconds, double ta
         const double error = height / (wanted * kHeight) - 1.0;
         worst = std::fabs(error) > std::fabs(worst) ? error : worst;
     });
-    // Who never came back up so often lost it all.
+    // A ball that did not come back up that often lost all of its height.
     trial.report("height", bounces < count ? 100.0 : std::fabs(worst) * 100.0, "%", target);
     if (kept == 1.0) trial.report("gained", std::max(worst, 0.0) * 100.0, "%", 0.005);
 }
@@ -57,7 +57,7 @@ void bullet(Trial& trial) {
     trial.run(kEnd);
     double late = 0.0, passed = 0.0;
     for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
-        // It flies back as fast as it came, so where it is says when it hit.
+        // It flies back with the same speed, so its position gives the time of the hit.
         const double hit = kEnd + (trial.x(bullets[i]) + kThin + kRadius) / kSpeeds[i];
         late = std::max(late, std::fabs(hit - hitTime(i)));
         if (trial.x(bullets[i]) > 0.0) passed += 1.0;

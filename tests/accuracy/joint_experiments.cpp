@@ -12,7 +12,7 @@ namespace {
 constexpr double kMillimetres = 1000.0;
 constexpr Material kGhost{.group = -1};  // its bodies never meet
 
-/// Twenty links that hang from a pin at the origin, and a ball `ratio` times as heavy as one.
+/// Twenty links that hang from a pin at the origin, and a ball of `ratio` times the mass of a link.
 void hangingChain(Trial& trial, float ratio, double target) {
     BodyHandle last = trial.pin({});
     Vec2 hold;
@@ -30,7 +30,7 @@ void hangingChain(Trial& trial, float ratio, double target) {
     trial.report("", std::hypot(trial.x(ball), trial.y(ball) + 10.5) * kMillimetres, "mm", target);
 }
 
-/// Of the second half of the time, since that is what is seen.
+/// Over the second half of the time, because that is what is visible.
 void reportJoints(Trial& trial, double seconds, double mean, double most) {
     double sum = 0.0, largest = 0.0;
     int count = 0;
@@ -54,7 +54,7 @@ void catenary(Trial& trial) {
     constexpr int kRods = 40;
     constexpr double kLength = 0.25, kSpan = 8.0;  // m: of a rod, between the posts
     const auto link = static_cast<float>(kLength);
-    // It starts as a V of the same length, and the air slows it down until it hangs still.
+    // It starts as a V of the same length, and drag slows it down until it hangs still.
     const double steep = std::acos(kSpan / (kRods * kLength));
     BodyHandle last = trial.pin({});
     Vec2 hold;
@@ -90,7 +90,7 @@ void catenary(Trial& trial) {
         y += stepY;
     }
     trial.report("place", place * kMillimetres, "mm", 1.0);
-    trial.report("curve", curve / -low * 100.0, "%", 1.0);  // of its sag; rods are not quite a rope
+    trial.report("curve", curve / -low * 100.0, "%", 1.0);  // of its sag; rods are not exactly a rope
 }
 
 void ballAndChain(Trial& trial) {

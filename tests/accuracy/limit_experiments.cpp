@@ -6,20 +6,20 @@
 #include "tests/accuracy/experiments.hpp"
 #include "tests/accuracy/formulas.hpp"
 
-// Of what just holds, and just does not: the same thing a little on both sides of its limit.
+// Stability limits: the same structure slightly on both sides of its limit.
 
 namespace plumb::accuracy {
 
 namespace {
 
-/// One that stands or falls by so many percent.
+/// A structure that is stable or unstable by so many percent.
 struct Candidate {
-    double percent = 0.0;  ///< above 0 it must give way
+    double percent = 0.0;  ///< above 0 it must fail
     BodyHandle body;
     scenes::Pose start;
 };
 
-/// Percent: the furthest from the limit that still did the wrong thing.
+/// Percent: the largest distance from the limit with a wrong result.
 double worstWrong(Trial& trial, const std::vector<Candidate>& candidates, double seconds, double moved) {
     trial.run(seconds);
     double worst = 0.0;
@@ -32,7 +32,7 @@ double worstWrong(Trial& trial, const std::vector<Candidate>& candidates, double
     return worst;
 }
 
-/// `make` builds one that far from its limit, at the right of `x` (m).
+/// `make` builds one at that distance from its limit, to the right of `x` (m).
 template <class Make>
 std::vector<Candidate> lineUp(Trial& trial, std::span<const double> percents, double pitch, Make&& make) {
     std::vector<Candidate> all;
@@ -49,7 +49,7 @@ std::vector<Candidate> lineUp(Trial& trial, std::span<const double> percents, do
 
 Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
-/// Stones of equal angle in half a ring of radius 10 m around `x`; the one at the top is given back.
+/// Stones of equal angle in a half ring of radius 10 m around `x`; returns the top one.
 BodyHandle halfRing(Trial& trial, double x, double thickness, double radius) {
     constexpr int kStones = 41;
     const Material rough{.friction = 2.0f};

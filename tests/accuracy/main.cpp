@@ -1,5 +1,5 @@
-// Experiments with known answers: what each way to simulate them reaches, in which time, beside what it
-// should.
+// Experiments with known results: error and
+// time of each method, compared with the goals.
 // ./plumb accuracy
 
 #include <cstdio>
@@ -27,7 +27,7 @@ namespace {
 using namespace plumb;
 using namespace plumb::accuracy;
 
-/// Says what runs, how much of all is done, and how long the rest takes.
+/// Prints the current run, the progress and the remaining time.
 class Teller {
 public:
     explicit Teller(bool loud) : loud_{loud} {}
@@ -40,9 +40,9 @@ public:
                                         progress.experiment->name, progress.method);
         if (isatty(STDERR_FILENO) != 0) {
             std::fprintf(stderr, "\r\033[K%s", what.c_str());
-        } else if (now - told_ > kPause) {
+        } else if (now - shown_ > kPause) {
             std::fprintf(stderr, "%s\n", what.c_str());
-            told_ = now;
+            shown_ = now;
         }
         std::fflush(stderr);
     }
@@ -51,9 +51,9 @@ public:
     }
 
 private:
-    static constexpr double kPause = 10.0;  // s between two lines, where they pile up
+    static constexpr double kPause = 10.0;  // s between two lines of output in a file
     double start_ = wallSeconds();
-    double told_ = start_;
+    double shown_ = start_;
     bool loud_;
 };
 
@@ -115,7 +115,7 @@ bool writeAll(const Options& options, const std::vector<Row>& rows, double secon
     return good;
 }
 
-/// The other engines that are installed here.
+/// The other engines that are installed.
 std::vector<scenes::Engine> comparedPeers() {
     std::vector<scenes::Engine> peers;
     for (const scenes::Engine& engine : scenes::peerEngines()) {

@@ -15,7 +15,7 @@ constexpr Material kElastic{.friction = 0.0f, .bounciness = 1.0f};
 void freeFall(Trial& trial) {
     const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, 100.0f});
     trial.run(2.0);
-    // Below a tenth of a millimetre is the rounding of a float.
+    // Errors below a tenth of a millimeter are float rounding.
     trial.report("", std::fabs(trial.y(ball) - (100.0 - 0.5 * kGravity * 4.0)) * 1000.0, "mm", 0.1);
 }
 
@@ -60,7 +60,7 @@ void rollingDisc(Trial& trial) {
     trial.report("way", std::fabs(trial.x(disc) + 20.0 - way) / way * 100.0, "%", 0.1);
 }
 
-/// A plank that rocks on a cylinder of 1 m without sliding swings on for ever, as high as it began.
+/// A plank that rocks on a cylinder of 1 m without sliding swings on for ever with the same amplitude.
 void rockingPlank(Trial& trial) {
     constexpr double kTilt = 0.2;                 // rad
     constexpr double kReach = 1.1, kSwung = 0.2;  // m: centre over the cylinder's; rolled off its middle
@@ -70,7 +70,7 @@ void rockingPlank(Trial& trial) {
     const Vec2 centre{static_cast<float>(sine * kReach - kSwung * cosine),
                       static_cast<float>(cosine * kReach + kSwung * sine)};
     const BodyHandle plank = trial.add(scenes::box({1.0f, 0.1f}), centre, kRough, static_cast<float>(-kTilt));
-    double tilt = 0.0;  // largest of the last two seconds, more than a swing
+    double tilt = 0.0;  // maximum over the last two seconds, more than a period
     trial.run(10.0, [&](double time) {
         if (time > 8.0) tilt = std::max(tilt, std::fabs(trial.angle(plank)));
     });
@@ -135,7 +135,7 @@ void obliqueDiscs(Trial& trial) {
     const BodyHandle b = trial.add(scenes::circle(0.5f), {0.0f, 0.0f}, kElastic);
     trial.setVelocity(a, {4.0f, 0.0f});
     trial.run(2.0);
-    // What goes along the normal changes hands, what goes across it stays.
+    // The components along the normal are exchanged, those across it stay.
     const double along = 4.0 * 0.8;
     const Vec2 va = trial.velocity(a), vb = trial.velocity(b);
     const double ax = static_cast<double>(va.x) - (4.0 - along * 0.8),

@@ -13,7 +13,7 @@ constexpr Material kGhost{.group = -1};           // its bodies never meet
 constexpr double kDisc = 0.1;                     // m: radius of a bob
 constexpr double kInertia = 0.5 * kDisc * kDisc;  // m2: of a disc, for each kilogram
 
-/// A disc at the end of a rigid arm of 1 m that is pinned to the origin.
+/// A disc at the end of a rigid arm of 1 m that is attached to the origin.
 BodyHandle hangBob(Trial& trial, double amplitude) {
     const Vec2 place{static_cast<float>(std::sin(amplitude)), static_cast<float>(-std::cos(amplitude))};
     const BodyHandle hook = trial.pin({});
@@ -22,7 +22,7 @@ BodyHandle hangBob(Trial& trial, double amplitude) {
     return bob;
 }
 
-/// Times of passing through the lowest point, between two steps by a straight line.
+/// Times of passing through the lowest point, interpolated linearly between two steps.
 class Passes {
 public:
     void look(double time, double angle) {
@@ -45,7 +45,7 @@ void swingPeriod(Trial& trial, double degrees, double seconds) {
     const BodyHandle bob = hangBob(trial, amplitude);
     Passes passes;
     trial.run(seconds, [&](double time) { passes.look(time, std::atan2(trial.x(bob), -trial.y(bob))); });
-    // A disc on an arm swings as a point a little further out does.
+    // A disc on an arm swings like a point slightly further out.
     const double wanted = pendulumPeriod(amplitude, 1.0 + kInertia, kGravity);
     trial.report("period", std::fabs(passes.period() / wanted - 1.0) * 100.0, "%", 0.1);
 }
@@ -54,7 +54,7 @@ void swingPeriod(Trial& trial, double degrees, double seconds) {
 
 void pendulum(Trial& trial) {
     const BodyHandle bob = hangBob(trial, 0.5 * std::numbers::pi);
-    // Its energy, as a height: of the last second, in which it swings through all heights.
+    // Its energy, as a height: over the last second, in which it passes all heights.
     double lost = 0.0;
     trial.run(10.0, [&](double time) {
         if (time < 9.0) return;
@@ -86,7 +86,7 @@ void doublePendulum(Trial& trial) {
         energy += 0.5 * static_cast<double>(lengthSquared(trial.velocity(body))) +
                   0.5 * kInertia * spin * spin + kGravity * trial.y(body);
     }
-    // Hanging straight down it would have lost 3 m times its weight.
+    // At the lowest point it would have lost 3 m times its weight.
     trial.report("energy", std::fabs(energy) / (3.0 * kGravity) * 100.0, "%", 0.1);
 }
 

@@ -10,10 +10,9 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kPatience =
-    8.0;  // s of the clock for a scene; most heaps are chaotic and have no answer at all
+constexpr double kPatience = 8.0;  // s of wall time per scene; most heaps are chaotic and have no answer
 
-/// An answer takes seconds, and all ways to simulate a scene are judged by the same one.
+/// An answer takes seconds, and all methods for a scene are judged by the same one.
 const Result<reference::Answer>& answerOf(std::string_view scene, const physics::World& start,
                                           double seconds) {
     static std::map<std::string, Result<reference::Answer>, std::less<>> known;
@@ -36,7 +35,7 @@ std::optional<double> referenceError(std::string_view scene, const physics::Worl
         sum += std::hypot(place.x - body.centre.x, place.y - body.centre.y);
     }
     const double mean = sum / static_cast<double>(answer->bodies.size());
-    // An answer that is not a hundred times as exact cannot judge.
+    // An answer that is not a hundred times as accurate cannot be used.
     if (!answer->canJudge(mean)) return std::nullopt;
     return mean;
 }

@@ -7,12 +7,12 @@
 
 namespace plumb::accuracy {
 
-/// m: how far the bodies of a scene without an exact answer are from where the reference solver has them, as
-/// the mean over those that move; none where there is no such answer.
-/// @param scene    its name; what was worked out once may be kept by it, as all start alike
-/// @param start    as it was built, before its first step; its settings say how `end` was made and do not
-///                 count here, but for gravity
-/// @param end      the same world after `seconds`
+/// m: mean distance of the moving bodies of a scene without an exact answer from
+/// the result of the reference solver; nothing if that has no answer.
+/// @param scene its name; results may be cached by it, because all runs start alike
+/// @param start as built, before its first step; only its gravity counts, not its
+/// other settings
+/// @param end the same world after `seconds`
 std::optional<double> referenceError(std::string_view scene, const physics::World& start,
                                      const physics::World& end, double seconds);
 

@@ -11,9 +11,9 @@ namespace plumb::accuracy {
 namespace {
 
 constexpr double kMillimetres = 1000.0;
-constexpr Material kAlone{.mask = 0};  // meets nobody
+constexpr Material kAlone{.mask = 0};  // collides with nothing
 
-/// 1 kg, 1 m from a spring's fixed end, with what makes it swing at so many hertz.
+/// 1 kg, 1 m from a spring's fixed end, with the stiffness for so many hertz.
 BodyHandle hang(Trial& trial, double hertz, double damping) {
     const double omega = 2.0 * std::numbers::pi * hertz;
     const BodyHandle ball = trial.add(scenes::circle(0.1f), {1.0f, 0.0f}, kAlone);
@@ -72,7 +72,7 @@ void overdamped(Trial& trial) { damped(trial, 3.0); }
 
 void resonance(Trial& trial) {
     constexpr double kDamping = 0.05, kForce = 1.0, kTime = 40.0,
-                     kLook = 5.0;  // ratio, N, s, s: whole swings
+                     kLook = 5.0;  // ratio, N, s, s: whole periods
     const double omega = 2.0 * std::numbers::pi;
     const BodyHandle ball = trial.add(scenes::circle(0.1f), {}, kAlone);
     trial.setMass(ball, 1.0f);
@@ -81,7 +81,7 @@ void resonance(Trial& trial) {
                                              .strength = static_cast<float>(omega * omega),
                                              .damping = static_cast<float>(2.0 * kDamping * omega),
                                              .a = trial.id(ball)}));
-    // A force holds for a whole step; that of the step's middle is the best there is.
+    // A force is constant over a step; that of the step's middle is the best choice.
     const double half = 0.5 / 60.0;
     trial.drive([&](double time) {
         const auto force = static_cast<float>(kForce * std::cos(omega * (time + half)));
@@ -94,7 +94,7 @@ void resonance(Trial& trial) {
         sine += trial.x(ball) * std::sin(omega * time) * 2.0 / (60.0 * kLook);
     });
     trial.drive({});
-    // Held for a step, the force is a little less than the smooth one.
+    // Constant over a step, the force is slightly weaker than the smooth one.
     const double held = std::sin(omega * half) / (omega * half);
     const double wanted = held * kForce / (2.0 * kDamping * omega * omega);
     trial.report("swing", std::fabs(std::hypot(cosine, sine) / wanted - 1.0) * 100.0, "%", 1.0);

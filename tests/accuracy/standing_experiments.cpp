@@ -68,7 +68,7 @@ void stackOf20(Trial& trial) {
     const std::vector<BodyHandle> crates = stackUp(trial, 20);
     trial.run(10.0);
     trial.report("", std::fabs(trial.y(crates.back()) - 19.5) * kMillimetres, "mm", 5.0);
-    // What a level carries is the weight of those above it.
+    // Each level carries the weight of those above it.
     double worst = 0.0;
     for (std::size_t level = 1; level < crates.size(); ++level) {
         const auto push = trial.pushBetween(crates[level - 1], crates[level]);

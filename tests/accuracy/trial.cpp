@@ -78,7 +78,7 @@ void Trial::run(double seconds, const std::function<void(double)>& look) {
         spent_.push_back(wallSeconds() - start);
         if (2 * i >= steps && count_ != nullptr) allocated_ += count_() - before, ++countedSteps_;
         time_ = ++steps_ / 60.0;
-        // Some engines never end a step of a world that has come apart.
+        // Some engines never finish a step of a world that fell apart.
         if (plumb_ == nullptr && steps_ % 8 == 0 && scenes::isLost(*scene_)) lost_ = true;
         if (lost_) return;
         if (!(fastest() < Metrics::kRest)) moved_ = time_;
@@ -101,13 +101,13 @@ double Trial::fastest() const {
     for (std::uint32_t i = 0; i < scene_->bodies().size(); ++i) {
         if (!scene_->alive({i}) || !scene_->isDynamic({i})) continue;
         const float speed = length(scene_->velocityOf({i}));
-        if (!(speed <= best)) best = speed;  // also what is no number
+        if (!(speed <= best)) best = speed;  // also NaN
     }
     return static_cast<double>(best);
 }
 
 std::optional<double> Trial::pushBetween(BodyHandle a, BodyHandle b) {
-    // At automatic quality islands have substeps of their own, and contacts keep the impulse of the last.
+    // With automatic quality islands have different substeps, and contacts store the last substep's impulse.
     if (plumb_ == nullptr || method_.quality == physics::kQualityOfWorld) return std::nullopt;
     const std::uint32_t first = id(a).index, second = id(b).index;
     double impulse = 0.0;

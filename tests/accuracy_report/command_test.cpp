@@ -62,7 +62,7 @@ TEST(OnThreads, everythingIsDoneOnceAndCounted) {
     EXPECT_GE(processors(), 1);
 }
 
-TEST(TimeLeft, isInProportionOnceItCanBeTold) {
+TEST(TimeLeft, isInProportionOnceItIsKnown) {
     EXPECT_EQ(timeLeft(1.0, 0.5), "");
     EXPECT_EQ(timeLeft(30.0, 0.001), "");
     EXPECT_EQ(timeLeft(30.0, 1.0), "");

@@ -313,17 +313,17 @@ TEST(Sweep, triesWhatASceneHas) {
 TEST(Sweep, givesARowForEachFigureAndOneOfThemIsTheMainOne) {
     SweepOptions options = quickly();
     options.scene = "freefall";
-    std::size_t told = 0;
+    std::size_t reported = 0;
     const std::vector<Row> rows = sweep(
         options,
         [&](const Progress& progress) {
-            ++told;
-            EXPECT_EQ(progress.number, told);
+            ++reported;
+            EXPECT_EQ(progress.number, reported);
             EXPECT_LT(progress.part, 1.0);
         },
         [](std::span<const Row>) {});
-    EXPECT_EQ(told, methodsOf(*findExperiment("freefall"), options).size());
-    ASSERT_EQ(rows.size(), told);
+    EXPECT_EQ(reported, methodsOf(*findExperiment("freefall"), options).size());
+    ASSERT_EQ(rows.size(), reported);
     for (const Row& row : rows) {
         EXPECT_TRUE(row.main);
         EXPECT_TRUE(row.met()) << row.error;

@@ -44,7 +44,7 @@ class BrokenProjects : public ::testing::Test {
 protected:
     void SetUp() override {
         before_ = setLogSink([this](const LogLine& line) {
-            if (line.level >= LogLevel::Warning) told_.push_back(line.text);
+            if (line.level >= LogLevel::Warning) reported_.push_back(line.text);
         });
         heal();
         write("../outside/secret.png", pngOf(4, 4));
@@ -81,7 +81,7 @@ protected:
         ASSERT_TRUE(game.openScene(kScene).ok());
         text_ = sceneToJson(game.world, game.context(), sceneId(kScene));
         write(kScene, text_);
-        told_.clear();
+        reported_.clear();
     }
 
     /// Plays and draws five ticks as the player does.
@@ -105,12 +105,12 @@ protected:
 
     /// One sentence about it, and nothing else is missing or lost.
     void expectOneError(const std::string& where, const std::string& what) {
-        told_.clear();
+        reported_.clear();
         play();
         EXPECT_FALSE(failed_);
         EXPECT_EQ(entities_, kEntities);
         EXPECT_EQ(saved_, text_);
-        expectTold(where, what);
+        expectReported(where, what);
     }
     /// Of each of these in turn in place of the file at `path`, and of no file there.
     void expectOneErrorOfEach(const std::string& path,
@@ -123,11 +123,11 @@ protected:
         remove(path);
         expectOneError(path, "");
     }
-    void expectTold(const std::string& where, const std::string& what) {
-        ASSERT_EQ(told_.size(), 1u) << ::testing::PrintToString(told_);
-        EXPECT_NE(told_[0].find(where), std::string::npos) << told_[0];
-        EXPECT_NE(told_[0].find(what), std::string::npos) << told_[0];
-        EXPECT_NE(told_[0].find("; "), std::string::npos) << "no remedy: " << told_[0];
+    void expectReported(const std::string& where, const std::string& what) {
+        ASSERT_EQ(reported_.size(), 1u) << ::testing::PrintToString(reported_);
+        EXPECT_NE(reported_[0].find(where), std::string::npos) << reported_[0];
+        EXPECT_NE(reported_[0].find(what), std::string::npos) << reported_[0];
+        EXPECT_NE(reported_[0].find("; "), std::string::npos) << "no remedy: " << reported_[0];
     }
 
     static constexpr const char* kTileset =
@@ -150,7 +150,7 @@ protected:
     test::TemporaryFolder folder_;
     Path root_ = folder_.path / "project";
     LogSink before_;
-    std::vector<std::string> told_;
+    std::vector<std::string> reported_;
     std::string text_, saved_;
     std::size_t entities_ = 0;
     bool failed_ = false;
@@ -158,12 +158,12 @@ protected:
 
 TEST_F(BrokenProjects, theWholeOneTellsNothing) {
     play();
-    EXPECT_TRUE(told_.empty()) << ::testing::PrintToString(told_);
+    EXPECT_TRUE(reported_.empty()) << ::testing::PrintToString(reported_);
     EXPECT_EQ(entities_, kEntities);
     EXPECT_EQ(saved_, text_);
 }
 
-TEST_F(BrokenProjects, aPictureThatCannotBeShownIsOneErrorWhoeverUsesIt) {
+TEST_F(BrokenProjects, aPictureThatCannotBeShownIsOneErrorForAllItsUsers) {
     const std::string good = pngOf(64, 64);
     std::string torn = good;
     for (std::size_t i = good.size() / 2; i < good.size(); ++i) torn[i] = static_cast<char>(i * 7);
@@ -295,16 +295,16 @@ TEST_F(BrokenProjects, aProjectThatCannotBeReadIsOneErrorAndNothingStarts) {
     for (const auto& [bytes, what] : kinds) {
         SCOPED_TRACE(bytes.substr(0, 80));
         write("project.json", bytes);
-        told_.clear();
+        reported_.clear();
         entities_ = 0;
         play();
         EXPECT_EQ(entities_, 0u);
-        expectTold("", what);
+        expectReported("", what);
     }
     remove("project.json");
-    told_.clear();
+    reported_.clear();
     play();
-    expectTold("project.json", "");
+    expectReported("project.json", "");
 }
 
 TEST_F(BrokenProjects, aWrongValueInTheProjectIsOneWarningAndTheGameRuns) {
@@ -334,16 +334,16 @@ TEST_F(BrokenProjects, aSceneOrAFolderThatLeadsOutOfTheProjectIsNotRead) {
     link(kScene, "main.scene.json");
     play();
     EXPECT_TRUE(failed_);
-    expectTold(kScene, "leaves the project");
+    expectReported(kScene, "leaves the project");
     heal();
 
     write("scenes/linked.scene.json", text_);
     std::filesystem::create_directory_symlink(folder_.path / "outside", root_ / "link");
     write("project.json", R"({"startScene": "link/main.scene.json"})");
-    told_.clear();
+    reported_.clear();
     play();
     EXPECT_TRUE(failed_);
-    expectTold("link/main.scene.json", "leaves the project");
+    expectReported("link/main.scene.json", "leaves the project");
 }
 
 }  // namespace

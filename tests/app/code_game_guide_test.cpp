@@ -143,7 +143,7 @@ TEST_F(ShownShooter, itShootsAtWhatTheMouseShowsAndCounts) {
     EXPECT_EQ(world.count<Coin>(), 5u);
     const Entity hero = game_.find("hero");
     ASSERT_TRUE(hero);
-    EXPECT_FALSE(game_.find("nobody"));
+    EXPECT_FALSE(game_.find("missing"));
     tickGame(game_, InputFrame{});  // rays see what was there when the physics last ran
     const Entity coin = world.first<Coin>();
     click(coin.get<Transform>().position + Vec2{5.0f, 5.0f});
@@ -167,13 +167,13 @@ TEST_F(ShownShooter, textsThatChangeDoNotPileUp) {
     EXPECT_EQ(game_.world.texts().size(), before);
 }
 
-TEST_F(ShownShooter, aMissingPrefabIsToldAndNothingIsMade) {
+TEST_F(ShownShooter, aMissingPrefabIsReportedAndNothingIsMade) {
     const std::size_t before = game_.world.entityCount();
-    std::string told;
-    const LogSink sink = setLogSink([&](const LogLine& line) { told += line.text; });
+    std::string logged;
+    const LogSink sink = setLogSink([&](const LogLine& line) { logged += line.text; });
     EXPECT_FALSE(game_.spawn("dragon.prefab.json", {}));
     setLogSink(sink);
-    EXPECT_NE(told.find("dragon.prefab.json"), std::string::npos);
+    EXPECT_NE(logged.find("dragon.prefab.json"), std::string::npos);
     EXPECT_EQ(game_.world.entityCount(), before);
 }
 

@@ -7,7 +7,7 @@
 #include "tests/app/effect_games.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// Devices of the player open for who calls for them, and stay closed otherwise.
+// Devices of the player open when something calls for them, and stay closed otherwise.
 
 namespace plumb {
 namespace {
@@ -31,7 +31,7 @@ protected:
     std::unique_ptr<Screen> screen;
 };
 
-TEST_F(EffectDevices, gamepadsAreOpenedForWhoHearsThePlayer) {
+TEST_F(EffectDevices, gamepadsAreOpenedForWhatHearsThePlayer) {
     PileGame alone, menu;
     menu.world.createEntity().addComponent<Menu>();
     play(alone, 3);

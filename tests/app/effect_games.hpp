@@ -11,7 +11,7 @@
 
 namespace plumb::test {
 
-/// A pile of crates in a game that has every system. Nobody calls for anything but the physics.
+/// A pile of crates in a game that has every system. Nothing but the physics is called for.
 class PileGame : public Game {
 public:
     /// @param without  an effect whose systems are left out
@@ -20,7 +20,7 @@ public:
         for (const SystemRow& system : systemTable()) {
             if (without.empty() || system.effect != without) system.add(world);
         }
-        world.resource<PictureSize>();  // as a scene has it, whoever looks
+        world.resource<PictureSize>();  // as a scene has it
         Entity floor = world.createEntity();
         floor.addComponent<Transform>(-400.0f, 200.0f);
         floor.addComponent<BoxCollider>(1200, 20);

@@ -24,12 +24,12 @@ std::string tableOf(PileGame& game) {
     return effectText(reportEffects(game.world, game.effects, nullptr, 0));
 }
 
-TEST(EffectList, saysWhatRunsAndForWhom) {
+TEST(EffectList, saysWhatRunsAndForWhat) {
     PileGame game;
     game.play(1);
     const std::string before = tableOf(game);
     EXPECT_EQ(lineOf(before, "particles"),
-              "  particles            no    -                 -       -         -  nobody: ParticleEmitter");
+              "  particles            no    -                 -       -         -  none of: ParticleEmitter");
     EXPECT_EQ(lineOf(before, "gravity"),
               "  gravity              yes   -                 -       -         -  RigidBody (12)");
     EXPECT_NE(lineOf(before, "sound").find("no "), std::string::npos);

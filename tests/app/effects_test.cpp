@@ -15,8 +15,8 @@
 #include "scene/scene_file.hpp"
 #include "tests/app/effect_games.hpp"
 
-// What holds of each effect of a game: who does not have it does not run it, whoever has it for nobody moves
-// as if it was not there, and who needs what the scene pins off is told.
+// What holds of each effect of a game: a game without it does not run it, one that has it without need moves
+// as if it was not there, and a component that needs what the scene pins off is reported.
 
 namespace plumb {
 namespace {
@@ -36,7 +36,7 @@ TEST_P(EveryGameEffect, isNotRunInASceneWithoutIt) {
     EXPECT_EQ(game.effects.runsOf(game.world, GetParam()), 0u);
 }
 
-TEST_P(EveryGameEffect, isRunWhileSomebodyCallsForItAndNoLonger) {
+TEST_P(EveryGameEffect, isRunWhileSomethingCallsForItAndNoLonger) {
     if (rowOf(GetParam()).name == "tile_animation") return;  // a tileset calls for it: EffectDevices
     ASSERT_FALSE(rowOf(GetParam()).callers.empty());
     for (const EffectCaller& caller : rowOf(GetParam()).callers) {
@@ -58,7 +58,7 @@ TEST_P(EveryGameEffect, isRunWhileSomebodyCallsForItAndNoLonger) {
     }
 }
 
-TEST_P(EveryGameEffect, pinnedOffIsNotRunWhoeverCalls) {
+TEST_P(EveryGameEffect, pinnedOffIsNotRunWhateverCalls) {
     if (!hasSystem(GetParam())) return;
     PileGame game;
     game.effects.setProgram(rowOf(GetParam()).name, Pin::Off);
@@ -70,7 +70,7 @@ TEST_P(EveryGameEffect, pinnedOffIsNotRunWhoeverCalls) {
     EXPECT_FALSE(game.effects.runs(game.world, GetParam()));
 }
 
-TEST_P(EveryGameEffect, leavesEveryBitAsItIsWhenPinnedOnForNobody) {
+TEST_P(EveryGameEffect, leavesEveryBitAsItIsWhenPinnedOnForNothing) {
     PileGame off, on;
     on.effects.setProgram(rowOf(GetParam()).name, Pin::On);
     for (int i = 0; i < 120; ++i) {
@@ -108,7 +108,7 @@ std::string sceneWith(std::string_view effects, std::string_view component, std:
 
 class EveryEffectRow : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EveryEffectRow, tellsWhoNeedsItWhereItIsPinnedOff) {
+TEST_P(EveryEffectRow, tellsWhatNeedsItWhereItIsPinnedOff) {
     const EffectRow& row = rowOf(GetParam());
     for (const EffectCaller& caller : row.callers) {
         for (const char* pin : {"off", "on", "auto"}) {
@@ -118,16 +118,16 @@ TEST_P(EveryEffectRow, tellsWhoNeedsItWhereItIsPinnedOff) {
             const Result<LoadReport> report =
                 loadScene(game.world, {game.types}, "scenes/a.scene.json", text);
             ASSERT_TRUE(report.ok()) << text;
-            const auto told =
+            const auto reported =
                 std::find_if(report->problems.begin(), report->problems.end(), [&](const Error& problem) {
                     return problem.where == format("scenes/a.scene.json: effects.{}", row.name);
                 });
             const bool wrong = std::string_view{pin} == "off" && !row.byDefault;
-            ASSERT_EQ(told != report->problems.end(), wrong) << text;
+            ASSERT_EQ(reported != report->problems.end(), wrong) << text;
             if (!wrong) continue;
-            EXPECT_NE(told->what.find("torch @0000000000000007"), std::string::npos) << told->text();
-            EXPECT_NE(told->what.find(caller.type().name), std::string::npos) << told->text();
-            EXPECT_FALSE(told->remedy.empty());
+            EXPECT_NE(reported->what.find("torch @0000000000000007"), std::string::npos) << reported->text();
+            EXPECT_NE(reported->what.find(caller.type().name), std::string::npos) << reported->text();
+            EXPECT_FALSE(reported->remedy.empty());
             EXPECT_EQ(report->loaded, 1u);
             game.effects.followScenes(game.world);
             EXPECT_FALSE(game.effects.runs(game.world, GetParam()));
@@ -243,7 +243,7 @@ TEST(Effects, aScenePinsThoseOfThePhysicsToo) {
     EXPECT_EQ(falls.effects.runsOf(falls.world, "gravity"), 30u);
 }
 
-TEST(Effects, aSceneWithPinsIsSavedByteForByteAndUnknownOnesAreTold) {
+TEST(Effects, aSceneWithPinsIsSavedByteForByteAndUnknownOnesAreReported) {
     const std::string text = R"({
   "format": 1,
   "effects": {
@@ -268,7 +268,7 @@ TEST(Effects, aSceneWithPinsIsSavedByteForByteAndUnknownOnesAreTold) {
     EXPECT_EQ(sceneToJson(game.world, {game.types}, report->scene), text);
 }
 
-TEST(Effects, anOverlayThatNeedsWhatTheSceneBelowPinsOffIsTold) {
+TEST(Effects, anOverlayThatNeedsWhatTheSceneBelowPinsOffIsReported) {
     Game game;
     auto& scenes = game.world.resource<LoadedScenes>().scenes;
     scenes.push_back(sceneThatSays(game.world, "below", {{"particles", "off"}}));

@@ -127,7 +127,7 @@ TEST(PhysicsLab, ghostsChangeNoBitOfTheScene) {
     }
 }
 
-TEST(PhysicsLab, theKeepersOfTheLabAreMadeForWhoHasThemOnly) {
+TEST(PhysicsLab, theKeepersOfTheLabAreMadeForScenesThatHaveThemOnly) {
     Playground pyramid{"pyramid"};
     pyramid.run(10);
     EXPECT_EQ(pyramid.game.world.findResource<Lab>(), nullptr);
@@ -168,7 +168,7 @@ TEST(NumberFields, areFoundReadAndWrittenByName) {
     EXPECT_EQ(NumberField::find(types, "ScenePhysics", "integrator")->read(&physics), 3.0f);
     for (const char* path : {"gravity", "gravity.z", "quality.x", "nothing", ""})
         EXPECT_FALSE(NumberField::find(types, "ScenePhysics", path)) << path;
-    EXPECT_FALSE(NumberField::find(types, "Nobody", "quality"));
+    EXPECT_FALSE(NumberField::find(types, "Nothing", "quality"));
     struct Signs {
         std::int8_t below = -3;
         std::uint32_t bits = 0xfffffff0u;

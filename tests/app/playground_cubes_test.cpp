@@ -64,7 +64,7 @@ TEST(PlaygroundCubes, theHeavyCubeIsHarderToPushThanTheLightOne) {
     EXPECT_GT(light, 3.0f * heavy);
 }
 
-TEST(PlaygroundCubes, theSpinningTriggerStopsNobodyAndColorsWhoIsInIt) {
+TEST(PlaygroundCubes, theSpinningTriggerStopsNothingAndColorsWhatIsInIt) {
     Playground play{"cubes"};
     const auto tint = [&] {
         return std::as_const(play.game.world).get<Sprite>(play.find("small cube")).tint;

@@ -46,13 +46,13 @@ TEST(PlaygroundGallery, theTumblerTurnsAndKeepsWhatIsInIt) {
 
 TEST(PlaygroundGallery, ragdollsStayWholeAndComeToRest) {
     Playground play{"ragdolls"};
-    const auto parts = [&](const char* who) { return play.places(who); };
+    const auto parts = [&](const char* name) { return play.places(name); };
     for (int i = 0; i < 60; ++i) {
         play.run(15);
-        for (const char* who : {"Ada", "Bo", "Cy", "Dee", "Eli"}) {
-            const Vec2 chest = play.at(std::string{who} + " chest");
-            EXPECT_NEAR(length(play.at(std::string{who} + " head") - chest), 54.0f, 3.0f) << who;
-            for (const Vec2 place : parts(who)) EXPECT_LT(length(place - chest), 130.0f) << who;
+        for (const char* name : {"Ada", "Bo", "Cy", "Dee", "Eli"}) {
+            const Vec2 chest = play.at(std::string{name} + " chest");
+            EXPECT_NEAR(length(play.at(std::string{name} + " head") - chest), 54.0f, 3.0f) << name;
+            for (const Vec2 place : parts(name)) EXPECT_LT(length(place - chest), 130.0f) << name;
         }
     }
     const std::vector<Vec2> before = parts("Ada");

@@ -2,6 +2,7 @@
 // reason. PLUMB_TYPE_SWAPS says how many files of each kind are read, 0 for all.
 
 #include <deque>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -13,21 +14,25 @@
 #include "assets/animation.hpp"
 #include "assets/tileset.hpp"
 #include "core/file.hpp"
+#include "import/import_file.hpp"
+#include "input/recorder.hpp"
 #include "platform/image_file.hpp"
-#include "scene/import/import_file.hpp"
 #include "scene/prefab.hpp"
 #include "scene/scene_file.hpp"
+#include "tests/support/attribute_swaps.hpp"
 #include "tests/support/foreign_maps.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_world.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/type_swaps.hpp"
+#include "tests/support/word_swaps.hpp"
 
 namespace plumb {
 namespace {
 
+using test::AttributeSwaps;
 using test::eachTypeSwap;
-using test::expectToldWell;
+using test::expectReportedWell;
 
 constexpr const char* kPath = "scenes/swapped.scene.json";
 constexpr const char* kPostPath = "prefabs/post.prefab.json";
@@ -77,11 +82,11 @@ struct TypeSwap : testing::Test {
     void read(const SceneContext& context, const std::string& text) {
         const Result<LoadReport> report = loadScene(game.world, context, kPath, text);
         if (report) {
-            expectToldWell(report->problems);
+            expectReportedWell(report->problems);
             const Result<Json> saved = parseJson(sceneToJson(game.world, context, sceneId(kPath)), kPath);
             EXPECT_TRUE(saved.ok()) << saved.error().text();
         } else {
-            expectToldWell(report.error());
+            expectReportedWell(report.error());
         }
         unloadScene(game.world, sceneId(kPath));
         game.world.clear();
@@ -122,8 +127,8 @@ TEST_F(TypeSwap, propertyPrefabs) {
     eachTypeSwap(samples, 4000, [&](std::size_t, const std::string& text) {
         library.add(kPostPath, text);
         const Result<const Prefab*> prefab = library.find(kPostPath);
-        if (!prefab) return expectToldWell(prefab.error());
-        expectToldWell((*prefab)->problems);
+        if (!prefab) return expectReportedWell(prefab.error());
+        expectReportedWell((*prefab)->problems);
         static_cast<void>(spawnPrefab(game.world, game.types, **prefab, {}));
         game.world.clear();
         read({game.types, &library}, kScene);
@@ -134,8 +139,8 @@ TEST_F(TypeSwap, propertyTilesets) {
     eachTypeSwap(textsOf(".tileset.json"), 500, [](std::size_t, const std::string& text) {
         std::vector<Error> problems;
         const Result<Tileset> tileset = parseTileset(text, "swapped.tileset.json", problems);
-        expectToldWell(problems);
-        if (!tileset) return expectToldWell(tileset.error());
+        expectReportedWell(problems);
+        if (!tileset) return expectReportedWell(tileset.error());
         EXPECT_TRUE(parseJson(writeTileset(*tileset), "written").ok());
     });
 }
@@ -144,8 +149,8 @@ TEST_F(TypeSwap, propertyAnimations) {
     eachTypeSwap(textsOf(".anim.json"), 1500, [](std::size_t, const std::string& text) {
         std::vector<Error> problems;
         const Result<AnimationSet> set = parseAnimationSet(text, "swapped.anim.json", problems);
-        expectToldWell(problems);
-        if (!set) return expectToldWell(set.error());
+        expectReportedWell(problems);
+        if (!set) return expectReportedWell(set.error());
         EXPECT_TRUE(parseJson(writeAnimationSet(*set), "written").ok());
     });
 }
@@ -153,8 +158,17 @@ TEST_F(TypeSwap, propertyAnimations) {
 TEST_F(TypeSwap, propertyProjects) {
     eachTypeSwap(textsOf("project.json"), 4000, [](std::size_t, const std::string& text) {
         const Result<Project> project = projectFromText(text, "root", "project.json");
-        if (!project) return expectToldWell(project.error());
-        expectToldWell(project->warnings);
+        if (!project) return expectReportedWell(project.error());
+        expectReportedWell(project->warnings);
+    });
+}
+
+TEST_F(TypeSwap, propertyReplays) {
+    const std::string replay = *readFile(test::sourceFolder() / "tests/replay/platformer.replay");
+    test::eachSwap<test::WordSwaps>({replay}, 500, [](std::size_t, const std::string& text) {
+        const Result<Replay> read = parseReplay(text, "swapped.replay");
+        if (!read) return expectReportedWell(read.error());
+        EXPECT_TRUE(parseReplay(writeReplay(*read), "written").ok());
     });
 }
 
@@ -183,7 +197,7 @@ constexpr const char* kTiledMap =
   {"type": "group", "id": 4, "name": "all", "layers": [
    {"type": "imagelayer", "id": 5, "name": "sky", "image": "art.png", "parallaxx": 0.5, "repeatx": true},
    {"type": "objectgroup", "id": 6, "name": "things", "objects": [
-    {"id": 1, "name": "box", "x": 1, "y": 2, "width": 3, "height": 4, "rotation": 10, "visible": true},
+    {"id": 1, "name": "box", "type": "Door", "x": 1, "y": 2, "width": 3, "height": 4, "rotation": 10, "visible": true},
     {"id": 2, "x": 1, "y": 2, "gid": 2, "width": 8, "height": 8},
     {"id": 3, "x": 1, "y": 2, "ellipse": true, "width": 8, "height": 8},
     {"id": 4, "x": 1, "y": 2, "point": true},
@@ -205,6 +219,34 @@ constexpr const char* kNamedFrames =
     R"({"frames": {"a": {"frame": {"x": 0, "y": 0, "w": 8, "h": 8}, "duration": 100}},
  "meta": {"image": "art.png"}})";
 
+/// A map whose tileset and object are in files of their own.
+constexpr const char* kMapOfParts =
+    R"({"type": "map", "orientation": "orthogonal", "width": 2, "height": 2, "tilewidth": 8, "tileheight": 8,
+ "tilesets": [{"firstgid": 1, "source": "art.tsj"}], "layers": [
+  {"type": "tilelayer", "id": 1, "name": "ground", "width": 2, "height": 2, "data": [1, 2, 3, 4]},
+  {"type": "objectgroup", "id": 2, "name": "things", "objects": [
+   {"id": 1, "x": 8, "y": 8, "gid": 1, "width": 8, "height": 8},
+   {"id": 2, "x": 1, "y": 2, "template": "hero.tj"}]}]})";
+constexpr const char* kTileset =
+    R"({"type": "tileset", "name": "art", "image": "art.png", "imagewidth": 16, "imageheight": 16,
+ "tilewidth": 8, "tileheight": 8, "tilecount": 4, "columns": 2, "spacing": 0, "margin": 0, "objectalignment": "top",
+ "tilerendersize": "grid", "fillmode": "stretch", "tileoffset": {"x": 1, "y": 2},
+ "tiles": [{"id": 0, "type": "wall", "x": 0, "y": 0, "width": 8, "height": 8, "probability": 0.5,
+   "animation": [{"tileid": 0, "duration": 100}, {"tileid": 1, "duration": 50}],
+   "objectgroup": {"type": "objectgroup", "objects": [{"id": 1, "x": 0, "y": 0, "width": 8, "height": 8, "rotation": 9},
+    {"id": 2, "x": 4, "y": 4, "polygon": [{"x": 0, "y": 0}, {"x": 4, "y": 0}, {"x": 4, "y": 4}]},
+    {"id": 3, "x": 4, "y": 4, "polyline": [{"x": 0, "y": 0}, {"x": 4, "y": 0}]},
+    {"id": 4, "x": 1, "y": 1, "width": 6, "height": 4, "ellipse": true}]}}],
+ "terrains": [{"name": "dirt", "tile": 0}],
+ "wangsets": [{"name": "dirt", "type": "mixed", "tile": -1, "colors": [{"name": "dirt", "color": "#ff0000", "tile": 0,
+   "probability": 1}], "wangtiles": [{"tileid": 2, "wangid": [0, 1, 0, 1, 0, 1, 0, 1]}]}]})";
+constexpr const char* kTemplate = R"({"type": "template", "tileset": {"firstgid": 1, "source": "art.tsj"},
+ "object": {"name": "hero", "type": "player", "gid": 2, "width": 8, "height": 8, "rotation": 45, "visible": true,
+  "properties": [{"name": "lives", "type": "int", "value": 3}]}})";
+constexpr const char* kTemplateXml = R"(<template><tileset firstgid="1" source="art.tsj"/>
+ <object name="hero" type="player" gid="2" width="8" height="8" rotation="45" visible="1"><properties>
+  <property name="lives" type="int" value="3"/></properties></object></template>)";
+
 struct ImportSwap : TypeSwap {
     test::TemporaryFolder folder{test::memoryFolder()};
     const Path project = folder.path / "project";
@@ -215,24 +257,33 @@ struct ImportSwap : TypeSwap {
         EXPECT_TRUE(writeFile(project / "project.json", "{}").ok());
         for (const char* name : {"meadow.tmx", "meadow.tsx", "meadow.png", "brook.tmx"})
             EXPECT_TRUE(
-                writeFile(folder.path / name, *readFile(test::sourceFolder() / "tests/scene/maps" / name))
+                writeFile(folder.path / name, *readFile(test::sourceFolder() / "tests/import/maps" / name))
                     .ok());
     }
 
-    void import(const std::vector<std::string>& samples, const std::string& name, std::size_t usual) {
-        const Path file = folder.path / name;
-        eachTypeSwap(samples, usual, [&](std::size_t, const std::string& text) {
-            ASSERT_TRUE(writeFile(file, text).ok());
-            const Result<ImportReport> report = importFile(file, {}, project);
-            if (!report) return expectToldWell(report.error());
-            expectToldWell(report->problems);
+    void write(const std::string& name, const std::string& text) const {
+        EXPECT_TRUE(writeFile(folder.path / name, text).ok());
+    }
+    /// Puts what was swapped under `name`, and imports `map`, which names it where it is another file.
+    template <class Swaps = test::TypeSwaps>
+    void import(const std::vector<std::string>& samples, const std::string& name, std::size_t usual,
+                const std::string& map = "") {
+        test::eachSwap<Swaps>(samples, usual, [&](std::size_t, const std::string& text) {
+            std::ofstream{folder.path / name, std::ios::binary} << text;
+            const Result<ImportReport> report =
+                importFile(folder.path / (map.empty() ? name : map), {}, project);
+            if (!report) return expectReportedWell(report.error());
+            expectReportedWell(report->problems);
         });
+    }
+    static std::vector<std::string> samplesOf(std::initializer_list<std::string_view> endings) {
+        std::vector<std::string> samples;
+        for (const Path& file : test::foreignMaps(endings)) samples.push_back(*readFile(file));
+        return samples;
     }
     void importMaps(std::initializer_list<std::string_view> endings, const std::string& name,
                     std::size_t usual) {
-        std::vector<std::string> samples;
-        for (const Path& map : test::foreignMaps(endings)) samples.push_back(*readFile(map));
-        import(samples, name, usual);
+        import(samplesOf(endings), name, usual);
     }
 };
 
@@ -242,6 +293,40 @@ TEST_F(ImportSwap, propertyJsonOfUnknownKind) { importMaps({".world"}, "all.json
 TEST_F(ImportSwap, propertyLdtkProjects) { importMaps({"island.ldtk"}, "island.ldtk", 80); }
 TEST_F(ImportSwap, propertyLdtkProjectsOfOthers) { importMaps({".ldtk"}, "other.ldtk", 10); }
 TEST_F(ImportSwap, propertyAsepriteSheets) { import({kSheet, kNamedFrames}, "sheet.json", 100); }
+
+TEST_F(ImportSwap, propertyTiledTilesetsAndTemplatesInJson) {
+    write("parts.tmj", kMapOfParts);
+    write("art.tsj", kTileset);
+    write("hero.tj", kTemplate);
+    import({kTileset}, "art.tsj", 60, "parts.tmj");
+    write("art.tsj", kTileset);
+    import({kTemplate}, "hero.tj", 40, "parts.tmj");
+}
+
+TEST_F(ImportSwap, propertyProjectsOfTiled) {
+    constexpr const char* kProject = R"({"automappingRulesFile": "", "folders": ["."], "propertyTypes": [
+        {"id": 1, "name": "Door", "type": "class", "color": "#ff0000", "drawFill": true, "useAs": ["object"], "members": [
+         {"name": "locked", "type": "bool", "value": true}, {"name": "way", "type": "string", "propertyType": "Way", "value": "up"},
+         {"name": "light", "type": "class", "propertyType": "Door", "value": {"far": 9}}]},
+        {"id": 2, "name": "Way", "type": "enum", "storageType": "string", "values": ["up", "down"]}]})";
+    write("map.tmj", kTiledMap);
+    import({kProject}, "game.tiled-project", 100, "map.tmj");
+}
+
+// ---- the same in XML
+
+TEST_F(ImportSwap, propertyAttributesOfTiledMaps) {
+    import <AttributeSwaps>(samplesOf({"meadow.tmx", "brook.tmx", "forest.tmx", "sandbox.tmx"}), "map.tmx",
+                            200);
+}
+TEST_F(ImportSwap, propertyAttributesOfTiledTilesets) {
+    import <AttributeSwaps>(samplesOf({"meadow.tsx"}), "meadow.tsx", 100, "meadow.tmx");
+}
+TEST_F(ImportSwap, propertyAttributesOfTiledTemplates) {
+    write("parts.tmj", kMapOfParts);
+    write("art.tsj", kTileset);
+    import <AttributeSwaps>({kTemplateXml}, "hero.tj", 60, "parts.tmj");
+}
 
 }  // namespace
 }  // namespace plumb

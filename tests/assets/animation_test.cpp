@@ -59,7 +59,7 @@ TEST(AnimationSet, theSeedsPlayerHasIdleRunAndJumpOnASheetOfFourCells) {
     }
 }
 
-TEST(AnimationSet, whatIsWrongInsideIsToldAndLeftOut) {
+TEST(AnimationSet, whatIsWrongInsideIsReportedAndLeftOut) {
     const std::string_view wrong[] = {R"({"clips": 1})",
                                       R"({"clips": [{"name": "a", "frames": []}]})",
                                       R"({"clips": [{"frames": [{"cell": [-1, 0]}]}]})",

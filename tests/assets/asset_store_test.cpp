@@ -145,7 +145,7 @@ TEST_F(AssetStoreTest, aTilesetBringsItsPictureAndIsReloadedWithIt) {
     EXPECT_EQ(assets_.references(AssetKind::Texture, textId("player.png")), 1);
 }
 
-TEST_F(AssetStoreTest, whatNobodyNeedsIsUnloadedAndLoadsAgain) {
+TEST_F(AssetStoreTest, whatHasNoUsersIsUnloadedAndLoadsAgain) {
     const TilesetId tiles = assets_.loadTileset("assets/cave.tileset.json");
     const TextureId player = assets_.loadTexture("player.png");
     const TextureId made = assets_.addTexture("made", placeholderImage());

@@ -104,7 +104,7 @@ TEST(Tileset, outlinesAreClockwiseAndSlopesMeetAtTheirEdges) {
     EXPECT_EQ(outlineOf(high, size)[1], (Vec2{16, 0}));
 }
 
-TEST(Tileset, unknownPropertiesAreToldAndWrittenBack) {
+TEST(Tileset, unknownPropertiesAreReportedAndWrittenBack) {
     std::vector<Error> problems;
     const Tileset tileset = parsed(
         R"({"format": 1, "colums": 3, "future": {"a": [1, 2]}, "tiles": [{"id": 0, "glow": 3}]})", problems);
@@ -117,7 +117,7 @@ TEST(Tileset, unknownPropertiesAreToldAndWrittenBack) {
     EXPECT_NE(text.find("\"colums\": 3"), std::string::npos);
 }
 
-TEST(Tileset, whatIsWrongInsideIsToldAndLeftOut) {
+TEST(Tileset, whatIsWrongInsideIsReportedAndLeftOut) {
     const std::string_view wrong[] = {R"({"tileSize": [0, 16]})",
                                       R"({"tileSize": "16"})",
                                       R"({"tileSize": [1e30, 1]})",

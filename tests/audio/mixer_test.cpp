@@ -29,35 +29,35 @@ std::string wavOf(std::uint32_t samples) {
            std::string(bytes, '\0');
 }
 
-/// Writes down what it is told.
+/// Writes down every call.
 class ListeningDevice final : public AudioDevice {
 public:
-    explicit ListeningDevice(std::vector<std::string>& told) : told_{told} {}
+    explicit ListeningDevice(std::vector<std::string>& calls) : calls_{calls} {}
 
     Result<SoundHandle> load(std::string_view wav, std::string_view where) override {
         const Result<WavHeader> header = readWavHeader(wav, where);
         if (!header) return header.error();
-        told_.push_back("load " + std::string{where});
+        calls_.push_back("load " + std::string{where});
         return loaded_++;
     }
-    void unload(SoundHandle) override { told_.push_back("unload"); }
+    void unload(SoundHandle) override { calls_.push_back("unload"); }
     Voice play(SoundHandle sound, float volume, float pan, bool looped) override {
-        told_.push_back(format("play {} {} {}{}", sound, volume, pan, looped ? " looped" : ""));
+        calls_.push_back(format("play {} {} {}{}", sound, volume, pan, looped ? " looped" : ""));
         return 0;
     }
     void adjust(Voice, float, float) override {}
-    void stop(Voice) override { told_.push_back("stop"); }
+    void stop(Voice) override { calls_.push_back("stop"); }
     [[nodiscard]] bool isPlaying(Voice) const override { return false; }
     Result<Done> playMusic(std::string_view, std::string_view where, bool, float) override {
-        told_.push_back("music " + std::string{where});
+        calls_.push_back("music " + std::string{where});
         return Done{};
     }
-    void setMusicVolume(float volume) override { told_.push_back(format("music volume {}", volume)); }
-    void stopMusic(float) override { told_.push_back("stop music"); }
+    void setMusicVolume(float volume) override { calls_.push_back(format("music volume {}", volume)); }
+    void stopMusic(float) override { calls_.push_back("stop music"); }
     void setPaused(bool) override {}
 
 private:
-    std::vector<std::string>& told_;
+    std::vector<std::string>& calls_;
     SoundHandle loaded_ = 0;
 };
 
@@ -77,13 +77,13 @@ protected:
     Mixer::OpenDevice listening() {
         return [this]() -> Result<std::unique_ptr<AudioDevice>> {
             ++opened_;
-            return std::unique_ptr<AudioDevice>{std::make_unique<ListeningDevice>(told_)};
+            return std::unique_ptr<AudioDevice>{std::make_unique<ListeningDevice>(calls_)};
         };
     }
 
     test::TemporaryFolder folder_;
     AssetStore assets_{folder_.path};
-    std::vector<std::string> told_;
+    std::vector<std::string> calls_;
     std::vector<std::string> log_;
     LogSink before_;
     int opened_ = 0;
@@ -101,10 +101,10 @@ TEST_F(MixerTest, theDeviceIsOpenedByTheFirstSoundAndTheFileIsLoadedOnce) {
     mixer.play(jump_, {.looped = true});
 
     EXPECT_EQ(opened_, 1);
-    EXPECT_EQ(told_, (std::vector<std::string>{"load jump.wav", "play 0 0.25 -1", "play 0 0.5 0 looped"}));
+    EXPECT_EQ(calls_, (std::vector<std::string>{"load jump.wav", "play 0 0.25 -1", "play 0 0.5 0 looped"}));
 }
 
-TEST_F(MixerTest, withoutADeviceTheGameIsSilentAndIsToldOnce) {
+TEST_F(MixerTest, withoutADeviceTheGameIsSilentAndOneWarningSaysSo) {
     int asked = 0;
     Mixer mixer{assets_, [&]() -> Result<std::unique_ptr<AudioDevice>> {
                     ++asked;
@@ -127,14 +127,14 @@ TEST_F(MixerTest, aHeadlessMixerNeverOpensADevice) {
     EXPECT_FALSE(mixer.isOpen());
 }
 
-TEST_F(MixerTest, missingAndBrokenSoundsAreSilentAndABrokenOneIsToldOnce) {
+TEST_F(MixerTest, missingAndBrokenSoundsAreSilentAndABrokenOneIsReportedOnce) {
     Mixer mixer{assets_, listening()};
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(mixer.play(bad_), -1);
         EXPECT_EQ(mixer.play(missing_), -1);
         EXPECT_EQ(mixer.play(SoundId{}), -1);
     }
-    EXPECT_TRUE(told_.empty());
+    EXPECT_TRUE(calls_.empty());
     EXPECT_EQ(log_.size(), 1u);
 }
 
@@ -145,8 +145,8 @@ TEST_F(MixerTest, aSoundThatWasEditedIsLoadedAgain) {
     EXPECT_EQ(assets_.pollChanges().size(), 1u);
     mixer.play(jump_);
 
-    EXPECT_EQ(told_, (std::vector<std::string>{"load jump.wav", "play 0 1 0", "unload", "load jump.wav",
-                                               "play 1 1 0"}));
+    EXPECT_EQ(calls_, (std::vector<std::string>{"load jump.wav", "play 0 1 0", "unload", "load jump.wav",
+                                                "play 1 1 0"}));
 }
 
 TEST_F(MixerTest, groupsAndMasterScaleTheMusicToo) {
@@ -156,8 +156,8 @@ TEST_F(MixerTest, groupsAndMasterScaleTheMusicToo) {
     mixer.setVolume(SoundGroup::Music, 0.5f);
     mixer.stopMusic();
 
-    EXPECT_EQ(told_, (std::vector<std::string>{"music volume 0.5", "music jump.wav", "music volume 0.5",
-                                               "music volume 0.25", "stop music"}));
+    EXPECT_EQ(calls_, (std::vector<std::string>{"music volume 0.5", "music jump.wav", "music volume 0.5",
+                                                "music volume 0.25", "stop music"}));
 }
 
 TEST_F(MixerTest, aTickThatIsRunAgainPlaysItsSoundsOnce) {
@@ -170,7 +170,7 @@ TEST_F(MixerTest, aTickThatIsRunAgainPlaysItsSoundsOnce) {
     for (std::uint64_t tick = 0; tick < 10; ++tick) runTick(tick);
     for (std::uint64_t tick = 4; tick < 12; ++tick) runTick(tick);  // a rollback of six ticks
 
-    EXPECT_EQ(std::count(told_.begin(), told_.end(), "play 0 1 0"), 6);
+    EXPECT_EQ(std::count(calls_.begin(), calls_.end(), "play 0 1 0"), 6);
 }
 
 TEST_F(MixerTest, aNewTimeBeginsFarBackOrWhenReset) {

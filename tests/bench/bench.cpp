@@ -12,13 +12,13 @@ namespace plumb::bench {
 
 namespace {
 
-constexpr double kShortestSample = 100e-6;  // s; below it the clock is felt
-constexpr std::size_t kFewestRounds = 15;
-constexpr std::size_t kFewestLongRounds = 3;
-constexpr std::size_t kMostRounds = 1000000;
-constexpr double kPatience = 3.0;  // s for each contestant; whoever takes longer runs fewer rounds
+constexpr double kShortestSample = 100e-6;  // s; shorter samples are affected by the resolution of the clock
+constexpr std::size_t kMinRounds = 15;
+constexpr std::size_t kMinLongRounds = 3;
+constexpr std::size_t kMaxRounds = 1000000;
+constexpr double kPatience = 3.0;  // s for each contestant; a slower one runs fewer rounds
 
-/// What reading the clock costs, in s.
+/// Cost of reading the clock, in s.
 double clockCost() {
     static const double cost = [] {
         double best = 1.0;
@@ -31,13 +31,13 @@ double clockCost() {
     return cost;
 }
 
-/// One contestant with its samples.
+/// A contestant and its samples.
 struct Lane {
     explicit Lane(const Contestant& one) : contestant{one} { calibrate(); }
 
-    /// By the wall's clock: what interrupts a run makes it longer and so never the best, while the clock of a
-    /// thread leaves out what it believes was taken from the machine, and has been seen to leave out too
-    /// much.
+    /// By wall time: an interruption makes a run longer, so that it
+    /// is never the best. The clock of a thread excludes time that
+    /// it believes was taken away, and sometimes excludes too much.
     double sample() {
         if (contestant.prepare) contestant.prepare();
         const double start = wallSeconds();
@@ -45,7 +45,7 @@ struct Lane {
         const double seconds = wallSeconds() - start - clockCost();
         return std::max(seconds, 0.0) / repeats;
     }
-    /// Runs that need no preparation are repeated until the clock is not felt.
+    /// Runs that need no preparation are repeated until the resolution of the clock does not matter.
     void calibrate() {
         const double first = sample();
         if (contestant.prepare || first > kShortestSample) return;
@@ -64,12 +64,12 @@ std::vector<Timing> race(std::span<const Contestant> contestants, const Options&
     std::vector<Lane> lanes(contestants.begin(), contestants.end());
     const double budget = (options.quick ? 0.02 : options.seconds) * static_cast<double>(lanes.size());  // s
     const double patience = kPatience * static_cast<double>(lanes.size());
-    const std::size_t fewest = options.quick ? kFewestLongRounds : kFewestRounds;
+    const std::size_t fewest = options.quick ? kMinLongRounds : kMinRounds;
     const double start = wallSeconds();
-    for (std::size_t round = 0; round < kMostRounds; ++round) {
+    for (std::size_t round = 0; round < kMaxRounds; ++round) {
         const double spent = wallSeconds() - start;
         if (round >= fewest && spent > budget) break;
-        if (round >= kFewestLongRounds && spent > patience) break;
+        if (round >= kMinLongRounds && spent > patience) break;
         for (Lane& lane : lanes) lane.samples.push_back(lane.sample());
     }
     std::vector<Timing> timings;

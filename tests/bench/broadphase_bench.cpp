@@ -1,4 +1,4 @@
-// The broad phases against each other: who is fastest where, and how cost grows with the number of bodies.
+// Compares the broad phases: which is fastest where, and how cost grows with the number of bodies.
 
 #include <algorithm>
 #include <array>

@@ -39,7 +39,7 @@ World makeWorld(IntegratorKind kind, Quality quality) {
     return world;
 }
 
-/// Bodies that one attractor pulls; they meet nobody.
+/// Bodies that one attractor pulls; they do not collide.
 World makeSwarm(IntegratorKind kind, Quality quality) {
     World world = makeWorld(kind, quality);
     for (int i = 0; i < kBodies; ++i) {

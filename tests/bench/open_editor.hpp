@@ -84,15 +84,15 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Runs it some times. The worst is not told: what else the machine does would be in it.
+/// Runs it some times. The maximum is not reported: it would include other work of the machine.
 /// @param clock  threadSeconds for what the target calls time of the processor, else wallSeconds
 Times timesOf(int rounds, double (*clock)(), const std::function<void(int)>& run);
 
 double medianOf(std::vector<double> seconds);
 
-/// Runs passes of frames at the pace of a display, so that what goes on beside them, as the journal does, has
-/// the time that it has while somebody works. What comes again in every pass is told as the worst: the
-/// longest frame of the best pass.
+/// Runs passes of frames at the pace of a display, so that work beside them, such
+/// as the journal, gets as much time as it has while a user edits. The reported
+/// maximum is what recurs in every pass: the longest frame of the best pass.
 Times pacedTimesOf(int passes, int frames, const std::function<void(int)>& run);
 
 /// How long one waits for the editor, for a game in it, and for files that other programs write: in

@@ -1,5 +1,5 @@
-// What 100,000 particles cost in a frame: to move and send them in a tick, to collect them into a draw list,
-// and to bring that list to a device that draws nothing. The target is that of the first two together.
+// Cost of 100,000 particles per frame: moving and emitting them in a tick, collecting them in a draw
+// list, and submitting that list to a device that draws nothing. The goal is the sum of the first two.
 
 #include <string>
 #include <vector>
@@ -29,7 +29,7 @@ struct Stage {
     ParticleSystem system;
     DrawList list;
 
-    /// Emitters that keep so many alive: as many die in each tick as are born.
+    /// Emitters that keep so many particles alive: as many are removed in each tick as are added.
     Stage(std::size_t emitters, std::size_t particles) {
         registerSceneComponents(types);
         device.keepsDraws = false;

@@ -32,7 +32,7 @@ constexpr int kLooking = 60;
 
 struct Hard {
     const char* name;
-    BodyId (*add)(World& world);  ///< @return who stays where it is, if the island holds
+    BodyId (*add)(World& world);  ///< @return the body that stays in place if the island holds
 };
 
 BodyId addCrate(World& world, WorldPosition at, float mass = 1.0f) {

@@ -14,10 +14,10 @@ namespace {
 
 constexpr PixelSize kWindow{1280, 720};
 constexpr double kTargetNs = 30.0;  ///< per sprite: 1.5 ms for 50,000
-constexpr std::size_t kMostDrawCalls = 8;
+constexpr std::size_t kMaxDrawCalls = 8;
 
-/// Mesa's no-op driver accepts everything and draws nothing: what is left is what a graphics card would leave
-/// to the processor. Other drivers ignore the word.
+/// Mesa's no-op driver accepts everything and draws nothing: what remains is the CPU
+/// time of an application with a graphics card. Other drivers ignore the variable.
 void askForTheNoopDriver() {
 #if !defined(_WIN32)
     setenv("GALLIUM_NOOP", "true", 0);
@@ -83,7 +83,7 @@ public:
 private:
     Stage() = default;
 
-    // In this order: the device must go before its window, the atlas before the device.
+    // In this order: the device must be destroyed before its window, the atlas before the device.
     std::unique_ptr<Window> window_;
     std::unique_ptr<GlDevice> device_;
     std::unique_ptr<TextureAtlas> atlas_;
@@ -135,7 +135,7 @@ int runRender(const Options& options) {
         rows.push_back(row("collect", item, timings[0], 0.0));
         rows.push_back(row("sort, fill, submit", item, timings[1], item.targetNs));
         for (std::size_t i = rows.size() - 2; i < rows.size(); ++i) print(rows[i]);
-        const bool few = stage->drawCalls() <= kMostDrawCalls;
+        const bool few = stage->drawCalls() <= kMaxDrawCalls;
         std::printf("    %zu draw call(s)%s\n", stage->drawCalls(), few ? "" : ": too many");
     }
     if (!options.jsonPath.empty() && !writeRows(options.jsonPath, rows)) return 1;

@@ -1,4 +1,4 @@
-// What it costs a game in the editor that its last 30 s can be gone back to.
+// Cost of recording the last 30 s of a game in the editor.
 
 #include <cstdio>
 #include <utility>
@@ -15,14 +15,14 @@ namespace plumb::bench {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0;                                 // s
-constexpr double kMost = 0.1;                                         // of the time of a frame
-constexpr std::int64_t kWarmUp = editor::PlayRecording::kTicks + 60;  // until old worlds are thrown away
+constexpr double kMax = 0.1;                                          // of the time of a frame
+constexpr std::int64_t kWarmUp = editor::PlayRecording::kTicks + 60;  // until old worlds are discarded
 
 struct Game {
     const char* name;
     const char* project;
     const char* scene;
-    int boxes = 0;  // in place of what the scene's file says
+    int boxes = 0;  // replaces that of the scene's file
 };
 constexpr Game kGames[] = {{"platformer", "platformer", "scenes/level2.scene.json"},
                            {"500 at rest", "physics-playground", "scenes/pyramid.scene.json", 500},
@@ -37,7 +37,7 @@ std::unique_ptr<editor::PlaySession> sessionOf(const Game& game) {
                                    game.boxes > 0 ? editor::heapScene(game.boxes) : *text);
 }
 
-/// What the same ticks take with and without being recorded, in s.
+/// Time of the same ticks with and without recording, in s.
 struct Cost {
     double plain = 0.0;
     double recorded = 0.0;
@@ -55,7 +55,7 @@ Cost costOf(const Game& game, std::int64_t ticks) {
         const InputFrame hands = editor::runAndJump(tick);
         double plain = 0.0;
         double recorded = 0.0;
-        // In turn, as whoever comes second finds less of his world in the caches.
+        // Alternate, because the second run finds less of its world in the caches.
         for (const bool records : {tick % 2 == 0, tick % 2 != 0}) {
             const double start = threadSeconds();
             records ? play.step(hands) : straight->tick(hands);
@@ -86,7 +86,7 @@ int runRewind(const Options& options) {
         const Cost cost = costOf(game, ticks);
         const auto count = static_cast<double>(ticks);
         const double more = (cost.recorded - cost.plain) / count;  // s
-        rows.push_back({game.name, 1, more * 1e9, more * 1e9, 0.0, kMost * kFrame * 1e9});
+        rows.push_back({game.name, 1, more * 1e9, more * 1e9, 0.0, kMax * kFrame * 1e9});
         std::printf("%-12s %9.1f %9.1f %9.1f %% %9.2f %% %14.1f %14.1f %7.1f  %s\n", game.name,
                     cost.plain / count * 1e6, cost.recorded / count * 1e6,
                     100.0 * (cost.recorded / cost.plain - 1.0), 100.0 * more / kFrame,

@@ -1,4 +1,5 @@
-// How long scenes take to load and save. The targets are seconds on the reference machine.
+// Loading and saving times of scenes, and a tick in which much is spawned. The goals are seconds on the
+// reference machine.
 
 #include <cstdio>
 #include <string>
@@ -9,6 +10,7 @@
 #include "ecs/world.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/box_collider.hpp"
+#include "scene/components/circle_collider.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/sprite.hpp"
@@ -17,6 +19,7 @@
 #include "scene/prefab.hpp"
 #include "scene/register_components.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/systems/physics_system.hpp"
 #include "tests/bench/bench.hpp"
 
 namespace plumb::bench {
@@ -58,7 +61,7 @@ void addMap(World& world, SceneId scene, int side) {
     map.addComponent<TileLayer>().cells = world.tiles().add(std::move(grid));
 }
 
-/// What a form of a scene may take (s); 0 for no limit.
+/// Time limit of a scene format (s); 0 for no limit.
 struct Limits {
     double load = 0.0;
     double save = 0.0;
@@ -68,7 +71,7 @@ void tell(const Row& row) {
     print(row);
     const auto items = static_cast<double>(row.n);
     std::printf("    %s s in all", fixedText(row.ns * items / kSecond, 3).c_str());
-    if (row.target > 0.0) std::printf(", at most %s s", fixedText(row.target * items / kSecond, 1).c_str());
+    if (row.target > 0.0) std::printf(", at most %s s", fixedText(row.target * items / kSecond, 3).c_str());
     std::printf("\n");
     std::fflush(stdout);
 }
@@ -107,12 +110,65 @@ void measure(const std::string& name, std::size_t n, Limits limits, World& made,
     }
 }
 
+/// Bodies at rest, and bullets of which all are destroyed and as many created in each tick.
+class Barrage {
+public:
+    static constexpr std::size_t kResting = 10'000, kBullets = 1'000;
+
+    Barrage() {
+        world_.addSystem<PhysicsSystem>();
+        for (std::size_t i = 0; i < kResting; ++i) {
+            const Entity crate = world_.createEntity();
+            crate.addComponent<Transform>(20.0f * static_cast<float>(i % 100),
+                                          20.0f * static_cast<float>(i / 100));
+            crate.addComponent<BoxCollider>(10.0f, 10.0f);
+            crate.addComponent<RigidBody>().gravityScale = 0.0f;
+        }
+        constexpr int kTicksToSleep = 60;
+        for (int i = 0; i < kTicksToSleep; ++i) tick(0);
+    }
+
+    void tick(std::size_t bullets) {
+        world_.beginTick();
+        for (const EntityId bullet : bullets_) world_.destroy(bullet);
+        bullets_.clear();
+        for (std::size_t i = 0; i < bullets; ++i) {
+            const Entity bullet = world_.createEntity();
+            bullet.addComponent<Transform>(5.0f * static_cast<float>(i), -500.0f);
+            bullet.addComponent<CircleCollider>(2.0f);
+            bullet.addComponent<RigidBody>().velocity = {0.0f, -300.0f};
+            bullets_.push_back(bullet);
+        }
+        world_.update(1.0f / 60.0f);
+    }
+
+private:
+    World world_;
+    std::vector<EntityId> bullets_;
+};
+
+Row barrageRow(const Options& options) {
+    Barrage barrage;
+    const Contestant contestant{{}, [&] { barrage.tick(Barrage::kBullets); }};
+    const Timing timing = race({&contestant, 1}, options).front();
+    constexpr double kTarget = 0.002;  // s a tick
+    constexpr auto kItems = static_cast<double>(Barrage::kBullets);
+    return {"bullets spawned beside 10,000 at rest",
+            Barrage::kBullets,
+            timing.minimum * kSecond / kItems,
+            timing.median * kSecond / kItems,
+            0.0,
+            kTarget * kSecond / kItems};
+}
+
 }  // namespace
 
 int runScene(const Options& options) {
     const Stage stage;
     std::vector<Row> rows;
     printHeader();
+    rows.push_back(barrageRow(options));
+    tell(rows.back());
     {
         World made{stage.types};
         const std::size_t count = options.quick ? 1000 : 100000;

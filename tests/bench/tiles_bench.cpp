@@ -1,5 +1,5 @@
-// How long the editor takes for what one does to a huge map: with the model alone, and by the mouse through
-// whole frames of the window, with the journal running.
+// Editing times on a huge map: with the model alone, and by mouse
+// through complete frames of the window, with the journal running.
 
 #include <cstdio>
 #include <filesystem>
@@ -37,7 +37,7 @@ constexpr int kTerrainTiles = 47;      // of a blob
 constexpr int kPlainTiles = 17;
 constexpr int kFollowed = 20;  // edits after which the colliders are counted
 
-/// Ground below a wavy line, with caves: what a level of that size would be, half empty and half full.
+/// Ground below a wavy line, with caves: like a level of that size, half empty and half full.
 TileGrid makeMap(int side) {
     TileGrid grid{side, side};
     const auto ground = TileGrid::filled(cellOf(46));
@@ -113,7 +113,7 @@ Vec2 middleOf(int x, int y) {
     return {(static_cast<float>(x) + 0.5f) * kTile, (static_cast<float>(y) + 0.5f) * kTile};
 }
 
-/// A drag with the tool in the hand, without a window.
+/// A drag with the current tool, without a window.
 void stroke(editor::Workspace& workspace, CellPlace from, CellPlace to) {
     editor::Pointer pointer{.position = middleOf(from.x, from.y)};
     workspace.tool().press(workspace.tools(), pointer);
@@ -122,7 +122,7 @@ void stroke(editor::Workspace& workspace, CellPlace from, CellPlace to) {
     workspace.tool().release(workspace.tools(), pointer);
 }
 
-/// Parts of colliders that are there, of a map whose terrain the physics of a world has.
+/// Number of collider parts of a map whose terrain is in a physics world.
 std::size_t segmentsOf(World& world) {
     std::size_t count = 0;
     for (const TileTerrain& terrain : world.resource<PhysicsState>().terrains) {

@@ -36,11 +36,12 @@ TEST(Text, hexReadsBackAndRefusesEverythingElse) {
     }
 }
 
-TEST(Text, wellFormedUtf8IsToldFromOverlongSurrogateAndTruncatedBytes) {
+TEST(Text, wellFormedUtf8IsDistinguishedFromOverlongSurrogateAndTruncatedBytes) {
     for (const char* good : {"", "plain", "\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x8e\xae"}) {
         EXPECT_TRUE(isUtf8(good)) << good;
     }
-    for (const char* bad : {"\xff", "\xc0\x80", "\xc3", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "a\x80"}) {
+    for (const char* bad :
+         {"\xff", "\xc0\x80", "\xc3", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "a\x80"}) {
         EXPECT_FALSE(isUtf8(bad));
     }
 }

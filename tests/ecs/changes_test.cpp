@@ -53,6 +53,46 @@ TEST(ChangesTest, whatIsAddedAndRestoredIsNew) {
     EXPECT_TRUE(world.changedSince<Position>(EntityId{1, 1}, mark));
 }
 
+/// The indices near which a component was lost since the mark.
+std::vector<std::uint32_t> lossesSince(const World& world, std::uint64_t mark) {
+    std::vector<std::uint32_t> indices;
+    world.eachLossSince(mark, [&](EntityId id) { indices.push_back(id.index); });
+    return indices;
+}
+
+bool contains(const std::vector<std::uint32_t>& indices, std::uint32_t index) {
+    return std::find(indices.begin(), indices.end(), index) != indices.end();
+}
+
+TEST(ChangesTest, lossesAreSeenNearTheirEntity) {
+    World world;
+    fillWithMovers(world, 3000);
+    const Snapshot saved = world.save();
+    std::uint64_t mark = world.markChanges();
+    world.get<Position>(EntityId{10, 1}).x = 1.0f;
+    world.add<Position>(world.createEntity());
+    EXPECT_TRUE(lossesSince(world, mark).empty()) << "nothing was lost";
+
+    world.remove<Velocity>(EntityId{10, 1});
+    EXPECT_TRUE(contains(lossesSince(world, mark), 10));
+    EXPECT_FALSE(contains(lossesSince(world, mark), 2000)) << "far away in memory";
+    mark = world.markChanges();
+    world.destroy(EntityId{2000, 1});
+    EXPECT_TRUE(contains(lossesSince(world, mark), 2000));
+    EXPECT_FALSE(contains(lossesSince(world, mark), 10));
+    mark = world.markChanges();
+    for (auto [entity, position] : world.query<const Position>()) {
+        if (entity.id().index == 500) world.remove<Position>(entity);
+    }
+    EXPECT_TRUE(contains(lossesSince(world, mark), 500)) << "inside a loop";
+    mark = world.markChanges();
+    world.restore(saved);
+    EXPECT_TRUE(contains(lossesSince(world, mark), 10)) << "a snapshot may lack anything";
+    mark = world.markChanges();
+    world.clear();
+    EXPECT_EQ(lossesSince(world, mark).size(), 3000u);
+}
+
 TEST(ClusterTest, keepsEveryComponentWithItsEntity) {
     World world;
     fillWithMovers(world, 3000);

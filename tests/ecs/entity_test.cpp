@@ -78,13 +78,13 @@ TEST(EntityTest, constructorsMayAskForTheWorld) {
     EXPECT_EQ(e.addComponent<Velocity>(3.0f, 4.0f).y, 4.0f);  // an aggregate
 }
 
-TEST(EntityTest, theEmptyHandleIsNobody) {
+TEST(EntityTest, theEmptyHandleNamesNoEntity) {
     World world;
-    const Entity nobody;
-    EXPECT_FALSE(nobody);
-    EXPECT_FALSE(nobody.hasComponent<Position>());
-    EXPECT_EQ(nobody.find<Position>(), nullptr);
-    nobody.destroy();
+    const Entity none;
+    EXPECT_FALSE(none);
+    EXPECT_FALSE(none.hasComponent<Position>());
+    EXPECT_EQ(none.find<Position>(), nullptr);
+    none.destroy();
     world.createEntity().addComponent<Position>();
     EXPECT_EQ(world.find<Position>(EntityId{}), nullptr);
     EXPECT_EQ(world.find<Position>(EntityId{1, 0}), nullptr);
@@ -93,7 +93,7 @@ TEST(EntityTest, theEmptyHandleIsNobody) {
     EXPECT_FALSE(world.alive(EntityId{7, 0}));
 }
 
-TEST(EntityTest, aStaleHandleNeverMeansSomebodyElse) {
+TEST(EntityTest, aStaleHandleNeverRefersToAnotherEntity) {
     World world;
     Entity first = world.createEntity();
     first.addComponent<Position>(1.0f, 1.0f);
@@ -120,7 +120,7 @@ TEST(EntityTest, aStaleHandleSaysWhatIsWrong) {
     e.destroy();
     const SentenceCatcher catcher;
 
-    EXPECT_EQ(e.get<Position>().x, 0.0f) << "a blank component, not somebody's";
+    EXPECT_EQ(e.get<Position>().x, 0.0f) << "a blank component, not that of another entity";
 #if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
     EXPECT_NE(lastSentence.find("Position was asked of entity 1 (generation 1)"), std::string::npos)
         << lastSentence;

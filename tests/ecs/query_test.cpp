@@ -99,7 +99,7 @@ TEST(QueryTest, aConstWorldIsReadWithConstComponents) {
     EXPECT_EQ(sum, 20.0f);
 }
 
-TEST(QueryTest, theFirstIsFoundAndNobodyIsEmpty) {
+TEST(QueryTest, theFirstMatchIsFoundAndNoMatchIsAnEmptyHandle) {
     World world;
     EXPECT_FALSE(world.first<Position>());
     fillWithMovers(world, 3);
@@ -281,7 +281,7 @@ TEST(PausedTest, queriesLeaveOutWhatIsPausedUnlessTheyAskForIt) {
     int seen = 0;
     world.each<Position>([&seen](Position&) { ++seen; });
     EXPECT_EQ(seen, 7);
-    EXPECT_TRUE(world.has<Position>(EntityId{3, 1})) << "whoever knows it still finds its components";
+    EXPECT_TRUE(world.has<Position>(EntityId{3, 1})) << "its components are still found by its id";
 
     world.remove<Paused>(EntityId{3, 1});
     EXPECT_EQ(world.query<const Position>().count(), 8u);

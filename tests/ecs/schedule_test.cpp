@@ -59,7 +59,7 @@ TEST(ScheduleTest, systemsRunInTheOrderOfAdding) {
 
 TEST(ScheduleTest, aTableOfNamesDecidesTheOrder) {
     World world;
-    constexpr std::array<std::string_view, 3> kOrder = {"draw", "Nobody", "MoveSystem"};
+    constexpr std::array<std::string_view, 3> kOrder = {"draw", "NoSuchSystem", "MoveSystem"};
     world.addSystem<GravitySystem>();
     world.setSystemOrder(kOrder);
     world.addSystem<MoveSystem>();

@@ -43,7 +43,7 @@ protected:
         world.addSystem<MoverSystem>();
         gate = gates.add(typeKey<MoverSystem>(), hasPosition);
         world.provide(gates);
-        EXPECT_EQ(played(1), "mp") << "once for nobody, so that its queries are made";
+        EXPECT_EQ(played(1), "mp") << "once although nothing requires it, so that its queries are made";
         EXPECT_EQ(gates.gate(gate).runs, 0u);
     }
     std::string played(int ticks) {
@@ -57,7 +57,7 @@ protected:
     std::size_t gate = 0;
 };
 
-TEST_F(SystemGatesTest, aSystemRunsFromTheTickOnInWhichSomebodyCallsForIt) {
+TEST_F(SystemGatesTest, aSystemRunsFromTheTickInWhichAComponentRequiresIt) {
     EXPECT_EQ(played(3), "mmpmp") << "the maker comes first, so that tick has it already";
     EXPECT_EQ(gates.gate(gate).runs, 2u);
     world.clear();
@@ -65,14 +65,14 @@ TEST_F(SystemGatesTest, aSystemRunsFromTheTickOnInWhichSomebodyCallsForIt) {
     EXPECT_EQ(gates.gate(gate).runs, 2u);
 }
 
-TEST_F(SystemGatesTest, whoIsPausedStillCalls) {
+TEST_F(SystemGatesTest, pausedEntitiesStillRequireTheirSystems) {
     Entity waiting = world.createEntity();
     waiting.addComponent<Position>();
     waiting.addComponent<Paused>();
     EXPECT_EQ(played(1), "mp");
 }
 
-TEST_F(SystemGatesTest, pinsGoBeforeWhoCalls) {
+TEST_F(SystemGatesTest, pinsOverrideWhatComponentsRequire) {
     gates.setPin(gate, Pin::On);
     EXPECT_EQ(played(1), "mp");
     gates.setPin(gate, Pin::Off);

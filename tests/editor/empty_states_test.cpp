@@ -69,7 +69,7 @@ TEST_F(EmptyStates, withoutASceneTheMiddleOffersToOpenOne) {
     EXPECT_EQ(workspace.notice, "No scene is open");
     hands.click("Viewport/empty/Open scene...");
     hands.rest(2);
-    EXPECT_TRUE(onScreen(std::string{"Open/"} + std::string{kScene}));
+    EXPECT_TRUE(onScreen(std::string{"Finder/level.scene.json"}));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "editor/model/headless/project_export.hpp"
 #include "platform/paths.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -83,6 +84,33 @@ TEST_F(HeadlessTest, aMissingFileIsToldWithTheEntityAndTheFieldThatNameIt) {
           "Sprite.texture; ",
           "assets/tiles.png: there is no such file, named by assets/set.tileset.json; "})
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
+}
+
+/// The first bytes of each are good, so that only a reader of the whole file finds the damage.
+TEST_F(HeadlessTest, soundsFontsAndPicturesThatAreGarbageAreTold) {
+    const Path sources = test::sourceFolder();
+    const std::string picture = *readFile(sources / "tests/import/maps/meadow.png");
+    const std::string sound = *readFile(sources / "projects/platformer/assets/coin.wav");
+    const std::string font = *readFile(engineAssets() / "fonts/tiny5.ttf");
+    const auto damagedFrom = [](std::string bytes, std::size_t at) {
+        std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.end(), 'x');
+        return bytes;
+    };
+    putFile("assets/good.png", picture);
+    putFile("assets/good.wav", sound);
+    putFile("assets/good.ttf", font);
+    EXPECT_TRUE(check().problems.empty()) << check().text();
+    const std::pair<const char*, std::string> bad[] = {
+        {"assets/bad.png", damagedFrom(picture, 40)},
+        {"assets/cut.png", picture.substr(0, picture.size() / 2)},
+        {"assets/bad.wav", damagedFrom(sound, 0)},
+        {"assets/odd.wav", damagedFrom(sound, 12)},
+        {"assets/bad.ogg", damagedFrom(sound, 0)},
+        {"assets/bad.ttf", damagedFrom(font, 4)}};
+    for (const auto& [name, bytes] : bad) putFile(name, bytes);
+    const ProjectCheck found = check();
+    EXPECT_EQ(found.problems.size(), std::size(bad)) << found.text();
+    for (const auto& [name, bytes] : bad) EXPECT_NE(found.text().find(name), std::string::npos) << name;
 }
 
 TEST_F(HeadlessTest, anExportedGamePlaysAsTheProjectDoes) {

@@ -1,10 +1,6 @@
 #include <array>
-#include <functional>
 
-#include "editor/model/actions.hpp"
-#include "tests/editor/support/editor_fixture.hpp"
-#include "tests/editor/support/hands.hpp"
-#include "tests/support/places.hpp"
+#include "tests/editor/support/dialog_fixture.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -29,107 +25,8 @@ const std::array kDialogs{
 /// Ways out of any dialog, besides its buttons.
 constexpr std::array kWaysOut{"Esc", "a click outside", "the window's close button", "nothing"};
 
-class SafetyDialogsTest : public EditorFixture {
+class SafetyDialogsTest : public DialogFixture {
 protected:
-    /// An editor in which the dialog is on the screen.
-    struct Session {
-        Workspace workspace;
-        LogBook log;
-        EditorWindow window;
-        Hands hands;
-
-        Session(Workspace& of, const Path& root)
-            : workspace{of.document.types(), of.assets, {root}},
-              window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"},
-              hands{window} {}
-
-        [[nodiscard]] bool shows(std::string_view path) const {
-            return window.widgets().find(path) != nullptr;
-        }
-        void create() { ASSERT_TRUE(runAction(workspace, "entity.create")); }
-        void save() { hands.key(Key::S, {.control = true}), hands.rest(3); }
-        void quit() { hands.key(Key::Q, {.control = true}), hands.rest(3); }
-        void closeWindow() {
-            const std::array events{Event{.kind = EventKind::Quit}};
-            window.frame({events});
-            hands.rest(3);
-        }
-    };
-
-    [[nodiscard]] Path root() const { return workspace.project.root; }
-    [[nodiscard]] std::string changedText() const {
-        std::string text{kSceneText};
-        return text.replace(text.find("[200, 64]"), 9, "[201, 64]");
-    }
-    void changeOutside() {
-        putFile(kScene, changedText() + std::string(static_cast<std::size_t>(++edits_), '\n'));
-    }
-
-    void open(Session& session, std::string_view dialog) {
-        if (dialog == "Recovery") {
-            putFile(".plumb/session1/scenes+level.scene.json.journal",
-                    "{\"journal\":1,\"scene\":\"scenes/level.scene.json\"}\n" + changedText());
-        }
-        ASSERT_TRUE(session.workspace.open(kScene).ok());
-        session.workspace.safety.begin();
-        session.hands.rest(3);
-        if (dialog == "Recovery") return;
-        session.create();
-        if (dialog == "Changed") {
-            changeOutside();
-            session.hands.rest(70);
-        } else if (dialog == "Backups") {
-            ASSERT_TRUE(session.workspace.save().ok());
-            session.hands.key(Key::B, {.control = true, .alt = true});
-            session.hands.rest(3);
-        } else {
-            session.quit();
-        }
-    }
-
-    /// Answers whatever is still asked, so that keys are heard again.
-    void answerAll(Session& session) {
-        for (int i = 0; i < 5; ++i) {
-            if (session.shows("Changed/mine")) session.hands.click("Changed/mine");
-            session.hands.key(Key::Escape);
-            session.hands.rest(3);
-        }
-    }
-
-    /// A save either writes the file, or says why not and asks what to do about it; then it writes.
-    void expectSaves(Session& session, const std::function<void()>& save) {
-        session.workspace.notice.clear();
-        const std::string mine = session.workspace.text();
-        save();
-        if (fileText() != mine) {
-            EXPECT_NE(session.workspace.notice, "") << "nothing was written, and nothing was said";
-            ASSERT_TRUE(session.shows("Changed/mine")) << "nothing was asked";
-            session.hands.click("Changed/mine");
-            session.hands.rest(3);
-            save();
-        }
-        EXPECT_EQ(fileText(), mine);
-        EXPECT_FALSE(session.workspace.unsaved());
-    }
-
-    void expectSavingWorks(Session& session, bool changedMeanwhile) {
-        if (session.workspace.document.scenePath.empty()) {
-            ADD_FAILURE() << "no scene is open any more";
-            return;
-        }
-        session.create();
-        if (changedMeanwhile) changeOutside();
-        expectSaves(session, [&] { session.save(); });
-        session.create();
-        if (changedMeanwhile) changeOutside();
-        expectSaves(session, [&] {
-            session.quit();
-            session.hands.click("Unsaved/Save");
-            session.hands.rest(3);
-        });
-        EXPECT_TRUE(session.window.wantsQuit());
-    }
-
     void play(const Dialog& dialog, std::string_view way, bool changedMeanwhile) {
         putFile(kScene, kSceneText);
         std::filesystem::remove_all(root() / ".plumb");
@@ -156,9 +53,6 @@ protected:
         answerAll(session);
         expectSavingWorks(session, changedMeanwhile);
     }
-
-private:
-    int edits_ = 0;  // so that each change from outside is another one
 };
 
 TEST_F(SafetyDialogsTest, howeverOneIsClosedSavingGoesOn) {

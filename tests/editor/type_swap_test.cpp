@@ -23,7 +23,7 @@ namespace plumb::editor {
 namespace {
 
 using test::eachTypeSwap;
-using test::expectToldWell;
+using test::expectReportedWell;
 
 constexpr std::string_view kTorch = "prefabs/torch.prefab.json";
 constexpr std::string_view kLantern = "prefabs/lantern.prefab.json";
@@ -62,9 +62,10 @@ protected:
         const PrefabEdit edit = workspace.prefabs();
         static_cast<void>(overrideList(edit, id));
         const std::size_t before = workspace.undo.size();
-        if (const Result<Done> applied = applyToPrefab(edit, id); !applied) expectToldWell(applied.error());
+        if (const Result<Done> applied = applyToPrefab(edit, id); !applied)
+            expectReportedWell(applied.error());
         if (const Result<ObjectId> made = makePrefab(workspace, {id}, prefabPath("made")); !made)
-            expectToldWell(made.error());
+            expectReportedWell(made.error());
         const std::string copied = copyAsText(workspace.document, {id});
         static_cast<void>(pasteFromText(edit, copied));
         while (workspace.undo.size() > before && workspace.undo.undo()) {
@@ -74,7 +75,7 @@ protected:
     void openAndWork(std::string_view path) {
         workspace.prefabs().prefabs->forget();
         const Result<LoadReport> opened = workspace.open(std::string{path});
-        if (!opened) return expectToldWell(opened.error());
+        if (!opened) return expectReportedWell(opened.error());
         EXPECT_TRUE(parseJson(workspace.text(), "text").ok());
         for (const ObjectId id : workspace.document.objects()) workWith(id);
     }
@@ -91,8 +92,8 @@ TEST_F(EditorTypeSwap, propertySettings) {
     eachTypeSwap({text}, 1000, [](std::size_t, const std::string& swapped) {
         std::vector<Error> problems;
         const Result<Settings> read = Settings::fromText(swapped, problems);
-        expectToldWell(problems);
-        if (!read) return expectToldWell(read.error());
+        expectReportedWell(problems);
+        if (!read) return expectReportedWell(read.error());
         EXPECT_TRUE(parseJson(read->toText(), "settings").ok());
     });
 }
@@ -171,7 +172,7 @@ TEST_F(EditorTypeSwap, propertyInputMaps) {
                                       edit.remove(Kind::Axis, "Turn"), edit.add(Kind::Action, "Shout"),
                                       edit.unbind({Kind::Action, "Jump", ""}, 0)};
         for (const Result<Done>& one : tried) {
-            if (!one) expectToldWell(one.error());
+            if (!one) expectReportedWell(one.error());
         }
     });
 }

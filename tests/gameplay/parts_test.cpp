@@ -249,7 +249,7 @@ TEST(SceneLink, aPressIsHeard) {
     EXPECT_EQ(level.world.events<PlaySound>()[0].sound, (SoundId{textId("assets/confirm.wav")}));
 }
 
-TEST(Pause, opensItsSceneWhereSomebodyPlays) {
+TEST(Pause, opensItsSceneWhereThereIsAPlayer) {
     Level level{kFlat};
     level.world.addSystem<PauseSystem>();
     level.hold(Key::P);
@@ -260,7 +260,7 @@ TEST(Pause, opensItsSceneWhereSomebodyPlays) {
     level.tick();
     level.hold(Key::P);
     level.tick();
-    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "nobody plays";
+    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "no player is there";
     level.hold(Key::P, false);
     level.addPlayer({40, kFloor});
     level.tick();

@@ -156,7 +156,7 @@ TEST(ActionMap, aMapReadsBackFromItsJson) {
     EXPECT_TRUE(problems.empty());
 }
 
-TEST(ActionMap, aWrongBindingIsToldWithWhatWasMeantAndTheOthersStay) {
+TEST(ActionMap, aWrongBindingIsReportedWithWhatWasMeantAndTheOthersStay) {
     std::vector<Error> problems;
     const ActionMap map = mapOf(R"({"actions": {"Jump": ["Spce", "W", 7]}})", problems);
 
@@ -166,7 +166,7 @@ TEST(ActionMap, aWrongBindingIsToldWithWhatWasMeantAndTheOthersStay) {
     EXPECT_EQ(map.actions[static_cast<std::size_t>(map.find(Action::Jump))].bindings.size(), 1u);
 }
 
-TEST(ActionMap, wrongShapesAreToldAndKeepTheDefaults) {
+TEST(ActionMap, wrongShapesAreReportedAndKeepTheDefaults) {
     for (const char* text :
          {"[]", "7", R"({"actions": []})", R"({"axes": 3})", R"({"deadZone": 5})", R"({"action": {}})",
           R"({"actions": {"Jump": "Space"}})", R"({"axes": {"Horizontal": []}})",
@@ -178,7 +178,7 @@ TEST(ActionMap, wrongShapesAreToldAndKeepTheDefaults) {
     }
 }
 
-TEST(ActionMap, moreActionsThanTheLimitAreToldAndLeftOut) {
+TEST(ActionMap, moreActionsThanTheLimitAreReportedAndLeftOut) {
     std::string text = R"({"actions": {)";
     for (int i = 0; i < 100; ++i) text += (i == 0 ? "\"a" : ", \"a") + std::to_string(i) + "\": []";
     std::vector<Error> problems;

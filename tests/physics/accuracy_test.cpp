@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// An experiment that reaches all its targets at a quality, and must go on to.
+/// An experiment that reaches all its goals at a quality, and must continue to do so.
 struct Promise {
     std::string_view scene;
     Quality quality;

@@ -28,7 +28,7 @@ bool isSound(const World& world) {
            std::all_of(world.bodies.motion.begin(), world.bodies.motion.end(), calm);
 }
 
-/// A world with one of everything, to be mistreated.
+/// A world with one object of each kind, for invalid input.
 struct Patient {
     World world = makePit(6, 1);
     BodyId body = {1, 1}, other = {2, 1};
@@ -41,7 +41,7 @@ struct Patient {
     }
 };
 
-/// Hands a bad number to one parameter. @return the Error, or nothing when it was taken
+/// Passes an invalid number as one parameter. @return the Error, or nothing if it was accepted
 using Attempt = std::function<std::optional<Error>(Patient&, double bad)>;
 
 template <class T>
@@ -387,11 +387,11 @@ TEST(BadInput, predictionsAreFiniteWhateverTheTime) {
 TEST(BadInput, kindsThatDoNotExistAreRefused) {
     Patient patient;
     World& world = patient.world;
-    BodyDefinition nobody;
-    nobody.kind = BodyKind::None;
-    EXPECT_FALSE(createBody(world, nobody).ok());
-    nobody.kind = static_cast<BodyKind>(77);
-    EXPECT_FALSE(createBody(world, nobody).ok());
+    BodyDefinition noKind;
+    noKind.kind = BodyKind::None;
+    EXPECT_FALSE(createBody(world, noKind).ok());
+    noKind.kind = static_cast<BodyKind>(77);
+    EXPECT_FALSE(createBody(world, noKind).ok());
     JointDefinition unknown{.a = patient.body, .b = patient.other};
     unknown.kind = JointKind::Count;
     EXPECT_FALSE(createJoint(world, unknown).ok());

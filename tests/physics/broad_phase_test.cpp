@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kSeeds = 64;
 constexpr auto kKinds = static_cast<std::uint32_t>(BroadPhaseKind::Count);
 
-/// Tells the broad phase of the changes, and asks for the pairs of the changed ones: sorted keys.
+/// Updates the broad phase, and returns the pairs of the changed proxies as sorted keys.
 std::vector<PairKey> pairsOf(BroadPhase& phase, const ProxyWorld& world, bool arranged = true) {
     phase.update(world.proxies(), world.changed);
     std::vector<std::uint32_t> moved = world.changed;
@@ -31,7 +31,7 @@ std::vector<PairKey> pairsOf(BroadPhase& phase, const ProxyWorld& world, bool ar
     return pairs;
 }
 
-/// Some of everything that can happen to a proxy.
+/// Random changes of proxies of every kind.
 void changeSome(ProxyWorld& world, Random& random, BoxStatistics spread, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t id = random.below(world.size());
@@ -151,7 +151,7 @@ TEST_P(BroadPhases, letHalfTheWorldFallAsleepAndWakeUp) {
     }
 }
 
-TEST_P(BroadPhases, arrangeKeepsEveryoneOnce) {
+TEST_P(BroadPhases, arrangeKeepsEachProxyOnce) {
     Random random = Random::seeded(1);
     ProxyWorld world = randomWorld(random, BoxStatistics::Sizes, 500);
     for (std::uint32_t id = 0; id < world.size(); id += 7) world.become(id, ProxyMotion::Gone);
@@ -189,7 +189,7 @@ TEST_P(BroadPhases, answerQueriesAsLookingAtAllDoes) {
     }
 }
 
-/// Whether the line from `from` along `way` meets the box: by slabs, in double precision.
+/// True if the line from `from` along `way` intersects the box: by slabs, in double precision.
 bool meetsLine(const AABB& box, Vec2 from, Vec2 way, Vec2 half) {
     double first = 0.0;
     double last = 1.0;
@@ -252,7 +252,7 @@ TEST_P(BroadPhases, castsAcrossAWorldLookAtLittleOfIt) {
     EXPECT_LE(found.size(), 1000u);
 }
 
-TEST_P(BroadPhases, boundsThatAreNoneMeetNobody) {
+TEST_P(BroadPhases, emptyBoundsOverlapNothing) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     ProxyWorld world;
@@ -280,11 +280,11 @@ TEST_P(BroadPhases, boundsThatAreNoneMeetNobody) {
     EXPECT_TRUE(found.empty());
     phase->cast({-3e38f, 0.5f}, {3e38f, 0.0f}, {-1.0f, -1.0f}, 1, found, Among::All);
     EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()).count(line), 1u);
-    // All again, now that they are known.
+    // Everything once more, with existing proxies.
     EXPECT_EQ(pairsOf(*phase, world), expected);
 }
 
-TEST_P(BroadPhases, crowdsAtOneSpotThatMeetNobodyCostLittle) {
+TEST_P(BroadPhases, crowdsAtOneSpotThatCollideWithNothingCostLittle) {
     ProxyWorld world;
     Filter alone;
     alone.mask = 0;
@@ -350,8 +350,8 @@ TEST_P(BroadPhases, everyWidthOfInstructionsFindsTheSame) {
     setSimdWidth(usual);
 }
 
-/// Numbers of cells that are further apart than an int counts were subtracted as ints. Seen by sanitized
-/// builds.
+/// Regression: cell indices that are further apart than an int can
+/// count were subtracted as ints. Detected by sanitized builds.
 TEST_P(BroadPhases, boxesMayBeAsWideAsNumbersGo) {
     ProxyWorld world;
     for (const float half : {1.0e6f, 1.0e9f, 1.0e15f, 1.0e30f})
@@ -379,7 +379,7 @@ TEST_P(BroadPhases, aSteadyStepAllocatesNothing) {
     std::vector<std::uint32_t> moved;
     std::size_t before = 0;
     for (int step = 0; step < 240; ++step) {
-        // There and back again, so that the second round needs no more room than the first one did.
+        // There and back again, so that the second round needs no more memory than the first.
         if (step == 120) before = plumb::test::allocations().made;
         const float way = step / 30 % 2 == 0 ? 0.05f : -0.05f;
         for (std::uint32_t id = 0; id < world.size(); ++id) {

@@ -9,8 +9,8 @@
 namespace plumb::physics {
 namespace {
 
-/// Balls that fly without a wall, each in a cell of its own on the average: as many of them as asked for,
-/// over an area that grows with their number.
+/// Balls that fly without walls, on average one per cell,
+/// over an area that is proportional to their number.
 World makeFlight(int balls, int bullets, std::uint64_t seed) {
     World world;
     world.settings.gravity = {};
@@ -37,8 +37,8 @@ std::uint32_t sweptPairs(int balls, int bullets) {
 
 }  // namespace
 
-// 5 m of path (300 m/s) by the width of a ball's own path (0.5 m) among one body on 9 m2: 1 to 3 bodies are
-// near the path of a bullet, and of another one both look. Among n bodies without a search it would be n.
+// 5 m of path (300 m/s) times the width of a ball's path (0.5 m), with one body on 9 m2: 1 to 3
+// bodies are near the path of a bullet, and both search. Without a search it would be n for n bodies.
 TEST(Bullets, areTestedAgainstWhatIsNearTheirPathOnly) {
     for (const auto& [balls, bullets] : {std::array{2000, 50}, {2000, 400}, {0, 800}, {8000, 100}}) {
         EXPECT_LE(sweptPairs(balls, bullets), static_cast<std::uint32_t>(6 * bullets))

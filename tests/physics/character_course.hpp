@@ -37,7 +37,7 @@ inline bool walkOn(CharacterController& character, float speed) {
     return character.setVelocity({speed, character.grounded() ? 0.0f : character.velocity().y}).ok();
 }
 
-/// A world with y down, and short ways to fill it and to move a character in it.
+/// A world with y down, with helpers to fill it and to move a character in it.
 struct Course {
     World world;
 
@@ -50,7 +50,7 @@ struct Course {
         return made;
     }
     BodyId wall(WorldPosition centre, Vec2 half) { return block(BodyKind::Static, centre, half); }
-    /// A platform with its top at y, that only stops what comes from above.
+    /// A platform with its top at y, solid only from above.
     BodyId shelf(BodyKind kind, WorldPosition top, float half = 2.0f) {
         return block(kind, {top.x, top.y + 0.125}, {half, 0.125f}, {.oneWay = true});
     }
@@ -75,7 +75,7 @@ struct Course {
         }
         return motion;
     }
-    /// m: straight down from a character to what is under it; 1 when there is nothing so near.
+    /// m: distance straight down from a character to the next surface; 1 if that is further away.
     float heightOver(const CharacterController& character) {
         const QueryShape shape{character.definition().outline, character.position(), {}};
         const auto hit = castShape(world, shape, {0.0f, 1.0f});
@@ -83,7 +83,7 @@ struct Course {
     }
 };
 
-/// How many random runs a test makes: PLUMB_CHARACTER, or `usual`.
+/// Number of random runs of a test: PLUMB_CHARACTER, or `usual`.
 inline int runsToTry(int usual) {
     const char* wanted = std::getenv("PLUMB_CHARACTER");
     return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;

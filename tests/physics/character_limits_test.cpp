@@ -36,8 +36,8 @@ TEST(CharacterLimits, findsRoomWhenItIsPutIntoSomething) {
     }
 }
 
-/// A character that passes corners up to 0.2 m, and has just jumped from a floor under a block that its head
-/// reaches by this much (m) on this side.
+/// A character that passes corners up to 0.2 m and has just jumped from a
+/// floor under a block, which its head overlaps by this much (m) on this side.
 CharacterController jumpUnderABlock(Course& course, float side, float reach) {
     course.wall({0.0, 1.0}, {50.0f, 1.0f});
     course.wall({static_cast<double>(side * (0.4f + 2.0f - reach)), -4.0}, {2.0f, 0.5f});
@@ -73,7 +73,7 @@ TEST(CharacterLimits, aHeadThatFliesAsidePassesCornersForwardsOnly) {
         for (const bool forwards : {true, false}) {
             SCOPED_TRACE(testing::Message() << side << (forwards ? " forwards" : " back"));
             Course course;
-            // The block is behind its head or before it, and reached by 0.1 m when the head is there.
+            // The block is behind its head or in front of it, and overlaps the head there by 0.1 m.
             CharacterController one =
                 jumpUnderABlock(course, forwards ? -side : side, 0.1f + (forwards ? 0.055f : -0.055f));
             bool hit = false;
@@ -191,7 +191,7 @@ TEST(CharacterLimits, aTickAllocatesNothing) {
         EXPECT_TRUE(walkOn(one, i / 200 % 2 == 0 ? 4.0f : -4.0f));
         before = plumb::test::allocations().made;
         one.update(course.world, kTick);
-        if (i > 800) {  // twice there and back: lists have their sizes
+        if (i > 800) {  // twice there and back: lists have reached their sizes
             ASSERT_EQ(plumb::test::allocations().made, before) << i;
         }
         step(course.world, kTick);
@@ -237,7 +237,7 @@ TEST(CastShape, saysHowDeepItOverlappedAndSlidesFreelyAlongWhatItTouches) {
         const auto cast = [&](double y, Vec2 way) {
             return castShape(course.world, {box({0.5f, 0.5f}), {far, far + y}, {}}, way);
         };
-        // 1/8 m inside: met at once whatever the way, with the way out.
+        // 1/8 m inside: a hit at once in any direction, with a direction out.
         for (const Vec2 way : {Vec2{}, Vec2{1.0f, 0.0f}, Vec2{0.0f, -1.0f}, Vec2{0.0f, 1.0f}}) {
             const auto hit = cast(-0.375, way);
             ASSERT_TRUE(hit.has_value());
@@ -245,7 +245,7 @@ TEST(CastShape, saysHowDeepItOverlappedAndSlidesFreelyAlongWhatItTouches) {
             EXPECT_NEAR(hit->separation, -0.125f, 1.0e-5f);
             EXPECT_NEAR(hit->normal.y, -1.0f, 1.0e-6f);
         }
-        // At exactly no distance: only what leads into it is stopped.
+        // At a distance of exactly 0 only a displacement into the surface is stopped.
         EXPECT_FALSE(cast(-0.5, {3.0f, 0.0f}).has_value());
         EXPECT_FALSE(cast(-0.5, {-3.0f, 0.0f}).has_value());
         EXPECT_FALSE(cast(-0.5, {0.0f, -1.0f}).has_value());

@@ -10,7 +10,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr float kThin = 0.125f;  // m: half of a platform's thickness
-constexpr float kEdge = 0.05f;   // m: nearer to a platform's end nobody says whether something is over it
+constexpr float kEdge = 0.05f;   // m: nearer to a platform's end it is undefined whether something is over it
 
 /// A one-way platform that changes its velocity now and then.
 struct Shelf {
@@ -37,7 +37,7 @@ struct Shelf {
     }
 };
 
-/// Where the feet of a character are seen from a platform: along its top, and over it.
+/// Position of a character's feet in the frame of a platform: along its top, and above it.
 struct Seen {
     float along = 0.0f;
     float over = 0.0f;
@@ -54,7 +54,7 @@ struct Seen {
     [[nodiscard]] bool isOn(const Shelf& shelf) const { return std::fabs(along) < shelf.half - kEdge; }
 };
 
-/// A platform and characters; complains when one of them falls through.
+/// A platform and characters; fails if one of them falls through.
 struct OneWayCourse {
     Course course;
     Random random;
@@ -77,7 +77,7 @@ struct OneWayCourse {
         EXPECT_TRUE(all.back().setVelocity(velocity).ok());
         return all.back();
     }
-    /// Someone whose feet are at a place.
+    /// Adds a character whose feet are at `feet`.
     CharacterController& addOn(WorldPosition feet, Vec2 velocity = {}) {
         const float height = feetOf(outlineOf(figure)) + kGap;
         return add({feet.x, feet.y - static_cast<double>(height)}, velocity);
@@ -109,7 +109,7 @@ void moveShelf(OneWayCourse& run, int way) {
 
 constexpr int kUsual = 80;
 
-TEST(CharacterOneWay, whoFallsOnAPlatformNeverFallsThroughHoweverItMoves) {
+TEST(CharacterOneWay, aCharacterThatLandsNeverFallsThroughHoweverThePlatformMoves) {
     for (int way = 0; way < 5; ++way) {
         int landed = 0;
         for (int i = 0; i < runsToTry(kUsual); ++i) {
@@ -130,7 +130,7 @@ TEST(CharacterOneWay, whoFallsOnAPlatformNeverFallsThroughHoweverItMoves) {
     }
 }
 
-TEST(CharacterOneWay, whoStandsOnAPlatformStaysHoweverItMoves) {
+TEST(CharacterOneWay, aCharacterOnAPlatformStaysHoweverThePlatformMoves) {
     for (int way = 1; way < 5; ++way) {
         for (int i = 0; i < runsToTry(kUsual); ++i) {
             SCOPED_TRACE(std::string{kWays[way]} + " " + std::to_string(i));
@@ -240,7 +240,7 @@ TEST(CharacterOneWay, dropsThroughAPlatformThatMovesEvenly) {
     }
 }
 
-/// Two equal characters, of which one has no platform in its world.
+/// Two equal characters; the world of one of them has no platform.
 void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
     CharacterController twin = run.all[0];
     for (int t = 0; t < ticks; ++t) {
@@ -248,16 +248,16 @@ void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
         ASSERT_TRUE(run.tick()) << t;
         empty.tick(twin);
         if (run.stands(0) || run.all[0].position() != twin.position()) {
-            ASSERT_GE(before.over, -1.0e-4f) << t;  // it is felt from above only
+            ASSERT_GE(before.over, -1.0e-4f) << t;  // it is solid from above only
             return;
         }
         ASSERT_EQ(run.all[0].velocity(), twin.velocity()) << t;
     }
 }
 
-TEST(CharacterOneWay, whoIsInsideAtTheStartFallsAsIfNothingWereThere) {
+TEST(CharacterOneWay, aCharacterThatStartsInsideFallsThrough) {
     for (int way = 0; way < 5; ++way) {
-        if (way == 2) continue;  // a platform that sinks faster is under it soon
+        if (way == 2) continue;  // a faster platform is below it soon
         for (int i = 0; i < runsToTry(kUsual); ++i) {
             SCOPED_TRACE(std::string{kWays[way]} + " " + std::to_string(i));
             OneWayCourse run{i};
@@ -274,7 +274,7 @@ TEST(CharacterOneWay, whoIsInsideAtTheStartFallsAsIfNothingWereThere) {
     }
 }
 
-TEST(CharacterOneWay, whoComesFromBelowFliesAsIfNothingWereThere) {
+TEST(CharacterOneWay, aCharacterFromBelowPassesThrough) {
     for (int way = 0; way < 5; ++way) {
         int landed = 0;
         for (int i = 0; i < runsToTry(kUsual); ++i) {
@@ -294,7 +294,7 @@ TEST(CharacterOneWay, whoComesFromBelowFliesAsIfNothingWereThere) {
     }
 }
 
-TEST(CharacterOneWay, itsSidesStopNobody) {
+TEST(CharacterOneWay, itsSidesStopNoCharacter) {
     for (int i = 0; i < runsToTry(2 * kUsual); ++i) {
         SCOPED_TRACE(i);
         OneWayCourse run{i};

@@ -31,7 +31,7 @@ void drive(World& world, BodyId platform, Ride ride, int i) {
     EXPECT_TRUE(done.ok());
 }
 
-/// m: the place on a platform's top under the middle of a character, in the platform's frame.
+/// m: the point on a platform's top under the middle of a character, in the platform's frame.
 Vec2 footOn(const World& world, BodyId platform, const CharacterController& rider) {
     const Rot rotation = rotationOf(world, platform);
     const Vec2 arm = rider.position() - centreOf(world, platform);
@@ -80,7 +80,7 @@ TEST(CharacterRide, aJumpKeepsTheVelocityOfThePlatform) {
         EXPECT_NEAR(rider.velocity().x, velocity.x, 1.0e-4f);
         EXPECT_NEAR(rider.velocity().y, velocity.y - 6.0f + 10.0f * kTick, 1.0e-4f);
         course.run(rider, 29);
-        // The flight that it would have had from there with the velocities of both.
+        // The expected flight from there, with the velocities of both.
         EXPECT_NEAR(rider.position().x - start.x, static_cast<double>(velocity.x) * 0.5, 1.0e-4);
         EXPECT_NEAR(rider.position().y - start.y, (static_cast<double>(velocity.y) - 6.0) * 0.5 + 5.0 * 0.25,
                     1.0e-4);
@@ -134,7 +134,7 @@ TEST(CharacterPush, aCrusherSqueezesItAndAWallPushesIt) {
             }
             EXPECT_NEAR(one.position().y, rests.y, 0.01);
         }
-        // A wall that comes pushes it, and another one behind it squeezes it.
+        // A wall pushes it, and another one behind it squeezes it.
         ASSERT_TRUE(setVelocity(course.world, lid, {0.0f, 0.0f}).ok());
         ASSERT_TRUE(one.setPosition({10.0, rests.y}).ok());
         const BodyId ram = course.block(BodyKind::Kinematic, {8.0, -3.0}, {0.5f, 2.5f});
@@ -172,7 +172,7 @@ TEST(CharacterPush, pushesLooseBodiesWithItsForceAndNotHeavyOnes) {
         course.walk(one, 3.0f, 30);
         const float gained = velocityOf(course.world, crate).x - before;
         EXPECT_NEAR(before, 0.0f, 1.0e-6f);
-        // Its force over the time that they touch, until the crate is as fast; 1.099 m are between them.
+        // Its force while they touch, until the crate has the same velocity; 1.099 m are between them.
         const float most = one.definition().pushForce / mass * 28.0f * kTick;
         if (mass > one.definition().pushMass) {
             EXPECT_NEAR(gained, 0.0f, 1.0e-6f);

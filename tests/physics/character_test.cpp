@@ -11,7 +11,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A chain of slopes of at most `steepest` (rad) from x = -10 on, flat at both ends; returns where it ends.
+/// A chain of slopes of at most `steepest` (rad) from x = -10 on, flat at both ends; returns its end.
 double addHills(Course& course, Random& random, float steepest, int segments) {
     std::vector<Vec2> points{{-20.0f, 0.0f}, {-10.0f, 0.0f}};
     for (int i = 0; i < segments; ++i) {

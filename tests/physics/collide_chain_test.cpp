@@ -13,7 +13,7 @@ using namespace test;
 
 constexpr float kFar = 0.02f;  // m: the speculative distance
 
-/// Segments from point to point; closed chains end where they begin.
+/// Segments from point to point; closed chains end at their first point.
 std::vector<Geometry> chainOf(const std::vector<Vec2>& points, bool closed) {
     std::vector<Geometry> chain;
     const std::size_t n = points.size();
@@ -31,8 +31,8 @@ struct Touch {
     std::size_t segment = 0;
 };
 
-/// All points at which an outline, placed in a frame, touches a chain. Seen from both sides, which must
-/// agree.
+/// All points at which an outline in a frame touches a
+/// chain. Computed in both orders, which must agree.
 std::vector<Touch> touches(const std::vector<Geometry>& chain, const Outline& outline, const Frame& frame) {
     std::vector<Touch> all;
     for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -111,7 +111,7 @@ TEST(CollideChainProperty, noJointOfAFlatFloorIsFelt) {
         const Rot posture = randomTurn(random);
         const float depth = random.between(0.0f, 0.01f);
         for (float x = -10.0f; x < 10.0f; x += 0.037f) {
-            // Lowered until its lowest corner is `depth` inside the floor.
+            // Lowered until its lowest corner is at a depth of `depth` in the floor.
             Frame frame{rotate(turn, {x, 0.0f}), posture};
             const auto lowest = static_cast<std::size_t>(farthest(convex.corners(), -unrotate(posture, up)));
             const float height = dot(apply(frame, convex.corners()[lowest].point), up) - convex.radius;
@@ -200,7 +200,7 @@ TEST(CollideChainProperty, onAnyTerrainWhatHoversIsAsNearAsTheNearestSegment) {
             }
             return least;
         };
-        // Let down from above until it nearly touches. y points down.
+        // Lowered from above until it nearly touches. y points down.
         Frame frame{{random.between(-2.0f, 2.0f), -5.0f}, randomTurn(random)};
         const float gap = random.between(0.0f, 0.018f);
         for (int i = 0; i < 200; ++i) frame.position.y += std::fmax(0.0f, nearest(frame) - gap);
@@ -234,7 +234,7 @@ TEST(CollideChain, aFreeEndIsASquareCorner) {
     EXPECT_EQ(touches(ledge, ball, {{-0.15f, -0.2f}, {}}).size(), 1u);
     EXPECT_EQ(touches(ledge, ball, {{1.2f, 0.1f}, {}}).size(), 0u);
 
-    // A crate on the edge stays on the edge until its middle has passed, and then tips over the corner.
+    // A crate on the edge stays on the edge until its middle has passed it, and then tips over the corner.
     const Outline crate{box({0.5f, 0.5f}), {}};
     const std::vector<Touch> tipping = touches(ledge, crate, {{1.0f, -0.5f}, rotFromAngle(0.3f)});
     ASSERT_FALSE(tipping.empty());

@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 
 constexpr float kFar = 0.02f;    // m: the speculative distance
-constexpr float kTie = 1.6e-3f;  // m: three times the most by which a face is preferred
+constexpr float kTie = 1.6e-3f;  // m: three times the maximum preference of a face
 
 float least(const Manifold& manifold) {
     float least = std::numeric_limits<float>::infinity();
@@ -46,7 +46,7 @@ Couple coupled(const Outline& a, const Outline& b, const Frame& frame) {
     return couple;
 }
 
-/// As often apart as not, and near enough to touch more often than not.
+/// Overlapping or separated with equal probability, and mostly close enough to touch.
 Couple randomCouple(Random& random, ShapeKind kindA, ShapeKind kindB, float size) {
     const Outline a = randomOutline(random, kindA, size);
     const Outline b = randomOutline(random, kindB, size);
@@ -81,7 +81,7 @@ TEST_P(EveryPair, hasTheSeparationThatGjkAndTheExpandingPolytopeFind) {
         ++touching;
         ASSERT_GE(manifold.count, 1);
         EXPECT_NEAR(length(manifold.normal), 1.0f, 1e-5f);
-        // A corner just past the end of a face may stay with the face: 0.016 % of what is between the cores.
+        // A corner just beyond the end of a face may stay with it: 0.016 % of the distance of the cores.
         const float cores = found.distance + pair.a.radius + pair.b.radius;
         const float rounded = pair.a.radius + pair.b.radius > 0.0f ? kTie / 3.0f : 0.0f;
         EXPECT_LE(least(manifold), found.distance + 2e-5f + 1.6e-4f * std::fmax(cores, 0.0f) + rounded);
@@ -105,7 +105,7 @@ TEST_P(EveryPair, touchesMidwayBetweenTheSurfaces) {
             const ClosestPoint onA = closestPoint(pair.a, pair.corners, point.point - half);
             const ClosestPoint onB =
                 closestPoint(pair.b, pair.corners, applyInverse(pair.frame, point.point + half));
-            // One of them is the face or the corner; the other is a corner, or where its edge was cut.
+            // One is the face or the corner; the other is a corner, or a point where its edge was clipped.
             EXPECT_LT(std::fmin(std::fabs(onA.distance), std::fabs(onB.distance)), 2e-5f);
             if (pair.a.radius == 0.0f && pair.b.radius == 0.0f) {
                 EXPECT_LT(std::fmax(onA.distance, onB.distance), 2e-5f);
@@ -128,8 +128,8 @@ TEST_P(EveryPair, isTheSameSeenFromTheOtherSide) {
         ASSERT_EQ(there.count > 0, back.count > 0);
         if (there.count == 0) continue;
         EXPECT_NEAR(least(there), least(back), kTie);
-        if (dot(there.normal, back.normal) < 0.9999f) continue;  // another face that is as good
-        if (there.count != back.count) continue;                 // at the edge of what is near enough
+        if (dot(there.normal, back.normal) < 0.9999f) continue;  // another face that is equally good
+        if (there.count != back.count) continue;                 // at the limit of the distance
         ++compared;
         for (int i = 0; i < there.count; ++i) {
             const bool found =

@@ -2,12 +2,12 @@
 
 #include "tests/physics/world_of_bodies.hpp"
 
-// How far contacts give way under a load: Settings::contactStiffness.
+// Compliance of contacts under a load: Settings::contactStiffness.
 
 namespace plumb::physics {
 namespace {
 
-/// m: by which a load presses an effective mass into a contact, in substeps of h seconds.
+/// m: penetration of an effective mass under a load, in substeps of h seconds.
 double pressedIn(const World& world, double load, double mass, double h) {
     const double turns = 2.0 * 3.14159265358979 * static_cast<double>(world.settings.contactStiffness);
     return load * h * h / (mass * turns * turns);
@@ -26,7 +26,7 @@ TEST(ContactStiffness, isTheSameOnTheGroundAndBetweenBodies) {
         const double mass = static_cast<double>(scene.world.bodies.mass[low.index].mass);
         const double weight = 10.0 * mass;
         const double onGround = pressedIn(scene.world, 2.0 * weight, mass, h);
-        const double between = pressedIn(scene.world, weight, 0.5 * mass, h);  // both give way
+        const double between = pressedIn(scene.world, weight, 0.5 * mass, h);  // both yield
         EXPECT_NEAR(0.5 - scene.y(low), onGround, 0.02 * onGround);
         EXPECT_NEAR(1.0 - (scene.y(high) - scene.y(low)), between, 0.02 * between);
     }

@@ -160,7 +160,7 @@ TEST(DebugDraw, bodiesThatRestTogetherAreOfOneColourAndOthersOfAnother) {
         EXPECT_EQ(islands[2], islands[3]);
         EXPECT_NE(islands[0], islands[2]);
     }
-    EXPECT_TRUE(world.awake.empty());  // so that both kinds of island were seen
+    EXPECT_TRUE(world.awake.empty());  // so that both kinds of islands were drawn
 }
 
 TEST(DebugDraw, theArrowOfAnImpulseIsAsLongAsTheLoadIsLarge) {
@@ -176,7 +176,7 @@ TEST(DebugDraw, theArrowOfAnImpulseIsAsLongAsTheLoadIsLarge) {
     for (int i = 0; i < 300; ++i) step(world, 1.0f / 60.0f);
     Recording picture = drawn(world, kDrawImpulses);
     ASSERT_EQ(picture.arrows.size(), 6u);
-    // Two points share the load of three, two and one of the boxes.
+    // Two points share the load of three, two and one boxes.
     std::sort(picture.arrows.begin(), picture.arrows.end());
     const float weight = picture.arrows[0];
     EXPECT_GT(weight, 0.01f);
@@ -190,7 +190,7 @@ TEST(DebugDraw, anImpulseIsTheWholeStepsWhateverTheQuality) {
         Playground scene;
         scene.floor();
         scene.crate({0.0, 0.5});
-        // Its own group, beside that of the world's quality.
+        // A group of its own, in addition to that of the world's quality.
         ASSERT_TRUE(setQuality(scene.world, scene.crate({5.0, 0.5}), quality).ok());
         scene.world.settings.quality = 0;
         scene.run(120);
@@ -204,7 +204,7 @@ TEST(DebugDraw, anImpulseIsTheWholeStepsWhateverTheQuality) {
         scene.run(120);
         ASSERT_TRUE(scene.world.awake.empty());
         isAsLongAsALoad(drawn(scene.world, kDrawImpulses));
-        World copied = scene.world;  // of whose last step nothing is known
+        World copied = scene.world;  // has no last step
         isAsLongAsALoad(drawn(copied, kDrawImpulses));
     }
 }
@@ -247,7 +247,7 @@ TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
     float pushed = 0.0f;
     for (const Stroke& push : pushes) pushed += length(push.points[1] - push.points[0]);
     EXPECT_NEAR(length(along) / pushed, std::tan(slope), 0.02f);
-    EXPECT_NEAR(pushed, 0.2f * std::cos(slope), 0.01f);  // as long as a load that hangs
+    EXPECT_NEAR(pushed, 0.2f * std::cos(slope), 0.01f);  // as long as for a hanging load
 }
 
 TEST(DebugDraw, betweenTwoStepsBodiesAreDrawnOnTheWayFromOneToTheOther) {
@@ -301,7 +301,7 @@ TEST(DebugDraw, aPathBendsByDrag) {
     EXPECT_NEAR(length(toVec2(positionOf(world, body)) - end), 0.0f, 1e-3f);
 }
 
-TEST(DebugDraw, aTriggerIsTiedToWhoIsInside) {
+TEST(DebugDraw, aTriggerIsConnectedToTheBodiesInside) {
     World world;
     world.settings.gravity = {};
     const BodyId area = addBody(world, BodyKind::Static, {});
@@ -338,7 +338,7 @@ TEST(DebugDraw, aFastBodyLeavesItsPathAndWhereItHitSomething) {
     EXPECT_EQ(drawn(world, kDrawSweeps).count(), 0u) << "what is slow was not swept";
 }
 
-TEST(DebugDraw, whoRestsFillsUpUntilItSleeps) {
+TEST(DebugDraw, aRestingBodyFillsUpUntilItSleeps) {
     World world;
     const BodyId ground = addBody(world, BodyKind::Static, {});
     static_cast<void>(createShape(world, ground, box({5.0f, 0.5f})));
@@ -383,7 +383,7 @@ TEST(DebugDraw, theRegionsOfEveryBroadPhaseHoldAllBoxesBetweenThem) {
             });
             if (!isHeld) ++homeless;
         }
-        // Grids and rows keep a few apart: who is as large as everything, and who has just strayed.
+        // Grids and rows keep a few apart: proxies as large as everything, and new strays.
         const bool hasStrays = kind == BroadPhaseKind::Grid || kind == BroadPhaseKind::SweepAndPrune;
         EXPECT_LE(homeless, hasStrays ? 30u : 0u);
     }

@@ -1,6 +1,6 @@
 #include "debug_strokes.hpp"
 
-// The places of what the debug view draws, by formula.
+// Positions of the strokes of the debug view, by formula.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -125,7 +125,7 @@ TEST(DebugGeometry, frictionIsDrawnInTheMiddleOfThePointsAndHoldsBackWhatSlides)
         scene.run(10);
         const auto holds = strokesOf(drawn(scene.world, kDrawFriction), DebugRole::Friction);
         ASSERT_EQ(holds.size(), 1u);
-        // Points are where they were found, at the begin of the step. It brakes at 5 m/s2: 0.1 m.
+        // Points are where they were computed, at the start of the step. It brakes at 5 m/s2: 0.1 m.
         const auto place = static_cast<float>(scene.x(crate)) - kTick * velocityOf(scene.world, crate).x;
         EXPECT_NEAR(holds[0].points[0].x, place, 0.01f);
         EXPECT_NEAR(holds[0].points[0].y, 0.0f, 2e-3f);
@@ -142,7 +142,7 @@ TEST(DebugGeometry, hardHitsAreDrawnAsArrowsOfAMetre) {
     const auto pushes = strokesOf(drawn(scene.world, kDrawImpulses), DebugRole::Impulse);
     ASSERT_EQ(pushes.size(), 1u);
     expectNear(pushes[0].points[1] - pushes[0].points[0], {0.0f, 1.0f});
-    // A joint that is torn at, too: 1000 N on 1 kg would be 20 m.
+    // The same for a strained joint: 1000 N on 1 kg would be 20 m.
     const BodyId post = scene.body(BodyKind::Static, {10.0, 5.0}), hung = scene.crate({10.0, 5.0});
     ASSERT_TRUE(createJoint(scene.world, {.a = post, .b = hung}));
     for (int i = 0; i < 10; ++i) {

@@ -1,6 +1,6 @@
 #include "debug_strokes.hpp"
 
-// The places of what the debug view draws, by formula.
+// Positions of the strokes of the debug view, by formula.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -38,7 +38,7 @@ TEST(DebugGeometry, ofAHingeWithLimitsTheSectorOfBsCentreIsDrawn) {
         ASSERT_EQ(strokes.size(), 18u);  // 16 chords and two sides
         const Vec2 arm = toVec2(centreOf(pair.world, pair.b)) - pair.anchorB;
         const float radius = std::clamp(0.6f * length(arm), 0.08f, 0.35f);
-        // Where B's center would be at an angle.
+        // The expected position of B's center at an angle.
         const auto at = [&](float angle) {
             const Vec2 own = unrotate(pair.turnB, normalized(arm));
             return pair.anchorB +

@@ -12,7 +12,7 @@ using namespace plumb::physics;
 
 namespace {
 
-/// A box of one kilogram and one metre that hangs from a joint at its middle.
+/// A box of one kilogram and one meter that hangs from a joint in its middle.
 struct Hung {
     World world;
     BodyId ground;
@@ -33,7 +33,7 @@ struct Hung {
 }  // namespace
 
 TEST(DebugDraw, theArrowOfAJointIsTheLoadThatHangsFromIt) {
-    // Twice as heavy, twice the force, but the same acceleration: 10 m/s2 upwards is 0.2 m.
+    // Twice the mass and the force, but the same acceleration: 10 m/s2 upwards is 0.2 m.
     for (const float density : {1.0f, 2.0f}) {
         Hung hung{{.kind = JointKind::Weld, .anchorA = {2.0f, 0.0f}}, density};
         for (int i = 0; i < 120; ++i) step(hung.world, 1.0f / 60.0f);

@@ -47,7 +47,7 @@ inline float distanceFrom(std::span<const Vec2> corners, Vec2 point) {
     return isInside ? 0.0f : nearest;
 }
 
-/// Two bodies at any poses and a joint of them; nothing moves.
+/// Two bodies at any poses, connected by a joint; nothing moves.
 struct Pair {
     World world;
     BodyId a, b;

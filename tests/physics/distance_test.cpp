@@ -9,8 +9,8 @@ namespace {
 
 using namespace test;
 
-/// The widest gap along any of many directions, and the faces' own: the true distance of what is apart or
-/// overlaps, up to the fineness of the directions.
+/// The maximum gap along many directions and along the normals of the
+/// faces: the exact distance or overlap, up to the angular resolution.
 float widestGapOf(const Convex& a, const Convex& b, const Frame& bInA) {
     float widest = -1e30f;
     const auto look = [&](Vec2 direction) {
@@ -45,7 +45,7 @@ TEST(DistanceProperty, isTheWidestGapOfAllDirectionsApartAndInsideEachOther) {
         const Convex convexB = convexOf(b.geometry, b.corners);
         const Distance found = distanceBetween(convexA, convexB, frame);
         const float gap = widestGapOf(convexA, convexB, frame);
-        // A direction that is off by half a step misses this part of what lies across it.
+        // A direction that is wrong by half a step has this error for points across it.
         EXPECT_GE(found.distance, gap - 1e-5f);
         EXPECT_LE(found.distance, gap + 2e-5f + 4.0f * 1.3e-6f * std::fabs(gap));
         EXPECT_NEAR(length(found.normal), 1.0f, 1e-5f);

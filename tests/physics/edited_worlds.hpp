@@ -8,14 +8,14 @@
 
 namespace plumb::physics {
 
-// Worlds whose bodies, shapes and joints are changed while they run.
+// Worlds whose bodies, shapes and joints are edited while they run.
 
 template <class T>
 inline bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// All that moves, but for rounding, and who uses which effects.
+/// All that moves is equal up to rounding, and the same effects are in use.
 inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6) {
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         EXPECT_NEAR(a.bodies.pose[i].centre.x, b.bodies.pose[i].centre.x, tolerance) << i;
@@ -89,7 +89,7 @@ inline World heap(int count, const std::function<BodyKind(int)>& kindOf,
 
 inline BodyKind dynamic(int) { return BodyKind::Dynamic; }
 
-/// A random change of a random thing.
+/// A random edit of a random object.
 inline void meddle(World& world, Random& random) {
     const auto bodies = static_cast<std::uint32_t>(world.bodies.size());
     const BodyId body = bodyAt(world, random.below(bodies));

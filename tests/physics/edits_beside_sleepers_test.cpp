@@ -19,7 +19,7 @@ struct Beside : Playground {
         shape = *createShape(world, crate, box({0.5f, 0.5f}));
     }
 
-    /// How many contacts of the crate with another shape began (or ended) within so many steps.
+    /// Number of contacts of the crate with another shape that began (or ended) within so many steps.
     int count(ContactPhase phase, ShapeId with, int steps) {
         int found = 0;
         for (int i = 0; i < steps; ++i) {
@@ -36,7 +36,7 @@ struct Beside : Playground {
 
 enum class Way { Created, Moved, TurnedInto, Enabled, Count };
 
-/// Puts a trigger of 2 m over the crate, which sleeps.
+/// Places a trigger of 2 m over the sleeping crate.
 ShapeId putTrigger(Beside& scene, BodyKind kind, Way way) {
     World& world = scene.world;
     const bool isThere = way != Way::Created;
@@ -78,7 +78,7 @@ TEST(EditsBesideSleepers, aTriggerReportsTheSleeperThatItIsPutOver) {
             std::vector<ShapeId> inside;
             overlapsOf(scene.world, trigger, inside);
             EXPECT_EQ(std::count(inside.begin(), inside.end(), scene.shape), 1) << way;
-            // It rests again, and does so without an event.
+            // It comes to rest again, without an event.
             EXPECT_EQ(scene.count(ContactPhase::Began, trigger, 120), 0) << way;
             EXPECT_FALSE(isAwake(scene.world, scene.crate)) << way;
         }
@@ -127,7 +127,7 @@ TEST(EditsBesideSleepers, setAwakePutsToSleepWhatNoEditConcerns) {
     EXPECT_FALSE(isAwake(scene.world, scene.crate));
 }
 
-// A callback must not change its world, but a copy of it is a world of its own.
+// A callback must not change its world, but may change a copy of it.
 TEST(Callbacks, mayCopyTheWorldToChangeTheCopy) {
     Beside scene;
     World copy;

@@ -7,7 +7,7 @@
 #include "physics/queries/lists.hpp"
 #include "physics/queries/ray_cast.hpp"
 
-// Whatever is changed at run time: afterwards the world behaves like one that was created so.
+// Edits at run time: afterwards the world behaves as if it had been created that way.
 
 namespace plumb::physics {
 namespace {
@@ -64,8 +64,8 @@ TEST(Edits, bodiesBecomeOfAnyKindAsIfTheyHadBeenCreatedSo) {
             const BodyId body = bodyAt(changed, i + 1);
             ASSERT_TRUE(setKind(changed, body, after[i]).ok());
         }
-        // They are in another order in World::awake, so sums over islands are rounded in another way, and
-        // what is taken back of an island's energy with them.
+        // The order of World::awake differs, so sums over islands, and with
+        // them corrections of the energy of islands, are rounded differently.
         run(changed, 25);
         run(created, 25);
         expectNear(changed, created, 1.0e-4);
@@ -128,7 +128,7 @@ TEST(Edits, whileItRunsACopyGoesOnWithTheSameBits) {
 }
 
 TEST(Edits, theEffectsInUseAreThoseOfAWorldThatIsLoaded) {
-    // Whatever was changed: taking all away leaves no user of any effect.
+    // After any edits, removing everything leaves no user of any effect.
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         World world = makePit(15, seed);
         Random random = Random::seeded(seed);
@@ -175,7 +175,7 @@ TEST(Edits, sleepersNoticeWhatBecomesOfTheirGround) {
     EXPECT_NEAR(positionOf(kept.world, kept.crate).y, 0.6, 0.01);
 }
 
-TEST(Edits, endedAndBeganTellWhoTouchesAfterAChange) {
+TEST(Edits, endedAndBeganEventsMatchTheTouchingPairsAfterAChange) {
     Shelf s;
     EXPECT_TRUE(setGeometry(s.world, s.board, box({1.2f, 0.1f})).ok());
     run(s.world, 1);

@@ -7,14 +7,14 @@
 #include "physics/simulation.hpp"
 #include "physics/soft/softbody.hpp"
 
-// One table over all effects: a scene without each, and somebody far away who calls for it and has nothing to
-// do. Whatever effect is added comes into the tests by itself, and has to say here who calls for it.
+// One table over all effects: for each, a scene without it, and a body far away that requires it
+// and has nothing to do. The tests cover every new effect by themselves; add here what requires it.
 
 namespace plumb::physics::test {
 
 inline constexpr int kCrates = 30;
 
-/// A pile of boxes and discs that nobody calls for `left` in, nor for what few scenes need.
+/// A pile of boxes and discs in which nothing requires `left`, nor the effects that few scenes need.
 inline World makeSceneWithout(Effect left) {
     World world;
     world.settings.sleeping = false;
@@ -38,7 +38,7 @@ inline World makeSceneWithout(Effect left) {
     return world;
 }
 
-/// What may be far away from all the rest.
+/// Objects far away from the rest of the scene.
 struct Remote {
     World& world;
     BodyDefinition body{
@@ -64,7 +64,7 @@ struct Remote {
     }
 };
 
-/// Somebody far away calls for an effect. @return false when nobody has said who could
+/// Adds a far-away body that requires an effect. @return false if this table does not know the effect
 inline bool callFromAfar(World& world, Effect effect) {
     Remote far{world};
     switch (effect) {
@@ -102,14 +102,14 @@ inline bool callFromAfar(World& world, Effect effect) {
     return true;
 }
 
-/// Runs it though nobody calls for it.
+/// Runs it although nothing requires it.
 inline void pinOn(World& world, Effect effect) {
     world.manifest.pinnedOn |= Manifest::bit(effect);
     if (effect == Effect::Continuous) world.settings.continuous = true;
     if (effect == Effect::Sleep) world.settings.sleeping = true;
 }
 
-/// Whether the pile moved the same way, bit for bit.
+/// True if the pile moved the same way, bit for bit.
 inline bool samePile(const World& a, const World& b) {
     const std::size_t count = kCrates + 1;
     return std::memcmp(a.bodies.pose.data(), b.bodies.pose.data(), count * sizeof(BodyPose)) == 0 &&

@@ -11,7 +11,7 @@ namespace plumb::physics::test {
 
 inline constexpr float kStep = 1.0f / 60.0f;  // s
 
-/// A world of gravity 10 m/s2 downwards (y points down), without sleep, so that everything goes on.
+/// A world with gravity 10 m/s2 downwards (y points down), without sleep, so that everything keeps moving.
 inline World makeWorld() {
     World world;
     world.settings.sleeping = false;
@@ -56,7 +56,7 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// The bytes of all that moves.
+/// The bytes of the poses and motions.
 inline bool sameState(const World& a, const World& b) {
     return sameBytes(a.bodies.pose, b.bodies.pose) && sameBytes(a.bodies.motion, b.bodies.motion);
 }

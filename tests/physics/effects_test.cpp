@@ -43,7 +43,7 @@ TEST(OneWay, letsThroughWhatComesFromBelowAndCatchesItOnTheWayBack) {
             step(world, kStep);
             highest = std::max(highest, heightOf(world, thrown));
         }
-        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // as if nothing were there
+        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // as if there were no ledge
         EXPECT_NEAR(heightOf(world, thrown), 0.4, 0.02);
     }
 }
@@ -194,7 +194,7 @@ TEST(Locks, keepABodyOnItsLineWhateverPushesIt) {
     }
 }
 
-// The owner's say.
+// Callbacks of the owner.
 
 struct Say {
     ShapeId refused;
@@ -235,7 +235,7 @@ TEST(ContactHooks, aContactThatMayNotPushIsFallenThrough) {
     EXPECT_EQ(runsOf(world, "filter contacts"), 60u);
 }
 
-// What nobody calls for.
+// Effects that nothing requires.
 
 World makePile() {
     World world = makeWorld();
@@ -247,7 +247,7 @@ World makePile() {
     return world;
 }
 
-TEST(Effects, aStageThatNobodyCallsForIsNotRun) {
+TEST(Effects, aStageThatNothingRequiresIsNotRun) {
     World world = makePile();
     run(world, 10);
     EXPECT_EQ(runsOf(world, "filter contacts"), 0u);

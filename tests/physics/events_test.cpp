@@ -83,7 +83,7 @@ TEST(Events, theImpulseOfAnImpactIsTheWholeOneAtEveryQuality) {
         scene.world.settings.continuous = random.below(4) != 0;
         const float bounciness = random.below(3) == 0 ? 0.0f : random.between(0.1f, 1.0f);
         scene.floor({.friction = seed % 2 == 0 ? 0.0f : 0.6f});
-        // Those that cannot rotate go through kernels of their own.
+        // Bodies that cannot rotate use the reduced kernels.
         const float speed = random.between(1.5f, 40.0f);
         const BodyId body = *createBody(scene.world, {.position = {0.0, 0.6 + random.unit()},
                                                       .velocity = {0.0f, -speed},
@@ -110,7 +110,7 @@ TEST(Events, theImpulseUnderWhatRestsIsItsWeightAtEveryQuality) {
         Playground scene;
         scene.world.settings.stayEvents = true;
         scene.world.settings.quality = static_cast<Quality>(seed % 5);
-        // Of several pieces with one surface: one event.
+        // Several pieces with one surface: one event.
         const BodyId ground = scene.body(BodyKind::Static, {0.0, -1.0});
         const float width = random.between(0.4f, 3.0f);
         for (int i = -4; i < 4; ++i)
@@ -129,7 +129,7 @@ TEST(Events, theImpulseUnderWhatRestsIsItsWeightAtEveryQuality) {
 }
 
 TEST(Events, theImpulsesOfABreakAreTheWholeOnes) {
-    // A row of balls passes the blow on within the step; each is pushed by one neighbor and pushes the other.
+    // A row of balls transmits the impact within the step; each one is pushed and pushes the next.
     Playground scene;
     scene.world.settings.gravity = {};
     std::vector<BodyId> row;
@@ -147,7 +147,7 @@ TEST(Events, theImpulsesOfABreakAreTheWholeOnes) {
     EXPECT_NEAR(largest, whole, 0.02f * whole);
 }
 
-TEST(Events, aTriggerTellsWhoEntersAndLeavesAndStopsNobody) {
+TEST(Events, aTriggerReportsBodiesThatEnterAndLeaveAndStopsNone) {
     Playground scene;
     const BodyId door = scene.body(BodyKind::Static, {0.0, 0.0});
     scene.shape(door, box({1.0f, 1.0f}), {.isTrigger = true});
@@ -218,7 +218,7 @@ TEST(Events, aMovingTriggerLeavesWhatSleeps) {
     const Counted events = countEvents(scene);
     EXPECT_EQ(events.began, 1);
     EXPECT_EQ(events.ended, 1);
-    EXPECT_EQ(scene.world.awake.size(), 1u) << "nobody was woken";
+    EXPECT_EQ(scene.world.awake.size(), 1u) << "no body was woken";
 }
 
 TEST(Events, aTriggerLeavesWhatFellAsleepInItWhicheverCameFirst) {
@@ -255,7 +255,7 @@ TEST(Events, destroyingABodyEndsItsContacts) {
     EXPECT_FALSE(alive(scene.world, crate));
 }
 
-TEST(Events, masksAndGroupsDecideWhoMeets) {
+TEST(Events, masksAndGroupsDecideWhichShapesCollide) {
     Playground scene;
     scene.floor({.layers = 1});
     const BodyId ghost = scene.ball({0.0, 2.0}, 0.5f, {.layers = 2, .mask = 4});

@@ -4,8 +4,8 @@
 
 #include "tests/physics/effect_scenes.hpp"
 
-// What holds of each effect: a scene without it does not run it, and one that runs it for nobody's sake moves
-// as if it did not.
+// What holds of each effect: a scene without it does not run it,
+// and a scene that runs it without a need moves as if it did not.
 
 namespace plumb::physics {
 namespace {
@@ -33,11 +33,11 @@ TEST_P(EveryEffect, isNotRunInASceneWithoutIt) {
     EXPECT_TRUE(effect == Effect::Contacts || world.contacts.size() > 20u);
 }
 
-TEST_P(EveryEffect, isRunAsSoonAsSomebodyCallsForItAndNoLonger) {
+TEST_P(EveryEffect, runsOnlyWhileABodyRequiresIt) {
     const Effect effect = GetParam();
     World world = makeSceneWithout(effect);
     run(world, 2);
-    ASSERT_TRUE(callFromAfar(world, effect)) << "say in effect_scenes.hpp who calls for this effect";
+    ASSERT_TRUE(callFromAfar(world, effect)) << "add to effect_scenes.hpp what requires this effect";
     run(world, 5);
     const std::uint64_t runs = runsOf(world, effect);
     EXPECT_EQ(runs, effect == Effect::Explosion ? 1u : 5u);
@@ -46,7 +46,7 @@ TEST_P(EveryEffect, isRunAsSoonAsSomebodyCallsForItAndNoLonger) {
     EXPECT_EQ(runsOf(world, effect), runs);
 }
 
-TEST_P(EveryEffect, leavesEveryBitAsItIsWhenPinnedOnForNobody) {
+TEST_P(EveryEffect, changesNoBitWhenPinnedOnWithoutABodyThatRequiresIt) {
     const Effect effect = GetParam();
     World off = makeSceneWithout(effect), on = makeSceneWithout(effect);
     pinOn(on, effect);
@@ -59,10 +59,10 @@ TEST_P(EveryEffect, leavesEveryBitAsItIsWhenPinnedOnForNobody) {
     EXPECT_GT(runsOf(on, effect), 0u);
 }
 
-TEST_P(EveryEffect, leavesEveryBitAsItIsWhenOnlySomebodyFarAwayCallsForIt) {
+TEST_P(EveryEffect, changesNoBitWhenOnlyABodyFarAwayRequiresIt) {
     const Effect effect = GetParam();
     World off = makeSceneWithout(effect), on = makeSceneWithout(effect);
-    ASSERT_TRUE(callFromAfar(on, effect)) << "say in effect_scenes.hpp who calls for this effect";
+    ASSERT_TRUE(callFromAfar(on, effect)) << "add to effect_scenes.hpp what requires this effect";
     for (int i = 0; i < 150; ++i) {
         step(off, kTick);
         step(on, kTick);
@@ -74,7 +74,7 @@ TEST_P(EveryEffect, leavesEveryBitAsItIsWhenOnlySomebodyFarAwayCallsForIt) {
 INSTANTIATE_TEST_SUITE_P(All, EveryEffect, testing::ValuesIn(allEffects()),
                          [](const auto& tested) { return std::string{nameOf(tested.param)}; });
 
-TEST(Effects, nobodyIsMovedOnceContactsArePinnedOff) {
+TEST(Effects, noBodyIsPushedOnceContactsArePinnedOff) {
     World world = makeSceneWithout(Effect::Wind);
     run(world, 60);
     ASSERT_GT(world.contacts.size(), 20u);

@@ -8,7 +8,7 @@
 #include "random_shapes.hpp"
 #include "world_of_bodies.hpp"
 
-// What each field does to a body at any pose and velocity in one short step, by its formula.
+// The effect of each field on a body at any pose and velocity in one short step, by its formula.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -18,7 +18,7 @@ namespace {
 constexpr float kStep = 1.0e-3f;  // s: so short that the state at its begin counts
 constexpr std::uint64_t kFieldSeeds = 40;
 
-/// A body of two shapes, off its middle, that moves and turns; and its acceleration in one step.
+/// A body of two shapes, off its center, that moves and rotates; and its acceleration in one step.
 struct Flight {
     World world;
     Random random;
@@ -216,7 +216,7 @@ TEST(FieldFormulas, windPushesByTheWidthAcrossTheSquareOfTheSpeed) {
 }
 
 TEST(FieldFormulas, gustsStayWithinTheirSpeedAndGoSmoothlyFromOneToTheNext) {
-    // A body so light that it goes with the air tells its speed.
+    // The velocity of a body so light that it moves with the air is that of the air.
     World world;
     world.settings.gravity = {};
     const BodyId leaf = addBody(world, BodyKind::Dynamic, {});
@@ -258,7 +258,7 @@ TEST(FieldFormulas, fluidsLiftAndDragWhatIsInThem) {
         field.linearDrag = flight.random.between(0.0f, 3.0f);
         field.angularDrag = flight.random.between(0.0f, 3.0f);
         field.velocity = test::randomPoint(flight.random, 2.0f);
-        // All of it is in: a large box or circle around it, or far below a surface.
+        // All of it is inside: a large box or circle around it, or far below a surface.
         field.region = static_cast<RegionKind>(seed % 3);
         field.half = {50.0f, 40.0f};
         field.radius = 60.0f;

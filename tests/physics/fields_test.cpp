@@ -20,7 +20,7 @@ TEST(AreaGravity, isExactInsideOfItsRegionAndNothingOutside) {
     FieldDefinition field = fieldOf(FieldKind::AreaGravity);
     field.region = RegionKind::Box;
     field.half = {10.0f, 1000.0f};
-    field.acceleration = {3.0f, -10.0f};  // takes the world's gravity back, and pulls to the right
+    field.acceleration = {3.0f, -10.0f};  // cancels the world's gravity, and pulls to the right
     ASSERT_TRUE(createField(world, field).ok());
     const BodyId inside = addBody(world, BodyKind::Dynamic, {0.0, 0.0}, circle(0.5f));
     const BodyId outside = addBody(world, BodyKind::Dynamic, {20.0, 0.0}, circle(0.5f));
@@ -269,8 +269,8 @@ TEST(Explosion, wakesWhatSleeps) {
     step(world, kStep);
     EXPECT_TRUE(isAwake(world, crate));
     EXPECT_GT(velocityOf(world, crate).x, 1.0f);
-    // It touched the floor all the time. Its contact came back after the narrow phase had made its lists,
-    // whose end was read past: seen by builds that check indices.
+    // Regression: it touched the floor all the time, and its contact returned after the narrow phase
+    // had made its lists, beyond whose end it was read. Detected by builds that check indices.
     EXPECT_EQ(world.contacts.size(), 1u);
     for (const ContactEvent& event : world.events) EXPECT_NE(event.phase, ContactPhase::Began);
 }
@@ -422,7 +422,7 @@ TEST(Fields, refuseWhatMakesNoSense) {
     EXPECT_FALSE(world.manifest.runs(Effect::Wind));
 }
 
-TEST(Fields, aFieldThatActsOnNobodyLeavesEveryBitAsItIs) {
+TEST(Fields, aFieldThatActsOnNoBodyChangesNoBit) {
     World off = makeWorld(), on = makeWorld();
     for (World* world : {&off, &on}) {
         addFloor(*world);

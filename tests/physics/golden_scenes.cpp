@@ -239,7 +239,7 @@ void explodeOnce(World& world, int step) {
     static_cast<void>(createField(world, blast));
 }
 
-/// A platformer's boxes, which neither turn nor rub: contacts of their own kind.
+/// The boxes of a platformer, without rotation or friction: contacts of their own kind.
 World makeUpright() {
     World world = makeWorld();
     ShapeDefinition ice;

@@ -8,14 +8,14 @@ struct World;
 
 namespace plumb::physics::test {
 
-/// A scene whose every bit is known after some steps: tests/replay/physics.golden.
+/// A scene whose exact bits after some steps are recorded: tests/replay/physics.golden.
 struct GoldenScene {
     const char* name;
     World (*build)();
     int steps;
     bool joints = false;                               ///< it has some
-    bool contacts = true;                              ///< something touches something, now and then
-    void (*before)(World& world, int step) = nullptr;  ///< what happens before a step
+    bool contacts = true;                              ///< some shapes touch at some time
+    void (*before)(World& world, int step) = nullptr;  ///< called before each step
 };
 
 const std::vector<GoldenScene>& goldenScenes();

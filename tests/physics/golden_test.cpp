@@ -11,7 +11,7 @@
 #include "tests/physics/golden_scenes.hpp"
 #include "tests/support/places.hpp"
 
-// One number for each scene, whoever works it out: tests/replay/physics.golden.
+// One number for each scene, the same on all machines: tests/replay/physics.golden.
 
 namespace plumb::physics {
 namespace {
@@ -33,10 +33,10 @@ std::string inDigits(std::uint64_t hash) {
     return text;
 }
 
-/// How a scene is course, and what was seen on the way.
+/// How a scene is run, and what was observed.
 struct Course {
     StepOptions options;
-    bool rewinds = false;  // takes a snapshot every seventh step, goes on, and goes back to it
+    bool rewinds = false;  // takes a snapshot every seventh step, continues, and restores it
     int touching = 0;
     std::size_t joints = 0;
 };

@@ -13,7 +13,7 @@ using namespace plumb::physics;
 
 namespace {
 
-/// Drops something into the pit now and then, so that what sleeps wakes up.
+/// Drops a body into the pit now and then, so that sleeping bodies wake up.
 void disturb(World& world, int tick) {
     if (tick % 150 != 149) return;
     const BodyId body = addBody(world, BodyKind::Dynamic, {-5.0 + 0.05 * (tick % 200), 14.0}, 0.3f);
@@ -21,7 +21,7 @@ void disturb(World& world, int tick) {
     static_cast<void>(setVelocity(world, body, {1.0f, -12.0f}));
 }
 
-/// A world that has something of everything: sleepers, joints, events, freed places.
+/// A world with everything: sleeping bodies, joints, events, freed indices.
 World makeRich() {
     World world = makePit(40, 5);
     world.settings.sleepTime = 0.2f;

@@ -31,7 +31,7 @@ TEST(HullProperty, aHullContainsAllPointsAndTurnsOneWay) {
             EXPECT_NEAR(dot(corner.normal, next - corner.point), 0.0f, 1e-6f * size);
             for (const Vec2 point : points) {
                 EXPECT_LT(dot(corner.normal, point - corner.point),
-                          3e-5f * size);  // what stands out less is left out
+                          3e-5f * size);  // smaller protrusions are omitted
             }
         }
     }

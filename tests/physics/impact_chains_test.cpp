@@ -7,7 +7,7 @@ namespace {
 
 constexpr ShapeDefinition kElastic{.friction = 0.0f, .bounciness = 1.0f};
 
-/// Balls of 1 m in a row, of which the first `moving` come from the left at 4 m/s.
+/// Balls of 1 m in a row, the first `moving` of which arrive from the left at 4 m/s.
 struct Row {
     Playground scene;
     std::vector<BodyId> balls;

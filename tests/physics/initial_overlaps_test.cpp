@@ -65,7 +65,7 @@ TEST(InitialOverlaps, areNoneWhereMotionExplainsTheDepth) {
     scene.floor();
     const BodyId crate = scene.crate({0.0, 0.75});
     ASSERT_TRUE(setVelocity(scene.world, crate, {0.0f, -30.0f}).ok());
-    scene.run(1);  // it is 0.25 m deep then
+    scene.run(1);  // it is 0.25 m deep at that time
     scene.run(12);
     EXPECT_NEAR(scene.y(crate), 0.5, 0.02);
 }

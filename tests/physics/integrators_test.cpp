@@ -19,7 +19,7 @@ struct Swing {
     }
 };
 
-/// A body of 1 kg on a spring of no length to the origin, let go at 1 m.
+/// A body of 1 kg on a spring of zero length to the origin, released at 1 m.
 Swing makeSwing(IntegratorKind kind, double hertz, Quality quality) {
     Swing swing;
     swing.world = makeWorld();
@@ -38,7 +38,7 @@ Swing makeSwing(IntegratorKind kind, double hertz, Quality quality) {
     return swing;
 }
 
-/// The worst relative error of the energy in 10 s of steps of 1/60 s.
+/// Maximum relative error of the energy in 10 s of steps of 1/60 s.
 double worstError(IntegratorKind kind, double hertz, Quality quality = 0) {
     Swing swing = makeSwing(kind, hertz, quality);
     const double start = swing.energy();
@@ -50,13 +50,13 @@ double worstError(IntegratorKind kind, double hertz, Quality quality = 0) {
     return worst;
 }
 
-// The figures that a correct implementation of each scheme shows at one substep.
+// Values of a correct implementation of each scheme with one substep.
 
 TEST(Integrators, showTheErrorsOfTheirSchemesOnASlowSpring) {
     EXPECT_NEAR(worstError(IntegratorKind::ExplicitEuler, 0.5), 4.2, 0.05);
     EXPECT_NEAR(worstError(IntegratorKind::SemiImplicitEuler, 0.5), 0.027, 0.001);
     EXPECT_NEAR(worstError(IntegratorKind::Verlet, 0.5), 7.0e-4, 0.2e-4);
-    // 1.7e-7 with exact numbers; the velocity is stored as a float.
+    // 1.7e-7 in exact arithmetic; velocities are stored as floats.
     EXPECT_LT(worstError(IntegratorKind::Rk4, 0.5), 2.0e-6);
 }
 
@@ -75,7 +75,7 @@ TEST(Integrators, errFourTimesLessWithEachQualityIfTheyAreOfSecondOrder) {
     }
 }
 
-/// Two bodies of 1 and 3 kg around each other, once in 4 s.
+/// Two bodies of 1 and 3 kg that orbit each other, with a period of 4 s.
 TEST(Integrators, keepAnOrbitOfTwoBodiesForAHundredTurns) {
     for (const IntegratorKind kind :
          {IntegratorKind::SemiImplicitEuler, IntegratorKind::Verlet, IntegratorKind::Rk4}) {

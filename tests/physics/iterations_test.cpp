@@ -7,7 +7,7 @@
 namespace plumb::physics {
 namespace {
 
-/// m: by how much a chain of 20 is stretched by a ball of 100 times a link's mass.
+/// m: elongation of a chain of 20 by a ball of 100 times a link's mass.
 float stretchAfter(std::uint8_t iterations, float seconds) {
     JointWorld scene;
     scene.world.settings.directJoints = false;
@@ -50,7 +50,7 @@ TEST(Iterations, giveAPendulumNoEnergyWhateverHoldsIt) {
         for (const int iterations : {2, 8}) {
             SCOPED_TRACE(testing::Message() << static_cast<int>(kind) << " with " << iterations);
             JointWorld scene;
-            scene.world.settings.directJoints = false;  // the lanes
+            scene.world.settings.directJoints = false;  // the SIMD solver
             scene.world.settings.iterations = static_cast<std::uint8_t>(iterations);
             const BodyId bob = scene.disc({1.0, 0.0});
             JointDefinition definition = scene.define(kind, scene.ground, bob, {});
@@ -59,7 +59,7 @@ TEST(Iterations, giveAPendulumNoEnergyWhateverHoldsIt) {
             const double before = scene.energyOf(bob);
             for (int i = 0; i < 600; ++i) {
                 scene.run(JointWorld::kDt);
-                ASSERT_NEAR(scene.energyOf(bob), before, 0.1) << i;  // of 10 J that go to and fro
+                ASSERT_NEAR(scene.energyOf(bob), before, 0.1) << i;  // of 10 J that oscillate
             }
         }
     }

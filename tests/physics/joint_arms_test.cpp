@@ -6,15 +6,15 @@
 
 #include "joint_world.hpp"
 
-// Joints whose anchors are many times the body's size away from it, as are those of levels that give all
-// anchors in the world's frame: force and torque are large there, and nothing else.
+// Joints whose anchors are many body sizes away from the body, as in levels that
+// give all anchors in world coordinates: forces and torques are large there.
 
 namespace plumb::physics {
 namespace {
 
-constexpr float kClosing = 30.0f;  // m/s: at which errors of joints are closed, 10 times Settings::pushSpeed
+constexpr float kClosing = 30.0f;  // m/s: maximum at which joint errors close, 10 times Settings::pushSpeed
 
-/// A box that something presses against crates under a ceiling.
+/// A box that is pressed against crates under a ceiling.
 struct Press {
     JointWorld scene;
     Vec2 half;  // m
@@ -40,7 +40,7 @@ struct Press {
         return body;
     }
     [[nodiscard]] float weight() const { return JointWorld::kGravity * massOf(scene.world, lift); }
-    /// m/s: the most in five seconds.
+    /// m/s: maximum within five seconds.
     float fastest() {
         float most = 0.0f;
         for (int i = 0; i < 300; ++i) {
@@ -113,13 +113,13 @@ TEST(LongArms, ofRandomWeldsToWhatRisesGiveNoSpeedThatItHasNot) {
         riser.velocity = {0.0f, weld.speed};
         weld.definition.a = *createBody(world, riser);
         (void)weld.press.scene.join(weld.definition);
-        // What it is pressed through pushes it out.
+        // The body that it is pressed through pushes it out.
         EXPECT_LT(weld.press.fastest(), 1.1f * weld.speed + 2.0f * world.settings.pushSpeed);
     }
 }
 
-/// m/s: the most of a box of `half` between a weld to the ground at `-arm` and a wheel at `arm` to what moves
-/// off.
+/// m/s: maximum speed of a box of `half` between a weld to the
+/// ground at `-arm` and a wheel at `arm` to a body that moves away.
 float fastestBetween(Vec2 half, float density, Vec2 arm, Vec2 velocity) {
     JointWorld scene;
     BodyDefinition definition;
@@ -153,8 +153,8 @@ TEST(LongArms, ofJointsThatContradictEachOtherStretchThem) {
         const Rot away = rotFromAngle(random.between(-kPi, kPi)),
                   moves = rotFromAngle(random.between(-kPi, kPi));
         const Vec2 half{size, size * random.between(0.4f, 1.0f)};
-        // What a lever of the arm's length makes of the speed, and what stretched joints give back where they
-        // flip over. It was Settings::maxSpeed, 4000 m/s.
+        // The speed amplified by a lever of the arm's length, and what stretched
+        // joints return where they flip over. It was Settings::maxSpeed, 4000 m/s.
         const float most = 3.0f * speed * (1.0f + ratio) + 4.0f * kClosing;
         EXPECT_LT(
             fastestBetween(half, density, rotate(away, {size * ratio, 0.0f}), rotate(moves, {speed, 0.0f})),

@@ -8,7 +8,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A net of discs, tied by every kind of joint that has two bodies.
+/// A net of discs, connected by every kind of joint that has two bodies.
 void weave(JointWorld& scene, std::uint64_t seed) {
     Random random = Random::seeded(seed);
     constexpr int kSide = 8;

@@ -4,15 +4,15 @@
 
 #include "joint_world.hpp"
 
-// How joints close that were created open, or whose bodies were moved away: no faster than they may, to the
-// end, and without a velocity that is left.
+// Joints that are created open, or whose bodies are moved apart, close:
+// within the speed limit, completely, and without a remaining velocity.
 
 namespace plumb::physics {
 namespace {
 
-constexpr float kTimes = 10.0f;  // closing speed, in Settings::pushSpeed
+constexpr float kTimes = 10.0f;  // closing speed, as a multiple of Settings::pushSpeed
 
-/// A disc of 1 kg at rest, joined to the ground by its middle, `gap` away along x.
+/// A disc of 1 kg at rest, joined to the ground at its center, `gap` away along x.
 struct Open {
     JointWorld scene;
     BodyId disc;

@@ -5,7 +5,7 @@
 #include "joint_world.hpp"
 #include "physics/effects/shape_wind.hpp"
 
-// Joints that are changed and read while they hold; what joints of Box2D can do.
+// Joints that are edited and read while they are active; features of Box2D's joints.
 
 namespace plumb::physics {
 namespace {
@@ -184,7 +184,7 @@ TEST(JointEdits, aMotorJointKeepsAVelocityWithLimitedForce) {
 }
 
 TEST(JointEdits, aWeldHasSpringsOfItsOwnAlongAndAround) {
-    // Rigid along and springy around: a torque turns it, its anchor stays.
+    // Rigid in position and springy in its angle: a torque rotates it, its anchor stays.
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId disc = scene.disc({0.0, 0.0});
@@ -203,7 +203,7 @@ TEST(JointEdits, aWeldHasSpringsOfItsOwnAlongAndAround) {
     EXPECT_EQ(turns, 10);                                // 5 s at 1 Hz
     EXPECT_NEAR(furthest, 1.0f / (2.0f * kPi), 0.004f);  // amplitude = speed / (2 pi f)
     EXPECT_LT(readingOf(scene.world, joint).separation, 1.0e-4f);
-    // Springy along and rigid around.
+    // Springy in position and rigid in its angle.
     ASSERT_TRUE(change(scene.world, joint, [](auto& w) {
                     w.hertz = 2.0f;
                     w.spring = {true, 1.0e4f, 1.0f, 0.0f};
@@ -283,7 +283,7 @@ TEST(JointEdits, windDragsAndLiftsAsAFlatPlate) {
         EXPECT_NEAR(scene.world.bodies.driveOf(body.index).torque, 0.0f, 1.0e-6f);
         EXPECT_FALSE(applyWind(scene.world, mass, {NAN, 0.0f}, 0.5f, 0.25f).ok());
     }
-    // A storm does not throw a feather faster than itself.
+    // Wind does not accelerate a very light body beyond its own speed.
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId feather = scene.disc({}, 1.0e-4f);
@@ -296,7 +296,7 @@ TEST(JointEdits, windDragsAndLiftsAsAFlatPlate) {
     EXPECT_GT(velocityOf(scene.world, feather).x, 49.0f);
 }
 
-// Trees of joints kept its color, so that their bodies seemed to touch something; those of a copy did not.
+// Regression: trees of joints kept its color, so their bodies seemed to touch something; a copy's did not.
 TEST(JointEdits, aJointThatWasInNoStepLeavesNothingBehind) {
     JointWorld scene;
     const BodyId swinging = scene.disc({1.0, 0.0}), off = scene.disc({2.0, 0.0});

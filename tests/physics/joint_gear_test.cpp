@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Two wheels on axles, geared.
+/// Two wheels on axles, coupled by a gear.
 struct Gears : JointWorld {
     BodyId first, second;
     JointId axleA, axleB, gear;
@@ -56,7 +56,7 @@ TEST(GearJoint, takesBackHowFarItWasForcedApartWhateverIsSwitchedOnMeanwhile) {
     for (const bool switches : {false, true}) {
         SCOPED_TRACE(switches);
         Gears scene{1.0f};
-        const auto drive = [&](bool on) {  // both wheels the same way, which the gear forbids
+        const auto drive = [&](bool on) {  // both wheels in the same direction, which the gear prevents
             for (const JointId axle : {scene.axleA, scene.axleB})
                 ASSERT_TRUE(change(scene.world, axle, [on](auto& d) { d.motor = {on, 2.0f, 1.0e6f}; }).ok());
         };

@@ -12,13 +12,13 @@ namespace {
 constexpr float kMass = 2.0f;   // kg
 constexpr float kSpeed = 8.0f;  // rad/s or m/s: of the motors
 
-/// What a motor drives to and fro between two limits, against or with its weight.
+/// A motor that drives a value back and forth between two limits, against or with its weight.
 struct Driven {
     std::string_view name;
     JointDefinition (*define)(JointWorld& scene);
     float (*value)(const JointWorld& scene, BodyId body);        ///< rad or m
-    float (*load)(const JointWorld& scene, BodyId, JointId id);  ///< N or N m: what the joint says
-    float (*weight)(float value);                                ///< the same by formula
+    float (*load)(const JointWorld& scene, BodyId, JointId id);  ///< N or N m: reported by the joint
+    float (*weight)(float value);                                ///< the expected value by formula
 };
 
 JointDefinition defineHinge(JointWorld& scene) {

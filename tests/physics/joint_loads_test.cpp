@@ -8,12 +8,12 @@
 namespace plumb::physics {
 namespace {
 
-/// What a joint of each kind has to carry at rest, as N and N m for each 1 m/s2 of gravity.
+/// The load that a joint of each kind carries at rest, as N and N m for each 1 m/s2 of gravity.
 struct Load {
     JointId joint;
     float force = 0.0f;
     float torque = 0.0f;
-    BodyId body;  // what hangs on it
+    BodyId body;  // the hanging body
 };
 
 struct Hanging {
@@ -21,8 +21,8 @@ struct Hanging {
     Load (*hang)(JointWorld& scene, float breakForce, float breakTorque);
 };
 
-constexpr float kArm = 0.5f;     // m: from a hinge to what hangs on it
-constexpr float kHold = 1.0e6f;  // N or N m: as good as fixed
+constexpr float kArm = 0.5f;     // m: from a hinge to the hanging body
+constexpr float kHold = 1.0e6f;  // N or N m: practically fixed
 
 Load join(JointWorld& scene, JointDefinition definition, float breakForce, float breakTorque, Load load) {
     definition.breakForce = breakForce;
@@ -37,14 +37,14 @@ JointDefinition below(JointWorld& scene, JointKind kind) {
     return scene.define(kind, scene.ground, scene.disc({0.0, -1.0}, 2.0f), {0.0, -1.0});
 }
 
-/// By something 1 m long.
+/// On a rod of 1 m.
 JointDefinition onARod(JointWorld& scene) {
     JointDefinition definition = below(scene, JointKind::Distance);
     definition.anchorA = {};
     return definition;
 }
 
-/// On what slides up and down.
+/// On a slider that moves up and down.
 JointDefinition onASlide(JointWorld& scene, JointKind kind) {
     JointDefinition definition = below(scene, kind);
     definition.axis = {0.0f, 1.0f};
@@ -88,12 +88,12 @@ Load hangDrivenHinge(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f, .torque = 2.0f * kArm});
 }
 
-/// Across its way.
+/// Across its axis.
 Load hangSlider(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, below(scene, JointKind::Prismatic), breakForce, breakTorque, {.force = 2.0f});
 }
 
-/// Along its way, at its end.
+/// Along its axis, at its limit.
 Load hangSliderAtItsEnd(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, atItsEnd(onASlide(scene, JointKind::Prismatic)), breakForce, breakTorque,
                 {.force = 2.0f});
@@ -132,7 +132,7 @@ Load hangOnMotor(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
 }
 
-/// A disc beside its hinge, kept from turning by a gear of ratio 2 to a wheel that is fixed.
+/// A disc beside its hinge, whose rotation is locked by a gear of ratio 2 to a fixed wheel.
 Load hangOnGear(JointWorld& scene, float breakForce, float breakTorque) {
     const BodyId wheel = scene.disc({-2.0, 0.0}), disc = scene.disc({static_cast<double>(kArm), 0.0}, 2.0f);
     JointDefinition axle = scene.define(JointKind::Revolute, scene.ground, wheel, {-2.0, 0.0});
@@ -169,7 +169,7 @@ constexpr Hanging kHangings[] = {
     {"pulley", hangOnPulley},
 };
 
-/// Gravity that grows slowly to its end, so that nothing swings.
+/// Gravity that grows slowly to its final value, so that nothing swings.
 void pullSlowly(JointWorld& scene, float seconds) {
     const int steps = static_cast<int>(seconds / JointWorld::kDt);
     for (int i = 1; i <= steps; ++i) {

@@ -39,7 +39,7 @@ TEST(RevoluteJoint, letsAPendulumSwingForTenSecondsWithItsEnergy) {
 
     scene.run(10.0f);
 
-    const double height = 1.0 * JointWorld::kGravity;  // J for the metre that it falls and climbs
+    const double height = 1.0 * JointWorld::kGravity;  // J for the meter that it falls and rises
     EXPECT_NEAR(scene.energyOf(bob), before, 0.005 * height);
     EXPECT_LT(length(scene.gapOf(joint)), 0.002f);
 }
@@ -134,7 +134,7 @@ TEST(RevoluteJoint, springTurnsWithItsFrequency) {
             scene.run(JointWorld::kDt);
             highest = std::fmax(highest, angle());
         }
-        EXPECT_NEAR(highest, 0.6f, 0.03f);  // it swings as far as in the beginning
+        EXPECT_NEAR(highest, 0.6f, 0.03f);  // it swings as far as at the beginning
     }
 }
 
@@ -156,8 +156,8 @@ TEST(RevoluteJoint, breaksUnderMoreThanItsForceAndNotUnderLess) {
     }
 }
 
-/// What a step kept of joints of the step before was looked up in groups that were there no longer. Seen by
-/// builds that check indices (PLUMB_ASSERTS).
+/// Regression: impulses of joints of the previous step were looked up in groups
+/// that no longer existed. Detected by builds that check indices (PLUMB_ASSERTS).
 TEST(RevoluteJoint, isForgottenWithItsGroup) {
     JointWorld scene;
     scene.disc({5.0, 0.0});

@@ -4,8 +4,8 @@
 
 #include "joint_world.hpp"
 
-// Springs of every kind of joint, from soft ones to ones too stiff for the substep, give way by their
-// formula.
+// Springs of every kind of joint, from soft ones to ones that
+// are too stiff for the substep, deflect by their formula.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -14,14 +14,14 @@ namespace {
 
 constexpr float kHertz[] = {0.7f, 3.0f, 10.0f, 25.0f, 60.0f};
 
-/// m: how far a spring of this frequency sags under the weight of what gives it that frequency.
+/// m: deflection of a spring of this frequency under the weight of the mass that determines its frequency.
 float sagOf(float hertz) { return JointWorld::kGravity / (kTau * hertz * kTau * hertz); }
 
-/// One way to tie a disc to the ground by a spring.
+/// A spring joint between a disc and the ground.
 struct Case {
     const char* name;
     JointDefinition joint;
-    bool whole = false;  ///< springy in all that it holds, by its own hertz, instead of in its spring alone
+    bool whole = false;  ///< all of it is springy, by its own hertz, instead of only its spring
 };
 
 const Case kHanging[] = {
@@ -52,7 +52,7 @@ const Case kTurning[] = {
     {"motor", {.kind = JointKind::Motor}, true},
 };
 
-/// @return a disc of 3 kg at the origin, tied to the ground by one joint of this frequency, critically damped
+/// @return a disc of 3 kg at the origin, held by one joint of this frequency, critically damped
 BodyId tieDisc(JointWorld& scene, const Case& one, float hertz) {
     scene.world.settings.quality = 3;
     JointDefinition joint = one.joint;
@@ -102,7 +102,7 @@ TEST(JointSprings, turnByTheTorqueOverTheirStiffness) {
     }
 }
 
-// Eight joints are solved at a time, and here the last of them are fewer.
+// Joints are solved in blocks of eight; here the last block is not full.
 TEST(JointSprings, manyDoWhatEachDoesAlone) {
     constexpr int kDiscs = 19;
     const auto push = [](World& world, BodyId disc, int i) {

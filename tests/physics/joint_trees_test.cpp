@@ -10,7 +10,7 @@ namespace {
 
 bool solvesTrees(JointWorld& scene) { return scene.world.work.get().joints.trees.some; }
 
-/// The largest error of joints that hold two points together.
+/// Maximum error of joints that hold two points together.
 float worstGap(const JointWorld& scene, const std::vector<JointId>& joints) {
     float worst = 0.0f;
     for (const JointId id : joints) {
@@ -91,7 +91,7 @@ TEST(JointTrees, thatFlyKeepTheirMomentumAndFallAsTheyShould) {
             }
             return sum / mass;
         };
-        scene.run(JointWorld::kDt);  // what was apart at the start is closed
+        scene.run(JointWorld::kDt);  // closes initial errors
         const Vec2 before = middle();
         const float v = 0.5f * JointWorld::kGravity;
         scene.run(1.0f);
@@ -231,7 +231,7 @@ TEST(JointTrees, gainNoEnergyHoweverTheyWhip) {
     }
 }
 
-/// A plank or crate of a bridge; planks do not meet each other.
+/// A plank or crate of a bridge; planks do not collide with each other.
 BodyId addBox(JointWorld& scene, WorldPosition at, Vec2 half, float angle, float density,
               std::int16_t group) {
     BodyDefinition definition;

@@ -44,8 +44,8 @@ TEST(WeldJoint, withAStiffnessOfItsOwnSwingsWithThatFrequency) {
     EXPECT_NEAR(scene.periodOf(0.0f, 10.0f, [&] { return scene.angle(piece); }), 0.5f, 0.003f);
 }
 
-// The angle between them is what it is, however little that is off: no torque can mend it.
-TEST(WeldJoint, pushesNobodyWhereNeitherEndCanBeTurned) {
+// Their relative angle cannot be changed, however small its error: no torque could correct it.
+TEST(WeldJoint, appliesNoImpulseWhereNeitherBodyCanRotate) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId light = scene.disc({-2.0, 0.0}, 0.0003f), heavy = scene.disc({2.0, 0.0}, 3.0f);

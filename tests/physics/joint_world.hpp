@@ -9,7 +9,7 @@
 
 namespace plumb::physics {
 
-/// A world to hang things up in: metres, y up, nothing sleeps, nothing collides.
+/// A world for hanging bodies on joints: meters, y up, no sleep, no collisions.
 struct JointWorld {
     static constexpr float kDt = 1.0f / 60.0f;
     static constexpr float kGravity = 10.0f;
@@ -76,7 +76,7 @@ struct JointWorld {
     [[nodiscard]] float angle(BodyId body) const { return angleOf(rotationOf(world, body)); }
     [[nodiscard]] Vec2 place(BodyId body) const { return toVec2(centreOf(world, body)); }
 
-    /// J: of motion and height.
+    /// J: kinetic and potential energy.
     [[nodiscard]] double energyOf(BodyId body) const {
         const BodyMass& mass = world.bodies.mass[body.index];
         const double speed = length(velocityOf(world, body)), spin = angularVelocityOf(world, body);
@@ -84,7 +84,7 @@ struct JointWorld {
                mass.mass * -static_cast<double>(world.settings.gravity.y) * centreOf(world, body).y;
     }
 
-    /// s: mean time between upward crossings of `rest` by what `measure` tells.
+    /// s: mean time between upward crossings of `rest` by the result of `measure`.
     template <class Measure>
     float periodOf(float rest, float seconds, Measure&& measure) {
         float first = 0.0f, last = 0.0f, before = measure();
@@ -102,7 +102,7 @@ struct JointWorld {
     }
 };
 
-/// A random tree of discs, held by whatever can be solved directly, that hangs from the ground or flies.
+/// A random tree of discs, with joints that the direct solver supports, attached to the ground or free.
 inline std::vector<JointId> growTree(JointWorld& scene, Random& random, WorldPosition root, bool hangs) {
     constexpr JointKind kKinds[] = {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic,
                                     JointKind::Distance};

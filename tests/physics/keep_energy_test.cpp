@@ -10,7 +10,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Two discs of 1 m that turn about a point in the middle between them, `apart` m from each other.
+/// Two discs of 1 m that rotate about the point midway between them, `apart` m from each other.
 struct Pair {
     JointWorld& scene;
     BodyId a, b;
@@ -53,7 +53,7 @@ TEST(JointLanes, closeWhatIsTornOpenNoFasterThanTheyMay) {
     }
 }
 
-// A rope that is reeled in does work; the angular momentum stays, L = m r^2 w.
+// Shortening a rope does work; the angular momentum L = m r^2 w is conserved.
 TEST(KeepEnergy, leavesTheWorkOfARopeThatIsShortened) {
     for (const bool direct : {true, false}) {
         for (const bool held : {true, false}) {
@@ -97,7 +97,7 @@ TEST(KeepEnergy, hasAccountsOnlyWhereThereAreJoints) {
     EXPECT_EQ(scene.world.bodies.energies[pair.a.index].peak, scene.world.bodies.energies[pair.b.index].peak);
 }
 
-/// Most energy of planks thrown at a wall over that at the start, minus 1; nothing pulls at them.
+/// Maximum energy of planks thrown at a wall relative to the start, minus 1; no forces act on them.
 double mostGainOfThrown(std::uint64_t seed, int& met) {
     Random random = Random::seeded(seed);
     World world;
@@ -136,7 +136,7 @@ TEST(KeepEnergy, contactsGiveNone) {
     EXPECT_GT(met, 1500);
 }
 
-TEST(KeepEnergy, isLookedAtWhereNobodyHasJointsAfterABlowAlone) {
+TEST(KeepEnergy, isCheckedInIslandsWithoutJointsOnlyAfterAnImpact) {
     JointWorld scene;
     const auto floor = *createBody(scene.world, {.kind = BodyKind::Static, .position = {0.0, -1.0}});
     (void)*createShape(scene.world, floor, box({50.0f, 1.0f}), {});

@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A thin kinematic wall that moves so far in a step that it could pass what stands before it.
+/// A thin kinematic wall that moves so far in a step that it could pass a body in front of it.
 struct FastWall : Playground {
     BodyId wall;
     BodyId ball;

@@ -3,7 +3,7 @@
 namespace plumb::physics {
 namespace {
 
-// Every contact that began ends, also when nothing is left that could have one.
+// Every contact that began ends, even if no effect needs contacts any more.
 TEST(LastContact, endsWithTheLastShape) {
     for (const bool bodies : {true, false}) {
         Playground play;

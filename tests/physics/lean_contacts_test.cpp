@@ -10,8 +10,8 @@
 #include "physics/workspace.hpp"
 #include "tests/physics/world_of_bodies.hpp"
 
-// Contacts where nobody turns, or rubs, have kernels of their own, and boxes along the axes a narrow
-// phase of their own. Both are short cuts: what is left out would have changed nothing.
+// Contacts without rotation or friction have kernels of their own, and axis-aligned boxes a narrow phase
+// of their own. Both are fast paths: the omitted terms are zero, so the results are the same bits.
 
 namespace plumb::physics {
 namespace {
@@ -20,8 +20,8 @@ constexpr int kSeeds = 60;
 
 Vec2 anyHalf(Random& random) { return {random.between(0.2f, 0.6f), random.between(0.2f, 0.6f)}; }
 
-/// A pit, and who falls into it upright: on bars that move and turn, some pulled, some slow in something
-/// thick.
+/// A pit, and bodies without rotation that fall into it: onto bars that
+/// move and rotate; some are pulled, some are slowed by a viscous region.
 World makeUprightPit(std::uint64_t seed, bool rubs) {
     Random random = Random::seeded(seed);
     World world;
@@ -85,8 +85,8 @@ TEST(LeanContacts, moveBodiesAsFullOnesDoBitForBit) {
     }
 }
 
-/// Adds what may rotate: balls that roll on a floor of their own, a pendulum, and in some pits something that
-/// falls onto what cannot, so that both kinds are in one island for a while.
+/// Adds bodies that can rotate: balls that roll on a floor of their own, a pendulum, and in some
+/// pits a body that falls onto those that cannot, so that both kinds share an island for a while.
 void addRotating(World& world, std::uint64_t seed) {
     Random random = Random::seeded(seed ^ 77u);
     const BodyId floor = *createBody(world, {.kind = BodyKind::Static, .position = {40.0, -1.0}});
@@ -125,7 +125,7 @@ TEST(LeanContacts, ofIslandsThatCannotRotateAreLeanBesideOthersThatDo) {
             const bool hasLean = std::any_of(groups.begin(), groups.end(),
                                              [](const SolveGroup& group) { return group.withoutRotation; });
             (hasLean ? apart : together) += 1;
-            if (i == 70) lean = World{lean};  // what is kept from step to step changes nothing
+            if (i == 70) lean = World{lean};  // cached data of former steps makes no difference
         }
         ASSERT_EQ(lean.contacts.size(), full.contacts.size());
     }
@@ -182,7 +182,7 @@ TEST(LeanContacts, ofUprightBoxesAreTheDeepestPointOfBoxesThatMayTurn) {
     EXPECT_GT(corners, 20);
 }
 
-TEST(LeanContacts, areLeftAsSoonAsSomebodyMayTurnAndTakenUpAgain) {
+TEST(LeanContacts, areReplacedAsSoonAsABodyCanRotateAndUsedAgainAfterwards) {
     World world = makeUprightPit(2, true);
     for (int i = 0; i < 60; ++i) step(world, kTick);
     const BodyId wheel = *createBody(world, {.position = {0.0, 30.0}});

@@ -8,8 +8,8 @@
 namespace plumb::physics {
 namespace {
 
-// Linkages that are closed through the ground and driven by a motor: what the motor asks for, kinematics
-// gives exactly, so the crank has to turn by speed times time with every joint closed.
+// Linkages that are closed through the ground and driven by a motor. Kinematics determines
+// their motion exactly: the crank rotates by speed times time, and every joint stays closed.
 
 constexpr float kTorque = 500.0f;  ///< N m: far more than any of them needs
 
@@ -19,7 +19,7 @@ struct Linkage : JointWorld {
 
     explicit Linkage(bool direct) { world.settings.directJoints = direct; }
 
-    /// A rod between two places that collides with nothing, 1 kg per meter.
+    /// A rod between two points that collides with nothing, 1 kg per meter.
     BodyId rod(WorldPosition from, WorldPosition to) {
         const Vec2 span = to - from;
         const BodyId body =
@@ -58,7 +58,7 @@ struct Linkage : JointWorld {
         hinge(ground, rocker, end, rockerSpeed);
     }
 
-    /// @return the largest gap of a joint (m) while it turns for so many seconds; adds to `turned` (rad).
+    /// @return the maximum gap of a joint (m) while it rotates for so many seconds; adds to `turned` (rad).
     float turn(float seconds, double& turned) {
         float widest = 0.0f;
         for (int i = 0; i < static_cast<int>(seconds / kDt); ++i) {
@@ -87,7 +87,7 @@ class Linkages : public testing::TestWithParam<bool> {};
 
 TEST_P(Linkages, aFourBarTurnsAsItsMotorSays) {
     Linkage scene{GetParam()};
-    // Crank 1 m, coupler 3.16 m, rocker 2 m on a ground of 3 m: Grashof, so the crank goes round.
+    // Crank 1 m, coupler 3.16 m, rocker 2 m on a ground of 3 m: Grashof, so the crank can rotate fully.
     scene.fourBar({0.0, 0.0}, {WorldPosition{0.0, 1.0}, WorldPosition{3.0, 2.0}}, {3.0, 0.0}, 2.0f);
     scene.expectTurning(2.0f);
 }
@@ -105,15 +105,15 @@ TEST_P(Linkages, aSliderCrankTurnsAsItsMotorSays) {
 }
 
 TEST_P(Linkages, aParallelogramTurnsAsItsMotorsSay) {
-    // Where all rods are on one line a parallelogram may turn into its crossed form; driven at both ends it
-    // cannot, but its equations are singular there and the joints say one thing twice.
+    // Where all rods are on one line a parallelogram may change to its crossed form. Driven at
+    // both ends it cannot, but its equations are singular there and the joints are redundant.
     Linkage scene{GetParam()};
     scene.fourBar({0.0, 0.0}, {WorldPosition{0.0, 1.0}, WorldPosition{3.0, 1.0}}, {3.0, 0.0}, 1.0f, 1.0f);
     scene.expectTurning(1.0f);
 }
 
 TEST_P(Linkages, aRopeHungAtBothEndsTurnsWhereItIsDriven) {
-    // Nothing turns round here: the motor in the middle is held by its neighbors, and all comes to rest.
+    // Nothing can rotate fully: its neighbors hold the motor in the middle, and everything comes to rest.
     Linkage scene{GetParam()};
     WorldPosition at{0.0, 0.0};
     BodyId before = scene.ground;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// Fields of every kind and size, over as many bodies, some of which lie exactly on the edges.
+/// Fields of every kind and size, over as many bodies, some of them exactly on the edges.
 World strewnFields(std::uint64_t seed, int fields) {
     Random random = Random::seeded(seed);
     World world = makeSpace();
@@ -31,7 +31,7 @@ World strewnFields(std::uint64_t seed, int fields) {
         bodies.push_back(addBody(world, BodyKind::Dynamic, anywhere(), circle(random.between(0.1f, 1.0f)),
                                  {.layers = layers, .mask = 0}));
     }
-    const auto anyBody = [&] { return bodies[random.below(static_cast<std::uint32_t>(bodies.size()))]; };
+    const auto randomBody = [&] { return bodies[random.below(static_cast<std::uint32_t>(bodies.size()))]; };
     for (int i = 0; i < fields; ++i) {
         FieldDefinition field = fieldOf(static_cast<FieldKind>(random.below(6)));
         field.region = static_cast<RegionKind>(random.below(20) == 0 ? 0 : 1 + random.below(2));
@@ -42,7 +42,7 @@ World strewnFields(std::uint64_t seed, int fields) {
         field.acceleration = {random.between(-1.0f, 1.0f), 1.0f};
         field.strength = random.between(0.1f, 1.0f);
         field.length = 1.0f;
-        if (field.kind == FieldKind::Spring || random.below(2) == 0) field.a = anyBody();
+        if (field.kind == FieldKind::Spring || random.below(2) == 0) field.a = randomBody();
         EXPECT_TRUE(createField(world, field).ok());
     }
     return world;

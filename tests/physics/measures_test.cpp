@@ -59,7 +59,7 @@ TEST(Measures, aFallKeepsItsEnergyAndAnExplicitSpringGainsWhatTheTextbookSays) {
 }
 
 TEST(Measures, overlapIsHowDeepTheDeepestWereWhenTheStepBegan) {
-    World world;  // a heavy ball on a light one on the ground, which hardly hold it at quality 0
+    World world;  // a heavy ball on a light one on the ground: a hard case at quality 0
     world.settings.quality = 0;
     world.settings.sleeping = false;
     addBall(world, {0.0, 0.0}, BodyKind::Static);
@@ -86,7 +86,8 @@ TEST(Measures, distanceIsThatOfTheBodyThatIsFarthestOff) {
     ASSERT_TRUE(setPosition(other, second, {8.0, 4.0}, 0.0f));
     EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12);
     addBall(other, {100.0, 0.0});
-    EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12) << "who is in one of them only does not count";
+    EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12)
+        << "a body that is in only one of them does not count";
 }
 
 }  // namespace

@@ -6,13 +6,13 @@
 
 #include "world_of_bodies.hpp"
 
-// A body that is swept goes on after a hit at the moment of the hit, not with the next step.
+// A swept body continues after a hit at the time of the hit, not with the next step.
 
 namespace plumb::physics {
 namespace {
 
 constexpr float kBounciness[] = {0.0f, 0.5f, 1.0f};
-constexpr double kLate = 1.0e-4;  // s: the largest error of the moment of a hit
+constexpr double kLate = 1.0e-4;  // s: maximum error of the time of a hit
 
 World emptyWorld() {
     World world;
@@ -139,8 +139,8 @@ TEST(MomentOfHit, ofAMovingWallIsRelativeToIt) {
     }
 }
 
-// A bullet hits a ball or a plate that flies freely, at any place and angle: momentum, and angular momentum
-// about any place, stay what they were; so does the energy of what bounces at full speed and does not rub.
+// A bullet hits a free ball or plate at any position and angle: linear and angular momentum
+// about any point are conserved, and so is the energy if it bounces fully without friction.
 TEST(MomentOfHit, ofTwoBodiesKeepsMomentumAndGivesNoEnergy) {
     int hits = 0;
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
@@ -168,8 +168,8 @@ TEST(MomentOfHit, ofTwoBodiesKeepsMomentumAndGivesNoEnergy) {
             const double most = static_cast<double>(world.bodies.mass[bullet.index].mass * speed);
             ASSERT_NEAR(now[0], before[0], 1e-5 * most) << seed;
             ASSERT_NEAR(now[1], before[1], 1e-5 * most) << seed;
-            // Arms to 1 mm, as a gap is left at hits, and to some more in steps that follow: they are where
-            // the bodies would be in the middle of the step.
+            // Arms are accurate to 1 mm, because a gap is left at hits, and to more in
+            // later steps, where they refer to the poses in the middle of the step.
             ASSERT_NEAR(now[2], before[2], 5e-3 * most) << seed;
             const float left = energyOf(world, bullet) + energyOf(world, target);
             ASSERT_LE(left, energy * 1.0001f) << seed;
@@ -206,7 +206,7 @@ TEST(MomentOfHit, isAnEventThatBeginsAndEndsOnce) {
     }
 }
 
-// What lands nearly flat does not begin to spin: both of its corners are stopped.
+// A body that lands nearly flat does not begin to rotate: both of its corners are stopped.
 TEST(MomentOfHit, stopsWhatIsFlatOnBothCorners) {
     for (const float tilt : {0.0f, 0.001f, 0.01f, 0.03f, 0.06f}) {
         for (const float speed : {30.0f, 100.0f, 300.0f}) {
@@ -228,8 +228,8 @@ TEST(MomentOfHit, stopsWhatIsFlatOnBothCorners) {
     }
 }
 
-// A ball without spin takes it from the surface: what rubs enough to roll keeps two thirds of its
-// speed along it.
+// A ball without spin gets it from the surface: with enough
+// friction to roll it keeps two thirds of its tangential velocity.
 TEST(MomentOfHit, rubsAsASurfaceDoes) {
     for (const float friction : {0.0f, 0.05f, 1.0f}) {
         World world = emptyWorld();
@@ -263,7 +263,7 @@ TEST(MomentOfHit, isNoneWhereTheOwnerLetsThemPass) {
     }
 }
 
-// What stands still is not swept: a wall that comes fast pushes it as ever.
+// A resting body is not swept: a fast wall pushes it as usual.
 TEST(MomentOfHit, isTheSolversWhereOnlyTheOtherMoves) {
     World world = emptyWorld();
     const BodyId wall = addBody(world, BodyKind::Kinematic, {-1.01, 0.0});
@@ -276,8 +276,8 @@ TEST(MomentOfHit, isTheSolversWhereOnlyTheOtherMoves) {
     }
 }
 
-// No body gets further in a step than its speeds explain, and none gets faster, in a box full of what
-// bounces.
+// In a box full of bouncing bodies, none moves further in a
+// step than its velocities explain, and none gets faster.
 TEST(MomentOfHit, moveNothingFurtherThanItsSpeed) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         World world = emptyWorld();

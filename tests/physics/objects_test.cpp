@@ -19,7 +19,7 @@ struct Counter : BoxCollider {
     void onCollisionExit(Collider*) override { ++left; }
 };
 
-/// Takes what touches it, and itself, out of the world.
+/// Destroys what touches it, and itself.
 struct Mine : CircleCollider {
     Physics& physics;
     int entered = 0;
@@ -132,7 +132,7 @@ TEST(Objects, aJumpKeepsTheAngleUnlessOneIsGiven) {
     EXPECT_EQ(angleOf(body->rotation()), 0.0f);
 }
 
-TEST(Objects, timeThatIsNoTimeMovesNobodyAndCallsNobody) {
+TEST(Objects, anInvalidTimeStepMovesNothingAndCallsNothing) {
     Physics physics;
     Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
     RigidBody* const body = *physics.createBody({0.0, -1.5});
@@ -173,7 +173,7 @@ TEST(Objects, aPlatformCarriesWhatStandsOnIt) {
     EXPECT_FALSE(physics.createBody({.kind = BodyKind::None}).ok());
 }
 
-/// Counts what leaves it where the count outlives it.
+/// Counts its exit events in a counter that outlives it.
 struct Tally : BoxCollider {
     int& left;
     Tally(Vec2 half, const ColliderSettings& settings, int& count)
@@ -200,7 +200,7 @@ TEST(Objects, whatSleepsIsStillTouchedAndItsEndIsHeardOf) {
     EXPECT_EQ(heard, 0) << "what is destroyed hears nothing more";
 }
 
-/// Wants time to go on while it is told of a collision.
+/// Tries to advance time during a collision callback.
 struct Hasty : BoxCollider {
     Physics& physics;
     int entered = 0;
@@ -236,7 +236,7 @@ template <class Kind, class... Arguments>
 concept CanBeMade = requires(Physics& physics, Arguments... arguments) {
     physics.create<Kind>(nullptr, arguments...);
 };
-// What cannot be made is said in one line where it is asked for, not deep inside of the library.
+// Classes that cannot be created give a one-line error at the call, not deep inside the library.
 static_assert(CanBeMade<BoxCollider, Vec2> && CanBeMade<CircleCollider, float, ColliderSettings>);
 static_assert(!CanBeMade<BoxCollider, float> && !CanBeMade<Collider> && !CanBeMade<World>);
 

@@ -19,7 +19,7 @@ TerrainOutline outlineOf(const TileMask& mask) {
     return outline;
 }
 
-/// The segment that begins at a place; a failure when there is none, or more.
+/// The segment that begins at a point; fails if there is none, or more than one.
 TerrainSegment from(const TerrainOutline& outline, GridPoint a) {
     const auto begins = [a](const TerrainSegment& segment) { return segment.a == a; };
     EXPECT_EQ(std::count_if(outline.begin(), outline.end(), begins), 1);
@@ -61,7 +61,7 @@ TEST(Outlines, ofAHoleRunTheOtherWayRound) {
     const TerrainOutline outline = outlineOf(drawn({"#####", "#...#", "#.#.#", "#...#", "#####"}));
     ASSERT_EQ(outline.size(), 12u);
     EXPECT_EQ(from(outline, at(1, 1)).b, at(1, 4));  // down: the hole's left wall has its normal to the right
-    EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));  // the island in the hole runs as all islands
+    EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));  // the same orientation for an island in the hole
 }
 
 TEST(Outlines, ofNarrowCorridorsHaveBothWalls) {
@@ -152,7 +152,7 @@ TEST(Outlines, ofOneWayTilesAreTheirTopsAlone) {
     EXPECT_EQ(top.a, at(0, 1));
     EXPECT_EQ(top.b, at(3, 1));
     EXPECT_EQ(top.kind.oneWay, OneWay::Up);
-    EXPECT_EQ(top.before, at(-3, 1));  // free ends go straight on, so that nothing stops at them
+    EXPECT_EQ(top.before, at(-3, 1));  // free ends continue straight on, so that nothing catches there
     EXPECT_EQ(top.after, at(6, 1));
 }
 
@@ -210,7 +210,7 @@ TEST(Outlines, ofOneWayTilesFaceTheirDirection) {
     }
 }
 
-TEST(Outlines, betweenLayersStopWhoDoesNotMeetTheOther) {
+TEST(Outlines, betweenLayersStopBodiesThatDoNotCollideWithTheOtherLayer) {
     TileMask mask{2, 1};
     const std::uint8_t two = *mask.palette.addLayers({2, 0xffffffffu});
     mask.set(0, 0, {TileForm::Full});
@@ -225,12 +225,12 @@ TEST(Outlines, betweenLayersStopWhoDoesNotMeetTheOther) {
     const TerrainSegment right = inner(at(1, 0));  // of the left tile
     EXPECT_EQ(right.b, at(1, 1));
     EXPECT_EQ(right.kind, (EdgeKind{0, 0, OneWay::No, static_cast<std::uint8_t>(two + 1)}));
-    EXPECT_EQ(right.before, at(0, 0));  // whoever meets it sees the left tile alone
+    EXPECT_EQ(right.before, at(0, 0));  // a shape that collides with it sees the left tile alone
     EXPECT_EQ(right.after, at(0, 1));
     const TerrainSegment left = inner(at(1, 1));
     EXPECT_EQ(left.kind, (EdgeKind{0, two, OneWay::No, 1}));
     EXPECT_EQ(left.after, at(2, 0));
-    // The common floor is smooth for whoever meets both.
+    // The common floor is smooth for shapes that collide with both.
     EXPECT_EQ(std::count_if(outline.begin(), outline.end(),
                             [](const TerrainSegment& s) { return s.a == at(0, 0) && s.after == at(2, 0); }),
               1);
@@ -242,7 +242,7 @@ TEST(Outlines, betweenLayersAreNeededOnlyWhereTheOtherMeetsFewer) {
     mask.set(0, 0, {TileForm::Full});
     mask.set(1, 0, {TileForm::Full, 0, both});
     const TerrainOutline outline = outlineOf(mask);
-    EXPECT_EQ(outline.size(), 7u);  // who meets the left tile meets the right one too
+    EXPECT_EQ(outline.size(), 7u);  // shapes that collide with the left tile collide with the right one too
 }
 
 TEST(Outlines, inMetresAreExactNearTheirChunk) {

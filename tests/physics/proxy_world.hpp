@@ -10,7 +10,7 @@
 
 namespace plumb::physics::test {
 
-/// Proxies to try broad phases on, and what they should answer, found by comparing all with all.
+/// Proxies for testing broad phases, and the expected results, computed by brute force.
 struct ProxyWorld {
     std::vector<AABB> bounds;
     std::vector<Filter> filters;
@@ -93,10 +93,10 @@ struct ProxyWorld {
 
 inline AABB boxAt(Vec2 centre, Vec2 half) { return {centre - half, centre + half}; }
 
-/// How a random world is spread out.
+/// Distribution of the boxes of a random world.
 enum class BoxStatistics : std::uint8_t { Even, Crowds, Sizes, Column, Lattice, Spot, Giants, Far, Count };
 
-/// Half the size and the place of a random box.
+/// Half size and position of a random box.
 inline AABB randomBox(Random& random, BoxStatistics spread) {
     const Vec2 half{random.between(0.0f, 0.6f), random.between(0.0f, 0.6f)};
     const Vec2 even{random.between(-8.0f, 8.0f), random.between(-8.0f, 8.0f)};

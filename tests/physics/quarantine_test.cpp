@@ -7,7 +7,7 @@
 #include "joint_world.hpp"
 #include "physics/soft/softbody.hpp"
 
-// What is no number stays where it is: others never hear of it.
+// A body with non-finite numbers stays where it is, and does not affect others.
 
 namespace plumb::physics {
 namespace {
@@ -87,7 +87,7 @@ TEST(Quarantine, ofAParticleStaysWithItAndIsReported) {
     }
 }
 
-// A body of Settings::maxSpeed hits a cloth between walls: particles reached 190,000 m/s.
+// Regression: a body of Settings::maxSpeed hits a cloth between walls: particles reached 190,000 m/s.
 TEST(Quarantine, isNotNeededWhereParticlesAreNoFasterThanBodies) {
     for (int k = 0; k < 60; ++k) {
         SCOPED_TRACE(k);
@@ -112,7 +112,7 @@ TEST(Quarantine, isNotNeededWhereParticlesAreNoFasterThanBodies) {
     }
 }
 
-/// A body that more joints hold to the ground than there are colors for: these are solved one by one.
+/// A body with more joints to the ground than there are colors: the excess is solved one by one.
 BodyId hold(JointWorld& scene, WorldPosition place) {
     const BodyId body = scene.disc(place);
     for (int i = 0; i < 40; ++i) {
@@ -137,7 +137,7 @@ TEST(Quarantine, isNotHeardOfThroughWhatNothingMoves) {
     }
 }
 
-// Restitution against what is fast itself gave up to three times the speed that bodies may have.
+// Regression: restitution against a fast body gave up to three times the maximum speed.
 TEST(Quarantine, isFarFromBodiesThatAreNoFasterThanTheyMayAfterAHit) {
     JointWorld scene;
     World& world = scene.world;

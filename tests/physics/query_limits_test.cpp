@@ -10,14 +10,14 @@
 #include "physics/ranges.hpp"
 #include "world_of_bodies.hpp"
 
-// Queries where things are equally near, only touch, or are at the end of a range; damaged snapshots.
+// Queries with equal distances, mere touching, or values at the end of a range; damaged snapshots.
 
 using namespace plumb;
 using namespace plumb::physics;
 
 namespace {
 
-/// Discs of one body each.
+/// Discs, each with its own body.
 std::vector<ShapeId> addDiscs(World& world, std::initializer_list<WorldPosition> places, float radius,
                               const ShapeDefinition& definition = {}) {
     std::vector<ShapeId> made;

@@ -10,8 +10,8 @@ namespace {
 
 using namespace test;
 
-/// The shortest part of an edge whose ends are multiples of kStep, as one number: where, which way, what
-/// kind.
+/// The shortest part of an edge, whose ends are multiples
+/// of kStep, as one number: position, direction and kind.
 std::uint64_t stepKey(GridPoint a, GridPoint way, EdgeKind kind) {
     const auto part = [](std::int32_t units, int offset) {
         return static_cast<std::uint64_t>(units / kStep + offset);
@@ -37,7 +37,7 @@ bool isInside(const TileOutline& outline, GridPoint point) {
     return outline.isSolid();
 }
 
-/// The solid cell that has a point in its inside, empty if none has.
+/// The solid cell that contains a point in its interior; empty if there is none.
 MaskCell solidAt(const TileMask& mask, GridPoint point) {
     const int x = (point.x + kCellUnits) / kCellUnits - 1;
     const int y = (point.y + kCellUnits) / kCellUnits - 1;
@@ -45,7 +45,7 @@ MaskCell solidAt(const TileMask& mask, GridPoint point) {
     return isInside(mask.palette.outline(cell.form), point - cornerOfCell(x, y)) ? cell : MaskCell{};
 }
 
-/// The open steps of one edge of a cell, by what is in front of each.
+/// The open steps of one edge of a cell, by the cell in front of each.
 void appendOpenSteps(const TileMask& mask, MaskCell cell, GridPoint a, GridPoint b,
                      std::vector<std::uint64_t>& steps) {
     const GridPoint way = b - a;
@@ -63,7 +63,7 @@ void appendOpenSteps(const TileMask& mask, MaskCell cell, GridPoint a, GridPoint
     }
 }
 
-/// What the tiles say of their edges, without any merging.
+/// The expected edges of the tiles, without any merging.
 std::vector<std::uint64_t> stepsOfTiles(const TileMask& mask) {
     std::vector<std::uint64_t> steps;
     for (int y = 0; y < mask.height(); ++y) {
@@ -99,8 +99,8 @@ std::int64_t doubleAreaOfOutlines(const TerrainOutlines& terrain) {
     return sum;
 }
 
-/// Chains are unbroken, of one kind, and nothing could be longer: what goes on in another segment of its kind
-/// is followed by it, or closes its chain with it.
+/// Chains are connected, of one kind, and maximal: a segment that continues
+/// in another one of its kind is followed by it, or closes its chain with it.
 void expectGoodChains(const TerrainOutline& outline) {
     const auto isConnected = [](const TerrainSegment& one, const TerrainSegment& next) {
         return one.b == next.a && one.kind == next.kind;
@@ -125,7 +125,7 @@ bool isOn(const TerrainSegment& segment, GridPoint point) {
            dot(way, point - segment.b) <= 0;
 }
 
-/// All solid cells that reach a vertex are of the same layers, and no one-way cell ends there.
+/// True if all solid cells at a vertex have the same layers, and no one-way cell ends there.
 bool isOrdinary(const TileMask& mask, GridPoint vertex) {
     int layers = -1;
     for (int dy = -1; dy <= 0; ++dy) {
@@ -142,8 +142,8 @@ bool isOrdinary(const TileMask& mask, GridPoint vertex) {
     return true;
 }
 
-/// A body that turns around a vertex from one edge to the next meets nothing between: the wedge between them,
-/// on the side of their normals, is open.
+/// A body that rotates around a vertex from one edge to the next hits nothing
+/// between: the wedge between them, on the side of their normals, is open.
 void expectOpenBetween(const TileMask& mask, GridPoint vertex, GridPoint from, GridPoint to) {
     const auto angle = [](GridPoint way) {
         return std::atan2(static_cast<double>(way.y), static_cast<double>(way.x));
@@ -160,7 +160,7 @@ void expectOpenBetween(const TileMask& mask, GridPoint vertex, GridPoint from, G
     }
 }
 
-/// The segment whose far end a ghost is: it begins (or for `backwards` ends) at a vertex.
+/// The segment whose far end is a given ghost vertex: it begins (or for `backwards` ends) at a vertex.
 /// @return whether there is one; in another chunk the ghost may be anywhere on it
 bool isGhostOfSome(const std::vector<TerrainSegment>& segments, GridPoint vertex, GridPoint ghost,
                    bool backwards) {
@@ -183,7 +183,7 @@ void expectGoodGhosts(const TerrainOutlines& terrain) {
     }
 }
 
-/// In one chunk, what comes after has what came before as its ghost, and both are far ends of whole segments.
+/// Within a chunk, consecutive segments have each other's far ends as ghost vertices.
 void expectGhostsAgree(const TerrainOutlines& terrain) {
     for (const TerrainOutline& outline : terrain.chunks()) {
         for (const TerrainSegment& s : outline) {

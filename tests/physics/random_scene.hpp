@@ -11,10 +11,10 @@
 
 namespace plumb::physics {
 
-// Scenes that nobody would build: sizes over six decades, masses over eight, speeds up to 10 km/s, all on top
-// of each other, tied and mistreated at random. Whatever happens, numbers stay finite and steps end.
+// Unreasonable scenes: sizes over six decades, masses over eight, speeds up to 10 km/s, all on top of
+// each other, connected and edited at random. Whatever happens, numbers stay finite and steps end.
 
-/// A world that is thrown together, and what was accepted of it.
+/// A random world, and counts of what was accepted.
 class RandomScene {
 public:
     explicit RandomScene(std::uint64_t seed) : random_{Random::seeded(seed)} {
@@ -71,14 +71,14 @@ private:
                                             1.0e30f};
 
     bool oneIn(std::uint32_t times) { return random_.below(times) == 0; }
-    /// Even over the decades; now and then no number that one should use.
+    /// Uniform over the decades; now and then an invalid number.
     float number(float low, float high) {
         if (oneIn(200)) return kBadNumbers[random_.below(static_cast<std::uint32_t>(std::size(kBadNumbers)))];
         return low * exponential(random_.unit() * std::log(high / low));
     }
     float either(float value) { return oneIn(2) ? value : -value; }
     Vec2 vector(float low, float high) { return {either(number(low, high)), either(number(low, high))}; }
-    BodyId anybody() {
+    BodyId randomBody() {
         if (bodies_.empty() || oneIn(50)) return {random_.below(20), random_.below(3)};
         return bodies_[random_.below(static_cast<std::uint32_t>(bodies_.size()))];
     }
@@ -150,8 +150,8 @@ private:
     void addJoint() {
         JointDefinition joint;
         joint.kind = static_cast<JointKind>(random_.below(static_cast<std::uint32_t>(JointKind::Count)));
-        joint.a = anybody();
-        joint.b = anybody();
+        joint.a = randomBody();
+        joint.b = randomBody();
         joint.anchorA = vector(1.0e-3f * size_, size_);
         joint.anchorB = vector(1.0e-3f * size_, size_);
         joint.length = number(1.0e-3f, 1.0e3f);
@@ -169,13 +169,13 @@ private:
     void addField() {
         FieldDefinition field;
         field.kind = static_cast<FieldKind>(random_.below(static_cast<std::uint32_t>(FieldKind::Count)));
-        field.a = anybody();
-        field.b = anybody();
+        field.a = randomBody();
+        field.b = randomBody();
         took(createField(world_, field));
     }
 
     void meddle() {
-        const BodyId body = anybody();
+        const BodyId body = randomBody();
         switch (random_.below(9)) {
             case 0: took(setVelocity(world_, body, vector(1.0e-2f, 1.0e4f))); break;
             case 1:
@@ -202,7 +202,7 @@ private:
     std::vector<BodyId> bodies_;
     std::vector<JointId> joints_;
     float size_ = 1.0f;
-    bool plain_ = false;  ///< nobody turns, bounces or is tied: what lean kernels are for
+    bool plain_ = false;  ///< nothing rotates, bounces or has joints: the case for the reduced kernels
     int contacts_ = 0;
     int refused_ = 0;
 };

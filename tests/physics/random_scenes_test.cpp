@@ -5,7 +5,7 @@
 
 #include "tests/physics/random_scene.hpp"
 
-// PLUMB_SCENES sets how many.
+// PLUMB_SCENES sets their number.
 
 namespace plumb::physics {
 namespace {
@@ -27,7 +27,7 @@ TEST(RandomScenes, stayFiniteWhateverTheyAreMadeOf) {
         refused += scene.refused() > 0 ? 1 : 0;
         if (scenes >= 100000 && i % 50000 == 49999) std::printf("%d of %d scenes\n", i + 1, scenes);
     }
-    EXPECT_GT(contacts, scenes / 3) << "hardly anybody met";
+    EXPECT_GT(contacts, scenes / 3) << "hardly any contacts";
     EXPECT_GT(plain, scenes / 20);
     EXPECT_GT(refused, scenes / 20) << "no bad input was tried";
 }

@@ -6,13 +6,13 @@
 #include "physics/shapes/hull.hpp"
 #include "physics/shapes/shape_types.hpp"
 
-// Random outlines for property tests, each of about the size that is asked for.
+// Random outlines for property tests, each of about the requested size.
 
 namespace plumb::physics::test {
 
 inline constexpr std::uint64_t kSeeds = 200;
 
-/// A geometry with the corners that it needs.
+/// A geometry with its corners.
 struct Outline {
     Geometry geometry;
     std::vector<Corner> corners;

@@ -10,17 +10,17 @@
 
 namespace plumb::physics::test {
 
-/// All corners of random terrains are multiples of this part of a cell (units), so that every edge is made of
-/// steps whose ends are, too.
+/// All corners of random terrains are multiples of this part of a cell
+/// (units), so that edges consist of steps whose ends are multiples too.
 inline constexpr std::int32_t kStep = kCellUnits / 4;
 
-/// How many random terrains a test makes: its share of PLUMB_MASKS, or `usual`.
+/// Number of random terrains of a test: its share of PLUMB_MASKS, or `usual`.
 inline int masksToTry(int usual) {
     const char* wanted = std::getenv("PLUMB_MASKS");
     return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;
 }
 
-/// A random mix of forms, materials and layers, from plain full tiles to everything there is.
+/// A random mix of forms, materials and layers, from plain full tiles to everything possible.
 class RandomCells {
 public:
     RandomCells(TilePalette& palette, Random& random) : random_{random} {
@@ -52,7 +52,7 @@ private:
         return list[random_.below(static_cast<std::uint32_t>(list.size()))];
     }
 
-    /// A polygon of random corners of the grid of steps; those that are not convex are not added.
+    /// A polygon of random corners on the grid of steps; non-convex ones are not added.
     void addPolygon(TilePalette& palette) {
         std::vector<Vec2> points;
         for (std::uint32_t i = 3 + random_.below(3); i > 0; --i) {
@@ -98,7 +98,7 @@ inline std::int64_t doubleAreaOf(const TileOutline& outline) {
     return sum;
 }
 
-/// Twice the area of the solid cells (units^2), by the tiles themselves.
+/// Twice the area of the solid cells (units^2), computed from the tiles.
 inline std::int64_t doubleAreaOf(const TileMask& mask) {
     std::int64_t sum = 0;
     for (int y = 0; y < mask.height(); ++y) {
@@ -110,7 +110,7 @@ inline std::int64_t doubleAreaOf(const TileMask& mask) {
     return sum;
 }
 
-/// Draws a mask by characters: # full, - one-way, / slope up, \ slope down, all else empty.
+/// Sets a mask by characters: # full, - one-way, / slope up, \ slope down, others empty.
 inline TileMask drawn(const std::vector<const char*>& rows) {
     const auto width = static_cast<int>(std::string_view{rows.front()}.size());
     TileMask mask{width, static_cast<int>(rows.size())};

@@ -10,7 +10,7 @@
 #include "random_shapes.hpp"
 #include "world_of_bodies.hpp"
 
-// What is at the end of a range is taken, the next number is not.
+// The limits of a range are accepted, the next number is not.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -147,7 +147,7 @@ TEST(RangeLimits, ofJointsAreTaken) {
             return createJoint(one.world, definition).ok();
         });
     }
-    // A range of limits may be empty, but not turned round.
+    // A range of limits may be empty, but not inverted.
     JointDefinition hinge{.a = one.other, .b = one.body, .limit = {true, 0.5f, 0.5f}};
     EXPECT_TRUE(createJoint(one.world, hinge).ok());
     hinge.limit.upper = std::nextafter(0.5f, 0.0f);
@@ -270,7 +270,7 @@ TEST(RangeLimits, polygonsAreTakenIfTheyAreHulls) {
     EXPECT_FALSE(checkGeometry(polygon, pool).ok()) << "its last corner is not there";
     polygon.first = 5;
     EXPECT_FALSE(checkGeometry(polygon, pool).ok());
-    // Nor if what follows the pool would do.
+    // Nor if the memory after the pool would be valid.
     std::vector<Corner> twice = pool;
     twice.insert(twice.end(), pool.begin(), pool.end());
     for (std::uint32_t first = 0; first <= 4; ++first) {

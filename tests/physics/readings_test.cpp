@@ -9,7 +9,7 @@
 #include "random_shapes.hpp"
 #include "world_of_bodies.hpp"
 
-// What can be measured of bodies and joints at any pose and velocity, by its formula.
+// Measurements of bodies and joints at any pose and velocity, compared with formulas.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kScenes = 40;
 
-/// Two bodies that move and turn, off their middles.
+/// Two bodies that move and rotate, with offset centers of mass.
 struct Two {
     World world;
     Random random;
@@ -113,7 +113,7 @@ TEST(Readings, ofSlidersAreTheWayAlongTheAxisAndItsSpeed) {
         if (seed % 4 < 2) d.limit = {true, -0.5f, 0.5f};
         const JointReading reading = two.read(d);
         const Two::Gap gap = two.gapOf(d);
-        const auto wayOf = [&](float time) {  // in the frame of A, which turns with it
+        const auto wayOf = [&](float time) {  // in the frame of A, which rotates with it
             const Rot turn =
                 rotFromAngle(time * angularVelocityOf(two.world, two.a)) * rotationOf(two.world, two.a);
             return unrotate(turn, gap.displacement + time * gap.speed);
@@ -197,7 +197,7 @@ TEST(Readings, energyIsThatOfAllBodiesSpringsAndAttractors) {
         EXPECT_NEAR(energyOf(world), wanted, 1e-4);
         FieldDefinition pull{.kind = FieldKind::Attractor, .linear = true, .strength = 2.0f};
         pull.place = {-1.0, 2.0};
-        if (seed % 4 < 2) pull.a = two.b;  // which does not pull itself
+        if (seed % 4 < 2) pull.a = two.b;  // which does not attract itself
         const WorldPosition centre = pull.a ? centreOf(world, two.b) : pull.place;
         for (const BodyId body : {two.a, two.b}) {
             const Vec2 displacement = centreOf(world, body) - centre;

@@ -16,7 +16,7 @@ struct Stroke {
     std::vector<Vec2> points;
 };
 
-/// Counts what is drawn, by role and kind, and whether all of it can be drawn.
+/// Counts strokes by role and kind, and checks that all of them are drawable.
 class Recording final : public DebugCanvas {
 public:
     void line(Vec2 from, Vec2 to, DebugInk ink) override { note(ink.role, 'l', {from, to}); }

@@ -7,7 +7,7 @@
 #include "physics/measure/snapshot.hpp"
 #include "physics/queries/lists.hpp"
 
-// What a game reads of a world and gives to it from outside: recordings, snapshots, hits, lists, callbacks.
+// Interfaces between a game and a world: recordings, snapshots, hits, lists, callbacks.
 
 namespace plumb::physics {
 namespace {
@@ -110,14 +110,14 @@ TEST(FromOutside, hitsTellHowFastBothCameTogether) {
         ASSERT_TRUE(setVelocity(playground.world, wall, {-1.0f, 0.0f}).ok());
         const BodyId ball = *createBody(playground.world, {.velocity = {speed, 3.0f}, .bullet = bullet});
         playground.shape(ball, circle(0.2f), {.friction = 0.0f, .bounciness = 0.5f});
-        float told = 0.0f;
-        for (int n = 0; n < 200 && told == 0.0f; ++n) {
+        float approachSpeed = 0.0f;
+        for (int n = 0; n < 200 && approachSpeed == 0.0f; ++n) {
             step(playground.world, kTick);
             for (const ContactEvent& event : playground.world.events) {
-                if (event.phase == ContactPhase::Began) told = event.approachSpeed;
+                if (event.phase == ContactPhase::Began) approachSpeed = event.approachSpeed;
             }
         }
-        EXPECT_NEAR(told, speed + 1.0f, 0.001f * speed) << i;
+        EXPECT_NEAR(approachSpeed, speed + 1.0f, 0.001f * speed) << i;
     }
 }
 

@@ -4,7 +4,7 @@
 #include "physics/soft/softbody.hpp"
 #include "world_of_bodies.hpp"
 
-// Ids that outlived what they named.
+// Ids of destroyed objects.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -19,7 +19,7 @@ struct Ids {
     SoftBodyId soft;
 };
 
-/// One of everything.
+/// One object of each kind.
 Ids addAll(World& world, BodyId ground, double x) {
     Ids ids;
     ids.body = addBody(world, BodyKind::Dynamic, {x, 5.0});
@@ -50,7 +50,7 @@ TEST(ReusedIds, ofWhatWasMadeAfterASnapshotNameNothingOnceThatIsRestored) {
         std::vector<Ids> later;
         for (int i = 0; i < 3; ++i) later.push_back(addAll(world, ground, 10.0 + i));
         for (const Ids& ids : later) expectAll(world, ids, true);
-        world = snapshot;  // its memory may still have room, and what was there
+        world = snapshot;  // its memory may still have room, and old content
         for (const Ids& ids : later) expectAll(world, ids, false);
         EXPECT_EQ(fieldCount(world), static_cast<std::size_t>(before));
         EXPECT_EQ(bodyCount(world), static_cast<std::size_t>(before) + 1);
@@ -98,8 +98,8 @@ TEST(ReusedIds, ofWhatIsGoneDoNotNameWhatTakesItsPlace) {
     expectAll(world, never, false);
 }
 
-// The contact of a destroyed body looked at its materials once more, and ended as of one that is fixed: the
-// body that took the place was solved as if it touched something, and that of a copy was not.
+// Regression: the contact of a destroyed body was updated once more and ended as one of a fixed
+// body. The body that reused its index was solved as if it touched something; in a copy it was not.
 TEST(ReusedIds, takeNothingOverFromContactsOfWhatIsGone) {
     for (const int gone : {0, 1}) {
         SCOPED_TRACE(gone);

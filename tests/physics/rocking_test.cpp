@@ -7,7 +7,7 @@
 
 #include "physics/simulation.hpp"
 
-// What rolls on something round: where it touches wanders, and the normal turns with it.
+// Rolling on a round shape: the contact point moves, and the normal rotates with it.
 
 namespace plumb::physics {
 namespace {
@@ -16,8 +16,8 @@ constexpr float kTick = 1.0f / 60.0f;
 constexpr float kTilt = 0.2f;  // rad, at the start
 constexpr ShapeDefinition kRough{.friction = 10.0f};
 
-/// The largest tilts (rad) of every two seconds of a plank that rocks on something, whose top is a circle of
-/// radius 1 around the origin, and the mean time of a swing.
+/// Maximum tilts (rad) within every two seconds of a plank that rocks on a shape
+/// whose top is a circle of radius 1 around the origin, and the mean period.
 struct Rocking {
     std::vector<float> tilts;
     float period = 0.0f;  // s
@@ -29,7 +29,7 @@ struct Rocking {
         world.settings.quality = quality;
         const BodyId ground = *createBody(world, {.kind = BodyKind::Static});
         EXPECT_TRUE(createShape(world, ground, under, kRough).ok());
-        // Rolled off its middle by as much as it is tilted.
+        // Rolled away from its middle as far as it is tilted.
         const float sine = std::sin(kTilt), cosine = std::cos(kTilt);
         const BodyId plank = *createBody(
             world,
@@ -81,8 +81,8 @@ TEST(Rocking, swingsOnNeverHigherThanItBegan) {
 }
 
 TEST(Rocking, takesTheTimeOfTheFormula) {
-    // Of small swings; those of 0.2 rad take a little longer. Moment of inertia about where it touches, over
-    // the restoring torque: g times how far the cylinder's radius is over the centre's height.
+    // For small amplitudes; at 0.2 rad the period is slightly longer. Moment of inertia about the contact
+    // point, over the restoring torque: g times the height of the cylinder's radius above the centre.
     const float inertia = (1.0f + 0.01f) / 3.0f + 0.01f;  // m2, of each kilogram
     const float period = 6.2831853f * std::sqrt(inertia / (10.0f * (1.0f - 0.1f)));
     for (const Under& under : kUnder) {

@@ -7,7 +7,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Crates and balls of many sizes that fall into a heap. Enough of them for all threads to have work.
+/// Crates and balls of many sizes that fall into a heap. Enough of them for all threads.
 void pourIn(Playground& scene, int count) {
     scene.floor();
     Random random = Random::seeded(7);
@@ -39,8 +39,8 @@ TEST(SameBits, whateverTheNumberOfThreads) {
     }
 }
 
-/// Rows of balls that hit each other without loss: impacts go through whole rows in a step, in the order of
-/// their contacts.
+/// Rows of balls that hit each other without loss: impacts propagate
+/// through whole rows within a step, in the order of their contacts.
 std::vector<std::uint64_t> cradlesAfter(int ticks, const StepOptions& options = {}) {
     Playground scene;
     scene.world.settings.gravity = {};
@@ -90,7 +90,7 @@ TEST(SameBits, whateverTheInstructionSet) {
     setSimdWidth(widest);
 }
 
-/// A heap with all that asks the broad phase: bullets, a rope, a lift, and bodies that come and go.
+/// A heap with all users of the broad phase: bullets, a rope, a lift, and bodies that come and go.
 World busyWorldAfter(int ticks, BroadPhaseKind kind, const StepOptions& options = {}) {
     Playground scene;
     World& world = scene.world;
@@ -136,7 +136,7 @@ TEST(SameBits, evenWhereTheBroadPhaseChangesMeanwhile) {
     pourIn(plain, 200);
     pourIn(fickle, 200);
     for (std::uint8_t tick = 0; tick < 120; ++tick) {
-        // Those beyond the last are none, and mean the tree.
+        // Invalid kinds select the tree.
         if (tick % 5 == 0) fickle.world.settings.broadPhase = static_cast<BroadPhaseKind>(tick / 5 % 7);
         plain.run(1);
         fickle.run(1);
@@ -180,7 +180,7 @@ TEST(SameBits, blocksThatAreKeptWhileContactsRestPushAsThoseLaidOutAnew) {
     }
     for (int tick = 0; tick < 200; ++tick) {
         for (World* world : {&kept.world, &anew.world}) {
-            // From now on there are two groups, for a while.
+            // From here on there are two groups, for a while.
             if (tick == 50 || tick == 80) {
                 ASSERT_TRUE(setQuality(*world, crates[0], tick == 50 ? Quality{4} : kQualityOfWorld).ok());
             }
@@ -188,7 +188,7 @@ TEST(SameBits, blocksThatAreKeptWhileContactsRestPushAsThoseLaidOutAnew) {
             if (tick == 112) world->manifest.pinnedOff = 0;
             if (tick == 140) destroyBody(*world, crates[2]);
         }
-        anew.world = World{anew.world};  // its workspace is a new one
+        anew.world = World{anew.world};  // with a new workspace
         kept.run(1);
         anew.run(1);
         ASSERT_EQ(bitsOf(kept.world), bitsOf(anew.world)) << tick;
@@ -206,12 +206,12 @@ TEST(SameBits, anIslandThatChangesItsGroupIsSolvedInTheBlocksOfThatGroup) {
     }
     for (int tick = 0; tick < 100; ++tick) {
         for (World* world : {&kept.world, &anew.world}) {
-            // The bodies of both groups stay in one order: only the boundary between them moves.
+            // The order of the bodies of both groups stays the same: only the boundary between them moves.
             if (tick == 50) {
                 ASSERT_TRUE(setQuality(*world, crates[1], 4).ok());
             }
         }
-        anew.world = World{anew.world};  // its workspace is a new one
+        anew.world = World{anew.world};  // with a new workspace
         kept.run(1);
         anew.run(1);
         ASSERT_EQ(bitsOf(kept.world), bitsOf(anew.world)) << tick;
@@ -239,7 +239,7 @@ TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
     EXPECT_EQ(leftHeap(5), expected);
 }
 
-/// Boxes that fly fast among many thin walls, where several are in the way of each at once.
+/// Fast boxes among many thin walls, several of which are in the path of each at once.
 World hailAmongWalls(std::uint64_t seed, BroadPhaseKind kind) {
     World world;
     world.settings.broadPhase = kind;

@@ -9,7 +9,7 @@
 namespace plumb::physics {
 namespace {
 
-/// How many random runs a test makes: PLUMB_SEAMS, or `usual`.
+/// Number of random runs of a test: PLUMB_SEAMS, or `usual`.
 int runsToTry(int usual) {
     const char* wanted = std::getenv("PLUMB_SEAMS");
     return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;
@@ -26,7 +26,7 @@ Geometry outlineOf(Slider slider, float half) {
     }
 }
 
-/// Terrain of cells in a world with y down, seamed by chunks of 8 cells and by two materials.
+/// Terrain of cells in a world with y down, with seams of chunks of 8 cells and of two materials.
 struct Ground {
     World world;
     TerrainOutlines terrain;
@@ -165,7 +165,7 @@ TEST(Seams, anEditUnderABodyWakesItAndDropsIt) {
     Heard heard;
     for (int i = 0; i < 120; ++i) step(ground.world, kTick), heard.add(ground.world);
     ASSERT_FALSE(isAwake(ground.world, body));
-    // Elsewhere in the chunk: it stays on the floor, and hears nothing.
+    // Elsewhere in the chunk: it stays on the floor, without events.
     ground.terrain.set(14, 2, {});
     ASSERT_TRUE(ground.body.update(ground.world, ground.terrain, ground.terrain.update()).ok());
     for (int i = 0; i < 30; ++i) step(ground.world, kTick), heard.add(ground.world);
@@ -178,8 +178,8 @@ TEST(Seams, anEditUnderABodyWakesItAndDropsIt) {
     EXPECT_EQ(heard.ended, 1);
 }
 
-TEST(Seams, aBorderInsideATerrainStopsOnlyWhoDoesNotMeetWhatIsBeforeIt) {
-    // Above, ground that only layer 2 meets; under it, ground that all meet.
+TEST(Seams, anInnerEdgeOfATerrainStopsOnlyBodiesThatDoNotCollideWithTheTileBeforeIt) {
+    // Above, ground that only layer 2 collides with; below it, ground for all.
     TileMask mask{8, 4};
     const std::uint8_t soft = *mask.palette.addLayers({.layers = 4});
     for (int x = 0; x < 8; ++x) {

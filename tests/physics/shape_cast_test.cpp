@@ -13,7 +13,7 @@ using namespace plumb::physics;
 
 namespace {
 
-/// m: from the outline, when it has gone a part of its way, to a shape.
+/// m: distance from an outline, after a fraction of its displacement, to a shape.
 float gapAt(const World& world, const QueryShape& shape, Vec2 way, float part, std::uint32_t other) {
     const WorldPosition position = shape.position + way * part;
     const Frame theirs = inverse(Frame{{}, shape.rotation}) * frameAt(world, other, position);

@@ -56,7 +56,7 @@ TEST(MassProperties, ofSimpleOutlinesAreThoseOfTheTextbook) {
     EXPECT_EQ(massProperties(circle(1.0f), {}, kNan).mass, 0.0f);
 }
 
-/// Sums over horizontal slices, each between where a ray enters from the left and from the right.
+/// Integrates over horizontal slices, each between the entry points of rays from the left and from the right.
 MassProperties sliced(const Outline& outline, int slices) {
     const AABB box = boundsOf(outline.geometry, outline.corners, {});
     const double height = static_cast<double>(box.size().y) / slices;
@@ -94,7 +94,7 @@ TEST(MassPropertiesProperty, areThoseOfTheOutlineCutIntoSlices) {
     }
 }
 
-/// Places on the edge of an outline, found from outside.
+/// Points on the boundary of an outline, found from outside.
 std::vector<Vec2> placesOnTheEdge(const Outline& outline) {
     const Vec2 middle = convexOf(outline.geometry, outline.corners).centre;
     std::vector<Vec2> places;
@@ -160,7 +160,7 @@ TEST(ReachProperty, isThatOfTheFarthestPlaceOfTheEdge) {
             farthest = std::fmax(farthest, distance(place, from));
         const float reach = reachOf(outline.geometry, outline.corners, from);
         EXPECT_GE(reach, farthest - 1e-5f);
-        EXPECT_LT(reach, farthest + 0.05f);  // the places are some centimetres apart
+        EXPECT_LT(reach, farthest + 0.05f);  // the points are some centimeters apart
     }
 }
 

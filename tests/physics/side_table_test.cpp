@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "physics/simulation.hpp"
 
-// What only some bodies and shapes have is in rows that come and go with them.
+// Rare properties of bodies and shapes are in rows that are created and freed with them.
 
 namespace plumb::physics {
 namespace {
@@ -34,7 +34,7 @@ TEST(SideTable, givesAFreedRowAwayAsIfItWereNew) {
     table.own(a).linearDrag = 1.0f;
     table.release(a);
     EXPECT_EQ(a, kNone);
-    table.release(a);  // nothing is left to free
+    table.release(a);  // there is nothing left to free
     EXPECT_EQ(table.own(b), BodyDrive{});
     EXPECT_EQ(table.rows.size(), 1u);
     EXPECT_TRUE(table.free.empty());
@@ -99,7 +99,7 @@ public:
 private:
     static void expectOk(const Result<Done>& result) { EXPECT_TRUE(result.ok()); }
 
-    /// Often as it is by default.
+    /// Has its default value about half of the time.
     float value() { return random_.below(2) == 0 ? 0.0f : random_.between(0.1f, 2.0f); }
 
     void add() {

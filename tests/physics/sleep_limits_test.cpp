@@ -5,14 +5,14 @@
 
 #include "world_of_bodies.hpp"
 
-// When exactly bodies rest and fall asleep, and how fast they may be at most.
+// When exactly bodies rest and fall asleep, and their maximum speed.
 
 using namespace plumb;
 using namespace plumb::physics;
 
 namespace {
 
-/// Steps until a body that drifts freely sleeps; -1: never, in three seconds.
+/// Steps until a freely drifting body sleeps; -1: not within three seconds.
 int stepsToSleep(float speed, float spin, float sleepSpeed, float sleepTime, float dt = kTick) {
     World world;
     world.settings.gravity = {};

@@ -116,17 +116,17 @@ TEST(Sleep, aPlatformThatStartsToMoveWakesWhatLiesOnItAndWhatHangsFromIt) {
     EXPECT_NEAR(scene.y(hanging), 0.0, 0.02);
 }
 
-TEST(Sleep, aSlowLiftDoesNotLeaveAnybodyInTheAir) {
+TEST(Sleep, aSlowLiftLeavesNoBodyInTheAir) {
     Sleepy scene;
     const BodyId lift = scene.body(BodyKind::Kinematic, {0.0, 0.0});
     scene.shape(lift, box({2.0f, 0.25f}));
     const BodyId crate = scene.crate({0.0, 0.75});
-    ASSERT_TRUE(setVelocity(scene.world, lift, {0.0f, -0.02f}).ok());  // slower than what counts as rest
+    ASSERT_TRUE(setVelocity(scene.world, lift, {0.0f, -0.02f}).ok());  // slower than the sleep speed
     scene.run(600);
     EXPECT_NEAR(scene.y(crate), 0.55, 0.01);
 }
 
-/// A crate asleep on a floor, and a kinematic body of any shape that comes along at a given speed.
+/// A crate asleep on a floor, and a kinematic body of any shape that approaches at a given speed.
 struct Sweeper {
     Sleepy scene;
     BodyId crate;
@@ -157,8 +157,8 @@ struct Sweeper {
         scene.run(1);
     }
 
-    /// The crate has to be awake as soon as the sweeper is in it by more than a contact that rests, and
-    /// what a step at this speed adds.
+    /// The crate has to be awake as soon as the sweeper overlaps it by more than
+    /// a resting contact does, plus the displacement of a step at this speed.
     void expectWaking(bool byTarget) {
         if (!byTarget) (void)setVelocity(scene.world, sweeper, {speed, 0.0f});
         const double startX = scene.x(crate);
@@ -188,8 +188,8 @@ TEST(Sleep, aKinematicBodyWakesWhatItRunsInto) {
 }
 
 TEST(Sleep, aKinematicBodyWakesWhatItCreepsUpToWhileOthersFallAsleep) {
-    // Contacts of islands that fall asleep leave the step. That must not take along the pair of the sweeper
-    // and the sleeper, which do not touch yet.
+    // Contacts of islands that fall asleep leave the step. This must not remove
+    // the pair of the sweeper and the sleeping body, which do not touch yet.
     Sweeper sweep{BroadPhaseKind::Tree, 0, 0.04f};
     sweep.scene.crate({20.0, 0.5});
     sweep.expectWaking(false);

@@ -15,7 +15,7 @@
 #include "random_shapes.hpp"
 #include "world_of_bodies.hpp"
 
-// Parts that everything uses, against the plainest code that does the same.
+// Small shared functions, compared with the simplest possible implementations.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -54,7 +54,7 @@ TEST(BoxStatistics, areThoseOfEvenlySpreadBoxes) {
         Random random = Random::seeded(seed);
         test::ProxyWorld world;
         std::vector<std::uint32_t> ids;
-        // A grid of boxes one apart; some that are nowhere count for nothing.
+        // A grid of boxes with spacing 1; boxes that are nowhere do not count.
         const int columns = 20 + static_cast<int>(random.below(30)),
                   rows = 20 + static_cast<int>(random.below(30));
         const float apart = random.between(0.5f, 5.0f), size = random.between(0.1f, 4.0f);

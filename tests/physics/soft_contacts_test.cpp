@@ -7,7 +7,7 @@
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/effect_worlds.hpp"
 
-// How soft bodies and bodies push each other.
+// Interaction of soft and rigid bodies.
 
 namespace plumb::physics {
 namespace {
@@ -75,8 +75,8 @@ Motion motionOf(const World& world) {
     return sum;
 }
 
-/// m/s: of the fastest point of any body within the next two seconds. Damped motion dies; what is fed does
-/// not.
+/// m/s: maximum speed of any body within the next two
+/// seconds. Damped motion decays; a driven one does not.
 float fastestPoint(World& world) {
     float most = 0.0f;
     for (int i = 0; i < 120; ++i) {
@@ -89,7 +89,7 @@ float fastestPoint(World& world) {
     return most;
 }
 
-/// One of a few blows, without gravity and damping.
+/// One of a few impacts, without gravity and damping.
 World makeBlow(std::uint64_t seed) {
     Random random = Random::seeded(seed);
     World world = makeWorld();
@@ -133,7 +133,7 @@ TEST(SoftContacts, blowsKeepTurning) {
     }
 }
 
-/// A jelly on the floor and bodies that lean at it, between two posts.
+/// A jelly on the floor and bodies that lean on it, between two posts.
 struct Leaning {
     const char* name;
     double post;  // m: the right one; the left one is at -0.8

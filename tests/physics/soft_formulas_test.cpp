@@ -8,7 +8,7 @@
 #include "random_shapes.hpp"
 #include "world_of_bodies.hpp"
 
-// What soft bodies are made of, and single substeps of them, by formula.
+// Construction of soft bodies, and single substeps of them, compared with formulas.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kStep = 0.01f;  // s
 
-/// One substep a step, no damping.
+/// One substep per step, no damping.
 SoftMaterial bare() {
     SoftMaterial material;
     material.damping = 0.0f;
@@ -187,7 +187,7 @@ TEST(SoftFormulas, aLinkGivesWayByItsCompliance) {
         const bool pinned = seed % 2 == 0;
         ASSERT_TRUE(pinParticle(world, rope, 0, pinned));
         step(world, kStep);
-        // XPBD: the multiplier is C / (w + compliance / h2), and each end moves by its part.
+        // XPBD: the multiplier is C / (w + compliance / h2), and each end moves by its share.
         const float inverse = 2.0f / material.mass, weight = pinned ? inverse : 2.0f * inverse;
         const float push = (length(end) - 2.0f) / (weight + material.stretchCompliance / (kStep * kStep));
         const Vec2 along = normalized(end);
@@ -204,7 +204,7 @@ TEST(SoftFormulas, aJellyClosesTheErrorOfItsAreaInOneStepWhereItIsNotCompliant) 
         for (const float scale : {0.95f, 1.05f}) {
             World world = weightless();
             SoftMaterial material = bare();
-            material.stretchCompliance = 1e6f;  // edges do nothing
+            material.stretchCompliance = 1e6f;  // edges have no effect
             material.areaCompliance = compliance;
             const std::vector<Vec2> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
             const SoftBodyId jelly = *createJelly(world, {}, square, material);

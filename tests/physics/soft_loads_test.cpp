@@ -6,7 +6,7 @@
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/effect_worlds.hpp"
 
-// Soft bodies that carry what is much heavier or much lighter than they are, or lie on it.
+// Soft bodies that carry bodies much heavier or lighter than they are, or lie on them.
 
 namespace plumb::physics {
 namespace {
@@ -28,7 +28,7 @@ struct Load {
     bool below = false;
 };
 
-/// Masses from 1/1000 to 1000 times that of the jelly. Links give way by at most 1 cm under all of it.
+/// Masses from 1/1000 to 1000 times that of the jelly. Links stretch by at most 1 cm under all of it.
 Load randomLoad(std::uint64_t seed) {
     Random random = Random::seeded(seed);
     Load load;
@@ -87,7 +87,7 @@ float fastest(const Loaded& made) {
     return most;
 }
 
-/// m: by which the middle of a particle is inside of a crate.
+/// m: depth of the middle of a particle inside a crate.
 float entered(const Loaded& made, float crate) {
     float most = 0.0f;
     for (const BodyId body : made.crates) {
@@ -100,7 +100,7 @@ float entered(const Loaded& made, float crate) {
     return most;
 }
 
-/// J: of motion and height. Springs are at rest at the start, so that they have none to give.
+/// J: kinetic and potential energy. Springs are at rest at the start, so they contain none.
 double energyOf(const Loaded& made) {
     const auto g = static_cast<double>(kGravity);
     double sum = 0.0;

@@ -9,7 +9,7 @@
 #include "tests/physics/effect_worlds.hpp"
 #include "tests/support/allocations.hpp"
 
-// How soft bodies keep out of each other.
+// Contacts between soft bodies.
 
 namespace plumb::physics {
 namespace {
@@ -54,7 +54,7 @@ Vec2 meanVelocity(const World& world, SoftBodyId body) {
     return sum / static_cast<float>(particlesOf(world, body).size());
 }
 
-/// m: from a particle to the nearest edge of another body; negative inside of its ring.
+/// m: from a particle to the nearest edge of another body; negative inside its ring.
 float gapTo(const SoftBody& other, WorldPosition place) {
     float nearest = 1.0e9f, winding = 0.0f;
     for (const SoftLink& link : other.links) {
@@ -67,7 +67,7 @@ float gapTo(const SoftBody& other, WorldPosition place) {
     return !other.ring.empty() && std::fabs(winding) > kPi ? -nearest : nearest;
 }
 
-/// m: the smallest of all, both ways.
+/// m: the minimum over all particles of both.
 float gapBetween(const World& world, SoftBodyId a, SoftBodyId b) {
     float gap = 1.0e9f;
     for (const SoftParticle& p : particlesOf(world, a))
@@ -98,7 +98,7 @@ TEST(SoftSoftContacts, aJellyRestsOnAnother) {
     addFloor(world);
     const SoftBodyId below = addJelly(world, {0.0, -0.7}, 0.6f, firm(2.0f));
     const SoftBodyId above = addJelly(world, {0.05, -2.2}, 0.6f, firm(2.0f));
-    addBody(world, BodyKind::Static, {-1.0, -2.0}, box({0.3f, 2.0f}));  // so that it does not roll off
+    addBody(world, BodyKind::Static, {-1.0, -2.0}, box({0.3f, 2.0f}));  // keeps it from rolling away
     addBody(world, BodyKind::Static, {1.0, -2.0}, box({0.3f, 2.0f}));
     for (int i = 0; i < 600; ++i) {
         run(world, 1);
@@ -166,7 +166,7 @@ TEST(SoftSoftContacts, blowsKeepAllMomentum) {
     }
 }
 
-TEST(SoftSoftContacts, whoIsFarAwayOrOfAnotherLayerIsNotMet) {
+TEST(SoftSoftContacts, bodiesFarAwayOrInAnotherLayerAreIgnored) {
     const auto makeA = [](World& world) {
         world = makeWorld();
         SoftMaterial material = firm(1.0f);
@@ -195,7 +195,7 @@ TEST(SoftSoftContacts, whatWasMadeInsideOfAnotherIsPushedOutAndNotThrown) {
     for (int i = 0; i < 180; ++i) {
         run(world, 1);
         for (const SoftBodyId body : {a, b})
-            // Links that were pressed together add some.
+            // Compressed links add some.
             ASSERT_LT(length(meanVelocity(world, body)), 1.5f * world.settings.pushSpeed) << i;
     }
     EXPECT_GT(gapBetween(world, a, b), kApart - 0.002f);
@@ -241,7 +241,7 @@ TEST(SoftSoftContacts, askForNoMemoryInASteadyStep) {
     EXPECT_EQ(plumb::test::allocations().made, before);
 }
 
-// They moved at 12 to 40 m/s for minutes.
+// Regression: they moved at 12 to 40 m/s for minutes.
 TEST(SoftSoftContacts, jelliesInOnePlacePartAndComeToRest) {
     for (const int count : {2, 3, 6}) {
         for (const float apart : {0.0f, 0.1f, 0.4f}) {

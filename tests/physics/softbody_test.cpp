@@ -34,7 +34,7 @@ TEST(SoftBody, aRopeHangsAtItsLengthFromItsPin) {
     run(world, 900);
     EXPECT_EQ(particlesOf(world, rope)[0].place, WorldPosition(0.0, 0.0));
     EXPECT_NEAR(wayOf(world, rope, 0, 19).x, 0.0f, 0.05f);
-    EXPECT_NEAR(wayOf(world, rope, 0, 19).y, 2.0f, 0.06f);  // stretches by little
+    EXPECT_NEAR(wayOf(world, rope, 0, 19).y, 2.0f, 0.06f);  // it stretches slightly
 }
 
 TEST(SoftBody, aClothLiesOnTheFloor) {

@@ -6,7 +6,7 @@
 #include "physics/soft/softbody.hpp"
 #include "world_of_bodies.hpp"
 
-// Readers answer for what is gone, or never was, and change nothing.
+// Getters return defaults for objects that do not exist, and change nothing.
 
 namespace plumb::physics {
 namespace {

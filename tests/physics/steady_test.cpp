@@ -7,7 +7,7 @@
 #include "tests/physics/golden_scenes.hpp"
 #include "tests/support/allocations.hpp"
 
-// A step that needs no more than those before asks for no memory.
+// A step that needs no more memory than earlier ones allocates none.
 
 namespace plumb::physics {
 namespace {
@@ -17,7 +17,7 @@ using test::goldenScenes;
 
 class SteadyStep : public testing::TestWithParam<std::size_t> {};
 
-/// The same steps twice: all that they need is there the second time.
+/// The same steps twice: the second time all their memory exists.
 std::size_t allocationsOfTheSecondTime(const GoldenScene& scene, const StepOptions& options) {
     constexpr int kSteps = 60;
     const auto advance = [&](World& world, int i) {
@@ -25,13 +25,12 @@ std::size_t allocationsOfTheSecondTime(const GoldenScene& scene, const StepOptio
         step(world, 1.0f / 60.0f, options);
     };
     World world = scene.build();
-    world.settings.sleeping =
-        false;  // who falls asleep goes from one list to another, which is no steady step
+    world.settings.sleeping = false;  // a body that falls asleep moves between lists, which is no steady step
     for (int i = 0; i < 30; ++i) advance(world, i);
     const World saved = world;
     for (int i = 30; i < 30 + kSteps; ++i) advance(world, i);
     world = saved;
-    advance(world, 30);  // fills the workspace anew
+    advance(world, 30);  // refills the workspace
     const std::size_t before = plumb::test::allocations().made;
     for (int i = 31; i < 30 + kSteps; ++i) advance(world, i);
     return plumb::test::allocations().made - before;

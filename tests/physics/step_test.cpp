@@ -44,14 +44,14 @@ TEST(Step, dragFollowsItsExponential) {
     EXPECT_NEAR(scene.x(*made), 10.0 / 0.7 * (1.0 - std::exp(-0.7)), 1.0e-3);
 }
 
-TEST(Step, dragSlowsNobodyWhomItsOwnerMoves) {
+TEST(Step, dragDoesNotSlowKinematicBodies) {
     Playground scene;
     const BodyId platform = *createBody(scene.world, {.kind = BodyKind::Kinematic,
                                                       .velocity = {1.0f, 0.0f},
                                                       .angularVelocity = 1.0f,
                                                       .linearDrag = 1.0f,
                                                       .angularDrag = 1.0f});
-    static_cast<void>(*createBody(scene.world, {.linearDrag = 1.0f}));  // drag runs
+    static_cast<void>(*createBody(scene.world, {.linearDrag = 1.0f}));  // so that the drag effect runs
     scene.run(60);
     EXPECT_EQ(scene.velocity(platform), (Vec2{1.0f, 0.0f}));
     EXPECT_EQ(angularVelocityOf(scene.world, platform), 1.0f);
@@ -121,7 +121,7 @@ TEST(Step, momentumOutlastsEveryCollision) {
 
 TEST(Step, aCrateSticksToASlopeUnlessItIsSteeperThanItsFriction) {
     for (const float friction : {0.2f, 0.5f, 0.9f}) {
-        for (const float part : {0.98f, 1.02f}) {  // of the angle of friction
+        for (const float part : {0.98f, 1.02f}) {  // of the critical angle
             Playground scene;
             const float angle = std::atan(friction) * part;
             const ShapeDefinition rough{.friction = friction};
@@ -160,7 +160,7 @@ TEST(Step, aBallBouncesToTheHeightThatItsBouncinessSays) {
     }
 }
 
-// Wherever in a step the blow falls, and however deep the ball is when it is found.
+// Whatever the time of impact within a step, and whatever the overlap at detection.
 TEST(Step, aBounceLosesNoHeightButWhatItsBouncinessTakes) {
     for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
         for (const float bounciness : {0.5f, 0.9f, 1.0f}) {
@@ -203,8 +203,8 @@ TEST(Step, aKinematicBodyCarriesWhatStandsOnIt) {
 }
 
 TEST(Step, noBodyMovesFurtherThanTheMaxSpeedAllows) {
-    // The speed is limited at the end of the step; the substeps before would carry it thousands of
-    // kilometers.
+    // The speed is limited at the end of the step; the substeps
+    // before would move the body thousands of kilometers.
     Playground scene;
     scene.world.settings.quality = 0;
     const BodyId ball = scene.ball({0.0, 0.0});
@@ -223,7 +223,7 @@ TEST(Step, aConveyorCarriesAtItsSpeed) {
 }
 
 TEST(Step, aPositiveSurfaceSpeedGoesTheWayFromXToYAroundTheShape) {
-    // On each side of a block, pressed against it, whichever of both has the belt's speed.
+    // On each side of a block, pressed against it; either of the two has the belt's speed.
     for (const Vec2 outward : {Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}, Vec2{-1.0f, 0.0f}, Vec2{0.0f, -1.0f}}) {
         const Vec2 along{-outward.y, outward.x};
         for (const bool movesBelt : {false, true}) {
@@ -234,7 +234,7 @@ TEST(Step, aPositiveSurfaceSpeedGoesTheWayFromXToYAroundTheShape) {
             const BodyId crate = scene.body(BodyKind::Dynamic, WorldPosition{} + 20.5f * outward);
             scene.shape(crate, box({0.5f, 0.5f}), {.surfaceSpeed = movesBelt ? 2.0f : 0.0f});
             scene.run(60);
-            // Its own belt drives the crate the other way: that below it goes the same way around the crate.
+            // Its own belt drives the crate the other way: the one below moves the same way around it.
             EXPECT_NEAR(dot(scene.velocity(crate), along), 2.0f, 0.01f) << outward.x << " " << outward.y;
         }
     }

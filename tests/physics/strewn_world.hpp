@@ -5,11 +5,11 @@
 
 namespace plumb::physics {
 
-// Worlds for tests of queries, and what a query ought to look at in them.
+// Worlds for tests of queries, and the expected candidates.
 
 inline constexpr double kFar = 1048576.0;  // m: exact together with everything that is on a grid
 
-/// Shapes of all kinds strewn over 20 x 20 m around a place, of bodies of all kinds.
+/// Shapes of all kinds, scattered over 20 x 20 m around a position, of bodies of all kinds.
 inline World strew(std::uint64_t seed, double origin) {
     World world;
     world.settings.gravity = {};

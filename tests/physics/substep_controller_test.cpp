@@ -7,7 +7,7 @@
 #include "core/random.hpp"
 #include "physics/tuning.hpp"
 
-// The rule by which an island takes its quality, on islands whose answer is a formula.
+// The rule by which an island chooses its quality, for islands whose answer is a formula.
 
 namespace plumb::physics {
 namespace {
@@ -15,12 +15,12 @@ namespace {
 constexpr float kTolerance = 0.001f;   // m
 constexpr float kStep = 1.0f / 60.0f;  // s
 
-/// An island whose error falls by `gain` for each quality, and follows a new one with a delay.
+/// An island whose error falls by `gain` per quality level, and follows a change with a delay.
 struct Island {
     SubstepController effort = begun(2, kStep);
     float load = 0.0f;     // m: its error at quality 0
     float gain = 4.0f;     // ratio
-    float follows = 0.2f;  // part of the way in a step
+    float follows = 0.2f;  // part of the remaining difference per step
     float error = 0.0f;    // m
     int changes = 0;
 
@@ -87,7 +87,7 @@ TEST(SubstepController, keepsToTheToleranceWithoutFlicker) {
 
 TEST(SubstepController, comesDownWhenTheLoadIsGone) {
     Island island{.load = 0.1f};
-    island.run(60 * 60);  // has learned that less does not do
+    island.run(60 * 60);  // has learned that less is not enough
     const Quality high = island.effort.quality;
     ASSERT_GE(high, 3);
     island.load = 0.0001f;
@@ -106,7 +106,7 @@ TEST(SubstepController, whereQualityDoesNotHelpItIsNotBought) {
     EXPECT_LE(island.effort.quality, 2);
     EXPECT_LT(substeps / kSteps, 1.5 * 4.0);
     island.gain = 4.0f;
-    island.load = 0.3f;  // now it would help
+    island.load = 0.3f;  // now a higher quality would help
     island.run(120);
     EXPECT_LE(island.error, kTolerance);
 }
@@ -128,7 +128,7 @@ struct Tie {
     float error = 0.0f, tolerance = 0.0f;  // m
 };
 
-/// An error that is exactly kRoom of a tolerance when it is multiplied by `factor`.
+/// An error that is exactly kRoom of a tolerance when multiplied by `factor`.
 Tie tieOf(float factor) {
     for (float tolerance = 1.0f; tolerance < 1.001f; tolerance = std::nextafter(tolerance, 2.0f)) {
         const float limit = kRoom * tolerance, error = limit / factor;
@@ -151,14 +151,14 @@ TEST(SubstepController, whatIsAtALimitIsWithinIt) {
     for (const Phase phase : {Phase::Calm, Phase::Strained, Phase::Rising, Phase::Resigned})
         EXPECT_EQ(after({.phase = phase, .wait = kLong}, 1.0f).phase, Phase::Calm);
     EXPECT_EQ(after({.phase = Phase::Trying, .wait = kLong}, kRoom).phase, Phase::Trying);
-    // The most error with which less is tried, and the error that one level more makes just right.
+    // The maximum error at which a lower quality is tried, and the error that one more level corrects.
     const Tie small = tieOf(kMaxGain), large = tieOf(1.0f / kMinGain);
     EXPECT_EQ(after({.phase = Phase::Calm}, small.error, small.tolerance).phase, Phase::Trying);
     EXPECT_EQ(after({.phase = Phase::Rising, .error = large.error, .first = large.error}, large.error,
                     large.tolerance)
                   .phase,
               Phase::Resigned);
-    // A load that has neither grown nor shrunk.
+    // A load that neither grew nor shrank.
     EXPECT_EQ(after({.phase = Phase::Rising, .wait = kLong, .first = 10.0f}, kGrew * 10.0f).first, 10.0f);
     for (const float change : {kGrew, kHelped})
         EXPECT_EQ(after({.phase = Phase::Resigned, .wait = kLong, .error = 10.0f}, change * 10.0f).phase,
@@ -167,7 +167,7 @@ TEST(SubstepController, whatIsAtALimitIsWithinIt) {
               3);
 }
 
-/// Of three qualities alone, so that many pairs have the same.
+/// With three qualities only, so that many pairs have the same.
 SubstepController anyController(Random& random) {
     SubstepController one;
     one.quality = static_cast<Quality>(static_cast<int>(random.below(3)) - 1);

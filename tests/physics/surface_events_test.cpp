@@ -5,10 +5,10 @@
 namespace plumb::physics {
 namespace {
 
-/// What a body touches: a shape on its own, or a surface.
+/// What a body touches: a single shape, or a surface.
 using Touch = std::pair<std::uint64_t, std::uint64_t>;
 
-/// Of both sides of an event, whichever is first.
+/// Both sides of an event, in either order.
 Touch touchOf(const ContactEvent& event, const std::map<std::uint32_t, std::uint64_t>& sides) {
     const std::uint64_t a = sides.at(event.shapeA.index), b = sides.at(event.shapeB.index);
     return {std::min(a, b), std::max(a, b)};
@@ -24,7 +24,7 @@ TEST(SurfaceEvents, beginAndEndInTurnForEachBodyOnEachSurface) {
         world.settings.stayEvents = seed % 2 == 0;
         world.settings.sleeping = seed % 3 == 0;
         world.settings.sleepTime = 0.1f;
-        // Three floors of many pieces, the middle one of them one-way, and a trigger of two shapes.
+        // Three floors of many pieces, the middle one one-way, and a trigger of two shapes.
         std::map<std::uint32_t, std::uint64_t> sides;  // by shape: its surface
         const auto note = [&](ShapeId shape, std::uint64_t side) { sides[shape.index] = side; };
         const BodyId ground = scene.body(BodyKind::Static, {});
@@ -68,7 +68,7 @@ TEST(SurfaceEvents, beginAndEndInTurnForEachBodyOnEachSurface) {
                 default: break;
             }
             if (tick % 50 == 49) {
-                const World copy = world;  // what touched is found again in its contacts
+                const World copy = world;  // counts are restored from the contacts
                 world = copy;
             }
             scene.run(1);

@@ -18,7 +18,7 @@ int shots() {
     return asked != nullptr ? std::atoi(asked) : 10000;
 }
 
-/// One bullet and one wall across its way, turned by `angle` about the origin.
+/// A bullet and a wall across its path, rotated by `angle` about the origin.
 struct Shot {
     World world;
     BodyId bullet;
@@ -26,7 +26,7 @@ struct Shot {
     float thickness;
 
     [[nodiscard]] Vec2 seen() const { return unrotate(turn, centreOf(world, bullet) - WorldPosition{}); }
-    /// m: how far the bullet is behind the wall as a whole; below 0: it is not.
+    /// m: distance of the whole bullet behind the wall; below 0: it is not behind.
     [[nodiscard]] float behind() const {
         return seen().x - 0.5f * thickness - world.bodies.info[bullet.index].reach;
     }

@@ -140,7 +140,7 @@ TEST(PolygonStore, usesThePlacesOfPolygonsThatAreGoneAgain) {
     }
 }
 
-/// What the owner answers.
+/// The results of the callbacks.
 struct Answer {
     float friction, bounciness;
 };

@@ -44,7 +44,7 @@ TEST(TerrainOutlines, editedAtRandomAreEqualToARebuildAndNameWhatChanged) {
     }
 }
 
-/// Whole chunks of one cell, empty ones, and random ones, as maps are made of.
+/// Whole chunks of one cell, empty ones, and random ones, as in real maps.
 TileMask patchwork(int columns, int rows, Random& random, bool byChunks) {
     constexpr int kSide = TileGrid::kChunkSide;
     TileMask mask{columns * kSide - 5, rows * kSide - 9};
@@ -82,7 +82,7 @@ TEST(TerrainOutlines, areTheSameHoweverTheCellsCameAndHoweverManyThreadsMakeThem
         ASSERT_EQ((std::vector<std::uint32_t>{changed.begin(), changed.end()}),
                   (std::vector<std::uint32_t>{changedQuick.begin(), changedQuick.end()}));
         ASSERT_GT(changed.size(), 400u);
-        // A hole in what was plain is seen, and nothing else changes with it.
+        // A hole in a uniform chunk is detected, and nothing else changes with it.
         const TileMask before = quick.mask();
         for (TerrainOutlines* each : {&terrain, &quick}) each->set(6 * 32 + 50, 100, {TileForm::SlopeDown});
         terrain.update(), quick.update(&pool);

@@ -5,7 +5,7 @@
 
 #include "tests/physics/world_of_bodies.hpp"
 
-// Fixed shapes that abut are one: what slides, rolls or rests on them does what it does on a single shape.
+// Adjacent static shapes act as one: bodies slide, roll and rest on them as on a single shape.
 
 namespace plumb::physics {
 namespace {
@@ -17,7 +17,7 @@ int membersToTry(int usual) {
 
 enum class Rider { Box, Ball, Pentagon, Capsule, Count };
 
-/// A body and what it slides over, all in a frame in which the floor is y = 0 and goes along x.
+/// A body and its floor, in a frame in which the floor is y = 0 along x.
 struct Ride {
     Rider rider = Rider::Box;
     float half = 0.5f;   // m
@@ -25,12 +25,12 @@ struct Ride {
     float friction = 0.0f;
     float tile = 1.0f;     // m, at most
     float unlike = 0.0f;   // ratio by which tiles are smaller
-    float slant = 0.0f;    // m: of the sides of tiles that are no boxes
+    float slant = 0.0f;    // m: slant of the sides of tiles that are polygons
     float overlap = 0.0f;  // m: of neighbors
-    float uneven = 0.0f;   // m: of their tops
-    float slope = 0.0f;    // rad: of the whole, with gravity
+    float uneven = 0.0f;   // m: height differences of their tops
+    float slope = 0.0f;    // rad: of everything, including gravity
     bool inRows = false;   // tiles under tiles
-    bool oneBody = false;  // all tiles are of one body
+    bool oneBody = false;  // all tiles belong to one body
     BodyKind kind = BodyKind::Static;
     std::uint64_t seed = 0;
 
@@ -175,7 +175,7 @@ TEST(TileSeams, areNotFeltOnFlushFloors) {
     }
 }
 
-// Of uneven floors, less than the tolerance of 1 mm is passed over.
+// Height differences below the tolerance of 1 mm are ignored.
 TEST(TileSeams, stepsBelowTheToleranceStopNothing) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Ride ride = randomRide(static_cast<std::uint64_t>(i));
@@ -186,7 +186,7 @@ TEST(TileSeams, stepsBelowTheToleranceStopNothing) {
     }
 }
 
-/// A floor of tiles beside one of a single shape, which end at x = `end`, with a wall there or an edge.
+/// A floor of tiles, compared with a single shape, that ends at x = `end`, with a wall or an edge there.
 struct Ends {
     float half = 0.2f;  // m: of the body
     float speed = 1.0f;
@@ -240,7 +240,7 @@ Ends randomEnds(std::uint64_t seed) {
     return ends;
 }
 
-// Where the floor ends, bodies leave and tip as from a single one.
+// Where the floor ends, bodies leave and tip over as from a single shape.
 TEST(TileSeams, realEdgesAreEdges) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         const Ends ends = randomEnds(static_cast<std::uint64_t>(i));
@@ -255,12 +255,12 @@ TEST(TileSeams, realEdgesAreEdges) {
     }
 }
 
-// Steps above the overlap at rest, and walls, stop what slides against them.
+// Steps higher than the resting overlap, and walls, stop sliding bodies.
 TEST(TileSeams, realStepsStopBodies) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Ends ends = randomEnds(static_cast<std::uint64_t>(i));
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 9);
-        // What turns tips over a step below its middle.
+        // A rotating body tips over a step below its middle.
         ends.wall = ends.turns ? random.between(1.2f, 3.0f) * ends.half : random.between(0.01f, 1.0f);
         Playground tiles, single;
         const BodyId a = ends.build(tiles, true), b = ends.build(single, false);
@@ -275,14 +275,14 @@ TEST(TileSeams, realStepsStopBodies) {
     }
 }
 
-// A corner of a floor and a wall that overlap holds on both sides, at any angle and load.
+// A corner of an overlapping floor and wall holds on both sides, at any angle and load.
 TEST(TileSeams, cornersOfOverlappingShapesHoldOnBothSides) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 21);
         const float half = 0.05f * std::pow(20.0f, random.unit()), lean = random.between(0.0f, 0.8f);
         const float load = random.between(10.0f, 60.0f);  // m/s2
         Playground ground;
-        // Not up along the wall.
+        // It does not move up along the wall.
         const float side = random.between(0.2f, 0.8f) * std::min(1.0f, std::cos(lean) / std::sin(lean));
         ground.world.settings.gravity = load * normalized(Vec2{-side, -1.0f});
         const BodyId fixed = ground.body(BodyKind::Static, {});
@@ -310,8 +310,8 @@ TEST(TileSeams, cornersOfOverlappingShapesHoldOnBothSides) {
     }
 }
 
-// A line of ground as a row of polygons carries bodies as it does as a chain, whose joints are smooth by
-// their ghost vertices.
+// Ground as a row of polygons carries bodies like a
+// chain, whose joints are smooth by their ghost vertices.
 TEST(TileSeams, slopesOfPolygonsAreAsChains) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 3);
@@ -350,7 +350,7 @@ TEST(TileSeams, slopesOfPolygonsAreAsChains) {
     }
 }
 
-// What is fast enough to be swept hits the floor, not the edges between its tiles.
+// A swept body hits the floor, not the edges between its tiles.
 TEST(TileSeams, fastBodiesBounceAsOffASingleFloor) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 11);

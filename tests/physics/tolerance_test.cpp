@@ -5,7 +5,7 @@
 #include "tests/physics/world_of_bodies.hpp"
 #include "tests/support/allocations.hpp"
 
-// Settings::tolerance in whole worlds; the rule itself is in substep_controller_test.cpp.
+// Settings::tolerance in whole worlds; the rule itself is tested in substep_controller_test.cpp.
 
 namespace plumb::physics {
 namespace {
@@ -34,7 +34,7 @@ struct Held : Playground {
         return index < islands.size() ? islands[index] : IslandReport{};
     }
     [[nodiscard]] Quality qualityOf(BodyId body) const { return islandOf(body).quality; }
-    /// m: the largest error in so many steps.
+    /// m: maximum error within so many steps.
     float worstIn(int steps) {
         float worst = 0.0f;
         for (int i = 0; i < steps; ++i) {
@@ -46,7 +46,7 @@ struct Held : Playground {
     }
 };
 
-/// A net of hinges, which no tree solves, with something heavy on it.
+/// A net of hinges, which is no tree, with a heavy load.
 void hangNet(Held& scene) {
     constexpr int kSide = 6;
     std::vector<BodyId> knots;
@@ -186,8 +186,8 @@ TEST(Tolerance, risesWhenSomethingHeavyComes) {
     EXPECT_NEAR(scene.y(below), 0.5, static_cast<double>(kTolerance));
 }
 
-/// Impulses are those of a substep: with another number of them they are others. And what is deep in
-/// something is a spring that must not be let go at once.
+/// Impulses are those of a substep: with another number of substeps they differ.
+/// And a deep overlap is a compressed spring that must not be released at once.
 TEST(Tolerance, nothingHopsWhenQualityChanges) {
     Held scene;
     const BodyId top = scene.tower(0.0, 8);
@@ -237,7 +237,7 @@ TEST(Tolerance, nothingFallsAsleepTooDeep) {
     EXPECT_NEAR(scene.y(below), 0.5, static_cast<double>(kTolerance));
 }
 
-/// Things that fall on each other, a net, a lift, and guests that come and go.
+/// Bodies that fall on each other, a net, a lift, and bodies that are created and destroyed.
 World busyWorldAfter(int ticks, const StepOptions& options, bool rewinds) {
     Held scene;
     scene.world.settings.sleeping = true;
@@ -279,7 +279,8 @@ TEST(Tolerance, isTheSameForAnyThreadsAndAfterRollbacks) {
     EXPECT_GT(most, 2);
     for (const int threads : {2, 5}) {
         TaskPool pool{threads};
-        EXPECT_EQ(hashOf(busyWorldAfter(400, {.pool = &pool, .minimumWork = 0}, false)), hashOf(expected)) << threads;
+        EXPECT_EQ(hashOf(busyWorldAfter(400, {.pool = &pool, .minimumWork = 0}, false)), hashOf(expected))
+            << threads;
     }
     EXPECT_EQ(hashOf(busyWorldAfter(400, {}, true)), hashOf(expected));
 }

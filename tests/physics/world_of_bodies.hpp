@@ -38,7 +38,7 @@ inline ShapeId addRandomShape(World& world, BodyId body, Random& random, float s
     }
 }
 
-/// A floor and two walls, and things of all kinds in between that fall on each other.
+/// A floor and two walls, and bodies of all kinds in between that fall on each other.
 inline World makePit(int bodies, std::uint64_t seed) {
     World world;
     world.settings.gravity = {0.0f, -10.0f};
@@ -55,7 +55,7 @@ inline World makePit(int bodies, std::uint64_t seed) {
     return world;
 }
 
-/// A world that nobody falls asleep in, and short ways to fill it.
+/// A world in which no body falls asleep, with helpers to fill it.
 struct Playground {
     World world;
 

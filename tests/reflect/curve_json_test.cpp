@@ -25,7 +25,7 @@ struct Fade {
 };
 
 struct Warnings final : FieldContext {
-    std::vector<Error> told;
+    std::vector<Error> warnings;
 
     [[nodiscard]] std::uint64_t stableId(EntityId) const override { return 0; }
     [[nodiscard]] std::string_view text(TextId) const override { return {}; }
@@ -33,7 +33,7 @@ struct Warnings final : FieldContext {
     [[nodiscard]] EntityId entity(std::uint64_t) const override { return {}; }
     TextId keepText(std::string_view) override { return {}; }
     Result<TilesId> tilesFromJson(const FieldInfo&, const Json&) override { return TilesId{}; }
-    void warn(Error error) override { told.push_back(std::move(error)); }
+    void warn(Error error) override { warnings.push_back(std::move(error)); }
 };
 
 struct CurveJson : testing::Test {
@@ -67,7 +67,7 @@ TEST_F(CurveJson, aCurveStandsOnOneLineAndComesBackToTheLastBit) {
     EXPECT_EQ(fade.curve.size(), 3u);
     EXPECT_EQ(fade.curve.keys[1], (CurveKey{0.33333334f, 1e-07f}));
     EXPECT_EQ(written(), kText);
-    EXPECT_TRUE(context.told.empty());
+    EXPECT_TRUE(context.warnings.empty());
 }
 
 TEST_F(CurveJson, isKnownAmongListsOfPairs) {
@@ -94,11 +94,11 @@ TEST_F(CurveJson, whatIsWrongIsSaidWithItsKey) {
               std::string::npos);
 }
 
-TEST_F(CurveJson, aValueOutsideItsRangeIsClampedAndTold) {
+TEST_F(CurveJson, aValueOutsideItsRangeIsClampedAndReported) {
     ASSERT_TRUE(read(R"(["smooth", [0, -1], [1, 7]])").ok());
     EXPECT_EQ(fade.curve, Curve::line(0.0f, 2.0f));
-    ASSERT_EQ(context.told.size(), 2u);
-    EXPECT_NE(context.told[1].text().find("key 1 has 7, outside 0 to 2"), std::string::npos);
+    ASSERT_EQ(context.warnings.size(), 2u);
+    EXPECT_NE(context.warnings[1].text().find("key 1 has 7, outside 0 to 2"), std::string::npos);
 }
 
 }  // namespace

@@ -73,7 +73,9 @@ public:
         return found == entities.end() ? EntityId{} : found->second;
     }
     [[nodiscard]] Json tilesToJson(TilesId tiles) const override { return tiles.value; }
-    Result<TilesId> tilesFromJson(const FieldInfo&, const Json& json) override { return TilesId{json.get<std::uint32_t>()}; }
+    Result<TilesId> tilesFromJson(const FieldInfo&, const Json& json) override {
+        return TilesId{json.get<std::uint32_t>()};
+    }
     void warn(Error error) override { warnings.push_back(std::move(error)); }
 };
 
@@ -98,7 +100,7 @@ TEST_F(FieldJson, aWrongValueNamesTheFieldWhatWasFoundAndWhatToWrite) {
     EXPECT_EQ(sample.rate, 1.5f);
 }
 
-TEST_F(FieldJson, aNumberPastItsRangeIsClampedAndTheContextIsTold) {
+TEST_F(FieldJson, aNumberPastItsRangeIsClampedAndReported) {
     ASSERT_TRUE(read("rate", 100));
     ASSERT_TRUE(read("count", -1000));
 

@@ -51,7 +51,7 @@ TEST(JsonText, theErrorNamesLineColumnWhatWasExpectedAndARemedy) {
     EXPECT_FALSE(result.error().remedy.empty());
 }
 
-TEST(JsonText, whatIsNeverClosedIsToldWhereItOpens) {
+TEST(JsonText, anUnclosedBracketIsReportedWhereItOpens) {
     struct Case {
         std::string_view text;
         std::string_view where;

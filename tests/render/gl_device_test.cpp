@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth = 64;
 constexpr int kHeight = 48;
 
-/// A device in a window that nobody sees; made once, because a context costs more than all the tests.
+/// A device in a hidden window; made once, because creating a context takes longer than all the tests.
 class GlDeviceTest : public testing::Test {
 protected:
     static void SetUpTestSuite() {

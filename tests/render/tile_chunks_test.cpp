@@ -1,5 +1,7 @@
 #include "render/tile_chunks.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "render/recording_device.hpp"
@@ -86,6 +88,56 @@ TEST_F(TileChunksTest, everyTileIsDrawnExactlyOnceAtItsCell) {
         for (int x = 0; x < 70; ++x)
             EXPECT_EQ(seen[static_cast<std::size_t>(y * 70 + x)], grid.at(x, y) == 0 ? 0 : 1);
     }
+}
+
+/// Where tiles lie over each other, the later one of two is above: rows from the top, each from the left.
+/// @return how many lie wrong
+int wronglyOverlapping(const RecordingDevice& device, float cell) {
+    std::vector<SpriteInstance> drawn;
+    for (const RecordingDevice::SpriteDraw& draw : device.spriteDraws)
+        drawn.insert(drawn.end(), draw.instances.begin(), draw.instances.end());
+    const auto placeOf = [&](const SpriteInstance& tile) {  // of its lower left corner, in the order of cells
+        const float row = (tile.center.y + tile.half.y) / cell;
+        return static_cast<int>(row) * 10000 + static_cast<int>((tile.center.x - tile.half.x) / cell);
+    };
+    int wrong = 0;
+    for (std::size_t later = 0; later < drawn.size(); ++later) {
+        for (std::size_t i = 0; i < later; ++i) {
+            const Vec2 apart = drawn[later].center - drawn[i].center;
+            const Vec2 reach = drawn[later].half + drawn[i].half;
+            const bool overlap = std::abs(apart.x) < reach.x && std::abs(apart.y) < reach.y;
+            wrong += overlap && placeOf(drawn[later]) < placeOf(drawn[i]) ? 1 : 0;
+        }
+    }
+    return wrong;
+}
+
+TEST_F(TileChunksTest, largeTilesLieOverEachOtherInTheOrderOfTheirCells) {
+    const Rect sizes[] = {{0, 0, 32, 32}, {0, 0, 16, 40}, {0, 0, 40, 16}, {0, 0, 24, 20}};
+    for (const Rect& size : sizes) {
+        for (const bool animated : {false, true}) {
+            SCOPED_TRACE(testing::Message() << size.width << " x " << size.height << ", " << animated);
+            for (TileLook& look : looks) look.source = size;
+            looks[2].animated = animated;
+            sheet.looks = looks;
+            ++sheet.version;
+            view = {.center = {520.0f, 520.0f}, .size = {320.0f, 180.0f}};
+            draw();
+            EXPECT_GT(tilesDrawn(), 200u);
+            EXPECT_EQ(wronglyOverlapping(device, 16.0f), 0);
+        }
+    }
+}
+
+/// As isometric maps are: cells of half a tile.
+TEST_F(TileChunksTest, tilesInAGridOfHalfCellsLieOverEachOtherInTheOrderOfTheirRows) {
+    for (TileLook& look : looks) look.source = {0.0f, 0.0f, 32.0f, 24.0f};
+    sheet.cellSize = {16.0f, 8.0f};
+    sheet.version = 1;
+    view.center = {512.0f, 256.0f};
+    draw();
+    EXPECT_GT(tilesDrawn(), 200u);
+    EXPECT_EQ(wronglyOverlapping(device, 8.0f), 0);
 }
 
 TEST_F(TileChunksTest, movingTheLayerMakesNothingAnew) {

@@ -46,7 +46,7 @@ build_targets() { # NAME TARGETS...
 
 build_player() { # NAME COMPILER FLAGS
     cmake -S "$root" -B "$build/$1" "${generator[@]}" -DCMAKE_CXX_COMPILER="$2" -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_CXX_FLAGS_RELEASE="$3" -DPLUMB_TESTS=ON -DPLUMB_EDITOR=OFF &&
+        -DCMAKE_CXX_FLAGS_RELEASE="$3" -DPLUMB_TESTS=ON -DPLUMB_EDITOR=OFF -DPLUMB_UNITY=ON &&
         build_targets "$1" plumb-player plumb-physics-hashes
 }
 

@@ -1,7 +1,7 @@
-// Prints a hash of what the functions of math/portable.hpp give, and that of each golden scene: ./plumb test
-// --compilers compares what builds of all compilers print, ./plumb test --record keeps it in physics.golden.
-// Every instruction set that runs here, and more than one thread, must give the same; who does not gets a
-// line more.
+// Prints a hash of the functions of math/portable.hpp and one of each golden scene:
+// ./plumb test --compilers compares the output of builds with all compilers, ./plumb
+// test --record writes it to physics.golden. Every instruction set that runs here, and
+// multiple threads, must give the same hash; one that differs gets a line of its own.
 
 #include <bit>
 #include <cstdio>

@@ -10,9 +10,9 @@ set(physics ${ROOT}/engine/physics)
 set(left_out "broadphase/|debug/|terrain/|ranges.hpp|tuning.hpp")
 set(sizes kMaxCorners kMaxWays kMaxIterations kMaxPushes kLanes kLanesOfPart kPoints kColours kFirstFixedColour kLast)
 set(pieces_of_work kSequential kAtOnce kAhead)  # and all that end in Grain
-set(no_value kFarAway kEndless kFar kNever kNoAnswer kNoLimit kNoChain)
-set(smallest_divisors kNoDistance kMinInertia)
-set(ranges_of_input kFarthestAhead kLightest kMaxTick kMost)
+set(no_value kFarAway kEndless kEndlessPool kUnlimited kFar kNever kNoAnswer kNoLimit kNoChain)
+set(smallest_divisors kNoDistance kNoGap kMinInertia)
+set(ranges_of_input kFarthestAhead kLightest kMaxTick kMaxSetting)
 set(mathematics kQuarter kTurn kTurning)
 set(allowed ${sizes} ${pieces_of_work} ${no_value} ${smallest_divisors} ${ranges_of_input} ${mathematics})
 

@@ -25,7 +25,7 @@ namespace {
 constexpr Vec2 kPicture{320.0f, 180.0f};
 constexpr float kDt = 1.0f / 60.0f;
 
-/// A world and what a device without pixels is told to draw of it.
+/// A world and what a device without pixels draws of it.
 struct DrawScene : testing::Test {
     TypeRegistry types;
     World world{types};

@@ -92,7 +92,7 @@ TEST_F(ParticleScene, asManyAreAliveAsComeInOneLife) {
     emitter.lifetimeSpread = 0.8f;
     const Entity spread = add(emitter);
     run(60);
-    EXPECT_NEAR(particles().find(even)->count, 200.0, 1.0) << "nobody has died yet";
+    EXPECT_NEAR(particles().find(even)->count, 200.0, 1.0) << "none has died yet";
     run(240);
     for (int i = 0; i < 20; ++i) {
         run(7);

@@ -50,7 +50,7 @@ Entity ground(World& world, Vec2 at, float width, float height) {
     return entity;
 }
 
-TEST(PhysicsBridge, aBodyFallsAndLandsWithoutAnybodyCallingForIt) {
+TEST(PhysicsBridge, aBodyFallsAndLandsByItself) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {100, 0});
@@ -147,7 +147,7 @@ TEST(PhysicsBridge, contactsBeginOnceStayAndEnd) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {0, 0});
-    ball.get<RigidBody>().canSleep = false;  // at rest, nothing is told anew
+    ball.get<RigidBody>().canSleep = false;  // at rest, no event is repeated
     const Entity floor = ground(world, {-50, 20}, 100, 10);
     int began = 0;
     int stayed = 0;
@@ -169,7 +169,7 @@ TEST(PhysicsBridge, contactsBeginOnceStayAndEnd) {
     EXPECT_EQ(world.events<ContactEnded>().size(), 1u);
 }
 
-TEST(PhysicsBridge, triggersTellWhoEntersAndLeaves) {
+TEST(PhysicsBridge, triggersTellWhatEntersAndLeaves) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {0, 0});
@@ -233,9 +233,9 @@ void expectWhereItIs(World& world, Entity entity) {
     EXPECT_NEAR(bodyPlace(world, entity).y, place.y, 0.01f);
 }
 
-// Of a thousand that have a parent, those below whoever moves are found, however deep; and all, when it is
+// Of a thousand that have a parent, those below what moves are found, however deep; and all, when it is
 // above all of them.
-TEST(PhysicsBridge, bodiesGoWithWhoeverIsAboveThem) {
+TEST(PhysicsBridge, bodiesGoWithWhateverIsAboveThem) {
     World world;
     world.addSystem<PhysicsSystem>();
     const auto place = [&](Entity parent, Vec2 at) {
@@ -326,7 +326,7 @@ TEST(PhysicsBridge, aSnapshotRepeatsWhatFollowed) {
     }
 }
 
-TEST(PhysicsBridge, badNumbersAreToldOnceAndStopNothing) {
+TEST(PhysicsBridge, badNumbersAreReportedOnceAndStopNothing) {
     std::vector<LogLine> lines;
     const LogSink before = setLogSink([&](const LogLine& line) { lines.push_back(line); });
     World world;

@@ -52,7 +52,7 @@ TEST(PhysicsChanges, bodiesChangeTheirKindInPlay) {
     EXPECT_GT(Scene::place(crate).y, 150.0f) << "nothing holds a trigger";
 }
 
-TEST(PhysicsChanges, whoIsTouchedMayGoInsideTheLoopOverContacts) {
+TEST(PhysicsChanges, touchedEntitiesMayBeDestroyedInsideTheLoopOverContacts) {
     Scene scene;
     scene.floor({-500, 100}, {1000, 20});
     std::vector<Entity> balls;
@@ -129,7 +129,7 @@ TEST(PhysicsChanges, ropesGoAndComeWithTheirEnds) {
     EXPECT_LT(Scene::place(load).y, 62.0f);
     hook.destroy();
     scene.run(30);
-    EXPECT_GT(Scene::place(load).y, 100.0f) << "nobody holds it";
+    EXPECT_GT(Scene::place(load).y, 100.0f) << "nothing holds it";
     hook = scene.floor(Scene::place(load), {4, 4});
     load.get<DistanceJoint>().other = hook;
     scene.run(240);
@@ -175,7 +175,7 @@ TEST(PhysicsChanges, whatASceneDoesNotHaveDoesNotRun) {
     EXPECT_FALSE(manifest.runs(physics::Effect::AreaGravity));
 }
 
-/// A mobile, a wheel on a spring and a magnet: everything that names somebody else.
+/// A mobile, a wheel on a spring and a magnet: everything that names another entity.
 void hang(Scene& scene) {
     const Entity hook = scene.floor({-2, -2}, {4, 4});
     Entity first = scene.ball({0, 50});
@@ -244,7 +244,7 @@ TEST(PhysicsChanges, aSteadyTickAllocatesNothing) {
     EXPECT_EQ(test::allocations().made, before);
 }
 
-TEST(PhysicsChanges, whatNobodyChangedIsNotLookedAt) {
+TEST(PhysicsChanges, whatWasNotChangedIsNotLookedAt) {
     Scene scene;
     scene.floor({-500, 100}, {1000, 20});
     for (int i = 0; i < 20; ++i) scene.crate({20.0f * static_cast<float>(i), 50});

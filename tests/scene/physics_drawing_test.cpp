@@ -167,7 +167,7 @@ TEST(PhysicsDrawing, thePreviewFollowsWhatWasEdited) {
     EXPECT_EQ(left(), 1e9f);
 }
 
-TEST(PhysicsDrawing, whoIsWatchedDoesTheSame) {
+TEST(PhysicsDrawing, whatIsDrawnDoesTheSame) {
     World watched, alone;
     fill(watched), fill(alone);
     AssetStore assets{{}, test::sourceFolder() / "assets"};
@@ -252,7 +252,7 @@ TEST(PhysicsDrawing, keysToggleTheViewAndEveryLayerOfItButNoneWhileItIsHidden) {
     EXPECT_EQ(view.shown().any(), 0u);
 }
 
-TEST(PhysicsDrawing, ofWhoIsSelectedOnlyTheirsIsDrawn) {
+TEST(PhysicsDrawing, onlyWhatIsSelectedIsDrawn) {
     World world;
     fill(world);
     Entity crate = world.createEntity();
@@ -344,7 +344,7 @@ TEST(PhysicsDrawing, linesAreAsWideOnTheScreenAtAnyZoom) {
     }
 }
 
-TEST(PhysicsDrawing, theTimesAreOfAllStagesThatRanWhileSomebodyWatched) {
+TEST(PhysicsDrawing, theTimesAreOfAllStagesThatRanWhileTheyWereShown) {
     World world;
     PhysicsTimes times;
     fill(world);
@@ -372,7 +372,7 @@ TEST(PhysicsDrawing, theTimesAreOfAllStagesThatRanWhileSomebodyWatched) {
     times.watch(world, false);
     run(world, 60);
     EXPECT_EQ(times.profile(), nullptr);
-    EXPECT_EQ(times.rows().front().milliseconds, before) << "nothing is measured when nobody watches";
+    EXPECT_EQ(times.rows().front().milliseconds, before) << "nothing is measured while it is not shown";
 }
 
 TEST(PhysicsDrawing, legendAndNumbersAreOnTheScreenAndNotOnEachOther) {

@@ -64,7 +64,7 @@ bool hasAnswer(std::string_view field) {
     return std::find(std::begin(kFields), std::end(kFields), field) != std::end(kFields);
 }
 
-/// Somebody with the component in question, who is good but for one number, and a crate that has nothing to
+/// An entity with the component in question, good but for one number, and a crate that has nothing to
 /// do with it.
 class Case {
 public:
@@ -136,7 +136,7 @@ public:
         const bool everywhere = name.find("Field") != std::string_view::npos || name == "Attractor" ||
                                 name == "Explosion" || name == "ScenePhysics" || name == "Transform";
         if (everywhere) return;
-        EXPECT_TRUE(bystander_.get<RigidBody>().grounded) << "who has nothing to do with it lands as ever";
+        EXPECT_TRUE(bystander_.get<RigidBody>().grounded) << "what has nothing to do with it lands as before";
         EXPECT_NEAR(bystander_.get<Transform>().position.y, 84.0f, 0.5f);
     }
 
@@ -149,11 +149,11 @@ private:
     Entity bystander_;
 };
 
-TEST(PhysicsNumbers, badOnesInAnyFieldAreToldOrHaveAnAnswer) {
+TEST(PhysicsNumbers, badOnesInAnyFieldAreReportedOrHaveAnAnswer) {
     TypeRegistry types;
     registerSceneComponents(types);
-    std::size_t told = 0;
-    const LogSink before = setLogSink([&](const LogLine&) { ++told; });
+    std::size_t warnings = 0;
+    const LogSink before = setLogSink([&](const LogLine&) { ++warnings; });
     for (const std::string_view name : kPhysicsComponents) {
         const TypeInfo* type = types.find(name);
         ASSERT_NE(type, nullptr) << name;
@@ -163,14 +163,14 @@ TEST(PhysicsNumbers, badOnesInAnyFieldAreToldOrHaveAnAnswer) {
                     SCOPED_TRACE(std::string{name} + "." + std::string{number.field->name} + " = " +
                                  std::to_string(value) + (fromTheStart ? " at the start" : " in play"));
                     Case one{*type, number};
-                    told = 0;
+                    warnings = 0;
                     if (!fromTheStart) one.run(5);
                     one.spoil(value);
                     one.run(45);
                     one.expectFinite();
                     if (std::isfinite(value) || number.whole) continue;
-                    EXPECT_TRUE(told > 0 || one.isMended() || hasAnswer(number.field->name));
-                    EXPECT_LE(told, 3u) << "once is enough";
+                    EXPECT_TRUE(warnings > 0 || one.isMended() || hasAnswer(number.field->name));
+                    EXPECT_LE(warnings, 3u) << "once is enough";
                 }
             }
         }
@@ -189,7 +189,7 @@ TEST(PhysicsNumbers, aScaleThatMakesNoSenseIsTheUsualOne) {
     }
 }
 
-TEST(PhysicsNumbers, whoGetsABetterPlaceGetsABody) {
+TEST(PhysicsNumbers, anEntityThatGetsAGoodPlaceGetsABody) {
     const LogSink before = setLogSink([](const LogLine&) {});
     PhysicsScene scene;
     const Entity ball = scene.ball({0, 0});

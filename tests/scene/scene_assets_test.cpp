@@ -127,7 +127,7 @@ TEST_F(SceneAssetsTest, persistentEntitiesAndThoseOfTheGameKeepTheirs) {
     EXPECT_FALSE(isLoaded("kept.png"));
 }
 
-TEST_F(SceneAssetsTest, whatIsMissingIsToldOncePerStayAndComesWithItsFile) {
+TEST_F(SceneAssetsTest, whatIsMissingIsReportedOncePerStayAndComesWithItsFile) {
     write("scenes/two.scene.json", scene({sprite("nowhere")}));
     go(kTwo, "");
     EXPECT_EQ(assets_.errors().size(), 1u);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base64.hpp"
+#include "codec/base64.hpp"
 #include "core/random.hpp"
 #include "reflect/json.hpp"
 
@@ -39,7 +39,19 @@ TEST(TilesJson, aChangedTileChangesOneLine) {
     EXPECT_EQ(changed, 1);
 }
 
-/// The line of a block, packed by somebody who only copies.
+/// The checksum at the end of a zlib stream (RFC 1950, Adler-32), highest byte first.
+std::string checksumOf(const std::string& bytes) {
+    std::uint32_t a = 1, b = 0;
+    for (const char byte : bytes) {
+        a = (a + static_cast<unsigned char>(byte)) % 65521;
+        b = (b + a) % 65521;
+    }
+    std::string sum;
+    for (int shift = 24; shift >= 0; shift -= 8) sum += static_cast<char>((b << 16 | a) >> shift & 255u);
+    return sum;
+}
+
+/// The line of a block as a packer writes it that only copies.
 std::string packedByOthers(const TileGrid& grid, int side) {
     std::string bytes;
     for (int y = 0; y < side; ++y) {
@@ -58,10 +70,10 @@ std::string packedByOthers(const TileGrid& grid, int side) {
         }
         packed.append(bytes, at, count);
     }
-    return "0 0 " + toBase64(packed + "sum!");
+    return "0 0 " + toBase64(packed + checksumOf(bytes));
 }
 
-TEST(TilesJson, aLineThatSomebodyElsePackedStaysAsItIsUntilItsTilesChange) {
+TEST(TilesJson, aLineOfAnotherPackerStaysAsItIsUntilItsTilesChange) {
     TileGrid grid{300, 300};
     for (int i = 0; i < 300; ++i) grid.set(i, i, cellOf(i));
     Json json = tilesToJson(grid);
@@ -96,7 +108,7 @@ TEST(TilesJson, emptyAndPlainPartsOfAHugeMapTakeAlmostNothing) {
     EXPECT_EQ(read->grid.at(16383, 16383), 7u);
 }
 
-TEST(TilesJson, damagedBlocksAreToldWithTheirPlace) {
+TEST(TilesJson, damagedBlocksAreReportedWithTheirPlace) {
     for (const char* text :
          {"0 0", "9 0 =1", "0 -1 =1", "0 0 =", "0 0 =1 2", "0 0 eNrtnoise", "x 0 =1", ""}) {
         Json json = Json::object();

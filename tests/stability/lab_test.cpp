@@ -36,7 +36,7 @@ TEST(StabilityLab, seesHowFarJointsAreOpen) {
     EXPECT_NEAR(lab.figures().joints, 0.2, 1e-6);
 }
 
-TEST(StabilityLab, seesWhoWentAwayAndWhoSank) {
+TEST(StabilityLab, countsBodiesThatLeftOrSank) {
     Lab lab{{.gravity = 10.0}, {.size = 1.0, .extent = 100.0}};
     const BodyHandle ball = lab.add(scenes::circle(0.5f), {0.0f, 0.0f});
     lab.setVelocity(ball, {1.0f, 0.0f});
@@ -96,7 +96,7 @@ TEST(StabilityLab, farAwayIsReallyFarAway) {
     EXPECT_EQ(lab.x(crate), 0.25);
 }
 
-TEST(StabilityLab, fairScenesStartWithoutOverlapsAndMeetSomebody) {
+TEST(StabilityLab, fairScenesStartWithoutOverlapsAndHaveContacts) {
     int met = 0, hinged = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         FairScene scene{seed};

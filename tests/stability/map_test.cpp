@@ -53,7 +53,7 @@ const Floor* findFloor(const std::vector<Floor>& floors, std::string_view map, c
     return nullptr;
 }
 
-/// A map of two rows and three columns that nobody played.
+/// A made-up map of two rows and three columns that was not played.
 PlayedMap madeUp() {
     static constexpr std::array<double, 3> kRows{0, 2, -1}, kColumns{1, 1e3, 1e6};
     static const Map map{.name = "made_up",

@@ -34,8 +34,8 @@ void release(void* memory) noexcept {
 
 }  // namespace
 
-// The whole family but what does not throw and is aligned, which nobody calls: or a sanitizer's own members
-// of it would meet ours.
+// The whole family except nothrow with alignment, which is never called:
+// otherwise a sanitizer's own members of it would be mixed with ours.
 void* operator new(std::size_t size) { return allocateOrThrow(size); }
 void* operator new[](std::size_t size) { return allocateOrThrow(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }

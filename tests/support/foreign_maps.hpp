@@ -9,12 +9,12 @@
 
 namespace plumb::test {
 
-/// Maps of other editors: small ones of our own, and, where this machine has them, those that nobody of this
-/// project made: beside the repository, and those that Debian's package `tiled` brings.
+/// Maps of other editors: small ones of our own and, where this machine has them, those made
+/// outside of this project: beside the repository, and those of Debian's package `tiled`.
 inline std::vector<Path> foreignMaps(std::initializer_list<std::string_view> endings) {
     std::vector<Path> maps;
     for (const Path& folder :
-         {test::sourceFolder() / "tests/scene/maps", test::sourceFolder() / "../shared/data/maps",
+         {test::sourceFolder() / "tests/import/maps", test::sourceFolder() / "../shared/data/maps",
           Path{"/usr/share/doc/tiled/examples"}}) {
         for (const std::string_view ending : endings) {
             for (const std::string& file : filesBelow(folder, ending)) maps.push_back(folder / file);

@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
+#include "tests/support/reader_cost.hpp"
 
 namespace plumb::test {
 
@@ -44,9 +45,11 @@ public:
     }
 
 private:
-    /// Every type; lists and objects with and without members, and a number that no int or float can hold.
-    static constexpr std::array<std::string_view, 9> kStrangers{"null", "true", "7",  "-1e300",    "\"x\"",
-                                                                "[]",   "[7]",  "{}", "{\"x\": 7}"};
+    /// Every type; lists and objects with and without members; numbers below zero, numbers that no int or
+    /// float can hold, and one that is within most limits but makes much of little.
+    static constexpr std::array<std::string_view, 13> kStrangers{
+        "null",  "true", "7",   "-7", "16384",     "99999999999999999999", "1e300", "-1e300",
+        "\"x\"", "[]",   "[7]", "{}", "{\"x\": 7}"};
     struct Value {
         Json* json;
         std::string where;
@@ -80,22 +83,25 @@ inline std::size_t placeOf(std::size_t index, std::size_t wanted, std::size_t al
     return wanted == all ? index : index * all / wanted;
 }
 
-/// Reads swapped files, spread evenly over all there are of these samples: `read(sample, text)`.
+/// Reads swapped files, spread evenly over all there are of these samples: `read(sample, text)`. None of them
+/// may take much time or memory.
 /// @param usual  how many where the environment says nothing
-template <class Read>
-void eachTypeSwap(const std::vector<std::string>& samples, std::size_t usual, Read read) {
+template <class Swaps, class Read>
+void eachSwap(const std::vector<std::string>& samples, std::size_t usual, Read read) {
     std::size_t all = 0;
-    for (const std::string& sample : samples) all += TypeSwaps{sample}.count();
+    for (const std::string& sample : samples) all += Swaps{sample}.count();
     ASSERT_GT(all, 0u);
     const std::size_t wanted = std::min(typeSwapLimit(usual), all);
+    const ReaderCost cost;
     std::size_t first = 0;  // of this sample, counted through all
     std::size_t next = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        TypeSwaps swaps{samples[i]};
+        Swaps swaps{samples[i]};
         for (; next < wanted && placeOf(next, wanted, all) < first + swaps.count(); ++next) {
             const std::size_t index = placeOf(next, wanted, all) - first;
             SCOPED_TRACE(format("sample {}: {}", i, swaps.name(index)));
-            read(i, swaps.text(index));
+            const std::string text = swaps.text(index);
+            cost.expectSmall([&] { read(i, text); });
             if (testing::Test::HasFailure()) return;
         }
         first += swaps.count();
@@ -103,15 +109,21 @@ void eachTypeSwap(const std::vector<std::string>& samples, std::size_t usual, Re
     testing::Test::RecordProperty("files", std::to_string(wanted));
 }
 
+/// The same of files of JSON.
+template <class Read>
+void eachTypeSwap(const std::vector<std::string>& samples, std::size_t usual, Read read) {
+    eachSwap<TypeSwaps>(samples, usual, read);
+}
+
 /// A refusal says where, what and what to do, and none of it was left to the last line of defense.
-inline void expectToldWell(const Error& error) {
+inline void expectReportedWell(const Error& error) {
     EXPECT_FALSE(error.where.empty()) << error.text();
     EXPECT_FALSE(error.what.empty()) << error.text();
     EXPECT_FALSE(error.remedy.empty()) << error.text();
     EXPECT_EQ(error.what.find("the reader of this file failed"), std::string::npos) << error.text();
 }
-inline void expectToldWell(const std::vector<Error>& errors) {
-    for (const Error& error : errors) expectToldWell(error);
+inline void expectReportedWell(const std::vector<Error>& errors) {
+    for (const Error& error : errors) expectReportedWell(error);
 }
 
 }  // namespace plumb::test

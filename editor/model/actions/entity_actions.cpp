@@ -1,4 +1,6 @@
 #include <array>
+#include <set>
+#include <string>
 
 #include "core/text.hpp"
 #include "editor/model/actions/action_rows.hpp"
@@ -18,15 +20,25 @@
 namespace plumb::editor {
 namespace {
 
+/// A name that no entity has yet: "new entity", "new entity 2".
+std::string freeName(const Document& document, const std::string& wanted) {
+    std::set<std::string, std::less<>> taken;
+    for (const ObjectId id : document.objects()) taken.insert(document.nameOf(id));
+    std::string name = wanted;
+    for (int number = 2; taken.contains(name); ++number) name = format("{} {}", wanted, number);
+    return name;
+}
+
 void create(Workspace& w) {
     const Vec2 at = snapped(w.view.view().center, w.grid.size);
-    w.undo.push(createEntity(w.document, "new entity", at));
+    w.undo.push(createEntity(w.document, freeName(w.document, "new entity"), at));
     w.undo.endGesture();
 }
 /// An entity with one component in the middle of what is seen.
 template <class T>
-void createWith(Workspace& w, std::string_view name, const T& component) {
+void createWith(Workspace& w, const std::string& wanted, const T& component) {
     Document& document = w.document;
+    const std::string name = freeName(document, wanted);
     EntityState state{document.newId(), {}, {}};
     const auto add = [&]<class Part>(const Part& part) {
         state.components.push_back(componentState(document, document.types().of<Part>(), &part));

@@ -5,6 +5,9 @@
 namespace plumb::editor {
 namespace {
 
+/// Also while a game plays: it has a scene of its own.
+bool hasScene(const Workspace& w) { return !w.document.scenePath.empty(); }
+
 const std::array kRows{
     Action{"file.new",
            "File",
@@ -13,7 +16,7 @@ const std::array kRows{
            always,
            ask<WindowRequest::NameNewScene>},
     Action{"file.open", "File", "Open scene...", control(Key::O), always, ask<WindowRequest::ChooseScene>},
-    Action{"file.save", "File", "Save", control(Key::S), editable,
+    Action{"file.save", "File", "Save", control(Key::S), hasScene,
            [](Workspace& w) { static_cast<void>(w.save().ok()); }},
     Action{"file.backups",
            "File",

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/file.hpp"
-#include "scene/import/import_file.hpp"
+#include "import/import_file.hpp"
 
 namespace plumb::editor {
 

@@ -8,7 +8,10 @@
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/prefab_root.hpp"
+#include "editor/model/tools/tool.hpp"
 #include "gameplay/components/music.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
 #include "scene/components/animator.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
@@ -16,6 +19,7 @@
 #include "scene/components/tile_collider.hpp"
 #include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/prefab.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -95,6 +99,26 @@ void placeTileset(Workspace& workspace, std::string_view path, NewEntity& entity
     if (std::any_of(set.tiles.begin(), set.tiles.end(), isSolid)) entity.add(TileCollider{});
 }
 
+/// By the picture of its first entity.
+PlacedPicture prefabPicture(Workspace& workspace, std::string_view path) {
+    PrefabLibrary* prefabs = workspace.prefabs().prefabs;
+    const Result<const Prefab*> prefab = prefabs != nullptr ? prefabs->find(path) : Error{};
+    if (!prefab || (*prefab)->entities.empty()) return {};
+    const Json* sprite = findMember((*prefab)->entities.front().components, "Sprite");
+    if (sprite == nullptr) return {};
+    const Sprite normal;
+    const auto number = [&](const char* field, int otherwise) {
+        const Json* found = findMember(*sprite, field);
+        return static_cast<float>(found != nullptr && found->is_number() ? found->get<int>() : otherwise);
+    };
+    PlacedPicture picture{{number("width", normal.width), number("height", normal.height)}, normal.pivot};
+    const Json* pivot = findMember(*sprite, "pivot");
+    if (pivot != nullptr && pivot->is_array() && pivot->size() == 2 && (*pivot)[0].is_number() &&
+        (*pivot)[1].is_number())
+        picture.pivot = {(*pivot)[0].get<float>(), (*pivot)[1].get<float>()};
+    return picture;
+}
+
 }  // namespace
 
 bool canBePlaced(AssetKind kind) {
@@ -127,18 +151,26 @@ Result<Done> placeAsset(Workspace& workspace, std::string_view path, Vec2 at) {
     return Done{};
 }
 
-Vec2 placedSize(Workspace& workspace, std::string_view path) {
+PlacedPicture placedPicture(Workspace& workspace, std::string_view path) {
     const AssetKind kind = assetKindOf(path);
+    if (kind == AssetKind::Prefab) return prefabPicture(workspace, path);
     if (kind == AssetKind::Texture) {
         const Texture* texture = workspace.assets.find(workspace.assets.loadTexture(path));
         if (texture != nullptr)
-            return {static_cast<float>(texture->width), static_cast<float>(texture->height)};
+            return {{static_cast<float>(texture->width), static_cast<float>(texture->height)}};
     }
     if (kind == AssetKind::Animation) {
         const AnimationSet& set = workspace.assets.animation(workspace.assets.loadAnimation(path));
-        return {static_cast<float>(set.frameWidth), static_cast<float>(set.frameHeight)};
+        return {{static_cast<float>(set.frameWidth), static_cast<float>(set.frameHeight)}};
     }
     return {};
+}
+
+Vec2 placedOnGrid(Vec2 at, Vec2 pivot, Vec2 step) {
+    // On a crossing itself it stays there.
+    constexpr float kJustBefore = 0.001f;
+    const auto shift = [](float part, float length) { return (part - 0.5f) * length * (1.0f - kJustBefore); };
+    return snapped(at + Vec2{shift(pivot.x, step.x), shift(pivot.y, step.y)}, step);
 }
 
 }  // namespace plumb::editor

@@ -17,7 +17,16 @@ bool canBePlaced(AssetKind kind);
 /// @error     such files cannot be placed, no scene is open, or the file is broken
 Result<Done> placeAsset(Workspace& workspace, std::string_view path, Vec2 at);
 
-/// How large the file would be in the scene (px); {0, 0} when it has no size of its own.
-Vec2 placedSize(Workspace& workspace, std::string_view path);
+/// What the file would look like in the scene.
+struct PlacedPicture {
+    Vec2 size;               ///< px; {0, 0} when it has no size of its own
+    Vec2 pivot{0.5f, 0.5f};  ///< ratio of it: where it is put
+};
+PlacedPicture placedPicture(Workspace& workspace, std::string_view path);
+
+/// Where a file comes to that is let go over a grid: a picture in the middle of its place goes to the nearest
+/// crossing, one that stands on its lower edge to the lower edge of the cell under the mouse.
+/// @param step  px, between two crossings
+Vec2 placedOnGrid(Vec2 at, Vec2 pivot, Vec2 step);
 
 }  // namespace plumb::editor

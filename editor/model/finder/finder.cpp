@@ -7,8 +7,10 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "editor/model/action_groups.hpp"
+#include "editor/model/prefab_edit.hpp"
 #include "editor/model/prefab_visit.hpp"
 #include "editor/model/project_habits.hpp"
+#include "editor/model/tools/tool.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {
@@ -27,6 +29,16 @@ std::string recentKey(const FinderItem& item) {
     return format("{} {}", static_cast<int>(item.kind), item.id);
 }
 
+FinderItem fileItem(Kind kind, const std::string& path, AssetKind asset) {
+    return {kind, path, path.rfind('/') + 1, path, {}, asset, {}};
+}
+
+void addToMiddle(Workspace& workspace, const std::string& path) {
+    const Vec2 at = snapped(workspace.view.view().center, workspace.grid.size);
+    const Result<Done> added = addInstance(workspace.prefabs(), path, at);
+    workspace.notice = added ? format("Added {}", path) : added.error().text();
+}
+
 /// Of two that are equally good the one that is shorter, then by name: the same order each time.
 auto orderOf(const FinderItem& item) { return std::tie(item.kind, item.text, item.id); }
 
@@ -42,11 +54,14 @@ void Finder::open(const Workspace& workspace, What what) {
 void Finder::collect(const Workspace& workspace, What what) {
     collected_ = what;
     items_.clear();
-    if (what == What::Commands) {
-        collectCommands(workspace);
-    } else {
-        collectFiles(workspace);
-        collectEntities(workspace);
+    switch (what) {
+        case What::Commands: collectCommands(workspace); break;
+        case What::Scenes: collectScenes(workspace); break;
+        case What::Prefabs: collectPrefabs(workspace); break;
+        case What::Files:
+            collectFiles(workspace);
+            collectEntities(workspace);
+            break;
     }
     recencies_.clear();
     for (const FinderItem& item : items_) recencies_.push_back(recency(item));
@@ -57,8 +72,20 @@ void Finder::collectFiles(const Workspace& workspace) {
     catalog.refresh();
     for (const AssetItem& file : catalog.all()) {
         if (file.folder || file.kind == AssetKind::None) continue;
-        items_.push_back({kindOf(file), file.path, file.path.rfind('/') + 1, file.path, {}, file.kind, {}});
+        items_.push_back(fileItem(kindOf(file), file.path, file.kind));
     }
+}
+
+void Finder::collectScenes(const Workspace& workspace) {
+    for (const std::string& path : workspace.scenes()) {
+        items_.push_back(fileItem(Kind::Scene, path, AssetKind::Scene));
+        if (path == workspace.document.scenePath) items_.back().detail = "open now";
+    }
+}
+
+void Finder::collectPrefabs(const Workspace& workspace) {
+    for (const std::string& path : workspace.prefabFiles())
+        items_.push_back(fileItem(Kind::Prefab, path, AssetKind::Prefab));
 }
 
 void Finder::collectEntities(const Workspace& workspace) {
@@ -92,10 +119,11 @@ std::size_t Finder::recency(const FinderItem& item) const {
 }
 
 void Finder::search(const Workspace& workspace, std::string typed) {
-    const bool commands = what_ == What::Commands || startsWith(typed, ">");
-    if (const What wanted = commands ? What::Commands : What::Files; wanted != collected_)
+    const bool files = what_ == What::Files;
+    const bool commands = files && startsWith(typed, ">");
+    if (const What wanted = commands ? What::Commands : what_; wanted != collected_)
         collect(workspace, wanted);
-    const bool onlyEntities = !commands && startsWith(typed, "@");
+    const bool onlyEntities = files && startsWith(typed, "@");
     if (startsWith(typed, ">") || onlyEntities) typed.erase(0, 1);
     typed = std::string{trimmed(typed)};
 
@@ -122,6 +150,11 @@ void Finder::search(const Workspace& workspace, std::string typed) {
     std::partial_sort(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(shown), rows_.end(), before);
     rows_.resize(shown);
     chosen = 0;
+    if (what_ == What::Scenes) leaveOpenScene(workspace);
+}
+
+void Finder::leaveOpenScene(const Workspace& workspace) {
+    if (rows_.size() > 1 && item(rows_.front()).id == workspace.document.scenePath) chosen = 1;
 }
 
 void Finder::step(int by) {
@@ -150,6 +183,10 @@ std::string Finder::choose(Workspace& workspace) {
                 workspace.notice = format("\"{}\" is not possible now", item.text.substr(item.name));
             break;
         case Kind::Prefab:
+            if (what_ == What::Prefabs) {
+                addToMiddle(workspace, item.id);
+                break;
+            }
             askToEditPrefab(workspace, item.id);
             workspace.assetToShow = item.id;
             break;

@@ -31,11 +31,11 @@ struct FinderRow {
     FuzzyMatch match;
 };
 
-/// Ctrl+P and Ctrl+Shift+P: files and entities, or commands, by a few letters of their names. What was chosen
-/// lately comes first.
+/// What there is, by a few letters of its name: files and entities, commands, scenes to open, prefabs to add.
+/// What was chosen lately comes first.
 class Finder {
 public:
-    enum class What : unsigned char { Files, Commands };
+    enum class What : unsigned char { Files, Commands, Scenes, Prefabs };
     static constexpr std::size_t kMostRows = 200;
     static constexpr std::size_t kMostRecent = 20;
 
@@ -54,8 +54,8 @@ public:
     /// Up and down, from the last to the first and back.
     void step(int by);
 
-    /// Does what the chosen row stands for: runs a command, selects and frames an entity, shows a file. A
-    /// scene is only named, for the window to ask about unsaved changes first.
+    /// Does what the chosen row stands for: runs a command, selects and frames an entity, shows a file, adds
+    /// a prefab. A scene is only named, for the window to ask about unsaved changes first.
     /// @return path of the scene to open, or empty
     std::string choose(Workspace& workspace);
     /// Kinds and ids of what was chosen, the last one first.
@@ -63,10 +63,14 @@ public:
 
 private:
     void collectFiles(const Workspace& workspace);
+    void collectScenes(const Workspace& workspace);
+    void collectPrefabs(const Workspace& workspace);
     void collectEntities(const Workspace& workspace);
     void collectCommands(const Workspace& workspace);
     void collect(const Workspace& workspace, What what);
     [[nodiscard]] std::size_t recency(const FinderItem& item) const;
+    /// The chosen row is not the scene that is open already.
+    void leaveOpenScene(const Workspace& workspace);
 
     What what_ = What::Files;
     What collected_ = What::Files;

@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/assets/asset_uses.hpp"
+#include "editor/model/headless/asset_content.hpp"
 #include "editor/model/headless/asset_names.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/prefab.hpp"
@@ -45,6 +46,14 @@ Error withNamers(const Path& root, const AssetNames& names, Error problem) {
     return problem;
 }
 
+Result<Done> contentOf(const Path& root, const AssetItem& file) {
+    const bool looked =
+        file.kind == AssetKind::Texture || file.kind == AssetKind::Sound || file.kind == AssetKind::Font;
+    if (!looked) return Done{};
+    const Result<std::string> bytes = readFile(root / file.path);
+    return bytes ? checkContent(file.kind, *bytes, file.path) : Result<Done>{bytes.error()};
+}
+
 /// What is wrong with files that are named, and with those that lie there.
 void checkAssets(const Path& root, Workspace& workspace, ProjectCheck& check, Problems& problems,
                  PrefabLibrary& prefabs) {
@@ -64,7 +73,16 @@ void checkAssets(const Path& root, Workspace& workspace, ProjectCheck& check, Pr
     }
     // Also of prefabs that no scene has.
     for (const auto& [path, named] : names.all()) workspace.assets.load(named.kind, path);
-    for (const Error& problem : workspace.assets.errors()) problems.add(withNamers(root, names, problem));
+    std::set<std::string> reported;
+    for (const Error& problem : workspace.assets.errors()) {
+        reported.insert(problem.where);
+        problems.add(withNamers(root, names, problem));
+    }
+    for (const AssetItem& file : catalog.all()) {
+        if (reported.count(file.path) != 0) continue;
+        if (const Result<Done> good = contentOf(root, file); !good)
+            problems.add(withNamers(root, names, good.error()));
+    }
 }
 
 }  // namespace

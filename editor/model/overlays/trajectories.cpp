@@ -4,6 +4,8 @@
 
 #include "core/clock.hpp"
 #include "editor/model/workspace.hpp"
+#include "gameplay/components/moving_platform.hpp"
+#include "gameplay/components/patrol.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/world_transform.hpp"
@@ -12,6 +14,11 @@ namespace plumb::editor {
 namespace {
 
 constexpr std::size_t kMost = 600;  // ways
+
+/// What the physics moves, and what a component moves to and fro.
+bool movesByItself(const World& world, EntityId entity) {
+    return world.has<RigidBody>(entity) || world.has<MovingPlatform>(entity) || world.has<Patrol>(entity);
+}
 
 }  // namespace
 
@@ -30,7 +37,7 @@ void Trajectories::choose(const Workspace& workspace, bool all) {
     for (const ObjectId id : from) {
         const EntityId entity = workspace.shownEntity(id);
         const bool moves =
-            world.alive(entity) && world.has<Transform>(entity) && (!all || world.has<RigidBody>(entity));
+            world.alive(entity) && world.has<Transform>(entity) && (!all || movesByItself(world, entity));
         if (moves && ways_.size() < kMost) ways_.push_back({id, {}, {}});
     }
 }

@@ -140,6 +140,13 @@ std::vector<LostWork> Journal::lostWork() const {
             }
         }
     }
+    // The newest first: of two of one scene it is probably the one that is wanted.
+    const auto writtenAt = [](const LostWork& work) {
+        std::error_code none;
+        return fs::last_write_time(work.journal, none);
+    };
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const LostWork& a, const LostWork& b) { return writtenAt(a) > writtenAt(b); });
     return found;
 }
 

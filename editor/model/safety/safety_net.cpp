@@ -1,6 +1,7 @@
 #include "editor/model/safety/safety_net.hpp"
 
 #include "core/log.hpp"
+#include "editor/model/safety/other_editors.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {
@@ -16,11 +17,15 @@ SafetyNet::SafetyNet(Workspace& workspace)
       journal_{workspace.document.types(), workspace.project.root} {}
 
 void SafetyNet::begin() {
+    const bool others = !journal_.begun() && isOpenInAnEditor(workspace_.project.root);
     if (const Result<Done> begun = journal_.begin(); !begun) {
         logWarning("Editor", begun.error());
         return;
     }
     lost_ = journal_.lostWork();
+    if (!others) return;
+    workspace_.notice = "Another editor has this project open; who saves a scene last is asked which to keep";
+    logWarning("Editor", "{}", workspace_.notice);
 }
 
 void SafetyNet::tend(double seconds) {

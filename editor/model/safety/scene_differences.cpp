@@ -11,6 +11,7 @@ namespace plumb::editor {
 namespace {
 
 constexpr std::size_t kLongestValue = 48;  // characters
+constexpr std::size_t kIdEnd = 4;          // characters of an id that tell two instances apart
 
 std::string shortText(const Json& value) {
     std::string text = compactText(value);
@@ -54,8 +55,13 @@ private:
 };
 
 std::string nameOf(const Json& entity, const std::string& id) {
-    const std::string* name = findText(entity, "name");
-    return name != nullptr ? *name : id;
+    if (const std::string* name = findText(entity, "name")) return *name;
+    const std::string* prefab = findText(entity, "prefab");
+    if (prefab == nullptr) return id;
+    // An instance without a name of its own is called after its prefab; there may be several.
+    const std::string file = prefab->substr(prefab->rfind('/') + 1);
+    const std::string end = id.size() > kIdEnd ? id.substr(id.size() - kIdEnd) : id;
+    return format("{} ({})", file.substr(0, file.find('.')), end);
 }
 
 std::map<std::string, Json> entitiesOf(Json& scene) {

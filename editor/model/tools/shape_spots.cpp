@@ -6,6 +6,7 @@
 
 #include "ecs/hierarchy.hpp"
 #include "editor/model/prefab_root.hpp"
+#include "editor/model/tools/set_ways.hpp"
 #include "math/angle.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/capsule_collider.hpp"
@@ -351,6 +352,7 @@ std::vector<ShapeSpot> spotsOf(const Document& document, ObjectId id) {
         const ComponentState state = readComponent(document, type, entity);
         row != nullptr ? row->spots(frame, state, spots) : addAnchors(document, id, state, spots);
     }
+    addWaySpots(document, id, spots);
     // The pivot is where the entity stands, and the first one of a prefab stays.
     if (world.has<Sprite>(entity) && id != prefabRootOf(document))
         spots.push_back({frame.pose.position, &document.types().of<Sprite>(), 0, SpotKind::Pivot});
@@ -392,6 +394,8 @@ std::vector<ChangeStates::Change> draggedTo(const Document& document, ObjectId i
     ComponentState& state = start.front().state;
     if (spot.kind == SpotKind::Pivot) {
         dragPivot(document, id, start, to);
+    } else if (spot.kind == SpotKind::Way) {
+        dragWay(document, id, state, spot.part, to);
     } else if (spot.kind == SpotKind::Anchor) {
         const Frame frame = anchorFrame(document, id, state, spot.part);
         fieldOf<Vec2>(state, spot.part == kOwnAnchor ? "anchor" : "otherAnchor") = frame.toTurned(to);

@@ -14,6 +14,7 @@ enum class SpotKind : unsigned char {
     Corner,  ///< of a box, or of an outline: an outline's can be taken out
     Middle,  ///< moves the whole shape
     Anchor,  ///< of a joint
+    Way,     ///< an end of the way on which it moves by itself
     Pivot,   ///< the origin of the entity; what hangs on it stays where it is
 };
 
@@ -34,7 +35,7 @@ struct ShapeEdge {
     bool takesCorner = false;
 };
 
-/// All spots of an entity: colliders, anchors of joints, the pivot of a picture.
+/// All spots of an entity: colliders, anchors of joints, ends of its way, the pivot of a picture.
 std::vector<ShapeSpot> spotsOf(const Document& document, ObjectId id);
 /// The outlines of its colliders as they are edited, without rounding.
 std::vector<ShapeEdge> edgesOf(const Document& document, ObjectId id);

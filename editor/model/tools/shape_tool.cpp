@@ -61,9 +61,9 @@ bool isSame(const ShapeSpot& a, const ShapeSpot& b) {
 }
 
 void drawSpot(Overlay& overlay, const ShapeSpot& spot, float pixel, bool hot, bool chosen) {
-    const Color own = spot.kind == SpotKind::Anchor  ? kAnchor
-                      : spot.kind == SpotKind::Pivot ? handle_colors::kBoth
-                                                     : kSpot;
+    const Color own = spot.kind == SpotKind::Anchor || spot.kind == SpotKind::Way ? kAnchor
+                      : spot.kind == SpotKind::Pivot                              ? handle_colors::kBoth
+                                                                                  : kSpot;
     const Color color = hot || chosen ? handle_colors::kHot : own;
     const float half = kHalf * pixel * (hot ? 1.25f : 1.0f);
     const AABB box{spot.at - Vec2{half, half}, spot.at + Vec2{half, half}};
@@ -78,9 +78,10 @@ void drawSpot(Overlay& overlay, const ShapeSpot& spot, float pixel, bool hot, bo
             break;
         case SpotKind::Middle:
         case SpotKind::Anchor:
+        case SpotKind::Way:
             overlay.circle(spot.at, half + 1.0f * pixel, handle_colors::kShade, 4.0f);
             overlay.circle(spot.at, half + 1.0f * pixel, color, 2.0f);
-            if (spot.kind == SpotKind::Anchor) overlay.circle(spot.at, 1.0f * pixel, color, 2.0f);
+            if (spot.kind != SpotKind::Middle) overlay.circle(spot.at, 1.0f * pixel, color, 2.0f);
             break;
         case SpotKind::Pivot: {
             const float arm = half * 2.2f;

@@ -1,6 +1,7 @@
 #include "editor/ui/dialogs/finder_dialog.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/text.hpp"
@@ -16,6 +17,37 @@ constexpr float kWidth = 560.0f;     // px at scale 1
 constexpr float kRowHeight = 24.0f;  // px at scale 1
 constexpr int kPage = 10;            // rows
 constexpr std::size_t kRowsShown = 12;
+
+constexpr const char* kNoLetters = "Nothing has these letters in its name.";
+
+/// What is looked for, on which request.
+struct WhatRow {
+    WindowRequest request;
+    Finder::What what;
+    const char* asks;
+    const char* none;  ///< before a letter is typed
+};
+constexpr std::array kWhats{
+    WhatRow{WindowRequest::FindFile, Finder::What::Files,
+            "A scene, prefab, asset or entity   (> commands, @ entities)", kNoLetters},
+    WhatRow{WindowRequest::FindCommand, Finder::What::Commands, "What do you want to do?", kNoLetters},
+    WhatRow{
+        WindowRequest::ChooseScene, Finder::What::Scenes, "Which scene?",
+        "This project has no scenes yet. Scenes are files in its folder scenes/ that end in .scene.json."},
+    WhatRow{WindowRequest::ChoosePrefab, Finder::What::Prefabs,
+            "Which prefab?   (it is put into the middle of the picture)",
+            "This project has no prefabs yet. Prefabs are files that end in .prefab.json."},
+};
+
+const WhatRow* rowOf(WindowRequest request) {
+    const auto* found = std::find_if(kWhats.begin(), kWhats.end(),
+                                     [&](const WhatRow& row) { return row.request == request; });
+    return found == kWhats.end() ? nullptr : found;
+}
+
+const WhatRow& rowOf(Finder::What what) {
+    return *std::find_if(kWhats.begin(), kWhats.end(), [&](const WhatRow& row) { return row.what == what; });
+}
 
 Icon iconOfItem(const Workspace& workspace, const FinderItem& item) {
     switch (item.kind) {
@@ -47,9 +79,8 @@ std::string kindName(const FinderItem& item) {
 
 std::string FinderDialog::draw(Ui& ui) {
     WindowRequest& request = ui.workspace.request;
-    if (request == WindowRequest::FindFile || request == WindowRequest::FindCommand) {
-        finder_.open(ui.workspace,
-                     request == WindowRequest::FindFile ? Finder::What::Files : Finder::What::Commands);
+    if (const WhatRow* row = rowOf(request); row != nullptr) {
+        finder_.open(ui.workspace, row->what);
         request = WindowRequest::None;
         typed_.clear();
         scroll_ = true;
@@ -74,13 +105,10 @@ std::string FinderDialog::draw(Ui& ui) {
 }
 
 void FinderDialog::drawField(Ui& ui) {
-    const bool files = finder_.what() == Finder::What::Files;
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     const std::string before = typed_;
-    done_ = textField(
-        "##typed", typed_, ImGuiInputTextFlags_EnterReturnsTrue,
-        files ? "A scene, prefab, asset or entity   (> commands, @ entities)" : "What do you want to do?");
+    done_ = textField("##typed", typed_, ImGuiInputTextFlags_EnterReturnsTrue, rowOf(finder_.what()).asks);
     ui.widgets.mark("Finder/typed", typed_);
     if (typed_ != before && !pressed(Key::Escape)) {
         finder_.search(ui.workspace, typed_);
@@ -99,8 +127,11 @@ void FinderDialog::drawField(Ui& ui) {
 void FinderDialog::drawRows(Ui& ui) {
     const std::size_t count = finder_.rows().size();
     if (count == 0) {
-        ImGui::TextDisabled("Nothing has these letters in its name.");
-        ui.widgets.mark("Finder/nothing");
+        const char* none = typed_.empty() ? rowOf(finder_.what()).none : kNoLetters;
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+        ImGui::TextWrapped("%s", none);
+        ImGui::PopStyleColor();
+        ui.widgets.mark("Finder/nothing", none);
         return;
     }
     const float height = ui.px(kRowHeight);

@@ -7,7 +7,7 @@
 
 namespace plumb::editor::ui {
 
-/// Ctrl+P and Ctrl+Shift+P: a field to type into, and what it finds.
+/// A field to type into, and what it finds: files and entities, commands, scenes to open, prefabs to add.
 class FinderDialog {
 public:
     /// Opens by itself when the workspace asks for it.

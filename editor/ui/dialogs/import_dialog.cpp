@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/key_words.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
 namespace plumb::editor::ui {
@@ -41,8 +42,8 @@ void line(ImU32 color, const std::string& where, const std::string& what, const 
 void openSceneOrSay(Ui& ui, const std::string& path) {
     Workspace& workspace = ui.workspace;
     if (workspace.unsaved()) {
-        workspace.notice = format("Save the open scene first ({}), then open {}",
-                                  keysFor(workspace, "file.save"), path);
+        workspace.notice =
+            format("Save the open scene first ({}), then open {}", keysFor(workspace, "file.save"), path);
         return;
     }
     static_cast<void>(workspace.open(path).ok());
@@ -63,12 +64,7 @@ void ImportDialog::begin(Ui& ui) {
 
 void ImportDialog::draw(Ui& ui) {
     if (ui.workspace.request == WindowRequest::Import) begin(ui);
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const ImVec2 size{std::min(ui.px(640.0f), display.x * 0.96f), std::min(ui.px(460.0f), display.y * 0.9f)};
-    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
-    ImGui::SetNextWindowSize(size);
-    if (!ImGui::BeginPopupModal("Import", nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
-        return;
+    if (!beginDialog(ui, "Import", {640.0f, 460.0f})) return;
     if (task_->report()) {
         drawReport(ui, *task_->report());
     } else {
@@ -152,13 +148,20 @@ void ImportDialog::drawReport(Ui& ui, const ImportReport& report) {
     ui.widgets.mark("Import/summary", report.summary());
     const bool clean = report.problems.empty();
     ImGui::PushStyleColor(ImGuiCol_Text, clean ? palette::kPlay : palette::kWarning);
-    ImGui::TextUnformatted(clean ? "Nothing was left out."
-                                 : format("{} things are not as they were:", report.problems.size()).c_str());
+    ImGui::TextUnformatted(
+        clean ? "Nothing was left out."
+              : format("{} things are not as they were:", report.foldedProblems().size()).c_str());
     ImGui::PopStyleColor();
     beginChild("report", {0.0f, -ui.px(40.0f)}, true);
-    for (const Error& problem : report.problems)
+    for (const Error& problem : report.foldedProblems())
         line(palette::kWarning, problem.where, problem.what, problem.remedy);
     for (const std::string& note : report.notes) line(palette::kTextDim, "", note, "");
+    if (const std::string keys = report.leftOut(); !keys.empty()) {
+        line(palette::kTextDim, "", keys, "");
+        std::string all;
+        for (const std::string& key : report.editorKeys) all += (all.empty() ? "" : ", ") + key;
+        tooltip(all);
+    }
     ImGui::EndChild();
     beginButtons(ui);
     if (endsWith(report.scene, ".scene.json") && button(ui, "Open scene", "Import/Open")) {

@@ -57,35 +57,29 @@ void drawRows(Ui& ui, std::vector<KeepRow>& rows) {
 
 void KeepDialog::draw(Ui& ui) {
     std::vector<KeepRow>& rows = ui.workspace.toKeep;
-    if (rows.empty()) {
-        open_ = false;
-        return;
+    if (question_.ask(!rows.empty())) {  // Esc
+        rows.clear();
+        ui.workspace.notice = "Nothing was kept";
     }
-    if (!open_) ImGui::OpenPopup(kTitle);
-    open_ = true;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float shown = std::min(static_cast<float>(rows.size()), 10.0f);
-    const ImVec2 size{std::min(ui.px(680.0f), display.x - ui.px(20.0f)),
-                      std::min(ui.px(150.0f + 30.0f * shown), display.y - ui.px(20.0f))};
-    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
-    ImGui::SetNextWindowSize(size);
-    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-        rows.clear();  // Esc
+    if (!beginDialog(ui, kTitle, {680.0f, 150.0f + 30.0f * shown})) return;
+    if (rows.empty()) {  // the game plays again, or another scene was opened
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
         return;
     }
-    ImGui::TextDisabled(
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+    ImGui::TextWrapped(
         "You changed this while the game played. What is ticked goes into the scene as one step of undo.");
+    ImGui::PopStyleColor();
     drawRows(ui, rows);
     const auto ticked = std::count_if(rows.begin(), rows.end(), [](const KeepRow& row) { return row.keep; });
-    ImGui::SetCursorPosY(size.y - ui.px(40.0f));
-    const ImVec2 button{ui.px(120.0f), 0.0f};
-    ImGui::PushStyleColor(ImGuiCol_Button, ticked > 0 ? palette::kAccentSoft : palette::kNothing);
-    const bool keep = ImGui::Button(format("Keep {}###keep", ticked).c_str(), button);
-    ImGui::PopStyleColor();
+    dialogFoot(ui);
+    const ImU32 color = ticked > 0 ? palette::kAccentSoft : palette::kNothing;
+    const bool keep = footButton(ui, format("Keep {}###keep", ticked).c_str(), 120.0f, "Keep/keep", color);
     ui.widgets.mark("Keep/keep", format("{}", ticked));
     ImGui::SameLine();
-    const bool none = ImGui::Button("Keep nothing", button);
-    ui.widgets.mark("Keep/nothing");
+    const bool none = footButton(ui, "Keep nothing", 120.0f, "Keep/nothing");
     if (none) rows.clear();
     if (keep) ui.workspace.keepTicked();
     if (keep || none) ImGui::CloseCurrentPopup();

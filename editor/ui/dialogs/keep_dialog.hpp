@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/ui/ui.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 
 namespace plumb::editor::ui {
 
@@ -10,7 +11,7 @@ public:
     void draw(Ui& ui);
 
 private:
-    bool open_ = false;
+    LastingQuestion question_{"Keep changes?"};
 };
 
 }  // namespace plumb::editor::ui

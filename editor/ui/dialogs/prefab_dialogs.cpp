@@ -9,21 +9,13 @@
 #include "editor/model/make_prefab.hpp"
 #include "editor/model/prefab_names.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 
 namespace plumb::editor::ui {
 namespace {
 
 constexpr const char* kName = "Make prefab";
 constexpr const char* kOverrides = "Changes against the prefab";
-
-bool beginDialog(const char* title, ImVec2 wanted, const Ui& ui) {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const ImVec2 size{std::min(wanted.x, display.x - ui.px(20.0f)),
-                      std::min(wanted.y, display.y - ui.px(20.0f))};
-    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
-    ImGui::SetNextWindowSize(size);
-    return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
-}
 
 void cell(const std::string& text, ImU32 color) {
     ImGui::TableNextColumn();
@@ -61,7 +53,7 @@ void PrefabDialogs::open(Ui& ui) {
 }
 
 void PrefabDialogs::drawName(Ui& ui) {
-    if (!beginDialog(kName, {ui.px(420.0f), ui.px(190.0f)}, ui)) return;
+    if (!beginDialog(ui, kName, {420.0f, 190.0f})) return;
     ImGui::TextDisabled("Its name in the folder prefabs/");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
@@ -77,7 +69,7 @@ void PrefabDialogs::drawName(Ui& ui) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
     ImGui::TextWrapped("%s", problem_.c_str());
     ImGui::PopStyleColor();
-    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ui.px(40.0f));
+    dialogFoot(ui);
     const ImVec2 button{ui.px(110.0f), 0.0f};
     done |= ImGui::Button("Make", button);
     ui.widgets.mark("MakePrefab/Make");
@@ -99,7 +91,7 @@ void PrefabDialogs::drawName(Ui& ui) {
 }
 
 void PrefabDialogs::drawOverrides(Ui& ui) {
-    if (!beginDialog(kOverrides, {ui.px(760.0f), ui.px(420.0f)}, ui)) return;
+    if (!beginDialog(ui, kOverrides, {760.0f, 420.0f})) return;
     Workspace& workspace = ui.workspace;
     if (std::exchange(rowsOf_, workspace.document.sceneRevision) != workspace.document.sceneRevision)
         rows_ = overrideList(workspace.prefabs(), instance_);
@@ -120,7 +112,7 @@ void PrefabDialogs::drawOverrides(Ui& ui) {
         for (std::size_t i = 0; i < rows_.size(); ++i) drawRow(ui, rows_[i], i);
         ImGui::EndTable();
     }
-    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ui.px(40.0f));
+    dialogFoot(ui);
     const ImVec2 button{ui.px(110.0f), 0.0f};
     ImGui::BeginDisabled(rows_.empty());
     if (ImGui::Button("Revert all", button)) runAction(workspace, "entity.revert");

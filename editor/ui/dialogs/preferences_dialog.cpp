@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -51,14 +52,8 @@ void PreferencesDialog::draw(Ui& ui) {
         if (ui.workspace.panelToShow == "/Preferences/Keys")
             page_ = Page::Keys, ui.workspace.panelToShow.clear();
     }
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const ImVec2 size{std::min(ui.px(kWidth), display.x - ui.px(16.0f)),
-                      std::min(ui.px(kHeight), display.y - ui.px(16.0f))};
-    ImGui::SetNextWindowPos(
-        {std::floor((display.x - size.x) * 0.5f), std::floor((display.y - size.y) * 0.4f)});
-    ImGui::SetNextWindowSize(size);
     bool stays = true;
-    if (!ImGui::BeginPopupModal("Preferences", &stays, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    if (!beginDialog(ui, "Preferences", {kWidth, kHeight}, &stays)) {
         keysPage_.stop();
         return;
     }

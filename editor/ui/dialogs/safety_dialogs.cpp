@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "editor/model/problems.hpp"
 #include "editor/model/safety/save_beside.hpp"
 #include "editor/model/safety/scene_differences.hpp"
 #include "editor/ui/ui_compat.hpp"
+#include "editor/ui/widgets/fitted_text.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -14,22 +16,12 @@ namespace {
 constexpr const char* kRecovery = "Work that was not saved";
 constexpr const char* kChanged = "Changed by another program";
 constexpr const char* kBackups = "Backups of this scene";
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
+constexpr const char* kNotSaved = "Not saved";
 
-void centerNext(ImVec2 size) {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({(display.x - size.x) * 0.5f, (display.y - size.y) * 0.4f});
-    ImGui::SetNextWindowSize(size);
-}
-
-constexpr float kListHeight = 190.0f;  // px at scale 1, of differences
-
-bool accentButton(const char* label, ImVec2 size) {
-    ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentSoft);
-    const bool pressed = ImGui::Button(label, size);
-    ImGui::PopStyleColor();
-    return pressed;
-}
+constexpr const char* kAsksAgain = "What was not saved is kept; the next start of the editor asks again";
+constexpr float kLostName = 200.0f;     // px at scale 1: room for the name of a scene
+constexpr float kLostButtons = 400.0f;  // px at scale 1: there the buttons of a row begin
+constexpr float kListHeight = 190.0f;   // px at scale 1, of differences
 
 }  // namespace
 
@@ -37,6 +29,7 @@ void SafetyDialogs::draw(Ui& ui) {
     ask(ui);
     drawRecovery(ui);
     drawChanged(ui);
+    drawNotSaved(ui);
     drawBackups(ui);
 }
 
@@ -60,7 +53,10 @@ void SafetyDialogs::ask(Ui& ui) {
         differences_.clear();
         // Displaced by another dialog it comes back after that; closed by Esc it waits.
         if (!anyPopupOpen()) {
-            if (closed == Question::Recovery) later_ = true;
+            if (closed == Question::Recovery) {
+                later_ = true;
+                ui.workspace.notice = kAsksAgain;
+            }
             if (closed == Question::Changed) {
                 waits_ = true;
                 ui.workspace.notice =
@@ -92,9 +88,7 @@ void SafetyDialogs::chooseBackup(Ui& ui) {
 }
 
 void SafetyDialogs::drawBackups(Ui& ui) {
-    const ImVec2 size{ui.px(440.0f), ui.px(360.0f)};
-    centerNext(size);
-    if (!ImGui::BeginPopupModal(kBackups, nullptr, kFixed)) return;
+    if (!beginDialog(ui, kBackups, {440.0f, 360.0f})) return;
     if (backups_.empty()) {
         ImGui::TextWrapped(
             "There are none yet. Each save keeps the file as it was before, the last %d of them.",
@@ -116,9 +110,47 @@ void SafetyDialogs::drawBackups(Ui& ui) {
         ui.viewReady = false;
     }
     ImGui::EndChild();
-    if (ImGui::Button("Cancel", {ui.px(110.0f), 0.0f})) ImGui::CloseCurrentPopup();
-    ui.widgets.mark("Backups/cancel");
+    if (footButton(ui, "Cancel", 110.0f, "Backups/cancel")) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
+}
+
+/// One scene that was lost. @return whether it is in the list no more
+bool SafetyDialogs::drawLost(Ui& ui, std::size_t index) {
+    SafetyNet& safety = ui.workspace.safety;
+    const LostWork& work = safety.lost()[index];
+    // Of two of one scene the later one is probably wanted.
+    const bool older =
+        std::any_of(safety.lost().begin(), safety.lost().begin() + static_cast<std::ptrdiff_t>(index),
+                    [&](const LostWork& other) { return other.scene == work.scene; });
+    const std::string name = format("Recovery/{}", index);
+    ImGui::PushID(static_cast<int>(index));
+    ImGui::AlignTextToFramePadding();
+    fittedLine(work.scene, ui.px(kLostName));
+    ui.widgets.mark(name, work.scene);
+    ImGui::SameLine(ui.px(kLostName + 10.0f));
+    const std::string when = older ? work.when + ", older" : work.when;
+    ImGui::TextDisabled("%s", when.c_str());
+    ui.widgets.mark(name + "/when", when);
+    ImGui::SameLine(ui.px(kLostButtons));
+    if (footButton(ui, "Look at both", 104.0f, name + "/look")) {
+        const Result<std::string> file = readFile(ui.workspace.project.root / work.scene);
+        compare(file ? *file : std::string{}, work.text);
+    }
+    tooltip("Lists what differs from the file.");
+    ImGui::SameLine();
+    const bool recover = footButton(ui, "Recover", 84.0f, name + "/recover", palette::kAccentSoft);
+    tooltip("Opens it as it was, not saved; the file stays until you save.");
+    ImGui::SameLine();
+    const bool discard = footButton(ui, "Discard", 84.0f, name + "/discard");
+    tooltip("Goes to the backups of the scene.");
+    ImGui::PopID();
+    if (!recover && !discard) return false;
+    if (discard) safety.discard(index);
+    if (const Result<Done> done = recover ? safety.recover(index) : Done{}; !done)
+        ui.workspace.notice = done.error().text();
+    if (recover) ui.viewReady = false;
+    differences_.clear();
+    return true;
 }
 
 void SafetyDialogs::drawRecovery(Ui& ui) {
@@ -126,52 +158,20 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     if (open_ != Question::Recovery) return;
     const float rows = std::min(static_cast<float>(safety.lost().size()), 6.0f);
     const float list = differences_.empty() ? 0.0f : kListHeight;
-    const ImVec2 size{ui.px(620.0f), ui.px(150.0f + 34.0f * rows + list)};
-    centerNext(size);
-    if (!ImGui::BeginPopupModal(kRecovery, nullptr, kFixed)) return;
+    if (!beginDialog(ui, kRecovery, {kLostButtons + 320.0f, 150.0f + 34.0f * rows + list})) return;
     ImGui::TextWrapped(
         "The editor ended without saving. The files are as you saved them last; this is newer:");
     ImGui::Spacing();
     beginChild("lost", {0.0f, -ui.px(40.0f + list)}, false);
     for (std::size_t i = 0; i < safety.lost().size(); ++i) {
-        const LostWork& work = safety.lost()[i];
-        ImGui::PushID(static_cast<int>(i));
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(work.scene.c_str());
-        ui.widgets.mark(format("Recovery/{}", i), work.scene);
-        ImGui::SameLine(ui.px(250.0f));
-        ImGui::TextDisabled("%s", work.when.c_str());
-        const ImVec2 button{ui.px(84.0f), 0.0f};
-        const ImVec2 wide{ui.px(104.0f), 0.0f};
-        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2.0f * button.x - wide.x - ui.px(16.0f));
-        if (ImGui::Button("Look at both", wide)) {
-            const Result<std::string> file = readFile(ui.workspace.project.root / work.scene);
-            compare(file ? *file : std::string{}, work.text);
-        }
-        ui.widgets.mark(format("Recovery/{}/look", i));
-        tooltip("Lists what differs from the file.");
-        ImGui::SameLine(0.0f, ui.px(8.0f));
-        const bool recover = accentButton("Recover", button);
-        ui.widgets.mark(format("Recovery/{}/recover", i));
-        tooltip("Opens it as it was, not saved; the file stays until you save.");
-        ImGui::SameLine(0.0f, ui.px(8.0f));
-        const bool discard = ImGui::Button("Discard", button);
-        ui.widgets.mark(format("Recovery/{}/discard", i));
-        tooltip("Goes to the backups of the scene.");
-        ImGui::PopID();
-        if (recover || discard) {
-            if (discard) safety.discard(i);
-            if (const Result<Done> done = recover ? safety.recover(i) : Done{}; !done)
-                ui.workspace.notice = done.error().text();
-            if (recover) ui.viewReady = false;
-            differences_.clear();
-            break;
-        }
+        if (drawLost(ui, i)) break;
     }
     ImGui::EndChild();
     drawDifferences(ui, "Recovery/differences");
-    if (ImGui::Button("Later", {ui.px(110.0f), 0.0f})) later_ = true;
-    ui.widgets.mark("Recovery/later");
+    if (footButton(ui, "Later", 110.0f, "Recovery/later")) {
+        later_ = true;
+        ui.workspace.notice = kAsksAgain;
+    }
     tooltip("Asks again when the project is opened the next time.");
     if (later_ || safety.lost().empty()) {
         differences_.clear();
@@ -181,37 +181,54 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     ImGui::EndPopup();
 }
 
+/// A save that failed for a reason of the disk: seen where one looks, not only at the edge of the window.
+void SafetyDialogs::drawNotSaved(Ui& ui) {
+    Workspace& workspace = ui.workspace;
+    std::string& problem = problemsOf(workspace).save;
+    const bool asked = !problem.empty();
+    if (notSaved_.ask(asked)) problem.clear();
+    if (!beginDialog(ui, kNotSaved, {460.0f, 180.0f})) return;
+    ImGui::TextWrapped("The scene was not saved; the file is as it was.");
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
+    ImGui::TextWrapped("%s", problem.c_str());
+    ImGui::PopStyleColor();
+    ui.widgets.mark("NotSaved/problem", problem);
+    dialogFoot(ui);
+    const bool again = footButton(ui, "Try again", 110.0f, "NotSaved/again", palette::kAccentSoft);
+    ImGui::SameLine();
+    const bool close = footButton(ui, "Close", 110.0f, "NotSaved/close");
+    if (again) static_cast<void>(workspace.save().ok());
+    if (close) problem.clear();
+    if (problem.empty()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 void SafetyDialogs::drawChanged(Ui& ui) {
     Workspace& workspace = ui.workspace;
     if (open_ != Question::Changed) return;
-    const ImVec2 size{ui.px(580.0f), ui.px(170.0f + (differences_.empty() ? 0.0f : kListHeight))};
-    centerNext(size);
-    if (!ImGui::BeginPopupModal(kChanged, nullptr, kFixed)) return;
+    if (!beginDialog(ui, kChanged, {580.0f, 170.0f + (differences_.empty() ? 0.0f : kListHeight)})) return;
     ImGui::TextWrapped("%s was changed on the disk since you opened or saved it.",
                        workspace.document.scenePath.c_str());
     ImGui::Spacing();
-    ImGui::TextDisabled("%s", workspace.unsaved()
-                                  ? "You have changes too that are not saved. Whichever you choose, the other"
-                                  : "You have changed nothing since. Whichever you choose, the other");
-    ImGui::TextDisabled("one stays among the backups.");
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+    ImGui::TextWrapped(
+        "%s Whichever you choose, the other one stays among the backups.",
+        workspace.unsaved() ? "You have changes too that are not saved." : "You have changed nothing since.");
+    ImGui::PopStyleColor();
     drawDifferences(ui, "Changed/differences");
-    ImGui::SetCursorPosY(size.y - ui.px(40.0f));
-    const ImVec2 button{ui.px(130.0f), 0.0f};
-    const bool theirs = accentButton("Load theirs", button);
-    ui.widgets.mark("Changed/theirs");
+    dialogFoot(ui);
+    const bool theirs = footButton(ui, "Load theirs", 130.0f, "Changed/theirs", palette::kAccentSoft);
     ImGui::SameLine();
-    const bool mine = ImGui::Button("Keep mine", button);
-    ui.widgets.mark("Changed/mine");
+    const bool mine = footButton(ui, "Keep mine", 130.0f, "Changed/mine");
     ImGui::SameLine();
-    bool beside = ImGui::Button("Save mine beside", button);
-    ui.widgets.mark("Changed/beside");
+    bool beside = footButton(ui, "Save mine beside", 130.0f, "Changed/beside");
     tooltip("Yours becomes a scene of its own; here is theirs.");
     ImGui::SameLine();
-    if (ImGui::Button("Compare", button)) {
+    if (footButton(ui, "Compare", 130.0f, "Changed/compare")) {
         const Result<std::string> file = readFile(workspace.project.root / workspace.document.scenePath);
         compare(workspace.text(), file ? *file : std::string{});
     }
-    ui.widgets.mark("Changed/compare");
     tooltip("Lists what theirs has that yours has not.");
     if (beside) {
         const Result<Path> file = saveBeside(workspace);

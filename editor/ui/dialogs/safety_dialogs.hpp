@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "editor/ui/ui.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 
 namespace plumb::editor::ui {
 
@@ -22,7 +23,9 @@ private:
     void ask(Ui& ui);
     [[nodiscard]] Question nextQuestion(Ui& ui) const;
     void drawRecovery(Ui& ui);
+    bool drawLost(Ui& ui, std::size_t index);
     void drawChanged(Ui& ui);
+    void drawNotSaved(Ui& ui);
     void drawBackups(Ui& ui);
 
     /// What differs between two texts of a scene, in a list that stays until the question is answered.
@@ -31,7 +34,8 @@ private:
 
     std::vector<Backup> backups_;
     std::vector<std::string> differences_;  ///< empty until they were asked for
-    Question open_ = Question::None;        ///< on the screen
+    LastingQuestion notSaved_{"Not saved"};
+    Question open_ = Question::None;  ///< on the screen
     bool later_ = false;    ///< the recovery is asked for again when the project is opened the next time
     bool waits_ = false;    ///< which file to keep is asked again when the scene is saved
     bool refused_ = false;  ///< the scene could not be saved: the question comes also while a game plays

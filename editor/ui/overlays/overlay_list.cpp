@@ -71,6 +71,7 @@ std::span<const OverlayRow> overlayTable() {
         OverlayRow{"names", "Names", &drawNames, true},
         OverlayRow{"camera", "Camera", &drawCameras},
         OverlayRow{"reach", "Jump reach", &drawJumpReach, true},
+        OverlayRow{"ways", "Ways of platforms and walkers", &drawSetWays, true},
         OverlayRow{"trajectories", "Trajectories", &drawTrajectories, true},
         OverlayRow{"bodyErrors", "Errors of bodies", &drawBodyErrors, true},
         OverlayRow{"contactForces", "Forces of contacts", &drawContactForces, true},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "editor/model/tools/set_ways.hpp"
+
 namespace plumb::editor::ui {
 namespace {
 
@@ -52,6 +54,14 @@ void drawTrajectories(const Workspace& workspace, const World&, Overlay& overlay
     for (const Trajectories::Way& way : workspace.trajectories.ways()) {
         drawLine(way.past, 1, kBehind, 1.5f, overlay);
         drawLine(way.future, 2, kAhead, 1.5f, overlay);
+    }
+}
+
+void drawSetWays(const Workspace& workspace, const World& world, Overlay& overlay) {
+    const bool all = workspace.reachOf("ways") == PhysicsReach::All;
+    const float pixel = 1.0f / workspace.view.zoom();
+    for (const ObjectId id : all ? workspace.document.objects() : workspace.document.selection.all()) {
+        if (const auto way = setWayOf(world, workspace.shownEntity(id))) drawSetWay(*way, pixel, overlay);
     }
 }
 

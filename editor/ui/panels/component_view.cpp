@@ -15,9 +15,29 @@
 namespace plumb::editor::ui {
 namespace {
 
+/// A name of the code as words: "surfaceSpeed" is "surface speed", "MovingPlatform" is "Moving platform".
+std::string wordsOf(std::string_view name) {
+    const auto isCapital = [](char letter) { return letter >= 'A' && letter <= 'Z'; };
+    std::string words;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool begins = i > 0 && isCapital(name[i]) && !isCapital(name[i - 1]);
+        if (!begins) {
+            words += name[i];
+            continue;
+        }
+        // What is written in capitals alone, such as an axis, stays so.
+        const bool word = i + 1 < name.size() && !isCapital(name[i + 1]);
+        words += ' ';
+        words += word ? static_cast<char>(name[i] - 'A' + 'a') : name[i];
+    }
+    return words;
+}
+
 /// What a field is for, in which unit, and what it may be.
 std::string helpFor(const FieldInfo& field) {
+    // By its name in files and code where the label has words instead.
     std::string help{field.doc.empty() ? field.name : field.doc};
+    if (!field.doc.empty() && wordsOf(field.name) != field.name) help = format("{}: {}", field.name, help);
     const char* unit = shownUnit(field.unit);
     if (*unit != '\0') help += format(" ({})", unit);
     const NumberRange range = numberRange(field);
@@ -34,9 +54,9 @@ void drawLabel(Ui& ui, const FieldInfo& field, bool isDefault, float width) {
     const ImVec2 size{std::max(width, 1.0f), ImGui::GetFrameHeight()};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
+    const std::string words = wordsOf(field.name);
     list.AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y},
-                 isDefault ? palette::kTextSoft : palette::kText, field.name.data(),
-                 field.name.data() + field.name.size());
+                 isDefault ? palette::kTextSoft : palette::kText, words.c_str());
     list.PopClipRect();
     ImGui::Dummy(size);  // all of it takes the mouse, not only the letters
     ImGui::PopFont();
@@ -83,8 +103,9 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const Selected& selected)
     ImGui::PushStyleColor(ImGuiCol_HeaderActive, palette::kHeaderHovered);
     pushFont(ui.fonts.strong, ui.fonts.size);
     bool keep = true;
-    const bool open = ImGui::CollapsingHeader(name.c_str(), ui.workspace.canEdit() ? &keep : nullptr,
-                                              ImGuiTreeNodeFlags_DefaultOpen);
+    const bool open =
+        ImGui::CollapsingHeader(format("{}###{}", wordsOf(name), name).c_str(),
+                                ui.workspace.canEdit() ? &keep : nullptr, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopFont();
     ImGui::PopStyleColor(3);
     ui.widgets.mark("Inspector/" + name);
@@ -103,13 +124,25 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const Selected& selected)
     if (open && type.size > 0) {
         // Another selection means other widgets: what is under the hands does not jump to somebody else.
         ImGui::PushID(static_cast<int>(ids.back().value));
-        for (const FieldInfo& field : type.fields) {
-            if (!field.transient || ui.workspace.play.running()) drawField(shown, field);
-        }
+        drawFields(shown);
         ImGui::PopID();
         ImGui::Dummy({0.0f, ui.px(2.0f)});
     }
     ImGui::PopID();
+}
+
+/// What is set by hand; below it, while a game runs, what the engine keeps of it.
+void ComponentView::drawFields(const Shown& shown) {
+    for (const FieldInfo& field : shown.type.fields) {
+        if (!field.transient) drawField(shown, field);
+    }
+    if (!shown.ui.workspace.play.running()) return;
+    bool first = true;
+    for (const FieldInfo& field : shown.type.fields) {
+        if (!field.transient) continue;
+        if (std::exchange(first, false)) ImGui::TextDisabled("At this tick");
+        drawField(shown, field);
+    }
 }
 
 void ComponentView::drawMenu(const Shown& shown, bool differs) {
@@ -132,7 +165,7 @@ void ComponentView::drawMenu(const Shown& shown, bool differs) {
     if (item(ui, path + "/reset", "Reset to defaults", type.size > 0)) {
         ask([ids, &type](Workspace& w) { resetComponent(w, ids, type); });
     }
-    if (overrides.isPart) {
+    if (overrides.isPart && workspace.canEdit()) {
         ImGui::Separator();
         prefabItems(ui, path, {&type}, differs);
     }
@@ -188,7 +221,9 @@ void ComponentView::drawField(const Shown& shown, const FieldInfo& field) {
     drawLabel(ui, field, asItShould, labelWidth - arrow);
     ui.widgets.mark(path + "/label", differs ? "overridden" : asItShould ? "" : "changed");
     ImGui::SameLine(0.0f, 0.0f);
-    if (!asItShould) drawReset(row, shown, start + labelWidth);
+    // A game that plays says nothing about the instance, and reverting is a matter of the scene.
+    if (!asItShould && (!overrides.isPart || ui.workspace.canEdit()))
+        drawReset(row, shown, start + labelWidth);
     ImGui::SetCursorPosX(start + labelWidth);
     if (stays) {
         drawPlaceOfRoot(ui, path);
@@ -231,7 +266,8 @@ void ComponentView::drawFieldMenu(const FieldRow& row, const Shown& shown) {
     const auto& [type, field, objects] = row.target;
     Workspace& workspace = row.ui.workspace;
     const bool differs = shown.overrides.has(type, field.name);
-    if (shown.overrides.isPart) prefabItems(row.ui, row.path, {&type, field.name}, differs);
+    if (shown.overrides.isPart && workspace.canEdit())
+        prefabItems(row.ui, row.path, {&type, field.name}, differs);
     if (item(row.ui, row.path + "/reset", "Reset to default", !row.shared.isDefault))
         row.set(defaultOf(field, shown.fresh));
     ImGui::Separator();

@@ -46,6 +46,7 @@ private:
 
     /// What the widget shows. Found out once for each change of the scene, as thousands may be selected.
     const Found& find(const Shown& shown, const FieldInfo& field);
+    void drawFields(const Shown& shown);
     void drawMenu(const Shown& shown, bool differs);
     void drawField(const Shown& shown, const FieldInfo& field);
     void drawFieldMenu(const FieldRow& row, const Shown& shown);

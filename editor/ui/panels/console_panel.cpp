@@ -3,6 +3,7 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/log_view.hpp"
+#include "editor/ui/panels/log_counts.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
@@ -282,28 +283,46 @@ private:
     std::size_t shown_ = 0;
 };
 
+struct LogCounts {
+    std::size_t errors = 0;
+    std::size_t warnings = 0;
+
+    static LogCounts of(const LogBook& log) {
+        LogCounts counts;
+        for (const LogEntry& line : log.lines()) {
+            counts.errors += line.level == LogLevel::Error ? 1 : 0;
+            counts.warnings += line.level == LogLevel::Warning ? 1 : 0;
+        }
+        return counts;
+    }
+    /// Empty without any.
+    [[nodiscard]] std::string text() const {
+        if (errors == 0) return warnings == 0 ? std::string{} : counted(warnings, "warning");
+        return warnings == 0 ? counted(errors, "error")
+                             : format("{}, {}", counted(errors, "error"), counted(warnings, "warning"));
+    }
+};
+
 }  // namespace
 
+float logCountsWidth(const Ui& ui) {
+    const std::string text = LogCounts::of(ui.log).text();
+    return text.empty() ? 0.0f : ImGui::CalcTextSize(text.c_str()).x + ui.px(12.0f);
+}
+
 void drawLogCounts(Ui& ui) {
-    std::size_t errors = 0, warnings = 0;
-    for (const LogEntry& line : ui.log.lines()) {
-        errors += line.level == LogLevel::Error ? 1 : 0;
-        warnings += line.level == LogLevel::Warning ? 1 : 0;
-    }
-    if (errors + warnings == 0) return;
-    const std::string text = errors == 0 ? counted(warnings, "warning")
-                             : warnings == 0
-                                 ? counted(errors, "error")
-                                 : format("{}, {}", counted(errors, "error"), counted(warnings, "warning"));
+    const LogCounts counts = LogCounts::of(ui.log);
+    const std::string text = counts.text();
+    if (text.empty()) return;
     ImGui::SameLine(0.0f, ui.px(22.0f));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetTextLineHeight();
-    const ImVec2 size{ImGui::CalcTextSize(text.c_str()).x + ui.px(12.0f), line};
-    if (ImGui::InvisibleButton("log counts", size)) ui.workspace.panelToShow = "Console";
+    if (ImGui::InvisibleButton("log counts", {logCountsWidth(ui), line}))
+        ui.workspace.panelToShow = "Console";
     ui.widgets.mark("Status/log", text);
     tooltip("Shows the console");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 color = errors > 0 ? palette::kError : palette::kWarning;
+    const ImU32 color = counts.errors > 0 ? palette::kError : palette::kWarning;
     drawDot(list, ui, {at.x + ui.px(4.0f), at.y + line * 0.5f}, color);
     list.AddText({at.x + ui.px(12.0f), at.y}, color, text.c_str());
 }

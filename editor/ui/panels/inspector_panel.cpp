@@ -46,7 +46,8 @@ private:
         compareWithPrefabs(ui, selected);
         lookAtComponents(ui.workspace);
         selected.size() > 1 ? drawCount(ui, selected.size()) : drawName(ui, shown);
-        if (group_.parts > 0) drawPrefab(ui, selected.size());
+        const bool canEdit = ui.workspace.canEdit();
+        if (group_.parts > 0 && canEdit) drawPrefab(ui, selected.size());
         ImGui::Spacing();
         const PrefabOverrides& overrides = group_.overrides;
         for (const ComponentHolders& held : held_) {
@@ -55,7 +56,7 @@ private:
         }
         drawPartlyHeld(ui, selected);
         for (const PrefabOverrides::Component& component : overrides.components) {
-            if (component.removed) drawRemoved(ui, selected, *component.type);
+            if (component.removed && canEdit) drawRemoved(ui, selected, *component.type);
         }
         ImGui::Spacing();
         if (ui.workspace.canEdit()) add_.draw(ui, selected, held_);
@@ -64,11 +65,6 @@ private:
     /// Once for each change of the scene or the selection. A running game is compared with nothing.
     void compareWithPrefabs(Ui& ui, const std::vector<ObjectId>& ids) {
         Workspace& workspace = ui.workspace;
-        if (workspace.play.running()) {
-            group_ = {};
-            compared_ = {};
-            return;
-        }
         const Compared now{workspace.document.sceneRevision, workspace.document.selection.revision(),
                            workspace.document.scenePath};
         const bool drags = ids.size() > 1 && workspace.undo.inGesture() && now.path == compared_.path &&

@@ -9,6 +9,7 @@
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
+#include "editor/model/scene_of_game.hpp"
 #include "editor/model/scene_tree.hpp"
 #include "editor/model/sight.hpp"
 #include "editor/model/tree_edit.hpp"
@@ -44,6 +45,7 @@ public:
     void draw(Ui& ui) override {
         const Document& document = ui.workspace.document;
         drawFilter(ui);
+        saySceneOfGame(ui);
         // Whole rows only: what is left below is less than one.
         const float room = ImGui::GetContentRegionAvail().y;
         const float row = rowHeight(ui);
@@ -82,6 +84,19 @@ private:
             ui.widgets.mark("Scene/filter/clear");
         }
         ImGui::Dummy({0.0f, ui.px(1.0f)});
+    }
+
+    /// The tree is that of the scene that is edited; a game may have gone on to another one.
+    static void saySceneOfGame(Ui& ui) {
+        const std::string scene = sceneOfGame(ui.workspace);
+        if (scene.empty() || scene == ui.workspace.document.scenePath) return;
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::kPlay);
+        ImGui::TextWrapped("The game is in %s now.", scene.c_str());
+        ImGui::PopStyleColor();
+        ui.widgets.mark("Scene/game", scene);
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+        ImGui::TextWrapped("Below is %s, which you edit.", ui.workspace.document.scenePath.c_str());
+        ImGui::PopStyleColor();
     }
 
     void drawTree(Ui& ui) {

@@ -8,15 +8,18 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/bounds.hpp"
 #include "editor/model/go_inside.hpp"
+#include "editor/model/problems.hpp"
 #include "editor/model/root_place.hpp"
 #include "editor/model/scene_boxes.hpp"
 #include "editor/model/sight.hpp"
+#include "editor/model/tools/set_ways.hpp"
 #include "editor/ui/overlays/overlay_edge.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
+#include "editor/ui/widgets/missing_camera.hpp"
 #include "editor/ui/widgets/particle_bar.hpp"
 #include "editor/ui/widgets/scene_drop.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
@@ -29,11 +32,13 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kTitleRoom = 96.0f;      // px at scale 1
-constexpr float kReach = 3.0f;           // px on screen
-constexpr ImU32 kLeastEdge = 8;          // alpha of an edge that is drawn
-constexpr std::size_t kMostBoxes = 500;  // of selected things: more would hide the scene, and cost
+constexpr float kTitleRoom = 96.0f;       // px at scale 1
+constexpr float kReach = 3.0f;            // px on screen
+constexpr ImU32 kLeastEdge = 8;           // alpha of an edge that is drawn
+constexpr std::size_t kMostBoxes = 2000;  // of selected things: more would hide the scene, and cost
+constexpr std::size_t kMostAlone = 500;   // of which the box is found anew in each frame
 constexpr Color kSelected{77, 163, 255, 255};
+constexpr Color kCollider{120, 230, 160, 120};
 constexpr Color kHovered{255, 255, 255, 110};
 
 ImU32 toImgui(Color color) { return IM_COL32(color.r, color.g, color.b, color.a); }
@@ -146,6 +151,8 @@ private:
         if (ImGui::IsItemActivated() && (io.MouseClicked[0] || right) && !ui.panHeld) {
             pointer_.secondary = right;
             workspace.tool().press(context, pointer_);
+            if (const auto why = whyNotPainted(workspace, pointer_.position); !why.empty())
+                workspace.notice = why;
             pressed_ = true;
             const std::string_view tool = toolTable()[workspace.toolIndex()].action;
             const bool scales = tool == "tool.scale" || workspace.paintsTiles();
@@ -211,6 +218,7 @@ private:
         }
         list.PopClipRect();
         if (workspace.play.running()) drawPlayFrame(ui, list, from, to);
+        if (workspace.play.running()) sayMissingCamera(ui, world, picture);
         list.PopClipRect();
     }
 
@@ -325,24 +333,36 @@ private:
             if (under && !document.selection.has(under))
                 overlay_.box(boundsOf(world, document.find(under)), kHovered);
         }
-        if (ui.workspace.canEdit() && document.selection.size() > kMostBoxes)
+        if (ui.workspace.canEdit() && document.selection.size() > kMostAlone)
             return drawManySelected(document, visibleBox(ui.workspace.view.view()));
         for (const ObjectId id : document.selection.all()) {
             const EntityId entity = ui.workspace.shownEntity(id);
             if (isSomewhere(world, entity)) overlay_.box(boundsOf(world, entity), kSelected, 2.0f);
+            if (const auto way = setWayOf(world, entity); way && !ui.workspace.shows("ways"))
+                drawSetWay(*way, pointer_.pixel, overlay_);
         }
+        if (ui.workspace.canEdit()) drawColliders(document);
+    }
+
+    /// Of the one that is selected, faint: the shape tool draws them as they are edited.
+    void drawColliders(const Document& document) {
+        if (document.selection.size() != 1) return;
+        for (const ShapeEdge& edge : edgesOf(document, document.selection.all().front()))
+            overlay_.line(edge.from, edge.to, kCollider, 1.0f);
     }
 
     /// The boxes of some of those in sight, and one around all: found once for each change.
     void drawManySelected(const Document& document, const AABB& seen) {
         const std::vector<ObjectId>& all = document.objects();
         const SceneBoxes& boxes = document.boxes();
-        std::size_t drawn = 0;
-        for (std::size_t i = 0; i < all.size() && drawn < kMostBoxes; ++i) {
-            if (!intersects(boxes.at(i), seen) || !document.selection.has(all[i])) continue;
-            overlay_.box(boxes.at(i), kSelected, 2.0f);
-            ++drawn;
+        many_.clear();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (intersects(boxes.at(i), seen) && document.selection.has(all[i])) many_.push_back(i);
         }
+        // Too many for all of them: evenly over the whole, so that no part of it looks as if it were not.
+        const std::size_t step = (many_.size() + kMostBoxes - 1) / kMostBoxes;
+        for (std::size_t i = 0; i < many_.size(); i += step)
+            overlay_.box(boxes.at(many_[i]), kSelected, step > 1 ? 1.0f : 2.0f);
         const Revisions now{document.selection.revision(), document.sceneRevision};
         if (std::exchange(wholeAt_, now) != now) {
             whole_.reset();
@@ -423,8 +443,10 @@ private:
         const float width = std::min(ui.px(360.0f), size.x);
         ImGui::SetCursorScreenPos(
             {from.x + std::floor((size.x - width) * 0.5f), from.y + std::floor(size.y * 0.4f)});
-        beginChild("hint", {width, ui.px(110.0f)}, false);
-        emptyState(ui, "Viewport", "No scene is open.", "A scene is a level, a title, a menu.",
+        beginChild("hint", {width, ui.px(200.0f)}, false);
+        const std::string& problem = problemsOf(ui.workspace).load;
+        emptyState(ui, "Viewport", "No scene is open.",
+                   problem.empty() ? "A scene is a level, a title, a menu." : problem.c_str(),
                    {"file.open", "file.new"});
         ImGui::EndChild();
     }
@@ -434,6 +456,7 @@ private:
     Pointer pointer_;
     View before_;                      ///< where one looked before the game was played
     std::uint64_t previewed_ = ~0ull;  ///< the revision of the document that its bodies are of
+    std::vector<std::size_t> many_;    ///< selected and in sight, by their place among all
     bool panning_ = false;
     bool pressed_ = false;
     bool onRoot_ = false;  ///< it was pressed on the first entity of a prefab, which does not move

@@ -53,7 +53,7 @@ void setBits(const FieldRow& row, std::uint32_t mask, bool on) {
 
 constexpr int kMostCells = 4096;  // along one side, so that a slip of the finger costs no gigabyte
 
-/// One side of a grid; counts when Enter is pressed.
+/// One side of a grid; counts when it is left, by Enter, Tab or the mouse. Esc leaves it as it was.
 bool editSide(const FieldRow& row, const char* letter, int& cells, float width, const std::string& path) {
     const Ui& ui = row.ui;
     ImGui::PushID(letter);
@@ -62,11 +62,16 @@ bool editSide(const FieldRow& row, const char* letter, int& cells, float width, 
     ImGui::SameLine(0.0f, ui.px(5.0f));
     ImGui::SetNextItemWidth(width - ui.px(14.0f));
     int typed = cells;
-    const bool done = ImGui::InputInt("##side", &typed, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::InputInt("##side", &typed, 0, 0);
+    // What was typed last: the widget has forgotten it in the frame in which it is left.
+    int* last = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("typed"), cells);
+    const bool left = ImGui::IsItemDeactivatedAfterEdit() && !pressed(Key::Escape);
+    if (left) typed = *last;
+    *last = ImGui::IsItemActive() ? typed : cells;
     row.ui.widgets.mark(path, format("{}", cells));
-    tooltip("Cells. Enter makes the layer larger or cuts it off, at its right and lower edges.");
+    tooltip("Cells. Makes the layer larger or cuts it off, at its right and lower edges.");
     ImGui::PopID();
-    if (!done || typed == cells) return false;
+    if (!left || typed == cells) return false;
     cells = std::clamp(typed, 1, kMostCells);
     return true;
 }

@@ -10,9 +10,11 @@ constexpr float kSign = 12.0f;
 
 }  // namespace
 
+float listArrowWidth(const Ui& ui) { return ui.px(kWidth); }
+
 bool listArrow(Ui& ui, const std::string& path, float height) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ui.px(kWidth);
+    const float width = listArrowWidth(ui);
     const bool clicked = ImGui::InvisibleButton(path.c_str(), {width, height});
     ui.widgets.mark(path);
     const bool hovered = ImGui::IsItemHovered();

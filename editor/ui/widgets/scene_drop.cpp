@@ -17,20 +17,23 @@ void dropIntoScene(Ui& ui, Vec2 corner) {
     if (hovering.empty()) return;
     Workspace& workspace = ui.workspace;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const PlacedPicture picture = placedPicture(workspace, dropped.empty() ? hovering : dropped);
     Vec2 at = workspace.view.toWorldPoint(Vec2{mouse.x, mouse.y} - corner);
-    if (workspace.grid.snap != ImGui::GetIO().KeyCtrl) at = snapped(at, workspace.grid.step());
+    if (workspace.grid.snap != ImGui::GetIO().KeyCtrl)
+        at = placedOnGrid(at, picture.pivot, workspace.grid.step());
     if (dropped.empty()) {
         const AssetKind kind = assetKindOf(hovering);
-        const Vec2 half = placedSize(workspace, hovering) * (0.5f * workspace.view.zoom());
-        const Vec2 center = corner + workspace.view.toScreenPoint(at);
+        const Vec2 size = picture.size * workspace.view.zoom();
+        const Vec2 origin = corner + workspace.view.toScreenPoint(at);
         ImDrawList& list = *ImGui::GetForegroundDrawList();
         list.PushClipRect({scene.min.x, scene.min.y}, {scene.max.x, scene.max.y});
-        const AABB box{center - half, center + half};
-        if (half.x > 0.0f && canBePlaced(kind)) {
+        const Vec2 least = origin - scaled(size, picture.pivot);
+        const AABB box{least, least + size};
+        if (size.x > 0.0f && canBePlaced(kind)) {
             drawAsset(ui, list, kind, hovering, box, 0.0);
             outline(list, {box.min.x, box.min.y}, {box.max.x, box.max.y}, palette::kAccent);
         } else {
-            list.AddCircle({center.x, center.y}, ui.px(6.0f),
+            list.AddCircle({origin.x, origin.y}, ui.px(6.0f),
                            canBePlaced(kind) ? palette::kAccent : palette::kError);
         }
         list.PopClipRect();

@@ -76,6 +76,11 @@ void snapMenu(Ui& ui) {
     tooltip("To what things snap, and the grid");
     if (pressed) ImGui::OpenPopup("snap settings list");
     if (!ImGui::BeginPopup("snap settings list")) return;
+    snapItems(ui);
+    ImGui::EndPopup();
+}
+
+void snapItems(Ui& ui) {
     GridSettings& grid = ui.workspace.grid;
     label(ui, "Snap to");
     ImGui::BeginGroup();
@@ -91,7 +96,6 @@ void snapMenu(Ui& ui) {
     editColor(ui, grid);
     ImGui::Spacing();
     ImGui::TextDisabled("Ctrl inverts snapping for one drag.");
-    ImGui::EndPopup();
 }
 
 }  // namespace plumb::editor::ui

@@ -5,13 +5,13 @@
 
 namespace plumb {
 
-/// A trigger at which a player who touched it comes back to life.
+/// A trigger at which a player that touched it comes back to life.
 struct Checkpoint {
     Vec2 offset;          ///< px, from its Transform to where the player appears
     bool active = false;  ///< the one that counts now
 
     static void describe(TypeBuilder<Checkpoint>& type) {
-        type.name("Checkpoint").doc("A trigger at which a player who touched it comes back to life.");
+        type.name("Checkpoint").doc("A trigger at which a player that touched it comes back to life.");
         type.field<&Checkpoint::offset>("offset")
             .unit(Unit::Pixels)
             .doc("From its Transform to where the player appears.");

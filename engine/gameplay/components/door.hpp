@@ -8,7 +8,7 @@ namespace plumb {
 struct Door {
     int keys = 1;       ///< keys it takes; 0 for a door with a button
     EntityId button;    ///< the Button that opens it
-    bool open = false;  ///< lets everybody through
+    bool open = false;  ///< lets all through
 
     static void describe(TypeBuilder<Door>& type) {
         type.name("Door").doc("A wall that opens for a key, or while its button is pressed.");

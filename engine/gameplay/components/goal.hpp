@@ -9,7 +9,7 @@ struct Goal {
     SceneId next;           ///< the scene that follows
     float delay = 0.6f;     ///< s, from the touch to the next scene
     bool endsGame = false;  ///< nothing but titles follows
-    int leaving = 0;        ///< ticks, until the next scene, 0 while nobody was there
+    int leaving = 0;        ///< ticks, until the next scene, 0 before the player arrives
 
     static void describe(TypeBuilder<Goal>& type) {
         type.name("Goal").doc("A trigger that ends the level.");

@@ -14,7 +14,7 @@ namespace plumb {
 struct Menu {
     Color color;  ///< of the items
     Color selectedColor{255, 216, 102, 255};
-    EntityId cursor;                  ///< goes to the selected item; nobody for none
+    EntityId cursor;                  ///< goes to the selected item; may be empty
     Vec2 cursorOffset{-12.0f, 0.0f};  ///< px, from the item
     bool closes = true;               ///< Cancel and Pause take the overlay away
     std::int32_t selected = 0;        ///< place in the list

@@ -10,7 +10,7 @@ namespace plumb {
 struct MouseDrag {
     float acceleration = 12'000.0f;   ///< px/s^2: the most, so that nothing is dragged through walls
     std::uint32_t mask = 0xffffffff;  ///< bits: what it can take
-    EntityId held;                    ///< nobody while the hand is empty
+    EntityId held;                    ///< empty while nothing is dragged
 
     static void describe(TypeBuilder<MouseDrag>& type) {
         type.name("MouseDrag").doc("A hand that follows the mouse and pulls bodies; seen while it does.");

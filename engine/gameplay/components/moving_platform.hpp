@@ -9,7 +9,7 @@ namespace plumb {
 
 enum class Easing : std::uint8_t { Linear, Smooth };
 
-/// Goes to and fro along a way and carries who stands on it. Needs a KinematicBody and a collider.
+/// Goes to and fro along a way and carries what stands on it. Needs a KinematicBody and a collider.
 struct MovingPlatform {
     Vec2 way = {64.0f, 0.0f};        ///< px, from where it stands in the scene to the other end
     float period = 4.0f;             ///< s, there and back
@@ -23,7 +23,7 @@ struct MovingPlatform {
     static void describe(TypeBuilder<MovingPlatform>& type) {
         type.name("MovingPlatform")
             .doc(
-                "Goes to and fro along a way and carries who stands on it. Needs a KinematicBody and a "
+                "Goes to and fro along a way and carries what stands on it. Needs a KinematicBody and a "
                 "collider.");
         type.field<&MovingPlatform::way>("way")
             .unit(Unit::Pixels)

@@ -21,7 +21,7 @@ namespace plumb {
 namespace {
 
 constexpr int kButtonTicks = 6;     // a button comes up this long after the last foot
-constexpr float kReach = 2.0f;      // px around a door from which a key works
+constexpr float kKeyReach = 2.0f;      // px around a door from which a key works
 constexpr std::uint8_t kOpen = 60;  // opacity of an open door
 
 void press(World& world, EntityId id) {
@@ -33,7 +33,7 @@ void press(World& world, EntityId id) {
     playCue(world, id, &SoundCues::activate);
 }
 
-/// What sleeps on a button tells nobody that it stays.
+/// A body that sleeps on a button sends no event that it stays.
 bool isLoaded(World& world, EntityId button) {
     if (!std::as_const(world).has<BoxCollider>(button)) return false;
     std::vector<EntityId> found;
@@ -66,7 +66,7 @@ void swing(World& world, EntityId id, bool open) {
 
 bool playerIsNear(World& world, EntityId door) {
     if (!world.has<BoxCollider>(door)) return false;
-    const AABB near = grown(boxOf(world, door), kReach);
+    const AABB near = grown(boxOf(world, door), kKeyReach);
     for (auto [entity, player] : world.query<const PlayerController>(with<BoxCollider>)) {
         if (intersects(near, boxOf(world, entity))) return true;
     }

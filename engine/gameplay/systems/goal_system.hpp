@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Ends the level for who touches its goal, and follows links of titles and endings.
+/// Ends the level for the player that touches its goal, and follows links of titles and endings.
 /// Reads: TriggerEntered, Input. Writes: Goal, SceneLink, GameProgress, SceneRequests.
 /// Emits: PlaySound. When: after physics.
 struct GoalSystem {

@@ -28,7 +28,7 @@ namespace plumb {
 namespace {
 
 constexpr float kHertz = 5.0f;   ///< 1/s: how firmly it pulls
-constexpr float kReach = 10.0f;  ///< px: thin things can be taken a little beside them
+constexpr float kDragReach = 10.0f;  ///< px: thin things can be taken a little beside them
 
 Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
     const Vec2 picture = world.resource<PictureSize>().size;
@@ -36,7 +36,7 @@ Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
     return toWorld(view, input.mouse());
 }
 
-/// The first body within `reach` of a place; nobody when there is none.
+/// The first body within `reach` of a place, or the empty id.
 EntityId bodyAt(World& world, Vec2 place, float reach, std::uint32_t mask) {
     QueryFilter filter;
     filter.layers = 0xffffffffu;
@@ -77,7 +77,7 @@ bool takeBody(World& world, MouseDrag& hand, Vec2 place, float reach) {
 
 /// What is under the mouse goes before what is beside it, and what is solid before what is soft.
 void take(World& world, MouseDrag& hand, Vec2 place) {
-    for (const float reach : {1.0f, kReach}) {
+    for (const float reach : {1.0f, kDragReach}) {
         if (takeBody(world, hand, place, reach) || takeSoftBody(world, hand, place, reach)) return;
     }
 }

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Lays the project's pause scene over a scene in which somebody plays.
+/// Lays the project's pause scene over a scene that is played.
 /// Reads: Input, PlayerController, PauseScene. Writes: SceneRequests.
 /// When: after what asks for other scenes, which goes first.
 struct PauseSystem {

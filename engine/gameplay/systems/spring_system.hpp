@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Throws up who touches a spring.
+/// Throws up what touches a spring.
 /// Reads: TriggerEntered, TriggerStayed. Writes: RigidBody, Animator; emits PlaySound.
 /// When: after physics.
 struct SpringSystem {

@@ -28,7 +28,7 @@ void leave(World& world, EntityId id) {
 
 void TouchColorSystem::update(World& world, float) {
     if (world.count<TouchColor>() == 0) return;
-    // Who left one and entered another in the same tick ends in its new color.
+    // A body that left one and entered another in the same tick ends in its new color.
     forEachTouch<TriggerLeft, Transform, TouchColor>(
         world, [&world](EntityId, EntityId visitor) { leave(world, visitor); });
     forEachTouch<TriggerEntered, Transform, TouchColor>(

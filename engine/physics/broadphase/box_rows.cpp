@@ -54,7 +54,7 @@ BoxStatistics statisticsOf(const Proxies& proxies, std::span<const std::uint32_t
             static_cast<float>(deviation(0) / deviation(1))};
 }
 
-/// Appends free slots, or removes such.
+/// Appends free slots, or removes some at the end.
 void BoxRows::resize(std::uint32_t places) {
     for (auto& side : low) side.resize(places + kBehind, kEmpty);
     filters.resize(places);

@@ -52,7 +52,7 @@ public:
     [[nodiscard]] std::uint32_t size() const { return count_ - free_; }
 
 protected:
-    /// @param share  if more than one of so many boxes moves, all are sorted again
+    /// @param share  all boxes are sorted again if more than one out of `share` of them moves
     explicit BoxRows(std::uint32_t share) : share_{share} { reset(0, 0); }
 
     /// Clears the list and creates free slots for boxes that are sorted.
@@ -64,8 +64,8 @@ protected:
     [[nodiscard]] bool mostMove(std::uint32_t moving) const {
         return moving > size() / share_ && size() > kFew;
     }
-    /// If the number of boxes differs much from that at the last choice, or the last choice is old, so that
-    /// the parameters of the order have to be chosen again: from these.
+    /// Statistics for choosing the parameters of the order anew, if the number of boxes
+    /// differs much from that at the last choice or the last choice is old; else nothing.
     std::optional<BoxStatistics> newStatistics(const Proxies& proxies, std::span<const std::uint32_t> order);
 
     std::uint32_t sorted_ = 0;  ///< slots that are sorted

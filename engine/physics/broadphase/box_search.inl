@@ -123,10 +123,10 @@ PLUMB_TARGET void findInRows(const BoxRows& rows, Stretch part, const AABB& box,
 // Bvh8.
 
 constexpr std::uint32_t kChunk = 8;                // nodes whose children are tested together
-constexpr std::uint32_t kMost = kChunk * kBranch;  // children of these nodes
+constexpr std::uint32_t kMaxChildren = kChunk * kBranch;  // children of these nodes
 constexpr std::uint32_t kMany = 12;  // more children: the union of several lanes is too large, split it
 constexpr std::uint32_t kMaxHits =
-    kMost * kBranch > kMany* kBranch* kBranch ? kMost* kBranch : kMany* kBranch* kBranch;
+    kMaxChildren * kBranch > kMany* kBranch* kBranch ? kMaxChildren* kBranch : kMany* kBranch* kBranch;
 
 /// A box and filters for comparison with eight others.
 struct WideProbe {
@@ -240,7 +240,7 @@ PLUMB_TARGET void findPairsBelow(const TreeSearch& search, std::uint32_t lanes, 
                                  std::uint32_t level, std::span<const std::uint32_t> nodes,
                                  std::vector<PairKey>& pairs) {
     const TreeNode* all = search.others->level(level);
-    std::uint32_t children[kMost + kSpare];
+    std::uint32_t children[kMaxChildren + kSpare];
     for (std::size_t first = 0; first < nodes.size(); first += kChunk) {
         const auto chunk =
             nodes.subspan(first, nodes.size() - first < kChunk ? nodes.size() - first : kChunk);

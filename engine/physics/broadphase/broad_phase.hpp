@@ -75,7 +75,7 @@ public:
     /// Appends all proxies on a layer in `mask` whose bounds overlap the box, in any order.
     virtual void query(const AABB& box, std::uint32_t mask, std::vector<std::uint32_t>& found) const = 0;
     /// Appends all proxies whose bounds, enlarged by `half` on each side, intersect the line from `from` to
-    /// `from + way`. The order is arbitrary; the result may contain proxies that the line misses.
+    /// `from + displacement`. The order is arbitrary; the result may contain proxies that the line misses.
     virtual void cast(Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t mask,
                       std::vector<std::uint32_t>& found, Among among) const = 0;
     /// Visits the nodes, cells or segments that are in use, for debug drawing.

@@ -22,7 +22,7 @@ std::uint32_t cellsFrom(std::int32_t first, std::int32_t last) {
 /// where boxes have similar sizes and all move fast. A box is stored in the finest grid in which it spans at
 /// most two cells along each axis, in the cell of its top-left corner. Each grid is wrapped to a torus with
 /// about as many cells as it has boxes, so the world may have any size; boxes of different places in one cell
-/// are told apart by their bounds. Cells may have a spare slot; a box that finds none in its new cell is
+/// are distinguished by their bounds. Cells may have a spare slot; a box that finds none in its new cell is
 /// stored after all cells. Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage)
 /// and 7.2 (hierarchical grids)
 class HierarchicalGrid : public SortedRows<HierarchicalGrid> {

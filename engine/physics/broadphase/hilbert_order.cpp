@@ -10,11 +10,11 @@ namespace plumb::physics {
 namespace {
 
 constexpr std::size_t kCrowd = 8;         // a cell with more entries than this is sorted by a finer curve
-constexpr std::size_t kFew = 96;          // fewer entries are sorted by comparison
+constexpr std::size_t kFewEntries = 96;   // fewer entries are sorted by comparison
 constexpr std::size_t kManyCells = 4096;  // more entries get a curve with three digits instead of two
-constexpr int kDeepest = 24;      // each level is 256 times finer, and the exponents of floats span 2^277
-constexpr float kFar = 1e30f;     // coordinates are clamped to this
-constexpr float kLeast = 1e-30f;  // a smaller extent counts as one point
+constexpr int kDeepest = 24;  // each level is 256 times finer, and the exponents of floats span 2^277
+constexpr float kFarthestKey = 1e30f;  // coordinates are clamped to this
+constexpr float kMinExtent = 1e-30f;   // a smaller extent counts as one point
 
 /// Four levels of the curve at once: from the state and 4 bits of x and y, the 8 bits of the index on the
 /// curve, and above them the next state. Bit 0 of a state: the axes are swapped; bit 1: both are reversed.
@@ -54,9 +54,9 @@ std::uint32_t placeOnCurve(std::uint32_t x, std::uint32_t y, int digits) {
 
 Vec2 centreOf(const AABB& box) {
     const Vec2 centre = box.min * 0.5f + box.max * 0.5f;
-    // Written so that a NaN ends up at -kFar.
-    return {centre.x > -kFar ? std::min(centre.x, kFar) : -kFar,
-            centre.y > -kFar ? std::min(centre.y, kFar) : -kFar};
+    // Written so that a NaN ends up at -kFarthestKey.
+    return {centre.x > -kFarthestKey ? std::min(centre.x, kFarthestKey) : -kFarthestKey,
+            centre.y > -kFarthestKey ? std::min(centre.y, kFarthestKey) : -kFarthestKey};
 }
 
 std::uint32_t idOf(std::uint64_t entry) { return static_cast<std::uint32_t>(entry); }
@@ -90,14 +90,14 @@ void HilbertOrder::sortRange(std::span<const AABB> bounds, std::span<Entry> entr
     const auto last = static_cast<float>((1 << (4 * digits)) - 1);
     // Square cells: otherwise a long, narrow world would have long, narrow leaves.
     const float extent = std::max(high.x - low.x, high.y - low.y);
-    const float scale = extent > kLeast ? last / extent : 0.0f;
+    const float scale = extent > kMinExtent ? last / extent : 0.0f;
     for (Entry& entry : entries) {
         const Vec2 cell = (centreOf(bounds[idOf(entry)]) - low) * scale;
         const auto x = static_cast<std::uint32_t>(std::min(cell.x, last));
         const auto y = static_cast<std::uint32_t>(std::min(cell.y, last));
         entry = Entry{placeOnCurve(x, y, digits)} << 32 | idOf(entry);
     }
-    if (entries.size() <= kFew) {
+    if (entries.size() <= kFewEntries) {
         std::sort(entries.begin(), entries.end());
     } else {
         sorter_.sort(entries, 2, 4 * digits);

@@ -10,9 +10,9 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kFar = 0x1p40f;        // m: no squares beyond this distance
-constexpr float kSmallest = 0x1p-12f;  // m: minimum half width of a square
-constexpr std::uint32_t kMany = 8;     // a square with more boxes than this is split
+constexpr float kFarthestSquare = 0x1p40f;   // m: no squares beyond this distance
+constexpr float kSmallestSquare = 0x1p-12f;  // m: minimum half width of a square
+constexpr std::uint32_t kMany = 8;           // a square with more boxes than this is split
 
 /// The smallest power of two that is at least x.
 float powerAbove(float x) {
@@ -162,12 +162,14 @@ private:
     };
 
     [[nodiscard]] static bool isOutside(const AABB& box) {
-        const auto isNear = [](Vec2 point) { return std::fabs(point.x) < kFar && std::fabs(point.y) < kFar; };
+        const auto isNear = [](Vec2 point) {
+            return std::fabs(point.x) < kFarthestSquare && std::fabs(point.y) < kFarthestSquare;
+        };
         return !(isNear(box.min) && isNear(box.max));
     }
     [[nodiscard]] static Goal goalOf(const AABB& box) {
         const Vec2 size = box.size();
-        return {middleOf(box), powerAbove(std::max({size.x * 0.5f, size.y * 0.5f, kSmallest}))};
+        return {middleOf(box), powerAbove(std::max({size.x * 0.5f, size.y * 0.5f, kSmallestSquare}))};
     }
     [[nodiscard]] static bool holds(const Node& node, const Goal& goal) {
         return node.half >= goal.half && std::fabs(goal.middle.x - node.middle.x) <= node.half &&

@@ -61,7 +61,7 @@ bool CharacterProbe::ignores(std::uint32_t shape) const {
            contains(behind_, shape);
 }
 
-/// A one-way shape stops what starts in front and hits its open side, or a corner with the feet above.
+/// A one-way shape stops a hit from the front on its open side, or on a corner below the feet.
 bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const {
     const ShapeInfo& info = world_.shapes.info[hit.shape.index];
     if ((info.flags & kOneWay) == 0) return true;

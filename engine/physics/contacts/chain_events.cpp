@@ -44,7 +44,7 @@ void publish(World& world, std::int32_t before, const Outcome& now) {
     }
 }
 
-/// m/s: the fastest of a pair, which may have met several times. They are sorted.
+/// m/s: maximum approach speed of a pair, which may have begun to touch several times. The list is sorted.
 float approachOf(const Workspace& work, const Contact& contact) {
     const PairKey pair = pairKey(contact.shapeA, contact.shapeB);
     const auto after = std::upper_bound(work.approaches.begin(), work.approaches.end(),
@@ -111,7 +111,7 @@ void noteApproach(const World& world, Workspace& work, const Contact& contact, c
 void publishSurfaces(World& world, Workspace& work) {
     std::vector<ChainChange>& changes = work.chainChanges;
     if (changes.empty()) return;
-    // Continuing and new contacts first, so that an event refers to a contact that exists.
+    // New and continuing contacts first, so that an event refers to a contact that exists.
     const auto rank = [](const ChainChange& change) { return change.event.phase == ContactPhase::Ended; };
     std::sort(changes.begin(), changes.end(), [&](const ChainChange& a, const ChainChange& b) {
         if (a.pair != b.pair) return a.pair < b.pair;

@@ -12,7 +12,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Both bodies at the moment, B seen from A's centre of mass.
+/// Relative pose of the two bodies of a contact: B seen from A's centre of mass.
 struct Encounter {
     Rot turnA;
     Rot turn;      // B's rotation seen from A
@@ -23,7 +23,7 @@ Encounter encounterOf(const BodyPose& a, const BodyPose& b) {
     return {a.rotation, between(a.rotation, b.rotation), unrotate(a.rotation, b.centre - a.centre)};
 }
 
-/// Both after so many s of going on as they do.
+/// The encounter after `time` (s) if both bodies keep their velocities.
 Encounter ahead(const World& world, const Contact& contact, float time) {
     const auto moved = [&](std::uint32_t body) {
         BodyPose pose = world.bodies.pose[body];
@@ -43,8 +43,8 @@ float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 nor
 
 float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
 
-/// True when the bodies have hardly moved to each other since the points were found.
-/// @param normal  the contact's, in A's frame as it is now
+/// True if the bodies have hardly moved relative to each other since the points were found.
+/// @param normal  the contact's normal, in A's current frame
 bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
     if (std::fabs(cross(contact.normalInA, normal)) > kMaxTurn) return false;
     const float turned = contact.turn.cos * now.turn.sin - contact.turn.sin * now.turn.cos;
@@ -55,22 +55,22 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
     return std::fabs(cross(normal, apart)) <= tolerance;
 }
 
-/// m: how far bodies may move along each other before points are found anew. Of small things, a small part.
+/// m: how far bodies may slide along each other before the points are computed again. Less for small bodies.
 float displacementToKeep(const Contact& contact, const Settings& settings) {
     const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
     return std::min(settings.recycleDistance, kMaxOfSize * size);
 }
 
-/// Takes the points along: how far they are apart is new, while the normal and the arms stay as they were in
-/// the world (see prepare() of the kernels). So a load does not feel that its column leans a little, and high
-/// stacks do not buckle on contacts that are springs.
-/// @return false when they have to be found anew
+/// Reuses the points of the last step: updates their separations, but keeps the world directions of
+/// the normal and the arms (see prepare() of the kernels). So a slight lean of a column does not
+/// change how it carries a load, and high stacks do not buckle on their contacts, which are springs.
+/// @return false if the points have to be computed again
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
-    // Nothing keeps a body from going along the normal through what does not push, and out on the far side.
+    // A contact that does not push could move along its normal, out to the far side, without being noticed.
     if ((contact.flags & (kTouching | kRound | kTriggered | kPassing | kDisabled)) != kTouching) return false;
     const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
     if (contact.count > all) return false;
-    // One point of two says little of what comes next: a second may be about to touch.
+    // With one point out of two, the second may be about to touch: use a smaller tolerance.
     const float maximum = displacementToKeep(contact, settings);
     const float tolerance = contact.count == all ? maximum : kOnePointPart * maximum;
     const Vec2 normal = unrotate(now.turnA, contact.normal);
@@ -82,7 +82,7 @@ bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     return true;
 }
 
-/// Writes the points of a manifold that was found in the frame of A's shapes.
+/// Stores a manifold that was computed in the frame of A's shapes.
 void takeManifold(const World& world, Contact& contact, const Manifold& manifold, const Encounter& now) {
     const auto impulseOf = [count = contact.count, first = contact.ids[0], impulse0 = contact.impulse0,
                             second = contact.ids[1], impulse1 = contact.impulse1](std::uint16_t id) {
@@ -121,7 +121,7 @@ bool nearByCircles(const World& world, const Contact& contact, const Encounter& 
     return lengthSquared(now.between) <= reach * reach;
 }
 
-/// Where nothing rotates all points of a contact come equally near: the deepest stands for both.
+/// Without rotation all points of a contact approach at the same speed: the deepest one stands for both.
 void keepDeepest(Manifold& manifold) {
     if (manifold.count < 2) return;
     if (manifold.points[1].separation < manifold.points[0].separation)
@@ -129,8 +129,8 @@ void keepDeepest(Manifold& manifold) {
     manifold.count = 1;
 }
 
-/// What comes so fast that its sweep finds it in this step is left to that, which knows the moment of the
-/// hit: the solver would keep it at the surface for the rest of the step.
+/// True for a contact of a bullet that is so fast that its sweep detects the hit in this step. The sweep
+/// finds the time of impact; the solver would keep the body at the surface for the rest of the step.
 bool isLeftToSweep(const World& world, const Contact& contact, const Manifold& manifold,
                    const Encounter& now) {
     if ((contact.flags & (kTouching | kTriggered)) != 0 || !world.settings.continuous) return false;
@@ -145,11 +145,11 @@ bool isLeftToSweep(const World& world, const Contact& contact, const Manifold& m
     const Vec2 speed = motion[contact.bodyB].velocity - motion[contact.bodyA].velocity;
     const float closing =
         std::min(-dot(rotate(now.turnA, manifold.normal), speed), length(motion[swept].velocity));
-    // Its core then passes the surface, and it moves far enough to be swept at all.
+    // So fast that its core passes the surface, and that it is swept at all.
     return closing * world.stepLength > gap + kSweptCore * world.bodies.info[swept].reach;
 }
 
-/// Takes note of what was found.
+/// Stores the result of the narrow phase in the contact.
 void take(const World& world, Contact& contact, const Encounter& now, Manifold manifold,
           DetectionCounts& counts) {
     if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
@@ -164,10 +164,10 @@ void take(const World& world, Contact& contact, const Encounter& now, Manifold m
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
 }
 
-/// Where something round touches wanders while it rolls, and the normal turns with it. The step holds on to
-/// one direction, so that of its middle is taken: with that of its start, what rocks on something round would
-/// swing higher and higher, and piles with balls in them would never come to rest.
-/// @return false when it will no longer touch there, or with something else, as at a seam
+/// Contact of a round shape, computed at the middle of the step. While a round shape rolls, its contact point
+/// moves and the normal rotates, but a step uses a single direction. With the direction at its start, a body
+/// that rocks on a round one would swing higher and higher, and piles with balls would never come to rest.
+/// @return false if it no longer touches there then, or touches something else, as at a seam
 bool takeHalfway(const World& world, Contact& contact, const Encounter& now, float halfStep,
                  DetectionCounts& counts) {
     const Geometry& a = world.shapes.geometry[contact.shapeA];
@@ -182,7 +182,7 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
         return false;
     ++counts.touching;
     takeManifold(world, contact, manifold, then);
-    // What is round turns in place: only its center goes along with its body.
+    // A round shape rotates in place: only its center moves with its body.
     const ContactAnchors centers{
         contact.anchors[0].a - contact.roundA * manifold.normal,
         contact.anchors[0].b + contact.roundB * unrotate(then.turn, manifold.normal)};
@@ -192,7 +192,7 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
     return true;
 }
 
-/// Two boxes along the axes.
+/// Two axis-aligned boxes.
 struct AxisAlignedPair {
     const Geometry& a;
     const Geometry& b;
@@ -216,7 +216,7 @@ Manifold manifoldOf(const World& world, const AxisAlignedPair& pair) {
     return manifold;
 }
 
-/// While the same two faces touch, all that changes is how deep. pointOf() says where they do.
+/// Fast path: while the same two faces touch, only the separation changes. pointOf() computes the point.
 bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculative) {
     if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
     const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.displacement);
@@ -235,7 +235,7 @@ void noteRecycled(const World& world, Contact& contact, DetectionCounts& counts)
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
 }
 
-/// True if the bounds have parted, which ends the contact.
+/// True if the bounds no longer overlap, which ends the contact.
 bool endsByBounds(const World& world, Contact& contact, DetectionCounts& counts) {
     if (touch(world.shapes.bounds[contact.shapeA], world.shapes.bounds[contact.shapeB])) return false;
     ++counts.apartByBounds;
@@ -243,7 +243,7 @@ bool endsByBounds(const World& world, Contact& contact, DetectionCounts& counts)
     return true;
 }
 
-/// All of it, for boxes that stay along the axes.
+/// Complete narrow phase for two boxes that stay axis-aligned.
 void touchUpright(const World& world, Contact& contact, DetectionCounts& counts) {
     const AxisAlignedPair pair = uprightPairOf(world, contact);
     if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
@@ -254,7 +254,7 @@ void touchUpright(const World& world, Contact& contact, DetectionCounts& counts)
     take(world, contact, {{}, {}, pair.between}, manifold, counts);
 }
 
-/// What can be said without a look at the outlines: still the same, gone, or too far apart.
+/// Decides without the outlines, if possible: points reused, contact gone, or bodies too far apart.
 bool isSettled(const World& world, Contact& contact, const Encounter& now, DetectionCounts& counts) {
     if (recycle(contact, now, world.settings)) {
         noteRecycled(world, contact, counts);
@@ -269,7 +269,7 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
     return false;
 }
 
-/// Pairs of boxes, gathered until there are eight of them.
+/// Collects pairs of boxes until there are eight of them.
 class BoxBatch {
 public:
     BoxBatch(const World& world, DetectionCounts& counts) : world_{world}, counts_{counts} {}
@@ -297,12 +297,12 @@ private:
     const SolverKernels& kernels_ = solverKernels();
     Contact* contacts_[kLanes] = {};
     Encounter encounters_[kLanes];
-    BoxPairs pairs_{};  // lanes that are not used repeat what was there before, which is harmless
+    BoxPairs pairs_{};  // unused lanes keep their former content, which is harmless
     BoxTouches touches_;
     int count_ = 0;
 };
 
-/// Along the axes of the world, until its owner rotates its body.
+/// True if the shape stays axis-aligned until its body is rotated by a setter.
 bool staysUpright(const World& world, std::uint32_t body, const Geometry& outline) {
     return world.bodies.info[body].kind != BodyKind::Kinematic && outline.kind == ShapeKind::Box &&
            outline.radius == 0.0f && outline.turn == Rot{} && world.bodies.pose[body].rotation == Rot{};
@@ -310,8 +310,8 @@ bool staysUpright(const World& world, std::uint32_t body, const Geometry& outlin
 
 constexpr std::size_t kAhead = 4;  // contacts: prefetch distance
 
-/// Prefetches what later contacts need: their bodies and shapes are scattered in memory. Inlined, since GCC
-/// takes a call that only prefetches for one without effect.
+/// Prefetches the data of later contacts: their bodies and shapes are scattered in memory.
+/// Forced inline, because GCC removes a call that only prefetches as one without effect.
 [[gnu::always_inline]] inline void fetchAhead(const World& world, std::span<const Contact> contacts,
                                               std::size_t i) {
     const Shapes& shapes = world.shapes;
@@ -382,7 +382,7 @@ bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
     const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
     if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
-        // What cannot be pushed comes to triggers only. One of the two is awake, or a trigger wakes it.
+        // Bodies that are not dynamic have contacts with triggers only. One is awake, or a trigger wakes it.
         const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
         const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
         const bool someAwake = a.place != kNone || b.place != kNone;

@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: how deep what has just begun may be by the motion of the bodies in a step, generously.
+/// m: generous upper bound of the depth that a new contact can reach by the motion of a step.
 float depthByMotion(const World& world, const Contact& contact) {
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
     const BodyMotion& b = world.bodies.motion[contact.bodyB];
@@ -18,7 +18,7 @@ float depthByMotion(const World& world, const Contact& contact) {
 
 float depthOf(const Contact& contact) { return -std::min(contact.separation0, contact.separation1); }
 
-/// Where the pair is in the sorted list, or would be.
+/// The entry of the pair in the sorted list, or the position where it would be inserted.
 template <class Overlaps>
 auto findPair(Overlaps& overlaps, PairKey pair) {
     return std::lower_bound(overlaps.begin(), overlaps.end(), pair,
@@ -34,7 +34,7 @@ void hide(Contact& contact, float hidden) {
 
 void markInitialOverlap(const World& world, Contact& contact) {
     contact.flags &= static_cast<std::uint16_t>(~kInitialOverlap);
-    // What is inside a one-way shape falls through, and nothing comes out of a trigger.
+    // A body inside a one-way shape falls through it, and triggers exert no forces.
     if ((contact.flags & (kOneWayA | kOneWayB | kTriggered)) != 0) return;
     const float depth = depthOf(contact);
     if (depth > 2.0f * world.settings.slop && depth > depthByMotion(world, contact))

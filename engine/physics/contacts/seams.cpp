@@ -10,9 +10,9 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 32;
+constexpr int kSeamGrain = 32;
 
-/// How a point is to an outline, and the normals of the first and last edge at it, as they rotate.
+/// Position of a point relative to an outline, and the normals of the first and last edge at it, in order.
 struct EdgesAt {
     Vec2 first, last;
     bool isAt = false;
@@ -38,21 +38,21 @@ EdgesAt edgesAt(const Convex& outline, Vec2 point, float tolerance) {
         if (!is && before) edges.last = corners[i > 0 ? i - 1 : corners.size() - 1].normal;
         before = is;
     }
-    edges.isAt = edges.isInside || edges.first != Vec2{};  // else it is smaller than the tolerance
+    edges.isAt = edges.isInside || edges.first != Vec2{};  // else the outline is smaller than the tolerance
     return edges;
 }
 
-/// The directions from a point that the outlines around it leave free. Outlines that abut have one border,
-/// and only its normals are those of contacts there: not those of the edges between them.
+/// The sector of directions at a point that the outlines around it leave free. Adjacent outlines have
+/// one common border: contacts have the normals of that border, not those of the interior edges.
 class FreeSector {
 public:
-    /// @param inside     a free direction: to the middle of what touches the outlines at the point
+    /// @param inside  a free direction: towards the middle of the body that touches the outlines there
     /// @param tolerance  m: outlines closer than this to the point cover a part of its surroundings
     FreeSector(Vec2 point, Vec2 inside, float tolerance)
         : point_{point}, inside_{inside}, tolerance_{tolerance} {}
 
-    /// Takes away what an outline covers: first the one that the contact is with, then its neighbors.
-    /// @return  false if it is not at the point
+    /// Removes the sector that an outline covers. Begin with the outline of the contact itself.
+    /// @return false if the outline is not at the point
     bool cover(const Convex& outline, const Frame& frame) {
         const Vec2 place = applyInverse(frame, point_);
         const EdgesAt edges = edgesAt(outline, place, tolerance_);
@@ -70,17 +70,17 @@ public:
         return true;
     }
 
-    /// True where the outlines surround the point, or cover `inside`.
+    /// True if the outlines surround the point, or cover the direction `inside`.
     [[nodiscard]] bool isClosed() const { return isCovered_ || end_.angle + 4.0f - start_.angle < kParallel; }
-    /// True where the common border is straight.
+    /// True if the common border is straight.
     [[nodiscard]] bool isFlat() const { return dot(start_.normal, end_.normal) > 1.0f - kSameNormal; }
-    /// True for a normal of the common border, or one between its two normals at a corner.
+    /// True if the normal is one of the common border or, at a corner, between its two normals.
     [[nodiscard]] bool allows(Vec2 normal) const {
-        // All normals between two are within half of their angle from their middle.
+        // A normal between two others is within half of their angle from their middle.
         const Vec2 middle = normalized(start_.normal + end_.normal);
         return dot(normal, middle) >= dot(start_.normal, middle) - kSameNormal;
     }
-    /// The normal of the first outline at the border nearest to the given one, if it has a part of it.
+    /// The border normal of the first outline that is nearest to a given one, if it has a part of the border.
     [[nodiscard]] std::optional<Vec2> ownNormal(Vec2 normal) const {
         const bool starts = ownStart_->angle > start_.angle - kParallel;
         const bool ends = ownEnd_->angle < end_.angle + kParallel;
@@ -107,8 +107,8 @@ private:
     Vec2 point_;
     Vec2 inside_;
     float tolerance_;
-    bool isCovered_ = false;  ///< `inside` is
-    Border end_{4.0f, {}};    ///< of the free sector, and its other one: the borders of the nearest outlines
+    bool isCovered_ = false;  ///< the direction `inside` is covered
+    Border end_{4.0f, {}};    ///< ends of the free sector: the borders of the nearest outlines
     Border start_{-1.0f, {}};
     std::optional<Border> ownEnd_, ownStart_;
 };
@@ -127,15 +127,15 @@ struct BodyContacts {
     }
 };
 
-/// What the neighbors of A say about a contact.
+/// What the shapes adjacent to A imply for a contact.
 struct Verdict {
     bool abut = false;           ///< some are at its points
-    bool touch = false;          ///< of those, one touches B too
+    bool touch = false;          ///< one of these touches B too
     bool isValid = true;         ///< its normal is one of the common border
-    std::optional<Vec2> normal;  ///< in A's frame: else the nearest that is A's
+    std::optional<Vec2> normal;  ///< in A's frame: if not valid, A's nearest border normal
 };
 
-/// True if two fixed bodies move as one at a place: plates that close on something are no seam.
+/// True if two bodies have equal velocities at a point: plates that close on a body are not a seam.
 bool moveAsOne(const World& world, std::uint32_t a, std::uint32_t b, Vec2 place) {
     if (a == b) return true;
     const auto velocityAt = [&](std::uint32_t body) {
@@ -147,9 +147,9 @@ bool moveAsOne(const World& world, std::uint32_t a, std::uint32_t b, Vec2 place)
     return lengthSquared(velocityAt(a) - velocityAt(b)) <= apart * apart;
 }
 
-/// Takes from a free sector what the other fixed shapes cover.
-/// @param point   in the frame of A's shapes
-/// @param others  calls a function with each of them and with whether it touches B
+/// Removes the sectors that other static or kinematic shapes cover.
+/// @param point  in the frame of A's shapes
+/// @param others  calls a function with each of them and with a flag whether it touches B
 template <class Others>
 void coverByOthers(const World& world, const Contact& contact, Vec2 point, const Others& others,
                    FreeSector& sector, Verdict& verdict) {
@@ -169,7 +169,7 @@ void coverByOthers(const World& world, const Contact& contact, Vec2 point, const
     });
 }
 
-/// The place on the face with that normal that is nearest to another place.
+/// The point on the face with this normal that is nearest to another point.
 Vec2 nearestOnFace(const Convex& outline, Vec2 normal, Vec2 place) {
     const std::span<const Corner> corners = outline.corners();
     const std::size_t face = faceAgainst(corners, -normal);
@@ -178,7 +178,7 @@ Vec2 nearestOnFace(const Convex& outline, Vec2 normal, Vec2 place) {
     return from + std::clamp(dot(place - from, edge) / lengthSquared(edge), 0.0f, 1.0f) * edge;
 }
 
-/// True if a fixed shape contains the middle of B: that is squeezed, and no contact of it is an inner one.
+/// True if a shape contains the middle of B: then B is squeezed, and no contact of it is interior.
 /// @param middle  in the frame of A's shapes
 template <class Others>
 bool isInside(const World& world, const Contact& contact, Vec2 middle, const Others& others) {
@@ -200,7 +200,7 @@ bool isInside(const World& world, const Contact& contact, Vec2 middle, const Oth
     return inside;
 }
 
-/// The deepest point that is not inside the others decides.
+/// Judges a contact by its deepest point that is not inside the other shapes.
 template <class Others>
 Verdict judge(const World& world, const Contact& contact, const Others& others) {
     const BodyPose& poseA = world.bodies.pose[contact.bodyA];
@@ -223,14 +223,14 @@ Verdict judge(const World& world, const Contact& contact, const Others& others) 
         verdict.abut = verdict.abut || here.abut;
         verdict.touch = verdict.touch || here.touch;
         if (sector.isClosed()) {
-            // Where B is deep in a corner between two faces, that of A comes out of the other nearby.
+            // B is deep in a corner between two faces: check A's face near B too.
             const Vec2 place = nearestOnFace(a, normal, middle);
             FreeSector beside{place, middle - place, tolerance};
             if (beside.cover(a, {})) coverByOthers(world, contact, place, others, beside, here);
             if (!beside.isClosed() && beside.allows(normal)) return {};
             continue;
         }
-        // Of two that are equally deep, one may be too far below the border to be seen as part of it.
+        // Of two points of equal depth, one may be too far below the border to be recognized as part of it.
         const float separation =
             (i == 0 ? contact.separation0 : contact.separation1) + (sector.allows(normal) ? tolerance : 0.0f);
         if (separation >= depth) continue;
@@ -258,10 +258,10 @@ void correct(const BodyContacts& all, Contact& contact) {
         forgetPoints(contact);
     }
     const bool overlaps = std::min(before.separation0, before.separation1) <= 0.0f;
-    if (contact.count == 0 && overlaps && !verdict.touch) contact = before;  // nothing else would hold it
+    if (contact.count == 0 && overlaps && !verdict.touch) contact = before;  // no other contact would hold it
 }
 
-/// Where all normals are the same, none is that of an edge between two shapes.
+/// If all normals of a body's contacts are equal, none of them comes from an interior edge.
 bool agree(const BodyContacts& all) {
     Vec2 normal;
     bool agrees = true;
@@ -273,7 +273,7 @@ bool agree(const BodyContacts& all) {
     return agrees;
 }
 
-/// Links the contacts of each body, and lists the bodies with several.
+/// Links the contacts of each body to a list, and collects the bodies with several contacts.
 void link(const World& world, Workspace& work) {
     work.fixedPairs.clear();
     work.seamBodies.clear();
@@ -285,7 +285,7 @@ void link(const World& world, Workspace& work) {
     const std::span<std::uint32_t> firsts{work.firstFixedPair};
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
         std::uint32_t& first = firsts[pairs[i].body];
-        if (first < i && pairs[first].body == pairs[i].body) {  // else it is of another step
+        if (first < i && pairs[first].body == pairs[i].body) {  // else the entry is of an earlier step
             if (pairs[first].next == kNone) work.seamBodies.push_back(pairs[i].body);
             pairs[i].next = first;
         }
@@ -293,7 +293,7 @@ void link(const World& world, Workspace& work) {
     }
 }
 
-/// The fixed shapes near B that it collides with.
+/// The static and kinematic shapes near B that it collides with.
 const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& contact, float distance) {
     const World& world = step.world;
     const Shapes& shapes = world.shapes;
@@ -311,8 +311,8 @@ const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& co
     return found;
 }
 
-/// True where a face of A goes on in another shape.
-/// @param point  its end
+/// True if a face of A continues in another shape.
+/// @param point  the end of the face
 template <class Others>
 bool goesOn(const World& world, const Contact& contact, const Convex& a, Vec2 point, Vec2 normal,
             const Others& others) {
@@ -357,7 +357,7 @@ void correctSeams(StepContext& step) {
     const auto contactsOf = [&](std::uint32_t body) {
         return BodyContacts{world, work.fixedPairs, work.firstFixedPair[body]};
     };
-    forEach(step.pool, work.seamBodies.size(), kGrain, [&](std::size_t i) {
+    forEach(step.pool, work.seamBodies.size(), kSeamGrain, [&](std::size_t i) {
         const BodyContacts all = contactsOf(work.seamBodies[i]);
         if (!agree(all)) all.forEach([&](Contact& contact) { correct(all, contact); });
     });

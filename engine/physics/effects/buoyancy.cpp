@@ -152,7 +152,7 @@ Sums alongEdge(const Convex& convex, const Frame& toFluid, const FluidBox& fluid
 }
 
 /// m: half width and depth that stand for an unbounded fluid.
-constexpr float kEndless = 1.0e7f;
+constexpr float kEndlessPool = 1.0e7f;
 
 /// A fluid in a frame whose y axis points along gravity.
 struct Fluid {
@@ -165,7 +165,7 @@ Fluid fluidOf(const World& world, const FieldDefinition& field) {
     const Vec2 gravity = world.settings.gravity;
     const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{0.0f, 1.0f};
     const Rot turn{down.y, -down.x};  // rotates (0, 1) to `down`
-    if (field.region == RegionKind::Everywhere) return {field.place, turn, {kEndless, kEndless}};
+    if (field.region == RegionKind::Everywhere) return {field.place, turn, {kEndlessPool, kEndlessPool}};
     const Vec2 half = field.region == RegionKind::Circle ? Vec2{field.radius, field.radius} : field.half;
     const float along = std::fabs(turn.cos) * half.x + std::fabs(turn.sin) * half.y;
     const float deep = std::fabs(turn.sin) * half.x + std::fabs(turn.cos) * half.y;

@@ -114,8 +114,7 @@ struct SmoothForces {
 /// Updates Workspace::fieldBoxes to fields that were changed, and bodies of attractors that moved.
 void updateFieldBoxes(const World& world, Workspace& work);
 
-/// The fields that may act on a body, ascending: all for which actsOn() holds, and a few more, until the next
-/// call.
+/// Fields that may act on a body, ascending, until the next call: at least those for which actsOn() holds.
 /// @param kinds  bits, 1 << FieldKind: those to search for; others may be among the result
 std::span<const std::uint32_t> fieldsNear(const World& world, Workspace& work, std::uint32_t body,
                                           std::uint32_t kinds);

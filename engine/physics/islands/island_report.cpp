@@ -11,8 +11,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// Of each body the one with the lowest index in its island. Recomputed from scratch: the world's own islands
-/// may be larger than needed, and lookups change them.
+/// By body: the body with the lowest index in its island. Recomputed from scratch,
+/// because the world's own islands may be larger than necessary, and lookups change them.
 std::vector<std::uint32_t> firstBodies(const World& world) {
     std::vector<std::uint32_t> firsts(world.bodies.size());
     std::iota(firsts.begin(), firsts.end(), 0u);
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> firstBodies(const World& world) {
     return firsts;
 }
 
-/// Of a single body, in the last step.
+/// Quality of a body in the last step.
 Quality qualityOf(const World& world, std::uint32_t body) {
     const std::vector<SubstepController>& substepControllers = world.bodies.substepControllers;
     if (body < substepControllers.size() && substepControllers[body].quality != kQualityOfWorld)
@@ -67,7 +67,7 @@ void addBodies(const World& world, const std::vector<std::uint32_t>& indices,
     }
 }
 
-/// Index of whichever of the two is dynamic.
+/// The index of B, or of A if B has none because it is not dynamic.
 std::uint32_t indexOf(const std::vector<std::uint32_t>& indices, std::uint32_t a, std::uint32_t b) {
     return indices[b] != kNone ? indices[b] : indices[a];
 }

@@ -36,7 +36,7 @@ void addTo(SubstepEstimate& island, const World& world, const Workspace& work, s
 
 /// Kinds of islands that are solved with equal parameters: by quality, and again without rotation.
 constexpr std::size_t kKindsWithRotation = kMaxQuality + 1;
-constexpr std::size_t kKinds = 2 * kKindsWithRotation;
+constexpr std::size_t kContactKinds = 2 * kKindsWithRotation;
 
 void addGroup(Workspace& work, std::size_t kind, int bodies) {
     SolveGroup& group = work.groups.emplace_back();
@@ -70,7 +70,7 @@ void judgeIslands(World& world, Workspace& work) {
     for (const std::uint32_t body : world.awake) qualities[body] = qualities[work.roots[body]];
 }
 
-/// Whether some awake bodies may be solved without rotation beside others that rotate.
+/// True if some awake bodies can be solved without rotation although others rotate.
 bool mixesRotation(const StepContext& step) {
     const Manifest& manifest = step.world.manifest;
     const auto callers = [&](Effect effect) { return manifest.callers[static_cast<std::size_t>(effect)]; };
@@ -78,7 +78,7 @@ bool mixesRotation(const StepContext& step) {
     return step.runs(Effect::Rotation) && !pinned && callers(Effect::Rotation) < callers(Effect::Continuous);
 }
 
-/// Islands that a group of soft bodies may push are solved with it.
+/// Solves the islands that one group of soft bodies may push with equal parameters.
 void addSoftGroups(Workspace& work, std::span<const std::uint32_t> awake) {
     SoftSurroundings& around = work.softSurroundings;
     for (const SoftGroup& group : around.groups) {
@@ -94,8 +94,8 @@ void addSoftGroups(Workspace& work, std::span<const std::uint32_t> awake) {
     for (const std::uint32_t body : awake) work.bodyScratch[body] = work.bodyScratch[work.roots[body]];
 }
 
-/// Islands with a body that rotates or has joints, and those that bounce, resist rolling or are near soft
-/// bodies: the reduced kernels do not know of these. What its owner moves may rotate.
+/// Marks islands that the reduced kernels cannot solve: those with a body that rotates or has joints, or
+/// with bounces, rolling resistance or soft bodies nearby. Kinematic bodies may rotate, so they count too.
 void findRotating(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -129,7 +129,7 @@ void sortByIsland(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     const bool judges = world.qualityCallers != 0 || world.settings.automaticQuality;
-    // A mere division into groups must not change when islands are built anew, and with that what sleeps.
+    // A division by rotation alone must not rebuild islands earlier, which would change what sleeps when.
     findRoots(step, judges || world.settings.tolerance > 0.0f);
     if (world.settings.tolerance > 0.0f) {
         holdTolerance(world, work);
@@ -142,11 +142,11 @@ void sortByIsland(StepContext& step) {
     if (mixesRotation(step)) setRotationApart(step);
     const std::vector<std::uint32_t>& kinds = work.bodyScratch;
     // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
-    std::array<int, kKinds> counts{}, begins{};
-    std::array<std::uint8_t, kKinds> groups{};
+    std::array<int, kContactKinds> counts{}, begins{};
+    std::array<std::uint8_t, kContactKinds> groups{};
     for (const std::uint32_t body : world.awake) ++counts[kinds[body]];
     int total = 0;
-    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    for (std::size_t kind = 0; kind < kContactKinds; ++kind) {
         begins[kind] = total;
         total += counts[kind];
         groups[kind] = static_cast<std::uint8_t>(work.groups.size());
@@ -190,7 +190,7 @@ void findRoots(const StepContext& step, bool exact) {
     if (world.islandsStale && exact) rebuildIslands(world, step.pool);
     work.roots.resize(world.bodies.size());
     std::iota(work.roots.begin(), work.roots.end(), 0u);
-    // Looking far shortens the way for the next one, which is not for several threads.
+    // A lookup with path compression writes to the forest, so it is not done by several threads.
     const auto isFar = [&](std::size_t i) {
         const std::uint32_t body = world.awake[i];
         const BodyInfo& info = world.bodies.info[body];

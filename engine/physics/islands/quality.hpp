@@ -23,7 +23,7 @@ constexpr int substepsOf(Quality quality) { return 1 << quality; }
 void estimateSubsteps(World& world, Workspace& work);
 
 /// Computes Workspace::roots, once per step. Bodies that are not dynamic or are asleep are their own root.
-/// @param exact  false: islands that fell apart may still count as one, and nothing of the world changes
+/// @param exact  false: islands that fell apart may still count as one, and the world does not change
 void findRoots(const StepContext& step, bool exact = true);
 
 /// Determines the quality of each awake body where there is a tolerance, equal within an island:

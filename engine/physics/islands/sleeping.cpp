@@ -8,9 +8,9 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 512;
+constexpr int kIslandGrain = 512;
 
-// The lists of free places have room for all, so that waking up allocates nothing.
+// The free lists have capacity for all entries, so that waking up allocates nothing.
 
 std::uint32_t takeIsland(Sleepers& sleepers) {
     const std::uint32_t island = takeIndex(sleepers.freeIslands, sleepers.islands);
@@ -39,9 +39,9 @@ void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contac
     sleepers.nextContact[place] = std::exchange(sleepers.islands[island].firstContact, place);
 }
 
-/// A kinematic body can begin or end a contact while the other body sleeps, unless that rests on it: then it
-/// wakes the sleeper when it starts to move (wakeForMotion). The next step ends what a destroyed shape
-/// touched.
+/// True for contacts that are not stored with a sleeping island. A kinematic body can begin or end a
+/// contact while the other body sleeps, unless that rests on it: then it wakes the sleeper when it
+/// starts to move (wakeForMotion). Contacts of destroyed shapes stay too: the next step ends them.
 bool staysInStep(const World& world, const Contact& contact) {
     for (const std::uint32_t shape : {contact.shapeA, contact.shapeB}) {
         if (world.shapes.motion[shape] == ProxyMotion::Gone) return true;
@@ -51,7 +51,7 @@ bool staysInStep(const World& world, const Contact& contact) {
            world.bodies.info[contact.bodyB].kind == BodyKind::Kinematic;
 }
 
-/// Contacts of islands that sleep go with them; those that do not touch are forgotten, and found again.
+/// Stores touching contacts with their sleeping islands; removes the others, which are found again later.
 void takeContactsAlong(World& world) {
     std::vector<Contact>& contacts = world.contacts;
     for (std::size_t i = contacts.size(); i-- > 0;) {
@@ -62,7 +62,7 @@ void takeContactsAlong(World& world) {
         const std::uint32_t island = islandB != kNone ? islandB : world.sleepers.islandOf[contact.bodyA];
         if (island == kNone) continue;
         if ((contact.flags & kTouching) != 0) {
-            contact.flags &= static_cast<std::uint16_t>(~kBegan);  // not again when it wakes
+            contact.flags &= static_cast<std::uint16_t>(~kBegan);  // no second Began when it wakes
             putInIsland(world.sleepers, island, contact);
         } else if (!world.work.stale()) {
             world.work.get().pairs.remove(pairKey(contact.shapeA, contact.shapeB));
@@ -96,14 +96,14 @@ void wakeIsland(World& world, std::uint32_t island) {
     sleepers.freeIslands.push_back(island);
 }
 
-/// @param members  know their places in the list
+/// Removes a member from a list. @param members store their positions in the list
 template <class Member>
 void takeOut(std::vector<std::uint32_t>& list, std::vector<Member>& members, std::uint32_t index) {
     const std::uint32_t place = members[index].place;
     if (place == kNone) return;
     list[place] = list.back();
     members[list[place]].place = place;
-    members[index].place = kNone;  // after the other: it may be the last itself
+    members[index].place = kNone;  // last, because the member may be the moved one itself
     list.pop_back();
 }
 
@@ -174,8 +174,8 @@ void wakeForMotion(World& world, std::uint32_t body) {
 }
 
 void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots) {
-    // One pass over bodies, contacts and joints, whatever the number of islands. `sleepingRoots` has, by
-    // body, kNone for a root that stays awake and anything else for one that goes to sleep.
+    // One pass over bodies, contacts and joints, whatever the number of islands. `sleepingRoots`
+    // is kNone for a root that stays awake, anything else for one that goes to sleep.
     std::vector<std::uint32_t>& awake = world.awake;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < awake.size(); ++i) {
@@ -202,7 +202,7 @@ void sleepNow(World& world, std::uint32_t body) {
     std::vector<std::uint32_t> roots(world.bodies.size(), kNone);
     rebuildIslands(world);
     const std::uint32_t root = islandOf(world, body);
-    // An edit may have ended one of its contacts: the next step says so, and wakes it.
+    // An edit may have ended one of its contacts: the next step reports that, and wakes the body.
     const auto mayEnd = [&](const Contact& contact) {
         if ((contact.flags & kFixedA) == 0 || islandOf(world, contact.bodyB) != root) return false;
         return world.filtersStale || (world.shapes.info[contact.shapeA].flags & kLeftBounds) != 0;
@@ -223,7 +223,7 @@ void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
 void rebuildIslands(World& world, TaskPool* pool) {
     std::vector<BodyInfo>& info = world.bodies.info;
     const auto forAll = [&](const auto& all, auto&& act) {
-        forEach(pool, all.size(), kGrain, [&](std::size_t i) { act(all[i]); });
+        forEach(pool, all.size(), kIslandGrain, [&](std::size_t i) { act(all[i]); });
     };
     const auto join = [&](std::uint32_t a, std::uint32_t b) {
         if (isUp(world, a) && isUp(world, b)) joinIslands(world, a, b);
@@ -234,7 +234,7 @@ void rebuildIslands(World& world, TaskPool* pool) {
     });
     forAll(world.joints.awake,
            [&](std::uint32_t j) { join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB); });
-    // Each ends at its root: nothing is left of the order of joining.
+    // Replaces each parent by its root, so that the result does not depend on the order of joining.
     forAll(world.awake, [&](std::uint32_t body) {
         std::atomic_ref{info[body].island}.store(islandOf(world, body), std::memory_order_relaxed);
     });

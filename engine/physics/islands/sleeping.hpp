@@ -11,20 +11,20 @@ class TaskPool;
 
 namespace plumb::physics {
 
-/// A new body that moves.
+/// Adds a new awake body.
 void addAwake(World& world, std::uint32_t body);
-/// A new body that rests, as an island of its own.
+/// Adds a new sleeping body, as an island of its own.
 void addAsleep(World& world, std::uint32_t body);
-/// Takes a body that goes away out of the list.
+/// Removes a body that is destroyed or disabled from the list of awake bodies.
 /// @pre it is awake or can never be
 void removeAwake(World& world, std::uint32_t body);
 
 /// Wakes the whole island of a body; one that is awake stays so for another Settings::sleepTime.
 void wake(World& world, std::uint32_t body);
 void wakeAll(World& world);
-/// Wakes everything that touches a body or is joined to it, and the body itself.
+/// Wakes a body and everything that touches it or has a joint with it.
 void wakeTouching(World& world, std::uint32_t body);
-/// Wakes a body that is about to move; if it stood still, what lies on it and hangs from it too.
+/// Wakes a body that is about to move; if it was at rest, also what touches it or has a joint with it.
 void wakeForMotion(World& world, std::uint32_t body);
 void sleepNow(World& world, std::uint32_t body);
 
@@ -33,15 +33,15 @@ inline constexpr std::uint32_t kIslandToBe = kNone - 1;
 /// @param sleepingRoots  by body: kIslandToBe for the root of an island that goes to sleep, else kNone
 void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots);
 
-/// Does nothing for joints that no step has to solve: filters, and those of disabled bodies.
+/// Does nothing for joints that are not solved: filters, and those of disabled bodies.
 void addAwakeJoint(World& world, std::uint32_t joint);
 void removeAwakeJoint(World& world, std::uint32_t joint);
 
-// The forest of islands: what touches or is joined. Two bodies of one island have one root; islands may be
-// larger than need be until the forest is made anew. Source: R. Tarjan, "Efficiency of a good but not linear
-// set union algorithm", 1975 (path halving).
+// Islands as a union-find forest: bodies that touch or have a joint have the same root.
+// Islands may be larger than necessary until the forest is rebuilt. Source: R. Tarjan,
+// "Efficiency of a good but not linear set union algorithm", 1975 (path halving).
 
-/// @param parent  gives the parent of a member, as std::uint32_t&; a root is its own
+/// @param parent  returns a reference to the parent of a member (std::uint32_t&); a root is its own parent
 template <class Parent>
 std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
     using AtomicParent = std::atomic_ref<std::uint32_t>;
@@ -49,12 +49,12 @@ std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
         const std::uint32_t next = AtomicParent{parent(member)}.load(std::memory_order_relaxed);
         const std::uint32_t after = AtomicParent{parent(next)}.load(std::memory_order_relaxed);
         if (next == after) return next;
-        // Of several threads the last writes an ancestor: only a joined root must not be overwritten.
+        // Races are harmless: every thread writes an ancestor. Only a root that was just joined must be kept.
         AtomicParent{parent(member)}.store(after, std::memory_order_relaxed);
         member = after;
     }
 }
-/// May be called by several threads at a time. The lower root stays one, whatever the order of joining.
+/// Safe to call from several threads. The lower root stays the root, whatever the order of joining.
 template <class Parent>
 void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
     for (;;) {
@@ -69,7 +69,7 @@ void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
 
 std::uint32_t islandOf(World& world, std::uint32_t body);
 void joinIslands(World& world, std::uint32_t a, std::uint32_t b);
-/// Forgets contacts and joints that ended.
+/// Rebuilds the forest without contacts and joints that ended.
 /// @param pool  threads to share the work
 void rebuildIslands(World& world, TaskPool* pool = nullptr);
 

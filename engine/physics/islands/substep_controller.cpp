@@ -12,7 +12,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// What an island is judged by.
+/// Parameters of the decisions about an island.
 struct Terms {
     float tolerance = 0.0f;  ///< m
     float dt = 0.0f;         ///< s
@@ -82,7 +82,7 @@ SubstepController strained(SubstepController controller, const Terms& terms) {
 SubstepController whileCalm(SubstepController controller, float error, const Terms& terms) {
     controller.error = std::max(controller.error, error);
     if (controller.patience > 0 &&
-        error < kVanished * controller.first) {  // what was learned concerns another load
+        error < kVanished * controller.first) {  // what was learned belongs to another load
         controller.patience = 0;
         controller.wait = std::min(controller.wait, terms.stepsIn(kWatch));
     }
@@ -212,7 +212,7 @@ float powerOfTwo(int exponent) {
     return exponent < 0 ? 1.0f / static_cast<float>(1 << -exponent) : static_cast<float>(1 << exponent);
 }
 
-/// Impulses are those of a substep: in a longer one the same force has a larger impulse. Joints store forces.
+/// Contacts store impulses per substep: a longer substep needs larger ones. Joints store forces instead.
 void scaleImpulses(World& world, Workspace& work) {
     for (Contact& contact : world.contacts) {
         if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
@@ -227,7 +227,7 @@ void scaleImpulses(World& world, Workspace& work) {
     }
 }
 
-/// A joint to a kinematic body is accurate only if both are solved in the same group.
+/// A joint to a kinematic body is accurate only if both bodies are solved in the same group.
 void takeAlong(const World& world, Workspace& work) {
     if (!world.manifest.runs(Effect::Kinematics)) return;
     for (const std::uint32_t j : world.joints.awake) {

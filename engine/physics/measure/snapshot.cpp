@@ -19,8 +19,8 @@ void append(Bytes& to, const void* from, std::size_t count) {
     to.insert(to.end(), at, at + count);
 }
 
-/// Hands the whole state to an archive, in the order of the hash. The bindings name every member: a new one
-/// does not compile. What is not exact has a part less: worlds keep the hash that they had before it existed.
+/// Passes the whole state to an archive, in the order of the hash. The bindings name every member: a new
+/// one does not compile. Hashes skip members added later if unused, so old worlds keep their hashes.
 template <class Archive, class AnyWorld>
 void visit(Archive& archive, AnyWorld& world) {
     auto& [settings, bodies, shapes, joints, fields, softBodies, awake, moved, altered, contacts, sleepers,
@@ -58,7 +58,7 @@ void visit(Archive& archive, AnyWorld& world) {
     if (Archive::kIsExact) archive.values(stepLength);
 }
 
-/// True for types without padding, whose bytes are undefined: it makes this no constant expression.
+/// True for types without padding: reading undefined padding bytes makes this not a constant expression.
 template <class T>
 constexpr bool isDense() {
     unsigned sum = 0;
@@ -66,7 +66,7 @@ constexpr bool isDense() {
     return sum < sizeof(T) * 256;
 }
 
-/// Hashes lists as bytes, and one by one the values of types with padding and of those that once had some.
+/// Hashes lists as raw bytes, but types that have or had padding value by value.
 class HashArchive {
 public:
     static constexpr bool kIsExact = false;
@@ -219,7 +219,7 @@ public:
     void resize(std::vector<T>& list) {
         std::uint64_t count = 0;
         values(count);
-        ok_ = ok_ && count <= parts_.size();  // each has parts of its own
+        ok_ = ok_ && count <= parts_.size();  // each element has parts of its own
         if (ok_) list.resize(count);
     }
     template <class... T>
@@ -228,9 +228,9 @@ public:
     }
 
     const Bytes& next() {
-        static const Bytes kEmpty;
+        static const Bytes kNothing;
         ok_ = ok_ && next_ < parts_.size();
-        return ok_ ? parts_[next_++] : kEmpty;
+        return ok_ ? parts_[next_++] : kNothing;
     }
 
 private:

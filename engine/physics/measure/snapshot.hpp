@@ -4,25 +4,25 @@
 
 namespace plumb::physics {
 
-/// The state of a world as bytes, for a file or a network; in memory, a copy of the World is simpler. A world
-/// from bytes goes on with the bits of the original. Events of the last step are not part of it.
+/// The state of a world as bytes, for a file or a network; in memory, copy the World instead. A world that
+/// is restored continues with the same bits as the original. Events of the last step are not included.
 [[nodiscard]] std::vector<std::uint8_t> toBytes(const World& world);
-/// @error bytes of another version or kind of machine, or bytes that were changed by accident. Bytes that
-///        were forged are not recognized: take them from sources that you trust.
+/// @error bytes of another version or kind of machine, or bytes that were corrupted. Deliberately forged
+/// bytes are not detected: use trusted sources only.
 Result<World> worldFrom(std::span<const std::uint8_t> bytes);
 
-/// Records a world with all that is done to it: its state at the start, what changed between steps, and the
-/// hash after each step. A step costs two passes over the state more.
+/// Records a world and all changes to it: the initial state, what changed between steps,
+/// and the hash after each step. Each step costs two additional passes over the state.
 class WorldRecording {
 public:
     WorldRecording() = default;
     explicit WorldRecording(const World& world);
 
-    /// Does a step, and records it with what was changed since the last one.
+    /// Performs a step, and records it and the changes since the last one.
     void step(World& world, float dt, const StepOptions& options = {});
     [[nodiscard]] std::size_t steps() const { return steps_.size(); }
-    /// The world after so many steps, done again. Pass the hooks with which they were recorded.
-    /// @error a step gave another state than in the recording, or there are fewer
+    /// Replays `count` steps and returns the world after them. Pass the hooks that were used to record.
+    /// @error a step gave a different state than when it was recorded, or there are fewer steps
     [[nodiscard]] Result<World> replay(std::size_t count, const StepOptions& options = {}) const;
 
     [[nodiscard]] std::vector<std::uint8_t> toBytes() const;

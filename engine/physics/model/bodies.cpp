@@ -52,7 +52,7 @@ void change(World& world, BodyId body, Change&& change) {
     countEffectsOfBody(world, body.index, 1);
 }
 
-/// Changes what acts on a body in every step, and wakes it if that pushes it another way.
+/// Changes the drag or permanent acceleration of a body. A changed acceleration wakes it.
 template <class Change>
 Result<Done> setDrive(World& world, const char* where, BodyId body, const Result<Done>& value, Change&& set) {
     const auto checked = firstOf(checkAlive(where, world, body), value);
@@ -67,7 +67,7 @@ Result<Done> setDrive(World& world, const char* where, BodyId body, const Result
     return checked;
 }
 
-/// Adds to what moves a dynamic body, and wakes it.
+/// Adds to the forces or the motion of a dynamic body, and wakes it.
 template <class Add>
 Result<Done> push(World& world, const char* where, BodyId body, const Result<Done>& value, Add&& add) {
     const auto checked = firstOf(checkAlive(where, world, body), value);
@@ -77,7 +77,7 @@ Result<Done> push(World& world, const char* where, BodyId body, const Result<Don
     return checked;
 }
 
-/// @return false if it is set already, or the body is gone
+/// @return false if it has that value already, or the body is gone
 bool setFlag(World& world, BodyId body, BodyFlag flag, bool on) {
     if (!mayChange(world, body)) return false;
     std::uint8_t& flags = world.bodies.info[body.index].flags;

@@ -13,8 +13,8 @@ void destroyBody(World& world, BodyId body);
 
 [[nodiscard]] std::size_t bodyCount(const World& world);
 
-// Getters. Of a body that was destroyed or never made they say that it is at the origin, rests, weighs
-// nothing and is neither awake nor enabled.
+// Getters. For a body that was destroyed or never created they return
+// defaults: at the origin, at rest, without mass, neither awake nor enabled.
 
 /// m: a point that is given in the frame of the body's shapes, and the inverse. The difference of positions
 /// is taken first, so that the result is as accurate far from the origin.
@@ -45,7 +45,7 @@ void destroyBody(World& world, BodyId body);
 [[nodiscard]] inline float angularVelocityOf(const World& world, BodyId body) {
     return readOf(world, world.bodies.motion, body).angularVelocity;
 }
-/// m/s: of the point of the body that is at a position (m) now.
+/// m/s: velocity of the point of the body that is currently at this position (m).
 [[nodiscard]] inline Vec2 velocityAt(const World& world, BodyId body, WorldPosition point) {
     const BodyMotion& motion = readOf(world, world.bodies.motion, body);
     return motion.velocity + cross(motion.angularVelocity, point - centreOf(world, body));
@@ -67,8 +67,8 @@ using MassData = MassProperties;
 [[nodiscard]] inline const BodyDrive& driveOf(const World& world, BodyId body) {
     return world.bodies.drives[readOf(world, world.bodies.info, body).drive];
 }
-/// The pose after dt (s, 0 to a million; NaN counts as 0) if only gravity, drag, the body's own acceleration
-/// and the forces and torques applied for the next step acted on it, all that time.
+/// The pose after dt (s, 0 to a million; NaN counts as 0) if only gravity, drag, the body's own
+/// acceleration and the forces and torques applied for the next step act on it during that time.
 [[nodiscard]] Frame predictTransform(const World& world, BodyId body, float dt);
 /// The same as the displacement of its center of mass (m) and the angle (rad) by which it rotates.
 struct FreeMotion {
@@ -77,15 +77,15 @@ struct FreeMotion {
 };
 [[nodiscard]] FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt);
 
-// Setters. They return an error for values that are not finite or out of range, and then change nothing; so
-// they do when a callback of StepOptions::hooks calls them. A setter that moves or accelerates a body wakes
-// it. Those without a result do nothing where the others return an error.
+// Setters. They return an error for values that are not finite or out of range, or when
+// called from a callback of StepOptions::hooks, and then change nothing. A setter that
+// moves or accelerates a body wakes it. Setters without a result do nothing in these cases.
 
-/// Makes a body static, kinematic or dynamic. It loses a mass that was set. What it touches gets Ended, and
-/// Began if it still touches that, in the next step.
+/// Makes a body static, kinematic or dynamic. Discards a mass that was set. Shapes
+/// that touch it get Ended, and Began if they still touch, in the next step.
 /// @error a joint of it would be left without a dynamic body
 Result<Done> setKind(World& world, BodyId body, BodyKind kind);
-/// A disabled body keeps everything, but no step, contact, joint or query knows of it until it is enabled.
+/// A disabled body keeps its properties, but steps, contacts, joints and queries ignore it until enabled.
 void setEnabled(World& world, BodyId body, bool enabled);
 
 Result<Done> setPosition(World& world, BodyId body, WorldPosition position,
@@ -111,7 +111,7 @@ void clearForces(World& world, BodyId body);  ///< forces and torques that were 
 /// Gives a kinematic body the velocity that reaches the target within dt (s), as far as Settings::maxSpeed
 /// allows; it stops after that step, and then reads 0.
 Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float angle, float dt);
-/// Where an edit may have ended a contact of the island since the last step, it stays awake.
+/// Does not put the island to sleep if an edit since the last step may have ended one of its contacts.
 void setAwake(World& world, BodyId body, bool awake);
 void setFixedRotation(World& world, BodyId body, bool fixed);
 void setBullet(World& world, BodyId body, bool bullet);

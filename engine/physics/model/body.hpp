@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-/// What moves a body: nothing, its owner's velocity, or forces and contacts. `None` marks a free slot.
+/// What moves a body: nothing, its own velocity only, or forces and contacts. `None` marks a free slot.
 enum class BodyKind : std::uint8_t { None, Static, Kinematic, Dynamic };
 
 /// A position in the world (m). Double precision, so that a scene 1000 km from the origin is as accurate as

@@ -36,7 +36,7 @@ Proxies proxiesOf(const World& world) {
     return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
 }
 
-/// A contact of a shape that was altered or destroyed ends as what it was.
+/// Updates some contacts from their shapes, except those of altered or destroyed shapes, which will end.
 template <class Is>
 void refreshThose(World& world, Is&& is) {
     const std::vector<ShapeInfo>& info = world.shapes.info;
@@ -56,8 +56,7 @@ ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     const ShapeInfo& outline = world.shapes.info[shape];
     const BodyInfo& info = world.bodies.info[outline.body];
     if ((outline.flags & kShapeOff) != 0) return ProxyMotion::Gone;
-    // A trigger of a body that is not dynamic detects what moves without forces, too: it pairs with
-    // everything.
+    // A trigger of a body that is not dynamic pairs with everything: it detects kinematic bodies too.
     if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
     if (info.kind == BodyKind::Static) return ProxyMotion::Static;
     if (info.kind == BodyKind::Kinematic) return ProxyMotion::Kinematic;

@@ -19,7 +19,7 @@ void setBounds(World& world, std::uint32_t shape);
 /// The same for all shapes of a body that was teleported.
 void refreshBounds(World& world, std::uint32_t body);
 
-/// What a shape is changed: its contacts end at the start of the next step, which finds them anew.
+/// Marks a shape as changed: the next step ends its contacts and finds them again.
 void alter(World& world, std::uint32_t shape);
 
 /// The broad phase has to update its copy of the shape.

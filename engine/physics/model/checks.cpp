@@ -10,7 +10,7 @@ Error wrong(const char* where, const std::string& what, const char* remedy) { re
 
 namespace {
 
-constexpr float kMost = 1.0e9f;  // upper limit of every setting but gravity, whatever its unit
+constexpr float kMaxSetting = 1.0e9f;  // upper limit of every setting but gravity, whatever its unit
 
 float usable(float value, float low, float high, float usual) {
     return std::isnan(value) ? usual : std::clamp(value, low, high);
@@ -71,7 +71,7 @@ void bringIntoRange(Settings& settings) {
           &Settings::jointDampingRatio, &Settings::pushSpeed, &Settings::deepPushRate, &Settings::slop,
           &Settings::speculativeDistance, &Settings::recycleDistance, &Settings::boundsMargin,
           &Settings::bounceSpeed, &Settings::sleepTime, &Settings::maxSpeed, &Settings::tolerance}) {
-        settings.*member = usable(settings.*member, 0.0f, kMost, usual.*member);
+        settings.*member = usable(settings.*member, 0.0f, kMaxSetting, usual.*member);
     }
 }
 

@@ -89,19 +89,19 @@ struct ContactEvent {
     bool isTrigger = false;
     Vec2 normal;  ///< unit length, in the world, from a to b
     Vec2 point;   ///< m, in the world; float, so it is accurate near the origin only
-    /// N s along the normal, of both points, summed over the step; 0 when Ended. A contact begins up to
-    /// Settings::speculativeDistance before the shapes meet, so what is slower than that per step may have
-    /// its impact in the next step. Of a surface it is the sum over its contacts that have an event in this
-    /// step.
+    /// N s along the normal, of both points, summed over the step; 0 when Ended. A
+    /// contact begins up to Settings::speculativeDistance before the shapes touch, so a
+    /// body that approaches by less than that per step may have its impact in the next
+    /// step. For a surface: the sum over its contacts that have an event in this step.
     float impulse = 0.0f;
-    float approachSpeed = 0.0f;  ///< m/s: of Began, at which both came together along the normal
+    float approachSpeed = 0.0f;  ///< m/s: of Began, relative speed along the normal before the impact
 };
 
 struct World;
 
-/// Callbacks by which the owner of a world decides about contacts. They are called in a fixed order, by the
-/// thread that steps, and must give the same answer for the same world; otherwise steps are not reproducible.
-/// They must not change the world: functions that would do so refuse to.
+/// Callbacks by which the owner of a world decides about contacts. The stepping thread calls
+/// them in a fixed order. They must return the same result for the same world, or steps are not
+/// reproducible, and must not change the world: functions that would do so return an error.
 struct ContactHooks {
     void* context = nullptr;  ///< passed to the callbacks
     /// May these two shapes collide? Called when bounds begin to overlap; if false, again after motion.

@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-// Parts of creation and destruction that changes of a living object repeat.
+// Parts of creation and destruction that edits of existing objects reuse.
 
 template <class Act>
 void forShapesOf(const World& world, std::uint32_t body, Act&& act) {
@@ -12,7 +12,7 @@ void forShapesOf(const World& world, std::uint32_t body, Act&& act) {
         act(s);
 }
 
-/// All contacts, those that sleep last.
+/// Calls act(contact) for all contacts, sleeping ones last.
 template <class Act>
 void forContacts(const World& world, Act&& act) {
     for (const Contact& contact : world.contacts) act(contact);
@@ -36,14 +36,14 @@ void forJointsOf(const World& world, std::uint32_t body, Act&& act) {
 void countEffectsOfBody(World& world, std::uint32_t body, int times);
 void countEffectsOfShape(World& world, std::uint32_t shape, int times);
 
-/// Whether a joint has a dynamic body to move: one of the two, of a mouse joint b.
+/// True if a joint has a dynamic body to move: one of the two; for a mouse joint, body B.
 constexpr bool canHold(JointKind kind, BodyKind a, BodyKind b) {
     return b == BodyKind::Dynamic || (a == BodyKind::Dynamic && kind != JointKind::Mouse);
 }
 
-/// Its bodies no longer have the color of the joint. A joint that stays gets kNoColour and World::newJoints.
+/// Removes the color of the joint from its bodies. A joint that stays gets kNoColour and World::newJoints.
 void releaseColour(World& world, std::uint32_t joint);
-/// One island for both bodies of a joint, if both are dynamic.
+/// Joins the islands of the two bodies of a joint, if both are dynamic.
 void joinIslandsOf(World& world, const Joint& joint);
 
 inline constexpr float kLightest = 1.0e-12f;  ///< kg: minimum mass of a dynamic body

@@ -13,7 +13,7 @@ void destroyField(World& world, FieldId field);
 /// @error as createField(); a stale id, another kind
 Result<Done> setField(World& world, FieldId field, const FieldDefinition& definition);
 
-/// A default one for a field that is gone.
+/// Returns a default definition for a field that is gone.
 [[nodiscard]] const FieldDefinition& definitionOf(const World& world, FieldId field);
 [[nodiscard]] std::size_t fieldCount(const World& world);
 

@@ -15,7 +15,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kEndless = std::numeric_limits<float>::infinity();
+constexpr float kUnlimited = std::numeric_limits<float>::infinity();
 
 Result<Done> checkNumbers(const JointDefinition& d) {
     return firstOf(checkVector("JointDefinition.anchorA", d.anchorA, kLargest),
@@ -33,16 +33,16 @@ Result<Done> checkNumbers(const JointDefinition& d) {
                    checkNumber("JointDefinition.limit.lower", d.limit.lower, -kLargest, kLargest),
                    checkNumber("JointDefinition.limit.upper", d.limit.upper, d.limit.lower, kLargest),
                    checkNumber("JointDefinition.motor.speed", d.motor.speed, -kFastest, kFastest),
-                   checkNumber("JointDefinition.motor.maxForce", d.motor.maxForce, 0.0, kEndless),
+                   checkNumber("JointDefinition.motor.maxForce", d.motor.maxForce, 0.0, kUnlimited),
                    checkNumber("JointDefinition.spring.hertz", d.spring.hertz, 0.0, 1.0e4),
                    checkNumber("JointDefinition.spring.dampingRatio", d.spring.dampingRatio, 0.0, 1.0e4),
                    checkNumber("JointDefinition.spring.rest", d.spring.rest, -kLargest, kLargest),
-                   checkNumber("JointDefinition.maxForce", d.maxForce, 0.0, kEndless),
-                   checkNumber("JointDefinition.maxTorque", d.maxTorque, 0.0, kEndless),
-                   checkNumber("JointDefinition.breakForce", d.breakForce, 0.0, kEndless),
-                   checkNumber("JointDefinition.breakTorque", d.breakTorque, 0.0, kEndless),
-                   checkNumber("JointDefinition.reportForce", d.reportForce, 0.0, kEndless),
-                   checkNumber("JointDefinition.reportTorque", d.reportTorque, 0.0, kEndless),
+                   checkNumber("JointDefinition.maxForce", d.maxForce, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.maxTorque", d.maxTorque, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.breakForce", d.breakForce, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.breakTorque", d.breakTorque, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.reportForce", d.reportForce, 0.0, kUnlimited),
+                   checkNumber("JointDefinition.reportTorque", d.reportTorque, 0.0, kUnlimited),
                    checkNumber("JointDefinition.hertz", d.hertz, 0.0, 1.0e4),
                    checkNumber("JointDefinition.dampingRatio", d.dampingRatio, 0.0, 1.0e4),
                    checkQuality("JointDefinition.quality", d.quality));
@@ -101,21 +101,21 @@ void unlink(World& world, std::uint32_t body, std::uint32_t joint, std::uint32_t
     *link = next;
 }
 
-/// The broad phase searches the pairs of both bodies again: whether they may collide has changed.
+/// Searches the pairs of both bodies again, because the joint changed whether they may collide.
 void refreshPairs(World& world, const Joint& joint) {
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB})
         forShapesOf(world, body, [&](std::uint32_t s) { noteMoved(world, s); });
 }
 
 std::uint8_t flagsOf(const JointDefinition& d) {
-    const bool breaks = std::min({d.breakForce, d.breakTorque, d.reportForce, d.reportTorque}) < kEndless;
+    const bool breaks = std::min({d.breakForce, d.breakTorque, d.reportForce, d.reportTorque}) < kUnlimited;
     return static_cast<std::uint8_t>((d.limit.on ? kLimited : 0) | (d.motor.on ? kDriven : 0) |
                                      (d.spring.on ? kSprung : 0) | (d.hertz > 0.0f ? kSoft : 0) |
                                      (breaks ? kBreakable : 0) |
                                      (d.collideConnected || d.kind == JointKind::Mouse ? 0 : kKeepsApart));
 }
 
-/// Takes what a new definition says, except the bodies.
+/// Copies a new definition, except its bodies.
 /// @param axis  of unit length
 void take(World& world, std::uint32_t index, const JointDefinition& definition, Vec2 axis) {
     Joint& joint = world.joints.hot[index];
@@ -130,7 +130,7 @@ void take(World& world, std::uint32_t index, const JointDefinition& definition, 
     wake(world, joint.bodyB);
 }
 
-/// A gear is nothing without the joints that it couples.
+/// Destroys the gears that couple this joint.
 void destroyGearsOf(World& world, JointId joint) {
     for (std::uint32_t j = 0; j < world.joints.size(); ++j) {
         const JointDefinition& gear = world.joints.definition[j];
@@ -220,8 +220,8 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     }
     callFor(world, before, -1);
     take(world, id.index, definition, axis);
-    if (joint.colour != kNoColour) joint.flags |= kDefinitionChanged;  // it was in a step
-    // What was switched on starts without an impulse of old. A gear keeps its error there.
+    if (joint.colour != kNoColour) joint.flags |= kDefinitionChanged;  // it has been solved in a step
+    // A part that was switched on starts without an old impulse. A gear stores its error there.
     if (rearms && joint.kind != JointKind::Gear)
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
     return Done{};

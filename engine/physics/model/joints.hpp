@@ -11,18 +11,18 @@ Result<JointId> createJoint(World& world, const JointDefinition& definition);
 /// Destroys a joint, with the gears that it is a part of, and wakes its bodies. A stale id does nothing.
 void destroyJoint(World& world, JointId joint);
 
-/// A default one for a joint that is gone.
+/// Returns a default definition for a joint that is gone.
 [[nodiscard]] inline const JointDefinition& definitionOf(const World& world, JointId joint) {
     return readOf(world, world.joints.definition, joint);
 }
-/// Changes a joint as if it had been created so, and wakes its bodies. Its kind, bodies and geared joints
-/// must stay the same. See also change() in shapes.hpp.
+/// Changes a joint as if it had been created with the new definition, and wakes its bodies.
+/// Its kind, bodies and geared joints must stay the same. See also change() in shapes.hpp.
 Result<Done> setDefinition(World& world, JointId joint, const JointDefinition& definition);
 
 /// True when a joint prevents the two bodies from colliding.
 [[nodiscard]] bool keptApart(const World& world, std::uint32_t bodyA, std::uint32_t bodyB);
 
-/// What a joint does at present.
+/// The current state of a joint.
 struct JointReading {
     float value = 0.0f;       ///< rad: angle; m: length of Distance, translation of Prismatic and Wheel
     float speed = 0.0f;       ///< rad/s or m/s: of that value

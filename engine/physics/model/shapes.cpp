@@ -39,7 +39,7 @@ Result<Done> check(const Geometry& geometry) {
                  "use createPolygon for polygons");
 }
 
-/// What `info` has of a definition; the rest stays.
+/// Copies the members of a definition that `info` stores; leaves the rest unchanged.
 void take(const ShapeDefinition& definition, ShapeInfo& info) {
     info.flags = static_cast<std::uint8_t>(
         (info.flags & (kLeftBounds | kAltered | kShapeOff)) | (definition.isTrigger ? kTrigger : 0) |
@@ -158,7 +158,7 @@ void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found) 
         if (s == chain.index || (info.surface != 0 && other.surface == info.surface))
             found.push_back({s, other.generation});
     });
-    std::reverse(found.begin(), found.end());  // the list of a body begins with its last shape
+    std::reverse(found.begin(), found.end());  // the list of a body is in reverse order
 }
 
 Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
@@ -341,7 +341,7 @@ Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& d
         definition.group != before.group)
         setFilter(world, shape, definition.layers, definition.mask, definition.group);
     if (definition.density != before.density) updateMass(world, info.body);
-    // These are decided when a contact begins.
+    // These are evaluated when a contact begins.
     const auto atBegin = [](const ShapeDefinition& d) {
         return std::tuple{d.isTrigger,       d.oneWay,      d.oneWayDirection.x, d.oneWayDirection.y,
                           d.reportsContacts, d.frontLayers, d.frontMask};

@@ -22,8 +22,8 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
 /// The same with a definition for each segment.
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             std::span<const ShapeDefinition> definitions);
-/// The segments of a chain, given by any of them, in order; none of one that is gone. Replaces the content of
-/// `found`.
+/// Finds the segments of a chain, given by any of them, in
+/// order; none if it is gone. Replaces the content of `found`.
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found);
 /// Destroys all segments of a chain, given by any of them.
 void destroyChain(World& world, ShapeId chain);
@@ -35,17 +35,17 @@ void destroyShapes(World& world, BodyId body);
 /// Destroys a shape; its contacts end in the next step. A stale id does nothing.
 void destroyShape(World& world, ShapeId shape);
 
-/// The null id for a shape that is gone.
+/// Returns the null id for a shape that is gone.
 [[nodiscard]] BodyId bodyOf(const World& world, ShapeId shape);
 
-// Changes of a living shape. The body behaves as if the shape had been created so: masses are updated, bodies
-// that rest on it wake. What a new outline, trigger or one-way direction concerns begins anew: the next step
-// reports Ended, and Began for what still touches.
+// Edits of an existing shape. The body behaves as if the shape had been created so: masses are
+// updated, and bodies that rest on it wake. Contacts that a new outline, trigger flag or one-way
+// direction affects start again: the next step reports Ended, and Began for what still touches.
 
 /// Replaces the outline by another of any kind; setPolygon() by the convex hull of the points (m).
 Result<Done> setGeometry(World& world, ShapeId shape, const Geometry& geometry);
 Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> points, float radius = 0.0f);
-/// A default one for a shape that is gone.
+/// Returns a default definition for a shape that is gone.
 [[nodiscard]] ShapeDefinition definitionOf(const World& world, ShapeId shape);
 /// Replaces material, filter and the rest; only `surface` must stay the same. See also change().
 Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& definition);
@@ -54,7 +54,7 @@ Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& d
 /// }).
 template <class Thing, class Change>
 Result<Done> change(World& world, Id<Thing> id, Change&& change) {
-    if (!alive(world, id)) return setDefinition(world, id, {});  // says that it is not
+    if (!alive(world, id)) return setDefinition(world, id, {});  // returns the error
     auto definition = definitionOf(world, id);
     change(definition);
     return setDefinition(world, id, definition);

@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-/// An index that was freed, or a new one at the end of parallel lists.
+/// Returns a freed index, or a new one at the end of parallel lists.
 template <class First, class... Others>
 std::uint32_t takeIndex(std::vector<std::uint32_t>& free, First& first, Others&... others) {
     if (free.empty()) {

@@ -9,7 +9,7 @@ bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0
 
 /// A joint of a chain. At a convex joint, contact normals between those of the two segments are valid. To
 /// avoid duplicates, the segment that starts at a joint handles it, the last one also the end of the chain.
-struct Joint {
+struct ChainJoint {
     Vec2 point;
     Vec2 from, to;       ///< normals of both segments, in the order of rotation
     Vec2 neighbour;      ///< far end of the other segment; `point` if there is none
@@ -24,7 +24,7 @@ struct Joint {
 /// A chain segment in the frame of the other outline. Its Side has a front face and a back face.
 struct Chain {
     Corner corners[2];
-    Joint joints[2];  ///< at the start, at the end
+    ChainJoint joints[2];  ///< at the start, at the end
 
     [[nodiscard]] Side side() const { return {corners, 0.0f, corners[0].point}; }
     [[nodiscard]] Vec2 normal() const { return corners[0].normal; }
@@ -48,7 +48,7 @@ Chain chainIn(const Geometry& geometry, const Frame& frame) {
 }
 
 /// A joint of the chain that touches a face or a corner of the other side.
-Manifold touchJoint(const Joint& joint, std::size_t end, Vec2 direction, float gap, float radius,
+Manifold touchJoint(const ChainJoint& joint, std::size_t end, Vec2 direction, float gap, float radius,
                     std::size_t corner, float speculative) {
     if (!joint.ours) return {};
     ManifoldMaker maker{.speculative = speculative};
@@ -110,7 +110,7 @@ Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap&
 
 /// The separating axis is the normal of a neighbour: the contact is ours if our joint is nearest.
 Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, float speculative) {
-    const Joint& joint = chain.joints[end];
+    const ChainJoint& joint = chain.joints[end];
     if (!joint.ours || !joint.sharp) return {};
     const Vec2 normal = end == 0 ? joint.from : joint.to;
     const Vec2 start = end == 0 ? joint.neighbour : joint.point;
@@ -139,7 +139,7 @@ Manifold touchFace(const Chain& chain, const Side& other, float gap, float specu
 JointGap widestNeighbourGap(const Chain& chain, const Side& other) {
     JointGap widest;
     for (std::size_t end = 0; end < 2; ++end) {
-        const Joint& joint = chain.joints[end];
+        const ChainJoint& joint = chain.joints[end];
         if (!joint.sharp) continue;
         const Corner face{joint.point, end == 0 ? joint.from : joint.to};
         const float gap = widestGap({&face, 1}, other.corners).gap;
@@ -180,11 +180,11 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     const bool inFront = isBefore(chain.normal(), chain.corners[0].point);
     if (convex.count == 1) return touchDisc(chain, other, inFront, gap, speculative);
     // At a convex joint an outline in front of the neighbour only may still touch the corner or this segment.
-    const auto isAround = [&](const Joint& side, Vec2 normal) {
+    const auto isAround = [&](const ChainJoint& side, Vec2 normal) {
         return side.sharp && isBefore(normal, side.point);
     };
-    const Joint& start = chain.joints[0];
-    const Joint& end = chain.joints[1];
+    const ChainJoint& start = chain.joints[0];
+    const ChainJoint& end = chain.joints[1];
     if (!inFront && !isAround(start, start.from) && !isAround(end, end.to)) return {};
 
     const JointGap joint = widestJointGap(chain, other);

@@ -11,7 +11,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: how far the outline's corners are from the centre that they turn about. Its radius turns in place.
+/// m: maximum distance of the outline's corners from the centre of rotation. Round corners rotate in place.
 float armOf(const SweptOutline& swept) {
     float square = 0.0f;
     for (const Corner& corner : swept.outline.corners()) {
@@ -20,7 +20,7 @@ float armOf(const SweptOutline& swept) {
     return std::sqrt(square);
 }
 
-/// True for a target that lets the mover through because of where it comes from.
+/// True if the target lets the mover through because of the side that it comes from.
 bool opensFor(const World& world, const Mover& mover, const Mover& target) {
     const Geometry& outline = world.shapes.geometry[target.shape];
     if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
@@ -46,8 +46,8 @@ bool mayCollide(const World& world, std::uint32_t a, std::uint32_t b) {
     return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
 }
 
-/// True if a core stays beyond a face of a target at rest up to a part of its path, so that it cannot hit it.
-/// Most bodies that touch a floor do. No corner of the core moves further by rotation than along its arc.
+/// Fast path: true if a core stays in front of a face of a target at rest up to a part of its path,
+/// as most bodies on a floor do. Rotation moves no corner of the core further than along its arc.
 bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs, const Sweep& target,
                      float end) {
     if (target.displacement != Vec2{} || target.turn != 0.0f) return false;
@@ -95,7 +95,7 @@ Frame seenFrom(const BodyPose& a, const BodyPose& b) {
 }
 
 float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest) {
-    // No point comes nearer along a normal than by this in a whole step.
+    // Upper bound of the approach along a normal in a whole step.
     const Vec2 displacement = a.sweep.displacement - b.sweep.displacement;
     const float turning = std::fabs(a.sweep.turn) * armOf(a) + std::fabs(b.sweep.turn) * armOf(b);
     SimplexCache cache;
@@ -124,7 +124,7 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     float part = impactOf(own, kSweptGap, latest);
     const bool isPressed = part <= begin;
     if (isPressed) {
-        // Where a core is that deep already, spinning or pressed, half of it counts.
+        // The core already touches at the start (the body spins or is pressed): try smaller cores.
         for (float size = kSweptCore; size > kLeastCore; size *= 0.5f) {
             part = impactOf(ScaledConvex{own, own.centre, size}.outline(), 0.0f, latest);
             if (part > begin) break;
@@ -132,8 +132,8 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     }
     if (part >= next.part || part <= begin) return;
     if (!isPressed) {
-        // Head-on, or along it? Its core tells, in this step or, where it goes on after the hit, within its
-        // own length of path after that.
+        // Head-on or grazing? Only if the core would touch too, in this step or, if the body
+        // continues after the hit, within its own length of path after that, it is a hit.
         const float displacement = length(mover.sweep.displacement - target.sweep.displacement);
         const float size = 2.0f * world.bodies.info[world.shapes.info[mover.shape].body].reach;
         const float further = mover.goesOn ? (displacement > size ? size / displacement : 1.0f) : 0.0f;

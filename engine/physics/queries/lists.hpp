@@ -5,20 +5,20 @@
 
 namespace plumb::physics {
 
-// What belongs to what. Results replace the content of `found`; of what is gone there are none.
+// Relations between objects. Results replace the content of `found`; for an object that is gone it is empty.
 
 /// In the order in which they were created.
 void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found);
 void jointsOf(const World& world, BodyId body, std::vector<JointId>& found);
 
-/// The contacts of a body or a shape that touch and are no triggers, those that sleep included. Valid until
-/// the world changes. Looks at all contacts of the world: to follow many bodies, use World::events.
+/// The touching contacts of a body or a shape, without triggers, including sleeping ones. Valid until
+/// the world changes. Visits all contacts of the world: to track many bodies, use World::events.
 void contactsOf(const World& world, BodyId body, std::vector<const Contact*>& found);
 void contactsOf(const World& world, ShapeId shape, std::vector<const Contact*>& found);
 /// The shapes that overlap a trigger, as of the last step.
 void overlapsOf(const World& world, ShapeId trigger, std::vector<ShapeId>& found);
 
-/// The bodies that the last step moved. Those in World::fellAsleep moved for the last time.
+/// The bodies that the last step moved. Those in World::fellAsleep have now come to rest.
 void movedBodies(const World& world, std::vector<BodyId>& found);
 
 /// Where two shapes touch.

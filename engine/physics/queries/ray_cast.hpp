@@ -4,9 +4,9 @@
 
 namespace plumb::physics {
 
-// Ray casts, along the line from `from` to `from + way`. Values that are not finite and positions further
-// than 1e9 m from the origin hit nothing. A ray that starts inside a shape hits it at fraction 0. A segment
-// has no inside, and a chain segment is only hit on its solid side.
+// Ray casts along the line from `from` to `from + displacement`. Values that are not finite and
+// positions further than 1e9 m from the origin hit nothing. A ray that starts inside a shape hits
+// it at fraction 0. A segment has no inside, and a chain segment is only hit on its solid side.
 
 /// The first shape hit; at equal distances the one with the lowest index.
 std::optional<CastHit> castRay(World& world, WorldPosition from, Vec2 displacement,

@@ -41,7 +41,7 @@ AABB aroundPolygon(const Geometry& geometry, Corners pool, const Frame& frame) {
 }
 
 /// m: the square of a smaller distance loses its digits.
-constexpr float kNoDistance = 1.0e-18f;
+constexpr float kNoGap = 1.0e-18f;
 
 /// The face from which a point has the maximum signed distance.
 struct Face {
@@ -276,7 +276,7 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
     const float along = nearestOn(corner.point, next, place);
     const Vec2 nearest = along < 1.0f ? corner.point + (next - corner.point) * along : next;
     const float gap = distance(nearest, place);
-    const Vec2 normal = gap > kNoDistance ? (place - nearest) / gap : corner.normal;
+    const Vec2 normal = gap > kNoGap ? (place - nearest) / gap : corner.normal;
     return {nearest + normal * convex.radius, normal, gap - convex.radius, along == 0.0f || along == 1.0f,
             along < 1.0f ? face.index : after};
 }

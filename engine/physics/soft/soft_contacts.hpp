@@ -8,7 +8,7 @@ namespace plumb::physics {
 struct StepContext;
 
 // Contacts of particles with rigid bodies: constraints of the solver's substeps, with the mass of both sides.
-// The solver repeats what they did to a body in the next substep (accelerate), and so does a particle.
+// As accelerate() does for bodies, particles repeat the impulses of the previous substep (warm starting).
 
 /// A rigid body near soft bodies of one group.
 struct SoftObstacle {
@@ -20,7 +20,7 @@ struct SoftObstacle {
     WorldPosition centre;         ///< m: at the start of the substep
     Rot rotation;
     float pressed = 0.0f;  ///< N s: sum of the impulses of its contacts, without their directions
-    Float4 motion;         ///< m/s, m/s, rad/s: of what has no slot
+    Float4 motion;         ///< m/s, m/s, rad/s: of a body without a slot
 };
 
 /// A particle that a shape may touch in this step.
@@ -51,13 +51,13 @@ struct SoftGroup {
     SoftRange meetings;   ///< of SoftSoftContacts::all
     SoftRange obstacles;  ///< of the following lists
     SoftRange contacts;
-    int substeps = 1;            ///< that it needs
-    std::uint32_t body = kNone;  ///< one of those that it may push
+    int substeps = 1;            ///< number that it needs
+    std::uint32_t body = kNone;  ///< one of the bodies that it may push
 };
 
 struct SoftSurroundings {
     std::vector<std::uint32_t> shapes;  ///< near soft bodies, in the order of these
-    std::vector<std::uint32_t> ends;    ///< by soft body: end of its shapes
+    std::vector<std::uint32_t> ends;    ///< by soft body: end of its range in `shapes`
     /// Islands near soft bodies that can push them: root and index in World::softBodies, sorted.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
     std::vector<SoftObstacle> obstacles;  ///< by group, then by body
@@ -69,24 +69,24 @@ struct SoftSurroundings {
         const std::uint32_t begin = soft > 0 ? ends[soft - 1] : 0;
         return std::span{shapes}.subspan(begin, ends[soft] - begin);
     }
-    /// Whether soft bodies may push this body in this step.
+    /// True if soft bodies may push this body in this step.
     [[nodiscard]] bool holds(std::uint32_t body) const {
         return body < obstacleOf.size() && obstacleOf[body] != 0;
     }
 };
 
-/// Finds the shapes near all soft bodies, wakes what they hit, and finds the islands that they share.
+/// Finds the shapes near all soft bodies, wakes bodies that they hit, and finds islands that they share.
 void findSurroundings(StepContext& step);
 void findSoftContacts(StepContext& step, SoftGroup& group);
-/// Of a group, so that its links carry what lies on them.
+/// Number of substeps of a group, such that its links can carry the loads on them.
 [[nodiscard]] int substepsOf(const StepContext& step, const SoftGroup& group);
-/// Where everything is at the start of a substep. @param elapsed  s since the start of the step
+/// Updates positions at the start of a substep. @param elapsed s since the start of the step
 void measureSoftContacts(StepContext& step, const SoftGroup& group, float elapsed);
-/// Gives the impulses of the last substep again: to the particles, and in the first one to the bodies.
+/// Applies the impulses of the last substep: to the particles, and in the first one to the bodies too.
 void warmStartSoft(StepContext& step, const SoftGroup& group, float h, bool first);
-/// One pass, as over other contacts. The first one moves the particles.
+/// One pass over soft contacts. The biased pass moves particles, the relax pass changes their velocities.
 void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pass, bool relax);
-/// Keeps the forces of the last substep for the next step.
+/// Stores the forces of the last substep for the next step.
 void storeSoftContacts(StepContext& step, const SoftGroup& group, float h);
 
 // Contacts between soft bodies: particles of one against the edges of another, and vice versa. An edge is a

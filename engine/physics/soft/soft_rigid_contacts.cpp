@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: beyond its radius.
+/// m: distance from a particle within which shapes are considered.
 float reachOf(const SoftBody& body) { return body.radius + kSoftSlack; }
 
 void findShapes(StepContext& step, const SoftBody& body) {
@@ -88,14 +88,14 @@ void rouse(const StepContext& step, SoftBody& soft, std::uint32_t shape) {
 std::uint32_t addObstacle(const World& world, SoftSurroundings& around, SoftGroup& group,
                           std::uint32_t body) {
     std::uint32_t& known = around.obstacleOf[body];
-    if (known > group.obstacles.begin) return known - 1;  // others are of earlier groups
+    if (known > group.obstacles.begin) return known - 1;  // otherwise it belongs to an earlier group
     around.obstacles.push_back(obstacleOf(world, body));
     known = static_cast<std::uint32_t>(around.obstacles.size());
     if (around.obstacles.back().isPushed) group.body = body;
     return known - 1;
 }
 
-/// N: on a particle by a shape, at the end of the last step.
+/// N: force of a shape on a particle at the end of the last step.
 Vec2 forceOf(const SoftBody& soft, std::uint32_t shape, std::uint32_t particle) {
     const auto at = std::lower_bound(
         soft.touches.begin(), soft.touches.end(), shape, [&](const SoftTouch& touch, std::uint32_t) {
@@ -161,8 +161,8 @@ Vec2 answer(SoftContact& contact, const SoftObstacle& obstacle, Vec2 velocity, f
     return contact.impulse - before;
 }
 
-/// Slows what a soft body carries as that itself is slowed, by the part of the weight that a contact bears.
-/// Otherwise a heavy load on a light spring would swing on.
+/// Damps the motion of a body that lies on a soft body by the soft body's damping, in proportion to the
+/// part of its weight that this contact bears. Otherwise a heavy load on a soft spring would swing on.
 void calm(StepContext& step, const SoftContact& contact, SoftObstacle& obstacle, float h) {
     const float damping = contact.soft->damping;
     if (!obstacle.isPushed || contact.impulse == Vec2{} || damping == 0.0f) return;
@@ -272,7 +272,7 @@ void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pas
         const Vec2 velocity = relax ? p.velocity : rate * (p.place - p.before);
         const Vec2 impulse = answer(contact, obstacle, velocity - velocityAt(motion, contact.arm), bias,
                                     hard ? Softness{} : pass.softness);
-        if (!isFinite(impulse)) contact.impulse = {};  // what went wrong on one side stays there
+        if (!isFinite(impulse)) contact.impulse = {};  // a bad number on one side stays there
         if (impulse == Vec2{} || !isFinite(impulse)) continue;
         pushBody(contact, obstacle, motion, impulse);
         if (relax) {

@@ -35,8 +35,8 @@ bool mayCollide(const SoftBody& a, const SoftBody& b) {
     return (a.mask & b.layers) != 0 && (b.mask & a.layers) != 0;
 }
 
-/// The edge by which a place inside a ring leaves it: the nearest, or the first along an axis.
-/// @return their number if it is not inside
+/// The edge by which a point inside a ring leaves it: the nearest, or the first along an axis.
+/// @return the number of edges if it is not inside
 std::size_t wayOut(const SoftBody& body, WorldPosition from, Vec2 axis, bool alongAxis) {
     const std::vector<std::uint32_t>& ring = body.ring;
     const auto seen = [&](std::size_t i) {
@@ -122,8 +122,8 @@ private:
         return true;
     }
 
-    /// Nearest edges of what is inside of each other by half would push either through the other: these are
-    /// pushed apart along the line of their middles.
+    /// If two bodies are half inside each other, their nearest edges could push either
+    /// through the other: then they are separated along the line between their centres.
     void findAxis() {
         if (own_.ring.empty() || other_.ring.empty()) return;
         const WorldPosition own = middleOf(meetings_.boxes[ids_.body]);

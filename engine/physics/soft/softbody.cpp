@@ -45,9 +45,9 @@ void link(SoftBody& body, int a, int b, float compliance, bool isEdge = false) {
 /// A link that other soft bodies collide with.
 void edge(SoftBody& body, int a, int b, float compliance) { link(body, a, b, compliance, true); }
 
-/// Sorts links by color, so that two neighbors in the list have no particle in common. In the order of a
-/// chain, what one link does is passed on to the next: such a ring swings by itself, as what is left of an
-/// error runs around it. A particle of a cloth has up to 12 links, so that each link finds one of 23 colors.
+/// Sorts links by color, so that two neighbors in the list share no particle. In the order of a chain,
+/// each link would pass its correction on to the next: such a ring oscillates by itself, as the
+/// remaining error runs around it. A particle of a cloth has up to 12 links, so that 23 colors suffice.
 void sortByColor(SoftBody& body) {
     std::vector<std::uint32_t> used(body.particles.size(), 0);  // colors
     std::vector<SoftLink> byColor[32];
@@ -71,7 +71,7 @@ SoftBodyId take(World& world, SoftBody&& body) {
     return {index, soft.all[index].generation};
 }
 
-/// Without it, bodies that sleep on it would hang in the air.
+/// Wakes the bodies near a soft body; otherwise bodies that sleep on it would stay in the air.
 void wakeNeighbours(World& world, const SoftBody& body) {
     const AABB bounds = grown(rounded(boxOf(body, 0.0f)), 2.0f * body.radius);
     for (std::size_t s = 0; s < world.shapes.size(); ++s) {

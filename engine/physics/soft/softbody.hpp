@@ -31,10 +31,10 @@ Result<SoftBodyId> createCloth(World& world, WorldPosition corner, Vec2 size, in
 /// @param outline  m, relative to `place`; 3..500 points, one particle each; must not intersect itself
 Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<const Vec2> outline,
                                const SoftMaterial& material = {});
-/// A stale id does nothing.
+/// Destroys a soft body. A stale id does nothing.
 void destroySoftBody(World& world, SoftBodyId body);
 
-/// Without particles if the body is gone.
+/// Returns a body without particles if it is gone.
 [[nodiscard]] inline const SoftBody& softBodyOf(const World& world, SoftBodyId body) {
     return readOf(world, world.softBodies.all, body);
 }

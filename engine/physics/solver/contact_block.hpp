@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-/// The rows of four floats that a Contact is made of, for those who read eight contacts at once.
+/// The rows of four floats that make up a Contact, for code that reads eight contacts at once.
 enum ContactRow {
     kSurfaceRow = 1,
     kNormalRow = 2,

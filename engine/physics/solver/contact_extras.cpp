@@ -65,7 +65,7 @@ void bounceBlock(StepContext& step, Block& block, const BlockLanes& lanes, const
 float inverseInertiaOf(const RotatingSide& side, int i) { return side.inverseInertia[i]; }
 float inverseInertiaOf(const FixedSide<2>&, int) { return 0.0f; }
 
-/// rad/s. The blocks do not know that of a static or kinematic body.
+/// rad/s: spin of a side. Blocks do not store that of a static or kinematic body.
 float spinOf(Workspace& work, const RotatingSide& side, const RollingBlock&, int i) {
     return work.velocity[static_cast<std::size_t>(side.slot[i])].z;
 }
@@ -223,7 +223,7 @@ void addImpulses(Workspace& work) {
 void finishImpulseSums(Workspace& work) {
     for (const ImpulseSum& sum : work.impulseSums) {
         float& all = work.stepImpulses[static_cast<std::size_t>(sum.contact)];
-        // An impact chain has taken back the impulses of the substeps: simultaneous_impacts.cpp.
+        // The propagation of an impact replaced the impulses of the substeps: simultaneous_impacts.cpp.
         all = std::signbit(*sum.points[0]) ? -*sum.points[0] : all + (impulseOf(sum) - sum.last);
     }
 }
@@ -233,7 +233,7 @@ void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a,
     Workspace& work = step.work;
     for (const std::uint32_t j : world.joints.awake) {
         Joint& joint = world.joints.hot[j];
-        // Gears and pulleys feel bodies of other joints too: what these did is no number then.
+        // Gears and pulleys also act on bodies of other joints: their impulses may be non-finite there.
         if (std::isfinite(joint.rows[0] + joint.rows[1]) && !isBad(joint.bodyA, joint.bodyB)) continue;
         joint.force = {};
         joint.torque = 0.0f;

@@ -6,7 +6,7 @@
 
 namespace plumb::physics {
 
-// What the solver does with contacts beside the passes of passes.hpp. Free where no contact needs it.
+// Parts of the solver besides the passes of passes.hpp. They cost nothing if no contact needs them.
 
 // Restitution: what arrives fast enough leaves with a fraction of its speed, once the
 // substeps have stopped it. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).
@@ -37,10 +37,10 @@ void warmStartRolling(StepContext& step, const SolveGroup& group);
 void relaxRolling(StepContext& step, const SolveGroup& group);
 void storeRolling(StepContext& step);
 
-// Blocks keep the impulses of the last substep only. Those of contacts with an event are summed up beside
-// them: Workspace::stepImpulses.
+// Blocks only keep the impulses of the last substep. For contacts with
+// an event they are summed over all substeps: Workspace::stepImpulses.
 
-/// Before the first group: forgets the sums of the last step.
+/// Before the first group: clears the sums of the last step.
 void clearImpulseSums(StepContext& step);
 /// Before the substeps of a group: finds its contacts with an event.
 void startImpulseSums(StepContext& step, const SolveGroup& group);
@@ -49,7 +49,7 @@ void addImpulses(Workspace& work);
 /// After restitution.
 void finishImpulseSums(Workspace& work);
 
-/// Contacts and joints between bad bodies start from nothing: what went wrong would be given again.
+/// Clears the stored impulses of contacts and joints between bad bodies, which warm starting would repeat.
 void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a, std::uint32_t b)>& isBad);
 
 }  // namespace plumb::physics

@@ -26,8 +26,8 @@ inline Float8 speedAlong(const Body8& body, Two8 direction, Float8 lever) {
 }
 
 // Each side of eight contacts while a block is solved: its velocity, and in a biased pass (kPush) its motion
-// since the start of the step. An "arm" is what it takes to know or change the velocity of a point: a lever,
-// nothing for a body that does not rotate, or the velocity itself for a surface that nothing changes.
+// since the start of the step. An "arm" is the data needed to compute or change the velocity of a point: a
+// lever, nothing for a body that does not rotate, or the velocity itself for a static or kinematic surface.
 
 template <class Lanes, bool kPush>
 struct Mover8;

@@ -19,7 +19,7 @@ Rot turnOf(const StepContext& step, std::uint32_t offset) {
     return {1.0f + deltaPosition.w, deltaPosition.z};
 }
 
-/// N m: at B's anchor, of a force at the point that stands for it (balanced).
+/// N m: torque at B's anchor by a force at the point that replaces it (see balanced()).
 template <class Block>
 float momentOf(const StepContext& step, const Joint& joint, const Block& block, int i, Vec2 force) {
     const Vec2 shift = Vec2{block.anchors.armBX[i], block.anchors.armBY[i]} -

@@ -112,7 +112,7 @@ inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
     return {inverse * (yy * wanted.x - xy * wanted.y), inverse * (xx * wanted.y - xy * wanted.x)};
 }
 
-/// `grip.pull` times the error, limited to `most`: maxPull().
+/// `grip.pull` times the error, limited to `maximum`: maxPull().
 inline Two8 closing(const Grip8& grip, Two8 apart, Float8 maximum) {
     const Two8 pull = grip.pull * apart;
     const Float8 square = dot8(pull, pull);
@@ -155,7 +155,7 @@ inline void noteLack(PointBlock& block, const Anchors8& at, Two8 impulse) {
     store(block.turnB, cross8(at.armB, impulse) - load(block.turnB));
 }
 
-// Constraints on a value: an angle, or a length along a direction. A Line has a speed and takes impulses.
+// Constraints on a value: an angle, or a length along a direction. A Line has a speed and accepts impulses.
 
 inline Float8 totalOf(const RowLanes& rows) {
     return (load(rows.holdImpulse) + load(rows.motorImpulse)) +
@@ -281,7 +281,7 @@ void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLa
     }
 }
 
-/// An impulse, limited to a magnitude of `most`.
+/// An impulse, limited to a magnitude of `maximum`.
 inline Two8 shortened(Two8 impulse, Float8 maximum) {
     const Float8 square = dot8(impulse, impulse);
     if (!any(square > maximum * maximum)) return impulse;
@@ -290,7 +290,7 @@ inline Two8 shortened(Two8 impulse, Float8 maximum) {
     return min(ratio, all(1.0f)) * impulse;
 }
 
-/// What a joint answers before its point: its angle.
+/// Solves what precedes the point of a joint: its angle.
 template <bool kPush>
 inline void answerAngle(HingeBlock& block, const JointPass& pass, Couple8& couple, Anchors8& at) {
     if constexpr (kPush) {

@@ -101,7 +101,7 @@ void fill(const World& world, Workspace& work, bool someBreak) {
     }
 }
 
-/// Breakable joints of trees: `block` is an index into links, continued by holds.
+/// Lists breakable joints of trees: `block` is an index into links, then into holds.
 void noteBreakables(const World& world, JointWork& joints) {
     const auto note = [&](const std::vector<Link>& links, std::size_t first) {
         for (std::size_t i = 0; i < links.size(); ++i) {
@@ -135,7 +135,7 @@ struct Preparation {
     JointTiming timing;
 };
 
-/// bytes: a slot below 0 is the idle one of the lane
+/// bytes: a slot below 0 stands for the idle slot of the lane
 std::uint32_t offsetOf(const Preparation& all, std::int32_t slot, int lane) {
     const int place = slot < 0 ? static_cast<int>(all.work.bodyOf.size()) + lane : slot;
     return static_cast<std::uint32_t>(place) * std::uint32_t{sizeof(Float4)};
@@ -158,15 +158,15 @@ void clearBodies(const Preparation& all, JointBodies& bodies, int lane) {
     bodies.a[lane] = bodies.b[lane] = bodies.own[lane] = offsetOf(all, -1, lane);
 }
 
-/// Where the angle is held too, any point of B and what of A coincides with it may stand for the anchors. At
-/// this one no force of the joint turns the bodies against each other and no torque moves it, so that rows
-/// solved in turn are solved at once. At an anchor L away from a body whose radius of gyration is k, a turn
-/// leaves 1 / (1 + (k / L)^2) of an error to the next, and the angle, which knows only the inertia, bends
-/// under a motor of that arm.
+/// For joints that also hold the angle, replaces the anchors by a point of B at which the
+/// rows are decoupled: there a force does not rotate the bodies relative to each other and a
+/// torque does not move the point, so rows that are solved sequentially are solved exactly.
+/// At an anchor at distance L from a body of gyration radius k, each iteration would leave 1
+/// / (1 + (k / L)^2) of an error, and a motor with that arm would bend the angle.
 JointParts balanced(JointParts parts, const JointBodies& bodies, int lane) {
     const float ofA = bodies.inverseInertiaA[lane], ofB = bodies.inverseInertiaB[lane];
     if (!parts.holdsAngle || !(ofA + ofB > 0.0f)) return parts;
-    const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) * parts.axis;  // as far as B has slid
+    const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) * parts.axis;  // including how far B has slid
     const Vec2 shift = (-1.0f / (ofA + ofB)) * (ofA * armA + ofB * parts.armB);
     const Vec2 shiftA = rotate(rotFromAngle(-parts.angle), shift);
     parts.armA += shiftA;
@@ -175,16 +175,16 @@ JointParts balanced(JointParts parts, const JointBodies& bodies, int lane) {
     return parts;
 }
 
-/// A force along an arm is a spring that turns the body, of frequency sqrt(force * arm / inertia). Where
-/// substeps cannot follow it, the joint sees as much inertia as they can: as in trees. A hinge alone, of
-/// which both rows are solved at once, is none of these.
+/// A force F along an arm r acts as a rotational spring of frequency sqrt(F r / I). If
+/// substeps cannot follow it, the joint uses the smallest inertia that they can follow,
+/// as in trees. Not needed for a hinge alone, both rows of which are solved together.
 float calmed(float inverseInertia, float straining, float h) {
     const float least = static_cast<float>(kCalm) * h * h * std::fabs(straining);  // kg m2
     return inverseInertia * least > 1.0f ? 1.0f / least : inverseInertia;
 }
 
 void calm(const JointParts& parts, Vec2 force, float h, JointBodies& bodies, int lane) {
-    if (parts.holdsAngle) return;  // its arms are short: balanced()
+    if (parts.holdsAngle) return;  // its arms are short, see balanced()
     bodies.inverseInertiaA[lane] = calmed(bodies.inverseInertiaA[lane], dot(parts.armA, force), h);
     bodies.inverseInertiaB[lane] = calmed(bodies.inverseInertiaB[lane], dot(parts.armB, force), h);
 }

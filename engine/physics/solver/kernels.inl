@@ -19,15 +19,15 @@ inline Two8 operator+(Two8 a, Two8 b) { return {a.x + b.x, a.y + b.y}; }
 inline Two8 operator-(Two8 a, Two8 b) { return {a.x - b.x, a.y - b.y}; }
 inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
 
-/// 1/x, or 0 for 0: the effective mass of what cannot move.
+/// 1/x, or 0 for x = 0: the effective mass of a body that cannot move.
 inline Float8 inverseOrZero(Float8 x) {
     const Float8 zero = all(0.0f);
     const Mask8 some = x > zero;
     return select(some, all(1.0f) / select(some, x, all(1.0f)), zero);
 }
 
-#include "physics/solver/contact_preparation.inl"
 #include "physics/solver/contact_kernels.inl"
+#include "physics/solver/contact_preparation.inl"
 #include "physics/solver/joint_kernels.inl"
 
 // Bodies.
@@ -39,11 +39,12 @@ template <class Bodies>
 void accelerate(const Bodies& bodies, float h, bool first, int begin, int end) {
     const Float8 step = all(h);
     for (int i = 4 * begin; i < 4 * end; i += kLanes) {
-        float* velocity = &bodies.velocity[0].x + i;
-        float* velocityBeforeImpulses = &bodies.velocityBeforeImpulses[0].x + i;
+        const auto offset = static_cast<std::uint32_t>(i) * std::uint32_t{sizeof(float)};
+        float* velocity = rowOf(bodies.velocity, offset);
+        float* velocityBeforeImpulses = rowOf(bodies.velocityBeforeImpulses, offset);
         const Float8 now = load(velocity);
-        const Float8 kept = bodies.keep != nullptr ? now * load(&bodies.keep[0].x + i) : now;
-        const Float8 driven = kept + load(&bodies.drive[0].x + i) * step;
+        const Float8 kept = bodies.keep != nullptr ? now * load(rowOf(bodies.keep, offset)) : now;
+        const Float8 driven = kept + load(rowOf(bodies.drive, offset)) * step;
         const Float8 after = first ? driven : driven + (now - load(velocityBeforeImpulses));
         store(velocity, Bodies::kRotate ? after : select(load(kIsSpeed) > all(0.0f), after, now));
         store(velocityBeforeImpulses, driven);

@@ -36,7 +36,7 @@ void gather(const Store& store, BlockRange range, std::vector<ImpactPlace>& impa
             impacts.push_back({kFixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
         }
     }
-    // Wherever they are in the blocks of a color, they are solved in the order of their numbers.
+    // The order of solving does not depend on the lanes: within a color, sort by contact index.
     const auto numberOf = [&](const ImpactPlace& impact) { return lanes[impact.block].contact[impact.lane]; };
     std::sort(impacts.begin() + static_cast<std::ptrdiff_t>(before), impacts.end(),
               [&](const ImpactPlace& a, const ImpactPlace& b) { return numberOf(a) < numberOf(b); });

@@ -11,8 +11,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 512;
-constexpr std::size_t kWorthStrips = 256;  // bodies: the solver's data of fewer is in the first cache anyway
+constexpr int kStripGrain = 512;
+constexpr std::size_t kWorthStrips = 256;  // bodies: the data of fewer fits into the first-level cache
 
 std::uint8_t stripOf(const Strips& strips, double at) {
     const double place = strips.rate * (at - strips.begin) + 1.0;
@@ -35,7 +35,7 @@ void place(Strips& strips, const std::vector<PositionSums>& pieces, double count
     strips.begin = mean[strips.axis] - half;
 }
 
-/// Looks up the strip of each body, where they were in the last step.
+/// Assigns each body to a strip, with the strip boundaries of the last step.
 void assign(StepContext& step) {
     const World& world = step.world;
     Strips& strips = step.work.strips;
@@ -54,7 +54,7 @@ void assign(StepContext& step) {
         }
         sums = own;
     };
-    forPieces(step.pool, world.awake.size(), kGrain, strips.sums, take);
+    forPieces(step.pool, world.awake.size(), kStripGrain, strips.sums, take);
     place(strips, strips.sums, static_cast<double>(world.awake.size()));
 }
 

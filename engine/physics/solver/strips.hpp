@@ -16,16 +16,16 @@ struct PositionSums {
     void clear() { *this = {}; }
 };
 
-/// Divides the world into strips with about as many bodies each. Bodies and contacts of a strip are next to
-/// each other in the solver's arrays, so that a thread, which takes the same part of each array, works on
-/// what is near and leaves the rest to the caches of others. It only decides where data is, never what the
-/// result is.
+/// Divides the world into strips with about equal numbers of bodies. Bodies and
+/// contacts of a strip are adjacent in the solver's arrays: a thread that takes
+/// one part of each array works on nearby data and does not touch the cache
+/// lines of other threads. Affects only the memory layout, never the result.
 struct Strips {
     static constexpr std::size_t kCount = 32;
 
-    bool areUsed = false;              ///< there are several threads, and bodies enough for them
-    int axis = 0;                      ///< along which they follow each other
-    double begin = 0.0;                ///< m: where the second one begins
+    bool areUsed = false;              ///< there are several threads and enough bodies
+    int axis = 0;                      ///< along which the strips are arranged
+    double begin = 0.0;                ///< m: start of the second strip
     double rate = 0.0;                 ///< 1/m: strips per length
     std::vector<std::uint8_t> ofBody;  ///< by body
     std::vector<std::uint8_t> ofContact;

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Fields of bodies that are gone go as well.
+/// Removes the fields of bodies that are gone.
 void dropOrphans(World& world) {
     for (std::uint32_t i = 0; i < world.fields.all.size(); ++i) {
         const Field& field = world.fields.all[i];
@@ -41,14 +41,14 @@ void findPulls(const World& world, Workspace& work) {
     }
 }
 
-/// Sorts the pulls by slot, those of one slot by field.
+/// Sorts the pulls by slot, and those of one slot by field.
 void sortPulls(Workspace& work, bool hasSprings) {
     SmoothForces& smooth = work.smooth;
     smooth.begins.assign(work.bodyOf.size() + 1, 0);
     for (const SmoothForces::Pull& pull : smooth.pulls) ++smooth.begins[pull.slot + 1];
     for (std::size_t i = 1; i < smooth.begins.size(); ++i) smooth.begins[i] += smooth.begins[i - 1];
     smooth.fields.resize(smooth.pulls.size());
-    // From the last on, so that `begins` ends up as it was.
+    // In reverse, so that pulls of one slot keep their order.
     std::vector<std::uint32_t>& ends = work.bodyScratch;
     ends.assign(smooth.begins.begin() + 1, smooth.begins.end());
     for (std::size_t i = smooth.pulls.size(); i-- > 0;) {
@@ -66,7 +66,7 @@ bool flies(const World& world, const Workspace& work, std::uint32_t body) {
            world.bodies.info[body].firstJoint == kNone;
 }
 
-/// Part of a steady drive that is left of it by drag, as gatherBodies() has it.
+/// Ratio by which drag reduces a constant acceleration over a substep, as in gatherBodies().
 struct DriveScale {
     float linear = 1.0f;
     float angular = 1.0f;
@@ -78,10 +78,10 @@ DriveScale scaleOf(const StepContext& step, std::uint32_t body, float h) {
     return {decayOf(drive.linearDrag, h).drive / h, decayOf(drive.angularDrag, h).drive / h};
 }
 
-/// A guess where another body is: the step has not begun.
+/// Estimate of another body's state: its state at the start of the step.
 BodyState stateNow(const FieldView& view, std::uint32_t body) { return stateAtStart(view.world, body); }
 
-/// A body that something holds: the solver gets the force as it is at the start of the step.
+/// Applies fields to a body that contacts or joints hold: the solver uses the force at the start of the step.
 void drive(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     const FieldView view{step.world, step.dt, stateNow};
     const Acceleration pull =
@@ -121,7 +121,7 @@ void launch(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     smooth.flyers.push_back(flyer);
 }
 
-/// A body at rest is woken by a spring whose other end moves.
+/// Wakes a resting body if the other end of one of its springs moves.
 void wakeOtherEnds(World& world) {
     const auto rests = [&](BodyId body) { return isDynamic(world, body.index) && !isUp(world, body.index); };
     const auto moves = [&](BodyId body) {

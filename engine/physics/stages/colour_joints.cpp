@@ -13,7 +13,7 @@ void note(const World& world, Workspace& work, std::uint32_t body, std::uint8_t 
         work.colourMasks[body] |= 1u << colour;
 }
 void note(const World& world, Workspace& work, const Contact& contact) {
-    // The kind of a body may have changed since: the contact then ends in the next step, as what it was.
+    // kFixedA is the kind when the contact was created: setKind() only ends it in the next step.
     if ((contact.flags & kFixedA) == 0) note(world, work, contact.bodyA, contact.colour);
     note(world, work, contact.bodyB, contact.colour);
 }

@@ -53,8 +53,8 @@ bool passesThrough(const World& world, const Contact& contact, float dt) {
            ((contact.flags & kOneWayB) != 0 && heightBefore(world, contact, false, dt) < on);
 }
 
-/// Whether it lets through is decided when a contact begins, and kept: what is half through must not be
-/// caught.
+/// Decides once, when a contact begins, whether a one-way shape lets the
+/// other through: a body that is halfway through must not be caught.
 void decideOneWay(StepContext& step, Contact& contact) {
     World& world = step.world;
     if ((contact.flags & (kOneWayA | kOneWayB)) == 0) return;

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 128;
+constexpr int kPairGrain = 128;
 
 void search(StepContext& step) {
     World& world = step.world;
@@ -18,12 +18,12 @@ void search(StepContext& step) {
     for (const std::uint32_t shape : world.moved) work.isMoved[shape] = 1;
     work.broadPhase->arrange(world.moved);
     const std::span<const std::uint32_t> moved{world.moved};
-    collect(step, moved.size(), kGrain, work.foundPairs, work.newPairs,
+    collect(step, moved.size(), kPairGrain, work.foundPairs, work.newPairs,
             [&](std::size_t begin, std::size_t end, std::vector<PairKey>& found) {
                 work.broadPhase->findPairs(moved.subspan(begin, end - begin), work.isMoved, found);
                 std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
             });
-    // Contacts are made in an order that does not depend on which thread found a pair first.
+    // Contacts are created in an order that does not depend on which thread found a pair first.
     std::sort(work.newPairs.begin(), work.newPairs.end());
     for (const std::uint32_t shape : world.moved) {
         work.isMoved[shape] = 0;
@@ -42,14 +42,14 @@ void makeContacts(StepContext& step) {
         if (joined && keptApart(world, bodyA, bodyB)) continue;
         if (!comesTo(world, a, b) || !mayMeet(step, a, b)) continue;
         const auto isAwake = [&](std::uint32_t body) { return world.bodies.info[body].place != kNone; };
-        // A trigger at rest has come to a sleeper: only contacts of what is awake are looked at.
+        // A resting trigger overlaps a sleeping body: wake it, as only awake contacts are updated.
         if (!isAwake(bodyA) && !isAwake(bodyB)) wake(world, isDynamic(world, bodyA) ? bodyA : bodyB);
         step.work.pairs.add(key);
         world.contacts.push_back(makeContact(world, a, b));
     }
 }
 
-/// What a fast kinematic body may pass in this step has to be awake: found by overlap it is too late.
+/// Wakes bodies that a fast kinematic body may pass in this step: an overlap would be found too late.
 void wakeOnPaths(World& world, Workspace& work, float dt) {
     if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;
     std::vector<std::uint32_t>& found = work.candidates;
@@ -66,7 +66,7 @@ void wakeOnPaths(World& world, Workspace& work, float dt) {
                               0xffffffffu, found, Among::All);
         std::erase_if(found,
                       [&](std::uint32_t shape) { return world.shapes.motion[shape] != ProxyMotion::Asleep; });
-        // A broad phase gives them in an order of its own.
+        // The order of the broad phase is arbitrary.
         std::sort(found.begin(), found.end());
         for (const std::uint32_t shape : found) wake(world, world.shapes.info[shape].body);
     }
@@ -78,10 +78,9 @@ void findPairs(StepContext& step) {
     updateBroadPhase(step.world, step.work);
     if (!step.world.altered.empty()) {
         endAltered(step);
-        updateBroadPhase(step.world, step.work);  // of what that woke
+        updateBroadPhase(step.world, step.work);  // for bodies that this woke
     }
-    if (step.runs(
-            Effect::Kinematics)) {  // room for all that there is, so that a steady step allocates nothing
+    if (step.runs(Effect::Kinematics)) {  // maximum size, so that a steady step allocates nothing
         step.work.candidates.reserve(step.world.shapes.info.capacity());
         step.work.passedBodies.reserve(step.world.bodies.info.capacity());
         step.work.fastBodies.reserve(step.world.bodies.info.capacity());

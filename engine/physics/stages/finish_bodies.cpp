@@ -12,16 +12,16 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 256;
+constexpr int kFinishGrain = 256;
 
-/// Only of what is not finite no part is nothing.
+/// 0 * NaN and 0 * infinity are NaN, so the sum is 0 only if every component is finite.
 bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 0.0f; }
 
 bool isSound(const Workspace& work, std::size_t slot) {
     return isFinite(work.velocity[slot]) && isFinite(work.deltaPosition[slot]);
 }
 
-/// Which of the two zeros a speed of nothing is says how it was worked out: make it the one.
+/// Turns -0.0 into +0.0, so that hashes do not depend on how a zero was computed.
 Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
 
 Vec2 shortened(Vec2 a, float maximum) {
@@ -29,13 +29,13 @@ Vec2 shortened(Vec2 a, float maximum) {
     return square > maximum * maximum ? (maximum / std::sqrt(square)) * a : a;
 }
 
-/// Whether some point of the body is too fast to rest, about.
+/// True if a point of the body moves faster than its sleep speed (upper bound).
 bool isRestless(const BodyMotion& motion, const BodyInfo& info) {
     return lengthSquared(motion.velocity) > info.sleepSpeed * info.sleepSpeed ||
            std::fabs(motion.angularVelocity) * info.reach > info.sleepSpeed;
 }
 
-/// Whether there is anything that the filters of some of its shapes let it meet.
+/// True if the filters of its shapes allow the body to collide with anything.
 bool meetsSome(const World& world, std::uint32_t body) {
     FilterUnion filters;
     forShapesOf(world, body, [&](std::uint32_t s) { filters.add(world.shapes.filter[s]); });
@@ -47,7 +47,7 @@ bool inside(const AABB& outer, const AABB& inner) {
            inner.max.y <= outer.max.y;
 }
 
-/// As boundsOf(): boxes along the axes are not worth a call.
+/// As boundsOf(), with a fast path for axis-aligned boxes.
 AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) {
     const Geometry& outline = shapes.geometry[shape];
     const bool upright = outline.kind == ShapeKind::Box && frame.rotation == Rot{} && outline.turn == Rot{};
@@ -67,9 +67,9 @@ void updateShapes(World& world, std::uint32_t body, std::vector<std::uint32_t>& 
     });
 }
 
-/// m: what the way of a body that slides or rolls under a steady force is too long by. A substep moves by the
-/// velocity at its end, which is h/2 of acceleration too fast; over a step that adds up to h/2 times what the
-/// velocity gained. Bodies that nothing holds fly exactly already, and a blow is no steady force.
+/// m: error of the displacement of a sliding or rolling body under a constant force. A substep moves by its
+/// final velocity, which is too large by h/2 times the acceleration; over a step that adds up to h/2 times
+/// the change of the velocity. Free bodies move exactly already, and an impact is not a constant force.
 Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Vec2 before, Vec2 velocity) {
     const Vec2 gained = velocity - before;
     const Float4& ballisticDrift = step.work.ballisticDrift[slot];
@@ -79,11 +79,11 @@ Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Ve
     const float rounding = lengthSquared(velocity) > slowest * slowest ? kRounded : 1.0f;
     const float maximum = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
     if (!held || lengthSquared(gained) > maximum) return {};
-    if (step.world.bodies.info[body].firstJoint != kNone) return {};  // its turning would have to follow
+    if (step.world.bodies.info[body].firstJoint != kNone) return {};  // else rotation needs a correction too
     return (0.5f * ballisticDrift.z) * gained;
 }
 
-/// Where a body is after the step. @return false when its numbers went bad: it stays where it was, and stops
+/// Moves a body to its new pose. @return false if its state is not finite: it stays and stops
 bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     Bodies& bodies = step.world.bodies;
     BodyMotion& motion = bodies.motion[body];
@@ -94,7 +94,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
         motion.angularVelocity = 0.0f;
         return false;
     }
-    // Substeps may be faster than the speed at the end of the step, and would carry a body as far.
+    // Substeps may exceed the maximum speed even if the final velocity does not.
     Vec2 displacement = shortened({deltaPosition.x, deltaPosition.y}, step.world.settings.maxSpeed * step.dt);
     deltaPosition.x = displacement.x, deltaPosition.y = displacement.y;
     const Vec2 before = motion.velocity;
@@ -141,7 +141,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFinding
 void finishBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
-    forPieces(step.pool, world.awake.size(), kGrain, work.bodyFindings,
+    forPieces(step.pool, world.awake.size(), kFinishGrain, work.bodyFindings,
               [&](std::size_t begin, std::size_t end, BodyFindings& found) {
                   for (std::size_t i = begin; i < end; ++i)
                       finish(step, static_cast<std::size_t>(work.slots[world.awake[i]]), world.awake[i],
@@ -159,13 +159,13 @@ void finishBodies(StepContext& step) {
         for (const std::uint32_t body : found.broken)
             world.quarantined.push_back({body, world.bodies.info[body].generation});
     }
-    // What pushed them is no number either, and would be given again.
+    // The impulses on them are not finite either and would be reused: clear them.
     const auto isBroken = [&](std::uint32_t body) {
         return work.slots[body] >= 0 && !isSound(work, static_cast<std::size_t>(work.slots[body]));
     };
     if (!world.quarantined.empty())
         forgetImpulses(step, [&](std::uint32_t a, std::uint32_t b) { return isBroken(a) || isBroken(b); });
-    if (step.runs(Effect::Joints)) breakJoints(step);  // last: it may wake bodies that were in no step
+    if (step.runs(Effect::Joints)) breakJoints(step);  // last: it may wake bodies that were not in this step
 }
 
 }  // namespace plumb::physics

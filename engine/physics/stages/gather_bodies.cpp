@@ -7,9 +7,9 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 512;
+constexpr int kGatherGrain = 512;
 
-/// The exact way of free flight over h, as what is to be added to `z * (velocity at the end)`.
+/// Exact displacement of free flight over h, as the offset to `z * (velocity at the end)`.
 Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     // x = v0 D + a (h - D) / k with D = decay.drive; v1 = v0 keep + a D. Without drag: x = v1 h - a h2 / 2.
     if (decay.keep == 0.0f) return {-0.5f * h * h * drive.x, -0.5f * h * h * drive.y, h, 0.0f};
@@ -18,8 +18,8 @@ Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     return {rest * drive.x, rest * drive.y, along, 0.0f};
 }
 
-/// Exact flight would lift what rests: it is for what touches nothing, and hangs at most on joints that know
-/// of it.
+/// True for bodies that move ballistically: no contacts, and no joints but those
+/// solved by trees. For resting bodies the closed form would inject upward velocity.
 bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
     return (work.colourMasks[body] == 0 || isInTree(world, work, body)) && !work.softSurroundings.holds(body);
 }
@@ -51,7 +51,7 @@ void applyDrag(const World& world, Workspace& work, std::uint32_t body, std::siz
     const BodyDrive& drive = world.bodies.driveOf(body);
     work.keep[slot] = {1.0f, 1.0f, 1.0f, 1.0f};
     if (drive.linearDrag == 0.0f && drive.angularDrag == 0.0f) return;
-    if (world.bodies.mass[body].inverseMass == 0.0f) return;  // its owner moves it, and nothing slows it
+    if (world.bodies.mass[body].inverseMass == 0.0f) return;  // static or kinematic: no drag
     const Decay linear = decayOf(drive.linearDrag, h), angular = decayOf(drive.angularDrag, h);
     if (isFree(world, work, body))
         work.ballisticDrift[slot] = flightOf(work.drive[slot], linear, drive.linearDrag, h);
@@ -65,7 +65,7 @@ void makeRoom(StepContext& step, std::size_t slots) {
     Workspace& work = step.work;
     work.slots.assign(step.world.bodies.size(), -1);
     work.bodyOf.assign(slots, kNone);
-    // The eight after the last are for lanes without a body.
+    // Eight additional idle slots serve SIMD lanes without a body.
     const std::size_t count = slots + kLanes;
     for (std::vector<Float4>* array : {&work.velocity, &work.deltaPosition, &work.drive, &work.ballisticDrift,
                                        &work.velocityBeforeImpulses}) {
@@ -102,7 +102,7 @@ void gatherBodies(StepContext& step) {
         const float h = step.dt / static_cast<float>(group.substeps);
         const auto begin = static_cast<std::size_t>(group.begin);
         const auto bodies = static_cast<std::size_t>(group.bodies);
-        forEach(step.pool, static_cast<std::size_t>(group.end) - begin, kGrain, [&](std::size_t i) {
+        forEach(step.pool, static_cast<std::size_t>(group.end) - begin, kGatherGrain, [&](std::size_t i) {
             if (i >= bodies) return clearSlot(work, begin + i);
             gatherBody(world, work, gravity, order[i], begin + i, h);
             if (!work.keep.empty()) applyDrag(world, work, order[i], begin + i, h);

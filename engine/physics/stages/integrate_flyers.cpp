@@ -6,7 +6,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// The bodies of a group that are integrated together, and what fields may ask of them.
+/// The bodies of a group that are integrated together, and the context for field evaluation.
 struct Flight {
     const World& world;
     const SmoothForces& forces;
@@ -157,7 +157,7 @@ void integrate(const StepContext& step, const SolveGroup& group, std::span<Flyer
     }
 }
 
-/// Writes where a flyer is over what the solver, which did not know of its fields, has made of it.
+/// Overwrites the result of the solver, which does not know the fields, with the state of a flyer.
 void land(const World& world, Workspace& work, const Flyer& flyer) {
     const Vec2 displacement = flyer.now.centre - world.bodies.pose[flyer.body].centre;
     const SinCos turn = sinCos(flyer.turned);

@@ -15,14 +15,14 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 256;
+constexpr int kEnergyGrain = 256;
 
 bool moves(const World& world, std::uint32_t body) {
     const BodyMotion& motion = world.bodies.motion[body];
     return !isDynamic(world, body) && (motion.velocity != Vec2{} || motion.angularVelocity != 0.0f);
 }
 
-/// True for joints that store energy or give some. A motor of speed 0 is a brake.
+/// True for joints that store energy or add some. A motor of speed 0 is a brake.
 bool isPowered(const Joint& joint, const JointDefinition& definition) {
     const bool drives = (joint.flags & kDriven) != 0 && definition.motor.speed != 0.0f;
     return drives || (joint.flags & (kSprung | kSoft | kDefinitionChanged)) != 0 ||
@@ -37,26 +37,26 @@ float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
     return 0.5f * (mass.mass * lengthSquared(velocity) + mass.inertia * spin * spin);
 }
 
-/// J: what forces did to a body in this step.
+/// J: work of external forces on a body in this step.
 float workOn(const BodyMass& mass, const Workspace& work, std::size_t slot) {
     const Float4 &deltaPosition = work.deltaPosition[slot], &drive = work.drive[slot];
     return mass.mass * (drive.x * deltaPosition.x + drive.y * deltaPosition.y) +
            mass.inertia * drive.z * deltaPosition.z;
 }
 
-/// J: what a body had before this step.
+/// J: kinetic energy of a body before this step.
 float energyBefore(const World& world, std::uint32_t body) {
     const BodyMotion& before = world.bodies.motion[body];
     return energyOf(world.bodies.mass[body], before.velocity, before.angularVelocity);
 }
 
-/// About: of spins as if all bodies were of 1 m.
+/// Rough test that treats angular velocity as the speed at a radius of 1 m.
 bool isSlow(const Float4& velocity, float maximum) {
     const float square = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
     return square <= maximum * maximum;
 }
 
-/// For all bodies, so that a blow allocates nothing.
+/// Reserves room for all bodies, so that an impact allocates nothing.
 void makeRoom(const World& world, Workspace& work) {
     const std::size_t room = world.bodies.info.capacity();
     work.gainers.reserve(room);
@@ -73,7 +73,7 @@ std::size_t slotsWithRotation(const Workspace& work) {
     return static_cast<std::size_t>(end);
 }
 
-/// Bodies that came out of their contacts with more than they had: from others, or from nowhere.
+/// Finds bodies that gained kinetic energy by their contacts: from other bodies, or from solver error.
 void findGainers(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -104,7 +104,7 @@ void open(Workspace& work, std::uint32_t root, bool isJointed) {
     work.openAccounts.push_back(root);
 }
 
-/// An account for each island with joints or gainers.
+/// Opens an account for each island with joints or gainers.
 void openAccounts(const World& world, Workspace& work) {
     work.accounts.resize(world.bodies.size());
     for (const std::uint32_t j : world.joints.awake) {
@@ -116,7 +116,7 @@ void openAccounts(const World& world, Workspace& work) {
     for (const std::uint32_t body : work.gainers) open(work, work.roots[body], false);
 }
 
-/// Few joints are powered or hold to what cannot be pushed: only for these is the island looked up.
+/// Looks up the island only for the few joints that are powered or attached to a static or kinematic body.
 void noteJoints(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -142,7 +142,7 @@ bool hasDrivers(const StepContext& step) {
     return step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
 }
 
-/// What touches a body that its owner moves gets energy from it, and momentum from all that cannot be pushed.
+/// A kinematic body or conveyor does work on the island; any static or kinematic contact exchanges momentum.
 void noteHolders(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -170,14 +170,14 @@ void noteHolders(StepContext& step) {
     });
 }
 
-/// What soft bodies push gets energy from them.
+/// Soft bodies do work on the bodies that they touch.
 void noteSoft(const StepContext& step) {
     if (!step.runs(Effect::SoftBodies)) return;
     for (const auto& [root, soft] : step.work.softSurroundings.neighbours)
         step.work.accounts[step.work.roots[root]].isDriven = true;
 }
 
-/// Where nothing rotates or bounces nothing could give energy. Islands without rotation have no account.
+/// Without rotation and bounces contacts cannot add energy. Islands without rotation have no account.
 void noteBounces(StepContext& step) {
     if (!step.runs(Effect::Restitution)) return;
     const World& world = step.world;
@@ -219,17 +219,17 @@ void add(const EnergySums& body, const EnergyShare& share, EnergyAccount& accoun
     account.peak += share.peak;
 }
 
-/// What is left after a step of something that is forgotten in `memory` seconds.
+/// Factor by which a value that decays within `memory` seconds shrinks in a step.
 float fade(float dt, float memory) { return std::max(0.0f, 1.0f - dt / memory); }
 
-/// Contacts give nothing back, as they are no springs: there is no credit.
+/// Contacts, unlike joints, store no energy that could come back: there is no credit.
 void settleContacts(EnergyAccount& account) {
-    // Of what is no number one body alone is stopped, by finishBodies().
+    // A body with a non-finite state is handled alone, by finishBodies().
     if (!std::isfinite(account.gain)) return;
     if (account.gain > kContactGain * account.energy) account.excess = account.gain;
 }
 
-/// Joints do: for a while an island may get back what it lost.
+/// Joints may return energy that they took shortly before: the credit.
 void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float pushed = 0.5f * account.mass * pushSpeed * pushSpeed;
     const float wildPush = kWild * kJointPushing * kJointPushing;
@@ -249,12 +249,12 @@ void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float farthest = (account.peak / (kWhipped * kWhipped) + pushed) * dt * dt;
     if (!account.isDriven && account.displacement > farthest)
         account.part = std::sqrt(farthest / account.displacement);
-    // What a swing takes for half its time and gives back is not forgotten.
+    // Energy up to `maximum` does not fade, because a swing takes and returns it within half a period.
     const float fading = account.credit - maximum;
     if (fading > 0.0f) account.credit = maximum + fading * fade(dt, kMemory);
 }
 
-/// What joints had to close in this step whips nothing.
+/// Closing joint errors in this step may move bodies: allow for that displacement.
 void allowClosing(StepContext& step) {
     const World& world = step.world;
     const float maximum = kJointPushing * world.settings.pushSpeed * step.dt;
@@ -268,7 +268,7 @@ void allowClosing(StepContext& step) {
     }
 }
 
-/// What of a body's energy can be taken, and what it may keep in any case.
+/// Adds the energy of a body that can be removed, and the minimum that it keeps in any case.
 void bookOwn(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
     const Float4& velocity = work.velocity[static_cast<std::size_t>(work.slots[body])];
     const BodyMass& mass = world.bodies.mass[body];
@@ -278,13 +278,13 @@ void bookOwn(const World& world, const Workspace& work, std::uint32_t body, Ener
     account.minimum += std::min(own, 0.5f * mass.mass * creeping * creeping);
 }
 
-/// Which part of all speeds leaves an island no more energy than it had or was given.
+/// The velocity factor that leaves an island no more energy than it had or received.
 float keptOf(const EnergyAccount& account) {
     if (!(account.own > account.minimum)) return 1.0f;
     return std::sqrt(std::max(account.own - account.excess, account.minimum) / account.own);
 }
 
-/// The same of ways, of what whips: heights are not reached that speeds cannot pay for.
+/// The same for displacements: otherwise bodies reach heights that their velocities cannot account for.
 float partOf(const EnergyAccount& account) {
     const float kept = account.keep * account.keep * account.own;
     const float unpaid = account.excess - (account.own - kept), raised = -account.work;
@@ -296,7 +296,7 @@ void findParts(EnergyAccount& account) {
     if (account.excess > 0.0f) account.keep = keptOf(account);
     if (account.isJointed && account.keep < kWhipped) account.part = partOf(account);
     if (account.part == 1.0f) return;
-    // What does not fall as far gets less energy from it.
+    // A body that falls less far also gains less energy from gravity.
     account.excess += (1.0f - account.part) * std::max(account.work, 0.0f);
     account.keep = keptOf(account);
 }
@@ -306,7 +306,7 @@ void scaleAbout(Vec2 middle, float factor, Float4& row) {
     row.y = middle.y + factor * (row.y - middle.y);
 }
 
-/// A body of an island that went wild waits for a better step, at the speed that it had.
+/// Freezes a body of an island with implausible energy for this step, at its former velocity.
 void hold(const World& world, Workspace& work, std::uint32_t body) {
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     const BodyMotion& motion = world.bodies.motion[body];
@@ -315,7 +315,7 @@ void hold(const World& world, Workspace& work, std::uint32_t body) {
     work.deltaPosition[slot] = {};
 }
 
-/// Each body has a share of the island's account by mass, as islands fall apart and others come together.
+/// Scales a body and stores its share of the island's account, by mass, because islands split and merge.
 void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -329,7 +329,7 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
         velocity.z *= account.keep;
     }
     if (account.part < 1.0f) {
-        // Of what whips: heights would be reached that nothing paid for.
+        // Otherwise the body would gain potential energy from the unstable substep.
         Float4& deltaPosition = work.deltaPosition[slot];
         scaleAbout(step.dt * account.middle, account.part, deltaPosition);
         deltaPosition.z *= account.part;
@@ -337,7 +337,7 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
     }
 }
 
-/// Lists the bodies of islands that have an account. A body without joints keeps no share of one.
+/// Lists the bodies of islands with an account. A body without joints has no stored share.
 void findBooked(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -349,7 +349,7 @@ void findBooked(StepContext& step) {
         const std::uint32_t body = world.awake[i];
         const bool rotates = static_cast<std::size_t>(work.slots[body]) < rotating;
         const EnergyAccount* account = rotates ? &work.accounts[work.roots[body]] : nullptr;
-        // What is driven may gain any energy from its contacts.
+        // A driven island may gain any energy from its contacts.
         const bool isBooked =
             account != nullptr && account->isOpen && (account->isJointed || !account->isDriven);
         if (hasJoints && !(isBooked && account->isJointed)) shares[body] = {};
@@ -358,13 +358,13 @@ void findBooked(StepContext& step) {
     for (std::uint32_t& booked : work.bookedBodies) booked = world.awake[booked];
 }
 
-/// Adds up the accounts, each in the order of its bodies. Threads only look the bodies up.
+/// Sums up the accounts, each in the order of its bodies. Threads only compute the summands.
 void bookAll(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
     const auto all = work.bookedBodies.size();
-    work.bookings.resize(step.isShared(static_cast<int>(all), kGrain) ? all : 0);
-    forEach(step.pool, work.bookings.size(), kGrain,
+    work.bookings.resize(step.isShared(static_cast<int>(all), kEnergyGrain) ? all : 0);
+    forEach(step.pool, work.bookings.size(), kEnergyGrain,
             [&](std::size_t i) { work.bookings[i] = sumsOf(world, work, work.bookedBodies[i]); });
     for (std::size_t i = 0; i < all; ++i) {
         const std::uint32_t body = work.bookedBodies[i];
@@ -376,7 +376,7 @@ void bookAll(StepContext& step) {
 
 bool exceeds(const EnergyAccount& account) { return account.excess > 0.0f || account.part < 1.0f; }
 
-/// Finds what each island keeps of its speeds, where it has to give some up.
+/// Computes the factors of islands that have to lose energy.
 void limit(World& world, Workspace& work) {
     for (const std::uint32_t root : work.openAccounts) {
         EnergyAccount& account = work.accounts[root];
@@ -394,12 +394,12 @@ void limit(World& world, Workspace& work) {
 
 }  // namespace
 
-// Joints do no work, and contacts only take energy. Solved by turns, in substeps that may be too long for
-// what whips or is squeezed, they seem to do some. So each island with joints has an account: what it gained
-// from no force is taken back, all speeds alike, but for what it lost a moment before. One without has
-// it for the step in which a body of it gained something. Source: the "energy tanks" of passive control, e.g.
-// B. Hannaford and J.-H. Ryu, "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on
-// Robotics and Automation 18, 2002.
+// Energy guard. Joints do no work and contacts only dissipate, but the iterative solver seems to add
+// energy where substeps are too long for fast or squeezed bodies. So each island with joints has an
+// account: energy gained without a force is removed by scaling all velocities, except for what it lost
+// shortly before. An island without joints has an account only in steps in which a body gained energy.
+// Source: the "energy tanks" of passive control, e.g. B. Hannaford and J.-H. Ryu, "Time-Domain
+// Passivity Control of Haptic Interfaces", IEEE Transactions on Robotics and Automation 18, 2002.
 void keepEnergy(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -409,7 +409,7 @@ void keepEnergy(StepContext& step) {
     findRoots(step);
     openAccounts(world, work);
     if (hasJoints) noteJoints(step);
-    // Without any driver it is enough to ask where an island has too much.
+    // Without joints and drivers, contacts need to be visited only if an island has too much energy.
     const bool asksFirst = hasJoints || hasDrivers(step);
     if (asksFirst) noteHolders(step);
     noteSoft(step);
@@ -431,7 +431,7 @@ void keepEnergy(StepContext& step) {
         limit(world, work);
     }
     if (hasJoints || tooMuch) {
-        forEach(step.pool, work.bookedBodies.size(), kGrain, [&](std::size_t i) {
+        forEach(step.pool, work.bookedBodies.size(), kEnergyGrain, [&](std::size_t i) {
             share(step, work.bookedBodies[i], work.accounts[work.roots[work.bookedBodies[i]]]);
         });
     }

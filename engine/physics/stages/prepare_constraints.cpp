@@ -8,13 +8,13 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 2048;  // contacts: each piece counts all kinds
+constexpr int kCountGrain = 2048;  // contacts: each piece counts all kinds
 
-/// Keys of contacts without kKeyBegan: those of a group that are alike are solved together.
-constexpr std::size_t kKinds = kKeyColour + kKeyFixed + 1;
-constexpr std::size_t kOfKind = kKinds - 1;
+/// Contact keys without kKeyBegan: contacts of a group with equal keys are solved together.
+constexpr std::size_t kSolveKinds = kKeyColour + kKeyFixed + 1;
+constexpr std::size_t kOfKind = kSolveKinds - 1;
 
-/// Where each piece of work puts its contacts of each kind: first how many, then the place of the next one.
+/// For each piece of work and kind of contact: first their number, then the index of the next one.
 struct Cursors {
     std::vector<std::int32_t>& all;
     std::size_t kinds;   // of all groups
@@ -23,9 +23,9 @@ struct Cursors {
 
     [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds * strips; }
 
-    /// Turns the numbers of a kind into places.
-    /// @param size  places that a contact takes
-    /// @return the place after the last
+    /// Turns the numbers of a kind into indices.
+    /// @param size  indices per contact
+    /// @return the index after the last
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
         std::int32_t* const own = of(0) + kind * strips;
         for (std::size_t strip = 0; strip < strips; ++strip) {
@@ -51,7 +51,7 @@ void layOut(Workspace& work, const Cursors& cursors) {
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
         work.groups[g].contactColours = 0;
         for (int colour = 0; colour <= kColours; ++colour) {
-            const std::size_t kind = g * kKinds + static_cast<std::size_t>(colour);
+            const std::size_t kind = g * kSolveKinds + static_cast<std::size_t>(colour);
             const ContactRanges blocks{makeRoom(work.two.lanes, cursors, kind, colour),
                                        makeRoom(work.fixed.lanes, cursors, kind | kKeyFixed, colour)};
             work.groups[g].colours[colour].contacts = blocks;
@@ -61,28 +61,29 @@ void layOut(Workspace& work, const Cursors& cursors) {
     }
 }
 
-/// Decides which contacts are solved together.
+/// Assigns contacts to blocks.
 void fillLanes(const StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
     if (work.strips.areUsed) work.strips.ofContact.resize(work.contactKeys.size());
     const std::uint16_t* keys = work.contactKeys.data();
     const auto count = static_cast<int>(work.contactKeys.size());
-    const bool shared = step.isShared(count, kGrain);
+    const bool shared = step.isShared(count, kCountGrain);
     const std::uint8_t* strips = work.strips.areUsed ? work.strips.ofContact.data() : nullptr;
-    const Cursors cursors{work.cursors, work.groups.size() * kKinds, work.strips.count(),
-                          static_cast<std::size_t>(shared ? piecesOf(count, kGrain) : 1)};
+    const Cursors cursors{work.cursors, work.groups.size() * kSolveKinds, work.strips.count(),
+                          static_cast<std::size_t>(shared ? piecesOf(count, kCountGrain) : 1)};
     const bool many = work.groups.size() > 1;
     work.cursors.assign(cursors.pieces * cursors.kinds * cursors.strips, 0);
     const auto forPushing = [&](auto&& act) {
-        forPieces(step.pool, count, kGrain, [&](int begin, int end, int piece) {
+        forPieces(step.pool, count, kCountGrain, [&](int begin, int end, int piece) {
             std::int32_t* own = cursors.of(static_cast<std::size_t>(piece));
             for (std::int32_t i = begin; i < end; ++i) {
                 const int colour = keys[i] & kKeyColour;
                 if (colour == kKeyIdle) continue;
                 std::size_t kind = keys[i] & kOfKind;
-                if (many) kind += kKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
-                // Those without a color are solved in the order of their numbers.
+                if (many)
+                    kind += kSolveKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
+                // Contacts without a color are solved in the order of their indices.
                 if (strips != nullptr) kind = kind * Strips::kCount + (colour == kOverflow ? 0 : strips[i]);
                 act(own[kind], keys[i], i);
             }
@@ -102,8 +103,8 @@ bool areAlike(const SolveGroup& a, const SolveGroup& b) {
     return a.begin == b.begin && a.end == b.end && a.bodies == b.bodies;
 }
 
-/// What rests is solved in the same blocks step after step.
-/// @return true if the blocks of the last step are those of this one
+/// A resting scene uses the same blocks in step after step.
+/// @return true if the blocks of the last step are reused
 bool takeLayout(Workspace& work) {
     const ContactLayout& layout = work.layout;
     if (!layout.isCurrent || layout.keys != work.contactKeys || layout.order != work.solveOrder ||

@@ -18,7 +18,7 @@ void keepAwake(StepContext& step, std::uint32_t body) {
     if (isDynamic(step.world, body)) step.work.bodyScratch[step.work.roots[body]] = kNone;
 }
 
-/// What a moving platform carries or pulls stays awake, however slow it is: it could be left in the air.
+/// Bodies that a moving platform carries or pulls stay awake, however slow: they could be left in the air.
 void keepCarriedAwake(StepContext& step) {
     const World& world = step.world;
     const auto moves = [&](std::uint32_t body) {
@@ -40,7 +40,7 @@ void keepCarriedAwake(StepContext& step) {
         keepBoth(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
 }
 
-/// What comes out of an overlap that it was put into (initial_overlaps.cpp) is slow, but not at rest.
+/// A body that is pushed out of an initial overlap (initial_overlaps.cpp) is slow, but not at rest.
 void keepOverlappingAwake(StepContext& step) {
     const World& world = step.world;
     if (world.initialOverlaps.empty()) return;
@@ -53,7 +53,7 @@ void keepOverlappingAwake(StepContext& step) {
     });
 }
 
-/// What joints close moves, though it keeps no velocity of that. What they cannot close stays where it is.
+/// Closing a joint error moves bodies without leaving a velocity. An error that cannot close may sleep.
 void keepClosingAwake(StepContext& step) {
     const World& world = step.world;
     const auto moved = [&](std::uint32_t body) {
@@ -70,7 +70,7 @@ void keepClosingAwake(StepContext& step) {
     }
 }
 
-/// What slept while it is too deep in something would stay there.
+/// A body that falls asleep while it overlaps too deeply would keep that overlap.
 void keepStrainedAwake(StepContext& step) {
     const World& world = step.world;
     if (world.bodies.substepControllers.empty()) return;
@@ -86,10 +86,10 @@ void putToSleep(StepContext& step) {
     if (world.islandsStale) world.islandsAge += step.dt;
     if (!step.work.sleepy) return;
     if (world.islandsAge >= kRebuildPart * world.settings.sleepTime) rebuildIslands(world, step.pool);
-    // An island sleeps when the most restless of its bodies has rested long enough.
+    // An island sleeps when each of its bodies has rested long enough.
     std::vector<std::uint32_t>& verdict = step.work.bodyScratch;  // by root
     verdict.assign(world.bodies.size(), kIslandToBe);
-    step.work.rootsKnown = false;  // hits may have joined islands since
+    step.work.rootsKnown = false;  // hits may have joined islands since then
     findRoots(step, false);
     const auto isRestless = [&](std::size_t i) {
         return isDynamic(world, world.awake[i]) &&

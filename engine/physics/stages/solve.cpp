@@ -32,7 +32,7 @@ void prepareLocks(StepContext& step) {
     }
 }
 
-/// One group, while its substeps are done.
+/// State of a group while its substeps are solved.
 template <class Bodies>
 struct Solver {
     StepContext& step;
@@ -46,7 +46,7 @@ struct Solver {
     bool hasTrees;
 };
 
-/// Calls act(soft group) with those of which bodies are in the group that is solved.
+/// Calls act(soft group) for the soft groups whose rigid bodies are in the group that is solved.
 template <class Solver, class Act>
 void forSoft(const Solver& solver, Act&& act) {
     if (!solver.step.runs(Effect::SoftBodies)) return;
@@ -56,7 +56,7 @@ void forSoft(const Solver& solver, Act&& act) {
     }
 }
 
-/// Runs one pass over all constraints of a group, colour by colour: joints, then contacts.
+/// One pass over all constraints of a group, color by color: joints, then contacts.
 template <class Bodies>
 void forConstraints(Solver<Bodies>& solver, PassKind kind) {
     forColours(solver.group.contactColours | solver.group.jointColours, [&](int colour, int grain) {
@@ -79,7 +79,7 @@ void lock(Solver<Bodies>& solver) {
     }
 }
 
-/// Velocities that keep constraints. In the biased pass they also close what is open of them.
+/// Solves for velocities that satisfy the constraints; the biased pass also corrects position errors.
 template <PassKind kKind, class Bodies>
 void iterate(Solver<Bodies>& solver, int substep) {
     constexpr bool kRelaxes = kKind == PassKind::Relax;
@@ -97,16 +97,16 @@ void iterate(Solver<Bodies>& solver, int substep) {
     }
 }
 
-/// Sub-stepped soft constraints: many small steps beat many iterations, and the relax pass takes back the
-/// velocity that only served to push bodies apart. Directions and arms are those of the start of the step, so
-/// what all impulses of a substep did to a body's velocity is the same in the next one: from the second
-/// substep on, warm starting is one sum for each body (accelerate) and no pass over constraints. Sources: M.
+/// Sub-stepped soft constraints (TGS soft): many small steps converge better than many iterations,
+/// and the relax pass removes the velocity that only served to separate bodies. Directions and
+/// arms are those of the start of the step, so all impulses of a substep change a body's velocity
+/// as in the next one: from the second substep on, warm starting is a single sum per body
+/// (accelerate). Groups without rotation have no joints, soft bodies or restitution. Sources: M.
 /// Macklin et al., "Small Steps in Physics Simulation", SCA 2019; E. Catto, "Solver2D", 2024.
-/// Groups without rotation have no joints, soft bodies and restitution.
 template <class Bodies>
 void solveGroup(Solver<Bodies>& solver) {
     auto move = solver.kernels.move;
-    // A kinematic body may rotate where no impulse rotates a body.
+    // A kinematic body may rotate even if no impulse can rotate a body.
     if constexpr (Bodies::kRotate) {
         if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
             move = solverKernels().moveUnturned;
@@ -142,8 +142,8 @@ void solveGroup(Solver<Bodies>& solver) {
     }
 }
 
-/// Solves the groups with or without rotation. They give the same bits: without, terms that are zero are left
-/// out.
+/// Solves the groups with rotation, or those without. Both kernels give
+/// the same bits, because the terms omitted without rotation are zero.
 template <class Bodies>
 void solveGroups(StepContext& step, const GroupKernels<Bodies>& kernels, const Bodies& bodies) {
     const Settings& settings = step.world.settings;
@@ -184,7 +184,7 @@ void solveWithRotation(StepContext& step) {
     if (step.runs(Effect::Joints)) storeJoints(step);
 }
 
-/// A kinematic body may rotate by its own velocity in a step in which no impulse rotates a body.
+/// Rotates kinematic bodies in a step in which no impulse can rotate a body.
 void turnBodies(StepContext& step) {
     const SolverBodies bodies = bodiesOf(step.work);
     for (const SolveGroup& group : step.work.groups) {

@@ -16,20 +16,20 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 8;        // searches
+constexpr int kSweepGrain = 8;   // searches
 constexpr int kFillGrain = 256;  // bodies
 
-// What happens at a hit.
+// Handling of a hit.
 
-/// Whether the solver has to see the hit, together with what else holds or moves the body.
+/// True if the hit has to be left to the solver, because other constraints hold or move the body.
 bool needsSolver(const StepContext& step, std::uint32_t body) {
     if (!isDynamic(step.world, body)) return false;
     return step.work.slots[body] < 0 || isHeld(step, body) || hitsOf(step.work, body) >= kMaxImpacts ||
            (step.world.bodies.info[body].flags & (kLockX | kLockY)) != 0;
 }
 
-/// Takes from a held body the energy that it gained on the part of its path that it is set back by, as far as
-/// is known: what holds it pulls too.
+/// Removes the energy that a held body gained from forces on the part of its path that
+/// it is moved back by. An estimate, because the constraints that hold it do work too.
 void takeBackGain(StepContext& step, const SweptBody& swept, float part) {
     const Float4& drive = step.work.drive[static_cast<std::size_t>(step.work.slots[swept.body])];
     Vec2& velocity = step.world.bodies.motion[swept.body].velocity;
@@ -38,7 +38,7 @@ void takeBackGain(StepContext& step, const SweptBody& swept, float part) {
     if (gain > 0.0f) velocity *= std::sqrt(std::max(before - gain, 0.0f) / std::max(before, gain));
 }
 
-/// Leaves a body where it is at a part of the step, with the velocity that it has there.
+/// Leaves a body at a fraction of its path, with the velocity that it has there.
 void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     const float part = hit.part;
     const std::uint32_t place = step.work.bodyScratch[body];
@@ -51,8 +51,8 @@ void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     swept.hits = kMaxImpacts + 1;
 }
 
-/// Takes a held body that a kinematic one hit along with that to the end of the step, where the solver finds
-/// them touching: left where it was hit, the kinematic body would pass it.
+/// Moves a held body that a kinematic body hit along with it to the end of the step, where the
+/// solver finds them touching. At the place of the hit the kinematic body would pass through it.
 void carryAlong(StepContext& step, std::uint32_t body, std::uint32_t by, const PathHit& hit, Vec2 normal) {
     const std::uint32_t place = step.work.bodyScratch[body];
     const float left = (1.0f - hit.part) * step.dt;
@@ -70,8 +70,8 @@ void carryAlong(StepContext& step, std::uint32_t body, std::uint32_t by, const P
     velocity += std::max(along / left - dot(velocity, normal), 0.0f) * normal;
 }
 
-/// s: how long before the end of the step a body was at the place where it hits a surface that does not
-/// yield. Its path is straight and its flight was not: along the normal it was there at another moment.
+/// s: time from the hit of a fixed surface to the end of the step. The path is straight but the real motion
+/// is accelerated, so along the normal the body was there at a different time than the fraction says.
 float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, float dt) {
     const float displacement = (left / dt) * dot(swept.sweep.displacement, normal),
                 speed = dot(velocity, normal);
@@ -81,7 +81,7 @@ float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, f
                                      : left;
 }
 
-/// A body at the moment of a hit, so many s before the end of the step.
+/// State of a body at a hit, `left` seconds before the end of the step.
 ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& sweep, float part, float left) {
     const World& world = step.world;
     if (!isDynamic(world, body))
@@ -91,9 +91,9 @@ ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& swee
     return found;
 }
 
-/// Sends a body on after a hit.
-/// @param out  of what it hit if that never yields, else 0: what is pulled onto a surface that it does not
-///             leave any more in this step stays there
+/// Continues the motion of a body after a hit.
+/// @param out  normal of the static or kinematic surface that it hit, else 0: a body that forces pull onto
+/// this surface, and that does not leave it again in this step, stays on it
 void sendOn(StepContext& step, std::uint32_t body, const ImpactBody& after, float left, Vec2 out) {
     if (!isDynamic(step.world, body)) return;
     SweptBody& swept = step.work.swept[step.work.bodyScratch[body]];
@@ -109,7 +109,7 @@ void sendOn(StepContext& step, std::uint32_t body, const ImpactBody& after, floa
     ++swept.hits;
 }
 
-/// The contact of a hit, at its moment.
+/// The contact of a hit, at the time of the hit.
 Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std::uint32_t met) {
     World& world = step.world;
     Contact contact = makeContact(world, hit.shape, hit.met);
@@ -126,7 +126,7 @@ Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std:
     return contact;
 }
 
-/// Whether the owner of the world lets these two pass each other.
+/// True if the owner's callbacks let these two pass each other.
 bool isRefused(const StepContext& step, const PathHit& hit, const Contact& contact) {
     const ContactHooks& hooks = step.hooks;
     return !mayMeet(step, hit.shape, hit.met) ||
@@ -134,7 +134,7 @@ bool isRefused(const StepContext& step, const PathHit& hit, const Contact& conta
             !ask(step.world, [&] { return hooks.preSolve(hooks.context, step.world, contact); }));
 }
 
-/// Lets a body hit what comes next on its path.
+/// Handles the next hit on the path of a body.
 void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const PathHit& hit) {
     Workspace& work = step.work;
     Contact contact = contactOf(step, hit, own, met);
@@ -166,13 +166,13 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
     ImpactBody b = bodyAt(step, contact.bodyB, pathOfMet(step, contact.bodyB), hit.part, left);
     noteApproach(step.world, work, contact, a.motion, b.motion);
     exchangeImpulses(contact, a, b, left, step.world.settings);
-    const Vec2 out = fixed ? contact.normal : Vec2{};  // what never yields is A
+    const Vec2 out = fixed ? contact.normal : Vec2{};  // a static or kinematic body is A
     sendOn(step, contact.bodyA, a, left, {});
     sendOn(step, contact.bodyB, b, left, out);
     if (!hit.isPressed) work.madeHits.push_back(contact);
 }
 
-/// Looks for the next hit of a body on its new path.
+/// Finds the next hit of a body on its new path.
 void lookAgain(StepContext& step, std::uint32_t place) {
     Workspace& work = step.work;
     if (place < work.sweptProxies.bounds.size() && work.sweptProxies.motions[place] != ProxyMotion::Gone) {
@@ -188,7 +188,7 @@ void note(Workspace& work, std::uint32_t place) {
     std::push_heap(work.dueHits.begin(), work.dueHits.end(), std::greater{});
 }
 
-/// All hits of the step, one after the other.
+/// Handles all hits of the step in the order of time.
 void goThroughHits(StepContext& step) {
     Workspace& work = step.work;
     work.dueHits.clear();
@@ -199,7 +199,7 @@ void goThroughHits(StepContext& step) {
         const auto [part, place] = work.dueHits.back();
         work.dueHits.pop_back();
         const PathHit hit = work.swept[place].next;
-        if (hit.part != part) continue;  // it has hit something else meanwhile
+        if (hit.part != part) continue;  // superseded by another hit
         const std::uint32_t own = work.swept[place].body, met = step.world.shapes.info[hit.met].body;
         const bool isCurrent = hit.metHits == hitsOf(work, met);
         if (isCurrent) hitNext(step, own, met, hit);
@@ -212,7 +212,7 @@ void goThroughHits(StepContext& step) {
     }
 }
 
-/// Contacts of hits are events, and the next step knows of them.
+/// Contacts of hits create events and exist in the next step.
 void beginHits(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -248,7 +248,7 @@ void beginHits(StepContext& step) {
     }
 }
 
-/// Where the bodies that hit something are at the end of the step.
+/// Sets the poses of bodies that hit something at the end of the step.
 void placeHitBodies(StepContext& step) {
     World& world = step.world;
     Shapes& shapes = world.shapes;
@@ -264,8 +264,8 @@ void placeHitBodies(StepContext& step) {
     }
 }
 
-/// Takes the fast bodies of the step. What they may meet while it moves too is found by the bounds of its
-/// path: bullets meet all others, these only what is kinematic.
+/// Prepares the swept bodies of the step. Other moving bodies that they may hit are found
+/// by the bounds of their paths: bullets search for all, other bodies for kinematic ones.
 void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
     Workspace& work = step.work;
     work.bodyScratch.assign(step.world.bodies.size(), kNone);
@@ -289,7 +289,7 @@ void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
     proxies.search->rebuild(proxies.view());
 }
 
-/// Adds the bodies that a fast kinematic body may have passed: seen from that, they are as fast.
+/// Adds bodies that a fast kinematic body may have passed: relative to it they are as fast.
 void addPassedBodies(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -322,11 +322,11 @@ void addPassedBodies(StepContext& step) {
 
 }  // namespace
 
-// Bodies that have moved fast are taken along their paths once more. Where one that flies freely hits
-// something that never yields, or a bullet hits another that flies freely, both get the impulses of the
-// impact at that moment and go on for the rest of the step. What something holds stops at that place with the
-// velocity that it has there: the solver has to see the hit together with what holds it, which is in the next
-// step.
+// Continuous collision detection: sweeps fast bodies along their paths. Where a
+// free body hits a static or kinematic one, or a bullet hits another free body,
+// the impulses of the impact act at that time and both continue for the rest of
+// the step. A body held by contacts or joints stops at the hit with its velocity
+// there: the solver has to handle the hit together with them, in the next step.
 void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -339,8 +339,8 @@ void sweepFastBodies(StepContext& step) {
         return std::any_of(work.fastBodies.begin(), work.fastBodies.end(), is);
     };
     const bool moves = some([&](std::uint32_t body) { return isDynamic(world, body); });
-    if (!moves || !step.runs(Effect::Contacts)) return;  // nothing can be stopped, or stop it
-    // Kinematic bodies that moved are among the fast ones; only others have to be searched for.
+    if (!moves || !step.runs(Effect::Contacts)) return;  // nothing to stop, or nothing that stops it
+    // Moving kinematic bodies are in fastBodies; the broad phase has to search only for resting ones.
     const auto moving = std::count_if(work.fastBodies.begin(), work.fastBodies.end(),
                                       [&](std::uint32_t body) { return !isDynamic(world, body); });
     work.kinematicsAtRest = static_cast<std::uint32_t>(moving) <
@@ -348,7 +348,7 @@ void sweepFastBodies(StepContext& step) {
     const bool hasBullets = some([&](std::uint32_t body) { return layerOf(world, body) == kBulletLayer; });
     if (moving > 0 || hasBullets) updateBroadPhase(world, work);
     fillSwept(step, moving > 0, hasBullets);
-    forPieces(step.pool, work.swept.size(), kGrain, work.sweepFindings,
+    forPieces(step.pool, work.swept.size(), kSweepGrain, work.sweepFindings,
               [&](std::size_t begin, std::size_t end, SweepFindings& found) {
                   for (std::size_t i = begin; i < end; ++i) findNextHit(step, i, found.shapes, found.counts);
               });

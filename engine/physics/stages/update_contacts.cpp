@@ -9,12 +9,12 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 256;
-constexpr int kAtOnce = 128;  // contacts: as many as the fastest cache holds beside their shapes
+constexpr int kContactGrain = 256;
+constexpr int kAtOnce = 128;  // contacts: as many as fit into the first-level cache along with their shapes
 
 bool touches(const Contact& contact) {
     if (contact.count == 0) return false;
-    // Triggers overlap or not; solid shapes are in touch as soon as the solver may have to act.
+    // Triggers touch when they overlap; solid shapes touch as soon as the solver may have to act.
     return (contact.flags & kTriggered) == 0 || std::min(contact.separation0, contact.separation1) <= 0.0f;
 }
 
@@ -23,7 +23,7 @@ bool mayCollide(const World& world, const Contact& contact) {
            !keptApart(world, contact.bodyA, contact.bodyB);
 }
 
-/// @param asked  filters have changed: which may meet is asked again
+/// @param asked  filters have changed: check again whether the shapes may collide
 void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked, ContactFindings& found) {
     World& world = step.world;
     const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);
@@ -46,14 +46,14 @@ void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked,
     }
 }
 
-/// Looks at every contact: Workspace::contactFindings.
+/// Updates every contact: Workspace::contactFindings.
 void lookAtAll(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     work.contactKeys.resize(world.contacts.size());
     if (work.strips.areUsed) work.strips.ofContact.resize(world.contacts.size());
     const bool asked = std::exchange(world.filtersStale, false);
-    forPieces(step.pool, world.contacts.size(), kGrain, work.contactFindings,
+    forPieces(step.pool, world.contacts.size(), kContactGrain, work.contactFindings,
               [&](std::size_t begin, std::size_t end, ContactFindings& found) {
                   for (std::size_t first = begin; first < end; first += kAtOnce)
                       lookAt(step, first, std::min(end - first, std::size_t{kAtOnce}), asked, found);
@@ -78,14 +78,14 @@ void end(World& world, Workspace& work, Contact& contact) {
     world.islandsStale = true;
     report(world, work, contact, ContactPhase::Ended);
     if ((contact.flags & kTriggered) != 0) return;
-    // What sleeps against something that goes away has to wake. That may move the contacts.
+    // A sleeping body must wake when something that it touches goes away. This may move the contacts.
     for (const std::uint32_t body : {contact.bodyA, contact.bodyB}) {
         if (world.sleepers.islandOf[body] != kNone) wake(world, body);
     }
 }
 
-/// Contacts whose bounds parted, or whose shapes are gone, make room. From the last on, so that the others
-/// keep their numbers until they are looked at.
+/// Removes contacts whose bounds no longer overlap or whose shapes
+/// are gone. In reverse, so that the remaining indices stay valid.
 void removeGone(World& world, Workspace& work) {
     for (std::size_t piece = work.contactFindings.size(); piece-- > 0;) {
         const std::vector<std::uint32_t>& changed = work.contactFindings[piece].changed;
@@ -115,7 +115,7 @@ void endContactsOf(StepContext& step, Is&& ends) {
         step.work.pairs.remove(pairKey(contact.shapeA, contact.shapeB));
         contact = world.contacts.back();
         world.contacts.pop_back();
-        step.work.layout.isCurrent = false;  // one of another group may have its place and its key
+        step.work.layout.isCurrent = false;  // a contact of another group may now have its index and key
     }
 }
 
@@ -137,11 +137,11 @@ void endAltered(StepContext& step) {
     World& world = step.world;
     if (world.altered.empty()) return;
     std::vector<ShapeInfo>& info = world.shapes.info;
-    // Put to sleep again since it was altered, it may have taken contacts along.
+    // The body may have fallen asleep since, with its contacts: wake it.
     for (const std::uint32_t shape : world.altered) wakeTouching(world, info[shape].body);
     endContactsOf(step, [&](std::uint32_t shape) { return (info[shape].flags & kAltered) != 0; });
     for (const std::uint32_t shape : world.altered) {
-        const bool isOff = (info[shape].flags & kShapeOff) != 0;  // no longer in World::moved
+        const bool isOff = (info[shape].flags & kShapeOff) != 0;  // it is no longer in World::moved
         info[shape].flags &= static_cast<std::uint8_t>(isOff ? ~(kAltered | kLeftBounds) : ~kAltered);
     }
     world.altered.clear();
@@ -186,7 +186,7 @@ void updateContacts(StepContext& step) {
         end(world, work, world.contacts[i]);
         work.contactKeys[i] = keyOf(world.contacts[i]);
     }
-    // Contacts of islands that were woken came in at the end.
+    // Contacts of woken islands were appended.
     for (std::size_t i = work.contactKeys.size(); i < world.contacts.size(); ++i) {
         work.contactKeys.push_back(keyOf(world.contacts[i]));
     }

@@ -9,7 +9,7 @@ namespace plumb::physics {
 namespace {
 
 /// The edge along a part of a side, clockwise.
-TileEdge alongSide(GridPoint corner, Side side, FaceSpan span, EdgeKind kind) {
+TileEdge alongSide(GridPoint corner, CellSide side, FaceSpan span, EdgeKind kind) {
     switch (side) {
         case kTop: return {corner + GridPoint{span.from, 0}, corner + GridPoint{span.to, 0}, kind};
         case kRight:
@@ -32,7 +32,7 @@ public:
         const EdgeKind kind{cell.material, cell.layers, outline.oneWay, 0};
         for (int i = 0; i < outline.count; ++i) {
             if ((outline.stops >> i & 1) == 0) continue;
-            const Side side = outline.sides[static_cast<std::size_t>(i)];
+            const CellSide side = outline.sides[static_cast<std::size_t>(i)];
             const GridPoint a = corner + outline.corner(i);
             const GridPoint b = corner + outline.cornerAfter(i);
             if (side == kInside) {
@@ -58,7 +58,7 @@ private:
         });
     }
 
-    void appendSide(GridPoint corner, Side side, FaceSpan own, EdgeKind kind, MaskCell neighbour) {
+    void appendSide(GridPoint corner, CellSide side, FaceSpan own, EdgeKind kind, MaskCell neighbour) {
         const FaceSpan other =
             palette_.outline(neighbour.form).spans[static_cast<std::size_t>((side + 2) % 4)];
         const FaceSpan both{std::max(own.from, other.from), std::min(own.to, other.to)};

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int32_t kSnap = kCellUnits / 256;
 constexpr std::size_t kMaxPoints = 256;  // maximum input; at most 8 of them remain
 
-Side sideOf(GridPoint a, GridPoint b) {
+CellSide sideOf(GridPoint a, GridPoint b) {
     if (a.y == 0 && b.y == 0) return kTop;
     if (a.x == kCellUnits && b.x == kCellUnits) return kRight;
     if (a.y == kCellUnits && b.y == kCellUnits) return kBottom;
@@ -21,7 +21,7 @@ Side sideOf(GridPoint a, GridPoint b) {
 }
 
 /// The part of a side that a solid outline fills, or the point at which it touches the side.
-FaceSpan spanOf(const TileOutline& outline, Side side) {
+FaceSpan spanOf(const TileOutline& outline, CellSide side) {
     const bool level = side == kTop || side == kBottom;
     const std::int32_t line = side == kRight || side == kBottom ? kCellUnits : 0;
     FaceSpan span{kCellUnits, 0};
@@ -45,7 +45,7 @@ TileOutline completed(TileOutline outline) {
         if (stops) outline.stops = static_cast<std::uint8_t>(outline.stops | 1u << i);
         outline.sides[static_cast<std::size_t>(i)] = sideOf(a, b);
     }
-    for (const Side side : {kTop, kRight, kBottom, kLeft}) {
+    for (const CellSide side : {kTop, kRight, kBottom, kLeft}) {
         outline.spans[static_cast<std::size_t>(side)] = spanOf(outline, side);
     }
     return outline;

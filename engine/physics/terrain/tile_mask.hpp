@@ -101,15 +101,15 @@ struct FaceSpan {
 };
 
 /// The sides of a cell, clockwise on screen, as its outline.
-enum Side : std::int8_t { kTop, kRight, kBottom, kLeft, kInside = -1 };
+enum CellSide : std::int8_t { kTop, kRight, kBottom, kLeft, kInside = -1 };
 
 /// The geometry of a form: convex corners, clockwise on screen, within the cell.
 struct TileOutline {
     static constexpr int kMaxCorners = 8;
 
     std::array<GridPoint, kMaxCorners> corners{};
-    std::array<Side, kMaxCorners> sides{};  ///< by edge: the side that the edge from each corner lies on
-    std::array<FaceSpan, 4> spans{};        ///< the part of each side that it fills; empty for a one-way form
+    std::array<CellSide, kMaxCorners> sides{};  ///< by edge: the side that the edge from each corner lies on
+    std::array<FaceSpan, 4> spans{};  ///< the part of each side that it fills; empty for a one-way form
     std::uint8_t count = 0;
     std::uint8_t stops = 0;  ///< bits: edges that stop bodies; all except for one-way forms
     OneWay oneWay = OneWay::No;

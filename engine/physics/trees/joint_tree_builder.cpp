@@ -50,17 +50,17 @@ private:
         if (isTree && canBeHeld()) keep();
     }
 
-    /// Adds the bodies that are joined to one that was reached.
-    /// @return false if a joint closes a loop, or cannot be solved in a tree. Solved in turn with a tree,
-    /// which is rigid at once, a motor, limit or spring in SIMD lanes would see only the inertia of its two
-    /// bodies: linkages tear, and arms shake.
+    /// Adds the bodies that joints connect to a body reached before.
+    /// @return false if a joint closes a loop, or cannot be solved in a tree.
+    /// Solved alternately with a rigid tree, a motor, limit or spring in SIMD lanes
+    /// would see only the inertia of its two bodies: linkages tear, and arms shake.
     bool reachFrom(std::int32_t place) {
         const ReachedBody from = reached_[static_cast<std::size_t>(place)];
         bool isTree = true;
         forJointsOf(world_, from.body, [&](std::uint32_t index) {
             const Joint& joint = world_.joints.hot[index];
             const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
-            if (index == from.joint || joint.place == kNone) return;  // a filter, or to a disabled body
+            if (index == from.joint || joint.place == kNone) return;  // filter, or a disabled body
             const bool can = canBeInTree(world_, joint);
             if (can && !isDynamic(world_, other)) {
                 held_.push_back({other, place, index});
@@ -74,8 +74,8 @@ private:
         return isTree;
     }
 
-    /// Whether the joints to static and kinematic bodies leave the tree some freedom: a redundant constraint
-    /// makes the system singular. The root has one of them already.
+    /// True if the joints to static and kinematic bodies leave the tree some freedom: a
+    /// redundant constraint makes the system singular. The root already has one of these joints.
     [[nodiscard]] bool canBeHeld() const {
         int freedom = 0;
         const auto rows = [&](std::uint32_t joint) { return rowsOf(world_.joints.hot[joint].kind); };
@@ -140,8 +140,8 @@ void noteColours(const World& world, JointTrees& trees) {
 
 bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
 
-/// Leaves a tree to the SIMD solver. The forces in a taut tree that is held at several ends are larger than
-/// soft constraints should start with, so warm starting is reset.
+/// Leaves a tree to the SIMD solver. Resets warm starting, because the forces in a taut
+/// tree that is held at several ends are larger than soft constraints should start with.
 void leave(World& world, JointTrees& trees, const JointTree& tree) {
     forLinks(trees, tree, [&](const Link& link) {
         Joint& joint = world.joints.hot[link.joint];
@@ -150,8 +150,8 @@ void leave(World& world, JointTrees& trees, const JointTree& tree) {
     });
 }
 
-/// Takes a tree back from the SIMD solver unless that left a joint open: closed at once, it would throw
-/// bodies.
+/// Takes a tree back from the SIMD solver unless that left a joint open: closing it at once would
+/// throw bodies.
 /// @return true if all joints are closed, as in all trees that were never left to the SIMD solver
 bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     bool stretched = false, closed = true;

@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kGrain = 8;  // trees
+constexpr int kTreeGrain = 8;  // trees
 
 /// Compliance of a row with zero effective mass; large enough that its impulse is zero.
 constexpr double kNoAnswer = 1.0e30;
@@ -31,7 +31,7 @@ struct Trees {
     }
 };
 
-Triple wide(const Float4& v) {
+Triple tripleOf(const Float4& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
@@ -50,8 +50,7 @@ double offered(const TreeBody& treeBody, const Triple& row) {
 /// Computed at the start of the step only: it hardly changes.
 void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
     const auto softness = [&](int r, Triple onTreeBody, Triple onParent) {
-        // Rows that a joint does not have get no impulse; nor do angle rows between two bodies that cannot
-        // rotate.
+        // Rows that a joint does not have get no impulse, nor do angle rows of two bodies that cannot rotate.
         if (r >= rowsOf(link.kind)) return 1.0;
         const double all =
             offered(treeBody, onTreeBody) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
@@ -87,7 +86,7 @@ void takeMotion(const Trees& trees, TreeBody& treeBody) {
     const Float4& deltaPosition = trees.work.deltaPosition[slot];
     treeBody.pose = {static_cast<double>(deltaPosition.x), static_cast<double>(deltaPosition.y),
                      static_cast<double>(deltaPosition.z), static_cast<double>(deltaPosition.w)};
-    treeBody.velocity = wide(trees.work.velocity[slot]);
+    treeBody.velocity = tripleOf(trees.work.velocity[slot]);
     treeBody.impulse = {};
 }
 
@@ -116,7 +115,7 @@ void setTree(const Trees& trees, const JointTree& tree) {
     }
 }
 
-/// Predicts the pose of a limb at the end of the substep, without joint impulses.
+/// Predicts the pose of a tree body at the end of the substep, without joint impulses.
 void lookAhead(const Trees& trees, TreeBody& treeBody) {
     const Float4& ballisticDrift = trees.work.ballisticDrift[static_cast<std::size_t>(treeBody.slot)];
     const auto time = static_cast<double>(ballisticDrift.z);
@@ -144,7 +143,7 @@ void findSpeeds(const Trees& trees, Link& link) {
     link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
 
-/// Not warm started: the next substep computes tree impulses anew, along the arms of then.
+/// Not warm started: the next substep computes tree impulses anew, along its own arms.
 void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
     for (Float4* velocity : {&trees.work.velocity[slot], &trees.work.velocityBeforeImpulses[slot]}) {
@@ -154,7 +153,7 @@ void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& chang
     }
 }
 
-/// J: change of a limb's kinetic energy by a change of its velocity.
+/// J: change of a tree body's kinetic energy by a change of its velocity.
 double gainOf(const TreeBody& treeBody, const Triple& change) {
     return treeBody.mass * ((treeBody.velocity.x + 0.5 * change.x) * change.x +
                             (treeBody.velocity.y + 0.5 * change.y) * change.y) +
@@ -283,7 +282,7 @@ void prepareLink(const World& world, const Workspace& work, Link& link) {
     prepareArms(world, link);
     if (link.parent >= 0) return;
     const std::int32_t slot = work.slots[link.ground];
-    link.groundVelocity = slot >= 0 ? wide(work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
+    link.groundVelocity = slot >= 0 ? tripleOf(work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
 }
 
 void prepareLimb(const World& world, const Workspace& work, TreeBody& treeBody) {
@@ -327,7 +326,7 @@ void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float
     const bool relaxes = kind == PassKind::Relax;
     const double farthest = dt * static_cast<double>(kJointPushing * step.world.settings.pushSpeed);
     const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep), farthest};
-    forEach(step.pool, all.trees.size(), kGrain, [&](std::size_t t) {
+    forEach(step.pool, all.trees.size(), kTreeGrain, [&](std::size_t t) {
         JointTree& tree = all.trees[t];
         if (!tree.direct || &step.work.groups[tree.group] != &group) return;
         relaxes ? relaxTree(trees, tree, again) : pushTree(trees, tree, again);

@@ -60,9 +60,9 @@ inline Symmetric inverseUnturned(const Symmetric& m) {
     return {m.yy * scale, -m.xy * scale, m.xx * scale, 0.0, 0.0, 0.0};
 }
 
-// Data of the direct solver for trees of joints, see joint_tree_solver.hpp. A limb is a body of a tree; a
-// link is a joint between a limb and its parent; a hold is a further one to a static or kinematic body: a
-// loop.
+// Data of the direct solver for trees of joints, see joint_tree_solver.hpp.
+// A link is a joint between a tree body and its parent in the tree; a hold
+// is a further joint of a tree body to a static or kinematic body: a loop.
 
 /// Motion of a body since the start of the step: m, m, sine and (cosine - 1) of its rotation.
 struct TreePose {
@@ -86,8 +86,8 @@ struct TreeBody {
     Triple impulse;  ///< on it, by its subtree; then the change of its velocity
 };
 
-/// A joint of a tree, between a limb and its parent or a static or kinematic body. Everything is relative to
-/// the parent: a gap grows with the velocity of the limb, and an impulse acts on the limb.
+/// A joint of a tree, between a tree body and its parent or a static or kinematic body. Everything
+/// is relative to the parent: a gap grows with the velocity of the tree body, on which impulses act.
 struct Link {
     std::uint32_t joint = 0;  ///< kNone at the root of a floating tree
     JointKind kind = JointKind::Revolute;
@@ -98,7 +98,7 @@ struct Link {
     // At the start of the step.
     Vec2 treeBodyArm;  ///< m, world, from the center of mass
     Vec2 parentArm;
-    Vec2 apart;          ///< m: from the parent's anchor to the limb's
+    Vec2 apart;          ///< m: from the parent's anchor to the tree body's
     Vec2 axis;           ///< sliding axis
     float angle = 0.0f;  ///< rad, relative to where it is held
     float rest = 0.0f;   ///< m: length of rods
@@ -109,7 +109,7 @@ struct Link {
     double parentX = 0.0;
     double parentY = 0.0;
     Symmetric stiffness;  ///< effective mass: impulse per velocity removed
-    Triple across[3];     ///< by row: change of the limb's velocity by an impulse
+    Triple across[3];     ///< by row: change of the body's velocity by an impulse
     Triple softness;
     Triple gap;     ///< m or rad
     Triple error;   ///< m/s: velocity to be removed
@@ -117,21 +117,21 @@ struct Link {
     Triple given;   ///< N s: in this substep
     Triple force;   ///< N, N, N m: in the last substep
     Triple groundVelocity;
-    Triple onTreeBody[3];  ///< by row: Jacobian of the limb, and of its parent
+    Triple onTreeBody[3];  ///< by row: Jacobian of the tree body, and of its parent
     Triple onParent[3];
 
     /// Whether it is a point constraint, computed from its arms instead of rows.
     [[nodiscard]] bool byArms() const { return kind == JointKind::Revolute; }
 };
 
-/// A tree: its treeBodies, ordered from the leaves to the root.
+/// A tree: its bodies, ordered from the leaves to the root.
 struct JointTree {
-    std::int32_t begin = 0;  ///< treeBodies and their links
+    std::int32_t begin = 0;  ///< tree bodies and their links
     std::int32_t end = 0;
     std::int32_t holdBegin = 0;  ///< further links to static or kinematic bodies, besides that of the root
     std::int32_t holdEnd = 0;
-    bool direct = true;   ///< in this step: false while its treeBodies touch something
-    bool rooted = false;  ///< the last limb has a link too, to a static or kinematic body
+    bool direct = true;   ///< in this step: false while its bodies touch something
+    bool rooted = false;  ///< the last body has a link too, to a static or kinematic body
     std::uint8_t group = 0;
     bool powered = false;  ///< a definition was changed, which may do work
     double gain = 0.0;     ///< J: energy added by its joints in this substep
@@ -144,7 +144,7 @@ struct ReachedBody {
     std::uint32_t joint = 0;   ///< to the parent or the ground; kNone at the root of a floating tree
 };
 
-/// All trees. Link i connects limb i to its parent.
+/// All trees. Link i connects tree body i to its parent.
 struct JointTrees {
     std::vector<JointTree> trees;
     std::vector<TreeBody> treeBodies;
@@ -175,7 +175,7 @@ constexpr int rowsOf(JointKind kind) {
     return kind == JointKind::Distance ? 1 : kind == JointKind::Weld ? 3 : 2;
 }
 
-/// True if a limb has a link: all but the root of a floating tree.
+/// True if a tree body has a link: all but the root of a floating tree.
 inline bool hasLink(const JointTree& tree, std::int32_t treeBody) {
     return tree.rooted || treeBody + 1 < tree.end;
 }

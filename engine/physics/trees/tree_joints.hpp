@@ -4,11 +4,11 @@
 
 namespace plumb::physics {
 
-// Effect of a link on its limb and the parent of that, i.e. between a subtree and the rest of its tree.
-// Points, of which nearly all trees are made, are computed from their arms; others from three rows, of which
-// those that a joint does not have are 0.
+// Effect of a link on its tree body and the parent of that, i.e. between a subtree and
+// the rest of its tree. Points, of which nearly all trees are made, are computed from
+// their arms; others from three rows, of which those that a joint does not have are 0.
 
-/// Effective mass of a link on its limb with the subtree. @pre TreeBody::own is inverted
+/// Effective mass of a link on its tree body with the subtree. @pre TreeBody::own is inverted
 inline void stiffenPoint(const TreeBody& treeBody, Link& link) {
     const Symmetric& own = treeBody.own;
     const double x = link.limbX, y = link.limbY;
@@ -67,7 +67,7 @@ inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     }
 }
 
-/// Velocity of the rows of a link by a velocity of the limb, or of its parent.
+/// Velocity of the rows of a link by a velocity of the tree body, or of its parent.
 inline Triple seenBy(const Triple (&rows)[3], const Triple& v) {
     return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
@@ -80,7 +80,7 @@ inline Triple seenFromParent(const Link& link, const Triple& v) {
     return seenBy(link.onParent, v);
 }
 
-/// Impulse along x and y and torque on the parent or the limb, of the impulses of the rows.
+/// Impulse along x and y and torque on the parent or the tree body, of the impulses of the rows.
 inline Triple sumOf(const Triple (&rows)[3], const Triple& impulse) {
     Triple sum = impulse.x * rows[0];
     sum += impulse.y * rows[1];
@@ -110,8 +110,8 @@ inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     if (parent != nullptr) parent->impulse += onParent(link, link.answer);
 }
 
-/// Final impulse of a link, when the change of the parent's velocity is known. Replaces TreeBody::impulse by
-/// the change of the limb's velocity.
+/// Final impulse of a link, when the change of the parent's velocity is
+/// known. Replaces TreeBody::impulse by the change of the body's velocity.
 inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
     Triple impulse = link.answer;
     if (parent != nullptr) {

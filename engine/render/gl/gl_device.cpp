@@ -12,8 +12,8 @@
 namespace plumb {
 namespace {
 
-// A renderer without a graphics card samples every slot of the switch for every pixel: 1000 sprites on three
-// backdrops take 7 ms with one slot, 10 with 4, 36 with 16. There, batches are cut at 4 textures.
+// Software renderers sample every slot of the switch for every pixel: 1000 sprites on three
+// backdrops take 7 ms with one slot, 10 with 4, 36 with 16. There, batches have at most 4 textures.
 constexpr std::size_t kSoftwareSlots = 4;
 constexpr std::array<std::size_t, 8> kProgramSlots{1, 2, 3, 4, 6, 8, 12, kTextureSlots};
 constexpr int kOldestVersion = 33;
@@ -22,7 +22,7 @@ const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);
 }  // GL's own convention
 
-/// Tells the bound vertex array where in the bound buffer the instances lie.
+/// Sets the instance attributes of the bound vertex array to an offset in the bound buffer.
 void pointAtInstances(std::size_t first) {
     constexpr GLsizei kStride = sizeof(SpriteInstance);
     const std::size_t start = first * sizeof(SpriteInstance);
@@ -73,7 +73,7 @@ bool isSoftware(const std::string& renderer) {
     return false;
 }
 
-/// OpenGL's first row is the lowest, ours the highest.
+/// OpenGL stores the lowest row first, we the highest.
 void flipRows(Image& image) {
     const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * 4;
     for (int y = 0; y < image.height / 2; ++y) {
@@ -256,7 +256,7 @@ void GlDevice::smoothWindow(int samples) {
     if (windowSamples_ == 1 || targets_[0].name != 0) return;
     glGenFramebuffers(1, &targets_[0].name);
     glGenRenderbuffers(1, &windowSamplesBuffer_);
-    glBindRenderbuffer(GL_RENDERBUFFER, windowSamplesBuffer_);  // the name is an object only now
+    glBindRenderbuffer(GL_RENDERBUFFER, windowSamplesBuffer_);  // binding creates the object
     glBindFramebuffer(GL_FRAMEBUFFER, targets_[0].name);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, windowSamplesBuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -281,7 +281,7 @@ void GlDevice::finishWindow() {
 }
 
 void GlDevice::setViewport(const Viewport& viewport) {
-    // Others (the editor's widgets) draw in the same context: everything that matters is set again.
+    // Others (the editor's widgets) draw in the same context: set all relevant state again.
     glBindFramebuffer(GL_FRAMEBUFFER, targets_[viewport.target.index].name);
     flipped_ = viewport.target.index != 0;
     const int y = flipped_ ? viewport.y : windowSize_.height - viewport.y - viewport.height;
@@ -290,7 +290,7 @@ void GlDevice::setViewport(const Viewport& viewport) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // the shaders multiply by the opacity
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // the shaders premultiply by the opacity
 }
 
 void GlDevice::clear(Color color) {
@@ -300,8 +300,8 @@ void GlDevice::clear(Color color) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-/// Moves on to the buffer that was written longest ago; gives it other memory if the card still reads the
-/// old. Taking new memory for every list instead costs the clearing of its pages, more than all the rest.
+/// Switches to the least recently written buffer, or allocates another one if the card still reads it.
+/// Orphaning memory for every list instead would cost the clearing of its pages, more than all the rest.
 GlDevice::FrameBuffer& GlDevice::nextFrameBuffer(std::size_t count) {
     frames_[frame_].fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     frame_ = (frame_ + 1) % frames_.size();
@@ -324,7 +324,7 @@ GlDevice::FrameBuffer& GlDevice::nextFrameBuffer(std::size_t count) {
 std::span<SpriteInstance> GlDevice::mapInstances(std::size_t count) {
     if (count == 0) return {};
     nextFrameBuffer(count);
-    // Unsynchronized: the fence has said that nobody reads it.
+    // Unsynchronized: the fence guarantees that the GPU no longer reads it.
     void* memory =
         glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(SpriteInstance)),
                          GL_MAP_WRITE_BIT | GL_MAP_UNSYNCHRONIZED_BIT);

@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// Draws with OpenGL 3.3 core, in the context that is current when it is made and whenever it is used.
+/// Draws with OpenGL 3.3 core, in the context that is current when it is created and whenever it is used.
 class GlDevice final : public RenderDevice {
 public:
     /// @error the context is older than 3.3
@@ -29,10 +29,10 @@ public:
     [[nodiscard]] TextureHandle targetTexture(TargetHandle target) const override;
     InstanceBufferHandle createInstances(std::span<const SpriteInstance> instances) override;
     void destroyInstances(InstanceBufferHandle buffer) override;
-    /// From now on the window's picture is drawn with so many samples of each px (as many as the card can),
-    /// which smooths edges. finishWindow() has to follow before it is shown or read.
+    /// Enables multisampling of the window with this number of samples (as many as the card
+    /// supports), which smooths edges. Call finishWindow() before the window is shown or read.
     void smoothWindow(int samples);
-    /// Puts together the samples of the window's picture; does nothing unless it is smoothed.
+    /// Resolves the samples of the window; does nothing without multisampling.
     void finishWindow();
     void setWindowSize(PixelSize size) override;
     void setViewport(const Viewport& viewport) override;
@@ -60,7 +60,7 @@ private:
     struct FrameBuffer {
         GlName name = 0;
         std::size_t capacity = 0;  ///< instances
-        void* fence = nullptr;     ///< passed when the card has read it
+        void* fence = nullptr;     ///< signaled when the card has read it
     };
 
     GlDevice() = default;
@@ -72,7 +72,7 @@ private:
     FrameBuffer& nextFrameBuffer(std::size_t count);
     [[nodiscard]] TextureHandle keep(Texture texture);
 
-    /// By slots; built when first needed.
+    /// By number of slots; built on first use.
     std::array<GlProgram, kTextureSlots + 1> spritePrograms_{};
     std::size_t batchTextures_ = kTextureSlots;
     bool software_ = false;
@@ -81,7 +81,7 @@ private:
     std::vector<Texture> textures_;
     std::vector<std::uint32_t> freeTextures_;
     std::vector<Target> targets_;
-    std::vector<GlName> buffers_;  ///< 0 stays empty: it means the frame's own
+    std::vector<GlName> buffers_;  ///< 0 stays empty: it stands for the frame's own memory
     std::vector<std::uint32_t> freeBuffers_;
     GlName spriteArray_ = 0;
     GlName geometryArray_ = 0;
@@ -89,11 +89,11 @@ private:
     GlName emptyArray_ = 0;
     std::array<FrameBuffer, 3> frames_{};
     std::size_t frame_ = 0;                  ///< the one written last
-    std::vector<SpriteInstance> ownMemory_;  ///< used when the driver maps nothing
+    std::vector<SpriteInstance> ownMemory_;  ///< used if the driver cannot map buffers
     std::size_t ownCount_ = 0;
     PixelSize windowSize_{1, 1};
     int windowSamples_ = 1;
-    GlName windowSamplesBuffer_ = 0;  ///< of targets_[0], which is the window itself unless it is smoothed
+    GlName windowSamplesBuffer_ = 0;  ///< of targets_[0], which is the window itself without multisampling
     bool flipped_ = false;  ///< targets are drawn upside down, so that their first row is the top one
     int maxTextureSide_ = 1024;
 };

@@ -40,7 +40,7 @@ void main() {
     vec2 scale = texelScale[textureSlot];
     vec2 at = (slot & 0x100u) != 0u ? corner.yx : corner;
     uv = mix(source.xy, source.zw, at) * scale;
-    // Samples stay half a texel (2 quarters) inside the source: nothing of its neighbours ever shows.
+    // Sampling stays half a texel (2 quarters) inside the source, so that neighbors never bleed in.
     vec2 low = min(source.xy, source.zw);
     vec2 high = max(source.xy, source.zw);
     vec2 middle = (low + high) * 0.5;
@@ -81,15 +81,15 @@ void main() {
 }
 )";
 
-// Multiplied by the opacity in the vertex shader: Mesa's software drawing (22.3) has wrong colours in squares
-// of 64 px that are all covered when the pixel's shader does it.
+// Premultiplied in the vertex shader: if the pixel shader does it, Mesa's
+// software renderer (22.3) gives wrong colors in fully covered squares of 64 px.
 constexpr const char* kGeometryFragment = R"(
 in vec4 color;
 out vec4 pixel;
 void main() { pixel = color; }
 )";
 
-// The picture's first row is the top one; `up` says which way is up in what is drawn into.
+// The picture's first row is the top one; `up` is the direction of up in the target.
 constexpr const char* kPictureVertex = R"(
 uniform float up;
 out vec2 uv;

@@ -5,17 +5,17 @@
 
 namespace plumb {
 
-/// The source of a pair of shaders. Written for GLSL 3.30; with another first line they are GLSL ES 3.00.
+/// The source of a pair of shaders. Written for GLSL 3.30; with another first line it is GLSL ES 3.00.
 struct ShaderSources {
     std::string vertex;
     std::string fragment;
 };
 
-/// Sprites that choose among `slots` textures.
+/// Sprites with up to `slots` textures.
 ShaderSources spriteShaders(std::size_t slots);
 /// Plain colored triangles.
 ShaderSources geometryShaders();
-/// One picture over the whole viewport.
+/// A picture that fills the viewport.
 ShaderSources pictureShaders();
 
 }  // namespace plumb

@@ -10,7 +10,7 @@ namespace plumb {
 struct Camera {
     bool enabled = true;
     float zoom = 1.0f;           ///< ratio; 2 shows half as much, twice as large
-    EntityId follow;             ///< nobody keeps the camera where it is
+    EntityId follow;             ///< empty: the camera stays where it is
     Vec2 offset;                 ///< px, from what it follows to the middle of the view
     Vec2 deadZone;               ///< px, size of the box in which the followed moves freely
     Vec2 lookAhead;              ///< s of the followed body's velocity to look ahead

@@ -13,7 +13,7 @@ namespace plumb {
 enum class AsScene : std::uint8_t { Same, Off, On };
 
 /// The scene's physics a second time with other settings, beginning from where the scene stands. Its outlines
-/// are drawn, and plots show it; it meets nobody, and game code never sees it.
+/// are drawn, and plots show it; it touches nothing, and game code never sees it.
 struct Ghost {
     int quality = -1;    ///< 2^quality substeps; -1: the scene's
     int iterations = 0;  ///< of each substep; 0: the scene's

@@ -10,7 +10,7 @@ namespace plumb {
 /// A slider on the screen that changes a number of a component while the game runs. The Transform is where
 /// its track begins: px of the picture.
 struct Slider {
-    EntityId target;       ///< whose number; nobody: of everybody who has the component
+    EntityId target;       ///< whose number; empty: that of every entity with the component
     TextId component;      ///< its name, e.g. ScenePhysics
     TextId field;          ///< of the component: a number, a switch or a choice; of a vector with .x or .y
     float min = 0.0f;      ///< at the left end; with `powers` the exponent of ten
@@ -28,7 +28,7 @@ struct Slider {
         type.name("Slider").doc(
             "A slider on the screen that changes a number of a component while the game runs.");
         type.field<&Slider::target>("target").doc(
-            "Whose number; nobody: of everybody who has the component.");
+            "Whose number; none: that of every entity with the component.");
         type.field<&Slider::component>("component").doc("Its name, e.g. ScenePhysics.");
         type.field<&Slider::field>("field").doc(
             "A number, a switch or a choice of it; of a vector with .x or .y.");

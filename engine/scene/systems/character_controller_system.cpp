@@ -7,6 +7,7 @@
 
 #include "physics/character/character_controller.hpp"
 #include "scene/body_sync.hpp"
+#include "scene/collider_shapes.hpp"
 #include "scene/components/box_collider.hpp"
 #include "scene/components/capsule_collider.hpp"
 #include "scene/components/character_body.hpp"
@@ -25,17 +26,13 @@ struct Outline {
     const ColliderSurface* surface = nullptr;
 };
 
-Vec2 sizeOf(float width, float height, Vec2 scale) {
-    return {width * std::abs(scale.x), height * std::abs(scale.y)};
-}
-
 Outline outlineOf(const World& world, EntityId entity, Vec2 scale, PixelScale units) {
     if (const auto* box = world.find<BoxCollider>(entity)) {
-        const Vec2 size = sizeOf(box->width, box->height, scale);
+        const Vec2 size = scaledSize(box->width, box->height, scale);
         return {physics::box(toMetres(size * 0.5f, units)), box->offset + size * 0.5f, box};
     }
     if (const auto* capsule = world.find<CapsuleCollider>(entity)) {
-        const Vec2 size = sizeOf(capsule->width, capsule->height, scale);
+        const Vec2 size = scaledSize(capsule->width, capsule->height, scale);
         const float radius = 0.5f * std::min(size.x, size.y);
         const Vec2 arm = toMetres(size * 0.5f - Vec2{radius, radius}, units);
         return {physics::capsule(-arm, arm, radius * units.metres), capsule->offset + size * 0.5f, capsule};
@@ -88,7 +85,7 @@ CharacterLinkage* linkageOf(PhysicsState& state, EntityId entity) {
     return known != state.characters.end() ? &*known : nullptr;
 }
 
-/// The character, with its component's numbers and where its Transform was put; nobody when they are bad.
+/// The character, with its component's numbers and where its Transform was put; null when they are bad.
 CharacterLinkage* prepared(const World& world, PhysicsState& state, EntityId entity,
                            const CharacterController& character, const Outline& outline, Vec2 middle) {
     const physics::CharacterDefinition definition = definitionOf(state, entity, character, outline);

@@ -18,7 +18,7 @@ namespace plumb {
 namespace {
 
 constexpr double kMillimetres = 1000.0;  // in a metre
-constexpr float kTicksPerSecond = 60.0f;
+constexpr float kSamplesPerSecond = 60.0f;
 
 /// What a plot shows of one of the worlds.
 double measure(const Plot& plot, const PhysicsState& state, const physics::World& world) {
@@ -56,7 +56,7 @@ struct Pen {
         double value = measure(plot, state, world);
         if (curve.ticks++ == 0) curve.first = value;
         if (plot.measure == PlotMeasure::Energy && curve.first != 0.0) value /= curve.first;
-        const auto most = static_cast<std::size_t>(std::max(plot.seconds, 1.0f) * kTicksPerSecond) + 1;
+        const auto most = static_cast<std::size_t>(std::max(plot.seconds, 1.0f) * kSamplesPerSecond) + 1;
         if (curve.values.size() >= most)
             curve.values.erase(curve.values.begin(),
                                curve.values.end() - static_cast<std::ptrdiff_t>(most) + 1);

@@ -7,14 +7,14 @@
 
 namespace plumb::accuracy {
 
-/// Text with what means something to XML and HTML made harmless.
+/// Escapes text for XML and HTML.
 std::string escaped(std::string_view text);
 
-/// A page of tables, complete in itself; dark where the reader's desktop is.
+/// A self-contained page of tables; dark if the reader's desktop is.
 /// @param body  HTML; cells of the classes "good" and "bad" are green and red
 std::string tablePage(std::string_view title, std::string_view body);
 
-/// Writes a file, or says on stderr why it cannot.
+/// Writes a file, or reports on stderr why it cannot.
 bool write(const Path& path, std::string_view text);
 
 }  // namespace plumb::accuracy

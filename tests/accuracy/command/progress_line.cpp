@@ -18,8 +18,8 @@ std::string timeLeft(double spent, double part) {
 void ProgressLine::show(std::size_t done, std::size_t all) {
     const std::size_t percent = 100 * done / std::max<std::size_t>(all, 1);
     const bool terminal = isatty(STDERR_FILENO) != 0;
-    if (percent == told_ || (!terminal && percent < told_ + 10 && done != all)) return;
-    told_ = percent;
+    if (percent == shown_ || (!terminal && percent < shown_ + 10 && done != all)) return;
+    shown_ = percent;
     const std::string left = timeLeft(wallSeconds() - start_, 0.01 * static_cast<double>(percent));
     std::fprintf(stderr, "%s%zu of %zu %s%s%s", terminal ? "\r\033[K" : "", done, all, what_.c_str(),
                  left.c_str(), terminal && done != all ? "" : "\n");

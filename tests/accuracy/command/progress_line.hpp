@@ -8,11 +8,11 @@
 
 namespace plumb::accuracy {
 
-/// ", about 7 s left": what the rest takes when `part` of all took `spent` seconds; empty while nobody knows.
+/// ", about 7 s left": the time for the rest if `part` of all took `spent` seconds; empty if unknown.
 std::string timeLeft(double spent, double part);
 
-/// How much of a run is done: one line of a terminal, written anew with each percent; where a file listens, a
-/// line for each tenth.
+/// Progress of a run: one line of a terminal, updated with each
+/// percent; if the output is a file, a line for each tenth.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string_view what) : what_{what} {}
@@ -20,7 +20,7 @@ public:
 
 private:
     std::string what_;
-    std::size_t told_ = 0;  // percent
+    std::size_t shown_ = 0;  // percent
     double start_ = wallSeconds();
 };
 

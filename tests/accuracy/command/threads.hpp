@@ -7,10 +7,10 @@ namespace plumb::accuracy {
 
 inline constexpr int kMaxThreads = 256;
 
-/// Threads that this machine runs at a time.
+/// Number of threads that this machine runs in parallel.
 int processors();
 
-/// Called now and then, by one thread at a time, with how many of all are done.
+/// Called from time to time, by one thread at a time, with the number of finished items.
 using ShowDone = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Runs `act(i)` for each i below `count`, in any order.

@@ -7,23 +7,23 @@
 
 namespace plumb::accuracy {
 
-/// A word of a command line that stands alone, and what it switches on.
+/// A flag of a command line, and the value that it sets.
 struct Flag {
     std::string_view word;
     bool* on;
 };
 
-/// Takes a word and its value. @return what is wrong; empty if nothing
+/// Parses an option with a value. @return the error; empty if none
 using TakeOption = std::function<std::string(std::string_view word, std::string_view value)>;
 
-/// Reads flags, and words with a value each. @return what is wrong; empty if nothing
+/// Parses flags, and options with one value each. @return the error; empty if none
 std::string readWords(std::span<const std::string_view> words, std::span<const Flag> flags,
                       const TakeOption& take);
 
-/// What a TakeOption says of a word that it does not know.
+/// Result of a TakeOption for an unknown option.
 inline constexpr const char* kUnknownWord = "unknown option";
 
-/// Reads a whole number from 1. @return what is wrong; empty if nothing
+/// Parses an integer from 1. @return the error; empty if none
 std::string readCount(std::string_view value, int most, int& count);
 
 }  // namespace plumb::accuracy

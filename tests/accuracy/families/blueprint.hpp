@@ -27,18 +27,18 @@ struct BodyPlan {
     std::vector<ShapeSetup> shapes;
     std::vector<std::vector<Vec2>> loops;  ///< closed chains, free on the right of their direction
     Material loopMaterial;
-    float mass = 0.0f;  ///< kg in place of what its shapes weigh; 0: what they weigh
+    float mass = 0.0f;  ///< kg, replaces the mass of its shapes; 0: that of its shapes
 };
 
-/// What a scene is expected to reach by its end.
+/// A condition that a scene should satisfy at its end.
 struct Goal {
     std::string_view name;                      ///< a verb: "stands", "turns"
     std::function<double(const Stage&)> error;  ///< in the unit of the bound
-    double bound = 0.0;                         ///< reached if the error is no larger
+    double bound = 0.0;                         ///< maximum error
 };
 
-/// A scene as data, so that it can be built in any engine, moved, mirrored, scaled, built in another order or
-/// without some of its bodies. Bodies and joints are named by their index. y points up.
+/// A scene as data, so that it can be built in any engine, moved, mirrored, scaled, built in another
+/// order or without some of its bodies. Bodies and joints are identified by index. y points up.
 struct Blueprint {
     Vec2 gravity{0.0f, -10.0f};  ///< m/s2
     double seconds = 10.0;       ///< of simulated time
@@ -46,15 +46,15 @@ struct Blueprint {
     std::vector<JointSetup> joints;
     /// Called before each step with its number. May be empty.
     std::function<void(Stage&, int)> drive;
-    /// What a SceneBuilder does not have: soft bodies, fields. Called once when all bodies are built, in the
-    /// engine of this repository alone; a scene with it is not played in others. May be empty.
+    /// Adds what a SceneBuilder does not support: soft bodies, fields. Called once after all bodies are
+    /// built, only in this repository's engine; a scene that has it is not run in others. May be empty.
     std::function<void(Stage&)> extra;
-    std::string_view extraNeeds;  ///< what others lack for it: "soft bodies"
+    std::string_view extraNeeds;  ///< feature that others lack: "soft bodies"
     std::vector<Goal> goals;
-    /// No motor, kinematic body, field or owner adds energy.
+    /// No motor, kinematic body, field or edit adds energy.
     bool closed = true;
-    /// How many bodies lie on each other at most. Each may be pushed out of an overlap of one slop, and with
-    /// it all above: energy that the book allows.
+    /// Maximum number of bodies on top of each other. Each may be pushed out of
+    /// an overlap of one slop, and with it all above: energy that is allowed for.
     int layers = 1;
 
     std::uint32_t add(const BodyPlan& plan);
@@ -66,7 +66,7 @@ struct Blueprint {
     std::uint32_t addFloor(const Material& material = {});  ///< 200 m wide, its top at y = 0
     std::uint32_t addAnchor(Vec2 position);                 ///< static, without a shape
 
-    /// Joins two bodies at a point of the world. `joint` has all else.
+    /// Connects two bodies at a point of the world. `joint` has the other properties.
     void join(std::uint32_t a, std::uint32_t b, Vec2 point, JointSetup joint = {});
 };
 

@@ -1,8 +1,8 @@
-// A pit in which bodies come, go, jump elsewhere, change their mass and are pushed while it runs, with pauses
-// in which all falls asleep.
+// A pit in which bodies are created, destroyed, teleported, pushed and
+// change their mass, with pauses in which everything falls asleep.
 //
-// Bodies come and jump to any place in the upper half of a closed pit, on others if there are any: the pit
-// is never more than a third full, so that there is room for all. Nothing leaves it.
+// Bodies are created at, or teleported to, any place in the upper half of a closed pit, possibly
+// overlapping others: the pit is never more than a third full, so there is room for all. Nothing leaves it.
 
 #include <algorithm>
 #include <cmath>

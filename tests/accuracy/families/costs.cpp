@@ -1,7 +1,7 @@
-// What twice as many of one kind cost: bullets, joints, fields, sleepers, … Everything is spread out at the
-// same density and stays so, so that only the count grows. What needs a body, as a joint or a bounded field
-// does, has one of its own: then both are twice as many, and all are in proportion if neither looks at all of
-// the other.
+// Cost of twice as many objects of one kind: bullets, joints, fields, sleeping bodies,
+// … All are distributed with constant density, so that only the count grows. An object
+// that needs a body, such as a joint or a bounded field, has one of its own: then both
+// double, and the cost is proportional unless one visits all of the other.
 
 #include "tests/accuracy/families/costs.hpp"
 
@@ -32,7 +32,7 @@ constexpr double kCell = 3.0;  // m of room for each thing
 constexpr int kWarmSteps = 40;
 constexpr int kTimedSteps = 60;
 
-/// A world that grows with the count of its things.
+/// A world that grows with the number of its objects.
 struct CostScene {
     physics::World world;
     Random random = Random::seeded(7);
@@ -71,10 +71,10 @@ struct CostScene {
     }
 };
 
-// ---- what there may be many of ------------------------------------------------------------------
+// ---- objects -------------------------------------------------------------------------------------
 
-/// Balls between walls: without these they would fly apart, those of a small scene sooner, and meet less
-/// often.
+/// Balls between walls: without walls they would fly apart,
+/// earlier in a small scene, and hit each other less often.
 void balls(CostScene& scene, float speed, bool bullet) {
     scene.world.settings.gravity = {};
     const auto half = static_cast<float>(0.5 * kCell * scene.columns());
@@ -106,7 +106,7 @@ void restingCrates(CostScene& scene) {
 void sleepingCrates(CostScene& scene) {
     scene.world.settings.sleeping = true;
     restingCrates(scene);
-    // One body keeps the step busy.
+    // One body keeps the world awake.
     scene.body({-10.0, 100.0}, physics::circle(0.5f), {.gravityScale = 0.0f, .canSleep = false});
 }
 
@@ -192,8 +192,8 @@ void fields(CostScene& scene) {
     }
 }
 
-/// Attractors without bounds, which act on everything: as many more of them alone, over as many bodies as
-/// ever.
+/// Attractors without bounds, which act on everything: their
+/// number grows alone, with a constant number of bodies.
 void endlessAttractors(CostScene& scene) {
     for (int i = 0; i < 500; ++i)
         scene.body({kCell * (i % 25), kCell * static_cast<double>(i / 25)}, physics::circle(0.3f),
@@ -218,11 +218,11 @@ void jellies(CostScene& scene) {
     }
 }
 
-// ---- what is done in each step ------------------------------------------------------------------
+// ---- work in each step ---------------------------------------------------------------------------
 
 void nothing(CostScene&, int) {}
 
-/// So many bodies come in each step, and those of the step before go.
+/// In each step so many bodies are created, and those of the previous step are destroyed.
 void respawn(CostScene& scene, int) {
     for (const BodyId body : scene.bodies) physics::destroyBody(scene.world, body);
     scene.bodies.clear();
@@ -246,7 +246,7 @@ void explosions(CostScene& scene) {
 }
 
 void spawns(CostScene& scene) {
-    // Beside a crowd that stays, whose cost must not come in.
+    // Beside a constant crowd, whose cost must not be included.
     CostScene crowd{2000};
     restingCrates(crowd);
     scene.world = std::move(crowd.world);

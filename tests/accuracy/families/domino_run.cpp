@@ -1,11 +1,11 @@
 // Dominoes in a row, the first of which is pushed over.
 //
-// The first turns about its lower edge with more than the energy that takes its center over that edge. The
-// wave must then run, even if every hit took all speed: a domino of height h and thickness t that leans on
-// the next one across a gap g touches it at the height y = root (h^2 - g^2). About its edge, its weight W
-// pushes with N (y + f g) = W (g - t) / 2 or more against friction f, and the next one tips if N (y - f t) >
-// W t / 2. That is g > t (1 + (y + f g) / (y - f t)), and members keep a margin of 5 %. What leans in a row
-// at rest has a cosine of t / (t + g) to the vertical.
+// The first one rotates about its lower edge with more energy than its center needs to pass over that
+// edge. The wave must then continue even if every hit takes all speed: a domino of height h and
+// thickness t that leans on the next one across a gap g touches it at the height y = root (h^2 - g^2).
+// About its edge, its weight W pushes with N (y + f g) = W (g - t) / 2 or more against friction f, and
+// the next one tips if N (y - f t) > W t / 2. That is g > t (1 + (y + f g) / (y - f t)), and members
+// keep a margin of 5 %. In a leaning row at rest the cosine of the angle to the vertical is t / (t + g).
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace plumb::families {
 
 namespace {
 
-/// The step at which each domino was over its edge for good, for the goals.
+/// For the goals: the step at which each domino finally passed over its edge.
 struct Falls {
     std::vector<std::uint32_t> dominoes;
-    double angle = 0.0;  ///< rad, counted as fallen
+    double angle = 0.0;  ///< rad: larger angles count as fallen
     std::vector<int> steps;
 
     void look(const Stage& stage, int step) {
@@ -66,8 +66,8 @@ Blueprint makeDominoRun(Random& random) {
     const int count = 8 + static_cast<int>(random.below(23));
     const float height = 0.2f * std::pow(10.0f, random.unit());  // m, 0.2 to 2
     const float thickness = height * random.between(0.06f, 0.2f);
-    // Dominoes slide along each other and keep to the floor. The friction of two is the root of their
-    // product.
+    // Dominoes slide along each other and grip the floor.
+    // The friction of a pair is the root of the product.
     const float friction = random.between(0.1f, 0.4f), foot = random.between(0.5f, 0.9f);
     const Material tile{.density = random.between(0.5f, 100.0f), .friction = friction};
     constexpr float kWidest = 0.55f;  // gap over height
@@ -79,7 +79,8 @@ Blueprint makeDominoRun(Random& random) {
 
     auto falls = std::make_shared<Falls>();
     const float pitch = thickness + gap;
-    // A row at rest, and its last one flat: half of what the steepest of them turns.
+    // The final angles of a row at rest, with its last one flat; goals require half of the steepest one's
+    // rotation.
     falls->angle = 0.5 * std::acos(static_cast<double>(thickness / pitch));
     for (int i = 0; i < count; ++i)
         falls->dominoes.push_back(plan.addDynamic(scenes::box({0.5f * thickness, 0.5f * height}),
@@ -90,7 +91,7 @@ Blueprint makeDominoRun(Random& random) {
     BodySetup& first = plan.bodies[falls->dominoes[0]].setup;
     first.spin = -spin;
     first.velocity = spin * Vec2{0.5f * height, 0.5f * thickness};
-    // No wave is slower than half of root (g height), and then they settle.
+    // No wave is slower than half of root (g height); then they settle.
     plan.seconds = 2.0 +
                    2.0 * static_cast<double>(static_cast<float>(count) * pitch / std::sqrt(10.0f * height)) +
                    3.0 * std::sqrt(static_cast<double>(height));

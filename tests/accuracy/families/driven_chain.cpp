@@ -1,10 +1,10 @@
-// Arms, cranes and grabs on a fixed base: rods in a chain, with a motor and limits at each hinge, perhaps a
-// boom that slides out, fingers at the tip, and a load that is held there or hangs from a rope.
+// Arms, cranes and grabs on a fixed base: rods in a chain, with a motor and limits at each hinge, some
+// with a telescopic boom, fingers at the tip, and a load that is held there or hangs from a rope.
 //
-// A motor holds all that is outside of it at its full reach, times 3 or more: that is statics. What it takes
-// to swing at the motors' speeds is below a tenth of that: (2 rad/s)^2 x 9 m is 36 m/s2 for the tip of the
-// longest arm if all motors turn in one direction at once, so the fastest of them turn at 1.2 rad/s over the
-// number of rods. Each joint then reaches the limit that its motor drives to, and stays there.
+// A motor can hold everything beyond it at full reach, times 3 or more: that is statics. Accelerating at the
+// motors' speeds takes less than a tenth of that: (2 rad/s)^2 x 9 m is 36 m/s2 for the tip of the longest
+// arm if all motors rotate in one direction at once, so the fastest of them rotate at 1.2 rad/s divided by
+// the number of rods. Each joint then reaches the limit that its motor drives to, and stays there.
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +31,14 @@ struct Builder {
     Blueprint plan;
     float density = 1.0f;  ///< kg/m2
     float width = 0.1f;    ///< m
-    float excess = 3.0f;   ///< of motors over statics
+    float excess = 3.0f;   ///< ratio of motor to static torque
     float fastest = 1.0f;  ///< rad/s
     std::vector<Driven> driven;
     std::vector<float> lengths;  ///< m: of the arm's rods, with the travel of a boom
     std::vector<float> masses;   ///< kg
     float tipMass = 0.0f;        ///< kg: fingers and load
 
-    /// N m and N: for the rod at a place of the arm, and all outside of it.
+    /// N m and N: for a rod of the arm, and everything beyond it.
     [[nodiscard]] float torqueAt(std::size_t rod) const {
         float reach = 0.0f, sum = 0.0f;
         for (std::size_t i = rod; i < lengths.size(); ++i) {

@@ -1,4 +1,4 @@
-// Linkages of one degree of freedom that are closed through the ground and driven by a motor at their crank.
+// Linkages with one degree of freedom that are closed through the ground and driven by a motor at the crank.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct Builder {
     }
 };
 
-/// Crank, coupler and rocker whose crank can go round (F. Grashof, 1883), by a margin.
+/// Crank, coupler and rocker; the crank can rotate fully (F. Grashof, 1883), with a margin.
 std::uint32_t fourBar(Builder& builder, Random& random, float speed, float torque) {
     const float crank = random.between(0.3f, 1.0f), base = crank * random.between(2.0f, 4.0f);
     const float coupler = crank * random.between(2.0f, 4.0f);
@@ -72,15 +72,15 @@ std::uint32_t sliderCrank(Builder& builder, Random& random, float speed, float t
     return first;
 }
 
-/// A four-bar whose rocker works a second loop: seven rods in two loops.
+/// A four-bar linkage whose rocker drives a second loop: seven rods in two loops.
 std::uint32_t twoLoops(Builder& builder, Random& random, float speed, float torque) {
     const std::uint32_t crank = fourBar(builder, random, speed, torque);
     const std::uint32_t rocker = crank + 2;
     const Blueprint& plan = builder.plan;
     const scenes::BodySetup& body = plan.bodies[rocker].setup;
     const Vec2 middle = body.position;
-    // From the rocker's middle a rod to a slider beside it: the rocker swings, so the slider's rod is longer
-    // than the rocker.
+    // A rod from the rocker's middle to a slider beside it: the
+    // rocker swings, so the slider's rod is longer than the rocker.
     const float link = 2.5f * plan.bodies[rocker].shapes[0].outline.half.x + 1.0f;
     const Vec2 end{middle.x + std::sqrt(link * link - middle.y * middle.y), 0.0f};
     if (!(link > std::fabs(middle.y))) return crank;
@@ -101,7 +101,7 @@ Blueprint makeDrivenLinkage(Random& random) {
     builder.density = random.between(1.0f, 50.0f);
     builder.ground = builder.plan.addAnchor({});
     const float speed = 0.5f * std::pow(16.0f, random.unit()) * (random.below(2) == 0 ? 1.0f : -1.0f);
-    // N m: a hundred times what it takes to hold the heaviest rods (4 m, 0.1 m wide) level.
+    // N m: a hundred times the torque that holds the heaviest rods (4 m, 0.1 m wide) horizontal.
     const float torque = 100.0f * builder.density * 4.0f * 0.1f * 2.0f * 10.0f;
     std::uint32_t crank = 0;
     switch (random.below(4)) {
@@ -111,7 +111,7 @@ Blueprint makeDrivenLinkage(Random& random) {
         default: crank = twoLoops(builder, random, speed, torque);
     }
     Blueprint& plan = builder.plan;
-    // Whole turns are counted by the step, so that the crank's state is all there is.
+    // Full turns are counted in each step, so that the crank's state is sufficient.
     struct Count {
         double turned = 0.0;
         Rot last;

@@ -1,13 +1,13 @@
-// Discs and boxes that bounce off each other and off walls without friction, in no gravity.
+// Discs and boxes that bounce off each other and off walls without friction and gravity.
 //
-// Energy: an elastic bounce keeps it, in whatever direction its normal is. Bounces slower than
-// Settings::bounceSpeed (1 m/s in all engines here) are not elastic. At a mean speed v the approach is slower
-// than that in a part 1 / (2 v^2) of all meetings (flux of a Maxwell gas), which then lose m (1 m/s)^2 / 8 on
-// average: at the lowest speed here, 4 m/s, 5e-4 of a body's energy by each of some tens of meetings. So 5 %
-// is enough for gases whose bodies go no further in a step than a quarter of the smallest one's size. Faster
-// bodies are deep in each other, or in several others, before they are found; there half of the energy is
-// asked for. Nothing ever gains energy. Momentum: without walls the sums of momentum and of angular momentum
-// stay.
+// Energy: an elastic bounce conserves it, whatever the direction of its normal. Bounces slower
+// than Settings::bounceSpeed (1 m/s in all engines here) are not elastic. At a mean speed v
+// the approach is slower than that in a fraction 1 / (2 v^2) of all hits (flux of a Maxwell
+// gas), which then lose m (1 m/s)^2 / 8 on average: at the lowest speed here, 4 m/s, 5e-4 of a
+// body's energy in each of some tens of hits. So 5 % is enough for gases whose bodies move by
+// no more than a quarter of the smallest one's size per step. Faster bodies overlap deeply, or
+// with several others, before they are detected; then half of the energy is required. Energy
+// never grows. Momentum: without walls linear and angular momentum are conserved.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct Book {
     double x = 0.0;       // kg m/s
     double y = 0.0;
     double around = 0.0;  // kg m2/s
-    double size = 0.0;    // kg m/s: sum of all momenta without their directions
+    double size = 0.0;    // kg m/s: sum of the magnitudes of all momenta
     double reach = 0.0;   // kg m2/s: the same of the angular momenta
 };
 
@@ -80,7 +80,7 @@ Blueprint makeElasticGas(Random& random) {
                       (static_cast<float>(i / columns) + 0.5f) * spacing - half};
         const float size = radius * (1.0f - unlike * random.unit());
         const float heading = random.between(0.0f, kTau);
-        // In the open all fly towards the middle, so that they meet.
+        // Without walls all fly towards the middle, so that they hit each other.
         Vec2 velocity{speed * std::cos(heading), speed * std::sin(heading)};
         if (!walled) velocity = 0.3f * velocity - (speed / std::max(half, 0.1f)) * at;
         const bool isBox = random.unit() < boxes;

@@ -71,7 +71,7 @@ std::string take(Options& options, std::string_view word, std::string_view value
     return {};
 }
 
-/// @return what is wrong; empty if nothing
+/// @return the error; empty if none
 std::string read(std::span<const std::string_view> words, Options& options) {
     if (!words.empty() && !words[0].starts_with("-")) {
         if (std::string wrong = accuracy::readCount(words[0], 10000000, options.run.members); !wrong.empty())

@@ -11,95 +11,96 @@ namespace {
 
 constexpr auto kFamilies = std::to_array<Family>({
     {"bullets",
-     "1 to 3 rooms with walls of 5 to 50 cm in which bullets of 10 to 300 m/s are fired at walls, turning "
-     "plates and crates: all stays in its room",
+     "1 to 3 rooms with walls of 5 to 50 cm; bullets of 10 to 300 m/s hit walls, rotating plates and "
+     "crates: everything stays in its room",
      makeBullets},
     {"card-house",
-     "2 to 6 levels of cards that lean at each other, friction 0.4 to 0.9, lean 0.2 to 0.35 rad, feet 0 to "
-     "12 cm apart, cards 2 to 6 cm thick, only those that statics lets stand: it stands for 30 s",
+     "2 to 6 levels of cards that lean on each other, friction 0.4 to 0.9, lean 0.2 to 0.35 rad, "
+     "feet 0 to 12 cm apart, cards 2 to 6 cm thick, statically stable: it stands for 30 s",
      makeCardHouse, 0.02},
     {"churn",
-     "a closed pit in which up to 40 bodies come, go, jump elsewhere, change their mass and are pushed, with "
-     "pauses to sleep: nothing leaves it",
+     "a closed pit in which up to 40 bodies are created, destroyed, teleported, pushed and change "
+     "their mass, with pauses to sleep: nothing leaves it",
      makeChurn},
     {"closing-box",
-     "50 to 150 balls and boxes that fell asleep in a box whose kinematic walls then close at 0.02 to 5 m/s, "
-     "until the crowd fills three quarters of it: nothing gets out",
+     "50 to 150 balls and boxes asleep in a box whose kinematic walls then close at 0.02 to 5 m/s, "
+     "until the bodies fill three quarters of it: nothing gets out",
      makeClosingBox},
     {"domino-run",
-     "8 to 30 dominoes of 0.2 to 2 m, a 17th to a 5th as thick, so far apart that one that leans tips the "
-     "next, friction 0.1 to 0.4 on each other, the first pushed with 2 to 4 times the speed it takes: all "
-     "fall, in their order",
+     "8 to 30 dominoes of 0.2 to 2 m, 1/17 to 1/5 as thick, close enough that each tips the next, "
+     "friction 0.1 to 0.4 with each other, the first one pushed with 2 to 4 times the necessary "
+     "speed: all fall, in order",
      makeDominoRun},
     {"driven-chain",
-     "arms of 2 to 6 rods with a motor of 3 to 30 times what statics asks for and limits at each hinge, "
-     "perhaps a boom that slides out, fingers, and a load of 1 to 50 times a rod, held or on a rope: each "
-     "joint ends at the limit that it is driven to",
+     "arms of 2 to 6 rods; each hinge has limits and a motor of 3 to 30 times the static torque; "
+     "some have a telescopic boom, fingers, and a load of 1 to 50 rods, held or on a rope: each "
+     "joint ends at the limit that its motor drives it to",
      makeDrivenChain},
     {"driven-linkage",
-     "four-bars, parallelograms, slider-cranks and scissors of random lengths and masses, driven at 0.5 to 8 "
-     "rad/s: the crank turns as driven, to 1 %",
+     "four-bar linkages, parallelograms, slider-cranks and scissors of random lengths and masses, "
+     "driven at 0.5 to 8 rad/s: the crank follows its motor to 1 %",
      makeDrivenLinkage, 0.05},
     {"free-linkage",
-     "four-bars, parallelograms, Jansen's legs, pendulums of 2 to 5 rods, pantographs and scissors that "
-     "swing under gravity, rods of densities that differ by up to 10: joints keep, and without limits a "
-     "tenth of the energy is lost at most in 8 s",
+     "four-bar linkages, parallelograms, Jansen legs, pendulums of 2 to 5 rods, pantographs and "
+     "scissors that swing under gravity, densities that differ by up to 10: joints hold, and without "
+     "limits at most a tenth of the energy is lost in 8 s",
      makeFreeLinkage},
     {"masonry-arch",
-     "7 to 25 stones in an arc of a circle or a catenary that spans 6 to 24 m, 1.15 to 2 times as thick as "
-     "it has to be, with up to 0.3 of its weight on the keystone, friction 0.5 to 1: it stands for 10 s",
+     "7 to 25 stones in a circular or catenary arch that spans 6 to 24 m, 1.15 to 2 times the "
+     "minimum thickness, with up to 0.3 of its weight on the keystone, friction 0.5 to 1: it stands "
+     "for 10 s",
      makeMasonryArch, 0.05},
     {"mixed-pile",
-     "15 to 36 balls, boxes and polygons of sizes that differ by up to 20, as thin as a 20th, densities that "
-     "differ by up to 10, friction 0.2 to 0.9, in a pit: they stay in it, rest after 12 s, and overlap by 1 "
-     "cm at most",
+     "15 to 36 balls, boxes and polygons in a pit, sizes that differ by up to 20, as thin as 1/20, "
+     "densities that differ by up to 10, friction 0.2 to 0.9: they stay in it, rest after 12 s, and "
+     "overlap by at most 1 cm",
      makeMixedPile},
     {"ragdoll-stairs",
-     "1 to 3 figures of 1 to 2.4 m that fall on 5 to 12 steps of 0.2 to 0.7 m with up to 10 rad/s, friction "
-     "0.3 to 0.9, hinges with friction and limits: they keep their joints, stay above the stairs, and rest "
-     "after 12 s",
+     "1 to 3 ragdolls of 1 to 2.4 m that fall on 5 to 12 steps of 0.2 to 0.7 m with up to 10 rad/s, "
+     "friction 0.3 to 0.9, hinges with friction and limits: their joints hold, they stay above the "
+     "stairs, and rest after 12 s",
      makeRagdollStairs},
     {"rope-bridge",
-     "8 to 24 links or a net of 2 to 4 rows hung with slack between two banks, under loads of 1 to 100 times "
-     "a link that drop, hang or drive over: joints keep, nothing falls through, carts cross, what drag slows "
-     "rests",
+     "8 to 24 links or a net of 2 to 4 rows with slack between two banks, under loads of 1 to 100 "
+     "links that drop, hang or drive over it: joints hold, nothing falls through, carts cross, and "
+     "bodies with drag come to rest",
      makeRopeBridge},
     {"vehicle-terrain",
-     "a sprung car of 5 to 500 kg, wheels of 0.3 to 0.6 m and 3 to 20 % of its mass, driven over lines of "
-     "0.5 to 2 m with slopes up to 0.3, as a chain or as segments: it gets along at 0.6 of its wheels' "
-     "speed, stays on the ground and upright",
+     "a car of 5 to 500 kg on springs, wheels of 0.3 to 0.6 m with 3 to 20 % of its mass, on terrain "
+     "of lines of 0.5 to 2 m with slopes up to 0.3, as a chain or as segments: it moves at 0.6 of "
+     "its wheels' speed or more, stays on the ground and upright",
      makeVehicleTerrain},
     {"elastic-gas",
-     "4 to 49 discs and boxes of random sizes and 4 to 40 m/s that bounce without loss in no gravity, in a "
-     "box or free: energy, and free momentum too, stay",
+     "4 to 49 discs and boxes of random sizes and 4 to 40 m/s that bounce without loss and without "
+     "gravity, in a box or free: energy is conserved, and momentum too if free",
      makeElasticGas},
     {"fields",
-     "planets with landers and moons, water with boxes of 0.1 to 8 times its density, linear pulls: all is "
-     "where the formula says",
+     "planets with landers and moons, water with boxes of 0.1 to 8 times its density, linear "
+     "attractors: all positions follow the formulas",
      makeFields},
     {"kinematic-traffic",
-     "lifts with crates, sweepers, rotors and pistons of 0.01 to 20 m/s that meet bodies asleep and awake: "
-     "what is carried stays on, what is swept is pushed",
+     "lifts with crates, sweepers, rotors and pistons of 0.01 to 20 m/s that hit sleeping and awake "
+     "bodies: carried bodies stay on, swept ones are pushed",
      makeKinematicTraffic},
     {"one-way-belt",
-     "goods on belts of 0.2 to 10 m/s, and jumps through platforms that hold from above: speeds by the "
-     "formula of friction, and all on its side",
+     "crates on belts of 0.2 to 10 m/s, and jumps through one-way platforms: speeds follow the "
+     "friction formula, and every body is on the correct side",
      makeOneWayBelt},
     {"ratio-stack",
-     "stacks of 3 to 20 boxes with mass ratios to 1:200, unlike sizes and offsets that statics lets stand: "
-     "it stands and sleeps",
+     "stacks of 3 to 20 boxes with mass ratios up to 1:200, different sizes and offsets, statically "
+     "stable: it stands and falls asleep",
      makeRatioStack, 0.1},
     {"seam-slide",
-     "a box, ball, pentagon or capsule of 0.04 to 2 m that slides or rolls at 0.5 to 20 m/s over separate "
-     "boxes laid flush: the speed of a single floor, and no hop",
+     "a box, ball, pentagon or capsule of 0.04 to 2 m that slides or rolls at 0.5 to 20 m/s over "
+     "adjacent boxes: the same speed as on a single floor, and no hops",
      makeSeamSlide},
     {"soft-among-rigid",
-     "jellies, ropes and cloths of 1/100 to 100 times the mass of the crates and balls that fall on them: "
-     "all rests, nothing is passed through, no energy is gained",
+     "jellies, ropes and cloths of 1/100 to 100 times the mass of the crates and balls that fall on "
+     "them: everything comes to rest, nothing passes through, no energy is gained",
      makeSoftAmongRigid},
     {"tumbler",
-     "drums of 4 to 12 sides that turn at 0.2 to 6 rad/s, kinematic or by a motor, up to 45 % full: nothing "
-     "gets out",
+     "drums of 4 to 12 sides that rotate at 0.2 to 6 rad/s, kinematic or by a motor, up to 45 % "
+     "full: nothing gets out",
      makeTumbler},
 });
 

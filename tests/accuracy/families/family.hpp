@@ -8,14 +8,14 @@
 
 namespace plumb::families {
 
-/// Random scenes of one kind, with their parameters drawn from a seed. A family covers what people build, not
-/// what is known to work; a member that cannot hold by the laws of physics is none.
+/// Random scenes of one kind, with parameters drawn from a seed. A family covers typical
+/// scenes, not only those known to work; scenes that are physically impossible are excluded.
 struct Family {
     std::string_view name;
-    std::string_view what;  ///< one sentence: the parameters and their ranges, and what has to happen
+    std::string_view what;  ///< one sentence: the parameters and their ranges, and the goal
     Blueprint (*make)(Random& random) = nullptr;
-    /// m: how far bodies may end from each other in two variations of a member that reaches its goals; 0
-    /// where motion is chaotic and only shares are compared.
+    /// m: maximum distance of a body's final positions in two variations of a member
+    /// that reaches its goals; 0 if motion is chaotic and only shares are compared.
     double tolerance = 0.0;
 };
 
@@ -25,7 +25,7 @@ const Family* findFamily(std::string_view name);
 /// The same scene for the same seed, on every machine.
 Blueprint memberOf(const Family& family, std::uint64_t seed);
 
-// One function a family: families/<name>.cpp
+// One function per family: families/<name>.cpp
 Blueprint makeBullets(Random& random);
 Blueprint makeCardHouse(Random& random);
 Blueprint makeChurn(Random& random);

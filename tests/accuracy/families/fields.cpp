@@ -1,11 +1,12 @@
-// Planets, water and springs of force.
+// Planets, water and attractors.
 //
-// On a planet of radius R with a pull of k / d^2: what falls comes to rest on the ground or on others; what
-// starts at a distance d with a speed of sqrt(k / d) across stays at that distance. In water: a box of h m
-// and a part s of the water's density floats with s h of it under water (Archimedes); flat boxes with a width
-// of 1.5 heights and more do not capsize, since the metacenter is above the center of mass if width^2 /
-// height^2 > 6 s (1 - s), at most 1.5. Damped by more than 1/s, it rests after 10 s. What is heavier lies on
-// the ground. About the center of a linear pull k all swings as cos(sqrt(k) t), along x and along y.
+// On a planet of radius R with an attraction of k / d^2, a falling body comes to rest on the ground or on
+// others; one that starts at a distance d with a tangential speed of sqrt(k / d) stays at that distance. In
+// water a box of height h and a fraction s of the water's density floats with s h of it under water
+// (Archimedes); boxes with a width of 1.5 heights and more do not capsize, because the metacenter is above
+// the center of mass if width^2 / height^2 > 6 s (1 - s), at most 1.5. Damped by more than 1/s, it rests
+// after 10 s. A heavier box lies on the ground. Around the center of a linear attractor k everything
+// oscillates as cos(sqrt(k) t), along x and along y.
 
 #include "physics/model/fields.hpp"
 
@@ -20,7 +21,7 @@ namespace plumb::families {
 
 namespace {
 
-/// A field of the blueprint, and what came of it in one run.
+/// A field of the blueprint, and its result in one run.
 struct FieldState {
     std::string refused;
 };
@@ -33,7 +34,7 @@ void addField(Blueprint& plan, const physics::FieldDefinition& field, Vec2 place
         physics::FieldDefinition made = field;
         made.place = stage.placeOf(place);
         made.length *= stage.scale();
-        // m3/s2 of the inverse square, 1/s2 of a linear pull.
+        // m3/s2 of the inverse square, 1/s2 of a linear attractor.
         if (field.kind == physics::FieldKind::Attractor && !field.linear)
             made.strength *= stage.scale() * stage.scale() * stage.scale();
         const auto id = physics::createField(*stage.world(), made);
@@ -44,7 +45,7 @@ void addField(Blueprint& plan, const physics::FieldDefinition& field, Vec2 place
 
 void makePlanet(Blueprint& plan, Random& random) {
     plan.gravity = {};
-    plan.closed = false;  // the height over a planet is in no book
+    plan.closed = false;  // the energy account has no height above a planet
     plan.seconds = 10.0;
     const float radius = random.between(1.0f, 6.0f), surface = random.between(3.0f, 20.0f);  // m, m/s2
     const float pull = surface * radius * radius;
@@ -55,7 +56,7 @@ void makePlanet(Blueprint& plan, Random& random) {
     const float size = random.between(0.1f, 0.3f);
     std::vector<std::uint32_t> landers;
     for (int i = 0; i < count; ++i) {
-        // In rings around it, a little apart.
+        // In rings around it, with some distance.
         const int around = std::max(static_cast<int>(kTau * radius / (3.0f * size)), 4);
         const float angle =
             kTau * (static_cast<float>(i % around) + random.between(0.0f, 0.2f)) / static_cast<float>(around);
@@ -66,7 +67,7 @@ void makePlanet(Blueprint& plan, Random& random) {
         landers.push_back(plan.addDynamic(outline, out * Vec2{std::cos(angle), std::sin(angle)}, stuff,
                                           random.between(0.0f, kTau)));
     }
-    // Moons, far out and clear of each other.
+    // Moons, far out and with distance from each other.
     std::vector<std::uint32_t> moons;
     Material stone = stuff;
     stone.mask = 0;
@@ -79,7 +80,7 @@ void makePlanet(Blueprint& plan, Random& random) {
     }
     plan.goals.push_back({"lies on the planet",
                           [=](const Stage& stage) {
-                              // m: the furthest from the ground that one can be in a heap of all
+                              // m: maximum height in a heap of all of them
                               double furthest = 0.0;
                               for (const std::uint32_t body : landers) {
                                   if (!stage.has(body)) continue;
@@ -116,7 +117,7 @@ void makeWater(Blueprint& plan, Random& random) {
     water.linearDrag = random.between(2.0f, 5.0f);
     water.angularDrag = random.between(2.0f, 5.0f);
     addField(plan, water, {});
-    plan.closed = false;  // a fluid's energy is in no book
+    plan.closed = false;  // the energy account has no fluids
     plan.addStatic(scenes::box({100.0f, 1.0f}), {0.0f, -kDeep - 1.0f}, {});
     struct Floater {
         std::uint32_t body = 0;
@@ -168,7 +169,7 @@ void makeSwing(Blueprint& plan, Random& random) {
     plan.gravity = {};
     plan.seconds = 5.0;
     const float strength = std::pow(36.0f, random.unit());  // 1/s2
-    // The energy of a swing of rate w goes up and down by w h / 2 of itself in substeps of h, by 0.4 % here.
+    // The energy of an oscillation of rate w fluctuates by w h / 2 in substeps of h, by 0.4 % here.
     plan.closed = strength < 4.0f;
     addField(plan, {.kind = physics::FieldKind::Attractor, .linear = true, .strength = strength}, {});
     Material air;

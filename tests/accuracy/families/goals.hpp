@@ -4,22 +4,22 @@
 
 namespace plumb::families {
 
-// Goals that several families have.
+// Goals that several families share.
 
-/// "stands": none of these bodies is further (m) from where it was planned.
+/// "stands": the maximum distance (m) of these bodies from their planned positions.
 Goal staysWithin(std::vector<std::uint32_t> bodies, double distance);
-/// "sleeps": no dynamic body is awake. Only asked where the engine is ours and sleeping is on.
+/// "sleeps": no dynamic body is awake. Only checked for our engine, if sleeping is on.
 Goal sleeps();
-/// "stays in": the center of each of these bodies is in the box.
+/// "stays in": the centers of these bodies are in the box.
 Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high);
-/// "overlaps": no two shapes are deeper (m) in each other at the end.
+/// "overlaps": the maximum overlap (m) of two shapes at the end.
 Goal overlapsAtMost(double depth);
-/// "rests": none of these bodies is faster (m/s).
+/// "rests": the maximum speed of these bodies (m/s).
 Goal rests(std::vector<std::uint32_t> bodies, double speed);
-/// "keeps its joints": no joint is open by more (m).
+/// "keeps its joints": the maximum joint gap (m).
 Goal keepsJoints(double gap);
 
-/// False for a body that shrinking took out of the scene: goals that ask for a motion leave it out.
+/// False for a body that was removed by shrinking: goals about motion skip it.
 bool takesPart(const Stage& stage, std::uint32_t body);
 
 }  // namespace plumb::families

@@ -1,9 +1,9 @@
-// Kinematic bodies that meet bodies asleep and awake: a lift that carries crates, a sweeper in a corridor, a
-// rotor in a room, a piston in a cylinder.
+// Kinematic bodies that hit sleeping and awake bodies: a lift that carries
+// crates, a sweeper in a corridor, a rotor in a room, a piston in a cylinder.
 //
-// What a lift carries stays on: its path is a cosine whose largest acceleration is below 0.4 friction g
-// sideways and 0.5 g upright, and crates are no higher than wide, so that they do not topple (friction 0.8 at
-// most). What a sweeper, rotor or piston meets has room to move aside: the corridor is open at its end, the
+// Crates stay on a lift: its path is a cosine with accelerations below 0.4 friction g horizontally and 0.5
+// g vertically, and crates are no higher than wide, so that they do not tip over (friction at most 0.8).
+// Bodies that a sweeper, rotor or piston hits have room to move aside: the corridor is open at its end, the
 // rotor passes walls at 2.5 times the size of the largest crate, the cylinder is never more than 60 % full.
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace plumb::families {
 namespace {
 
 constexpr float kGravity = 10.0f;  // m/s2
-constexpr int kAsleep = 75;        // steps: all has fallen asleep by then
+constexpr int kAsleep = 75;        // steps: everything is asleep by then
 constexpr int kWakes = 2;          // steps that waking may take
 
-/// A body that moves to and fro on a line: rests, moves, rests.
+/// A body that moves back and forth on a line: rests, moves, rests.
 struct Shuttle {
     std::uint32_t body = 0;
     Vec2 start;
@@ -29,10 +29,10 @@ struct Shuttle {
     int rests = kAsleep;  // steps at each end
     int moves = 60;       // steps from end to end
     bool byTarget = true;
-    bool even = false;  ///< at one speed from its first step on, in place of a cosine
+    bool even = false;  ///< at constant speed from its first step on, instead of a cosine
 
     [[nodiscard]] bool isMoving(int step) const { return step % (rests + moves) >= rests; }
-    /// Where it is to be after a step: the two ends alternate.
+    /// Its target position after a step: the two ends alternate.
     [[nodiscard]] Vec2 at(int step) const {
         const int cycle = step / (rests + moves), phase = step % (rests + moves) - rests + 1;
         float part = 0.0f;
@@ -52,7 +52,7 @@ struct Shuttle {
 };
 
 struct Watch {
-    double asleep = 0.0;  // bodies, summed over steps, that slept while they were moved
+    double asleep = 0.0;  // bodies, summed over steps, that were asleep while they were moved
 };
 
 Goal staysAwake(const std::shared_ptr<Watch>& watch) {
@@ -118,7 +118,7 @@ Outline crateOf(Random& random, float size) {
     return random.below(2) == 0 ? scenes::circle(size) : scenes::box({0.8f * size, 0.6f * size});
 }
 
-/// Pushes along a corridor with a ceiling, or in a cylinder with an end to and fro.
+/// Pushes along a corridor with a ceiling, or back and forth in a closed cylinder.
 void makeSweeper(Blueprint& plan, Random& random, bool piston) {
     const Material stuff{.density = random.between(0.5f, 10.0f), .friction = random.between(0.0f, 0.8f)};
     const float size = random.between(0.1f, 0.4f), height = size * random.between(3.0f, 8.0f);
@@ -145,12 +145,12 @@ void makeSweeper(Blueprint& plan, Random& random, bool piston) {
     pusher.start = {-1.0f - thick, 0.5f * height};
     const float free = piston ? end - area / (0.6f * height) : random.between(0.5f, 1.5f) * room;
     float stroke = std::max(free, 0.2f) + 1.0f;
-    // As far as the time lets it, and not faster than its speed.
+    // As far as time and speed allow.
     pusher.even = random.below(2) == 0;
     const float highest = pusher.even ? 1.0f : 0.5f * kPi;  // speed over the mean
     const float seconds = std::min(highest * stroke / speed, piston ? 2.0f : 5.0f);
     stroke = std::min(stroke, speed * seconds / highest);
-    // Slow ones start where they meet something.
+    // Slow ones start where they touch the first body.
     pusher.start.x = std::max(-1.0f, -0.5f * stroke) - thick;
     stroke = std::min(stroke, free - thick - pusher.start.x);
     pusher.stroke = {stroke, 0.0f};
@@ -178,7 +178,7 @@ void makeSweeper(Blueprint& plan, Random& random, bool piston) {
     plan.goals.push_back(overlapsAtMost(0.05));
 }
 
-/// In a room seen from above: no gravity, crates that lose their speed.
+/// In a room seen from above: no gravity, crates with drag.
 void makeRotor(Blueprint& plan, Random& random) {
     plan.gravity = {};
     plan.seconds = 5.0;
@@ -209,7 +209,7 @@ void makeRotor(Blueprint& plan, Random& random) {
         crowd.push_back(plan.add(setup, crateOf(random, own), stuff));
     }
     plan.drive = [=](Stage& stage, int step) { stage.setSpin(rotor, step >= kAsleep ? spin : 0.0f); };
-    // After half a turn one of its ends has been everywhere.
+    // After half a turn one of its ends has passed everywhere.
     const float turned = std::fabs(spin) * (static_cast<float>(plan.seconds) - kAsleep * kStep);
     if (turned > kPi)
         plan.goals.push_back({"is hit by the rotor",

@@ -1,8 +1,8 @@
 // An arch of stones without mortar between two abutments, with a load on its keystone.
 //
-// Statics lets every member stand. The half of the arch on the right of the crown is pushed by a horizontal
-// thrust H at the height c of the crown section. With the weights w between the crown and a joint, at x, the
-// joint carries the force (H, -sum w), which crosses it at a distance e from its middle:
+// Every member is statically stable. The half of the arch to the right of the crown is pushed by a
+// horizontal thrust H at the height c of the crown section. With the weights w between the crown and a
+// joint, at x, the joint carries the force (H, -sum w), which crosses it at a distance e from its middle:
 //   e (n.x V + n.y H) = c H + sum w x - p.x V - p.y H,   V = sum w, p the joint's middle, n its direction.
 // The arch stands if some H and c keep all e within the stones and all forces within the cones of friction.
 // Source: J. Heyman, The Stone Skeleton, 1966. For a semicircle of its own weight that gives the known

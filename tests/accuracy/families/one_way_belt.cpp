@@ -1,10 +1,10 @@
-// Belts that carry boxes and balls, and platforms that let through what comes from below.
+// Belts that carry boxes and balls, and one-way platforms.
 //
-// Rubbing at friction m gives a box m g t of speed, until it has the belt's: after u / (m g) at the latest.
-// It also turns a ball backwards at twice the rate at which it takes it along (I = m r^2 / 2), so that a ball
-// rolls on the belt from a third of the belt's speed on, and keeps that.
-// What rises through a platform and has all of it above comes to rest on it, if its speed lifts it so far
-// (v^2 > 2 g h, by 20 %); what does not falls back; what falls from above stays on it.
+// Sliding friction m gives a box a speed of m g t until it has the belt's speed: at the latest after u /
+// (m g). It also rotates a ball backwards at twice the rate at which it accelerates it (I = m r^2 / 2),
+// so that a ball rolls on the belt from a third of the belt's speed on, and keeps that.
+// A body that rises through a platform until all of it is above comes to rest on it, if its speed is
+// high enough (v^2 > 2 g h, by 20 %); otherwise it falls back; a body that falls from above stays on it.
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,12 @@ namespace plumb::families {
 namespace {
 
 constexpr float kGravity = 10.0f;  // m/s2
-constexpr double kSettles = 0.05;  // s: until what was put on a belt touches it with all its weight
+constexpr double kSettles = 0.05;  // s: until a body that was placed on a belt presses on it with its full
+                                   // weight
 
 struct Good {
     std::uint32_t body = 0;
-    float end = 0.0f;  // m/s: the speed that it gets
+    float end = 0.0f;  // m/s: its final speed
 };
 
 void makeBelt(Blueprint& plan, Random& random) {
@@ -45,7 +46,7 @@ void makeBelt(Blueprint& plan, Random& random) {
         const float along = 2.5f * size * (static_cast<float>(i) - 0.5f * static_cast<float>(count - 1));
         const float own = size * random.between(0.5f, 1.0f), high = own * random.between(0.3f, 0.8f);
         Material stuff{.density = density, .friction = friction};
-        stuff.mask = 2;  // of each other they know nothing
+        stuff.mask = 2;  // they do not collide with each other
         const Outline outline = ball ? scenes::circle(own) : scenes::box({own, high});
         goods.push_back(
             {plan.addDynamic(outline, {along, ball ? own : high}, stuff), ball ? speed / 3.0f : speed});
@@ -116,14 +117,14 @@ void makePlatform(Blueprint& plan, Random& random) {
         const Material stuff{.density = density, .friction = friction};
         const float x = 3.0f * (static_cast<float>(i) - 0.5f * static_cast<float>(count - 1));
         const std::uint32_t kind = random.below(3);
-        // From the floor to where its lower side is at the top of the platform.
+        // From the floor to the height at which its lower side is at the top of the platform.
         const float climb = level;
         float y = half, speed = 0.0f, end = half;
         if (kind == 0) {
             speed = std::sqrt(2.0f * kGravity * (climb * random.between(1.2f, 2.0f)));
             end = level + half;
         } else if (kind == 1) {
-            // Its upper side stays below the top of the platform, at times in it.
+            // Its upper side stays below the top of the platform, possibly inside it.
             speed = std::sqrt(2.0f * kGravity * (climb - 2.0f * half) * random.between(0.5f, 0.98f));
         } else {
             y = level + half + random.between(0.05f, 3.0f);

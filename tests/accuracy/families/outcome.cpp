@@ -75,7 +75,7 @@ private:
 };
 
 /// Friction of up to 1 makes of a hit's change of velocity along its normal at most this.
-constexpr double kMostByFriction = 1.4142135623730951;
+constexpr double kMaxByFriction = 1.4142135623730951;
 
 /// By how much bodies move further in a step than their speed explains: the larger of those before and after
 /// it, or what hits within it made of the one before. What a bullet throws at a wall crosses a room in a step
@@ -101,7 +101,7 @@ public:
             const auto after = static_cast<double>(length(stage.velocityOf(body)));
             const auto excess = [&](double speed) { return moved - speed * static_cast<double>(kStep); };
             if (excess(std::max(moment.speed, after)) <= largest_) continue;
-            const double within = moment.speed + kMostByFriction * stage.hitSpeedOf(body);
+            const double within = moment.speed + kMaxByFriction * stage.hitSpeedOf(body);
             largest_ = std::max(largest_, excess(std::max(within, after)));
         }
     }

@@ -58,31 +58,31 @@ double gainOf(const Blueprint& plan, const Outcome& outcome) {
 double badNumbersOf(const Blueprint&, const Outcome& outcome) { return outcome.sound ? 0.0 : 1.0; }
 
 constexpr std::string_view kSameShare =
-    "the members that only one of both reaches differ in number by no more than 3.3 standard deviations; "
-    "what "
-    "both reach ends within the family's tolerance";
+    "the numbers of members that reach their goal in only one of the two differ by no more than 3.3 "
+    "standard deviations; where both do, the results agree within the family's tolerance";
 
 constexpr auto kRelations = std::to_array<Relation>({
-    {"numbers", "every number stays finite", "all", Rule::Bound, nullptr, nullptr, badNumbersOf, 0.0},
-    {"jump", "no body moves further in a step than its speed, and the hits within it, explain",
+    {"numbers", "all numbers stay finite", "all", Rule::Bound, nullptr, nullptr, badNumbersOf, 0.0},
+    {"jump", "no body moves further in a step than its velocity, and impacts within the step, explain",
      "0.5 m: ten times the push-out speed for a step, at which torn joints close", Rule::Bound, nullptr,
      nullptr, jumpOf, kMaxJump},
     {"energy", "scenes without motors and kinematic bodies gain no energy",
-     "1 % of the energy that was turned over", Rule::Bound, nullptr, nullptr, gainOf, kMaxGain},
-    {"energy-at-4", "nor do they at quality 4, where joints and contacts are 16 times as stiff",
-     "1 % of the energy that was turned over", Rule::Bound, atQuality4, nullptr, gainOf, kMaxGain},
-    {"sleep", "sleeping or not, the same happens", kSameShare, Rule::SameOutcome, withoutSleep},
-    {"direct-joints", "joints solved all at once are never worse than one by one",
-     "members that only the plain solver reaches, by no more than chance", Rule::NeverWorse, asDefault,
-     withoutTrees},
-    {"all-effects", "an effect that nothing calls for changes nothing", "the same bits", Rule::SameBits,
+     "1 % of the energy that was converted", Rule::Bound, nullptr, nullptr, gainOf, kMaxGain},
+    {"energy-at-4", "the same at quality 4, where joints and contacts are 16 times as stiff",
+     "1 % of the energy that was converted", Rule::Bound, atQuality4, nullptr, gainOf, kMaxGain},
+    {"sleep", "the result does not depend on whether bodies may sleep", kSameShare, Rule::SameOutcome,
+     withoutSleep},
+    {"direct-joints", "the direct solver for joints is never worse than the iterative one",
+     "members that reach their goal only with the iterative solver, by no more than chance", Rule::NeverWorse,
+     asDefault, withoutTrees},
+    {"all-effects", "an effect that nothing requires changes nothing", "the same bits", Rule::SameBits,
      withAllEffects},
     {"broad-phase", "every broad phase finds the same pairs", "the same bits", Rule::SameBits,
      inOtherBroadPhase},
-    {"threads", "two threads do what one does", "the same bits", Rule::SameBits, onTwoThreads},
-    {"restore", "a world replaced by its copy in every 7th step goes on alike", "the same bits",
+    {"threads", "two threads give the same result as one", "the same bits", Rule::SameBits, onTwoThreads},
+    {"restore", "replacing the world by a copy in every 7th step changes nothing", "the same bits",
      Rule::SameBits, restored},
-    {"later", "a start 1 to 17 steps later changes nothing", "the same bits", Rule::SameBits, later},
+    {"later", "starting 1 to 17 steps later changes nothing", "the same bits", Rule::SameBits, later},
     {"quality-2-over-1", "quality 2 is never worse than 1", "by no more than chance", Rule::NeverWorse,
      asDefault, atQuality1},
     {"quality-3-over-2", "quality 3 is never worse than 2", "by no more than chance", Rule::NeverWorse,
@@ -91,15 +91,15 @@ constexpr auto kRelations = std::to_array<Relation>({
      atQuality4, atQuality3},
     {"automatic-over-2", "automatic quality is never worse than 2", "by no more than chance",
      Rule::NeverWorse, atAutomaticQuality, asDefault},
-    {"order", "bodies and joints made in another order do the same", kSameShare, Rule::SameOutcome,
-     inOtherOrder},
-    {"mirror", "the mirrored scene does the mirrored", kSameShare, Rule::SameOutcome, mirrored},
-    {"quarter-turns", "the scene turned with its gravity does the same", kSameShare, Rule::SameOutcome,
-     turned},
-    {"far-away", "10 km from the origin the same happens", kSameShare, Rule::SameOutcome, farAway},
-    {"smaller", "lengths, speeds, gravity and the length settings times 1/8: the same happens", kSameShare,
+    {"order", "the result does not depend on the order in which bodies and joints are created", kSameShare,
+     Rule::SameOutcome, inOtherOrder},
+    {"mirror", "the mirrored scene gives the mirrored result", kSameShare, Rule::SameOutcome, mirrored},
+    {"quarter-turns", "the scene rotated together with gravity gives the rotated result", kSameShare,
+     Rule::SameOutcome, turned},
+    {"far-away", "the result is the same 10 km from the origin", kSameShare, Rule::SameOutcome, farAway},
+    {"smaller", "lengths, speeds, gravity and the length settings times 1/8: the same result", kSameShare,
      Rule::SameOutcome, smaller},
-    {"larger", "lengths, speeds, gravity and the length settings times 8: the same happens", kSameShare,
+    {"larger", "lengths, speeds, gravity and the length settings times 8: the same result", kSameShare,
      Rule::SameOutcome, larger},
 });
 

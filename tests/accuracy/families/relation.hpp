@@ -10,27 +10,27 @@
 
 namespace plumb::families {
 
-/// How two variations of a scene have to compare.
+/// How two variations of a scene are compared.
 enum class Rule : std::uint8_t {
     SameBits,     ///< every bit of every pose and motion
-    SameOutcome,  ///< as many members reach their goals, and where a family is not chaotic, at the same
-                  ///< places
+    SameOutcome,  ///< equally many members reach their goals, and unless
+                  ///< a family is chaotic, with equal final positions
     NeverWorse,   ///< at least as many members reach their goals
     Bound         ///< a figure of each single outcome
 };
 
-/// Something that must hold for every scene, whatever its right answer is.
+/// A property that must hold for every scene, whatever the exact result is.
 struct Relation {
     std::string_view name;
     std::string_view what;   ///< one sentence
-    std::string_view bound;  ///< of its rule, with where it comes from
+    std::string_view bound;  ///< explanation of its rule
     Rule rule = Rule::SameOutcome;
-    /// How a member is simulated for the comparison, from a number that is drawn for it, or of Bound, for the
-    /// outcome that is judged; null for the default.
+    /// How a member is simulated for the comparison, by a random number
+    /// for it; for Bound, the outcome that is judged; null: the default.
     Variation (*vary)(std::uint64_t draw) = nullptr;
-    /// With what the varied outcome is compared; null: the default.
+    /// The other outcome of the comparison; null: the default.
     Variation (*base)(std::uint64_t draw) = nullptr;
-    /// Of Bound: the figure and its largest value, in the same unit.
+    /// For Bound: the figure and its maximum, in the same unit.
     double (*figure)(const Blueprint& plan, const Outcome& outcome) = nullptr;
     double largest = 0.0;
 };
@@ -38,7 +38,7 @@ struct Relation {
 std::span<const Relation> allRelations();
 const Relation* findRelation(std::string_view name);
 
-/// What one relation found in members of one family.
+/// Results of one relation in members of one family.
 struct Verdict {
     const Relation* relation = nullptr;
     int members = 0;
@@ -46,17 +46,17 @@ struct Verdict {
     int variedReached = 0;
     int worse = 0;           ///< members that only the base reached
     int better = 0;          ///< members that only the variation reached
-    int differing = 0;       ///< members whose bits differ, or that end elsewhere, or break the bound
+    int differing = 0;       ///< members whose bits differ, or that end elsewhere, or exceed the bound
     double largest = 0.0;    ///< figure, or distance of the ends (m)
     std::uint64_t seed = 0;  ///< of the worst member, or of the first that got worse
     bool hasSeed = false;
 
-    /// Whether the relation holds in the family.
+    /// True if the relation holds in the family.
     [[nodiscard]] bool holds() const;
     void add(const Verdict& more);
 };
 
-/// The verdict on one member. @param base  the outcome at the default, which several relations share
+/// The result for one member. @param base the default outcome, which several relations share
 Verdict judge(const Relation& relation, const Family& family, const Blueprint& plan, std::uint64_t seed,
               const Outcome& base);
 

@@ -22,7 +22,7 @@ std::string numberText(double value) {
 
 bool comparesShares(Rule rule) { return rule == Rule::SameOutcome || rule == Rule::NeverWorse; }
 
-/// What a relation found in one family, in a few characters.
+/// The result of a relation in one family, in a few characters.
 std::string cellOf(const Verdict& verdict) {
     if (comparesShares(verdict.relation->rule)) {
         std::string text = format("{} to {}", percent(verdict.baseReached, verdict.members),
@@ -107,10 +107,9 @@ std::string htmlOf(const std::vector<FamilyResult>& results, const std::string& 
 
 std::string markdownOf(const std::vector<FamilyResult>& results, const std::string& how) {
     std::string text =
-        "# Families and relations\n\n"
-        "Random scenes of every kind that people build, and what must hold in all of them whatever the right "
-        "answer "
-        "is. A cell in bold does not hold.\n\n";
+        "# Families and relations\n\nRandom scenes of the kinds that games contain, and relations that "
+        "must hold in all of them even where the exact result is unknown. A cell in bold does not "
+        "hold.\n\n";
     text += format("Made by `{}`.\n\n## Families\n\n| family | what has to happen |\n|---|---|\n", how);
     for (const FamilyResult& result : results)
         text += format("| {} | {} |\n", result.family->name, result.family->what);
@@ -135,7 +134,7 @@ std::string markdownOf(const std::vector<FamilyResult>& results, const std::stri
         const Relation& relation = *results[0].verdicts[row].relation;
         text += format("| {} | {} | {} |\n", relation.name, relation.what, relation.bound);
     }
-    text += "\n## What was found\n\n| family |";
+    text += "\n## Results\n\n| family |";
     for (std::size_t row = 0; row < rows; ++row)
         text += format(" {} |", results[0].verdicts[row].relation->name);
     text += "\n|---|";

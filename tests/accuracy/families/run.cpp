@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMissesKept = 8;
 
-/// All that one member says.
+/// All results of one member.
 struct MemberResult {
     std::vector<EngineShare> engines;
     std::vector<Verdict> verdicts;
@@ -77,7 +77,7 @@ std::vector<const T*> allOf(std::span<const T> rows, const std::vector<const T*>
 
 bool fails(const Relation& relation, const Family& family, Blueprint plan, std::uint64_t seed,
            const std::vector<bool>& dropped) {
-    // Bodies keep their numbers; what is left out never comes.
+    // Bodies keep their indices; removed ones are skipped.
     for (std::size_t body = 0; body < dropped.size(); ++body) {
         if (!dropped[body]) continue;
         plan.bodies[body].shapes.clear();

@@ -17,32 +17,34 @@ struct RunOptions {
     int threads = 1;
 };
 
-/// How members of a family did in one engine, at its defaults.
+/// Results of a family in one engine with its defaults.
 struct EngineShare {
     std::string engine;
-    int members = 0;  ///< that it could be asked for
+    int members = 0;  ///< number that it supports
     int reached = 0;
-    double micros = 0.0;  ///< a step, mean over members
+    double micros = 0.0;  ///< per step, mean over members
     double maxOverlap = 0.0;
     double maxJointError = 0.0;
-    std::string missing;  ///< what it lacks for the others
+    std::string missing;  ///< missing feature for the others
 };
 
 struct FamilyResult {
     const Family* family = nullptr;
     std::vector<EngineShare> engines;        ///< ours first
     std::vector<Verdict> verdicts;           ///< in the order of the relations
-    std::vector<std::uint64_t> missedSeeds;  ///< of the first members that missed their goals at the default
+    std::vector<std::uint64_t> missedSeeds;  ///< of the first members that missed their goals with the
+                                             ///< defaults
     std::string firstMiss;
 
     [[nodiscard]] bool holds() const;
 };
 
-/// Plays all of them. @param show  of members
+/// Runs all of them. @param show receives the progress in members
 std::vector<FamilyResult> runFamilies(const RunOptions& options, const accuracy::ShowDone& show = {});
 
-/// The fewest bodies with which a relation still fails in a member: one body after the other is left out.
-/// @return by body, whether it is left out; empty if the relation holds in the whole member
+/// The smallest set of bodies with which a relation still fails in a member: removes one body after the
+/// other.
+/// @return by body, whether it is removed; empty if the relation holds in the whole member
 std::vector<bool> shrink(const Relation& relation, const Family& family, std::uint64_t seed);
 
 }  // namespace plumb::families

@@ -1,7 +1,7 @@
-// One body slides or rolls over a floor of separate boxes that are laid flush.
+// A body slides or rolls over a floor of separate adjacent boxes.
 //
-// The floor is flat, so that the body does what it does on a single one: what slides loses friction g of its
-// speed in a second; what rolls, and what slides without friction, loses nothing. Sliding boxes do not topple
+// The floor is flat, so the body moves as on a single one: sliding, it loses friction * g of its speed
+// per second; rolling, or sliding without friction, it loses nothing. Sliding boxes do not tip over
 // below a friction of width over height; of the shapes here the pentagon is the first to, at 0.73.
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Outline outlineOf(Slider kind, float half) {
     return scenes::polygon(corners);
 }
 
-/// m: of its center over what it lies on.
+/// m: height of its center above its support.
 float heightOf(Slider kind, float half) {
     switch (kind) {
         case Slider::Box: return 0.8f * half;
@@ -48,7 +48,7 @@ float heightOf(Slider kind, float half) {
 
 struct Ride {
     double start = 0.0;  // m: height at which it rests
-    double hop = 0.0;    // m: furthest from that
+    double hop = 0.0;    // m: maximum deviation from that
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
 // Jellies, ropes and cloths of 1/100 to 100 times the mass of the crates and balls that fall on them, in a
 // pit.
-//
-// What is soft is damped and the pit is closed, so all comes to rest; but not what hangs: a heavy crate on a
-// light rope between two pins swings on for long, and balls roll on, since nothing resists rolling. Nothing
-// passes through the floor, and no crate into a jelly whose particles are nearer to each other than the crate
-// is wide. Energy of motion and height never exceeds what it was at the start: nothing is stretched then, so
-// that springs have none to give.
+// Soft bodies are damped and the pit is closed, so everything comes to rest,
+// with exceptions: a heavy crate on a light rope between two pins swings for
+// long, and balls roll on without rolling resistance. Nothing passes through
+// the floor, and no crate into a jelly whose particles are closer to each
+// other than the crate is wide. Kinetic plus potential energy never exceeds
+// the initial value, because springs store none at the start.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ struct SoftScene {
     int points = 12;
 };
 
-/// Of one run.
+/// State of one run.
 struct SoftState {
     physics::SoftBodyId body;
     double start = 0.0;  // J
@@ -79,7 +79,7 @@ Result<physics::SoftBodyId> build(Stage& stage, const SoftScene& scene) {
                                 turned ? rows : columns, turned ? columns : rows, material);
 }
 
-/// J of the blueprint's scale: of motion and height, rigid and soft.
+/// J in the blueprint's scale: kinetic and potential, rigid and soft.
 double energyOf(const Stage& stage) {
     const physics::World& world = *stage.world();
     const auto scale = static_cast<double>(stage.scale());
@@ -125,7 +125,7 @@ Vec2 at(const Stage& stage, std::uint32_t body) {
 
 Blueprint makeSoftAmongRigid(Random& random) {
     Blueprint plan;
-    plan.closed = false;  // the energy of what is soft is not in the book of a world: see the goal
+    plan.closed = false;  // a world's energy account does not include soft bodies: see the goal
     constexpr int kSteps = 600;
     plan.seconds = kSteps * static_cast<double>(kStep);
     plan.extraNeeds = "soft bodies";
@@ -185,7 +185,7 @@ Blueprint makeSoftAmongRigid(Random& random) {
     };
     plan.goals.push_back({"is built", [=](const Stage&) { return state->refused.empty() ? 0.0 : 1.0; }, 0.0});
     if (scene.kind == 0 || !scene.pinned) {
-        // A jelly may roll on under a box on its top, as slowly as it began.
+        // A jelly may continue to roll under a box on its top, as slowly as at the start.
         plan.goals.push_back(rests(boxes, scene.kind == 0 ? 0.5 : 0.2));
     }
     if (scene.kind == 0 && boxes.size() == crates.size()) {

@@ -14,7 +14,7 @@ namespace plumb::families {
 namespace {
 
 constexpr scenes::BodyHandle kGone{};
-/// N or N m: as good as no limit in any scene, and still finite in a larger one.
+/// N or N m: practically unlimited in every scene, and still finite in a larger one.
 constexpr float kUnlimited = 1.0e15f;
 
 /// The order 0..count-1, shuffled unless the seed is 0.
@@ -141,7 +141,7 @@ float Stage::placedAngle(float angle) const {
 Outline Stage::placed(const Outline& outline) const {
     Outline made = outline;
     for (std::size_t i = 0; i < outline.count; ++i) made.points[i] = local(outline.points[i]);
-    // Corners stay in their order: against the clock.
+    // Corners stay in counter-clockwise order.
     if (variation_.placement.mirrored && outline.count > 2)
         std::reverse(made.points.begin(), made.points.begin() + outline.count);
     made.centre = local(outline.centre);
@@ -151,7 +151,7 @@ Outline Stage::placed(const Outline& outline) const {
 }
 
 Material Stage::placed(Material material) const {
-    // Along the outline, whose sense a mirror turns round.
+    // Along the outline, whose direction a mirror inverts.
     material.surfaceSpeed *= sign() * scale_;
     material.oneWayDirection.x *= sign();
     return material;

@@ -1,7 +1,7 @@
-// Crowds in a rotating drum: kinematic, or on a hinge with a motor.
+// Bodies in a rotating drum: kinematic, or on a hinge with a motor.
 //
-// The drum is a closed ring of boxes that overlap at its corners and is at most 45 % full, so that nothing
-// has a reason to leave or to be crushed.
+// The drum is a closed ring of boxes that overlap at its corners and
+// is at most 45 % full, so that nothing is forced out or crushed.
 
 #include <cmath>
 
@@ -68,7 +68,7 @@ Blueprint makeTumbler(Random& random) {
     drum.setup.spin = driven ? 0.0f : spin;
     const std::uint32_t ring = plan.add(drum);
     if (driven) {
-        // N m: a hundred times the weight of what is in it at the rim.
+        // N m: a hundred times the weight of its content at the rim.
         const float torque = 100.0f * stuff.density * kPi * radius * radius * 10.0f * radius;
         plan.join(plan.addAnchor({}), ring, {}, {.driven = true, .speed = spin, .maxForce = torque});
     }
@@ -94,7 +94,7 @@ Blueprint makeTumbler(Random& random) {
                           },
                           // The corners of the ring.
                           static_cast<double>(radius / std::cos(kPi / static_cast<float>(sides)))});
-    // What meets at the speed of the rim is a quarter of that times a step in each other when it is found.
+    // Bodies that hit each other at the rim's speed overlap by a quarter of that times a step when detected.
     plan.goals.push_back(overlapsAtMost(0.05 + 0.25 * static_cast<double>(std::fabs(spin) * radius * kStep)));
     plan.goals.push_back(keepsJoints(0.05));
     return plan;

@@ -1,11 +1,11 @@
 // A car with two sprung and driven wheels on rough ground.
 //
-// The ground is lines of a random slope s each, |s| <= limit. Traction climbs it: friction is over twice the
-// limit. The motors pull twice the weight's part along the steepest slope, and less than what lifts the front
-// wheels: half the weight times half the wheelbase. Between the wheels the ground rises by at most half a
-// wheelbase times the limit, which is below the axles. Where two slopes meet, the car leaves the ground with
-// up to 2 limit v, kept below 1.2 m/s: a quarter of a second of flight. So it gets along at the speed of its
-// wheels, less what it loses in the air, by climbing along slopes and by starting: at least 0.6 of it.
+// The ground consists of lines of a random slope s each, |s| <= limit. Traction suffices: friction is over
+// twice the limit. The motors pull twice the weight's component along the steepest slope, and less than what
+// lifts the front wheels: half the weight times half the wheelbase. Between the wheels the ground rises by
+// at most half a wheelbase times the limit, which is below the axles. Where two slopes meet, the car leaves
+// the ground with up to 2 limit v, kept below 1.2 m/s: a quarter of a second of flight. So it moves at the
+// speed of its wheels, minus losses in the air, on slopes and at the start: at least 0.6 of it.
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ void lay(Blueprint& plan, const Ground& ground, const Material& stuff, bool asLo
     made.setup.motion = Motion::Static;
     const std::size_t count = ground.heights.size();
     if (asLoop) {
-        // From the right to the left: free above.
+        // From right to left: free above.
         std::vector<Vec2> loop;
         for (std::size_t i = count; i > 0; --i) loop.push_back(ground.point(i - 1));
         loop.push_back({ground.point(0).x, -10.0f});
@@ -75,8 +75,8 @@ Blueprint makeVehicleTerrain(Random& random) {
     const float radius = random.between(0.3f, 0.6f), base = radius * random.between(4.0f, 6.0f);
     const float hertz = random.between(2.5f, 6.0f), damping = random.between(0.4f, 1.0f);
     const float mass = random.between(5.0f, 500.0f), wheelShare = random.between(0.03f, 0.2f);
-    // A spring of f Hz is compressed by g / (2 pi f)^2 under the chassis, and three times that where it
-    // lands.
+    // A spring of f Hz is compressed by g / (2 pi f)^2
+    // under the chassis, and three times that at a landing.
     const float sag = 3.0f * 10.0f / ((kTau * hertz) * (kTau * hertz));
     const float limit = random.between(0.3f, 1.0f) * std::min(0.3f, (radius - sag) / (0.5f * base));
     const float speed = random.between(0.5f, 1.0f) * std::min(4.0f, 0.6f / limit);
@@ -131,7 +131,7 @@ Blueprint makeVehicleTerrain(Random& random) {
                               return takesPart(stage, chassis) ? std::fabs(stage.turnOf(chassis)) : 0.0;
                           },
                           0.8});
-    // Wheels may only leave their struts by the errors of joints.
+    // Only joint errors may separate wheels from their struts.
     plan.goals.push_back(keepsJoints(0.03 * static_cast<double>(radius)));
     return plan;
 }

@@ -7,7 +7,7 @@
 
 namespace plumb::reference {
 
-/// A place, a direction or a size, in double.
+/// A position, a direction or a size, in double precision.
 struct Point {
     double x = 0.0;
     double y = 0.0;
@@ -27,8 +27,8 @@ inline Point normalized(Point a) {
 }
 inline Point toPoint(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
-/// What belongs to the three ways in which a body moves: a pose (m, rad), a velocity (m/s, rad/s), or how a
-/// scalar grows with them.
+/// Three components for the degrees of freedom of a body: of a pose
+/// (m, rad), a velocity (m/s, rad/s), or the gradient of a scalar.
 struct Triple {
     double x = 0.0;
     double y = 0.0;
@@ -45,7 +45,7 @@ inline double largest(Triple a) {
     return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.turn)));
 }
 
-/// A turn by an angle.
+/// A rotation by an angle.
 struct Turn {
     double cos = 1.0;
     double sin = 0.0;

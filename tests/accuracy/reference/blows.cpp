@@ -6,7 +6,7 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr int kMostBounces = 4000;
+constexpr int kMaxBounces = 4000;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ double GroupStep::approachOf(const Touch& touch) const {
     return dot(gradient.a, v0_[a]) + dot(gradient.b, v0_[b]);
 }
 
-/// Changes velocities at once so that joints hold and none of the touches approaches.
+/// Changes velocities instantaneously so that joints hold and no contact approaches.
 void GroupStep::solveBlow(std::span<const Touch> touches, bool bounces) {
     writer_.beginBlow(system_, v0_);
     for (const std::uint32_t index : group_->laws) {
@@ -52,8 +52,8 @@ void GroupStep::solveBlow(std::span<const Touch> touches, bool bounces) {
     for (std::size_t i = 0; i < group_->pushed; ++i) v0_[i] = system_.velocity[i];
 }
 
-/// Lets the two bodies bounce off each other that approach each other the fastest, as if nobody else were
-/// there but what they are tied to. So blows run through rows of balls, and as many leave as come.
+/// Resolves the impact of the two bodies that approach each other fastest, as if only they and bodies
+/// jointed to them existed. So impulses run through rows of balls, and as many leave as arrive.
 bool GroupStep::bounceOnce(std::span<const Touch> touches) {
     double fastest = -scene_.bounceSpeed;
     std::size_t worst = touches.size();
@@ -75,7 +75,7 @@ void GroupStep::strike() {
     std::vector<Touch> touches;
     findAt(q0_, touches);
     std::erase_if(touches, [&](const Touch& touch) { return view(touch, q0_).gap > kClosed; });
-    for (int i = 0; i < kMostBounces && bounceOnce(touches); ++i) {
+    for (int i = 0; i < kMaxBounces && bounceOnce(touches); ++i) {
     }
     solveBlow(touches, false);
 }

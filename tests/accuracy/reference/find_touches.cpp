@@ -6,10 +6,10 @@ namespace plumb::reference {
 
 namespace {
 
-// Separating axes and closest corners by trying all: outlines have few corners, and this is to be right.
+// Separating axes and closest corners by brute force: outlines have few corners, and this must be correct.
 // Source: C. Ericson, Real-Time Collision Detection, 2005, 4.4, 5.1, 5.2.
 
-constexpr double kLeast = 1.0e-9;  // m or ratio: below the closeness at which contacts count as closed
+constexpr double kMin = 1.0e-9;  // m or ratio: below the closeness at which contacts count as closed
 
 struct Placed {
     const Outline* outline = nullptr;
@@ -27,24 +27,24 @@ Placed placed(const Outline& outline, Triple pose) {
     return result;
 }
 
-/// A side of one of the two and how far the other is before it.
+/// A side of one of the two, and the distance of the other in front of it.
 struct Side {
     double apart = -kEndless;
     std::size_t index = 0;
 };
 
-/// Whether something in this direction (world) from a segment of a chain is met by it, not by a neighbour.
+/// True if a direction (world) from a chain segment belongs to it, not to a neighbour.
 bool isOwnDirection(const Placed& chain, Point direction) {
     const Turn turn{chain.pose.turn};
     const Point own = chain.normals[0];
     const double side = cross(own, direction);
     if (dot(own, direction) < 0.0) return false;
-    if (std::fabs(side) < kLeast) return true;
+    if (std::fabs(side) < kMin) return true;
     const Point along = chain.corners[1] - chain.corners[0];
     const bool toEnd = dot(along, direction) > 0.0;
     const Point last = rotate(turn, toEnd ? chain.outline->after : chain.outline->before);
-    // Between the own normal and the neighbour's, at a corner that is convex.
-    return cross(own, last) * side > 0.0 && std::fabs(cross(own, last)) >= std::fabs(side) - kLeast &&
+    // Between its own normal and the neighbour's, at a convex corner.
+    return cross(own, last) * side > 0.0 && std::fabs(cross(own, last)) >= std::fabs(side) - kMin &&
            dot(last, along) * (toEnd ? 1.0 : -1.0) > 0.0;
 }
 
@@ -65,7 +65,7 @@ Side bestSide(const Placed& mine, const Placed& other) {
     return best;
 }
 
-/// A corner of one and the nearest point of the other's border.
+/// A corner of one and the nearest point on the border of the other.
 struct Nearest {
     double distance = kEndless;
     std::size_t corner = 0;
@@ -84,7 +84,7 @@ void tryNearest(const Placed& mine, const Placed& other, Nearest& best) {
             const double clamped = std::clamp(part, 0.0, 1.0);
             const double distance = length(mine.corners[c] - (start + clamped * way));
             const bool isCorner = clamped != part || size == 0.0;
-            // Of equally near ones a side is better than its end.
+            // At equal distance a side is preferred to its end.
             if (distance < best.distance || (distance == best.distance && best.isCorner && !isCorner))
                 best = {distance, c, s, clamped < 0.5 ? s : other.next(s), isCorner};
         }
@@ -118,10 +118,10 @@ public:
         const Side sideA = bestSide(a_, b_), sideB = bestSide(b_, a_);
         const double apart = std::max(sideA.apart, sideB.apart);
         if (apart - round_ > margin_) return kEndless;
-        // Cores that are apart and have rounding or ends may be nearest at a corner.
+        // Separated cores with rounding or ends may be nearest at a corner.
         const bool hasEnds = a_.corners.size() < 3 || b_.corners.size() < 3;
         if ((apart > 0.0 || apart == -kEndless) && (round_ > 0.0 || hasEnds)) return findNearest(apart);
-        const bool isOfA = sideA.apart >= sideB.apart - kLeast;
+        const bool isOfA = sideA.apart >= sideB.apart - kMin;
         return findAtSides(sideA, sideB, isOfA);
     }
 
@@ -170,7 +170,7 @@ private:
             if (dot(chain.normals[0], placeOf(other.pose) - chain.corners[0]) < 0.0) return kEndless;
             if (isOfA == chainIsA) continue;
             if (isOwnDirection(chain, -other.normals[theirs.index])) continue;
-            if (theirs.apart > kLeast) return kEndless;
+            if (theirs.apart > kMin) return kEndless;
             isOfA = chainIsA;
             addSide(isOfA, own.index);
             return own.apart - round_;
@@ -180,8 +180,8 @@ private:
         return best.apart - round_;
     }
 
-    /// Where the other lies before a side: at the ends of what of the two sides is before each other. Where
-    /// two corners are before each other it is always the other's, so that a touch keeps its name.
+    /// The points of the other in front of a side: the ends of the overlap of both sides. Where two
+    /// corners are in front of each other, the other's is used, so that a contact keeps its key.
     void addSide(bool ofA, std::size_t index) {
         const Placed& mine = ofA ? a_ : b_;
         const Placed& other = ofA ? b_ : a_;
@@ -201,18 +201,18 @@ private:
         for (int i = 0; i < 2; ++i) parts[i] = dot(other.corners[ends[i]] - start, along) / size;
         const int low = parts[0] <= parts[1] ? 0 : 1;
         const double begin = std::max(parts[low], 0.0), end = std::min(parts[1 - low], 1.0);
-        if (end - begin < kLeast) return addCornerBefore(ofA, index, nearest);
-        if (parts[low] >= -kLeast)
+        if (end - begin < kMin) return addCornerBefore(ofA, index, nearest);
+        if (parts[low] >= -kMin)
             addCornerBefore(ofA, index, ends[low]);
         else
             addCornerBefore(!ofA, facing, first);
-        if (parts[1 - low] <= 1.0 + kLeast)
+        if (parts[1 - low] <= 1.0 + kMin)
             addCornerBefore(ofA, index, ends[1 - low]);
         else
             addCornerBefore(!ofA, facing, mine.next(first));
     }
 
-    /// The side at the nearest corner that looks most against the normal.
+    /// The side at the nearest corner that is most opposed to the normal.
     static std::size_t facingSide(const Placed& other, Point normal, std::size_t nearest) {
         if (other.corners.size() == 2) {
             if (other.outline->isChain) return 0;

@@ -6,8 +6,8 @@
 
 namespace plumb::reference {
 
-/// Adds where two outlines are no further apart than `margin` (m).
-/// @return m: how far they are apart; below 0 how deep they overlap; `kEndless` when further than the margin
+/// Adds the potential contacts of two outlines with gaps up to `margin` (m).
+/// @return m: their distance; negative: depth of the overlap; `kEndless` if it is above the margin
 double findTouches(const Scene& scene, std::uint32_t outlineA, Triple poseA, std::uint32_t outlineB,
                    Triple poseB, double margin, std::vector<Touch>& touches);
 

@@ -40,7 +40,7 @@ Gradient gradientOf(const Measure& measure, Triple poseA, Triple poseB) {
     Point direction = slides ? rotate(turnA, measure.axis) : measure.axis;
     if (measure.kind == MeasureKind::Across || measure.kind == MeasureKind::AnchorY)
         direction = perpendicular(direction);
-    // A direction that turns with A is as if A's arm reached to B's anchor.
+    // A direction that rotates with A acts as if A's arm extended to B's anchor.
     Gradient gradient = alongDirection(direction, slides ? armA + way : armA, armB);
     gradient.value = dot(direction, way) - measure.rest;
     return gradient;
@@ -58,7 +58,7 @@ TouchView viewOf(const Touch& touch, Triple poseA, Triple poseB) {
     }
     const double apart = dot(view.normal, b - a);
     view.gap = apart - round;
-    // Half way between the two surfaces, seen from the corner.
+    // Midway between the two surfaces, seen from the corner.
     const bool fromA = touch.hasSide && !touch.sideOfA;
     view.point = fromA ? a + (touch.radiusA + 0.5 * view.gap) * view.normal
                        : b - (touch.radiusB + 0.5 * view.gap) * view.normal;

@@ -4,7 +4,7 @@
 
 namespace plumb::reference {
 
-/// A scalar of two poses, and how it grows with them.
+/// A scalar function of two poses, and its gradient.
 struct Gradient {
     Triple a, b;
     double value = 0.0;
@@ -12,10 +12,10 @@ struct Gradient {
 
 Gradient gradientOf(const Measure& measure, Triple poseA, Triple poseB);
 
-/// Where two outlines touch or may come to: a corner of one before a side of the other, or two corners with
-/// rounding between them. It is written in the frames of the bodies, so that it has a distance at any pose.
+/// A potential contact of two outlines: a corner of one in front of a side of the other, or two rounded
+/// corners. Stored in the frames of the bodies, so that its distance can be computed at any pose.
 struct Touch {
-    std::uint64_t key = 0;  ///< names the two outlines and what of them touches
+    std::uint64_t key = 0;  ///< identifies the two outlines and their features
     std::uint32_t outlineA = 0, outlineB = 0;
     std::uint32_t bodyA = 0, bodyB = 0;
     bool hasSide = false;  ///< else two corners
@@ -26,7 +26,7 @@ struct Touch {
     double friction = 0.0, bounciness = 0.0, surfaceSpeed = 0.0;
 };
 
-/// A touch at two poses.
+/// A contact at two poses.
 struct TouchView {
     Point point;       ///< m
     Point normal;      ///< from A to B
@@ -36,7 +36,7 @@ struct TouchView {
 TouchView viewOf(const Touch& touch, Triple poseA, Triple poseB);
 /// Of the gap, along the normal.
 Gradient normalGradient(const TouchView& view, Triple poseA, Triple poseB);
-/// Of the way of B over A along perpendicular(normal); it has no value.
+/// Of the displacement of B over A along perpendicular(normal); it has no value.
 Gradient tangentGradient(const TouchView& view, Triple poseA, Triple poseB);
 
 }  // namespace plumb::reference

@@ -8,11 +8,11 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr int kMostPasses = 6;        // of a step, until its end is where it was thought to be
+constexpr int kMaxPasses = 6;         // of a step, until its end agrees with the prediction
 constexpr double kSettled = 1.0e-13;  // m, rad
-constexpr int kMostHits = 12;         // in one step, each of which ends it; later ones are taken together
-constexpr int kMostTries = 6;         // to end at a hit
-constexpr double kUnsolved = 1.0e-4;  // ratio to the speeds there are
+constexpr int kMaxHits = 12;          // in one step, each of which ends it; later ones are handled together
+constexpr int kMaxTries = 6;          // to end at a hit
+constexpr double kUnsolved = 1.0e-4;  // ratio to the velocities
 
 const Press* findPress(std::span<const Press> presses, std::uint64_t key) {
     const auto at = std::lower_bound(presses.begin(), presses.end(), key,
@@ -48,8 +48,8 @@ void GroupStep::findAt(const std::vector<Triple>& poses, std::vector<Touch>& tou
             findTouches(scene_, a, poses[localOfOutline(a)], b, poses[localOfOutline(b)], kNear, touches));
 }
 
-/// Which touches push: those that are closed, and those that pushed until now and are no further than a step
-/// may err.
+/// The contacts that push: closed ones, and those that pushed
+/// before and whose gap is within the error of a step.
 void GroupStep::collect(bool takeAll) {
     std::vector<Active> before;
     before.swap(active_);
@@ -144,7 +144,7 @@ void GroupStep::solve(double scale) {
     }
 }
 
-/// @return by how much the end is not where it was thought to be
+/// @return deviation of the end from the prediction
 double GroupStep::takeSolution(double h) {
     double change = 0.0;
     for (std::size_t i = 0; i < group_->pushed; ++i) {
@@ -164,7 +164,7 @@ double GroupStep::takeSolution(double h) {
     return change;
 }
 
-/// A spring with a limited force is modelled as long as it does not reach it.
+/// A spring with limited force is modeled as long as it does not reach the limit.
 void GroupStep::checkSprings(double h) {
     for (std::size_t r = 0; r < lawOfRow_.size() && state_.trouble.empty(); ++r) {
         const Row& row = system_.rows[r];
@@ -189,7 +189,7 @@ void GroupStep::tryStep(double h, bool takeAll) {
         q1_[i] = q0_[i] + 0.5 * h * (v0_[i] + v1_[i]);
         if (i < group_->pushed) scale = std::max(scale, h * length(writer_.bodyAt(i).acceleration));
     }
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
         for (std::size_t i = 0; i < count; ++i) middle_[i] = 0.5 * (q0_[i] + q1_[i]);
         collect(takeAll);
         writeRows(h);
@@ -198,7 +198,7 @@ void GroupStep::tryStep(double h, bool takeAll) {
     }
 }
 
-/// The step is done.
+/// Accepts the step.
 void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& found) {
     checkSprings(h);
     putRight(20, kEndless);
@@ -225,7 +225,7 @@ void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& 
     }
 }
 
-/// True when something has come to touch just now that did not push in the step.
+/// True if a contact closed in this step that did not push in it.
 bool GroupStep::hasClosed() const {
     findAt(q0_, scratch_);
     return std::any_of(scratch_.begin(), scratch_.end(), [&](const Touch& touch) {
@@ -254,7 +254,7 @@ void GroupStep::advance(const Group& group, double duration, std::span<const Pre
     }
     double left = duration;
     for (int hits = 0; left > 0.0 && state_.trouble.empty();) {
-        const bool takeAll = hits >= kMostHits;
+        const bool takeAll = hits >= kMaxHits;
         double h = left;
         const auto start = [&] {
             active_.clear();
@@ -264,7 +264,7 @@ void GroupStep::advance(const Group& group, double duration, std::span<const Pre
         start();
         tryStep(h, takeAll);
         bool isHit = false;
-        for (int i = 0; i < kMostTries && !takeAll; ++i) {
+        for (int i = 0; i < kMaxTries && !takeAll; ++i) {
             const double time = earliestClosing(h);
             if (!(time < h)) break;
             h = std::max(time, 1.0e-9 * duration);

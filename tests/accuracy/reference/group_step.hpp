@@ -7,29 +7,29 @@
 
 namespace plumb::reference {
 
-/// Moves the bodies of a group on by a step, or by several where something hits something in it.
-///
-/// A step is that of a trapezoid: velocities end so that joints and contacts hold at the end, pushed along
-/// the directions of its middle; places follow by the mean of both velocities, and what then is amiss with
-/// joints and contacts is put right. It is of second order and the same backwards, so that energy does not
-/// drift. A step in which something hits something ends there, and the blow is a system of its own. Sources:
-/// E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2006, V.4 and VII.1; M. Jean, The
-/// non-smooth contact dynamics method, CMAME 177, 1999; V. Acary, B. Brogliato, Numerical Methods for
-/// Nonsmooth Dynamical Systems, 2008, 8 and 10.
+/// Advances the bodies of a group by one step, or by several if there are hits in it.
+/// A step is that of the trapezoidal rule: velocities are such that joints and contacts
+/// hold at its end, with the impulse directions of its middle; positions follow by the
+/// mean of both velocities, and remaining errors of joints and contacts are corrected.
+/// It is of second order and symmetric in time, so energy does not drift. A step with a
+/// hit ends there, and the impact is a system of its own. Sources: E. Hairer, C.
+/// Lubich, G. Wanner, Geometric Numerical Integration, 2006, V.4 and VII.1; M. Jean,
+/// The non-smooth contact dynamics method, CMAME 177, 1999; V. Acary, B. Brogliato,
+/// Numerical Methods for Nonsmooth Dynamical Systems, 2008, 8 and 10.
 class GroupStep {
 public:
     GroupStep(const Scene& scene, RunState& state) : scene_{scene}, state_{state}, writer_{scene} {}
 
-    /// Parts what overlaps, and makes velocities what joints and contacts allow. Before the first step.
+    /// Removes overlaps, and makes velocities consistent with joints and contacts. Before the first step.
     void begin(const Group& group);
-    /// @param warm   what pushed in the last step
-    /// @param found  what pushed in this one is added to it
+    /// @param warm contact impulses of the last step
+    /// @param found receives those of this step
     void advance(const Group& group, double duration, std::span<const Press> warm, std::vector<Press>& found);
 
 private:
     struct Active {
         Touch touch;
-        bool isNew = false;   // hit in this step; there are too many such for each to end a step
+        bool isNew = false;   // hit in this step; there are too many for each to end a step
         double normal = 0.0;  // N s
         double tangent = 0.0;
         std::uint32_t row = kNoRow;
@@ -45,7 +45,7 @@ private:
         return viewOf(touch, poses[writer_.local(touch.bodyA)], poses[writer_.local(touch.bodyB)]);
     }
 
-    // One try at a step: group_step.cpp.
+    // One attempt at a step: group_step.cpp.
     void tryStep(double h, bool takeAll);
     void collect(bool takeAll);
     void writeRows(double h);
@@ -57,7 +57,7 @@ private:
     [[nodiscard]] bool hasClosed() const;
     void keep(double h, double duration, bool isHit, std::vector<Press>& found);
 
-    // When something hits something first: closings.cpp.
+    // Time of the first hit: closings.cpp.
     [[nodiscard]] double earliestClosing(double h);
     [[nodiscard]] double closingOfPair(std::uint32_t a, std::uint32_t b, double h);
     [[nodiscard]] double closingOfTouches(std::uint32_t a, std::uint32_t b, double h);
@@ -65,13 +65,13 @@ private:
     [[nodiscard]] Triple poseAt(std::size_t local, double time, double h) const;
     [[nodiscard]] double longestWay(std::uint32_t a, std::uint32_t b, double h) const;
 
-    // Blows: blows.cpp.
+    // Impacts: blows.cpp.
     void strike();
     bool bounceOnce(std::span<const Touch> touches);
     void solveBlow(std::span<const Touch> touches, bool bounces);
     [[nodiscard]] double approachOf(const Touch& touch) const;
 
-    // Places: put_right.cpp.
+    // Positions: put_right.cpp.
     void putRight(int mostRounds, double hopeless);
     double putRightOnce();
 
@@ -79,7 +79,7 @@ private:
     RunState& state_;
     RowWriter writer_;
     RowSolver solver_, shifter_;
-    RowSystem system_, shift_;  // of velocities, of places
+    RowSystem system_, shift_;  // for velocities, for positions
     const Group* group_ = nullptr;
     std::vector<Triple> q0_, v0_, q1_, v1_, middle_;  // by body of the group
     std::vector<Active> active_;

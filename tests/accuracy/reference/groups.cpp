@@ -29,7 +29,7 @@ Bounds boundsOf(const Scene& scene, std::uint32_t index, Triple pose, double mar
     return bounds;
 }
 
-/// m: nobody comes further in a step, even if all of the fastest one's speed is handed on to it, twice.
+/// m: no body moves further in a step, even if all of the fastest one's speed is passed on to it, twice.
 double marginOf(const Scene& scene, const RunState& state, double h) {
     double fastest = 0.0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -67,7 +67,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Scene& scene,
     return pairs;
 }
 
-/// A forest of bodies, in which each group has one root.
+/// A union-find forest of bodies.
 class Forest {
 public:
     explicit Forest(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -98,11 +98,11 @@ std::vector<Group> findGroups(const Scene& scene, const RunState& state, double 
     for (const Law& law : scene.laws) join(law.a, law.b);
 
     std::vector<Group> groups;
-    std::vector<std::uint32_t> groupOf(scene.bodies.size(), kNobody);
+    std::vector<std::uint32_t> groupOf(scene.bodies.size(), kNoGroup);
     for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
         if (!isPushed(i)) continue;
         const std::uint32_t root = forest.rootOf(i);
-        if (groupOf[root] == kNobody) {
+        if (groupOf[root] == kNoGroup) {
             groupOf[root] = static_cast<std::uint32_t>(groups.size());
             groups.emplace_back();
         }

@@ -6,8 +6,8 @@
 
 namespace plumb::reference {
 
-/// Parts the bodies into those that may touch or are tied in a step of `h` s, by their bounds and by how far
-/// they may come in it.
+/// Divides the bodies into groups that may touch or have joints in a
+/// step of `h` s, by their bounds and the maximum displacement in it.
 std::vector<Group> findGroups(const Scene& scene, const RunState& state, double h);
 
 }  // namespace plumb::reference

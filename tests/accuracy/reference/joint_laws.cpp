@@ -11,7 +11,7 @@ namespace {
 using physics::JointDefinition;
 using physics::JointKind;
 
-/// Writes the laws of one joint.
+/// Creates the laws of one joint.
 class Writer {
 public:
     Writer(const physics::World& world, std::uint32_t joint, std::vector<Law>& laws)
@@ -23,7 +23,7 @@ public:
         usual_.measure.anchorB = toPoint(hot_.anchorB);
     }
 
-    /// Both anchors in one place, or pulled there.
+    /// Both anchors coincide, or are pulled together.
     void point(double hertz, double dampingRatio) {
         for (const MeasureKind kind : {MeasureKind::AnchorX, MeasureKind::AnchorY}) {
             Law law = usual_;
@@ -37,7 +37,7 @@ public:
         Law law = of(kind, rest);
         laws_.push_back(hertz > 0.0 ? spring(law, hertz, dampingRatio) : law);
     }
-    /// Spring, limits and motor, whichever are on.
+    /// Spring, limits and motor, if they are on.
     void value(MeasureKind kind, double reference, bool withMotor) {
         const auto& [springs, limit, motor] =
             std::tie(definition_.spring, definition_.limit, definition_.motor);

@@ -11,8 +11,8 @@ constexpr double kRight = 1.0e-12;  // m, rad
 
 }  // namespace
 
-/// Shifts bodies by as little as puts joints and contacts right, as far as they change evenly.
-/// @return m or rad: by how much the worst was amiss
+/// Corrects joints and contacts by minimal shifts of bodies, to first order.
+/// @return m or rad: the largest error before
 double GroupStep::putRightOnce() {
     writer_.beginShift(shift_);
     double worst = 0.0;

@@ -14,7 +14,7 @@ namespace {
 
 std::string text(double value) { return shortestText(static_cast<float>(value)); }
 
-/// The largest differences between two runs, or between what is left of an error.
+/// The largest differences between two runs, or between remaining errors.
 struct BoxStatistics {
     double place = 0.0;     // m
     double angle = 0.0;     // rad
@@ -33,8 +33,8 @@ BoxStatistics statisticsOf(const Scene& scene, const RunState& one, const RunSta
     return spread;
 }
 
-/// What rounding alone does to a run. Where rows are solved, speeds are as exact as 1e-16 times how much
-/// stiffer than their bodies rows are made for it (solve_rows.cpp); places are put right to 1e-12 m.
+/// The effect of rounding on a run. If rows are solved, velocities are accurate to 1e-16 times the
+/// ratio of their stiffness to that of the bodies (solve_rows.cpp); positions are corrected to 1e-12 m.
 BoxStatistics roundingOf(const Scene& scene, const RunState& state, double seconds) {
     constexpr double kSpeeds = 2.0e-11;  // ratio
     const double ratio =
@@ -57,15 +57,15 @@ double leftOf(double difference, double order) {
     return 2.0 * difference / (std::pow(2.0, std::clamp(order, 0.5, 2.0)) - 1.0);
 }
 
-constexpr double kLeastOrder = 0.5;  // runs that come together more slowly do not come together
+constexpr double kMinOrder = 0.5;  // slower convergence counts as none
 
-/// All runs until now.
+/// All runs so far.
 class Runs {
 public:
     Runs(const Scene& scene, double seconds, const Options& options)
         : scene_{scene}, seconds_{seconds}, options_{options}, step_{2.0 * options.step} {}
 
-    /// @error why there is none that is finer
+    /// @error the reason if there is no finer one
     Result<Done> add() {
         step_ *= 0.5;
         const double start = wallSeconds();
@@ -92,7 +92,7 @@ public:
         const double before = spreads_[spreads_.size() - 2].*part, last = spreads_.back().*part;
         return last > 0.0 ? std::log2(before / last) : 2.0;
     }
-    /// m, rad or m/s: how far off the last run is.
+    /// m, rad or m/s: error of the last run.
     [[nodiscard]] double errorOf(double BoxStatistics::*part) const {
         const double rounding = roundingOf(scene_, state_, seconds_).*part;
         if (spreads_.empty()) return kEndless;
@@ -103,7 +103,7 @@ public:
         return !spreads_.empty() && spreads_.back().place <= rounding;
     }
     [[nodiscard]] bool comesTogether() const {
-        return isRounding() || (orderOf(&BoxStatistics::place) >= kLeastOrder);
+        return isRounding() || (orderOf(&BoxStatistics::place) >= kMinOrder);
     }
 
 private:

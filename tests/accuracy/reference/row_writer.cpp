@@ -11,7 +11,7 @@ Triple ways(Triple inverseMass) {
     return {way(inverseMass.x), way(inverseMass.y), way(inverseMass.turn)};
 }
 
-/// In ways that are barred, a mass of 1 with a momentum of what the velocity is and stays.
+/// Locked directions have a mass of 1 and a momentum equal to the prescribed velocity.
 Triple barred(Triple value, Triple usual, Triple way) {
     return {way.x > 0.0 ? value.x : usual.x, way.y > 0.0 ? value.y : usual.y,
             way.turn > 0.0 ? value.turn : usual.turn};
@@ -90,8 +90,8 @@ double RowWriter::rate(const Gradient& gradient, const Law& law,
     return dot(gradient.a, velocities[local(law.a)]) + dot(gradient.b, velocities[local(law.b)]);
 }
 
-/// A damped spring by the midpoint rule: the force of the middle of the step, which is half way in speed, and
-/// in place what the guess says and as much more as its velocities miss.
+/// A damped spring by the midpoint rule: with the mean velocity,
+/// and the position of the guess, corrected by its velocity error.
 void RowWriter::addSpringRow(RowSystem& system, const Law& law, const Gradient& gradient, double speedAtStart,
                              double speedAtGuess, double h) const {
     const double inverse = give(gradient, gradient, law);

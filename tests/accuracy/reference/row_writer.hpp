@@ -7,7 +7,7 @@
 
 namespace plumb::reference {
 
-/// Writes the rows of touches and laws for the bodies of a group.
+/// Writes the rows of contacts and laws for the bodies of a group.
 class RowWriter {
 public:
     explicit RowWriter(const Scene& scene) : scene_{scene}, localOf_(scene.bodies.size(), 0) {}
@@ -19,17 +19,17 @@ public:
 
     /// For a step of `h` s, whose forces and drag are in the masses and momenta.
     void beginStep(RowSystem& system, const std::vector<Triple>& velocities, double h);
-    /// For a blow, which takes no time.
+    /// For an impact, which takes no time.
     void beginBlow(RowSystem& system, const std::vector<Triple>& velocities);
-    /// For a shift of places instead of velocities.
+    /// For a correction of positions instead of velocities.
     void beginShift(RowSystem& system);
 
-    /// Adds a row. What cannot be pushed moves as it does.
+    /// Adds a row. Static and kinematic bodies move as prescribed.
     /// @return its index
     std::uint32_t add(RowSystem& system, const Gradient& push, const Gradient& speed, std::uint32_t localA,
                       std::uint32_t localB, Row row) const;
-    /// A spring's rows: a law, or the pair that it begins.
-    /// @param middle  poses in the middle of the step, as guessed; @param guess  velocities at its end
+    /// The rows of a spring: a law, or the pair that it begins.
+    /// @param middle poses in the middle of the step, as guessed; @param guess velocities at its end
     void addSpring(RowSystem& system, std::uint32_t law, const std::vector<Triple>& middle,
                    const std::vector<Triple>& start, const std::vector<Triple>& guess, double h) const;
 
@@ -43,7 +43,7 @@ private:
     const Scene& scene_;
     const Group* group_ = nullptr;
     std::vector<std::uint32_t> localOf_;
-    std::vector<Triple> known_;  // velocities of what is not pushed, or not pushed in some way
+    std::vector<Triple> known_;  // prescribed velocities of bodies, or of their locked directions
 };
 
 }  // namespace plumb::reference

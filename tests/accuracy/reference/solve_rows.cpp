@@ -7,12 +7,12 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kFirstStiffness = 1.0e5;  // ratio to what a row resists: each round leaves about 1/this
-constexpr double kMostStiffness = 1.0e8;   // stiffer, and rounding shows
-constexpr int kMostGuesses = 25;           // in a row, before sweeps
-constexpr int kMostRounds = 40;
-constexpr int kMostAttempts = 10;
-constexpr int kFirstSweeps = 50;  // each attempt does twice as many
+constexpr double kFirstStiffness = 1.0e5;  // ratio to a row's resistance: each round reduces errors to 1/this
+constexpr double kMaxStiffness = 1.0e8;    // with more, rounding errors dominate
+constexpr int kMaxGuesses = 25;            // in sequence, before sweeps
+constexpr int kMaxRounds = 40;
+constexpr int kMaxAttempts = 10;
+constexpr int kFirstSweeps = 50;  // each attempt doubles it
 
 Triple inverse(Triple mass) { return {1.0 / mass.x, 1.0 / mass.y, 1.0 / mass.turn}; }
 
@@ -47,10 +47,10 @@ void RowSolver::prepare(RowOutcome& outcome) {
         double resistance = 0.0;
         if (row.a != kNoRow) resistance += dot(row.speedA, scaled(inverse(system.mass[row.a]), row.pushA));
         if (row.b != kNoRow) resistance += dot(row.speedB, scaled(inverse(system.mass[row.b]), row.pushB));
-        // A row that nobody feels is one that does nothing.
+        // A row that can move no body has no effect: give it infinite resistance.
         if (!(resistance > 0.0)) resistance = kEndless, row.impulse = 0.0;
         resistance_.push_back(resistance);
-        // What can be had of a target: all of it, or what a spring makes of it.
+        // The achievable part of a target: all of it, or what a spring makes of it.
         if (resistance < kEndless)
             outcome.scale =
                 std::max(outcome.scale, std::fabs(row.target) * resistance / (resistance + row.give));
@@ -75,7 +75,7 @@ void RowSolver::velocitiesFromImpulses() {
         system.velocity[i] = scaled(inverse(system.mass[i]), system.velocity[i]);
 }
 
-/// m/s: how badly the worst row holds, with the impulses and velocities as they are.
+/// m/s: residual of the worst row with the current impulses and velocities.
 double RowSolver::worst() const {
     double most = 0.0;
     for (std::size_t i = 0; i < system_->rows.size(); ++i) {
@@ -83,7 +83,7 @@ double RowSolver::worst() const {
         if (resistance_[i] == kEndless) continue;
         const double miss = speedOf(row) + row.give * row.impulse - row.target;
         const double bound = boundOf(row);
-        // By how far it would go on if it could, in terms of impulse, is what it lacks.
+        // The residual of a bounded row is how much its impulse would change if it were unbounded.
         const double least = row.kind == RowKind::Push ? 0.0 : -bound;
         const double wanted = std::clamp(row.impulse - miss / (resistance_[i] + row.give), least, bound);
         most = std::max(most, std::fabs(wanted - row.impulse) * resistance_[i]);
@@ -112,7 +112,7 @@ void RowSolver::sweep() {
     }
 }
 
-/// N s: what a row would push if it were not bounded.
+/// N s: impulse of a row without its bounds.
 double RowSolver::trialOf(std::size_t i) const {
     const Row& row = system_->rows[i];
     const double miss = speedOf(row) - row.target;
@@ -120,7 +120,7 @@ double RowSolver::trialOf(std::size_t i) const {
     return row.impulse - stiffness_ / resistance_[i] * miss;
 }
 
-/// @return whether guesses are as they were, apart from those of rows that hardly push either way
+/// @return true if the guesses did not change, except for rows with negligible impulses
 bool RowSolver::takeGuesses(bool isFirst) {
     const std::vector<Row>& rows = system_->rows;
     double largest = 0.0;
@@ -133,7 +133,7 @@ bool RowSolver::takeGuesses(bool isFirst) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row& row = rows[i];
         Guess guess = Guess::Free;
-        double margin = kEndless;  // how far the guess is from another
+        double margin = kEndless;  // distance of the guess from another one
         if (resistance_[i] < kEndless) {
             double bound = row.most;
             if (row.kind == RowKind::Friction)
@@ -179,7 +179,7 @@ double RowSolver::startOf(std::size_t i) const {
     return (row.give > 0.0 ? 0.0 : row.impulse) + weightOf(i) * row.target;
 }
 
-/// The matrix of all rows that hold or slide, unless it is there already.
+/// Factors the matrix of all rows that hold or slide, unless it is factored already.
 bool RowSolver::factorGuess() {
     if (guesses_ == factored_ && stiffness_ == factoredStiffness_) return true;
     const RowSystem& system = *system_;
@@ -204,7 +204,7 @@ bool RowSolver::factorGuess() {
     return true;
 }
 
-/// Velocities for which all rows that hold push as their speeds say. @pre factorGuess()
+/// Velocities for which all holding rows have the impulses that their velocities imply. @pre factorGuess()
 void RowSolver::solveGuess() {
     RowSystem& system = *system_;
     momentum_ = system.momentum;
@@ -239,14 +239,14 @@ void RowSolver::takeImpulses() {
     }
 }
 
-/// @return whether it came to the tolerance
+/// @return true if it reached the tolerance
 bool RowSolver::newton(RowOutcome& outcome) {
     stiffness_ = kFirstStiffness;
     double before = kEndless;
     guesses_.assign(system_->rows.size(), Guess::Free);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
         bool same = takeGuesses(true);
-        for (int i = 0; !same && i < kMostGuesses; ++i) {
+        for (int i = 0; !same && i < kMaxGuesses; ++i) {
             if (!factorGuess()) return false;
             solveGuess();
             same = takeGuesses(false);
@@ -256,8 +256,8 @@ bool RowSolver::newton(RowOutcome& outcome) {
         outcome.residual = worst();
         if (outcome.residual <= tolerance_) return true;
         if (outcome.residual > 0.1 * before) {
-            if (stiffness_ >= kMostStiffness && outcome.residual > 0.5 * before) return false;
-            stiffness_ = std::min(10.0 * stiffness_, kMostStiffness);
+            if (stiffness_ >= kMaxStiffness && outcome.residual > 0.5 * before) return false;
+            stiffness_ = std::min(10.0 * stiffness_, kMaxStiffness);
         }
         before = outcome.residual;
     }
@@ -285,7 +285,7 @@ void RowSolver::solveOrGiveUp(RowOutcome& outcome) {
     trials_.assign(system.rows.size(), 0.0);
     std::vector<double> best;
     double bestResidual = kEndless;
-    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
         if (newton(outcome)) return;
         velocitiesFromImpulses();
         for (int i = 0; i < kFirstSweeps << attempt; ++i, ++outcome.sweeps) sweep();

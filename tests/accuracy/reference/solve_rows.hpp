@@ -9,20 +9,20 @@ namespace plumb::reference {
 
 inline constexpr std::uint32_t kNoRow = 0xffffffffu;
 
-/// How a row may push.
+/// Bounds of the impulse of a row.
 enum class RowKind : std::uint8_t {
-    Both,      ///< either way, as hard as need be
-    Push,      ///< never below 0
-    Band,      ///< at most `most` either way
-    Friction,  ///< at most `friction` times what row `normal` pushes, either way
+    Both,      ///< unbounded
+    Push,      ///< not negative
+    Band,      ///< at most `most` in either direction
+    Friction,  ///< at most `friction` times the impulse of row `normal`, in either direction
 };
 
-/// One impulse, and the speed that it brings about: speed . v + give * impulse = target where it is not
-/// bounded; what is bounded below leaves at least that speed, and so on.
-/// What it pushes along and what speed it looks at are not the same: the first is that of the middle of a
-/// step, the second of its end.
+/// One impulse and the velocity that it controls: speed . v + give * impulse = target unless
+/// it is at a bound; at the lower bound the velocity is at least the target, and so on.
+/// The directions of the impulse and of the velocity differ: the former is that of the
+/// middle of a step, the latter of its end.
 struct Row {
-    std::uint32_t a = kNoRow, b = kNoRow;  ///< bodies of the system, or kNoRow for what cannot be pushed
+    std::uint32_t a = kNoRow, b = kNoRow;  ///< bodies of the system, or kNoRow for static and kinematic ones
     Triple pushA, pushB;
     Triple speedA, speedB;
     double target = 0.0;  ///< m/s or rad/s
@@ -31,31 +31,32 @@ struct Row {
     std::uint32_t normal = kNoRow;
     double friction = 0.0;
     double most = kEndless;  ///< N s
-    double impulse = 0.0;    ///< N s: a guess, then the result
+    double impulse = 0.0;    ///< N s: initial guess, then the result
 };
 
-/// Bodies and rows: mass * v = momentum + what the rows push.
+/// Bodies and rows: mass * v = momentum + the impulses of the rows.
 struct RowSystem {
-    std::vector<Triple> mass;      ///< of each body; where it cannot be pushed: 1, and rows have 0 there
+    std::vector<Triple> mass;      ///< of each body; in directions that are locked: 1, and rows have 0 there
     std::vector<Triple> momentum;  ///< N s
     std::vector<Row> rows;         ///< normals before their friction
     std::vector<Triple> velocity;  ///< the result
-    double tolerance = 1.0e-13;    ///< m/s: how exactly each row is to hold, next to what it asks for
+    double tolerance = 1.0e-13;    ///< m/s: required accuracy of each row, in addition to its relative
+                                   ///< accuracy
 };
 
-/// What became of a system.
+/// The result of a system.
 struct RowOutcome {
-    double residual = 0.0;   ///< m/s: by how much the worst row does not hold
-    double tolerance = 0.0;  ///< m/s: how exactly they were to
-    double scale = 0.0;      ///< m/s: the largest speed that a row asks for
+    double residual = 0.0;   ///< m/s: residual of the worst row
+    double tolerance = 0.0;  ///< m/s: required accuracy
+    double scale = 0.0;      ///< m/s: the largest target velocity of a row
     int factorings = 0;
     int sweeps = 0;
 };
 
-/// Solves systems to convergence: guesses which rows push, stick and slide, solves these as equations with
-/// multipliers, and looks again, until the guess is right (a semi-smooth Newton method on the augmented
-/// Lagrangian, which does not mind rows that say the same twice). Where guesses go in circles, sweeps of
-/// projected Gauss-Seidel find better ones.
+/// Solves systems to convergence: guesses which rows push, stick and slide, solves
+/// these as equations with multipliers, and repeats until the guess is consistent (a
+/// semi-smooth Newton method on the augmented Lagrangian, which tolerates redundant
+/// rows). If the guesses cycle, sweeps of projected Gauss-Seidel find better ones.
 /// Sources: P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like
 /// solution methods, CMAME 92, 1991; M. Jean, The non-smooth contact dynamics method, CMAME 177, 1999.
 class RowSolver {

@@ -9,34 +9,34 @@
 
 namespace plumb::accuracy {
 
-/// One way to simulate a scene, at several qualities.
+/// One method for a scene, at several qualities.
 struct ChartLine {
     std::string name;
     int colour = 0;          ///< 0..4
-    std::vector<Row> rows;   ///< by growing substeps
+    std::vector<Row> rows;   ///< by increasing substeps
     std::vector<Row> extra;  ///< the same with more iterations: small hollow points
 };
 
-/// A work-precision plot: error over time, both by powers of ten. Further down and further left is better.
+/// A work-precision plot: error over time, both logarithmic. Further down and further left is better.
 struct Chart {
     std::string title;
     std::string unit;
-    double target = 0.0;    ///< infinite where there is none
-    double usTarget = 0.0;  ///< 0 where there is none
+    double target = 0.0;    ///< infinite if there is none
+    double usTarget = 0.0;  ///< 0 if there is none
     std::vector<ChartLine> lines;
     std::vector<Row> peers;
 };
 
-/// What is plotted of a scene: its main figure.
-/// @param rows  of the scene
+/// The data of a scene's plot: its main figure.
+/// @param rows of the scene
 Chart chartOf(std::string_view title, std::span<const Row> rows);
 
-/// The name of another engine as its owner writes it.
+/// The display name of another engine.
 std::string peerTitle(std::string_view engine);
 
-/// Complete in itself; dark where the reader's desktop is.
+/// Self-contained; dark if the reader's desktop is.
 std::string svgOf(const Chart& chart);
-/// Rules for a page that has such plots in it, and nothing that only a plot of its own needs.
+/// CSS rules for a page with such plots, without those that only a single plot needs.
 std::string_view chartStyle();
 
 }  // namespace plumb::accuracy

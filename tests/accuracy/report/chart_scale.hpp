@@ -5,12 +5,12 @@
 
 namespace plumb::accuracy {
 
-/// From a range of positive numbers to a range of pixels, by powers of ten.
+/// Maps a range of positive numbers to a range of pixels, logarithmically.
 class LogScale {
 public:
     LogScale(double low, double high, double pixelLow, double pixelHigh);
 
-    /// Within the ends, whatever it is told.
+    /// Position on the axis, clamped to its ends.
     [[nodiscard]] double at(double value) const;
     [[nodiscard]] double low() const { return low_; }
     [[nodiscard]] double high() const { return high_; }
@@ -19,8 +19,8 @@ public:
         double value = 0.0;
         bool named = true;
     };
-    /// Whole powers of ten, all or every second of them named; over three of them or fewer, 2 and 5 of each
-    /// too.
+    /// Whole powers of ten, all or every second one labeled;
+    /// with three or fewer of them, also 2 and 5 times each.
     [[nodiscard]] std::vector<Tick> ticks() const;
 
 private:

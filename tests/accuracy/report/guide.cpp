@@ -16,49 +16,44 @@ namespace {
 constexpr auto kPlots = std::to_array<std::string_view>(
     {"stack20", "heavy1000", "chain1000", "pendulum", "spring2", "spring10", "orbit", "bullet"});
 
-/// The marks to reach, in this order.
+/// The goals, in this order.
 constexpr auto kMarks =
     std::to_array<std::string_view>({"stack20", "heavy100", "heavy1000", "chain100", "chain1000", "pendulum",
                                      "pyramid465", "bounces", "incline", "freefall"});
 
 constexpr std::string_view kStart = R"(# What accuracy costs
 
-Every simulation is wrong by some amount. Plumb shows by how much, and what less of it costs, so that you can choose. All
-figures here come from `./plumb accuracy --docs docs`, which also writes `accuracy.html` with every scene, and tables to
-calculate with. `./plumb accuracy --quick` takes less than a minute; `--scene NAME` runs one.
+Every simulation has errors. Plumb measures them and the cost of smaller ones, so that you can choose. All figures on this
+page come from `./plumb accuracy --docs docs`, which also writes `accuracy.html` with every scene, and tables for
+spreadsheets. `./plumb accuracy --quick` takes less than a minute; `--scene NAME` runs one.
 
 )";
 
 constexpr auto kAdvice = std::to_array<Advice>({
     {"Leave it at the default",
-     "(quality 2: four small steps in each step of 1/60 s) until something looks wrong. It is the ringed "
-     "point in the "
-     "plots."},
+     "(quality 2: four substeps in each step of 1/60 s) until something looks wrong. It is the "
+     "circled point in the plots."},
     {"Something sags, stretches or sinks in?",
-     "Raise the quality of that body or joint, not of the whole world: each step up doubles the substeps, "
-     "makes such "
-     "errors three to four times smaller and costs that island 1.3 to 2 times the time."},
-    {"Chains, ropes, bridges, pendulums:",
-     "leave direct joints on. They hold whatever hangs on them, also at quality 0."},
+     "Raise the quality of that body or joint, not of the whole world: each level doubles the "
+     "substeps, makes such errors three to four times smaller and costs that island 1.3 to 2 times "
+     "the time."},
+    {"Chains, ropes, bridges, pendulums:", "leave direct joints on. They hold any load, even at quality 0."},
     {"Springs and orbits",
-     "are moved by the integrator. Runge-Kutta 4 is the most exact wherever a swing has 24 substeps or more "
-     "(5 Hz at "
-     "quality 1, 10 Hz at quality 2). With fewer it eats energy; Verlet keeps it. Explicit Euler is for "
-     "teaching."},
+     "depend on the integrator. Runge-Kutta 4 is the most accurate if a period has 24 substeps or "
+     "more (5 Hz at quality 1, 10 Hz at quality 2). With fewer it loses energy; Verlet conserves it. "
+     "Explicit Euler is for teaching."},
     {"More iterations",
-     "hardly ever pay: most of what is left of an error is softness, which only substeps make smaller. The "
-     "solver's "
-     "contacts and joints are stiff springs, damped so that they cannot ring (a soft step): the shorter the "
-     "substep, "
-     "the stiffer."},
+     "are rarely worth their time: most of the remaining error is compliance, which only more "
+     "substeps reduce. The solver's contacts and joints are stiff, overdamped springs (soft "
+     "constraints): the shorter the substep, the stiffer."},
 });
 
 constexpr std::string_view kReading = R"(## How to read the plots
 
-To the left is faster, further down is more exact; equal ways are equal ratios. A line is one way to simulate the scene, its points are the
-substeps that stand beside them, hollow ones have more iterations instead. The yellow band joins the best buys: no other point is both faster
-and more exact. Green is the goal; a dark diamond is another engine with its own defaults. A cross is a run that misses another goal of the
-scene, as a tower that fell: what it is exact in counts for nothing.
+Further left is faster, further down is more accurate; both axes are logarithmic. A line is a method; its points are labeled with the number
+of substeps, and hollow points have more iterations instead. The yellow band connects the best choices: no other point is both faster and more
+accurate. Green is the goal; a dark diamond is another engine with its defaults. A cross is a run that misses another goal of the scene, such
+as a tower that fell: its error has no meaning.
 
 )";
 
@@ -104,8 +99,7 @@ std::string choicesText() {
 
 std::string marksText(const std::vector<Row>& rows) {
     std::string text = format(
-        "## Marks to reach\n\n{}\n\n| scene | goal | default | the fewest substeps that are exact enough | "
-        "Box2D "
+        "## Goals\n\n{}\n\n| scene | goal | default | minimum substeps that reach the goal | Box2D "
         "2.4.1 | default over Box2D: error / time |\n|---|---|---|---|---|---|\n",
         marksWords());
     for (const Mark& mark : marksOf(rows))
@@ -115,7 +109,7 @@ std::string marksText(const std::vector<Row>& rows) {
 }
 
 std::string plotsOf(const std::vector<Row>& rows) {
-    std::string text = "## Telling scenes\n\n";
+    std::string text = "## Representative scenes\n\n";
     for (const std::string_view scene : kPlots) {
         if (defaultRow(rows, scene) == nullptr) continue;
         const SceneText& words = textOf(scene);
@@ -148,13 +142,11 @@ std::string energiesOf(const std::vector<Row>& rows) {
 
 std::string orderTable(const std::vector<Row>& rows) {
     std::string text =
-        "## How fast errors fall\n\nThe p of error ~ 1 / substeps^p, over the substeps at which the points "
-        "are on a line; 2 "
-        "means that twice the substeps\nleave a quarter. What more substeps do not get below is the floor: "
-        "mostly the rounding "
-        "of single precision, in which\nall but places is kept. Where errors are rounding alone p means "
-        "nothing, and below 0 "
-        "says that more substeps round more often.\n\n| scene | method | p | expected | substeps | floor "
+        "## How fast errors fall\n\nThe exponent p of error ~ 1 / substeps^p, fitted where the points "
+        "are on a line; 2 means that twice the substeps leave\na quarter of the error. The floor is the "
+        "error that more substeps do not reduce: mostly rounding of single precision, in\nwhich "
+        "everything except positions is stored. Where errors are rounding alone p has no meaning; below "
+        "0 more substeps round more often.\n\n| scene | method | p | expected | substeps | floor "
         "|\n|---|---|---|---|---|---|\n";
     std::set<std::string> explained;
     std::string reasons;
@@ -165,7 +157,7 @@ std::string orderTable(const std::vector<Row>& rows) {
         if (!row.why.empty() && explained.insert(row.scene).second)
             reasons += format("* **{}**: {}\n", row.scene, row.why);
     }
-    return format("{}\nWhere that is not as expected:\n\n{}\n", text, reasons);
+    return format("{}\nWhere the exponent is not as expected:\n\n{}\n", text, reasons);
 }
 
 }  // namespace

@@ -11,31 +11,31 @@
 
 namespace plumb::accuracy {
 
-/// In words: when, what was asked for, how long it took.
+/// Description of the run: options, size and duration.
 std::string howItRan(const Options& options, const std::vector<Row>& rows, double seconds);
 
-/// The scenes whose plots stand in docs/accuracy.md, as accuracy/NAME.svg.
+/// The scenes whose plots are in docs/accuracy.md, as accuracy/NAME.svg.
 std::span<const std::string_view> guideScenes();
 
-/// What to choose, in words: what stands out, and the rest of it.
+/// Recommendations: a bold lead, and the rest of the text.
 struct Advice {
     std::string_view lead;
     std::string_view text;
 };
 std::span<const Advice> allAdvice();
 
-/// One of the figures that were to be reached, in words.
+/// A goal and the results, as text.
 struct Mark {
     std::string_view scene;
     std::string_view title;
     std::string goal;
     std::string own;     ///< of the default
-    std::string fewest;  ///< the fewest substeps that are exact enough
+    std::string fewest;  ///< minimum substeps that reach the goal
     std::string peer;    ///< of Box2D 2.4.1
     std::string ratio;   ///< default over Box2D: error / time
 };
 std::vector<Mark> marksOf(const std::vector<Row>& rows);
-/// What the columns mean.
+/// Explanation of the columns.
 std::string_view marksWords();
 
 /// docs/accuracy.md.

@@ -11,7 +11,7 @@ namespace {
 
 struct Option {
     std::string_view name;
-    std::string_view value;  ///< what follows it; empty where nothing does
+    std::string_view value;  ///< its value; empty if it has none
     std::string_view help;
 };
 

@@ -11,25 +11,25 @@
 
 namespace plumb::accuracy {
 
-/// What the command line asks for.
+/// The command line options.
 struct Options {
     SweepOptions sweep;
     Path out = "build/accuracy";
-    Path docs;          ///< where accuracy.md and accuracy/ go; empty for nowhere
-    bool peers = true;  ///< other engines too
+    Path docs;          ///< where accuracy.md and accuracy/ are written; empty: nowhere
+    bool peers = true;  ///< include other engines
     bool help = false;
-    bool list = false;       ///< only the names of the scenes
-    bool stability = false;  ///< the stability map instead, which reads the other words
-    bool families = false;   ///< families and relations instead, the same
-    bool tuning = false;     ///< what each constant of the physics does instead, the same
+    bool list = false;       ///< only list the names of the scenes
+    bool stability = false;  ///< run the stability map instead, which parses the other arguments
+    bool families = false;   ///< run families and relations instead, likewise
+    bool tuning = false;     ///< run the sweep of the constants instead, likewise
     std::vector<std::string_view> otherWords;
 };
 
-/// @error a word that means nothing, with those that would; a scene that is not there, with one like it
+/// @error an unknown option, with the known ones; an unknown scene, with a similar one
 Result<Options> readOptions(std::span<const std::string_view> words);
 
 std::string helpText();
-/// The scenes, one in a line.
+/// The scenes, one per line.
 std::string sceneList();
 
 }  // namespace plumb::accuracy

@@ -8,10 +8,10 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kBetter = 0.85;    // of the error before, where a point still counts as falling
-constexpr double kStraight = 1.25;  // how far a point may be off its line, as a factor
-constexpr std::size_t kFewest = 3;  // of a straight part
-constexpr double kNoticed = 0.99;   // of an error: what is better by less is not bought
+constexpr double kBetter = 0.85;    // ratio to the previous error, up to which a point counts as falling
+constexpr double kStraight = 1.25;  // maximum distance of a point from its line, as a factor
+constexpr std::size_t kMin = 3;     // minimum number of points of a straight part
+constexpr double kNoticed = 0.99;   // ratio: smaller improvements are ignored
 
 struct Run {
     std::size_t begin = 0, end = 0;
@@ -53,10 +53,10 @@ bool isStraight(std::span<const Sample> samples) {
     });
 }
 
-/// The longest part that is a straight line; nothing where there is none.
-/// @param early  of two alike the first, as the other is nearer to the floor; else the last
+/// The longest part that is a straight line; nothing if there is none.
+/// @param early of two equally long ones the first, because the other is nearer to the floor; else the last
 Run straightPart(std::span<const Sample> samples, Run fall, bool early) {
-    for (std::size_t size = fall.size(); size >= kFewest; --size) {
+    for (std::size_t size = fall.size(); size >= kMin; --size) {
         Run found;
         for (std::size_t begin = fall.begin; begin + size <= fall.end; ++begin) {
             if (!isStraight(samples.subspan(begin, size))) continue;
@@ -77,10 +77,10 @@ Order orderOf(std::span<const Sample> samples) {
     }
     if (good.size() < 2) return {};
     const Run fall = longestFall(good);
-    const bool ends = fall.size() >= kFewest && fall.end < good.size();
+    const bool ends = fall.size() >= kMin && fall.end < good.size();
     Run run = straightPart(good, fall, ends);
     if (run.size() == 0 && ends) run = {fall.begin, fall.end - 1};  // the last one is partly floor already
-    if (run.size() == 0) run = fall.size() >= kFewest ? fall : Run{0, good.size()};
+    if (run.size() == 0) run = fall.size() >= kMin ? fall : Run{0, good.size()};
     const std::span<const Sample> used = std::span{good}.subspan(run.begin, run.size());
     Order order{.power = lineThrough(used).power,
                 .first = used.front().effort,

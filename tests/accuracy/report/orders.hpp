@@ -10,22 +10,22 @@
 
 namespace plumb::accuracy {
 
-/// How fast the error of a scene falls with more substeps, beside what was expected.
+/// Convergence of a scene's error with more substeps, compared with the expected order.
 struct OrderRow {
     std::string scene;
     std::string method;  ///< solver or integrator
     Order order;
     std::optional<double> expected;
     std::string unit;
-    std::string why;  ///< empty where it is as expected
+    std::string why;  ///< empty if it is as expected
 };
 
-/// Of each scene with all its solvers and integrators, at one iteration.
+/// For each scene with all its solvers and integrators, at one iteration.
 std::vector<OrderRow> ordersOf(const std::vector<Row>& rows);
 
 /// "1.98", "too few points".
 std::string powerText(const Order& order);
-/// "2 to 64": the substeps of the points it was fitted to.
+/// "2 to 64": the substeps of the fitted points.
 std::string rangeText(const Order& order);
 /// "0.02 mm from 16 substeps on", "not met".
 std::string floorText(const OrderRow& row);

@@ -113,10 +113,9 @@ std::string marks(const std::vector<Row>& rows) {
     const std::vector<Mark> all = marksOf(rows);
     if (all.empty()) return {};
     std::string html = format(
-        "<section class=\"card\"><h2>Marks to reach</h2>\n<p class=\"soft\">{}</p>\n<div "
-        "class=\"wide\"><table>"
-        "<tr><th>scene</th><th>goal</th><th>default</th><th>fewest substeps that are exact enough</th>"
-        "<th>Box2D 2.4.1</th><th>default over Box2D: error / time</th></tr>\n",
+        "<section class=\"card\"><h2>Goals</h2>\n<p class=\"soft\">{}</p>\n<div "
+        "class=\"wide\"><table><tr><th>scene</th><th>goal</th><th>default</th><th>minimum substeps that "
+        "reach the goal</th><th>Box2D 2.4.1</th><th>default over Box2D: error / time</th></tr>\n",
         escaped(marksWords()));
     for (const Mark& mark : all) {
         html += "<tr>" + cell(linkTo(mark.scene));
@@ -148,16 +147,13 @@ std::string pageOf(const std::vector<Row>& rows, std::string_view how) {
     html += "<h1>What accuracy costs</h1>\n";
     html += format("<p class=\"soft\">{}</p>\n", escaped(how));
     html +=
-        "<p>Each plot is one scene whose outcome is known. To the left is faster, further down is more "
-        "exact; "
-        "equal ways are equal ratios. A line is one way to simulate the scene; its points are the substeps "
-        "that "
-        "stand beside them. Hollow points have more iterations instead. The yellow band joins the best buys: "
-        "no "
-        "other point is both faster and more exact. The ring marks what you get without asking, green is the "
-        "goal, and a dark diamond is another engine with its own defaults. A cross misses another goal of "
-        "the "
-        "scene, as a tower that fell; a triangle at the upper edge is too bad to draw.</p>\n";
+        "<p>Each plot is one scene whose outcome is known. Further left is faster, further down is more "
+        "accurate; both axes are logarithmic. A line is a method; its points are labeled with the "
+        "number of substeps. Hollow points have more iterations instead. The yellow band connects the "
+        "best choices: no other point is both faster and more accurate. The ring marks the default, "
+        "green is the goal, and a dark diamond is another engine with its defaults. A cross misses "
+        "another goal of the scene, such as a tower that fell; a triangle at the upper edge is an error "
+        "beyond the plot.</p>\n";
     html += choices() + marks(rows) + "<nav>\n";
     for (const std::string& scene : scenes) html += linkTo(scene) + "\n";
     html += "</nav>\n";

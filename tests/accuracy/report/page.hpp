@@ -7,8 +7,8 @@
 
 namespace plumb::accuracy {
 
-/// accuracy.html: all plots with what they mean, complete in itself.
-/// @param how  in words, how the rows came to be
+/// accuracy.html: all plots with explanations, self-contained.
+/// @param how description of the run
 std::string pageOf(const std::vector<Row>& rows, std::string_view how);
 
 }  // namespace plumb::accuracy

@@ -52,7 +52,7 @@ std::string figureText(double value) {
         std::snprintf(text, sizeof text, "%.1e", value);
         return text;
     }
-    // Three digits that count, none behind the point from 100 on, and no zeros at the end.
+    // Three significant digits, no decimals from 100 on, and no trailing zeros.
     const int digits = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
     std::snprintf(text, sizeof text, "%.*f", digits, value);
     std::string result = text;

@@ -8,19 +8,19 @@
 
 namespace plumb::accuracy {
 
-/// One figure of one scene, simulated in one way: a line of results.csv.
+/// One figure of one scene with one method: a line of results.csv.
 struct Row {
     std::string scene;
-    std::string figure;  ///< empty where a scene has one figure
-    bool main = false;   ///< the first figure of its scene: what is plotted
+    std::string figure;  ///< empty if the scene has one figure
+    bool main = false;   ///< the first figure of its scene: the plotted one
     Method method;
-    std::string solver;      ///< in plain words; of another engine its name
+    std::string solver;      ///< in plain words; for another engine its name
     std::string integrator;  ///< in plain words
-    int substeps = 0;        ///< 0: as many as each island needs, or as another engine has it
-    double error = 0.0;      ///< infinite where the scene came apart
+    int substeps = 0;        ///< 0: adaptive, or as another engine has it
+    double error = 0.0;      ///< infinite if the scene fell apart
     std::string unit;
-    double target = 0.0;    ///< infinite where there is none
-    double usTarget = 0.0;  ///< µs a step; 0 where there is none
+    double target = 0.0;    ///< infinite if there is none
+    double usTarget = 0.0;  ///< µs per step; 0 if there is none
     Metrics metrics;
     bool fails = false;  ///< another figure of the same run misses its goal
 
@@ -31,21 +31,21 @@ struct Row {
     [[nodiscard]] bool fast() const { return usTarget <= 0.0 || metrics.microsPerStep <= usTarget; }
 };
 
-/// What a scene is simulated with unless somebody says otherwise.
+/// Whether a row uses the default settings.
 inline bool isDefault(const Method& method) { return method == Method{}; }
 
 std::string_view integratorName(physics::IntegratorKind kind);
-/// @param joints  whether the scene has any: without them trees make no difference
+/// @param joints whether the scene has any: without joints trees make no difference
 std::string solverName(const Method& method, bool joints);
 
-/// The rows of a scene, in their order.
+/// The rows of a scene, in order.
 std::vector<Row> rowsOf(const std::vector<Row>& rows, std::string_view scene);
-/// The row of a scene's main figure by the default method; nullptr where it was not run.
+/// The row of a scene's main figure with the default method; nullptr if it was not run.
 const Row* defaultRow(const std::vector<Row>& rows, std::string_view scene);
-/// The main figure of a scene by another engine.
+/// The main figure of a scene with another engine.
 const Row* peerRow(const std::vector<Row>& rows, std::string_view scene, std::string_view engine);
 
-/// For people: three digits that count, 1.2e-07 where that is shorter.
+/// For readers: three significant digits, 1.2e-07 if that is shorter.
 std::string figureText(double value);
 
 }  // namespace plumb::accuracy

@@ -9,8 +9,8 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kEnoughTime = 0.5;  // s: what took longer is not run again, its noise is small
-constexpr physics::Quality kIterated[] = {0, 2, 4};  // that are tried with more iterations
+constexpr double kEnoughTime = 0.5;  // s: longer runs are not repeated, because their noise is small
+constexpr physics::Quality kIterated[] = {0, 2, 4};  // tested with more iterations
 
 std::vector<physics::Quality> qualitiesOf(const SweepOptions& options) {
     if (!options.qualities.empty()) return options.qualities;
@@ -22,7 +22,7 @@ int substepsOf(const Method& method) {
     return method.peer != nullptr || method.quality == physics::kQualityOfWorld ? 0 : 1 << method.quality;
 }
 
-/// How long it takes, by guess, in no unit.
+/// Estimated run time, in arbitrary units.
 double workOf(const Experiment& experiment, const Method& method) {
     const double substeps = std::max(substepsOf(method), 8) * method.iterations;
     return (experiment.quick ? 1.0 : 15.0) * (8.0 + substeps);
@@ -67,7 +67,7 @@ std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& 
              {IntegratorKind::ExplicitEuler, IntegratorKind::Verlet, IntegratorKind::Rk4})
             addAll({.integrator = kind});
     }
-    // Fields alone ask nothing of the solver.
+    // With fields only, solver settings make no difference.
     if (!options.quick && options.qualities.empty() && !experiment.has(kSmoothForces)) {
         for (const bool trees : {true, false}) {
             if (!trees && !experiment.has(kJoints)) continue;
@@ -113,7 +113,7 @@ std::vector<Row> runOne(const Experiment& experiment, const Method& method, cons
         if (experiment.has(kNoExactAnswer) && trial.start()) {
             if (const auto error =
                     referenceError(experiment.name, *trial.start(), trial.world(), trial.time()))
-                // Not first, as what is plotted: other engines do not have it.
+                // Not first, because it is plotted and other engines do not have it.
                 rows.push_back(rowOf(experiment, method, {"place", *error * 1000.0, "mm", kNoTarget}));
         }
     }

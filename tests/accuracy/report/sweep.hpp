@@ -11,35 +11,35 @@
 namespace plumb::accuracy {
 
 struct SweepOptions {
-    std::string scene;                        ///< empty for all
-    bool quick = false;                       ///< scenes that take a moment, three qualities, one run of each
-    int runs = 3;                             ///< of each, of which the fastest counts
-    std::vector<physics::Quality> qualities;  ///< empty for 1 to 64 substeps and automatic
-    std::span<const scenes::Engine> peers;    ///< empty for none
+    std::string scene;                        ///< empty: all
+    bool quick = false;                       ///< only fast scenes, three qualities, one run of each
+    int runs = 3;                             ///< of each, the fastest of which counts
+    std::vector<physics::Quality> qualities;  ///< empty: 1 to 64 substeps and automatic
+    std::span<const scenes::Engine> peers;    ///< empty: none
     Trial::CountAllocations count = nullptr;
 };
 
-/// The ways in which a scene is simulated: the default solver at each quality; without joint trees where it
-/// has joints; with each integrator where smooth forces alone act; with more iterations at some
-/// qualities; at automatic quality; and by the other engines.
+/// The methods with which a scene is simulated: the default solver at each quality; without
+/// joint trees if it has joints; with each integrator if there are only smooth forces; with
+/// more iterations at some qualities; with automatic quality; and with the other engines.
 std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& options);
 
-/// The scenes that these options ask for.
+/// The scenes selected by these options.
 std::vector<const Experiment*> chosen(const SweepOptions& options);
 
-/// What runs now, and how far it all is.
+/// The current run, and the total progress.
 struct Progress {
     const Experiment* experiment = nullptr;
     std::string method;      ///< in words
-    std::size_t number = 0;  ///< of it, from 1 on
+    std::size_t number = 0;  ///< number of the run, from 1
     std::size_t all = 0;
-    double part = 0.0;  ///< of the work that is done, 0..1, as far as it can be guessed
+    double part = 0.0;  ///< estimated fraction of the work that is done, 0..1
 };
 
-/// Does one experiment in one way: a row for each of its figures; none where an engine lacks what it needs.
+/// Runs one experiment with one method: a row for each figure; none if an engine lacks a feature.
 std::vector<Row> runOne(const Experiment& experiment, const Method& method, const SweepOptions& options);
 
-/// Does all.
+/// Runs all.
 /// @param progress  called before each
 /// @param done      called with the rows of each scene once it is done
 std::vector<Row> sweep(const SweepOptions& options, const std::function<void(const Progress&)>& progress,

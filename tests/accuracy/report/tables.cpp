@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMillimetres = 1000.0;
 
-/// One column: what it is called, and its value as words or as a number.
+/// A column: its name, and its value as text or number.
 struct Cell {
     std::string_view name;
     std::string words;

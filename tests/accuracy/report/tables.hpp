@@ -7,11 +7,11 @@
 
 namespace plumb::accuracy {
 
-/// A line for each row, under a line of names; commas and quotes in words are made harmless.
+/// One line per row, after a header line; commas and quotes in texts are escaped.
 std::string csvOf(std::span<const Row> rows);
 
-/// [{scene, figure, solver, integrator, substeps, iterations, error, unit, usPerStep, …}]. What is no number
-/// (a scene that came apart, no target) is null.
+/// [{scene, figure, solver, integrator, substeps, iterations, error, unit,
+/// usPerStep, …}]. Non-finite numbers (a scene that fell apart, no goal) are null.
 std::string jsonOf(std::span<const Row> rows);
 
 }  // namespace plumb::accuracy

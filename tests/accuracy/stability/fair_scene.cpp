@@ -11,8 +11,8 @@ namespace plumb::stability {
 namespace {
 
 constexpr int kColumns = 4;
-constexpr double kCell = 2.0;   // m: the room of a body
-constexpr float kReach = 0.9f;  // m: no point of a body is further from its middle
+constexpr double kCell = 2.0;   // m: space for a body
+constexpr float kReach = 0.9f;  // m: maximum distance of a point of a body from its middle
 constexpr double kWalls = 0.5 * kColumns * kCell;
 
 Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }

@@ -8,15 +8,15 @@
 
 namespace plumb::stability {
 
-/// A random world in which nothing overlaps at the start and nothing is driven: bodies of all shapes in a
-/// pit, some hinged to a neighbour, thrown about. So its energy, motion and height together, may only fall.
+/// A random world without initial overlaps and drives: bodies of all shapes in a pit, some with a
+/// hinge to a neighbour, thrown about. So its energy, kinetic and potential together, must not grow.
 class FairScene {
 public:
     explicit FairScene(std::uint64_t seed);
 
     void run();
     [[nodiscard]] bool isSound() const { return sound_; }
-    /// Most energy at any time over that at the start, minus 1.
+    /// Maximum energy at any time relative to that at the start, minus 1.
     [[nodiscard]] double energyGain() const { return mostEnergy_ / startEnergy_ - 1.0; }
     [[nodiscard]] bool hasJoints() const { return world_.joints.size() > 0; }
     [[nodiscard]] const physics::World& world() const { return world_; }
@@ -28,7 +28,7 @@ private:
     void addHinge();
     [[nodiscard]] double energy() const;
     [[nodiscard]] double between(double low, double high);
-    [[nodiscard]] float decades(double low, double high);  ///< even over the decades
+    [[nodiscard]] float decades(double low, double high);  ///< uniform over the decades
     bool oneIn(std::uint32_t times) { return random_.below(times) == 0; }
 
     physics::World world_;

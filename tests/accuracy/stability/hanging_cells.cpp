@@ -4,7 +4,7 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// What joints hold: the gaps in them are the error, and energy must not grow.
+// Bodies on joints: the joint gaps are the error, and energy must not grow.
 
 namespace plumb::stability {
 
@@ -17,7 +17,7 @@ constexpr Material kGhost{.group = -1};  // its bodies never meet
 
 Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
-/// Links that hang from a pin at the origin, and a ball `ratio` times as heavy as one, if above 0.
+/// Links that hang from a pin at the origin, and a ball of `ratio` times the mass of a link, if above 0.
 Figures hangingChain(const Terms& terms, int count, double ratio) {
     constexpr double kBall = 0.5;  // m, its radius
     const double length = count * kLink + (ratio > 0.0 ? 2.0 * kBall : 0.0);
@@ -58,7 +58,7 @@ Figures chainAtStep(double quality, double step) {
     return hangingChain({.quality = quality, .step = step}, kTwenty, 100.0);
 }
 
-/// Let go level: whips about, so that only its joints and its energy can be judged.
+/// Released horizontally: it whips about, so only its joints and its energy can be judged.
 Figures swingingChain(double quality, double count) {
     const int links = static_cast<int>(count);
     const double length = links * kLink;
@@ -76,7 +76,7 @@ Figures swingingChain(double quality, double count) {
     return lab.figures();
 }
 
-/// Planks between two posts and a crate that falls onto the middle: joints with contacts on them.
+/// Planks between two posts and a crate that falls onto the middle: joints and contacts together.
 Figures loadedBridge(double quality, double ratio) {
     constexpr int kPlanks = 20;
     Lab lab{{.quality = quality}, {.size = 1.0, .extent = kPlanks, .rests = false}};
@@ -102,7 +102,7 @@ Figures loadedBridge(double quality, double ratio) {
     return lab.figures();
 }
 
-/// A rigid arm of 1 m, let go level: it comes back to the same height for ever.
+/// A rigid arm of 1 m, released horizontally: it always returns to the same height.
 Figures pendulumAtStep(double quality, double step) {
     Lab lab{{.quality = quality, .step = step}, {.size = 1.0, .extent = 1.0, .rests = false}};
     lab.countHeightFrom(-1.1);

@@ -9,8 +9,8 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr double kLate = 0.5;    // s at the end, in which what rests should
-constexpr double kApart = 0.01;  // ratio: less overlap than this counts as parted
+constexpr double kLate = 0.5;    // s at the end, in which bodies should be at rest
+constexpr double kApart = 0.01;  // ratio: a smaller overlap counts as separated
 constexpr physics::Quality kUsual = 2;
 
 scenes::WorldSetup setupOf(const Terms& terms) {
@@ -110,7 +110,8 @@ void Lab::look(bool isLate) {
         const double turning = std::fabs(static_cast<double>(motion.angularVelocity)) *
                                static_cast<double>(world().bodies.info[i].reach);
         sound_ = sound_ && std::isfinite(speed) && std::isfinite(turning);
-        // Of a fall from where it began, nothing is left; what has risen has the speed that it began with.
+        // A fall from the starting height explains no more; a body that has risen has its initial speed at
+        // most.
         const double risen = world().bodies.pose[i].centre.y - static_cast<double>(stayer.start.y);
         const double unexplained = speed * speed + 2.0 * terms_.gravity * risen;
         mostSpeed_ = std::max(mostSpeed_, std::sqrt(std::max(unexplained, 0.0)));

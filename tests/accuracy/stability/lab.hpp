@@ -14,25 +14,25 @@ using scenes::Outline;
 
 inline constexpr double kGravity = 10.0;  ///< m/s2, down
 
-/// Under what a scene is simulated.
+/// Parameters of a simulation.
 struct Terms {
     double quality = 2.0;       ///< 0..5; below 0 automatic, from 2 on
     double step = 1.0 / 60.0;   ///< s
     double gravity = kGravity;  ///< m/s2, down
-    double origin = 0.0;        ///< m: the scene is so far to the right
+    double origin = 0.0;        ///< m: offset of the scene to the right
 };
 
-/// What the figures of a scene are compared to.
+/// Reference values for the figures of a scene.
 struct Yardstick {
     double size = 1.0;        ///< m: thickness of the smallest body, or the length of a link
     double extent = 1.0;      ///< m: of the scene along gravity
-    double mostSpeed = 0.0;   ///< m/s that the scene explains besides falls; 0 is not looked at
+    double mostSpeed = 0.0;   ///< m/s that the scene explains besides falls; 0: not checked
     bool driven = false;      ///< by a motor or a kinematic body: energy may grow
-    bool rests = true;        ///< where it starts is where it belongs, and it should come to rest
-    bool overlapped = false;  ///< energy counts from the moment when all have come apart
+    bool rests = true;        ///< it should stay in its initial position, at rest
+    bool overlapped = false;  ///< energy is measured from the time when all bodies are separated
 };
 
-/// A world that one cell of a map is played in. Places are relative to the origin of the terms, y is up.
+/// The world of one cell of a map. Positions are relative to the origin of the terms, y is up.
 class Lab {
 public:
     Lab(const Terms& terms, const Yardstick& yardstick);
@@ -43,16 +43,16 @@ public:
                         double angle = 0.0);
     BodyHandle addKinematic(const Outline& outline, Vec2 centre);
     void hinge(BodyHandle a, BodyHandle b, Vec2 anchorA, Vec2 anchorB);
-    /// B turns about a point of A that is its own origin, by a motor against a limit.
+    /// B rotates about a point of A that is its own origin, driven by a motor against a limit.
     void drivenHinge(BodyHandle a, BodyHandle b, Vec2 anchorB, double limit, double speed, double torque);
     void setMass(BodyHandle body, double kilograms);
     void setVelocity(BodyHandle body, Vec2 velocity, double spin = 0.0);
-    /// Energy of height is counted from here: the lowest place that anything can come to.
+    /// Reference height of the potential energy: the lowest reachable position.
     void countHeightFrom(double y) { lowest_ = y; }
 
     /// Simulates; `look` is called after each step with the time (s) since the start.
     void run(double seconds, const std::function<void(double)>& look = {});
-    void setOff(double ratio) { off_ = ratio; }  ///< how far from the exact answer, where it does not rest
+    void setOff(double ratio) { off_ = ratio; }  ///< deviation from the exact result, if it is not at rest
     [[nodiscard]] Figures figures() const;
 
     [[nodiscard]] double x(BodyHandle body) const;
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] physics::BodyId idOf(BodyHandle body) const { return scene_.idOf(body); }
 
 private:
-    /// A body that should stay where it was put.
+    /// A body that should stay in its initial position.
     struct Stayer {
         BodyHandle body;
         Vec2 start;
@@ -81,7 +81,7 @@ private:
     double lowest_ = 0.0;
     double off_ = 0.0;
     double time_ = 0.0;
-    double startEnergy_ = -1.0;  ///< J; below 0 before it is counted
+    double startEnergy_ = -1.0;  ///< J; below 0 before it is measured
     double mostEnergy_ = 0.0;
     double mostSpeed_ = 0.0;
     double residual_ = 0.0;

@@ -43,7 +43,7 @@ constexpr Map kMaps[] = {
     {"mass_ratio_height", "Mass ratio on a stack",
      "A heavy box on top of a stack of unit boxes, automatic quality, 10 s. Exact: nothing moves.", kByHeight,
      kByRatio, 0, heavyOnStack, 1u << 1},
-    {"stack", "Stack", "Unit boxes on each other, 10 s. Exact: nothing moves.", kByQuality, kByHeight, 0,
+    {"stack", "Stack", "A stack of unit boxes, 10 s. Exact: nothing moves.", kByQuality, kByHeight, 0,
      stackOf, kUsualRows},
     {"stack_step", "Step", "A stack of ten unit boxes, 10 s. Exact: nothing moves.", kByQuality, kByStep, 0,
      stackAtStep, kUsualRows},
@@ -60,9 +60,8 @@ constexpr Map kMaps[] = {
      kUsualRows},
     {"size_ratio",
      "Size ratio",
-     "A box on a unit box (larger ones on two, under their ends), of one density, so that 1000 times the "
-     "size is "
-     "a million times the mass; 10 s. Exact: nothing moves.",
+     "A box on a unit box (larger ones on two, under their ends) of equal density, so 1000 times the "
+     "size is a million times the mass; 10 s. Exact: nothing moves.",
      kByQuality,
      {"size of the upper box, m", Label::Plain, kSizes},
      3,
@@ -70,7 +69,7 @@ constexpr Map kMaps[] = {
      kUsualRows},
     {"size_ratio_equal",
      "Size ratio, equal masses",
-     "The same, but all weigh 1 kg. Exact: nothing moves.",
+     "The same with equal masses of 1 kg. Exact: nothing moves.",
      kByQuality,
      {"size of the upper box, m", Label::Plain, kSizes},
      3,
@@ -94,7 +93,7 @@ constexpr Map kMaps[] = {
      kUsualRows},
     {"plates",
      "Thin plates",
-     "Five plates of 1 m on each other, 10 s. Exact: nothing moves.",
+     "A stack of five plates of 1 m, 10 s. Exact: nothing moves.",
      kByQuality,
      {"thickness, m", Label::Plain, kThin},
      0,
@@ -120,8 +119,8 @@ constexpr Map kMaps[] = {
      "Twenty links with a ball of 100 times their mass, 10 s. Exact: nothing moves.", kByQuality, kByStep, 0,
      chainAtStep, kUsualRows},
     {"chain_swing", "Swinging chain",
-     "Links of 0.5 m, let go level, 10 s. Exact: joints are closed; energy does not grow.", kByQuality,
-     kByLinks, 0, swingingChain, kUsualRows},
+     "Links of 0.5 m, released horizontally, 10 s. Exact: joints are closed; energy does not grow.",
+     kByQuality, kByLinks, 0, swingingChain, kUsualRows},
     {"bridge",
      "Loaded bridge",
      "Twenty planks between two posts and a crate that falls on their middle, 10 s. Exact: joints are "
@@ -133,8 +132,8 @@ constexpr Map kMaps[] = {
      loadedBridge,
      kUsualRows},
     {"pendulum", "Pendulum and step",
-     "A rigid arm of 1 m, let go level. Exact: after 10 s it comes to the same height.", kByQuality, kByStep,
-     0, pendulumAtStep, kUsualRows},
+     "A rigid arm of 1 m, released horizontally. Exact: after 10 s it returns to the same height.",
+     kByQuality, kByStep, 0, pendulumAtStep, kUsualRows},
     {"motor_limit",
      "Motor against a limit",
      "An arm of 1 m (0.1 kg) that a motor drives into its limit for 5 s. Exact: it stays at the limit, its "
@@ -192,10 +191,9 @@ constexpr Map kMaps[] = {
      kUsualRows},
     {"overlap",
      "Full overlap at spawn",
-     "Unit boxes made in the very same place, 10 s. Exact: they come apart calmly and rest. Energy counts "
-     "from the "
-     "moment when they are apart; before, none may be faster than 4 m/s and a fall from their height "
-     "explain.",
+     "Unit boxes created in the same place, 10 s. Exact: they separate gently and rest. Energy is "
+     "measured from the time when they are separated; before, none may be faster than 4 m/s plus a "
+     "fall from their height.",
      kByQuality,
      {"boxes in one place", Label::Plain, kCrowds},
      0,
@@ -203,9 +201,8 @@ constexpr Map kMaps[] = {
      kUsualRows},
     {"crusher",
      "Kinematic crusher",
-     "A press comes down on three crates at 0.5 m/s, leaves no room for them, holds for 1 s and goes up. "
-     "Exact: 5 s "
-     "later they rest and overlap nothing.",
+     "A press moves down on three crates at 0.5 m/s, leaves too little room for them, waits for 1 s "
+     "and moves up. Exact: 5 s later they rest without overlap.",
      kByQuality,
      {"room left, of their height", Label::Percent, kLeft},
      0,

@@ -9,10 +9,10 @@
 
 namespace plumb::stability {
 
-/// How the values along an axis are written.
+/// Format of the values along an axis.
 enum class Label : std::uint8_t { Plain, Quality, Step, Times, Percent };
 
-/// A row of values that a map has along one of its sides.
+/// The values along one axis of a map.
 struct Axis {
     std::string_view name;  ///< with its unit
     Label label = Label::Plain;
@@ -21,22 +21,22 @@ struct Axis {
 
 std::string labelOf(Label label, double value);
 
-/// A grid of cells: one scene under all combinations of two things that make it harder.
+/// A grid of cells: one scene with all combinations of two parameters that make it harder.
 struct Map {
     std::string_view name;  ///< of files and in tables
     std::string_view title;
-    std::string_view scene;  ///< what is built, for how long it runs, and what is exact, in words
+    std::string_view scene;  ///< description: what is built, its duration, and the exact result
     Axis rows;
     Axis columns;
-    std::size_t home = 0;  ///< the easiest column: reaches are counted from it
+    std::size_t home = 0;  ///< the easiest column, from which ranges are counted
     Figures (*run)(double row, double column) = nullptr;
-    std::uint32_t quickRows = 0;  ///< bits: what --quick and the tests play
+    std::uint32_t quickRows = 0;  ///< bits: rows of --quick and the tests
 };
 
 /// All, in the order of the report.
 std::span<const Map> allMaps();
 
-// Things that rest: resting_cells.cpp.
+// Bodies at rest: resting_cells.cpp.
 Figures heavyOnTop(double quality, double ratio);
 Figures heavyOnStack(double count, double ratio);
 Figures stackOf(double quality, double count);
@@ -50,7 +50,7 @@ Figures stackFarAway(double quality, double distance);
 Figures thinPlates(double quality, double thickness);
 Figures slivers(double quality, double thickness);
 
-// Things that hang: hanging_cells.cpp.
+// Hanging bodies: hanging_cells.cpp.
 Figures chainOf(double quality, double count);
 Figures ballOnChain(double quality, double ratio);
 Figures ballOnChainOf(double count, double ratio);
@@ -60,7 +60,7 @@ Figures loadedBridge(double quality, double ratio);
 Figures pendulumAtStep(double quality, double step);
 Figures motorAtLimit(double quality, double torque);
 
-// Things that move: moving_cells.cpp.
+// Moving bodies: moving_cells.cpp.
 Figures bounce(double quality, double bounciness);
 Figures bounceAtStep(double step, double bounciness);
 Figures slope(double quality, double friction);

@@ -7,18 +7,18 @@ namespace {
 
 constexpr std::string_view kOpening = R"(# Where the physics holds
 
-Made by `./plumb accuracy --stability --docs docs`; every figure here is of such a run. Each map plays one scene
-under all combinations of two things that make it harder: mostly [quality](../engine/physics/README.md) (downwards;
-*auto* gives hard islands more by itself, from quality 2 on) and one other (to the right). A cell has a letter, a
-colour and its largest error.
+Made by `./plumb accuracy --stability --docs docs`, including every figure on this page. Each map runs one scene
+with all combinations of two parameters: mostly [quality](../engine/physics/README.md) (rows; *auto* raises the
+quality of hard islands automatically, from 2 on) and one that makes the scene harder (columns). A cell shows a
+letter, a color and its largest error.
 
-Errors are ratios: overlap to the smallest body's thickness, gaps in joints to the length of a link, distance from
-the exact answer to the size of the scene along gravity (aside: to the smallest body), speed at the end to that of a
-fall by the smallest body's size. Energy is that of motion and of height above the lowest place that anything can
-come to, at any time against the start; where motors or presses drive something it is not counted, but no speed may
-be twice what explains it. **holds** says up to where a row is soft or better without a break: what one can plan on.
+Errors are ratios: overlap to the smallest body's thickness, joint gaps to the length of a link, distance from the
+exact position to the size of the scene along gravity (across it: to the smallest body), final speed to that of a
+fall by the smallest body's size. Energy is kinetic plus potential energy above the lowest reachable position, its
+maximum compared with the start; with motors or presses it is not evaluated, but no speed may be twice what explains
+it. **Holds** is the range in which a row is soft or better without a gap: what you can rely on.
 
-`--quick` plays quality 2 and automatic alone; so does the test suite, which keeps each cell from getting worse.
+`--quick` runs quality 2 and automatic only; so does the test suite, in which no cell may get worse.
 
 )";
 
@@ -47,8 +47,8 @@ std::string cellsOf(const PlayedMap& map, std::size_t row, Score score) {
 
 std::string badCells(std::span<const PlayedMap> maps) {
     std::string table =
-        "## Bad cells\n\nAll that are wrong or blow up, by row.\n\n"
-        "| map | row | wrong but bounded at | blows up at |\n|---|---|---|---|\n";
+        "## Bad cells\n\nAll cells that are wrong or blow up, by row.\n\n| map | row | wrong but "
+        "bounded at | blows up at |\n|---|---|---|---|\n";
     for (const PlayedMap& map : maps) {
         for (std::size_t row = 0; row < map.rows.size(); ++row) {
             const std::string wrong = cellsOf(map, row, Score::Wrong),

@@ -4,7 +4,7 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// What moves by a formula, and what is treated roughly.
+// Motion with a known solution, and rough treatment.
 
 namespace plumb::stability {
 
@@ -16,7 +16,7 @@ Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(
 
 const Outline kCrate = scenes::box({0.5f, 0.5f});
 
-/// A ball falls 2 m: how high it comes again, to the height that it fell, worst of its first three bounces.
+/// A ball falls 2 m: ratio of its height after each bounce to the expected one, worst of its first three.
 Figures bouncing(const Terms& terms, double bounciness) {
     constexpr double kHeight = 2.0;
     const Material rubber{.friction = 0.0f, .bounciness = static_cast<float>(bounciness)};
@@ -44,7 +44,7 @@ Figures bouncing(const Terms& terms, double bounciness) {
     return lab.figures();
 }
 
-/// A crate pressed to a part of its height by a kinematic press that comes down, holds, and goes up again.
+/// A kinematic press compresses a crate to a part of its height, waits, and moves up again.
 Figures press(double quality, double left, double speed) {
     const double step = 1.0 / 60.0;
     Lab lab{{.quality = quality},
@@ -101,7 +101,7 @@ Figures spinOnFloor(double quality, double spin) {
     return lab.figures();
 }
 
-/// A plank that spins among crates in a pit, as a mill: what it has may be dealt out, not multiplied.
+/// A plank that spins among crates in a pit, like a mill: its energy may be distributed, not multiplied.
 Figures spinAmongCrates(double quality, double spin) {
     Lab lab{{.quality = quality}, {.size = 0.2, .extent = 10.0, .rests = false}};
     lab.countHeightFrom(-1000.0);

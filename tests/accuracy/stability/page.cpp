@@ -40,20 +40,14 @@ std::string signOf(const ScoreInfo& info) {
 
 std::string legendCard(const Counts& counts) {
     std::string card =
-        "<section class=\"card\"><h2>How to read it</h2>\n"
-        "<p>Each map plays one scene under all combinations of two things that make it harder: mostly "
-        "quality "
-        "(downwards; auto gives hard islands more by itself, from quality 2 on) and one other (to the "
-        "right). A "
-        "cell shows its score and its largest error, or what blew up; point at it for what the error is of. "
-        "Errors "
-        "are ratios: overlap to the smallest body's thickness, gaps in joints to the length of a link, "
-        "distance "
-        "from the exact answer to the size of the scene along gravity (aside: to the smallest body), speed "
-        "at the "
-        "end to that of a fall by the smallest body's size. <b>holds</b> says up to where a row is soft or "
-        "better "
-        "without a break: what one can plan "
+        "<section class=\"card\"><h2>How to read it</h2>\n<p>Each map runs one scene with all "
+        "combinations of two parameters: mostly quality (rows; auto raises the quality of hard islands "
+        "automatically, from 2 on) and one that makes the scene harder (columns). A cell shows its "
+        "score and its largest error, or what blew up; its tooltip names the error. Errors are ratios: "
+        "overlap to the smallest body's thickness, gaps in joints to the length of a link, distance "
+        "from the exact position to the size of the scene along gravity (across it: to the smallest "
+        "body), final speed to that of a fall by the smallest body's size. <b>Holds</b> is the range in "
+        "which a row is soft or better without a gap: what you can rely "
         "on.</p>\n<table><tr><th></th><th>score</th><th>rule</th><th>cells</th></tr>\n";
     for (std::size_t i = counts.size(); i-- > 0;) {
         const ScoreInfo& info = infoOf(static_cast<Score>(i));
@@ -106,7 +100,7 @@ std::string pageOf(std::span<const PlayedMap> maps) {
         "content=\"width=device-width\">\n<title>Plumb: stability "
         "map</title>\n<style>{}</style></head><body><main>\n",
         kStyle);
-    page += "<h1>Stability map</h1>\n<p>Where the physics holds, where it gives, and where it fails.</p>\n";
+    page += "<h1>Stability map</h1>\n<p>Where the physics holds, where it is soft, and where it fails.</p>\n";
     page += verdict(counts) + legendCard(counts) + contentsCard(maps) + blownCard(maps);
     for (const PlayedMap& map : maps) {
         page += format("<section class=\"card\" id=\"{}\"><h2>{}</h2>\n<p>{}</p>\n{}</section>\n",

@@ -9,8 +9,8 @@ namespace {
 
 // px
 constexpr int kCellWide = 66, kCellHigh = 40;
-constexpr int kLeft = 96, kTop = 52;  // of the cells: room for labels
-constexpr int kReachWide = 112;       // of a column that says how far a row holds
+constexpr int kLeft = 96, kTop = 52;  // of the cells: leaves room for labels
+constexpr int kReachWide = 112;       // of the column that shows up to where a row holds
 constexpr int kPad = 8;
 
 std::string text(int x, int y, std::string_view anchor, int size, std::string_view fill,
@@ -27,11 +27,11 @@ std::string opening(int width, int height) {
         width, height, width, height, width, height);
 }
 
-/// Under the sign: how large the error is, or what blew up.
+/// Below the sign: the size of the error, or what blew up.
 std::string shortReason(const Figures& figures) {
     if (!figures.finite || !std::isfinite(errorOf(figures))) return "numbers";
-    if (!(figures.energyGain <= kMostGain)) return "energy";
-    if (!(figures.speeding <= kMostSpeeding)) return "speed";
+    if (!(figures.energyGain <= kMaxEnergyGain)) return "energy";
+    if (!(figures.speeding <= kMaxSpeeding)) return "speed";
     const double percent = errorOf(figures) * 100.0;
     if (percent < 0.001) return "0 %";
     if (percent > 999.5) return "> 999 %";

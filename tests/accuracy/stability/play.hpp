@@ -9,7 +9,7 @@
 
 namespace plumb::stability {
 
-/// A map with what came out. Rows may be fewer than the map has.
+/// A map with its results. It may have fewer rows than the map.
 struct PlayedMap {
     const Map* map = nullptr;
     std::vector<std::size_t> rows;  ///< of the map's, in order
@@ -22,17 +22,17 @@ struct PlayedMap {
     [[nodiscard]] std::vector<Score> scoresOf(std::size_t row) const;
     [[nodiscard]] std::string rowLabel(std::size_t row) const;
     [[nodiscard]] std::string columnLabel(std::size_t column) const;
-    /// Where a row is no worse than `floor`, in words: "all", "none", "to 1000", "0.1 to 10".
+    /// The range of a row that is no worse than `floor`, as text: "all", "none", "to 1000", "0.1 to 10".
     [[nodiscard]] std::string holds(std::size_t row, Score floor) const;
 };
 
 struct Choice {
-    bool quick = false;    ///< only the rows that are marked so
-    std::string_view map;  ///< the name of one; empty for all
+    bool quick = false;    ///< only the rows that are marked for it
+    std::string_view map;  ///< the name of one map; empty: all
     int threads = 1;
 };
 
-/// Plays all cells that are chosen, on some threads. What comes out does not depend on how many.
+/// Runs all selected cells on several threads. The results do not depend on their number.
 std::vector<PlayedMap> play(const Choice& choice, const accuracy::ShowDone& show = {});
 
 }  // namespace plumb::stability

@@ -11,7 +11,7 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr std::size_t kAtOnce = 256;  // scenes that a thread plays at a time
+constexpr std::size_t kAtOnce = 256;  // scenes that a thread runs at a time
 
 void playWild(std::uint64_t seed, RandomFindings& found) {
     physics::RandomScene scene{seed};
@@ -31,7 +31,7 @@ void playFair(std::uint64_t seed, RandomFindings& found) {
         return;
     }
     const double gain = scene.energyGain();
-    if (gain > kMostGain) ++kind.gained;
+    if (gain > kMaxEnergyGain) ++kind.gained;
     if (gain > kind.mostGain) {
         kind.mostGain = gain;
         if (kind.bad == 0) kind.seed = seed;

@@ -5,7 +5,7 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// What should stay where it is: whatever moves is the error.
+// Bodies that should stay in place: their displacement is the error.
 
 namespace plumb::stability {
 
@@ -18,7 +18,7 @@ Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(
 
 Outline square(double side) { return scenes::box(at(0.5 * side, 0.5 * side)); }
 
-/// Boxes of one size on each other, the top one as heavy as `ratio` of the others.
+/// A stack of equal boxes; the top one has `ratio` times the mass of the others.
 Figures stack(const Terms& terms, int count, double ratio = 1.0, double size = 1.0) {
     Lab lab{terms, {.size = size, .extent = count * size}};
     lab.floor({}, 200.0 * size);
@@ -29,7 +29,7 @@ Figures stack(const Terms& terms, int count, double ratio = 1.0, double size = 1
     return lab.figures();
 }
 
-/// A box of another size on one of a metre, or on two that are under its ends.
+/// A box of another size on one of a meter, or on two that are under its ends.
 Figures sizes(double quality, double size, bool equalMass) {
     const double smallest = std::min(size, 1.0);
     Lab lab{{.quality = quality}, {.size = smallest, .extent = 1.0 + size}};

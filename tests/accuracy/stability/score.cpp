@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::array<ScoreInfo, static_cast<std::size_t>(Score::Count)> kScores{{
     {'X', "blows up", "#b2182b", "#ffffff",
-     "a number goes bad, energy grows by more than 1 % without a motor, or something is twice as fast as "
-     "anything explains"},
+     "a number is not finite, energy grows by more than 1 % without a motor, or a body is twice as "
+     "fast as anything explains"},
     {'W', "wrong but bounded", "#fdae61", "#3d1f00",
-     "an error above 10 %: fallen, sunk in or pulled apart, but calm"},
-    {'S', "soft", "#fee9a8", "#3a3000", "an error up to 10 %: it gives visibly, but holds"},
+     "an error above 10 %: fallen, sunk in or pulled apart, but at rest"},
+    {'S', "soft", "#fee9a8", "#3a3000", "an error up to 10 %: visible compliance, but it holds"},
     {'1', "within 1 %", "#abd9e9", "#08304a", "an error up to 1 %"},
     {'E', "exact", "#2c7bb6", "#ffffff", "an error up to 0.1 %"},
 }};
@@ -40,7 +40,7 @@ Score scoreOf(char sign) {
 double errorOf(const Figures& figures) {
     double worst = 0.0;
     for (const double error : {figures.penetration, figures.joints, figures.off, figures.residual}) {
-        if (std::isnan(error)) return std::numeric_limits<double>::infinity();  // which std::max would lose
+        if (std::isnan(error)) return std::numeric_limits<double>::infinity();  // std::max would ignore it
         worst = std::max(worst, error);
     }
     return worst;
@@ -48,8 +48,8 @@ double errorOf(const Figures& figures) {
 
 Score scoreOf(const Figures& figures) {
     const double error = errorOf(figures);
-    const bool bounded = figures.finite && std::isfinite(error) && figures.energyGain <= kMostGain &&
-                         figures.speeding <= kMostSpeeding;
+    const bool bounded = figures.finite && std::isfinite(error) && figures.energyGain <= kMaxEnergyGain &&
+                         figures.speeding <= kMaxSpeeding;
     if (!bounded) return Score::BlowsUp;
     if (error <= kExact) return Score::Exact;
     if (error <= kClose) return Score::Close;
@@ -58,9 +58,9 @@ Score scoreOf(const Figures& figures) {
 
 std::string reasonOf(const Figures& figures) {
     if (!figures.finite || !std::isfinite(errorOf(figures))) return "numbers went bad";
-    if (!(figures.energyGain <= kMostGain))
+    if (!(figures.energyGain <= kMaxEnergyGain))
         return format("energy grew by {}", percentText(figures.energyGain));
-    if (!(figures.speeding <= kMostSpeeding))
+    if (!(figures.speeding <= kMaxSpeeding))
         return format("{} times as fast as anything explains", fixedText(figures.speeding, 1));
     const double error = errorOf(figures);
     if (error == figures.penetration) return format("overlap of {}", percentText(error));

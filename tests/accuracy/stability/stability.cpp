@@ -59,7 +59,7 @@ std::string take(Options& options, std::string_view word, std::string_view value
     return value.empty() ? "expected a folder" : "";
 }
 
-/// @return what is wrong; empty if nothing
+/// @return the error; empty if none
 std::string read(std::span<const std::string_view> words, Options& options) {
     const accuracy::Flag flags[] = {{"--help", &options.help}, {"--quick", &options.choice.quick}};
     return accuracy::readWords(words, flags, [&](std::string_view word, std::string_view value) {

@@ -14,19 +14,17 @@ struct Reason {
 
 constexpr Reason kReasons[] = {
     {"kMaxTurn",
-     "at double points change less often while a pile settles, and 8 of 150 more end with overlaps below 1 "
-     "cm; but "
-     "from somewhere below 0.1 on boxes that rock on balls are fed"},
+     "at double, contact points are recomputed less often while a pile settles, and 8 of 150 more end "
+     "with overlaps below 1 cm; but from somewhere below 0.1 on, outdated normals feed energy to boxes "
+     "that rock on balls"},
     {"kSweptCore",
-     "with the whole outline what slides or grazes is stopped by sweeps, as dominoes along each other and "
-     "crates on "
-     "lifts are, and fewer hits are left to the sweep, which knows their moment, so that a gas loses energy; "
-     "with a "
-     "quarter more are left to it, and no family is worse"},
+     "with the whole outline, sweeps stop bodies that slide or graze, such as dominoes along each other "
+     "and crates on lifts; and fewer hits are left to the sweep, which knows their time, so that a gas "
+     "loses energy; with a quarter, more hits are left to it, and no family is worse"},
     {"kRounded",
-     "below 1 the correction of overshoot() (stages/finish_bodies.cpp) is never made for what flies off at a "
-     "speed, "
-     "which then moves half a substep's acceleration too far: in a drum that turns, deeper into others"},
+     "below 1 the correction of overshoot() (stages/finish_bodies.cpp) is never applied to bodies that "
+     "fly off fast, which then move half a substep's acceleration too far: in a rotating drum, deeper "
+     "into others"},
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ std::string textOf(const Move& move) {
         move.isChance() ? format(" (chance: {} worse, {} better)", move.worse, move.better) : std::string{});
 }
 
-/// What moves, in a few words.
+/// Summary of what changes.
 std::string cellOf(const Trial& trial) {
     if (!trial.differs()) return "no bit";
     std::string text;
@@ -38,31 +38,28 @@ const Trial* trialOf(const std::vector<Trial>& trials, const Constant& constant,
     return found == trials.end() ? nullptr : &*found;
 }
 
-/// One row of a table: the constant, and what it does at half and at double.
+/// A row of the table: the constant, and the effect of halving and doubling it.
 std::vector<std::string> cellsOf(const std::vector<Trial>& trials, const Constant& constant) {
     std::vector<std::string> cells{constant.name, shortestText(static_cast<float>(constant.value)),
                                    constant.unit, constant.derivation};
     for (const double factor : {0.5, 2.0}) {
         const Trial* trial = trialOf(trials, constant, factor);
-        cells.push_back(trial == nullptr ? "not played" : cellOf(*trial));
+        cells.push_back(trial == nullptr ? "not run" : cellOf(*trial));
     }
     cells.emplace_back(reasonOf(constant.name));
     return cells;
 }
 
-constexpr std::string_view kTitles[] = {"constant", "value",     "unit", "what it is, and what it comes from",
+constexpr std::string_view kTitles[] = {"constant", "value",     "unit", "meaning and derivation",
                                         "at half",  "at double", "why"};
 
 constexpr std::string_view kWhat =
-    "Every constant of the physics that was chosen (engine/physics/tuning.hpp), and what moves when it is "
-    "half "
-    "or double: families whose share of members that reach their goals changes by more than 2 % "
-    "(docs/families.md), "
-    "and maps of the stability report of which another number of cells holds (docs/stability.md). 'Nothing': "
-    "bodies "
-    "move otherwise, but no share does. 'No bit': nothing there depends on it; characters, casts and "
-    "Settings::tolerance are tried by tests/physics. "
-    "Chance: where motion is chaotic, as many members of a family turn worse as turn better.";
+    "Every chosen constant of the physics (engine/physics/tuning.hpp), and what changes when it is halved "
+    "or doubled: families whose share of members that reach their goals changes by more than 2 % "
+    "(docs/families.md), and maps of the stability report in which a different number of cells holds "
+    "(docs/stability.md). 'Nothing': bodies move differently, but no share changes. 'No bit': nothing "
+    "there depends on it; characters, casts and Settings::tolerance are tested by tests/physics. Chance: "
+    "where motion is chaotic, as many members of a family get worse as get better.";
 
 }  // namespace
 

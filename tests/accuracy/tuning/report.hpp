@@ -8,9 +8,9 @@
 
 namespace plumb::tuning {
 
-/// Why shares move, of the constants that move one by more than 2 %; empty for the others.
+/// Explanations for the constants that change a share by more than 2 %; empty for the others.
 std::string_view reasonOf(std::string_view constant);
-/// Whether some share moves further than chance explains.
+/// True if some share changes by more than chance explains.
 bool needsReason(const std::vector<Trial>& trials, const Constant& constant);
 
 std::string textOf(const Trial& trial);

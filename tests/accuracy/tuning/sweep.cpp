@@ -15,10 +15,10 @@ namespace plumb::tuning {
 namespace {
 
 constexpr double kLargeShift = 0.02;
-/// Standard deviations that two shares are apart by chance, one time in twenty.
+/// Standard deviations that two shares differ by chance in one of twenty cases.
 constexpr double kSigmas = 2.0;
 
-/// All that counts of a member.
+/// The relevant results of a member.
 struct End {
     std::uint64_t bits = 0;
     bool reached = false;
@@ -26,7 +26,7 @@ struct End {
 
 using Ends = std::vector<std::vector<End>>;  // by family and member
 
-/// Adds the ends of further members of some families.
+/// Adds the results of further members of some families.
 void playMembers(Ends& ends, const std::vector<std::size_t>& chosen, int upTo, int threads) {
     struct Member {
         std::size_t family, member;
@@ -83,7 +83,7 @@ Move moveOf(const stability::PlayedMap& map, const stability::PlayedMap& base) {
     return move;
 }
 
-/// Sets a constant for a while.
+/// Temporarily sets a constant.
 class Changed {
 public:
     Changed(const Constant& constant, double factor) : constant_{constant} {

@@ -9,38 +9,39 @@
 
 namespace plumb::tuning {
 
-/// In the order of the table; none in a build without PLUMB_TUNABLE.
+/// In the order of the table; empty in a build without PLUMB_TUNABLE.
 std::vector<const Constant*> allConstants();
 
 struct SweepOptions {
     int members = 150;  ///< of each family
     int threads = 1;
-    bool maps = true;    ///< the quick part of the stability map too
-    bool quick = false;  ///< no family is played further than kFirst members
+    bool maps = true;    ///< include the quick part of the stability map
+    bool quick = false;  ///< no family runs more than kFirst members
 };
 
-/// A family plays as many members first. If every bit of them stays, the others are not played.
+/// Number of members of each family that run first. If no bit of them changes, the others are skipped.
 inline constexpr int kFirst = 40;
 
-/// What one family or one map does at another value of a constant.
+/// The effect of another value of a constant on one family or map.
 struct Move {
     std::string scene;
     bool isMap = false;
     int members = 0;       ///< of the family, or cells of the map
-    int base = 0;          ///< that reach their goals at the value of the table; of a map, that hold
-    int reached = 0;       ///< at the other one
-    int worse = 0;         ///< only with the value of the table; of a map, cells with a worse score
-    int better = 0;        ///< only with the other one
-    bool differs = false;  ///< some bit, or figure of a cell
+    int base = 0;          ///< number that reach their goals at the default value; of a map, cells that hold
+    int reached = 0;       ///< the same at the other value
+    int worse = 0;         ///< members that reach their goals only at the default; of a map, cells with a
+                           ///< worse score
+    int better = 0;        ///< members that reach them only at the other value
+    bool differs = false;  ///< some bit, or value of a cell, differs
 
-    /// Part of all by which the share that reaches its goals moves.
+    /// Change of the share that reaches its goals.
     [[nodiscard]] double shift() const { return members > 0 ? (reached - base) / (1.0 * members) : 0.0; }
     [[nodiscard]] bool isLarge() const;
-    /// Whether as many turn worse and better as chance explains, where motion is chaotic.
+    /// True if as many get worse and better as chance explains, where motion is chaotic.
     [[nodiscard]] bool isChance() const;
 };
 
-/// What scenes do at one other value of one constant.
+/// The effect of one other value of one constant.
 struct Trial {
     const Constant* constant = nullptr;
     double factor = 0.0;
@@ -49,7 +50,7 @@ struct Trial {
     [[nodiscard]] bool differs() const;
 };
 
-/// Plays families and maps at the values of the table, and then at others.
+/// Runs families and maps with the default values, and then with others.
 class Sweep {
 public:
     explicit Sweep(const SweepOptions& options);
@@ -58,7 +59,7 @@ public:
     Sweep& operator=(const Sweep&) = delete;
 
     [[nodiscard]] Trial trial(const Constant& constant, double factor) const;
-    /// Of all outcomes at the values of the table: results of another one say nothing of this one.
+    /// Hash of all results at the default values: results with another hash cannot be reused.
     [[nodiscard]] std::uint64_t signature() const;
 
 private:

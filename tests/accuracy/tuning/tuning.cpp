@@ -62,7 +62,7 @@ std::string take(Options& options, std::string_view word, std::string_view value
     return {};
 }
 
-/// @return what is wrong; empty if nothing
+/// @return the error; empty if none
 std::string read(std::span<const std::string_view> words, Options& options) {
     const accuracy::Flag flags[] = {
         {"--help", &options.help}, {"--quick", &options.sweep.quick}, {"--no-maps", &options.noMaps}};
@@ -87,7 +87,7 @@ const Constant* findConstant(std::string_view name) {
     return nullptr;
 }
 
-/// What an earlier run with the same outcomes at the values of the table left.
+/// The results of an earlier run with the same results at the default values.
 std::vector<Trial> readTrials(const Path& path, const std::string& first) {
     std::vector<Trial> trials;
     const auto text = readFile(path);

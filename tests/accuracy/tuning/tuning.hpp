@@ -7,9 +7,9 @@
 
 namespace plumb::tuning {
 
-/// ./plumb accuracy --tuning …; `words` are those behind --tuning.
-/// @param out  folder of tuning.csv and tuning.html, unless the words name another
-/// @return an exit code: 0 if every share that moves has its sentence
+/// ./plumb accuracy --tuning …; `words` are the arguments after --tuning.
+/// @param out folder of tuning.csv and tuning.html, unless the arguments name another
+/// @return an exit code: 0 if every changed share has its explanation
 int runTuningCommand(std::span<const std::string_view> words, const Path& out);
 
 }  // namespace plumb::tuning

@@ -10,7 +10,7 @@ using namespace physics;
 
 constexpr int kBoxes = 2000;
 
-/// What the boxes of the pit call for.
+/// Properties of the boxes of the pit.
 struct Pit {
     const char* name;
     bool turns = false;
@@ -22,7 +22,7 @@ struct Pit {
     bool slows = false;   // drag
     bool sweeps = false;  // against tunnelling
     bool oneWay = false;  // the floor
-    bool sleeps = false;  // looks who might; nobody gets there
+    bool sleeps = false;  // checks which bodies may sleep; none gets there
 };
 
 constexpr int kBare = 6;  // the row that the others are compared with
@@ -108,7 +108,7 @@ int measureContacts(bool quick) {
         best[i] = 1.0e12;
         for (int warm = 0; warm < 100; ++warm) step(worlds[i], kTick);
     }
-    // In turn, so that whatever else the machine does meets all alike.
+    // In turn, so that other work of the machine affects all alike.
     for (int round = 0; round < (quick ? 1 : 30); ++round) {
         for (int i = 0; i < kPitCount; ++i) {
             const double time = quickest(5, [&] { step(worlds[i], kTick); });

@@ -7,9 +7,9 @@
 
 namespace {
 
-constexpr int kWarmUp = 20;  // steps, until everything has its memory
+constexpr int kWarmUp = 20;  // steps, until all memory is allocated
 
-// What callgrind looks at.
+// The function that callgrind measures.
 extern "C" __attribute__((noinline)) void plumbCountedSteps(plumb::physics::World* world, int steps) {
     for (int i = 0; i < steps; ++i) plumb::physics::step(*world, plumb::bench::kTick);
 }
@@ -23,7 +23,7 @@ namespace {
 using physics::Effect;
 using physics::World;
 
-/// How an effect is present in a scene that nobody calls for it in.
+/// How an effect is present in a scene where no body requires it.
 enum Variant { kAbsent, kUnused, kPinnedOn, kVariants };
 
 World makeScene(Effect effect, int variant) {

@@ -9,7 +9,7 @@
 
 namespace {
 
-// What callgrind looks at.
+// The function that callgrind measures.
 extern "C" __attribute__((noinline)) void plumbMixedSteps(plumb::physics::World* world, int steps) {
     for (int i = 0; i < steps; ++i) plumb::physics::step(*world, plumb::bench::kTick);
 }

@@ -9,8 +9,8 @@ namespace plumb::bench {
 
 // Each prints its table and gives back an exit code.
 
-/// Instructions of a tick with a list of systems that lacks those of an effect, and with them there for
-/// nobody, by callgrind. @return 1 when an unused one costs more than 1 %, 77 when valgrind is not installed
+/// Instructions of a tick without the systems of an effect, and with them present but not required,
+/// by callgrind. @return 1 when an unused one costs more than 1 %, 77 when valgrind is not installed
 int measureUnused(const char* program, bool quick);
 /// What measureUnused() runs under valgrind.
 int runCountedTicks(bool quick);

@@ -10,8 +10,8 @@ namespace plumb::scenes {
 
 namespace {
 
-constexpr int kQuickest = 10;     // of its steps a quick run does one in so many
-constexpr int kQuickSize = 1000;  // bodies; a quick run leaves out scaling scenes with more
+constexpr int kQuickest = 10;     // a quick run does one step in so many
+constexpr int kQuickSize = 1000;  // bodies; a quick run skips scaling scenes with more
 
 std::string_view nameOf(SceneGroup group) {
     switch (group) {

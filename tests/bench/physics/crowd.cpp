@@ -40,7 +40,7 @@ Crowd squareFor(std::uint32_t boxes) { return Crowd{{sideFor(boxes), sideFor(box
 
 Crowd lineFor(std::uint32_t boxes) { return Crowd{{sideFor(boxes) * sideFor(boxes), 1.0f}}; }
 
-/// Anywhere in it, all on their ways.
+/// Anywhere in it, all moving.
 Crowd filled(Crowd crowd, std::uint32_t boxes, float speed) {
     for (std::uint32_t i = 0; i < boxes; ++i)
         crowd.add(crowd.anywhere(), someHalf(crowd.random()), Awake, speed);
@@ -103,7 +103,7 @@ Crowd makeMostlyStill(std::uint32_t boxes) {
 Crowd makeLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kWalk); }
 Crowd makeFastLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kDash); }
 
-/// A heap at rest: nearly everybody stays within its bounds.
+/// A heap at rest: nearly all boxes stay within their bounds.
 Crowd makePile(std::uint32_t boxes) {
     const float side = std::sqrt(static_cast<float>(boxes)) * 1.9f * kHalf;
     Crowd crowd{{side, side}};
@@ -112,7 +112,7 @@ Crowd makePile(std::uint32_t boxes) {
     return crowd;
 }
 
-/// Pieces of a level are loaded and dropped.
+/// Parts of a level are loaded and unloaded.
 Crowd makeStreaming(std::uint32_t boxes) {
     Crowd crowd = squareFor(boxes);
     for (std::uint32_t i = 0; i < boxes; ++i)
@@ -161,7 +161,7 @@ void Crowd::add(Vec2 place, Vec2 half, physics::ProxyMotion motion, float speed)
     note(id, true);
 }
 
-/// Those that went in the step before come back somewhere else.
+/// Boxes removed in the previous step reappear elsewhere.
 void Crowd::stream() {
     for (const std::uint32_t id : away_) {
         Box& box = boxes_[id];

@@ -10,21 +10,21 @@
 
 namespace plumb::scenes {
 
-/// Boxes that move about, as a broad phase sees them: bounds with a margin, which change when a box leaves
-/// them. The same crowd does the same each time.
+/// Moving boxes, as a broad phase sees them: bounds with a
+/// margin, which change when a box leaves them. Deterministic.
 class Crowd {
 public:
     explicit Crowd(Vec2 size) : size_{size} {}
 
     /// @param speed  m/s
     void add(Vec2 place, Vec2 half, physics::ProxyMotion motion, float speed = 0.0f);
-    /// From now on so many of those that rest go in each step, and as many come elsewhere.
+    /// From now on so many resting boxes are removed in each step, and as many added elsewhere.
     void streamIn(std::uint32_t count) { streaming_ = count; }
     void step();
 
     [[nodiscard]] physics::Proxies proxies() const { return {bounds_, filters_, motions_}; }
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(boxes_.size()); }
-    /// What a broad phase has to be told of, and who has to look for partners.
+    /// The input of a broad phase: changed proxies, and proxies that must look for partners.
     [[nodiscard]] std::span<const std::uint32_t> changed() const { return changed_; }
     [[nodiscard]] std::span<const std::uint32_t> moved() const { return moved_; }
     [[nodiscard]] std::span<const std::uint8_t> isMoved() const { return isMoved_; }
@@ -60,7 +60,7 @@ struct CrowdKind {
     Crowd (*make)(std::uint32_t boxes);
 };
 
-/// How boxes can be spread out and move.
+/// Distributions and motions of the boxes.
 std::span<const CrowdKind> crowdKinds();
 
 }  // namespace plumb::scenes

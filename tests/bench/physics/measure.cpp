@@ -13,12 +13,12 @@ namespace {
 
 constexpr int kContactSample = 16;  // steps between two counts of contacts
 constexpr int kErrorSamples = 16;   // of the second half
-constexpr int kLostSample = 8;      // steps between two looks for what no engine could go on with
-constexpr double kLeastTime = 0.3;  // s: small scenes run until they have used it
-constexpr int kMostRuns = 200;
+constexpr int kLostSample = 8;      // steps between two checks for a lost scene
+constexpr double kMinTime = 0.3;    // s: small scenes run at least this long
+constexpr int kMaxRuns = 200;
 constexpr double kMilliseconds = 1e3;
 
-/// One contender with what it has shown so far.
+/// A contender and its results so far.
 struct Lane {
     Contender contender;
     Measurement measurement;
@@ -33,7 +33,7 @@ int stepsOf(const Scene& scene, const MeasureOptions& options) {
     return std::max(steps / scene.batch, 1) * scene.batch;
 }
 
-/// Contacts, where counting them costs none of the time that is measured.
+/// Contacts, counted outside of the measured time.
 class ContactMean {
 public:
     void look(const SceneBuilder& world, int step) {
@@ -50,7 +50,7 @@ private:
     double sum_ = 0.0;
 };
 
-/// Errors over the second half of a run: where things tumble, those of one moment are chance.
+/// Errors over the second half of a run: where bodies tumble, a single sample is chance.
 class ErrorMean {
 public:
     explicit ErrorMean(int steps) : next_{steps / 2}, pause_{std::max(steps / (2 * kErrorSamples), 1)} {}
@@ -107,7 +107,7 @@ void keepStages(Lane& lane, const SceneBuilder& world, int steps) {
     if (!stages.empty()) lane.measurement.stages = std::move(stages);
 }
 
-/// @return whether the engine has all that the scene needs
+/// @return true if the engine has all that the scene needs
 bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
     const double opened = wallSeconds();
     const std::unique_ptr<SceneBuilder> world =
@@ -178,8 +178,8 @@ void conclude(Lane& lane) {
 bool wantsMore(const Lane& lane, const MeasureOptions& options) {
     if (!lane.measurement.missing.empty()) return false;
     if (lane.runs == 0) return true;
-    if (lane.seconds > options.patience || lane.runs >= kMostRuns) return false;
-    return lane.runs < options.runs || (options.runs > 1 && lane.seconds < kLeastTime);
+    if (lane.seconds > options.patience || lane.runs >= kMaxRuns) return false;
+    return lane.runs < options.runs || (options.runs > 1 && lane.seconds < kMinTime);
 }
 
 void announce(const Scene& scene, const Lane& lane) {

@@ -14,7 +14,7 @@ Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 double length(Point a) { return std::sqrt(dot(a, a)); }
 
-/// How far `to` begins behind the end of `from` along a direction; below 0 where they overlap.
+/// Distance from the end of `from` to the start of `to` along a direction; below 0 if they overlap.
 double gapAlong(Point direction, const PlacedOutline& from, const PlacedOutline& to) {
     double end = -kFar;
     double begin = kFar;
@@ -23,7 +23,7 @@ double gapAlong(Point direction, const PlacedOutline& from, const PlacedOutline&
     return begin - end;
 }
 
-/// The widest gap along the normals of a's edges. Those of a line are its two sides and its two ends.
+/// The maximum gap along the normals of a's edges. A line has two sides and two ends.
 double widestGap(const PlacedOutline& a, const PlacedOutline& b) {
     double widest = -kFar;
     for (std::size_t i = 0; i < a.count && a.count > 1; ++i) {
@@ -54,7 +54,7 @@ double cornerDistance(const PlacedOutline& a, const PlacedOutline& b) {
     return nearest;
 }
 
-/// How far the corners of `body` that are over the line are on its solid side, its left.
+/// Maximum depth of the corners of `body` above the line on its solid side, the left.
 double depthBehind(const PlacedOutline& line, const PlacedOutline& body) {
     const Point way = line.points[1] - line.points[0];
     const double size = length(way);
@@ -94,7 +94,7 @@ double overlapOf(const PlacedOutline& a, const PlacedOutline& b) {
     const double reach = a.radius + b.radius;
     double gap = std::max(widestGap(a, b), widestGap(b, a));
     if (gap > reach) return 0.0;
-    // Where the cores are apart, and between two points, only the distance itself tells.
+    // Where the cores are separated, and between two points, only the distance is decisive.
     if (gap > 0.0 || gap == -kFar) gap = std::min(cornerDistance(a, b), cornerDistance(b, a));
     if (gap > reach) return 0.0;
     if (a.oneSided) return depthBehind(a, b);

@@ -27,8 +27,8 @@ struct PlacedOutline {
 
 PlacedOutline place(const Outline& outline, const Pose& pose);
 
-/// How deep two outlines are in each other: the shortest way that parts them. 0 when they are apart.
-/// Shares no line with any engine: it is what they are judged by.
+/// Penetration depth of two outlines: the shortest displacement that separates them; 0 if they are apart.
+/// Shares no code with any engine, because it is used to judge them.
 /// @return m
 double overlapOf(const PlacedOutline& a, const PlacedOutline& b);
 

@@ -11,7 +11,7 @@ namespace plumb::scenes {
 /// The library of this repository.
 Engine plumbEngine();
 
-/// A scene in it, and the world itself for those who want to turn its knobs.
+/// A scene in it, and the world itself for callers that change its settings.
 class PlumbWorld final : public SceneBuilder {
 public:
     explicit PlumbWorld(const WorldSetup& setup)

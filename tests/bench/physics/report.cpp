@@ -13,7 +13,7 @@ namespace plumb::scenes {
 
 namespace {
 
-constexpr int kLeastSize = 100;  // smaller worlds cost what every step costs, not what bodies cost
+constexpr int kMinSize = 100;  // smaller worlds only show the fixed cost of a step
 constexpr double kMillimetres = 1e3;
 
 std::string number(double value, int digits) { return value == 0.0 ? "-" : fixedText(value, digits); }
@@ -38,8 +38,8 @@ void printStages(const Measurement& row) {
     std::printf(" of %s ms\n", fixedText(sum, sum < 0.1 ? 4 : 2).c_str());
 }
 
-/// What was not shared among the threads, how long each of them worked on the rest, and what that says of
-/// machines with more: G. Amdahl, "Validity of the single processor approach", 1967.
+/// The sequential part, the time of each thread in the rest, and the speedup that follows
+/// for more threads: G. Amdahl, "Validity of the single processor approach", 1967.
 void printThreads(const Measurement& row) {
     double alone = 0.0, shared = 0.0;
     std::vector<double> busy(static_cast<std::size_t>(row.threads));
@@ -151,7 +151,7 @@ void printExponents(std::span<const Measurement> rows) {
         done.push_back(first);
         std::vector<Measurement> line;
         for (const Measurement& row : rows) {
-            if (isScaling(row) && sameLine(row, first) && row.size >= kLeastSize) line.push_back(row);
+            if (isScaling(row) && sameLine(row, first) && row.size >= kMinSize) line.push_back(row);
         }
         if (line.size() < 2) continue;
         std::printf("%s, %s, %d thread(s): cost grows as n^%s from %d to %d bodies\n",

@@ -12,8 +12,8 @@
 #include "core/profile.hpp"
 #include "math/vec2.hpp"
 
-/// Scenes that any physics engine can be asked to simulate: each is written once, against SceneBuilder, and
-/// each engine is one adapter. y points up here.
+/// Scenes for any physics engine: each is written once, using
+/// SceneBuilder, and each engine has an adapter. y points up here.
 namespace plumb::scenes {
 
 /// A body of a scene, in the order of creation. Places are not used twice.

@@ -4,7 +4,7 @@
 
 namespace plumb::scenes {
 
-/// How far a world is from what its shapes and joints say.
+/// Deviation of a world from its shapes and joints.
 struct SceneError {
     double maxPenetration = 0.0;   ///< m
     double meanPenetration = 0.0;  ///< m, of the pairs that overlap by more than kNoticed
@@ -15,19 +15,19 @@ struct SceneError {
 
     static constexpr double kApart = 1.0;  ///< m; the weakest solver that still holds stretches by 0.7
 
-    /// False when a joint let go or numbers went bad. What has come apart is cheap to go on with, so such a
-    /// time says nothing.
+    /// False if a joint came apart or numbers are not finite. A scene
+    /// that fell apart is cheap to simulate, so its time has no meaning.
     [[nodiscard]] bool holds() const { return finite && maxJointError < kApart; }
 };
 
-/// Less is rounding of positions 100 m from the origin.
+/// Smaller values are rounding of positions 100 m from the origin.
 inline constexpr double kNoticed = 2e-5;  // m
 
-/// Exact overlaps of all pairs of shapes that should not overlap, from the positions read back.
+/// Exact overlaps of all pairs of shapes that should not overlap, computed from the positions.
 SceneError errorOf(const SceneBuilder& world);
 
-/// Whether a position is NaN or infinite or a joint is open by more than anything comes back from (10 m).
-/// Some engines never end a step of such a world.
+/// True if a position is not finite or a joint gap is too large to
+/// recover (10 m). Some engines never finish a step of such a world.
 bool isLost(const SceneBuilder& world);
 
 }  // namespace plumb::scenes

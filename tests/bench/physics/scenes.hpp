@@ -11,12 +11,12 @@ namespace plumb::scenes {
 
 inline constexpr float kStep = 1.0f / 60.0f;  ///< s
 
-/// What a scene does before step number `step`, the first being 0.
+/// Callback of a scene before step number `step`, the first being 0.
 using BeforeStep = std::function<void(SceneBuilder&, int step)>;
 
 enum class SceneGroup : std::uint8_t {
-    Reference,   ///< the ten that leading engines publish figures for
-    Comparison,  ///< within the reach of older engines
+    Reference,   ///< the ten scenes for which leading engines publish figures
+    Comparison,  ///< supported by older engines
     Scaling      ///< the same with 10 to 100,000 bodies
 };
 
@@ -27,11 +27,11 @@ struct Scene {
     Vec2 gravity{0.0f, -10.0f};  ///< m/s2
     bool sleeping = true;
     int warmUp = 0;  ///< steps before those that are measured
-    int batch = 1;   ///< steps between two looks at the clock: a short step is below its grain
-    int size = 0;    ///< what `build` is told; the number of bodies in scenes that scale
-    /// Fills the empty world. What it gives back may be empty.
+    int batch = 1;   ///< steps between two clock reads, because a short step is below its resolution
+    int size = 0;    ///< the argument of `build`; the number of bodies in scenes that scale
+    /// Fills the empty world. The returned callback may be empty.
     BeforeStep (*build)(SceneBuilder& world, int size) = nullptr;
-    /// 2^quality substeps for engines that have this knob; the others do what they do by default.
+    /// 2^quality substeps for engines with this parameter; the others use their defaults.
     int quality = 2;
 };
 

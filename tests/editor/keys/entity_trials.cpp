@@ -41,7 +41,7 @@ constexpr std::array kTrials{
              [](KeyTrials& at) {
                  at.openInstance();
                  at.press();
-                 at.hands.click("Prefab/prefabs/box.prefab.json");
+                 at.hands.click("Finder/box.prefab.json");
                  EXPECT_EQ(at.count("box"), 2);
              }},
     KeyTrial{"F2", "entity.rename",

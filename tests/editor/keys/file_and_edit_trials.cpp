@@ -52,7 +52,7 @@ constexpr std::array kTrials{
     KeyTrial{"Ctrl+O", "file.open",
              [](KeyTrials& at) {
                  at.press();
-                 EXPECT_TRUE(at.shown("Open/scenes/level.scene.json"));
+                 EXPECT_TRUE(at.shown("Finder/level.scene.json"));
              }},
     KeyTrial{"Ctrl+S", "file.save",
              [](KeyTrials& at) {

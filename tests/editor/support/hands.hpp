@@ -15,7 +15,8 @@ class Hands {
 public:
     explicit Hands(EditorWindow& window) : window_{window} { rest(3); }
 
-    Modifiers held;  ///< keys that are held while the mouse clicks and drags
+    PixelSize size = FrameInput{}.size;  ///< of the window
+    Modifiers held;                      ///< keys that are held while the mouse clicks and drags
 
     void rest(int frames = 1) {
         for (int i = 0; i < frames; ++i) {
@@ -71,7 +72,7 @@ private:
     void sendMouse(EventKind kind, MouseButton button) {
         send({{.kind = kind, .modifiers = held, .mouseButton = button, .position = place_}});
     }
-    void send(std::vector<Event> events) { window_.frame({events}); }
+    void send(std::vector<Event> events) { window_.frame({events, size, size}); }
 
     EditorWindow& window_;
     Vec2 place_;

@@ -6,7 +6,7 @@
 
 namespace plumb::scenes {
 
-/// The engines of other houses that were found on this machine when this was built.
+/// Other engines that were found on this machine at build time.
 std::vector<Engine> peerEngines();
 
 Engine box2dEngine();         ///< Box2D 2.4, 8 velocity and 3 position iterations

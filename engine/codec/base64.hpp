@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+
+namespace plumb {
+
+/// Decodes base64 (RFC 4648, standard alphabet). White space is skipped, padding is optional.
+/// @error a character outside the alphabet, text after the padding, an impossible length
+Result<std::string> bytesFromBase64(std::string_view text, std::string_view where);
+
+/// With padding, without line breaks.
+std::string toBase64(std::string_view bytes);
+
+}  // namespace plumb

@@ -1,0 +1,266 @@
+#include "import/import_entities.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/text.hpp"
+#include "import/entity_json.hpp"
+#include "import/import_objects.hpp"
+#include "import/tiled_json.hpp"
+#include "math/tile_grid.hpp"
+#include "scene/tiles_json.hpp"
+
+namespace plumb {
+namespace {
+
+using tiled::Layer;
+using tiled::LayerKind;
+
+/// Tiled moves a layer by the way of the view's middle from the map's origin of parallax, the engine by the
+/// way of the view's corner from the world's origin: the difference is the same everywhere.
+LayerPlace placeOf(const EntityImport& import, const Layer& layer, std::size_t index) {
+    LayerPlace place;
+    place.order = static_cast<int>(std::min<std::size_t>(index, kHighestLayerOrder));
+    place.offset = layer.offset;
+    place.moves = layer.parallax != Vec2{1.0f, 1.0f};
+    const Vec2 difference = import.draft.place.picture * 0.5f - import.map.parallaxOrigin;
+    place.offset += {difference.x * (1.0f - layer.parallax.x), difference.y * (1.0f - layer.parallax.y)};
+    return place;
+}
+
+/// A layer without a tile takes the set that fits its cells, so that it can be painted.
+std::vector<std::size_t> someTileset(const EntityImport& import) {
+    for (std::size_t i = 0; i < import.tilesets.size(); ++i) {
+        const tiled::Tileset& original = import.map.tilesets[i];
+        const bool fits =
+            original.tileWidth == import.map.tileWidth && original.tileHeight == import.map.tileHeight;
+        if (fits && !original.image.empty()) return {i};
+    }
+    return import.tilesets.empty() ? std::vector<std::size_t>{} : std::vector<std::size_t>{0};
+}
+
+std::vector<std::size_t> tilesetsOf(const EntityImport& import, const Layer& layer) {
+    ImportReport& report = import.draft.report;
+    std::vector<bool> used(import.tilesets.size());
+    tiled::Gid last = 0;
+    int unknown = 0;
+    for (const tiled::Gid gid : layer.cells) {
+        if ((gid & ~tiled::kFlags) == 0) continue;
+        ++report.tiles;
+        if (gid == last) continue;
+        const tiled::TileRef tile = import.map.resolve(gid);
+        if (tile.empty()) {
+            ++unknown;
+        } else {
+            used[static_cast<std::size_t>(tile.tileset)] = true;
+            last = gid;
+        }
+    }
+    if (unknown > 0) {
+        import.draft.report.problems.push_back({format("layer {}", layer.name),
+                                                format("{} cells name tiles that no tileset has", unknown),
+                                                "add the missing tileset to the map"});
+    }
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (used[i]) places.push_back(i);
+    }
+    return places.empty() ? someTileset(import) : places;
+}
+
+/// The cells of one tileset, chunk by chunk; those of the others stay empty.
+class GridOfTileset {
+public:
+    GridOfTileset(const EntityImport& import, const Layer& layer, std::size_t tileset)
+        : import_{import}, layer_{layer}, tileset_{tileset}, grid_{layer.width, layer.height} {}
+
+    TileGrid make() {
+        if (!layer_.cells.empty()) {
+            for (int row = 0; row < grid_.chunkRows(); ++row) {
+                for (int column = 0; column < grid_.chunkColumns(); ++column) fill(column, row);
+            }
+        }
+        if (beyond_ > 0) tellBeyond();
+        return std::move(grid_);
+    }
+
+private:
+    void fill(int column, int row) {
+        constexpr int kSide = TileGrid::kChunkSide;
+        std::shared_ptr<TileGrid::Chunk> chunk;
+        for (int y = row * kSide; y < std::min((row + 1) * kSide, layer_.height); ++y) {
+            for (int x = column * kSide; x < std::min((column + 1) * kSide, layer_.width); ++x) {
+                const TileCell cell = cellAt(x, y);
+                if (cell == 0) continue;
+                if (chunk == nullptr) {
+                    chunk = TileGrid::filled(cell);  // none is made of empty cells
+                    chunk->cells = {};
+                }
+                chunk->cells[TileGrid::Chunk::slot(x, y)] = cell;
+            }
+        }
+        if (chunk == nullptr) return;
+        // Huge plains share one chunk.
+        if (last_ != nullptr && last_->cells == chunk->cells) chunk = last_;
+        last_ = chunk;
+        grid_.put(column, row, std::move(chunk));
+    }
+
+    TileCell cellAt(int x, int y) {
+        const tiled::Gid gid =
+            layer_.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(layer_.width) +
+                         static_cast<std::size_t>(x)];
+        if (gid == 0) return 0;
+        const tiled::TileRef tile = import_.map.resolve(gid);
+        if (tile.tileset != static_cast<int>(tileset_)) return 0;
+        // Numbers behind the end of a set whose picture is missing are kept as they are.
+        const int count = import_.tilesets[tileset_].count;
+        if (count == 0 || tile.id < count) return cellOf(tile.id, tile.flags & kTileFlips);
+        ++beyond_;
+        return 0;
+    }
+
+    void tellBeyond() {
+        const ImportedTileset& tileset = import_.tilesets[tileset_];
+        import_.draft.report.problems.push_back(
+            {format("layer {}", layer_.name),
+             format("{} cells name tiles beyond the {} of the tileset {}, and were left out", beyond_,
+                    tileset.count, tileset.original->name),
+             "look at the tileset's picture, margin and spacing in Tiled"});
+    }
+
+    const EntityImport& import_;
+    const Layer& layer_;
+    std::size_t tileset_;
+    TileGrid grid_;
+    std::shared_ptr<TileGrid::Chunk> last_;
+    int beyond_ = 0;
+};
+
+/// Adds the entities of a map, layer by layer.
+class EntityCollector {
+public:
+    explicit EntityCollector(const EntityImport& import) : import_{import}, draft_{import.draft} {}
+
+    void collect() {
+        for (std::size_t i = 0; i < import_.map.layers.size(); ++i) {
+            const Layer& layer = import_.map.layers[i];
+            const LayerPlace place = placeOf(import_, layer, i);
+            key_ = format("{}{}/{}/{}", import_.key, layer.group, layer.name, layer.id);
+            ++draft_.report.layers;
+            draft_.nameLayer(place.order, layer.name);
+            if (layer.kind == LayerKind::Tiles) addTiles(layer, place);
+            if (layer.kind == LayerKind::Objects) addObjects(layer, place);
+            if (layer.kind == LayerKind::Image) addImage(layer, place);
+        }
+    }
+
+private:
+    void add(std::string_view key, const std::string& name, Json components, const Layer& layer,
+             bool visible) {
+        if (!visible || !layer.visible) components["Hidden"] = Json::object();
+        draft_.add(format("{}/{}", key_, key), name, std::move(components));
+    }
+
+    void addTiles(const Layer& layer, const LayerPlace& place) {
+        const std::vector<std::size_t> used = tilesetsOf(import_, layer);
+        if (used.empty()) {
+            draft_.report.note(
+                format("layer {}: empty, and the map has no tileset; there is nothing to show", layer.name));
+        }
+        for (const std::size_t index : used) {
+            const ImportedTileset& tileset = import_.tilesets[index];
+            const std::string part = tileset.original->name;
+            add(format("tiles {}", part), used.size() == 1 ? layer.name : format("{} ({})", layer.name, part),
+                tilesJson(layer, place, index), layer, true);
+            if (!layer.properties.empty()) draft_.last()["properties"] = layer.properties;
+        }
+    }
+
+    Json tilesJson(const Layer& layer, const LayerPlace& place, std::size_t index) {
+        const ImportedTileset& tileset = import_.tilesets[index];
+        const Vec2 tileSize{static_cast<float>(import_.map.tileWidth),
+                            static_cast<float>(import_.map.tileHeight)};
+        const Vec2 first{static_cast<float>(layer.x), static_cast<float>(layer.y)};
+        Json components = Json::object();
+        components["Transform"] = transformJson(place.offset + scaled(first, tileSize), 0.0f, {1.0f, 1.0f});
+        Json tiles = Json::object();
+        tiles["tileset"] = tileset.path;
+        tiles["cells"] = tilesToJson(GridOfTileset{import_, layer, index}.make());
+        tiles["tileSize"] = vec2Json(tileSize);
+        tiles["layer"] = place.order;
+        tiles["tint"] = colorOf(layer, 1.0);
+        components["TileLayer"] = std::move(tiles);
+        if (tileset.collides) components["TileCollider"] = Json::object();
+        if (place.moves) components["ParallaxLayer"] = parallaxJson(layer);
+        return components;
+    }
+
+    void addObjects(const Layer& layer, const LayerPlace& place) {
+        std::vector<const tiled::Object*> order;
+        for (const tiled::Object& object : layer.objects) order.push_back(&object);
+        const auto higher = [](const tiled::Object* a, const tiled::Object* b) { return a->y < b->y; };
+        if (layer.sortByY) std::stable_sort(order.begin(), order.end(), higher);
+        for (const tiled::Object* object : order) {
+            ++draft_.report.objects;
+            const std::string name = !object->name.empty()   ? object->name
+                                     : !object->type.empty() ? object->type
+                                                             : format("{} {}", layer.name, object->id);
+            add(format("object {}", object->id), name, objectComponents(import_, layer, place, *object),
+                layer, object->visible);
+            Json& entity = draft_.last();
+            if (!object->properties.empty()) entity["properties"] = object->properties;
+            entity["tiled"] = objectJson(*object);
+            entity["tiled"]["layer"] = layer.name;
+        }
+    }
+
+    void addImage(const Layer& layer, const LayerPlace& place) {
+        Json components = Json::object();
+        components["Transform"] = transformJson(place.offset, 0.0f, {1.0f, 1.0f});
+        if (!layer.image.empty()) {
+            const StagedImage& image =
+                draft_.stage.image(import_.map.folder / layer.image, layer.transparent);
+            Json sprite = Json::object();
+            sprite["texture"] = image.path;
+            sprite["width"] = std::max(image.width, 1);
+            sprite["height"] = std::max(image.height, 1);
+            sprite["layer"] = place.order;
+            sprite["tint"] = colorOf(layer, 1.0);
+            components["Sprite"] = std::move(sprite);
+            if (place.moves || layer.repeatX || layer.repeatY)
+                components["ParallaxLayer"] = parallaxJson(layer);
+        }
+        add("image", layer.name, std::move(components), layer, true);
+        if (!layer.properties.empty()) draft_.last()["properties"] = layer.properties;
+    }
+
+    const EntityImport& import_;
+    SceneDraft& draft_;
+    std::string key_;
+};
+
+}  // namespace
+
+Rect boundsOf(const tiled::Map& map) {
+    const auto width = static_cast<float>(map.tileWidth);
+    const auto height = static_cast<float>(map.tileHeight);
+    if (!map.infinite) {
+        return {0.0f, 0.0f, static_cast<float>(map.width) * width, static_cast<float>(map.height) * height};
+    }
+    AABB box;
+    bool first = true;
+    for (const Layer& layer : map.layers) {
+        if (layer.cells.empty()) continue;
+        const AABB own{{static_cast<float>(layer.x) * width, static_cast<float>(layer.y) * height},
+                       {static_cast<float>(layer.x + layer.width) * width,
+                        static_cast<float>(layer.y + layer.height) * height}};
+        box = first ? own : merged(box, own);
+        first = false;
+    }
+    return {box.min.x, box.min.y, box.size().x, box.size().y};
+}
+
+void importEntities(const EntityImport& import) { EntityCollector{import}.collect(); }
+
+}  // namespace plumb

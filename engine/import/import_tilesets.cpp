@@ -1,0 +1,210 @@
+#include "import/import_tilesets.hpp"
+
+#include <algorithm>
+
+#include "assets/tileset.hpp"
+#include "core/text.hpp"
+#include "import/import_terrains.hpp"
+#include "import/tile_shapes.hpp"
+#include "import/tiled_json.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb {
+namespace {
+
+struct Grid {
+    int columns = 1;
+    int count = 0;
+};
+
+/// How many whole tiles fit, as Tiled counts them.
+int tilesAlong(int pixels, int tile, int margin, int spacing) {
+    return tile > 0 ? std::max((pixels - margin + spacing) / (tile + spacing), 0) : 0;
+}
+
+Grid gridOf(const tiled::Tileset& tileset, const StagedImage& image) {
+    const int width = image.width > 0 ? image.width : tileset.imageWidth;
+    const int height = image.height > 0 ? image.height : tileset.imageHeight;
+    Grid grid;
+    grid.columns = tilesAlong(width, tileset.tileWidth, tileset.margin, tileset.spacing);
+    if (grid.columns == 0) grid.columns = std::max(tileset.columns, 1);
+    grid.count = grid.columns * tilesAlong(height, tileset.tileHeight, tileset.margin, tileset.spacing);
+    if (grid.count == 0) grid.count = tileset.count;
+    grid.count = std::min(grid.count, Tileset::kMaxTiles);
+    return grid;
+}
+
+Rect cellOfImage(const tiled::Tileset& tileset, const Grid& grid, int id) {
+    const int column = id % grid.columns;
+    const int row = id / grid.columns;
+    return {static_cast<float>(tileset.margin + column * (tileset.tileWidth + tileset.spacing)),
+            static_cast<float>(tileset.margin + row * (tileset.tileHeight + tileset.spacing)),
+            static_cast<float>(tileset.tileWidth), static_cast<float>(tileset.tileHeight)};
+}
+
+TilePicture pictureOfCollection(const tiled::Tileset& tileset, const tiled::Tile& tile, ImportStage& stage) {
+    const StagedImage& image = stage.image(tileset.folder / tile.image, tile.transparent);
+    const auto width = static_cast<float>(image.width > 0 ? image.width : tile.width);
+    const auto height = static_cast<float>(image.height > 0 ? image.height : tile.height);
+    return {image.path, tile.source.value_or(Rect{0.0f, 0.0f, width, height})};
+}
+
+/// Turns the shapes of a tile into its collision; what one outline cannot hold is reported.
+void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
+                  const tiled::Tileset& tileset) {
+    const auto tell = [&](std::string what) {
+        stage.problems.push_back(
+            {format("tileset {}: tile {}", tileset.name, tile.id), std::move(what),
+             "the shapes are kept under \"tiled\"; give the tile one shape in its tileset"});
+    };
+    Json shapes = Json::array();
+    for (const tiled::Object& object : tile.collision) {
+        shapes.push_back(objectJson(object));
+        if (!object.properties.empty()) shapes.back()["properties"] = object.properties;
+    }
+    json["tiled"]["collision"] = std::move(shapes);
+
+    // The tile stands on the lower left corner of its cell.
+    const TileOutline outline = outlineOfTile(tile, cellSize, cellSize.y - tileSize.y);
+    if (outline.corners.empty()) return tell("its collision shape is no area inside the cell");
+    if (outline.partial) tell("it has several collision shapes; only the largest one collides");
+    if (outline.cut) tell("its collision shape reaches out of the cell; it ends at the cell's border");
+    const std::vector<Vec2> full{{0, 0}, {cellSize.x, 0}, cellSize, {0, cellSize.y}};
+    if (outline.corners == full) {
+        json["collision"] = "full";
+        return;
+    }
+    for (const Vec2 corner : outline.corners) json["collision"].push_back(vec2Json(corner));
+}
+
+/// @param count  tiles of the set; 0 when its picture is missing, so that it is not known
+void tellBeyond(const tiled::Tile& tile, int count, ImportStage& stage, const tiled::Tileset& tileset) {
+    if (count == 0) return;
+    const auto beyond = std::count_if(tile.animation.begin(), tile.animation.end(),
+                                      [count](const tiled::Frame& frame) { return frame.tile >= count; });
+    if (beyond == 0 && tile.id < count) return;
+    stage.problems.push_back(
+        {format("tileset {}: tile {}", tileset.name, tile.id),
+         tile.id >= count
+             ? format("it is beyond the {} tiles of the picture", count)
+             : format("{} frames of its animation are beyond the {} tiles of the picture", beyond, count),
+         "look at the picture, the margin and the spacing of the tileset in Tiled"});
+}
+
+Json tileJson(const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
+              const tiled::Tileset& tileset) {
+    Json json = Json::object();
+    json["id"] = tile.id;
+    if (!tile.collision.empty()) addCollision(json, tile, tileSize, cellSize, stage, tileset);
+    for (const tiled::Frame& frame : tile.animation) {
+        Json item = Json::object();
+        item["tile"] = frame.tile;
+        item["seconds"] = static_cast<float>(std::max(frame.milliseconds, 1)) / 1000.0f;
+        json["animation"].push_back(std::move(item));
+    }
+    if (!tile.properties.empty()) json["properties"] = tile.properties;
+    if (!tile.type.empty()) json["tiled"]["type"] = tile.type;
+    if (tile.probability != 1.0) json["probability"] = static_cast<float>(tile.probability);
+    if (!tile.terrain.empty()) json["tiled"]["terrain"] = tile.terrain;
+    return json;
+}
+
+Json tilesetNotes(const tiled::Tileset& tileset) {
+    Json notes = Json::object();
+    notes["name"] = tileset.name;
+    if (!tileset.type.empty()) notes["type"] = tileset.type;
+    if (!tileset.objectAlignment.empty()) notes["objectAlignment"] = tileset.objectAlignment;
+    if (tileset.keepsAspect) notes["fillMode"] = "preserve-aspect-fit";
+    if (!tileset.wangSets.empty()) notes["wangSets"] = tileset.wangSets;
+    for (const auto& [key, value] : tileset.notes.items()) notes[key] = value;
+    return notes;
+}
+
+Json imageJson(int tile, const TilePicture& picture) {
+    Json json = Json::object();
+    json["tile"] = tile;
+    json["image"] = picture.texture;
+    const Rect& source = picture.source;
+    if (!source.empty()) json["source"] = Json::array({source.x, source.y, source.width, source.height});
+    return json;
+}
+
+void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imported, bool loose,
+                 ImportStage& stage) {
+    if (tileset.image.empty()) {
+        for (const tiled::Tile& tile : tileset.tiles) imported.count = std::max(imported.count, tile.id + 1);
+        imported.count = std::min(imported.count, Tileset::kMaxTiles);
+        for (const tiled::Tile& tile : tileset.tiles) {
+            if (tile.id >= imported.count || tile.image.empty()) continue;
+            const TilePicture& picture = imported.pictures[tile.id] =
+                pictureOfCollection(tileset, tile, stage);
+            json["images"].push_back(imageJson(tile.id, picture));
+        }
+        json["columns"] = 1;
+    } else {
+        imported.image = stage.image(tileset.folder / tileset.image, tileset.transparent);
+        const Grid grid = gridOf(tileset, imported.image);
+        imported.count = grid.count;
+        if (!loose) {
+            json["image"] = imported.image.path;
+            if (tileset.margin > 0) json["margin"] = tileset.margin;
+            if (tileset.spacing > 0) json["spacing"] = tileset.spacing;
+        }
+        if (loose && grid.count > kMaxLooseTiles) {
+            imported.count = kMaxLooseTiles;
+            stage.problems.push_back(
+                {format("tileset {}", tileset.name),
+                 format("its {} tiles have another size than the map's cells; the first {} came along",
+                        grid.count, imported.count),
+                 "give the map cells of the size of its tiles, or split the tileset"});
+        }
+        for (int id = 0; loose && id < imported.count; ++id) {
+            json["images"].push_back(imageJson(id, {imported.image.path, cellOfImage(tileset, grid, id)}));
+        }
+        json["columns"] = grid.columns;
+    }
+    json["count"] = imported.count;
+}
+
+}  // namespace
+
+TilePicture ImportedTileset::pictureOf(int id) const {
+    if (id < 0 || id >= count) return {};
+    if (original->image.empty()) {
+        const auto found = pictures.find(id);
+        return found == pictures.end() ? TilePicture{} : found->second;
+    }
+    return {image.path, cellOfImage(*original, gridOf(*original, image), id)};
+}
+
+ImportedTileset importTileset(const tiled::Map& map, const tiled::Tileset& tileset, ImportStage& stage) {
+    ImportedTileset imported;
+    imported.original = &tileset;
+    const bool sameSize = tileset.tileWidth == map.tileWidth && tileset.tileHeight == map.tileHeight;
+    const bool loose = tileset.image.empty() || (!sameSize && !tileset.fitsGrid);
+    const int cellWidth = loose ? map.tileWidth : std::max(tileset.tileWidth, 1);
+    const int cellHeight = loose ? map.tileHeight : std::max(tileset.tileHeight, 1);
+
+    Json json = Json::object();
+    json["format"] = Tileset::kFormat;
+    json["tileSize"] = Json::array({cellWidth, cellHeight});
+    addPictures(json, tileset, imported, loose, stage);
+    if (tileset.offsetX != 0 || tileset.offsetY != 0)
+        json["offset"] = Json::array({tileset.offsetX, tileset.offsetY});
+    const Vec2 cell{static_cast<float>(cellWidth), static_cast<float>(cellHeight)};
+    for (const tiled::Tile& tile : tileset.tiles) {
+        const TilePicture picture = imported.pictureOf(tile.id);
+        tellBeyond(tile, imported.count, stage, tileset);
+        const Vec2 size = picture.source.empty() ? cell : Vec2{picture.source.width, picture.source.height};
+        Json item = tileJson(tile, size, cell, stage, tileset);
+        imported.collides = imported.collides || item.contains("collision");
+        if (item.size() > 1) json["tiles"].push_back(std::move(item));
+    }
+    if (!tileset.properties.empty()) json["properties"] = tileset.properties;
+    if (Json terrains = terrainsOf(tileset); !terrains.empty()) json["terrains"] = std::move(terrains);
+    json["tiled"] = tilesetNotes(tileset);
+    imported.path = stage.add(tileset.name, ".tileset.json", writeJson(json));
+    return imported;
+}
+
+}  // namespace plumb

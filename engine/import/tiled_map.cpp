@@ -1,0 +1,26 @@
+#include "import/tiled_map.hpp"
+
+#include <algorithm>
+
+namespace plumb::tiled {
+
+const Tile* Tileset::find(int id) const {
+    const auto at = std::lower_bound(tiles.begin(), tiles.end(), id,
+                                     [](const Tile& tile, int wanted) { return tile.id < wanted; });
+    return at != tiles.end() && at->id == id ? &*at : nullptr;
+}
+
+TileRef Map::resolve(Gid gid) const {
+    const Gid number = gid & ~kFlags;
+    TileRef found;
+    for (std::size_t i = 0; number != 0 && i < tilesets.size(); ++i) {
+        const Gid first = tilesets[i].firstGid;
+        if (first == 0 || first > number) continue;
+        if (found.empty() || tilesets[static_cast<std::size_t>(found.tileset)].firstGid < first) {
+            found = {static_cast<int>(i), static_cast<int>(number - first), gid & kFlags};
+        }
+    }
+    return found;
+}
+
+}  // namespace plumb::tiled

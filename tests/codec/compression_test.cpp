@@ -1,0 +1,185 @@
+#include "codec/compression.hpp"
+
+#include <gtest/gtest.h>
+
+#include "codec/base64.hpp"
+#include "core/random.hpp"
+#include "core/text.hpp"
+#include "tests/support/damage.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kRoom = 1 << 20;
+
+/// 1,200 cells of a map, as the packed texts below hold them.
+std::string expectedCells() {
+    std::string bytes;
+    std::uint32_t state = 1;
+    for (int i = 0; i < 1200; ++i) {
+        state = state * 1664525u + 1013904223u;
+        const std::uint32_t cell = i % 3 == 0 ? state >> 28 : i % 40 < 9 ? 0x80000007u : 0u;
+        for (int byte = 0; byte < 4; ++byte) bytes += static_cast<char>(cell >> (8 * byte) & 255);
+    }
+    return bytes;
+}
+
+using Unpack = Result<std::string> (*)(std::string_view, std::size_t, std::string_view);
+
+struct Packed {
+    const char* name;
+    Unpack unpack;
+    const char* base64;
+};
+
+const Packed kPacked[] = {
+    {"zlib", unpackZlib,
+     "eNqVmItu5SAMRJ0AeQHJL/fTq13t1bUsTpiNVGmUUhj8GE+azGw3+/nzUx1uDl/2fU6HH4f9msXh1eHN4Rv22R32fFbAno9/"
+     "OrxvcBdacwG3+/vuL4cPn83h8g/H+27C/gbxTMA/xs2v+fDpDh8O07l+n+JwBg4UzwKxXYCPBc6jOyo12YV7dcjL6fLred4D"
+     "zvHcBmdd0BcZ8kt12MJ636cj3CA+Ge6e4awNcrq9rI+9ELl1iEmHGFahHp6XWMV9PvU/6hHfv1nQmUOI4Ql32YD/CZrse+SB"
+     "fZLNnwM0uQga7rkl4JYEfbgAV6Gvy6SvP/GZ6XMR+NyCNm5CnRQhhg3ym4GPQZxvYV7vUA8NdK+CNyA9ob5egFt9mRfxfaw3"
+     "n9/sft+F+WsC5yTMoDhPR/n1GrgIHqlCjg5Bf84XnRzpXgVupLd0rgkabpMYRm4jrxXPJe1KENvzP2dcnEGx3qLm0MzKgn82"
+     "wTM8L5o56osU+nrmT4rg9zbBu9bB+7f8NpffE/LYgc8CWNHq6IVGc60EPPMnB3AgX00etYUaHvFJMDuKEIcVOKwQZ9Jz758b"
+     "6Ex3+SUOD2DFPx/wtwb+2aB/lbOKOOtnnjDGYdQXFb7dLsFrEX/yFcck76NeiDxVD0Bzfxe4ETbwMCbEsAk+hGZrgTjvYc3o"
+     "fxoZ/NU1+ZZ50+1H+K68BnUYuRn0L/XIKnjOR9Bk8tK/eE5qsg=="},
+    {"zlib with fixed codes", unpackZlib,
+     "eAFjZmBgYGdgaABhbiQ2DxKbiwEBOJHY/EhsZDWMSGwmJDYbEpsPhznsSGxk9zDhYCO7Bxnw4hDnweEXXGq4cLiNDyEGdgPM"
+     "PWxIbFYoG92/bESYz4AjPJlxuB893JDVwNzDi8TmQGLjshfZHFYkNgsON+AKT1YcYcuIwz0MaG7G5kdi0iQvEf7ixREvnEjx"
+     "i+xOPixuRreXB4ddXDjyBQuO+MWVDnnQ1CPnU2xsHhzhw4LD7yw47GLDEadseNSj5wV0t/HiCBNeHGHITUR64McTVujmwNI/"
+     "tjyCnH9ZiChnOIgIQ04cfmHD4X5OHGUych7hx2EOMwNhwIGjTGYlogxHdhszDrcxE1E+cOFgcxORr1kJ5GtY+BAqn1mJcA8f"
+     "EWUjGxHphJWIMOTBEb8sONzDgCOc+Yior9lxpAceHOUeN462Aa7yBFe+ZsThNm489QW6OHp6Q45fFiR5XiLqXwYi3MxMRB2E"
+     "Xp9ii1/kMpCRiDYSN4444iCi/OHEU05iK/e4cbgNV3mLy14GIspwBgJhiO42bG0tdHtxlV3MOMKWk8Q6Dr0OQk9v6GUOrjqL"
+     "hYj2MwMRbQZ+PGUmtnzBjJavCbVPWIlo77ER0XblxiKOL355kOKXE0c88uJwDyMONjFlNXpbCFu9xorGJtQ+4cDhBlztalxt"
+     "VB60NIzNPcw46g5WIsKBCYcbmHCEM67yHLn9zIOjnOFFil9cbuDHwSam/cyBQy8DjvYzA478S4xdrETW9YTahOjhgC1fcOPo"
+     "u3ER0dbC5X5c7QoOAvGOLS+gu5PYNgCuep+dCLfhYjPgaMMwEBGGPES0Q3DVraw4wpkdTQ22MQ0WHO0rLgJ9GXzlNj8R/Uou"
+     "LOkQ3W0MOPIvrjzCRESbk5+IMhlXWxoAeE5qsg=="},
+    {"gzip", unpackGzip,
+     "H4sIAAAAAAAAA42XDW/CMAxEw0dboKX9y/x01GkRbyc/VkuTrCxNLmf7bC6ttam11/43w1/gP9rH7vA3+Nxzgn+GP8Jf5ZwJ"
+     "PvGcxSce2lPWF/j2LffwXcS2ftZ+MHQ8I/zh1+f+3ciDnU8jnxfBn7xxT8fzhH+Db/fynAH+VTAYn/yW3J4ETwvM3YjzSE5a"
+     "Dsyyh3HpZ+4YiHMtMOe9fCPvImbWBflkfC0PuX5pf+u08rmfOHnvKOuL7BlkPfdnLSQ28k9OuD6Lb/lgsSC3/Zye/1WNsH7J"
+     "CY04b/CNQ+Yq30IOiZ/1S00G9tcm5/C9ZsRMjWJ8TcOJjXnYYp37K3uIT36sromzquvOz3/6zHMMD/kxbSQ/NMNsHDLWVrPE"
+     "Q7vLHuvXrCPmAzFQ99iXeY7pidU1+xqxkdvsF7me+cb4XvF/03nipxlm5rP1oOynVXypgXyXzUjk5HbAtx6dOlnpHuNLbKa3"
+     "di/NNJxWcZjYqlkr7zXtYuzILe890uOyB2W+peZYzyJmm59pNjNY7ZjuMQ/Jg80nqVeVb7rHt8zF+rf4dv3JuxhH1ib3nMQ/"
+     "otU5C1V9bQi/eqPp6iA+Y2ozKvWQmkw8jC9zw+41rZ5lnTybnnN+Zh95Fv43DJv4R+Zncs5vaTa3sHaO3EU+v/X6bjYTJg9V"
+     "XVCfTZNt1jL8NleQwyruVS0kzv6W/HY30wfywzcaNvM7xpxhuG4cLuJXeZ7fMu7keYo9zLGqj9gsWv2W2c10234T2fk9DxNb"
+     "a3X9Wo1w3WZO+/1ixvx5A60AJ73AEgAA"},
+    {"zstd", unpackZstd,
+     "KLUv/WTAERUOAHYTLRCwJQ8MwzAMdmukCGFlSSlTJwAoACcAVrZklLM7JKnbF2is5xCF9Pqx4jykAWWYe9zzJTRgEu/jczX4"
+     "w/8JcqbHarBYKrAXsgEEaKf4VkCWtRa3Zh5nTAr4WH/bFJeOTzzbGVRZOCpW1bVUF7ROdqsI5MENvSGWpDbJI5vUynCEMOD1"
+     "dBm4k+5OIwPmcPxbhxQSy+2SlKnE2M0DvwPCarBoFR5AQ0dFMVzkGpLuG5Ju4cVglIGaqCH1dgNxBylImwMSQBFUGAEDuSpI"
+     "Uan2M7oh8OHKdpbB+02AAUhxddfEd1TNxLn5y3/fef1cD4L+1wMFq0Nc9k5ZMQi3fmH4p+AdX4SXGexsXVjA9MweLxuvC8U/"
+     "MdexMyosUt3ETy9fHzCt4u6YKAuyP2L30GsWn0vtB8F/SnLj2Ut+SeToAwIO9t83DgSUCrQrjLMaJIf+5Zr9hCtiIHs4vAib"
+     "pZ1ucTT55osyaurHd9dmxF52CenoygcTTQ/dKfI/nMfkH0j4mWTGLx4x+tKxb+IvfzVfBbuAOhDcxOLeLkP0+WD0SzKIwhc+"
+     "VX38YSoflssD/5GZoBbsGYepaqQqge+LvihVAWungR8="},
+    {"zstd, highest level, no sum", unpackZstd,
+     "KLUv/WDAEU0MAEaWMhDA5QH////fZWVJpFwhkS0FLAAtAC0AvZmzuSSp20EAND53Hh9sHan0gVEPB1zayy5uj3s+il4LE5CN"
+     "f66O/8Z//yc3pi9YbXCjVLHhLVBQD9atxMua65rH+aCJCB/rL7bpKZyKT2c7T5Uly6xsbwHVJZaVqsJp1cleACAP7gB6QyxJ"
+     "Mab9g6TTptMfxUiRId/1FPIAdyI9qIH85Tx860shvthzu0QnSeqmEsH+4g/iVgGLVnH40PMUxXCRa0h6OgxJtxjzImAUfQWB"
+     "Pqgh5NfPEaOUNOkRJAhCgBCYo+S5/BwghdLSoW62T2Ib3ZEvXvfW7gy4hYPjLTknF7u/H3UkgH3NRj5CrL3R8fSH+CvuoCjl"
+     "0h5q+Ln4OKFt16/uVk2zwDcXr1fOb1tWxkWZ2r6TLieWe7LZy/h+Z2zIih8vezLl8YDbf+J3yct0KFjReIdXeA2Q7opUnQqn"
+     "z3W8ONzGjxjEyaZl6tyB2jk7omuTzPPEEXLiC+Dy7RJljIOtBvBk+E6jVQ=="},
+    {"zstd, fast", unpackZstd,
+     "KLUv/WTAEf0TADQVAwAAAAcAAIAHAACACwwKAAkADwAKAAEAAgAGAA4ADwAHAAIADQAMCQAMCgkGBQ4GCgcAAQMJCw0ICwUE"
+     "CQAFDAGADQcKDw0LBgkOCA8MCwoCBAMMCgwDCgoEBgQMBgUGCgINCwcKDwwDCw0FDQgEBg8MAA8GAwAACA4FAgYJAwMJAAoK"
+     "Cw8NBQsNDwYFBQoKDgsFBgANBQkDDA8EDgAJDg8HCAsEBgINAQ8LDAEABgQNBgoAAg0DCgkDCgYOCwgICAQJCg0LBwoIBAsL"
+     "AAkHCQUCAw4JBgUGCwQPCgEAAgQPCwoCCQkACwEJCQMNCQEBBQYABgAHAACACwcIBQsMDgUDBQYCCwIJDQwNBgIPAgQDCA8A"
+     "DwIEAwUNCQwGAgkLBwoJAAQOCA0FCwINAQsMBw4IDgoMDAEKAAAAAAcCCgMLBQwKCgYCAA0CBAIKBw8GAAANgaeoIe0L+wZR"
+     "B5GkTQcRYIQKIga9qTIdBFoivfCpi8dS0S5QwS8DbMWfyIqlwUWFWSMql6DXU+ZhAKb+IWfwsoolowCebxfWeOpfOkGZMoOX"
+     "y+zTC8afIm4fOL123vgjw79O0ftEQnMQBOfPHN/85EIjx4DbApW66BMvyQ7kP+DjMHOmgMlIayHmRV6/o0G7hAfjQwTvuDEz"
+     "DSDorRm88eNlKkKAtuKPs2CjQiHCvcMM5D5qD1DWbQWKRSE6iGgWDI8N372xnciWLm3yBy4GhOaPKHURX7cSknFQEnvewPJs"
+     "NXCjn82cPXhv9UxEM6wI8A6nCIRzbYhx2DQjJv6DHfnCZleCkQACCvnt3nw2htN+2M8T7910Io1HH/3oo48++tFHo0dR2d85"
+     "q2ungR8="},
+};
+
+TEST(UnpackTest, everyPackerGivesTheSameCells) {
+    const std::string expected = expectedCells();
+    for (const Packed& packed : kPacked) {
+        SCOPED_TRACE(packed.name);
+        const Result<std::string> bytes =
+            packed.unpack(*bytesFromBase64(packed.base64, "test"), kRoom, "test");
+        ASSERT_TRUE(bytes.ok()) << bytes.error().text();
+        EXPECT_TRUE(*bytes == expected);
+    }
+}
+
+TEST(UnpackTest, nothingBeyondTheLimitComesOut) {
+    const std::string expected = expectedCells();
+    for (const Packed& packed : kPacked) {
+        SCOPED_TRACE(packed.name);
+        const std::string bytes = *bytesFromBase64(packed.base64, "test");
+        EXPECT_TRUE(packed.unpack(bytes, expected.size(), "test").ok());
+        EXPECT_FALSE(packed.unpack(bytes, expected.size() - 1, "test").ok());
+        EXPECT_FALSE(packed.unpack(bytes, 0, "test").ok());
+    }
+}
+
+TEST(UnpackTest, everyTruncationIsAnErrorWithWhereWhatAndRemedy) {
+    for (const Packed& packed : kPacked) {
+        SCOPED_TRACE(packed.name);
+        const std::string bytes = *bytesFromBase64(packed.base64, "test");
+        for (std::size_t length = 0; length < bytes.size(); ++length) {
+            const Result<std::string> result = packed.unpack(bytes.substr(0, length), kRoom, "map.tmx");
+            ASSERT_FALSE(result.ok()) << length;
+            EXPECT_EQ(result.error().where, "map.tmx");
+            EXPECT_FALSE(result.error().what.empty());
+            EXPECT_FALSE(result.error().remedy.empty());
+        }
+    }
+}
+
+TEST(UnpackTest, mutatedDataNeverCrashesAndNeverOutgrowsItsRoom) {
+    for (const Packed& packed : kPacked) {
+        SCOPED_TRACE(packed.name);
+        const std::string original = *bytesFromBase64(packed.base64, "test");
+        Random random = Random::seeded(7);
+        for (int i = 0; i < 1000; ++i) {
+            const std::string bytes = test::withWrongBytes(original, random, 4);
+            const Result<std::string> result = packed.unpack(bytes, kRoom, "test");
+            EXPECT_LE(result.ok() ? result->size() : 0u, kRoom);
+        }
+    }
+}
+
+TEST(PackTest, whateverIsPackedComesBack) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        const std::uint32_t kinds = 1 + random.below(256);
+        std::string bytes;
+        const std::size_t size = seed == 0 ? 0 : random.below(100'000);
+        while (bytes.size() < size) {
+            const auto letter = static_cast<char>(random.below(kinds));
+            bytes.append(1 + random.below(300), letter);
+        }
+        const std::string packed = packZlib(bytes);
+        const Result<std::string> unpacked = unpackZlib(packed, bytes.size(), "packed");
+        ASSERT_TRUE(unpacked.ok()) << unpacked.error().text();
+        EXPECT_TRUE(*unpacked == bytes);
+        EXPECT_TRUE(bytes.empty() || !unpackZlib(packed, bytes.size() - 1, "packed").ok());
+    }
+}
+
+TEST(PackTest, repeatedBytesTakeLittle) { EXPECT_LT(packZlib(std::string(65'536, 'x')).size(), 200u); }
+
+TEST(Base64Test, everyLengthReadsBackAndSpacesAreSkipped) {
+    std::string bytes;
+    for (int length = 0; length < 70; ++length) {
+        SCOPED_TRACE(length);
+        std::string text = toBase64(bytes);
+        EXPECT_EQ(text.size() % 4, 0u);
+        EXPECT_EQ(*bytesFromBase64(text, "test"), bytes);
+        text.insert(text.size() / 2, "\n   ");
+        EXPECT_EQ(*bytesFromBase64(text, "test"), bytes);
+        bytes += static_cast<char>(length * 37);
+    }
+    EXPECT_EQ(*bytesFromBase64("TWE", "test"), "Ma");
+}
+
+TEST(Base64Test, whatIsNoBase64IsRefused) {
+    for (const char* text : {"A", "AAAAA", "AA=A", "A===", "!!!!", "AA-_", "====", "QUJD=QUJD"}) {
+        EXPECT_FALSE(bytesFromBase64(text, "test").ok()) << text;
+    }
+}
+
+}  // namespace
+}  // namespace plumb
