@@ -158,7 +158,9 @@ TEST(SceneGame, thePauseActionOpensTheMenuAndLeadsBackToTheTitle) {
     press(Key::Enter);
     EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json"}));
     press(Key::P);
-    EXPECT_EQ(scenes().size(), 1u) << "the title is not paused";
+    EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json", "scenes/leave.scene.json"}));
+    press(Key::Escape);
+    EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json"}));
 }
 
 TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {

@@ -1,7 +1,6 @@
 #include "gameplay/systems/collect_system.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
@@ -35,22 +34,21 @@ void count(World& world, const Collectible& collectible, EntityId player) {
     }
 }
 
-/// What sends particles below an item that is taken is let go: it stays where it is, sends its burst, and
-/// ends with the last of them.
-void letGoEmitters(World& world, EntityId item) {
-    std::vector<EntityId> emitters;
-    for (Entity child : childrenOf(world, item)) {
-        if (world.has<ParticleEmitter>(child)) emitters.push_back(child);
+void letGo(World& world, EntityId child) {
+    const Pose pose = worldPose(world, child);
+    setParent(world, child, {});
+    world.add<Transform>(child, Transform{pose.position, pose.rotation, pose.scale});
+    auto& emitter = world.get<ParticleEmitter>(child);
+    emitter.playing = true;
+    world.add<Lifetime>(child).seconds =
+        emitter.duration + emitter.lifetime * (1.0f + emitter.lifetimeSpread);
+}
+
+EntityId emitterBelow(World& world, EntityId item) {
+    for (const EntityId child : childrenOf(world, item)) {
+        if (world.has<ParticleEmitter>(child)) return child;
     }
-    for (const EntityId child : emitters) {
-        const Pose pose = worldPose(world, child);
-        setParent(world, child, {});
-        world.add<Transform>(child, Transform{pose.position, pose.rotation, pose.scale});
-        auto& emitter = world.get<ParticleEmitter>(child);
-        emitter.playing = true;
-        world.add<Lifetime>(child).seconds =
-            emitter.duration + emitter.lifetime * (1.0f + emitter.lifetimeSpread);
-    }
+    return {};
 }
 
 }  // namespace
@@ -59,7 +57,8 @@ void CollectSystem::update(World& world, float) {
     forEachTouch<TriggerEntered, Collectible, PlayerController>(world, [&](EntityId item, EntityId player) {
         count(world, std::as_const(world).get<Collectible>(item), player);
         playCue(world, item, &SoundCues::collect);
-        letGoEmitters(world, item);
+        // What sends particles below an item that is taken stays where it is and ends with the last of them.
+        for (EntityId child; (child = emitterBelow(world, item)) != EntityId{};) letGo(world, child);
         world.destroy(item);
     });
 }
