@@ -188,7 +188,7 @@ TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {
     EXPECT_EQ(progress.levelsReached.size(), 2u);
 }
 
-TEST(SceneGame, aPlayerWhoWaitsAtTheStartOfALevelIsLeftAlone) {
+TEST(SceneGame, aPlayerThatWaitsAtTheStartOfALevelIsLeftAlone) {
     constexpr int kTicks = 40 * 60;
     for (const std::string& scene : platformerScenes()) {
         SCOPED_TRACE(scene);
