@@ -1,5 +1,6 @@
 #include "app/sound_output.hpp"
 
+#include "app/sound_place.hpp"
 #include "gameplay/components/music.hpp"
 #include "scene/effects.hpp"
 #include "scene/play_sound.hpp"
@@ -20,7 +21,7 @@ void SoundOutput::listen(const World& world) {
         if (pin == Pin::On) mixer_.open();
     }
     for (const PlaySound& sound : world.events<PlaySound>()) {
-        queue_.add({sound.tick, sound.sound, sound.volume, 0.0f});
+        queue_.add({sound.tick, sound.sound, sound.volume, panOf(world, sound.source)});
     }
     // An overlay without music of its own keeps that of what it pauses.
     Entity entity = world.query<const Music>().first();

@@ -39,31 +39,38 @@ std::uint32_t roomFor(const ParticleEmitter& emitter) {
     return static_cast<std::uint32_t>(std::min(most, static_cast<double>(std::max(emitter.maximum, 1))));
 }
 
-/// Gives every stream a range as large as its capacity and takes the particles there.
-void layOut(Particles& particles, std::span<const std::uint32_t> oldFirst) {
-    std::uint32_t places = 0;
-    for (ParticleStream& stream : particles.streams) {
-        stream.first = places;
-        places += stream.capacity;
-    }
+void moveTo(Particles& particles, ParticleStream& stream, std::uint32_t first) {
     for (const Column column : kColumns) {
-        std::vector<float> values(places);
-        for (std::size_t i = 0; i < particles.streams.size(); ++i) {
-            const ParticleStream& stream = particles.streams[i];
-            const float* from = (particles.*column).data() + oldFirst[i];
-            std::copy_n(from, stream.count, values.begin() + stream.first);
-        }
-        (particles.*column) = std::move(values);
+        float* const values = (particles.*column).data();
+        std::memmove(values + first, values + stream.first, stream.count * sizeof(float));
     }
+    stream.first = first;
 }
 
+void resize(Particles& particles, std::size_t places) {
+    for (const Column column : kColumns) (particles.*column).resize(places);
+}
+
+/// Gives every stream that is wanted a range as large as its capacity and takes its particles there, in place:
+/// those that go down from the first on, then those that go up from the last on. As the streams keep their
+/// order, no move overwrites what has not moved yet.
 void layOut(Particles& particles) {
-    std::erase_if(particles.streams, [](const ParticleStream& stream) { return !stream.wanted; });
-    std::sort(particles.streams.begin(), particles.streams.end(),
+    std::vector<ParticleStream>& streams = particles.streams;
+    std::erase_if(streams, [](const ParticleStream& stream) { return !stream.wanted; });
+    std::sort(streams.begin(), streams.end(),
               [](const ParticleStream& a, const ParticleStream& b) { return a.emitter < b.emitter; });
-    std::vector<std::uint32_t> oldFirst;
-    for (const ParticleStream& stream : particles.streams) oldFirst.push_back(stream.first);
-    layOut(particles, oldFirst);
+    std::uint32_t end = 0;
+    for (ParticleStream& stream : streams) {
+        if (end < stream.first) moveTo(particles, stream, end);
+        end += stream.capacity;
+    }
+    const std::size_t places = end;
+    if (places > particles.x.size()) resize(particles, places);
+    for (auto stream = streams.rbegin(); stream != streams.rend(); ++stream) {
+        end -= stream->capacity;
+        if (end > stream->first) moveTo(particles, *stream, end);
+    }
+    resize(particles, places);
 }
 
 void move(Particles& particles, const ParticleStream& stream, const ParticleTravel& travel, float dt) {

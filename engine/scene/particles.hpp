@@ -65,8 +65,8 @@ struct ParticleTravel {
 /// Gravity as a stream's own space has it (px/s^2). @param pose  of the emitter
 [[nodiscard]] Vec2 gravityIn(const ParticleEmitter& emitter, const Pose& pose, Vec2 gravity);
 
-/// Gives every emitter its stream and takes away those of emitters that are gone. Allocates only when an
-/// emitter came or wants more room. @param emitters  all of them, in any order
+/// Gives every emitter its stream and takes away those of emitters that are gone. Allocates only when
+/// more room is wanted than ever before. @param emitters  all of them, in any order
 void followEmitters(Particles& particles, const World& world, std::span<const EntityId> emitters);
 
 /// One emitter in one step.

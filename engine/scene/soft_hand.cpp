@@ -87,6 +87,20 @@ std::optional<SoftHit> softBodyAt(World& world, Vec2 place, float reach, std::ui
     return best;
 }
 
+std::optional<Vec2> gripPlace(const World& world, EntityId entity) {
+    const auto* grip = world.find<SoftGrip>(entity);
+    const auto* state = world.findResource<PhysicsState>();
+    if (grip == nullptr || state == nullptr) return std::nullopt;
+    for (const SoftLinkage& linkage : state->softBodies) {
+        const auto particles = particlesOf(state->world, linkage.body);
+        if (linkage.entity != entity || particles.empty()) continue;
+        const auto last = static_cast<int>(particles.size()) - 1;
+        const auto held = static_cast<std::size_t>(std::clamp(grip->particle, 0, last));
+        return placeInPixels(particles[held].place, state->scale) + grip->anchor;
+    }
+    return std::nullopt;
+}
+
 void pullSoftBodies(World& world, PhysicsState& state, float dt) {
     const World& seen = world;
     if (seen.count<SoftGrip>() == 0) return;

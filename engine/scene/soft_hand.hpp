@@ -19,6 +19,9 @@ struct SoftHit {
 /// @param mask   bits: the layers that it may have
 std::optional<SoftHit> softBodyAt(World& world, Vec2 place, float reach, std::uint32_t mask = 0xffffffffu);
 
+/// Where a SoftGrip holds its rope, cloth or jelly (px); nothing without one.
+std::optional<Vec2> gripPlace(const World& world, EntityId entity);
+
 /// Pulls what is held by a SoftGrip. @param dt  s
 void pullSoftBodies(World& world, PhysicsState& state, float dt);
 

@@ -158,7 +158,9 @@ TEST(SceneGame, thePauseActionOpensTheMenuAndLeadsBackToTheTitle) {
     press(Key::Enter);
     EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json"}));
     press(Key::P);
-    EXPECT_EQ(scenes().size(), 1u) << "the title is not paused";
+    EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json", "scenes/leave.scene.json"}));
+    press(Key::Escape);
+    EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json"}));
 }
 
 TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {
@@ -184,6 +186,18 @@ TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {
     EXPECT_EQ(progress.levelCoins, 0);
     EXPECT_EQ(progress.coins, 3) << "begun anew, it has its coins again";
     EXPECT_EQ(progress.levelsReached.size(), 2u);
+}
+
+TEST(SceneGame, aPlayerThatWaitsAtTheStartOfALevelIsLeftAlone) {
+    constexpr int kTicks = 40 * 60;
+    for (const std::string& scene : platformerScenes()) {
+        SCOPED_TRACE(scene);
+        SceneGame game{platformer(), scene};
+        game.assets.logging = false;
+        game.onCreate();
+        for (int tick = 0; tick < kTicks; ++tick) tickGame(game, {});
+        EXPECT_EQ(game.world.resource<GameProgress>().deaths, 0);
+    }
 }
 
 TEST(SceneGame, aSceneThatIsNotThereIsAnErrorAndTheOldOneGoesOn) {

@@ -88,7 +88,8 @@ TEST(SteadyLevels, aDrawnTickOfEveryLevelAllocatesNothing) {
         EXPECT_EQ(game.allocationsOfPlayingOn(start), 0u);
         EXPECT_EQ(game.world().hash(), end);
         EXPECT_GT(game.drawCalls(), 0u);
-        if (scene.find("pause") == std::string::npos) {  // in a menu nothing moves by itself
+        const bool isMenu = scene.find("pause") != std::string::npos || scene.find("leave") != std::string::npos;
+        if (!isMenu) {  // where nothing moves by itself
             EXPECT_GT(game.moved(), moved) << "nothing happens in this scene";
         }
         ++levels;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "ecs/hierarchy.hpp"
 #include "gameplay/components.hpp"
 #include "gameplay/systems.hpp"
 #include "input/input.hpp"
@@ -107,6 +108,30 @@ TEST(MouseDrag, takesWhatIsUnderItHoldsItAndLetsGo) {
     room.run();
     EXPECT_FALSE(near.hasComponent<MouseJoint>());
     EXPECT_TRUE(hand.hasComponent<Hidden>());
+}
+
+TEST(MouseDrag, itsLineReachesFromWhatIsHeldToTheMouse) {
+    Playroom room;
+    Entity ball = room.ball({100, 100});
+    Entity line = room.at({0, 0});
+    line.addComponent<Sprite>().width = 8;
+    Entity hand = room.at({0, 0});
+    hand.addComponent<MouseDrag>();
+    setParent(room.world, line, hand);
+    room.frame.setMouse({100, 100});
+    room.run(2);
+    EXPECT_EQ(line.get<Transform>().scale.x, 0.0f) << "nothing is held";
+    room.frame.mouseButtons = 1;
+    room.run();
+    room.frame.setMouse({100, 180});
+    room.run();
+    const Pose drawn = worldPose(room.world, line);
+    EXPECT_LT(length(drawn.position - ball.get<Transform>().position), 20.0f);
+    const Vec2 end = drawn.position + rotated(Vec2{8.0f * drawn.scale.x, 0.0f}, drawn.rotation);
+    EXPECT_LT(length(end - Vec2{100, 180}), 0.01f);
+    room.frame.mouseButtons = 0;
+    room.run();
+    EXPECT_EQ(line.get<Transform>().scale.x, 0.0f);
 }
 
 TEST(MouseDrag, forgetsWhatIsGoneAndWhatItMayNotTake) {

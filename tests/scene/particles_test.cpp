@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "math/angle.hpp"
 #include "reflect/type_registry.hpp"
 #include "render/recording_device.hpp"
@@ -296,6 +297,66 @@ TEST_F(ParticleScene, whichParticlesComeFollowsFromTheLastingId) {
     };
     EXPECT_EQ(hashOf(77, 0), hashOf(77, 5)) << "not from its place in memory";
     EXPECT_NE(hashOf(77, 0), hashOf(78, 0));
+}
+
+TEST_F(ParticleScene, emittersThatComeAndGoLeaveTheParticlesOfTheOthersAlone) {
+    Random random{7};
+    std::vector<Entity> emitters;
+    const auto& particles = world.resource<Particles>();
+    const auto placesOf = [&](Entity emitter) {
+        std::vector<float> places;
+        const ParticleStream* stream = particles.find(emitter);
+        if (stream == nullptr) return places;
+        for (std::uint32_t i = 0; i < stream->count; ++i) {
+            places.push_back(particles.x[stream->first + i]);
+            places.push_back(particles.spin[stream->first + i]);
+        }
+        return places;
+    };
+    std::size_t compared = 0;
+    for (int round = 0; round < 200; ++round) {
+        for (std::uint32_t come = random.below(4); come > 0; --come) {
+            ParticleEmitter emitter;
+            emitter.rate = random.between(0.0f, 300.0f);
+            emitter.spinSpread = 1.0f;
+            emitters.push_back(add(emitter));
+        }
+        for (std::uint32_t go = random.below(4); go > 0 && !emitters.empty(); --go) {
+            const std::size_t at = random.below(static_cast<std::uint32_t>(emitters.size()));
+            emitters[at].destroy();
+            emitters.erase(emitters.begin() + static_cast<std::ptrdiff_t>(at));
+        }
+        run(world, 1);
+        if (emitters.empty()) continue;
+        std::vector<std::vector<float>> before;
+        for (const Entity emitter : emitters) before.push_back(placesOf(emitter));
+        Entity added = add(plain());
+        world.get<ParticleEmitter>(emitters.front()).maximum += 7;
+        std::vector<EntityId> all{added};
+        for (const Entity emitter : emitters) all.push_back(emitter);
+        followEmitters(world.resource<Particles>(), world, all);
+        for (std::size_t i = 0; i < emitters.size(); ++i) {
+            ASSERT_EQ(placesOf(emitters[i]), before[i]) << round;
+            compared += before[i].size();
+        }
+        added.destroy();
+    }
+    EXPECT_GT(compared, 1000u);
+}
+
+TEST_F(ParticleScene, onlyMoreRoomThanEverAllocates) {
+    std::vector<Entity> emitters;
+    for (int i = 0; i < 10; ++i) emitters.push_back(add(plain()));
+    run(world, 30);
+    auto& particles = world.resource<Particles>();
+    const std::vector<EntityId> some{emitters[1], emitters[4], emitters[9]};
+    const std::vector<EntityId> all{emitters.begin(), emitters.end()};
+    const std::size_t before = test::allocations().made;
+    followEmitters(particles, world, some);
+    EXPECT_EQ(particles.streams.size(), 3u);
+    followEmitters(particles, world, all);
+    EXPECT_EQ(particles.streams.size(), 10u);
+    EXPECT_EQ(test::allocations().made, before);
 }
 
 TEST_F(ParticleScene, aSteadyTickAllocatesNothing) {

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
+#include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/components/collectible.hpp"
 #include "gameplay/components/health.hpp"
+#include "gameplay/components/lifetime.hpp"
 #include "gameplay/components/player_controller.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"
+#include "scene/components/particle_emitter.hpp"
+#include "scene/world_transform.hpp"
 
 namespace plumb {
 
@@ -30,12 +34,31 @@ void count(World& world, const Collectible& collectible, EntityId player) {
     }
 }
 
+void letGo(World& world, EntityId child) {
+    const Pose pose = worldPose(world, child);
+    setParent(world, child, {});
+    world.add<Transform>(child, Transform{pose.position, pose.rotation, pose.scale});
+    auto& emitter = world.get<ParticleEmitter>(child);
+    emitter.playing = true;
+    world.add<Lifetime>(child).seconds =
+        emitter.duration + emitter.lifetime * (1.0f + emitter.lifetimeSpread);
+}
+
+EntityId emitterBelow(World& world, EntityId item) {
+    for (const EntityId child : childrenOf(world, item)) {
+        if (world.has<ParticleEmitter>(child)) return child;
+    }
+    return {};
+}
+
 }  // namespace
 
 void CollectSystem::update(World& world, float) {
     forEachTouch<TriggerEntered, Collectible, PlayerController>(world, [&](EntityId item, EntityId player) {
         count(world, std::as_const(world).get<Collectible>(item), player);
         playCue(world, item, &SoundCues::collect);
+        // What sends particles below an item that is taken stays where it is and ends with the last of them.
+        for (EntityId child; (child = emitterBelow(world, item)) != EntityId{};) letGo(world, child);
         world.destroy(item);
     });
 }

@@ -1,14 +1,20 @@
 #include "gameplay/systems/mouse_drag_system.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "ecs/hierarchy.hpp"
 #include "gameplay/components/mouse_drag.hpp"
 #include "input/input.hpp"
 #include "math/angle.hpp"
+#include "math/portable.hpp"
 #include "scene/components/hidden.hpp"
 #include "scene/components/mouse_joint.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/soft_grip.hpp"
+#include "scene/components/sprite.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/draw_scene.hpp"
 #include "scene/physics_queries.hpp"
@@ -95,6 +101,30 @@ void release(World& world, MouseDrag& hand) {
     hand.held = {};
 }
 
+/// Where the hand holds what it holds (px).
+std::optional<Vec2> gripOf(const World& world, EntityId held) {
+    if (!world.alive(held)) return std::nullopt;
+    const auto* joint = world.find<MouseJoint>(held);
+    if (joint == nullptr) return gripPlace(world, held);
+    const Pose pose = worldPose(world, held);
+    return pose.position + rotated(joint->anchor, pose.rotation);
+}
+
+/// Stretches the sprites below the hand from what is held to the mouse; to nothing while nothing is held.
+void stretchLines(World& world, EntityId hand, Vec2 from, Vec2 to) {
+    const Vec2 way = to - from;
+    const float far = length(way);
+    for (const Entity line : childrenOf(world, hand)) {
+        const auto* sprite = std::as_const(world).find<Sprite>(line);
+        auto* transform = sprite != nullptr ? world.find<Transform>(line) : nullptr;
+        if (transform == nullptr) continue;
+        transform->position = from - to;
+        transform->scale.x = far / static_cast<float>(std::max(sprite->width, 1));
+        if (far > 0.0f) transform->rotation = arcTangent(way.y, way.x);
+        transform->previousRotation = transform->rotation;  // it swings with what is held, not by itself
+    }
+}
+
 void show(World& world, EntityId hand, bool shown) {
     if (shown == !world.has<Hidden>(hand)) return;
     if (shown) {
@@ -114,6 +144,8 @@ void MouseDragSystem::update(World& world, float) {
         if (input.isPressed(MouseButton::Left)) take(world, hand, place);
         const bool holds = lead(world, hand, place);
         if (Transform* transform = world.find<Transform>(entity)) transform->position = place;
+        const std::optional<Vec2> grip = gripOf(world, hand.held);
+        stretchLines(world, entity, grip.value_or(place), place);
         show(world, entity, holds);
     }
 }

@@ -192,16 +192,22 @@ def icons():
 
 
 def light(radius, letter, strength):
-    """A soft round light in five steps, for laying over the picture."""
+    """A soft round light, for laying over the picture: without steps, which would be seen as rings."""
     size = radius * 2
     cell = Canvas(size, size)
     for y in range(size):
         for x in range(size):
             far = math.hypot(x + 0.5 - radius, y + 0.5 - radius) / radius
-            step = math.ceil((1 - far) * 5)
-            if step > 0:
-                cell.put(x, y, color(letter, step * strength))
+            near = max(0.0, 1 - far)
+            alpha = round(5 * strength * near * near * (3 - 2 * near))
+            if alpha > 0:
+                cell.put(x, y, color(letter, alpha))
     return cell
+
+
+def dusk():
+    """Ten cells of 8x8 from dark to clear: laid over the picture, they let a level come out of the dark."""
+    return sheet([Canvas(8, 8, color("k", round(255 * (1 - k / 10) ** 1.4))) for k in range(10)])
 
 
 def tree():
@@ -232,4 +238,4 @@ def build():
     long_log, short_log = platform()
     return {"bob.png": bobs(), "spring.png": spring(), "lamp.png": lamp(), "gate.png": gate(),
             "platform.png": long_log, "platform_short.png": short_log, "dust.png": dust(), "icons.png": icons(),
-            "light.png": light(32, "y", 9), "light_big.png": light(56, "f", 7), "tree.png": tree(), "tree_snow.png": tree().swap({"n": "A", "1": "d", "2": "i", "3": "e"})}
+            "light.png": light(32, "y", 9), "light_big.png": light(56, "f", 7), "dusk.png": dusk(), "tree.png": tree(), "tree_snow.png": tree().swap({"n": "A", "1": "d", "2": "i", "3": "e"})}

@@ -1,12 +1,36 @@
+#include "app/game_loop.hpp"
+
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
-#include "app/game_loop.hpp"
+#include "app/sound_place.hpp"
 #include "input/recorder.hpp"
+#include "scene/components/camera.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/systems/camera_system.hpp"
 
 namespace plumb {
 namespace {
+
+TEST(Panning, aSoundComesFromWhereItsSourceIsInThePicture) {
+    Game game;
+    game.world.resource<PictureSize>().size = {320.0f, 180.0f};
+    const auto panAt = [&](float x) {
+        Entity entity = game.world.createEntity();
+        entity.addComponent<Transform>(x, 90.0f);
+        return panOf(game.world, entity);
+    };
+    EXPECT_EQ(panAt(160.0f), 0.0f);
+    EXPECT_LT(panAt(0.0f), -0.5f);
+    EXPECT_GT(panAt(320.0f), 0.5f);
+    EXPECT_EQ(panAt(5000.0f), panAt(320.0f)) << "no farther than the edge";
+    EXPECT_EQ(panOf(game.world, {}), 0.0f);
+    Entity camera = game.world.createEntity();
+    camera.addComponent<Transform>(1000.0f, 90.0f);
+    camera.addComponent<Camera>();
+    EXPECT_EQ(panAt(1000.0f), 0.0f);
+}
 
 /// Looks at its own recording while it is made.
 class Recorded : public Game {
