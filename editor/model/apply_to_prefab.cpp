@@ -159,7 +159,7 @@ private:
         }
     }
 
-    /// The keys in the order in which files are written; those that nobody knows behind them.
+    /// The keys in the order in which files are written; unknown ones behind them.
     static Json ordered(const Json& fields, const TypeInfo& type) {
         Json made = Json::object();
         for (const FieldInfo& field : type.fields) {

@@ -102,7 +102,7 @@ bool spreadEntities(Document& document, UndoStack& undo, const std::vector<Objec
     const auto middle = [](const Item& item) { return (item.from + item.to) * 0.5f; };
     const float step = (middle(items.back()) - middle(items.front())) / static_cast<float>(items.size() - 1);
     for (std::size_t i = 1; i + 1 < items.size(); ++i) {
-        // Where they do not fit side by side, their middles get equal distances: so nobody overtakes.
+        // Where they do not fit side by side, their middles get equal distances: so their order stays.
         const float by = room < 0.0f ? middle(items.front()) + step * static_cast<float>(i) - middle(items[i])
                                      : next - items[i].from;
         ways.push_back({items[i].id, downwards ? Vec2{0.0f, by} : Vec2{by, 0.0f}});

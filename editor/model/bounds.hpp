@@ -26,7 +26,7 @@ std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectI
 std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach);
 
 /// What a click takes: the front-most thing, and the whole instance where that is a part of a prefab, unless
-/// the part is selected already. Nobody where nothing is.
+/// the part is selected already. Null where nothing is.
 ObjectId pickFirst(const Document& document, Vec2 point, float reach);
 
 /// What a dragged box touches, whole instances as with a click; the ground is left out.

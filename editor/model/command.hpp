@@ -9,7 +9,7 @@ namespace plumb::editor {
 
 class Document;
 
-/// Whom a command is about.
+/// The entities that a command is about.
 struct Subject {
     ObjectId first;
     std::size_t count = 0;
@@ -22,7 +22,7 @@ public:
 
     /// Completes "Undo …": "move 3 entities".
     [[nodiscard]] virtual std::string label() const = 0;
-    /// For lists of what was done; nobody for what is not about entities.
+    /// For lists of what was done; empty for what is not about entities.
     [[nodiscard]] virtual Subject subject() const { return {}; }
     virtual void apply(Document& document) = 0;
     /// Brings back exactly what was before `apply`.

@@ -17,7 +17,7 @@ namespace plumb::editor {
 
 class SceneBoxes;
 
-/// A scene that is open for editing. Everyone may read it; only commands change its world, so that undo
+/// A scene that is open for editing. All may read it; only commands change its world, so that undo
 /// knows all. Stays at one address.
 class Document final : public ObjectNames {
 public:
@@ -32,10 +32,10 @@ public:
     std::string scenePath;            ///< in the project, e.g. "scenes/cave.scene.json"; empty: none is open
     SceneId scene;                    ///< what new entities belong to
     std::uint64_t sceneRevision = 0;  ///< counts changes; a panel that caches compares it
-    std::uint64_t treeRevision = 0;  ///< counts changes of who there is, below whom, in which order, by which
+    std::uint64_t treeRevision = 0;  ///< counts changes of the entities, their parents, their order, by which
                                      ///< name and with which components
 
-    /// The entity with this lasting id; nobody when there is none.
+    /// The entity with this lasting id; null when there is none.
     [[nodiscard]] EntityId find(ObjectId id) const override;
     /// The lasting id of an entity; none for what is not part of the scene.
     [[nodiscard]] ObjectId idOf(EntityId entity) const override;

@@ -21,7 +21,7 @@ struct FieldTarget {
 /// What an edit does to the value of one entity. The index is its place in the target.
 using ChangeValue = std::function<void(FieldValue& value, std::size_t index)>;
 
-/// Changes the field of all of them by one command, or at once in the game that plays. Who lacks the
+/// Changes the field of all of them by one command, or at once in the game that plays. What lacks the
 /// component is left out. What changes nothing is no command.
 void editFields(Workspace& workspace, const FieldTarget& target, const ChangeValue& change);
 
@@ -34,7 +34,7 @@ void resetComponent(Workspace& workspace, const std::vector<ObjectId>& ids, cons
 void setComponent(Workspace& workspace, const std::vector<ObjectId>& ids, const ComponentState& state,
                   std::string label);
 
-/// The values as they are shown now. Who lacks the component is left out.
+/// The values as they are shown now. An entity without the component is left out.
 std::vector<FieldValue> readFields(const Workspace& workspace, const FieldTarget& target);
 
 /// Types over a number of all of them; see typedNumber. Either all change or none.

@@ -8,8 +8,8 @@
 namespace plumb::editor {
 
 /// Which entities one sees, and which the mouse goes through, while editing; and which tile layer is shown
-/// alone. A way of looking: never undone, and not in the scene's file, so that nobody else's git sees it. It
-/// is kept in the project's own folder of the editor (see view_file.hpp).
+/// alone. A way of looking: never undone, and not in the scene's file, so that no other person's git sees it.
+/// It is kept in the project's own folder of the editor (see view_file.hpp).
 class EntityView {
 public:
     /// Of a tile layer: whether it is out of sight by itself or because another one is shown alone.

@@ -45,7 +45,7 @@ ComponentState defaultComponent(const TypeInfo& type);
 
 /// Whether the field of this component may refer to an entity of `targets` (sorted).
 bool refersTo(const FieldInfo& field, const void* component, const std::vector<EntityId>& targets);
-/// Sets references to `targets` (sorted) to nobody.
+/// Sets references to `targets` (sorted) to null.
 void clearReferences(const FieldInfo& field, void* component, const std::vector<EntityId>& targets);
 
 }  // namespace plumb::editor

@@ -16,7 +16,7 @@ template <class Value>
 class IdTable {
 public:
     [[nodiscard]] std::size_t size() const { return count_; }
-    /// Null where there is none; so it is for id 0, which is nobody's.
+    /// Null where there is none; so it is for id 0, which no entity has.
     [[nodiscard]] const Value* find(std::uint64_t id) const {
         if (count_ == 0 || id == 0) return nullptr;
         const Slot& slot = slots_[placeOf(id)];

@@ -52,7 +52,7 @@ const std::string& InputMapEdit::refresh() {
     Result<std::string> text = readFile(workspace_.project.root / kFile);
     std::string now = text ? *std::move(text) : std::string{"{}"};
     if (text_ == now) return problem_;
-    const bool known = text_.has_value();  // else nobody changed it: it is only looked at
+    const bool known = text_.has_value();  // else it was not changed: it is only looked at
     text_ = std::move(now);
     rows_.clear();
     problem_.clear();

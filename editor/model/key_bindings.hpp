@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const Action* conflict(const Action& action, Shortcut keys) const;
 
     [[nodiscard]] Json toJson() const;
-    /// Actions that are no more and keys that are none are told and left out.
+    /// Actions that are no more and keys that are none are reported and left out.
     static KeyBindings fromJson(const Json& json, const std::string& where, std::vector<Error>& problems);
 
     friend bool operator==(const KeyBindings& a, const KeyBindings& b) { return a.chosen_ == b.chosen_; }

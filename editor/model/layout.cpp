@@ -49,7 +49,7 @@ void PaneLayout::complete(std::span<const PanelHome> panels) {
     for (const PanelHome& home : panels) {
         if (home.dock == Dock::Center) take(home.title);
         if (home.dock != Dock::Center && holds(seen, home.title)) continue;
-        // A pane that somebody cleared stays so.
+        // A pane that the user cleared stays so.
         const bool cleared = !empty && home.dock != Dock::Center && pane(home.dock).tabs.empty();
         at(cleared ? Dock::Bottom : home.dock).tabs.emplace_back(home.title);
     }

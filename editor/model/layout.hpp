@@ -17,7 +17,7 @@ namespace plumb::editor {
 enum class Dock : unsigned char { Left, Center, Right, Bottom, BottomRight };
 inline constexpr std::size_t kDockCount = 5;
 
-/// A panel that there is, and where it stands until somebody moves it.
+/// A panel that there is, and where it stands until the user moves it.
 struct PanelHome {
     std::string_view title;
     Dock dock = Dock::Bottom;
@@ -64,7 +64,7 @@ public:
     bool hidden = false;  ///< only the scene is seen; not saved
 
     [[nodiscard]] Json toJson() const;
-    /// @return nothing when it is no layout; what is wrong is told in `problems`
+    /// @return nothing when it is no layout; what is wrong is added to `problems`
     static std::optional<PaneLayout> fromJson(const Json& json, const std::string& where,
                                               std::vector<Error>& problems);
 

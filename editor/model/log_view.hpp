@@ -65,7 +65,7 @@ std::string_view nameOf(LogLevel level);
 std::string textOf(const LogEntry& line);
 
 /// The entity of the open scene that a line names: as "@9f3c1a77d2e0b154", by its id, or as
-/// "scenes/cave.scene.json: entities[3]", by its place in the file. Nobody when it names none that is there.
+/// "scenes/cave.scene.json: entities[3]", by its place in the file. Null when it names none that is there.
 ObjectId entityIn(const Document& document, std::string_view line);
 
 }  // namespace plumb::editor

@@ -130,7 +130,7 @@ Result<Done> canMake(Workspace& workspace, const std::vector<ObjectId>& objects,
     return Done{};
 }
 
-/// All or nothing: whoever leaves before the end takes back what was done.
+/// All or nothing: a return before the end takes back what was done.
 Result<ObjectId> make(Workspace& workspace, const std::vector<ObjectId>& members, const std::string& path) {
     Document& document = workspace.document;
     Transaction transaction{workspace.undo, format("make {}", path)};

@@ -20,7 +20,7 @@ struct ObjectId {
 class ObjectNames {
 public:
     virtual ~ObjectNames() = default;
-    /// Nobody when there is none.
+    /// Null when there is none.
     [[nodiscard]] virtual EntityId find(ObjectId id) const = 0;
     /// None for what is not part of a scene.
     [[nodiscard]] virtual ObjectId idOf(EntityId entity) const = 0;

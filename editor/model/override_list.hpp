@@ -9,7 +9,7 @@ namespace plumb::editor {
 
 /// One thing that an instance has for itself, as people read it.
 struct OverrideRow {
-    ObjectId object;                 ///< who of the instance
+    ObjectId object;                 ///< the entity of the instance
     const TypeInfo* type = nullptr;  ///< null: the whole part was taken out
     std::string field;               ///< empty: the component was added, or taken out
     std::string entity;              ///< its name

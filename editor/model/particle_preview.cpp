@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostSteps = 6;  // of one frame: a slow one is not caught up with
 constexpr int kHandful = 30;   // particles
 
-/// How it is previewed: sending, whoever switches it on in the game.
+/// How it is previewed: sending, whatever switches it on in the game.
 ParticleEmitter sending(const ParticleEmitter& emitter) {
     ParticleEmitter copy = emitter;
     copy.playing = true;

@@ -7,8 +7,8 @@
 
 namespace plumb::editor {
 
-/// The particles of the emitters that are selected, or below what is selected, while nobody plays. They live
-/// here: the document is only read. An emitter that does not loop begins again by itself.
+/// The particles of the emitters that are selected, or below what is selected, while the game does not run.
+/// They live here: the document is only read. An emitter that does not loop begins again by itself.
 class ParticlePreview {
 public:
     /// Goes on by the time since the last frame. Anew when other emitters are selected.

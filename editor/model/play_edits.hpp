@@ -28,7 +28,7 @@ class PlayEdits {
 public:
     void clear() { log_.clear(), last_.clear(); }
     void add(const PlayEdit& edit);
-    /// Sets again what was set after this tick. Who is gone is left out, as it was then.
+    /// Sets again what was set after this tick. An entity that is gone is left out, as it was then.
     void replay(World& world, const ObjectNames& names, std::int64_t tick) const;
     /// The game goes on from this tick; what was set after it stays in the list, marked.
     void cut(std::int64_t tick);

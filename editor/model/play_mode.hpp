@@ -88,7 +88,7 @@ public:
     [[nodiscard]] bool watching() const { return watching_; }
     [[nodiscard]] const PlayRecording& recording() const { return recording_; }
 
-    TickWatch* watchTicks = nullptr;  ///< null: nobody listens
+    TickWatch* watchTicks = nullptr;  ///< null: not watched
 
     // Changes by hand.
 

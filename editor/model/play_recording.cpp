@@ -17,7 +17,7 @@ constexpr std::int64_t kSpacing = 15;  // ticks
 
 constexpr std::size_t kParticleBytes = 9 * sizeof(float);  // of one, in all arrays
 
-/// About what a kept world takes. Tile grids and texts are shared by all of them while nobody changes them.
+/// About what a kept world takes. Tile grids and texts are shared by all of them until they are changed.
 std::size_t bytesOf(const Snapshot& snapshot, const World& world) {
     const auto* physics = world.findResource<PhysicsState>();
     const auto* particles = world.findResource<Particles>();

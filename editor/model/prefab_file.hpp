@@ -10,7 +10,7 @@
 namespace plumb::editor {
 
 // The file of a prefab is edited as a scene: its first entity has the id Prefab::kRootPart there, all others
-// are below it. These two know the difference between both kinds of files; everyone else has a document.
+// are below it. These two know the difference between both kinds of files; all else has a document.
 
 /// Whether a path is that of a prefab.
 bool isPrefabFile(std::string_view path);

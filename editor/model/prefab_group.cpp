@@ -37,24 +37,25 @@ Json ownOf(const PrefabEdit& edit, const InstancePart& part, const PrefabScope& 
 }
 
 /// One instance, or one entity of it, that may go into its prefab.
-struct Speaker {
+struct Variant {
     ObjectId id;
     Json own;  // by part
 };
 
-/// By prefab and, for less than an instance, by part: who has something to say.
-using Speakers = std::map<std::pair<std::string, std::uint64_t>, std::vector<Speaker>>;
+/// By prefab and, for less than an instance, by part: the instances that differ from it.
+using VariantsByPart = std::map<std::pair<std::string, std::uint64_t>, std::vector<Variant>>;
 
-Speakers speakersOf(const PrefabEdit& edit, const std::vector<ObjectId>& ids, const PrefabScope& scope) {
-    Speakers speakers;
+VariantsByPart variantsOf(const PrefabEdit& edit, const std::vector<ObjectId>& ids,
+                          const PrefabScope& scope) {
+    VariantsByPart all;
     std::vector<ObjectId> done;
     for (const ObjectId id : ids) {
         const auto part = InstancePart::of(edit.document, edit.prefabs, id);
         if (!part) continue;
         const bool whole = scope.type == nullptr;
-        const ObjectId who = whole ? part->root() : id;
-        if (std::find(done.begin(), done.end(), who) != done.end()) continue;
-        done.push_back(who);
+        const ObjectId subject = whole ? part->root() : id;
+        if (std::find(done.begin(), done.end(), subject) != done.end()) continue;
+        done.push_back(subject);
         Json own = Json::object();
         for (const ObjectId member : whole ? part->all() : std::vector{id}) {
             const auto inner = InstancePart::of(edit.document, edit.prefabs, member);
@@ -63,20 +64,20 @@ Speakers speakersOf(const PrefabEdit& edit, const std::vector<ObjectId>& ids, co
                 own[hexText(inner->base().part)] = std::move(says);
         }
         if (own.empty()) continue;
-        speakers[{part->prefab().path, whole ? 0 : part->base().part}].push_back({id, std::move(own)});
+        all[{part->prefab().path, whole ? 0 : part->base().part}].push_back({id, std::move(own)});
     }
-    return speakers;
+    return all;
 }
 
-std::string contradiction(const Speakers& speakers) {
-    for (const auto& [place, who] : speakers) {
-        const bool agree = std::all_of(who.begin(), who.end(),
-                                       [&](const Speaker& one) { return one.own == who.front().own; });
+std::string contradiction(const VariantsByPart& all) {
+    for (const auto& [place, variants] : all) {
+        const bool agree = std::all_of(variants.begin(), variants.end(),
+                                       [&](const Variant& one) { return one.own == variants.front().own; });
         if (!agree)
             return format(
                 "{} of the selected come from {} and differ in what they change: select the one that is "
                 "right",
-                who.size(), place.first);
+                variants.size(), place.first);
     }
     return {};
 }
@@ -121,20 +122,21 @@ PrefabGroup prefabGroup(const PrefabEdit& edit, const std::vector<ObjectId>& ids
 }
 
 std::string whyNotApply(const PrefabEdit& edit, const std::vector<ObjectId>& ids, const PrefabScope& scope) {
-    return contradiction(speakersOf(edit, ids, scope));
+    return contradiction(variantsOf(edit, ids, scope));
 }
 
 Result<Done> applyAllToPrefabs(const PrefabEdit& edit, const std::vector<ObjectId>& ids,
                                const PrefabScope& scope) {
-    const Speakers speakers = speakersOf(edit, ids, scope);
+    const VariantsByPart all = variantsOf(edit, ids, scope);
     // One entity says itself what is missing.
-    if (ids.size() == 1 || speakers.empty()) return applyToPrefab(edit, ids.back(), scope);
-    if (std::string why = contradiction(speakers); !why.empty())
+    if (ids.size() == 1 || all.empty()) return applyToPrefab(edit, ids.back(), scope);
+    if (std::string why = contradiction(all); !why.empty())
         return Error{"apply to prefab", std::move(why), ""};
-    if (speakers.size() == 1) return applyToPrefab(edit, speakers.begin()->second.front().id, scope);
-    Transaction transaction{edit.undo, format("apply to {} prefabs", speakers.size())};
-    for (const auto& [place, who] : speakers) {
-        if (const Result<Done> applied = applyToPrefab(edit, who.front().id, scope); !applied) return applied;
+    if (all.size() == 1) return applyToPrefab(edit, all.begin()->second.front().id, scope);
+    Transaction transaction{edit.undo, format("apply to {} prefabs", all.size())};
+    for (const auto& [place, variants] : all) {
+        if (const Result<Done> applied = applyToPrefab(edit, variants.front().id, scope); !applied)
+            return applied;
     }
     transaction.commit();
     return Done{};

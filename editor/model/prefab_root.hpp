@@ -7,7 +7,7 @@
 
 namespace plumb::editor {
 
-/// The first entity of the prefab that is open; nobody while a scene is open. All others are below it, and it
+/// The first entity of the prefab that is open; null while a scene is open. All others are below it, and it
 /// stays as long as the prefab is open.
 ObjectId prefabRootOf(const Document& document);
 

@@ -112,7 +112,7 @@ void keepGrid(Workspace& workspace) {
     KeptGrid& kept = workspace.document.world.resource<KeptGrid>();
     std::string now = writeJson(toJson(workspace.grid));
     if (workspace.project.isNone || now == kept.text) return;
-    kept.text = std::move(now);  // a folder that cannot be written is told once
+    kept.text = std::move(now);  // a folder that cannot be written is reported once
     write(workspace, kGridFile, kept.text);
 }
 

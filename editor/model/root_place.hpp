@@ -8,7 +8,7 @@ namespace plumb::editor {
 
 // Where the first entity of a prefab stands and how it is turned is no part of its file.
 
-/// Said to who wants to move it.
+/// The message to a user that tries to move it.
 inline constexpr const char* kRootStays =
     "The first entity of a prefab stays: each instance stands and turns as it was put into its scene";
 

@@ -44,7 +44,7 @@ void SceneBoxes::follow(const Document& document) {
         });
         for (const EntityId entity : restless_) update(document, entity);
     }
-    // A mark changes nothing that anybody sees.
+    // A mark changes nothing visible.
     mark_ = const_cast<World&>(world).markChanges();
 }
 

@@ -12,7 +12,7 @@ class Document;
 
 /// The boxes around all entities of a scene, side by side in memory, so that looking for what lies under the
 /// mouse in every frame costs little in a scene of 100,000 things. They follow the world by its own marks of
-/// what was written, whoever wrote it.
+/// what was written, whatever wrote it.
 class SceneBoxes {
 public:
     /// Of the entity at this place of `Document::objects()`. One without a place has a box that contains

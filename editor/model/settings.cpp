@@ -154,7 +154,7 @@ void SettingsFile::tend(const Settings& settings, double seconds) {
 Result<Done> SettingsFile::save(const Settings& settings) {
     std::string text = settings.toText();
     if (text == written_) return Done{};
-    written_ = std::move(text);  // a folder that cannot be written is told once
+    written_ = std::move(text);  // a folder that cannot be written is reported once
     return writeFile(path_, written_);
 }
 

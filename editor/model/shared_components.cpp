@@ -18,7 +18,7 @@ namespace plumb::editor {
 namespace {
 
 /// "previousPosition" beside "position": what the field was one tick ago. The engine keeps it, to draw what
-/// is between two ticks; nobody sets it.
+/// is between two ticks; it is never set by hand.
 bool isOfLastTick(const TypeInfo& type, const FieldInfo& field) {
     constexpr std::string_view kBefore = "previous";
     if (!field.transient || !startsWith(field.name, kBefore) || field.name.size() == kBefore.size())

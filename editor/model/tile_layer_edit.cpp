@@ -35,7 +35,7 @@ const TileLayer* layerOf(const Workspace& workspace, ObjectId layer) {
     return workspace.document.world.find<TileLayer>(workspace.document.find(layer));
 }
 
-/// The layer that is `step` places before the one in hand; nobody at the end of the list.
+/// The layer that is `step` places before the one in hand; null at the end of the list.
 ObjectId neighbour(const Workspace& workspace, int step) {
     const std::vector<ObjectId> layers = tileLayers(workspace.document);
     const ObjectId active = activeTileLayer(workspace.document, workspace.tiles);

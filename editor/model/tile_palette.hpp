@@ -13,7 +13,7 @@ struct TilePalette {
     int rows = 0;
     int count = 0;
     Vec2 tileSize{16.0f, 16.0f};     ///< px
-    const Tileset* grown = nullptr;  ///< of a picture that became wider: who knows where its tiles are
+    const Tileset* grown = nullptr;  ///< of a picture that became wider: it knows where its tiles are
 
     /// The tile's number; -1 where there is none.
     [[nodiscard]] int tileAt(CellPlace place) const;

@@ -22,7 +22,7 @@ bool moveInTree(Document& document, UndoStack& undo, const std::vector<ObjectId>
                 const TreePlace& place, KeepPlace keep = KeepPlace::InWorld);
 
 /// Puts entities below a new one in the middle of them, in the place of the first of them. One step of undo.
-/// @return the new one, which is selected; nobody when there is nothing to put below it
+/// @return the new one, which is selected; null when there is nothing to put below it
 ObjectId groupEntities(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects);
 
 /// One place up (-1) or down (1) among those with the same parent. @return false when there is none

@@ -29,7 +29,8 @@ public:
     [[nodiscard]] std::size_t size() const { return position_; }          ///< steps that can be undone
     [[nodiscard]] std::size_t total() const { return commands_.size(); }  ///< with those that can be redone
     [[nodiscard]] std::string label(std::size_t step) const { return commands_[step]->label(); }
-    /// Whom a step was about, by the name it had then: "crate", "crate and 2 more"; empty for nobody.
+    /// The entity that a step was about, by the name it had then: "crate", "crate and 2 more"; empty for
+    /// none.
     [[nodiscard]] const std::string& subject(std::size_t step) const { return subjects_[step]; }
     [[nodiscard]] bool inGesture() const { return gesture_; }
 
@@ -42,7 +43,7 @@ public:
     [[nodiscard]] const std::vector<Lost>& lost() const { return lost_; }
 
     void markSaved();
-    /// No step is as in the file: it was changed by somebody else, or never written.
+    /// No step is as in the file: it was changed by another program, or never written.
     void markUnsaved() { saved_ = kNever; }
     [[nodiscard]] bool isSaved() const { return saved_ == position_; }
     [[nodiscard]] std::size_t savedPosition() const { return saved_; }  ///< kNever when it is out of reach

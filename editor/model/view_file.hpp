@@ -15,7 +15,7 @@ public:
 
     /// Hides and locks what was hidden and locked when this scene was open last.
     void read(std::string_view scene, EntityView& view);
-    /// Writes it when it has changed since. What cannot be written is forgotten; nobody's work is lost by
+    /// Writes it when it has changed since. What cannot be written is forgotten; no work is lost by
     /// that.
     void keep(std::string_view scene, const EntityView& view);
 

@@ -180,7 +180,7 @@ public:
 
     [[nodiscard]] bool shows(std::string_view overlay) const { return reachOf(overlay) != PhysicsReach::Off; }
     void toggleOverlay(std::string_view overlay);
-    /// Of whom an overlay is shown.
+    /// The entities that an overlay is shown of.
     [[nodiscard]] PhysicsReach reachOf(std::string_view overlay) const;
     void setReach(std::string_view overlay, PhysicsReach whose);
     ReachView reach;            ///< of the overlay "reach"

@@ -196,7 +196,7 @@ int runEditor(const EditorOptions& given) {
     if (options.project.empty() && (namesScene || withoutWindow)) options.project = kExample;
     if (!options.importFrom.empty()) return importFile(options);
     LogBook log;
-    // Pictures look the same whoever takes them, unless somebody names a folder of settings for them.
+    // Pictures look the same for every user, unless a folder of settings is named for them.
     const bool takesPictures = !options.screenshot.empty() || !options.tour.empty();
     SettingsFile file;
     SettingsFile* kept = takesPictures && std::getenv("PLUMB_CONFIG") == nullptr ? nullptr : &file;

@@ -18,9 +18,9 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// What was done without a word of its own is told by its step of undo.
+/// What was done without a word of its own is named by its step of undo.
 void tellStep(Workspace& workspace) {
-    // As the bar showed it last: how many steps there were, and what told of which.
+    // As the bar showed it last: how many steps there were, and which notice was about which.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const auto idOf = [](const std::string& text) { return static_cast<int>(ImGui::GetID(text.c_str())); };
     const auto kept = [&](const char* name) { return storage.GetInt(ImGui::GetID(name)); };
@@ -36,9 +36,10 @@ void tellStep(Workspace& workspace) {
     const ToolRow& tool = toolTable()[workspace.toolIndex()];
     const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, withKeys(workspace, tool.hint));
     if (made && silent && !hint && idOf(label) != kept("step")) {
-        const std::string& whom = undo.subject(undo.size() - 1);
-        const bool named = whom.empty() || label.find(whom) != std::string::npos || endsWith(whom, " more");
-        notice = named ? format("Did: {}", label) : format("Did: {} ({})", label, whom);
+        const std::string& subject = undo.subject(undo.size() - 1);
+        const bool named =
+            subject.empty() || label.find(subject) != std::string::npos || endsWith(subject, " more");
+        notice = named ? format("Did: {}", label) : format("Did: {} ({})", label, subject);
     } else if (silent && steps < kept("steps") && startsWith(notice, "Did: ")) {
         notice.clear();  // it was taken back
     }
@@ -196,7 +197,7 @@ void EditorWindow::drawNewScene() {
     if (footButton(ui_, "Cancel", 110.0f, "New/Cancel")) ImGui::CloseCurrentPopup();
     if (done) {
         const std::string name = newScene_.data();
-        // Said here, where another name can be written, and before anybody is asked about unsaved changes.
+        // Said here, where another name can be written, and before the question about unsaved changes.
         const Result<Path> free = newSceneFile(workspace_.project.root, name);
         newSceneError_ = free ? std::string{} : format("{}; {}", free.error().what, free.error().remedy);
         if (free) {
@@ -232,7 +233,7 @@ void EditorWindow::drawUnsaved() {
             ImGui::CloseCurrentPopup();  // which one to keep is asked first
         } else {
             unsavedProblem_ = saved.error().text();
-            problemsOf(workspace_).save.clear();  // it is told here
+            problemsOf(workspace_).save.clear();  // it is shown here
         }
     }
     ImGui::SameLine();

@@ -24,7 +24,7 @@ struct ImGuiContext;
 namespace plumb::editor::ui {
 
 /// The whole editor for one frame after another. Fed with plain events, so that tests and people use the same
-/// door; drawing what it made is the business of whoever owns the graphics card.
+/// door; drawing what it made is the business of the owner of the graphics device.
 class EditorWindow {
 public:
     /// @param log      what the console shows
@@ -62,7 +62,7 @@ private:
     void drawOverlayMenu();
     void drawMenu(const char* menu);
     void drawTitle();
-    /// The panel of a file that somebody wants to edit comes to the front.
+    /// The panel of a file that is to be edited comes to the front.
     void showAssetPanel();
     void drawStatus(float height);
     [[nodiscard]] std::string stateInWords(float width) const;

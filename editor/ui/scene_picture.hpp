@@ -40,7 +40,7 @@ public:
     /// What only the editor's own look at a scene has.
     struct Preview {
         double ahead = 0.0;                    ///< s: animated tiles move though nothing plays
-        std::vector<EntityId> hidden;          ///< who is not drawn (sorted)
+        std::vector<EntityId> hidden;          ///< what is not drawn (sorted)
         const Particles* particles = nullptr;  ///< of emitters that are previewed
         float particleBack = 0.0f;             ///< s from what is drawn to their last step
     };

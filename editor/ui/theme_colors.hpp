@@ -5,7 +5,7 @@
 namespace plumb::editor::ui {
 
 /// A color of the editor by its name: in the dark theme and in the light one. It stands for the one of the
-/// theme in use, so nobody keeps what it gave.
+/// theme in use, so what it gives is not kept.
 struct Swatch {
     ImU32 dark;
     ImU32 light;
@@ -13,8 +13,8 @@ struct Swatch {
     operator ImU32() const;  // wherever ImGui wants a color
 };
 
-/// Every color of the editor. One accent; everything else is calm grey. What is drawn over pictures, of which
-/// nobody knows the colors, is the same in both themes.
+/// Every color of the editor. One accent; everything else is calm grey. What is drawn over pictures,
+/// whose colors are unknown, is the same in both themes.
 namespace palette {
 // clang-format off
 // Surfaces, from the back to the front.

@@ -27,7 +27,7 @@ struct Ui {
     bool panHeld = false;      ///< Space is held over the scene
     bool viewReady = false;    ///< the viewport has had its size once
     bool takesEscape = false;  ///< Esc belongs to what is dragged in a panel: it gives the value back
-    /// Who waits for a key or a button gets each event first. @return whether it was meant for them
+    /// What waits for a key or a button gets each event first. @return whether it was meant for them
     std::function<bool(const Event&)> takeEvent;
 
     [[nodiscard]] float px(float size) const { return size * scale; }
@@ -42,7 +42,7 @@ public:
 
 struct PanelRow {
     const char* title;
-    Dock dock;  ///< where it stands until somebody moves it
+    Dock dock;  ///< where it stands until the user moves it
     std::unique_ptr<Panel> (*make)();
     bool tall = false;  ///< at the bottom it needs more height than others
 };

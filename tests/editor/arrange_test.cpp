@@ -112,7 +112,7 @@ TEST_F(Arranging, thingsSnapToTheGridToHalfOfItOrToPixels) {
     EXPECT_EQ(grid.step(), (Vec2{1.0f, 1.0f}));
     grid.snap = false;
     ASSERT_TRUE(runAction(workspace, "view.snapGrid"));
-    EXPECT_TRUE(grid.snap) << "whoever chooses to what wants it to snap";
+    EXPECT_TRUE(grid.snap) << "a choice of the grid switches snapping on";
     EXPECT_TRUE(isOn(*findAction("view.snapGrid"), workspace));
     EXPECT_FALSE(isOn(*findAction("view.snapHalf"), workspace));
     Pointer pointer;

@@ -278,7 +278,7 @@ TEST_F(HotReloadTest, everyKindOfFileIsTakenUpWithinATenthOfASecond) {
     EXPECT_FALSE(workspace.unsaved());
 }
 
-/// The monkey found it: a scene that is read anew numbers its entities anew and drops the tiles that nobody
+/// The monkey found it: a scene that is read anew numbers its entities anew and drops the tiles that nothing
 /// has.
 TEST_F(HotReloadTest, whatWasDeletedComesBackInItsPlaceThoughThePrefabChangedMeanwhile) {
     ASSERT_TRUE(placeAsset(workspace, "prefabs/box.prefab.json", {}).ok());
@@ -316,7 +316,7 @@ TEST_F(HotReloadTest, whatTheEditorItselfSavesIsNoNews) {
     EXPECT_TRUE(named("mine"));
 }
 
-TEST_F(HotReloadTest, aBrokenFileIsToldAndWhatWasThereStays) {
+TEST_F(HotReloadTest, aBrokenFileIsReportedAndWhatWasThereStays) {
     const TextureId picture = workspace.assets.loadTexture("assets/coin.png");
     put("assets/coin.png", "no picture");
     look();

@@ -14,7 +14,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Some entity of the scene, or nobody in an empty one.
+/// Some entity of the scene, or null in an empty one.
 ObjectId anyObject(const Document& document, Random& random) {
     const std::vector<ObjectId>& all = document.objects();
     return all.empty() ? ObjectId{} : all[random.below(static_cast<std::uint32_t>(all.size()))];

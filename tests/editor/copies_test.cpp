@@ -185,7 +185,7 @@ TEST_F(StatusNews, sayWhatWasDoneLast) {
 
     workspace.document.selection.set({named("crate")});
     hands.key(Key::Right);
-    EXPECT_EQ(notice(), "Did: move crate") << "what has no word of its own is told by its step";
+    EXPECT_EQ(notice(), "Did: move crate") << "what has no word of its own is named by its step";
     hands.key(Key::D, {.control = true});
     hands.key(Key::D, {.control = true});
     EXPECT_EQ(notice(), "Duplicated crate");

@@ -135,7 +135,7 @@ TEST_F(EditorWindowTest, layersOfThePhysicsAreTickedWhileEditingAndStayWhilePlay
     EXPECT_EQ(window.widgets().find("Overlay/physics")->value, "on");
     const auto* preview = workspace.document.world.findResource<PhysicsState>();
     ASSERT_NE(preview, nullptr);
-    EXPECT_GT(preview->world.shapes.size(), 0u) << "bodies to draw, though nobody plays";
+    EXPECT_GT(preview->world.shapes.size(), 0u) << "bodies to draw, though the game does not run";
     hands.click("Overlay/physics layers");
     hands.rest(2);
     for (const PhysicsLayer& layer : physicsLayers()) {

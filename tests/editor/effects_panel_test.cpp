@@ -41,7 +41,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(EffectsPanelTest, showsWhoCallsForWhatAndAClickSelectsThem) {
+TEST_F(EffectsPanelTest, showsWhatCallsForItAndAClickSelectsThat) {
     EXPECT_EQ(valueOf("Effects/gravity"), "on");
     EXPECT_EQ(valueOf("Effects/gravity/RigidBody"), "1");
     EXPECT_EQ(valueOf("Effects/drag"), "off");

@@ -50,7 +50,7 @@ TEST_F(HeadlessTest, aGoodProjectHasNoProblems) {
     EXPECT_EQ(found.text(), "1 scene, 0 prefabs, 0 assets: 0 problems\n");
 }
 
-TEST_F(HeadlessTest, everyKindOfFaultIsFoundAndToldOnce) {
+TEST_F(HeadlessTest, everyKindOfFaultIsFoundAndReportedOnce) {
     putFile("scenes/broken.scene.json", "{ \"entities\": [");
     putFile("scenes/odd.scene.json", R"({"format": 1, "entities": [{"id": "0000000000000001", "components":
         {"Transform": {"position": "here"}, "Sprite": {"texture": "assets/none.png"}}}]})");
@@ -67,7 +67,7 @@ TEST_F(HeadlessTest, everyKindOfFaultIsFoundAndToldOnce) {
     EXPECT_EQ(found.scenes, 3u);
 }
 
-TEST_F(HeadlessTest, aMissingFileIsToldWithTheEntityAndTheFieldThatNameIt) {
+TEST_F(HeadlessTest, aMissingFileIsReportedWithTheEntityAndTheFieldThatNameIt) {
     putFile("scenes/odd.scene.json", R"({"format": 1, "effects": {}, "layers": [], "entities": [
         {"id": "0000000000000001", "name": "ball",
          "components": {"Transform": {}, "Sprite": {"texture": "assets/none.png"}}},
@@ -87,7 +87,7 @@ TEST_F(HeadlessTest, aMissingFileIsToldWithTheEntityAndTheFieldThatNameIt) {
 }
 
 /// The first bytes of each are good, so that only a reader of the whole file finds the damage.
-TEST_F(HeadlessTest, soundsFontsAndPicturesThatAreGarbageAreTold) {
+TEST_F(HeadlessTest, soundsFontsAndPicturesThatAreGarbageAreReported) {
     const Path sources = test::sourceFolder();
     const std::string picture = *readFile(sources / "tests/import/maps/meadow.png");
     const std::string sound = *readFile(sources / "projects/platformer/assets/coin.wav");

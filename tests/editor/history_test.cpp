@@ -33,7 +33,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(HistoryTest, stepsSayWhomTheyWereAbout) {
+TEST_F(HistoryTest, stepsNameTheirEntity) {
     workspace.undo.push(createEntity(workspace.document, "torch", {}));
     rename("crate", "box");
     remove({named("lamp"), named("sign")});
@@ -71,7 +71,7 @@ TEST_F(HistoryTest, aClickGoesToAStepAndTheSavedOneIsMarked) {
     EXPECT_TRUE(named("case"));
 }
 
-TEST_F(HistoryTest, whatCannotBeRedoneAnyMoreIsTold) {
+TEST_F(HistoryTest, whatCannotBeRedoneAnyMoreIsReported) {
     rename("crate", "box");
     rename("box", "chest");
     rename("sign", "post");
@@ -90,7 +90,7 @@ TEST_F(HistoryTest, whatCannotBeRedoneAnyMoreIsTold) {
     EXPECT_EQ(workspace.undo.lost()[0].position, 0u);
 }
 
-TEST_F(HistoryTest, aSavedStepThatWasLostIsTold) {
+TEST_F(HistoryTest, aSavedStepThatWasLostIsReported) {
     rename("crate", "box");
     ASSERT_TRUE(workspace.save().ok());
     workspace.undo.undo();

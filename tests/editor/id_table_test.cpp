@@ -23,7 +23,7 @@ TEST(IdTableTest, isEmptyAtFirstAndAfterClearing) {
     EXPECT_EQ(*table.find(2), 6);
 }
 
-TEST(IdTableTest, nobodyHasTheIdZero) {
+TEST(IdTableTest, noEntityHasTheIdZero) {
     IdTable<int> table;
     EXPECT_EQ(table.find(0), nullptr);
     table.set(7, 1);

@@ -215,7 +215,7 @@ TEST_F(InputMapTest, theOpenSceneIsRenamedInItsFileToo) {
     workspace.safety.begin();
     ASSERT_TRUE(edit.rename(Kind::Action, "Dash", "Rush").ok());
     workspace.safety.lookAtFile();
-    EXPECT_EQ(workspace.safety.onDisk(), FileWatch::State::Same) << "nobody else has changed it";
+    EXPECT_EQ(workspace.safety.onDisk(), FileWatch::State::Same) << "nothing else has changed it";
     EXPECT_EQ(workspace.text().find(R"("action": "Dash")"), std::string::npos);
     EXPECT_NE(workspace.text().find(R"("text": "Dash")"), std::string::npos) << "what only says so stays";
 }
@@ -287,7 +287,7 @@ TEST_F(InputMapTest, newKeysCountInTheRunningGameAndThePastKeepsItsOwn) {
     EXPECT_EQ(hits(), 5);
     workspace.stopPlaying();
     EXPECT_TRUE(workspace.toKeep.empty()) << "they are in project.json, not in the scene";
-    EXPECT_FALSE(edit.rename(Kind::Action, "Nobody", "Else").ok());
+    EXPECT_FALSE(edit.rename(Kind::Action, "Stranger", "Else").ok());
 }
 
 TEST_F(InputMapTest, whatElseAKeyMeansIsNamed) {
@@ -298,7 +298,7 @@ TEST_F(InputMapTest, whatElseAKeyMeansIsNamed) {
     EXPECT_GT(edit.shared(), 2u);
 }
 
-TEST_F(InputMapTest, aBrokenFileIsToldAndNotWrittenOver) {
+TEST_F(InputMapTest, aBrokenFileIsReportedAndNotWrittenOver) {
     putFile("project.json", "{ \"input\": ");
     EXPECT_FALSE(edit.refresh().empty());
     EXPECT_TRUE(edit.rows().empty());

@@ -50,7 +50,7 @@ TEST_F(Inspector, signsChangeEachFromWhatItIs) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Inspector, whatCannotBeWorkedOutForOneChangesNobody) {
+TEST_F(Inspector, whatCannotBeWorkedOutForOneChangesNone) {
     select({"player", "crate"});
     hands.enterNumber(kX, "1/(x-40)");  // the player stands there
     EXPECT_EQ(workspace.undo.total(), 0u);
@@ -241,7 +241,7 @@ TEST_F(Inspector, tabGoesToTheNextNumberAndShiftTabBack) {
     EXPECT_EQ(workspace.undo.size(), 3u);
 }
 
-TEST_F(Inspector, whoClicksAnotherEntityWhileTypingHasTypedForTheFirst) {
+TEST_F(Inspector, aClickOnAnotherEntityWhileTypingKeepsWhatWasTyped) {
     select({"crate"});
     doubleClick(kX);
     hands.type("77");

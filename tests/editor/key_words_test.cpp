@@ -13,7 +13,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Somebody takes back with Ctrl+U, saves with F12, and has no key to play.
+/// A user takes back with Ctrl+U, saves with F12, and has no key to play.
 class KeyWords : public EditorFixture {
 protected:
     KeyWords() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {

@@ -30,7 +30,7 @@ struct Note {
     std::uint64_t hash = 0;  ///< of the scene's text
 };
 
-/// A copy of this process that does as it is told until it is killed.
+/// A copy of this process that does as it is asked until it is killed.
 class Doomed {
 public:
     template <class Life>
@@ -174,7 +174,7 @@ TEST_F(Kill, anEditorKilledAtAnyMomentLosesAtMostTwentyActionsOrFiveSeconds) {
         }
         ASSERT_TRUE(hashOfFile() == saved || hashOfFile() == saving) << "the user's file is damaged";
 
-        // Somebody starts the editor again.
+        // The editor is started again.
         Workspace again{workspace.document.types(), workspace.assets, workspace.project};
         ASSERT_TRUE(again.open(kScene).ok());
         again.safety.begin();

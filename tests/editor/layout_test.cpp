@@ -88,7 +88,7 @@ TEST_F(Layouts, newPanelsGoHomeAndOldOnesAreLeftOut) {
     EXPECT_EQ(read->pane(Dock::Bottom).tabs, (Tabs{"Tiles", "Console", "History", "Assets"}));
 }
 
-TEST_F(Layouts, aDamagedOneIsToldByName) {
+TEST_F(Layouts, aDamagedOneIsReportedByName) {
     std::vector<Error> problems;
     EXPECT_FALSE(PaneLayout::fromJson(*parseJson("[1, 2]", "test"), "settings.json: layout", problems));
     ASSERT_EQ(problems.size(), 1u);

@@ -101,7 +101,7 @@ TEST_F(LayoutWindow, theBottomIsDividedByATabLetGoAtItsRight) {
     EXPECT_LT(layout().size(Edge::Split), 0.46f);
 }
 
-TEST_F(LayoutWindow, tabHidesThePanelsAndBelongsToWhoeverTypes) {
+TEST_F(LayoutWindow, tabHidesThePanelsAndBelongsToWhatIsTypedInto) {
     const Vec2 before = boxOf("Viewport").size();
     hands.key(Key::Tab);
     hands.rest();

@@ -100,7 +100,7 @@ TEST_F(ConsoleTest, aLineNamesAnEntityByItsIdOrItsPlaceInTheFile) {
     EXPECT_FALSE(entityIn(document, "scenes/level.scene.json: entities[99]: odd"));
 }
 
-TEST_F(ConsoleTest, theEngineNamesWhoItIsAboutSo) {
+TEST_F(ConsoleTest, theEngineNamesItsEntitySo) {
     const EntityId crate = workspace.document.find(named("crate"));
     workspace.document.world.add<RigidBody>(crate).mass = -1.0f;
     workspace.physics.on = true;

@@ -61,7 +61,7 @@ protected:
         const AABB seen = visibleBox(workspace.view.view());
         return merged(seen, box) == seen;
     }
-    /// px: the particles that stand for an entity while nobody plays.
+    /// px: the particles that stand for an entity while the game does not run.
     [[nodiscard]] std::vector<Vec2> particlesOf(std::string_view name) const {
         std::vector<Vec2> places;
         const auto* state = workspace.document.world.findResource<PhysicsState>();

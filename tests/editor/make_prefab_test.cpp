@@ -68,7 +68,7 @@ TEST_F(MakingPrefabs, undoTakesTheFileAwayAndBringsBackTheBytes) {
     }
 }
 
-TEST_F(MakingPrefabs, whoeverRefersToAPartStillDoes) {
+TEST_F(MakingPrefabs, referencesToAPartStayValid) {
     World& changed = workspace.document.world;
     changed.get<Camera>(entity("camera")).follow = entity("lamp");
     auto& joint = changed.add<DistanceJoint>(entity("lamp"));

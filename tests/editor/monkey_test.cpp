@@ -141,7 +141,7 @@ void letLoose(const std::string& project, std::string_view scene) {
         const auto fewest = lives.shortest(numbers, kShrinkSeconds);
         const std::string again = lives.live(fewest);
         std::string list;
-        for (const std::string& line : lives.told()) list += line + "\n";
+        for (const std::string& line : lives.report()) list += line + "\n";
         FAIL() << project << " with seed " << seed << ": " << wrong << "\nwith the fewest actions: " << again
                << "\n"
                << list;
@@ -154,7 +154,7 @@ TEST(Monkey, whateverIsDoneToThePlaygroundIsUndoneByteForByte) {
     letLoose("physics-playground", "softbodies");
 }
 
-TEST(Monkey, ofManyActionsOnlyThoseAreToldThatLeadToTheFailure) {
+TEST(Monkey, ofManyActionsOnlyThoseAreReportedThatLeadToTheFailure) {
     test::Lives lives{[](const std::vector<std::uint64_t>& numbers, const test::Lives::Tell& tell) {
         bool armed = false;
         for (const std::uint64_t number : numbers) {

@@ -156,12 +156,12 @@ TEST_F(ProjectChange, filesOfTheOtherProjectAreNotWatchedAnyMore) {
     go("second");
     const std::string before = w().text();
     std::string changed = *readFile(root("first") / kScene);
-    EXPECT_TRUE(writeFile(root("first") / kScene, changed.replace(changed.find("hero"), 4, "nobody")).ok());
+    EXPECT_TRUE(writeFile(root("first") / kScene, changed.replace(changed.find("hero"), 4, "stranger")).ok());
     hands->rest(60);
     EXPECT_EQ(w().text(), before);
     EXPECT_EQ(w().safety.onDisk(), FileWatch::State::Same);
     go("first");
-    EXPECT_TRUE(named("nobody"));
+    EXPECT_TRUE(named("stranger"));
 }
 
 TEST_F(ProjectChange, aProjectThatCannotBeOpenedLeavesThisOneAsItIs) {

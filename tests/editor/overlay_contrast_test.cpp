@@ -23,17 +23,17 @@ protected:
         const ImU32 core = over(IM_COL32(line.r, line.g, line.b, line.a), scene);
         return std::max(contrast(core, scene), contrast(over(edgeOf(line), scene), scene));
     }
-    std::size_t expectSeen(const Overlay& overlay, std::string_view who) {
+    std::size_t expectSeen(const Overlay& overlay, std::string_view name) {
         std::size_t lines = 0;
         for (const Overlay::Shape& shape : overlay.shapes()) {
             if (!isLine(shape) || shape.color.a == 0) continue;
-            if (shape.color == workspace.grid.color || who == "grid") continue;  // as the person wants it
-            if (shape.color.r + shape.color.g + shape.color.b == 0) continue;    // the shade below a handle
+            if (shape.color == workspace.grid.color || name == "grid") continue;  // as the person wants it
+            if (shape.color.r + shape.color.g + shape.color.b == 0) continue;     // the shade below a handle
             ++lines;
             for (const ImU32 scene : kScenes) {
                 EXPECT_GE(seen(shape.color, scene),
                           static_cast<float>(shape.color.a) < kFaintLine ? 1.2f : 3.0f)
-                    << who << ": " << int{shape.color.r} << " " << int{shape.color.g} << " "
+                    << name << ": " << int{shape.color.r} << " " << int{shape.color.g} << " "
                     << int{shape.color.b} << " " << int{shape.color.a} << " on " << (scene & 0xffffff);
             }
         }

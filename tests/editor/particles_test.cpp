@@ -14,7 +14,7 @@ constexpr std::string_view kSize = "Inspector/ParticleEmitter/sizeOverLife";
 
 std::string at(std::string_view part) { return format("{}/{}", kSize, part); }
 
-/// Somebody works on emitters.
+/// Work on emitters.
 class ParticlesInTheEditor : public Inspector {
 protected:
     ParticlesInTheEditor() {

@@ -11,7 +11,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Somebody plays in the editor: the crate has no body, the player falls.
+/// A game in the editor: the crate has no body, the player falls.
 class Playing : public EditorFixture {
 protected:
     Playing() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -44,7 +44,7 @@ protected:
 };
 
 TEST_F(Playing, theTimelineShowsThePastWithEveryValueInTheInspector) {
-    EXPECT_EQ(widget("Timeline/track"), nullptr) << "nobody plays";
+    EXPECT_EQ(widget("Timeline/track"), nullptr) << "the game does not run";
     workspace.document.selection.set({named("player")});
     play(120);
     hands.key(Key::F6);

@@ -149,7 +149,7 @@ TEST_F(Prefabs, onlyWhatAnInstanceHasForItselfIsMarked) {
 
     set<Transform>(flameOf(kFirst), "position", Vec2{1.0f, 1.0f});
     EXPECT_TRUE(overrides(flameOf(kFirst)).has(workspace.document.types().of<Transform>(), "position"));
-    EXPECT_FALSE(overrides(named("nobody")).isPart);
+    EXPECT_FALSE(overrides(named("stranger")).isPart);
 }
 
 TEST_F(Prefabs, aClickOnAPartTakesTheWholeInstanceAndAltTakesThePart) {

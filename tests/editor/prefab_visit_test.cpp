@@ -25,7 +25,7 @@ namespace plumb::editor {
 namespace {
 
 const std::string kTorch = prefabPath("torch");
-/// As somebody may have written it by hand: another id for the first entity, parents left out, no positions.
+/// As it may have been written by hand: another id for the first entity, parents left out, no positions.
 constexpr std::string_view kTorchText = R"({
   "format": 1,
   "entities": [

@@ -56,7 +56,7 @@ TEST(ProfilerRows, spikesAreFarAboveMostTicks) {
     samples[77].milliseconds = 3.5f;
     EXPECT_EQ(spikesOf(samples), (std::vector<std::size_t>{40, 77}));
     for (Sample& sample : samples) sample.milliseconds *= 0.01f;
-    EXPECT_TRUE(spikesOf(samples).empty()) << "what is small anyway disturbs nobody";
+    EXPECT_TRUE(spikesOf(samples).empty()) << "what is small anyway disturbs no user";
     EXPECT_TRUE(spikesOf({}).empty());
 }
 
@@ -89,7 +89,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(ProfilerTest, whileNobodyLooksNothingIsMeasured) {
+TEST_F(ProfilerTest, whileItIsNotShownNothingIsMeasured) {
     playPausedAt(5);
     EXPECT_TRUE(samples().empty());
     EXPECT_EQ(workspace.play.watchTicks, nullptr);

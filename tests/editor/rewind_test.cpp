@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <vector>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // who asks another allocator hears nothing
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // another allocator reports nothing
 #include <malloc.h>
 #endif
 
@@ -167,7 +167,7 @@ TEST(Rewind, keptWorldsStayBelowTheirLimit) {
     EXPECT_GT(most, std::size_t{1} << 20);
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // who asks another allocator hears nothing
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // another allocator reports nothing
 /// MB that a recording of 30 s takes from the heap.
 double megabytesOf(Make make) {
     const auto used = [] {

@@ -194,7 +194,7 @@ TEST_F(Safety, savingDoesNotWriteOverWhatAnotherProgramWrote) {
     workspace.safety.begin();
     createOne();
     putFile(kScene, changedText());
-    EXPECT_FALSE(workspace.save().ok()) << "before anybody was asked";
+    EXPECT_FALSE(workspace.save().ok()) << "before the question";
     EXPECT_EQ(fileText(), changedText());
     hands.rest(2);
     hands.click("Changed/mine");
@@ -223,7 +223,7 @@ TEST_F(Safety, aFileThatIsGoneIsSavedAgain) {
     EXPECT_EQ(fileText(), kSceneText);
 }
 
-TEST_F(Safety, whatDiffersIsToldByNameAndFieldBeforeAnythingIsDecided) {
+TEST_F(Safety, whatDiffersIsReportedByNameAndFieldBeforeAnythingIsDecided) {
     leaveJournal(changedText());
     workspace.safety.begin();
     hands.rest(3);
@@ -272,7 +272,7 @@ TEST_F(Safety, aCrashInTheMiddleOfSavingOffersNothingThatIsOlderThanTheFile) {
     EXPECT_EQ(journal.substr(journal.find('\n') + 1), workspace.text());
 }
 
-TEST(SceneDifferences, areToldByNameAndField) {
+TEST(SceneDifferences, areReportedByNameAndField) {
     const std::string text{kSceneText};
     EXPECT_EQ(sceneDifferences(text, text).size(), 1u);
     EXPECT_EQ(sceneDifferences(text, "{").size(), 1u);

@@ -133,7 +133,7 @@ TEST_F(Said, anotherEditorOfTheProject) {
     EXPECT_NE(other.notice.find("Another editor"), std::string::npos);
 }
 
-TEST_F(Said, aNameThatASceneHasAlreadyIsToldBeforeAnythingIsAsked) {
+TEST_F(Said, aNameThatASceneHasAlreadyIsReportedBeforeAnythingIsAsked) {
     create();
     workspace.request = WindowRequest::NameNewScene;
     hands.rest(3);

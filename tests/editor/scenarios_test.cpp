@@ -143,7 +143,7 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     EXPECT_NE(grid.at(10, 6), grid.at(10, 7)) << "its upper side looks other than its inside";
     press("Q");
 
-    // Who lives there.
+    // The ones that live there.
     dropFile("prefabs/player.prefab.json", middle(2, 5));
     dropFile("prefabs/gloomcap.prefab.json", middle(8, 5));
     const ObjectId enemy = w().document.selection.all().back();

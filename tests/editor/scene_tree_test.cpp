@@ -100,13 +100,13 @@ TEST_F(SceneTreeTest, whatStandsThereAlreadyLeavesNoStep) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-/// Whatever is moved wherever: all stay where they are on screen, nobody is lost, undo brings back the bytes.
+/// Whatever is moved wherever: all stay where they are on screen, none is lost, undo brings back the bytes.
 TEST_F(SceneTreeTest, anyMovesKeepThePlaceInTheWorldAndAreUndone) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
         Document& document = workspace.document;
-        const auto anyone = [&] {
+        const auto some = [&] {
             const std::vector<ObjectId>& all = document.objects();
             return all[random.below(static_cast<std::uint32_t>(all.size()))];
         };
@@ -115,13 +115,13 @@ TEST_F(SceneTreeTest, anyMovesKeepThePlaceInTheWorldAndAreUndone) {
             const std::vector<ObjectId> all = document.objects();
             for (const ObjectId id : all) before.push_back(worldPose(document.world, document.find(id)));
             if (random.below(5) == 0) {
-                groupEntities(document, workspace.undo, {anyone(), anyone()});
+                groupEntities(document, workspace.undo, {some(), some()});
             } else {
-                const ObjectId beside = anyone();
+                const ObjectId beside = some();
                 const ObjectId parent =
                     document.idOf(parentOf(std::as_const(document.world), document.find(beside)));
                 const bool into = random.below(3) == 0;
-                moveInTree(document, workspace.undo, {anyone(), anyone()},
+                moveInTree(document, workspace.undo, {some(), some()},
                            into ? TreePlace{beside} : TreePlace{parent, beside, random.below(2) == 0});
             }
             for (std::size_t k = 0; k < all.size(); ++k) {
@@ -201,7 +201,7 @@ TEST_F(SceneTreeTest, whatIsHiddenAndLockedIsRememberedBesideTheProject) {
     EXPECT_FALSE(std::filesystem::exists(file)) << "nothing is left behind";
 }
 
-/// Boxes are kept between frames: they must follow whoever writes the world, and however.
+/// Boxes are kept between frames: they must follow all that writes the world.
 TEST_F(SceneTreeTest, whatLiesUnderTheMouseFollowsEveryWriteOfTheWorld) {
     World& world = workspace.document.world;
     const Document& document = workspace.document;
@@ -290,7 +290,7 @@ TEST_F(TreeHands, shiftSelectsAllBetweenAndControlTheOne) {
 TEST_F(TreeHands, theEyeAndTheLockOfARowAreClicked) {
     hands.click("Scene/crate/eye");
     EXPECT_TRUE(workspace.document.view.isHidden(named("crate")));
-    EXPECT_TRUE(workspace.document.selection.empty()) << "a click on the eye selects nobody";
+    EXPECT_TRUE(workspace.document.selection.empty()) << "a click on the eye selects nothing";
     hands.click("Scene/crate/eye");
     EXPECT_TRUE(workspace.document.view.showsAll());
     hands.click("Scene/crate");

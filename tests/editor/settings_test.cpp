@@ -51,7 +51,7 @@ TEST(SettingsTest, theFileIsWrittenOnceAMomentAfterAChangeAndReadAtTheNextStart)
     EXPECT_EQ(next, settings);
 }
 
-TEST(SettingsTest, aDamagedFileIsKeptAsideAndToldAndTheEditorStartsAsAtFirst) {
+TEST(SettingsTest, aDamagedFileIsKeptAsideAndReportedAndTheEditorStartsAsAtFirst) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(writeFile(folder.path / "settings.json", "{\"theme\": \"li").ok());
     Settings settings;
@@ -64,7 +64,7 @@ TEST(SettingsTest, aDamagedFileIsKeptAsideAndToldAndTheEditorStartsAsAtFirst) {
     EXPECT_FALSE(std::filesystem::exists(folder.path / "settings.json"));
 }
 
-TEST(SettingsTest, whatIsWrongInItIsToldByNameAndTheRestCounts) {
+TEST(SettingsTest, whatIsWrongInItIsReportedByNameAndTheRestCounts) {
     std::vector<Error> problems;
     const Result<Settings> read = Settings::fromText(
         R"({"theme": "pink", "scale": 40, "textSize": 16, "layout": 5, "keys": {"edit.undo": ["Ctrl+Nothing"],

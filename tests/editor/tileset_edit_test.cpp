@@ -144,7 +144,7 @@ TEST(TilesetGrowth, aWiderPictureKeepsAllNumbers) {
     EXPECT_EQ(paletteOf(set).tileAt({5, 0}), set.tileAt({5, 0}));
 }
 
-TEST(TilesetGrowth, sizesThatDoNotFitTheCountAreToldAndLeftOut) {
+TEST(TilesetGrowth, sizesThatDoNotFitTheCountAreReportedAndLeftOut) {
     std::vector<Error> problems;
     const Result<Tileset> read = parseTileset(
         R"({"format": 1, "image": "a.png", "columns": 3, "count": 9, "sizes": [{"columns": 3, "rows": 2}, {"columns": 5, "rows": 9}]})",

@@ -135,7 +135,7 @@ TEST_F(Tutorial, itsStepsMakeALevelThatIsPlayedToItsEnd) {
 
     const Path made = home.path / "Plumb/mushroom-hill";
     const std::optional<int> ticks = ticksToTheGoal(made, "scenes/level1.scene.json");
-    ASSERT_TRUE(ticks) << "nobody gets to the goal";
+    ASSERT_TRUE(ticks) << "the goal is not reached";
     EXPECT_GT(*ticks, 300);
 }
 

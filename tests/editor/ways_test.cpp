@@ -151,7 +151,7 @@ TEST_F(Ways, whileItPlaysTheReachIsFromWhereThePlayerStandsAndTheGameGoesOnAsItW
     EXPECT_NEAR(reach().landings().front().box.min.x, x, 30.0f);
 }
 
-TEST_F(Ways, theListOfLayersHasWaysOfAllOfTheSelectedOrOfNobody) {
+TEST_F(Ways, theListOfLayersHasWaysOfAllOfTheSelectedOrOfNone) {
     open(ledgeScene(30.0f));
     hands.rest(2);
     for (const std::string name : {"reach", "trajectories", "names"}) {

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
 
-# JSON comes from files that anybody may have written, so no accessor may be used that throws when a value has
+# JSON comes from files from anywhere, so no accessor may be used that throws when a value has
 # another type than expected. Each line: a pattern, and what to use instead.
 #
 #   cmake -D ROOT=. -P check_json.cmake

@@ -10,7 +10,8 @@
 namespace plumb::editor {
 
 /// An animation file that is open for editing: its sheet, its cells and its clips; its states are changed by
-/// StateMachineEdit. Every change is one step of undo and is written at once, so that all who show it follow.
+/// StateMachineEdit. Every change is one step of undo and is written at once, so that all that show it
+/// follow.
 class AnimationEdit {
 public:
     explicit AnimationEdit(Workspace& workspace) : workspace_{workspace} {}
@@ -36,7 +37,7 @@ public:
     bool change(std::string label, const std::function<void(AnimationSet&)>& edit);
 
     void setCells(CellSize cells);
-    /// @return whether cells could be told from each other
+    /// @return whether cells could be distinguished
     bool sliceByItself();
     /// A clip of all cells of the sheet that have something in them, row by row.
     void addClipOfAll();

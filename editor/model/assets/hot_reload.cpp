@@ -28,7 +28,7 @@ void HotReload::watch() {
     for (const std::string& path : w.prefabFiles()) w.assets.load(AssetKind::Prefab, path);
 }
 
-/// A prefab, something pasted, a field: whoever names a file adds its path to the texts of the document.
+/// A prefab, something pasted, a field: whatever names a file adds its path to the texts of the document.
 void HotReload::loadNewlyNamed() {
     const Document& document = workspace_.document;
     if (document.world.texts().size() == knownTexts_) return;
@@ -82,8 +82,8 @@ void HotReload::sceneChanged() {
     std::error_code failed;
     const Path file = w.project.root / w.document.scenePath;
     if (!std::filesystem::exists(file, failed)) return;  // gone for a moment
-    // What we wrote ourselves is told by its hash: to make the text of a large scene takes longer than a
-    // frame.
+    // What we wrote ourselves is recognised by its hash: to make the text of a large scene takes longer than
+    // a frame.
     w.safety.lookAtFile();
     if (w.safety.onDisk() == FileWatch::State::Same) return;
     const Result<std::string> text = readFile(file);

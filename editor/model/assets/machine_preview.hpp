@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// Plays the state machine of an animation file while nobody plays the game, with parameters that the person
+/// Plays the state machine of an animation file while the game does not run, with parameters that the person
 /// sets. It is the engine's own system in a world of one entity, so what is shown is what a game would do.
 class MachinePreview {
 public:

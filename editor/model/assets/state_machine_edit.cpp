@@ -21,10 +21,10 @@ constexpr auto kGameParameters = std::to_array<GameParameter>({
     {"grounded", Kind::Bool, "Stands on something"},
     {"dead", Kind::Bool, "Has no health left"},
     {"hurt", Kind::Bool, "Was hurt a moment ago, and is safe meanwhile"},
-    {"pressed", Kind::Bool, "Of a button: somebody stands on it. Of a spring: it throws"},
+    {"pressed", Kind::Bool, "Of a button: something stands on it. Of a spring: it throws"},
     {"open", Kind::Bool, "Of a door"},
     {"active", Kind::Bool, "Of a checkpoint or a goal: it was reached"},
-    {"stomped", Kind::Bool, "Of an enemy: somebody jumped onto it"},
+    {"stomped", Kind::Bool, "Of an enemy: a player jumped onto it"},
 });
 
 template <class T>

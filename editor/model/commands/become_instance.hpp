@@ -12,7 +12,7 @@
 namespace plumb::editor {
 
 /// Makes entities that lie in the scene an instance of a prefab that says the same. They stay the same
-/// entities, so whoever refers to them still does; those below the first one get the ids that parts of a
+/// entities, so references to them stay valid; those below the first one get the ids that parts of a
 /// prefab have.
 /// @pre  the prefab has each of them as a part
 class BecomeInstance final : public Command {

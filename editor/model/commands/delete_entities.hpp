@@ -7,7 +7,7 @@
 
 namespace plumb::editor {
 
-/// Takes entities and all below them out of the scene. References to them become nobody; undo brings all
+/// Takes entities and all below them out of the scene. References to them become null; undo brings all
 /// back with their ids, places and references.
 class DeleteEntities final : public Command {
 public:

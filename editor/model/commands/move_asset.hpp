@@ -12,7 +12,7 @@
 namespace plumb::editor {
 
 /// Gives a file or a folder of the project another path, in all files that name it and in the open scene.
-/// Either everything is written or nothing: what goes wrong is put back and told in the log.
+/// Either everything is written or nothing: what goes wrong is put back and reported in the log.
 class MoveAsset final : public FileCommand {
 public:
     /// @param edit  its parts outlive the command

@@ -17,13 +17,14 @@ bool isPart(const Document& document, ObjectId id) {
     return document.world.has<PrefabPart>(document.find(id));
 }
 
-/// Who has a place in the file: of a part of a prefab its instance; nobody when it is not there.
+/// The entity that has a place in the file: of a part of a prefab its instance; null when it is not there.
 ObjectId withPlace(const Document& document, ObjectId id) {
     while (const PrefabPart* part = document.world.find<PrefabPart>(document.find(id))) id = {part->instance};
     return document.find(id) ? id : ObjectId{};
 }
 
-/// By whom they come to stand behind: copies with what is below them, in the order in which they are named.
+/// By the entity that they come to stand behind: copies with what is below them, in the order in which they
+/// are named.
 Blocks blocksOf(const Document& document, const std::vector<ObjectId>& copies,
                 const std::vector<ObjectId>& originals) {
     Blocks blocks;

@@ -56,7 +56,7 @@ void placeInOrder(Document& document, const std::vector<ObjectId>& line) {
     std::sort(places.begin(), places.end());
     std::vector<Moved> moved;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        // Of two on one place nobody could say which one is first.
+        // Of two on one place neither would be the first.
         if (i > 0) places[i] = std::max(places[i], places[i - 1] + 1);
         if (orderOf(document, line[i]) == places[i]) continue;
         const EntityId entity = document.find(line[i]);
@@ -88,7 +88,7 @@ void Reorder::apply(Document& document) {
         before_.clear();
         return after_.clear();
     }
-    // Whoever stands before and behind all that moves stays on its place.
+    // What stands before and behind all that moves stays on its place.
     if (!anyShare(document, before_)) keepWhatMoves();
     placeInOrder(document, after_);
 }

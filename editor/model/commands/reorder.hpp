@@ -14,7 +14,7 @@ std::vector<ObjectId> fileOrder(const Document& document);
 /// Lets entities stand in this order on the places that they have.
 void placeInOrder(Document& document, const std::vector<ObjectId>& line);
 
-/// Moves entities to other places in the file, which is the order of the tree. Only who stands elsewhere
+/// Moves entities to other places in the file, which is the order of the tree. Only what stands elsewhere
 /// afterwards is written, so the file differs in the lines that moved.
 class Reorder final : public Command {
 public:

@@ -7,7 +7,7 @@
 
 namespace plumb::editor {
 
-/// Exchanges the text of a tileset's file; whoever shows the tileset follows. The file is written as a whole
+/// Exchanges the text of a tileset's file; all that show the tileset follow. The file is written as a whole
 /// or not at all; what goes wrong is in the log.
 class WriteTileset final : public FileCommand {
 public:

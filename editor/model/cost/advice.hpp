@@ -11,7 +11,7 @@
 
 namespace plumb::editor {
 
-/// What was measured, for those who judge it.
+/// What was measured: the input of the rules.
 struct CostFacts {
     const WhatIfResult& result;
     const PhysicsTape& tape;
@@ -22,7 +22,7 @@ struct Advice {
     std::string_view rule;
     std::string words;
     CostRemedy remedy;
-    std::vector<ObjectId> about;  ///< whom a click on it selects
+    std::vector<ObjectId> about;  ///< what a click on it selects
 };
 
 /// One thing that may be wrong with a scene. A row of advice_rules.cpp.

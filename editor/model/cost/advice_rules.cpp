@@ -16,7 +16,7 @@ constexpr float kSlowWay = 0.25f;      // of a body's reach in a tick: no CCD ne
 constexpr float kFastWay = 2.0f;       // of it: passes through walls
 constexpr int kRestTicks = 30;         // rests as long as it takes to fall asleep
 constexpr float kManyStays = 100.0f;   // events in a tick
-constexpr float kDearer = 1.1f;        // times the cost: told apart from noise
+constexpr float kDearer = 1.1f;        // times the cost: more than noise
 
 const WhatIfPoint* plainAt(const WhatIfResult& result, int quality) {
     return result.find(WhatIfKind::Quality, quality);
@@ -86,7 +86,7 @@ std::optional<Advice> judgeTooFine(const CostFacts& facts) {
         return {};
     return Advice{
         {},
-        format("Quality {} is more than this scene needs: quality {} leaves {}, which nobody sees, and "
+        format("Quality {} is more than this scene needs: quality {} leaves {}, which cannot be seen, and "
                "saves {} a tick.",
                now->quality, enough->quality, lengthWords(enough->error(), result.scale),
                costWords(now->microseconds - enough->microseconds)),

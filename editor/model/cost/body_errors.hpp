@@ -7,7 +7,7 @@
 namespace plumb::editor {
 
 /// m: how far each body, by BodyId::index, is inside of others or away from its joints. Those that cannot be
-/// pushed have none: it counts for who is pushed.
+/// pushed have none: it counts for the body that is pushed.
 std::vector<float> bodyErrors(const physics::World& world);
 
 /// Where two shapes push each other, and how hard.

@@ -69,7 +69,7 @@ std::string verdictWords(const WhatIfResult& result) {
     const std::string use = format(
         "You use quality {}{}: {} a tick, largest error {}, which {}.", now->quality,
         now->kind == WhatIfKind::Automatic ? " with automatic quality" : "", costWords(now->microseconds),
-        lengthWords(now->error(), result.scale), pixels < kSeenPixels ? "nobody sees" : "may be seen");
+        lengthWords(now->error(), result.scale), pixels < kSeenPixels ? "cannot be seen" : "may be seen");
     if (enough->quality == now->quality)
         return format("{} {}", use,
                       pixels < kSeenPixels ? "Nothing cheaper is as good to the eye."
@@ -87,7 +87,7 @@ std::string verdictWords(const WhatIfResult& result) {
 
 std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32_t leftOut) {
     std::string words =
-        format("{} {} s{}, {} bodies, physics alone, nobody asleep. ",
+        format("{} {} s{}, {} bodies, physics alone, no body asleep. ",
                wasPlaying ? "The last" : "The scene's first", seconds(result.ticks),
                result.ticks < result.ticksOnTape ? format(" (of {}: it is dear)", seconds(result.ticksOnTape))
                                                  : std::string{},

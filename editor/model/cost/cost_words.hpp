@@ -20,13 +20,14 @@ std::string costWords(float microseconds);
 /// @param below  null for the first
 std::string qualityWords(const WhatIfResult& result, const WhatIfPoint& point, const WhatIfPoint* below);
 
-/// The cheapest quality of which nobody sees the error; else the most exact one. Null before all are known.
+/// The cheapest quality of which the error cannot be seen; else the most exact one. Null before all are
+/// known.
 const WhatIfPoint* enoughQuality(const WhatIfResult& result);
 
 /// What it all comes to, in a sentence or two.
 std::string verdictWords(const WhatIfResult& result);
 
-/// What was stepped again, how long and how, for those who want to know.
+/// What was stepped again, how long and how.
 std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32_t leftOut);
 
 }  // namespace plumb::editor

@@ -31,7 +31,7 @@ std::vector<IslandRow> islandRows(const World& world, float stepMicroseconds);
 
 void sortIslands(std::vector<IslandRow>& rows, IslandColumn by, bool descending);
 
-/// Whose bodies are in the island of this body, as it is now; nobody when it sleeps or is gone.
+/// The entities that have bodies in the island of this body, as it is now; none when it sleeps or is gone.
 std::vector<EntityId> entitiesOfIsland(const World& world, physics::BodyId body);
 
 }  // namespace plumb::editor

@@ -14,7 +14,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Who has the ScenePhysics that counts: the first one; nobody when there is none.
+/// The entity that has the ScenePhysics that counts: the first one; null when there is none.
 ObjectId holderOf(const Workspace& workspace) {
     ObjectId holder;
     workspace.shownWorld().each<const ScenePhysics>([&](EntityId entity, const ScenePhysics&) {
@@ -23,7 +23,7 @@ ObjectId holderOf(const Workspace& workspace) {
     return holder;
 }
 
-/// Who gets one: the camera, as one of a scene; else the first entity.
+/// The entity that gets one: the camera, as one of a scene; else the first entity.
 ObjectId placeForOne(const Workspace& workspace) {
     const Document& document = workspace.document;
     for (const ObjectId id : document.objects()) {

@@ -25,7 +25,7 @@ constexpr StageDoc kDocs[] = {
     {"integrators", "Moves bodies that only fields and springs act on"},
     {"finish bodies", "Takes over new places"},
     {"continuous", "Stops fast bodies before what they would pass through (CCD)"},
-    {"events", "Tells who touched whom"},
+    {"events", "Reports what touched what"},
     {"sleep", "Puts to sleep what rests"},
     {kPhysicsSync, "Between components and bodies, both ways"},
     {"animation", "Frames and states of animations"},

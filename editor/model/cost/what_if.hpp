@@ -9,8 +9,9 @@
 namespace plumb::editor {
 
 /// What another quality would do to this scene: the last seconds of the game that plays, or the first ones of
-/// the scene while nobody plays. A copy of the game is played once, a little in each frame, to learn what it
-/// does to its bodies; then a thread steps the physics alone again in all ways. The game itself is only read.
+/// the scene while the game does not run. A copy of the game is played once, a little in each frame, to learn
+/// what it does to its bodies; then a thread steps the physics alone again in all ways. The game itself is
+/// only read.
 class WhatIf {
 public:
     static constexpr std::int64_t kTicks = 300;      ///< at most: 5 s
@@ -25,7 +26,7 @@ public:
     void cancel();
     /// Another scene: what was measured means nothing any more.
     void forget();
-    /// To be called in every frame in which somebody looks.
+    /// To be called in every frame in which it is shown.
     void tend(Workspace& workspace);
 
     [[nodiscard]] bool busy() const { return recording_ || (run_ != nullptr && !run_->done()); }

@@ -29,7 +29,7 @@ double substepsOf(const WhatIfPoint& way) {
     return way.kind == WhatIfKind::Reference ? steps * WhatIfRun::kReferenceParts : steps;
 }
 
-/// The world of the game as this way wants it. Nobody sleeps, so that what rests is measured too.
+/// The world of the game as this way wants it. No body sleeps, so that what rests is measured too.
 physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
     physics::World world = start;
     physics::Settings& settings = world.settings;
@@ -56,7 +56,7 @@ physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
 /// What was seen of one way.
 struct WhatIfRun::Track {
     WhatIfPoint point;
-    /// m, from the place at the start: of each watched body at each look; far away for who is gone.
+    /// m, from the place at the start: of each watched body at each look; far away for a body that is gone.
     std::vector<std::vector<Vec2>> places;
 };
 

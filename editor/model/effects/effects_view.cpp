@@ -56,7 +56,7 @@ void EffectsView::refresh(const Workspace& workspace) {
     }
 }
 
-/// The scene does not run, so its physics counts nobody: the components say who would call.
+/// The scene does not run, so its physics counts no callers: the components say what would call.
 void EffectsView::lookAtScene(const Workspace& workspace, bool) {
     const std::vector<Pin> pins = pinsOf(workspace.document, table());
     tick_ = 0.0f;

@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// What the panel "Effects" shows: every effect of the open scene or of the game that plays, who calls for
+/// What the panel "Effects" shows: every effect of the open scene or of the game that plays, what calls for
 /// it, and what it costs.
 class EffectsView {
 public:

@@ -7,7 +7,7 @@
 
 namespace plumb::editor {
 
-/// How well a text answers what somebody typed.
+/// How well a text matches what was typed.
 struct FuzzyMatch {
     int score = 0;                  ///< more is better; only comparable for the same words typed
     std::vector<std::uint32_t> at;  ///< the bytes of the text that were meant, ascending

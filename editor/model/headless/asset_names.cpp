@@ -21,7 +21,7 @@ const Json& objectIn(const Json& object, std::string_view key) {
 }
 
 /// "crate (0000000000000004)", as people and other tools find it.
-std::string whoIs(const Json& entity) {
+std::string wordsFor(const Json& entity) {
     const std::string name = textIn(entity, "name");
     const std::string id = textIn(entity, "id");
     return name.empty() ? id.empty() ? std::string{"an entity"} : id : format("{} ({})", name, id);
@@ -30,44 +30,44 @@ std::string whoIs(const Json& entity) {
 }  // namespace
 
 void AssetNames::read(const std::string& file, std::string_view text) {
-    std::vector<Error> repeated;  // told by who opens it
+    std::vector<Error> repeated;  // reported where the file is opened
     const Result<Json> json = parseJson(text, file, &repeated);
     const Json* entities = json ? findArray(*json, "entities") : nullptr;
     if (entities == nullptr) return;
     for (const Json& entity : *entities) {
-        if (entity.is_object()) readEntity(file, entity, whoIs(entity));
+        if (entity.is_object()) readEntity(file, entity, wordsFor(entity));
     }
 }
 
 /// With what an instance says of the parts of its prefab.
-void AssetNames::readEntity(const std::string& file, const Json& entity, const std::string& who) {
+void AssetNames::readEntity(const std::string& file, const Json& entity, const std::string& user) {
     for (const auto& [name, fields] : objectIn(entity, "components").items()) {
         const TypeInfo* type = types_.find(name);
         if (type == nullptr || !fields.is_object()) continue;
         for (const auto& [key, value] : fields.items()) {
             if (const FieldInfo* field = type->find(key))
-                add(*field, value, format("{}: {}, {}.{}", file, who, name, key));
+                add(*field, value, format("{}: {}, {}.{}", file, user, name, key));
         }
     }
     for (const auto& [part, own] : objectIn(entity, "children").items()) {
-        if (own.is_object()) readEntity(file, own, format("{}, its part {}", who, part));
+        if (own.is_object()) readEntity(file, own, format("{}, its part {}", user, part));
     }
 }
 
-void AssetNames::add(const FieldInfo& field, const Json& value, const std::string& who) {
+void AssetNames::add(const FieldInfo& field, const Json& value, const std::string& user) {
     if (field.kind == FieldKind::List && field.element == FieldKind::Asset && value.is_array()) {
         FieldInfo item = field;
         item.kind = FieldKind::Asset;
-        for (const Json& one : value) add(item, one, who);
+        for (const Json& one : value) add(item, one, user);
     }
     const std::string* path = jsonText(value);
     if (field.kind != FieldKind::Asset || path == nullptr || path->empty()) return;
     Named& named = named_[*path];
     named.kind = field.asset;
-    named.by.push_back(who);
+    named.by.push_back(user);
 }
 
-std::string AssetNames::whoNames(std::string_view path) const {
+std::string AssetNames::usersOf(std::string_view path) const {
     const auto found = named_.find(path);
     if (found == named_.end()) return {};
     const std::vector<std::string>& by = found->second.by;

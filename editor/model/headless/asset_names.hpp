@@ -15,7 +15,7 @@ class AssetNames {
 public:
     explicit AssetNames(const TypeRegistry& types) : types_{types} {}
 
-    /// Reads a scene or a prefab. What is no JSON names nothing; who opens it says so.
+    /// Reads a scene or a prefab. What is no JSON names nothing; opening it reports that.
     void read(const std::string& file, std::string_view text);
 
     struct Named {
@@ -24,12 +24,12 @@ public:
     };
     /// By path, as it is written there.
     [[nodiscard]] const std::map<std::string, Named, std::less<>>& all() const { return named_; }
-    /// The first who names it, and how many more do; empty: nobody.
-    [[nodiscard]] std::string whoNames(std::string_view path) const;
+    /// The first place that names it, and how many more do; empty: none.
+    [[nodiscard]] std::string usersOf(std::string_view path) const;
 
 private:
-    void readEntity(const std::string& file, const Json& entity, const std::string& who);
-    void add(const FieldInfo& field, const Json& value, const std::string& who);
+    void readEntity(const std::string& file, const Json& entity, const std::string& user);
+    void add(const FieldInfo& field, const Json& value, const std::string& user);
 
     const TypeRegistry& types_;
     std::map<std::string, Named, std::less<>> named_;

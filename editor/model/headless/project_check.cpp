@@ -35,14 +35,14 @@ private:
     std::set<std::string> known_;
 };
 
-/// With who names the file: that is where it is to be mended.
+/// With what names the file: that is where it is to be mended.
 Error withNamers(const Path& root, const AssetNames& names, Error problem) {
-    std::string who = names.whoNames(problem.where);
-    if (who.empty()) {
+    std::string user = names.usersOf(problem.where);
+    if (user.empty()) {
         const std::vector<AssetUse> uses = usesOfAsset(root, problem.where, false);
-        if (!uses.empty()) who = uses.front().file;
+        if (!uses.empty()) user = uses.front().file;
     }
-    if (!who.empty()) problem.what += format(", named by {}", who);
+    if (!user.empty()) problem.what += format(", named by {}", user);
     return problem;
 }
 

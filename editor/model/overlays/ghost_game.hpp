@@ -10,11 +10,11 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// A copy of the game that nobody sees, to find out what would happen. Kept, because making one reads the
+/// A hidden copy of the game, to find out what would happen. Kept, because making one reads the
 /// assets of the game.
 class GhostGame {
 public:
-    /// As the game is now; while nobody plays, as it would begin.
+    /// As the game is now; while it does not run, as it would begin.
     /// @return  null when the scene cannot be played
     PlaySession* now(Workspace& workspace);
     /// As it was after a recorded tick. @pre the game plays, and has that tick

@@ -7,8 +7,8 @@
 namespace plumb::editor {
 
 /// The ways of things: where they came along in the last second, and where they go in the next two if the
-/// hands stay as they are. Played by a copy of the game, so walls, springs and wind count. While nobody
-/// plays, it is how the scene would begin.
+/// hands stay as they are. Played by a copy of the game, so walls, springs and wind count. While it does not
+/// run, it is how the scene would begin.
 class Trajectories {
 public:
     static constexpr int kBehind = 60;        ///< ticks

@@ -17,8 +17,8 @@ class PhysicsTimes;
 namespace plumb::editor {
 
 /// Measures the game that plays, tick by tick: each system, each stage of the physics, and what there is to
-/// do. Costs nothing while nobody looks. The simulation itself knows no clock: it only gets the profile that
-/// its schedule fills when there is one.
+/// do. Costs nothing while it is not shown. The simulation itself knows no clock: it only gets the profile
+/// that its schedule fills when there is one.
 class Profiler final : public TickWatch {
 public:
     static constexpr std::size_t kTicks = 600;  ///< kept: 10 s
@@ -65,7 +65,7 @@ public:
 
     explicit Profiler(PhysicsTimes& times) : times_{times} { profile_.on = false; }
 
-    /// Somebody looks in this frame.
+    /// It is shown in this frame.
     void want() { wanted_ = kFramesOfWish; }
     /// Once a frame: begins and ends to measure.
     void tend(PlayMode& play);

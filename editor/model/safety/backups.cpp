@@ -58,7 +58,8 @@ void Backups::keep(std::string_view file) const {
     if (!path || !fs::is_regular_file(*path, failed)) return;
     const Path folder = folderOf(file);
     const Path copy = nextPath(folder);
-    // A second name for the old file: whoever replaces it leaves this one, and nothing has to be copied.
+    // A second name for the old file: a writer that replaces it leaves this one, and nothing has to be
+    // copied.
     fs::create_hard_link(*path, copy, failed);
     if (failed) fs::copy_file(*path, copy, failed);
     dropOldest(folder);

@@ -8,8 +8,8 @@
 
 namespace plumb::editor {
 
-/// The folder beside a project for what the editor needs and nobody edits: journals and backups. It tells git
-/// to leave it out.
+/// The folder beside a project for what the editor needs and no user edits: journals and backups. It tells
+/// git to leave it out.
 Path makeEditorFolder(const Path& project);
 
 /// A file as it once was.

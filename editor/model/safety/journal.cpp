@@ -50,7 +50,7 @@ Journal::~Journal() {
 Result<Done> Journal::begin() {
     if (begun()) return Done{};
     makeEditorFolder(project_);
-    // What a crash left must not be written over before somebody said what to do with it.
+    // What a crash left must not be written over before the user said what to do with it.
     for (const bool empty : {true, false}) {
         for (int session = 1; session <= kSessions && !lock_; ++session) {
             folder_ = sessionFolder(project_, session);
@@ -74,7 +74,8 @@ Path Journal::fileOf(std::string_view scene) const {
 
 void Journal::tend(const Document& document, const UndoStack& undo, double now) {
     if (!begun()) return;
-    if (const std::string problem = writer_->takeProblem(); !problem.empty() && !std::exchange(told_, true))
+    if (const std::string problem = writer_->takeProblem();
+        !problem.empty() && !std::exchange(reported_, true))
         logWarning("Editor", "The journal cannot be written, a crash would lose what is not saved: {}",
                    problem);
     if (scene_ != document.scenePath) {

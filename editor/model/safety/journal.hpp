@@ -68,7 +68,7 @@ private:
     std::size_t actions_ = 0;     // since then
     std::size_t step_ = 0;        // of undo, when it was last looked at
     std::size_t steps_ = 0;
-    bool told_ = false;
+    bool reported_ = false;
 };
 
 }  // namespace plumb::editor

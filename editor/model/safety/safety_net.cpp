@@ -24,7 +24,8 @@ void SafetyNet::begin() {
     }
     lost_ = journal_.lostWork();
     if (!others) return;
-    workspace_.notice = "Another editor has this project open; who saves a scene last is asked which to keep";
+    workspace_.notice =
+        "Another editor has this project open; the one that saves a scene last asks which to keep";
     logWarning("Editor", "{}", workspace_.notice);
 }
 

@@ -27,7 +27,7 @@ private:
     bool wasSelected_ = false;      ///< what was pressed
     ObjectId hit_;                  ///< what was pressed
     Modifiers held_;                ///< when it was pressed
-    std::vector<ObjectId> copied_;  ///< of whom copies are dragged
+    std::vector<ObjectId> copied_;  ///< copies of these are dragged
     float reach_ = 0.0f;            ///< px, world: when it was pressed
     Vec2 start_;
     Vec2 end_;

@@ -8,8 +8,8 @@
 
 namespace plumb::editor::ui {
 
-/// One class of a legend. The colors go from calm to loud and from thin to thick, and are told apart by those
-/// who see no red, green or blue. Source: M. Okabe, K. Ito, "Color Universal Design", 2008.
+/// One class of a legend. The colors go from calm to loud and from thin to thick, and can be distinguished by
+/// people that see no red, green or blue. Source: M. Okabe, K. Ito, "Color Universal Design", 2008.
 struct CostShade {
     float from;  ///< of what is shown: px of error, or times the weight
     std::string_view label;
@@ -18,7 +18,7 @@ struct CostShade {
 };
 
 inline constexpr std::array<CostShade, 4> kErrorShades{{
-    {0.0f, "below half a pixel: nobody sees it", {86, 180, 233, 200}, 1.5f},
+    {0.0f, "below half a pixel: cannot be seen", {86, 180, 233, 200}, 1.5f},
     {0.5f, "half to one pixel", {240, 228, 66, 230}, 2.5f},
     {1.0f, "one to two pixels", {255, 176, 32, 255}, 3.5f},
     {2.0f, "more than two pixels: plainly seen", {255, 110, 60, 255}, 5.0f},

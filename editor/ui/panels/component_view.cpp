@@ -122,7 +122,7 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const Selected& selected)
         });
     }
     if (open && type.size > 0) {
-        // Another selection means other widgets: what is under the hands does not jump to somebody else.
+        // Another selection means other widgets: what is under the hands does not jump to another entity.
         ImGui::PushID(static_cast<int>(ids.back().value));
         drawFields(shown);
         ImGui::PopID();

@@ -254,7 +254,7 @@ private:
         return text;
     }
 
-    /// At the right: how often, and whom the line is about.
+    /// At the right: how often, and the entity that the line is about.
     static void drawEnd(const Ui& ui, ImDrawList& list, const LogView::Row& row, ObjectId object, ImVec2 end,
                         float height) {
         float x = end.x - ui.px(6.0f);

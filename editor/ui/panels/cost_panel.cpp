@@ -135,7 +135,7 @@ private:
         if (clicked >= 0) apply(ui, qualityRemedy(clicked), result);
     }
 
-    /// For those who see this for the first time.
+    /// Shown before the first measurement.
     static void drawLesson(Ui& ui) {
         ImGui::Spacing();
         beginChild("lesson", {std::min(ImGui::GetContentRegionAvail().x, ui.px(kMostWords)), 0.0f}, false);
@@ -150,7 +150,7 @@ private:
             "cost "
             "and by how much bodies would be inside of each other, or joints open. What is below half a "
             "pixel "
-            "nobody sees: the cheapest quality that gets there is the one to take.",
+            "cannot be seen: the cheapest quality that gets there is the one to take.",
             palette::kTextSoft);
         ui.widgets.mark("Cost/lesson");
         ImGui::EndChild();

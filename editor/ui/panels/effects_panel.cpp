@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string_view>& names) {
     return text;
 }
 
-/// Every effect: whether it runs, who calls for it, what it costs; and the pins of the scene.
+/// Every effect: whether it runs, what calls for it, what it costs; and the pins of the scene.
 class EffectsPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -39,7 +39,7 @@ public:
         const auto says = [](const Line& line) { return line.calledFor || line.pin != Pin::Auto; };
         if (std::none_of(view_.lines().begin(), view_.lines().end(), says)) {
             return emptyState(ui, "Effects", "Nothing in this scene calls for an effect.",
-                              "What runs, and for whom, appears here as components come.");
+                              "What runs, and for which components, appears here as components come.");
         }
         drawBar(ui);
         constexpr ImGuiTableFlags kFlags =
@@ -148,10 +148,12 @@ private:
             const bool pressed = ImGui::InvisibleButton(name.c_str(), {ui.px(kPinWidth), height});
             const bool chosen = line.pin == pin;
             ui.widgets.mark(path + "/" + name, chosen ? "chosen" : "");
-            tooltip(!possible          ? "A scene is changed while nothing plays."
-                    : pin == Pin::Auto ? "Runs while a component calls for it."
-                    : pin == Pin::On   ? "Runs though nobody calls for it."
-                                     : "Never runs. Components that need it are told when the scene opens.");
+            tooltip(
+                !possible          ? "A scene is changed while nothing plays."
+                : pin == Pin::Auto ? "Runs while a component calls for it."
+                : pin == Pin::On
+                    ? "Runs though nothing calls for it."
+                    : "Never runs. Components that need it are named in the console when the scene opens.");
             if (chosen) {
                 list.AddRectFilled(at, to, pin == Pin::Auto ? palette::kHover : palette::kAccentSoft,
                                    ui.px(3.0f));
@@ -206,9 +208,9 @@ private:
             return;
         }
         if (line.callers.empty()) {
-            const std::string names = "nobody: " + missingCallers(row);
+            const std::string names = "nothing: " + missingCallers(row);
             ImGui::TextDisabled("%s", names.c_str());
-            ui.widgets.mark(path + "/nobody", names);
+            ui.widgets.mark(path + "/none", names);
             return;
         }
         bool first = true;

@@ -259,9 +259,9 @@ private:
             return;
         }
         drawn_ = ImGui::GetFrameCount();
-        const std::string whom =
+        const std::string subject =
             press_->part.empty() ? press_->name : format("{}, {}", press_->name, press_->part);
-        ImGui::TextUnformatted(format("for {}", whom).c_str());
+        ImGui::TextUnformatted(format("for {}", subject).c_str());
         ImGui::InvisibleButton("field", {ImGui::GetContentRegionAvail().x, ui.px(64.0f)});
         overField_ = ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
         ui.widgets.mark("Input/field");
@@ -286,7 +286,7 @@ private:
     /// While a key is waited for: no shortcut, and no game, gets what is pressed.
     bool take(const Event& event) {
         const std::optional<Binding> binding = plumb::editor::bindingOf(event);
-        if (ImGui::GetFrameCount() > drawn_ + 1) return false;  // nobody sees the question any more
+        if (ImGui::GetFrameCount() > drawn_ + 1) return false;  // the question is no longer shown
         if (event.kind == EventKind::MouseDown && !overField_) return false;
         if (binding && !pressed_) pressed_ = binding;
         return binding.has_value();
@@ -328,7 +328,7 @@ private:
     Kind adding_ = Kind::Action;
     std::optional<InputMapEdit::Place> renaming_;
     bool focus_ = false;
-    std::optional<InputMapEdit::Place> press_;  ///< who gets the next key
+    std::optional<InputMapEdit::Place> press_;  ///< what gets the next key
     std::optional<Binding> pressed_;
     bool overField_ = false;
     int drawn_ = 0;  ///< the frame in which the question was on the screen

@@ -222,7 +222,7 @@ private:
         list.PopClipRect();
     }
 
-    /// Nobody steps the document's world: its bodies are made anew after each change that may be seen. What
+    /// The document's world is not stepped: its bodies are made anew after each change that may be seen. What
     /// is soft is always seen.
     void previewBodies(Workspace& workspace) {
         if (workspace.play.running()) return;
@@ -270,7 +270,7 @@ private:
             {from.x + static_cast<float>(pixels.width), from.y + static_cast<float>(pixels.height)});
     }
 
-    /// While nobody plays, animated tiles move all the same, and things may be out of sight.
+    /// While the game does not run, animated tiles move all the same, and things may be out of sight.
     ScenePicture::Preview previewOf(const Workspace& workspace) {
         ScenePicture::Preview preview;
         if (workspace.play.running()) return preview;
@@ -297,7 +297,7 @@ private:
         return shown;
     }
 
-    /// Nobody should take the running game for the scene: what is changed now is gone afterwards.
+    /// The running game must not be taken for the scene: what is changed now is gone afterwards.
     static void drawPlayFrame(const Ui& ui, ImDrawList& list, ImVec2 from, ImVec2 to) {
         const bool paused = ui.workspace.play.paused();
         const ImU32 color = paused ? palette::kWarning : palette::kPlay;

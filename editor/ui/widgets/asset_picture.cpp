@@ -16,7 +16,7 @@ namespace {
 constexpr float kLargestZoom = 4.0f;
 constexpr float kSquare = 5.0f;  // px at scale 1, of the checks behind pictures
 
-/// Checks behind a picture: what is clear in it, and what is dark, can be told from the panel.
+/// Checks behind a picture: what is clear in it, and what is dark, can be distinguished from the panel.
 void drawChecks(const Ui& ui, ImDrawList& list, const AABB& box) {
     list.AddRectFilled({box.min.x, box.min.y}, {box.max.x, box.max.y}, palette::kHover);
     const float side = ui.px(kSquare);

@@ -9,7 +9,7 @@ namespace plumb::editor::ui {
 
 inline constexpr const char* kMixed = "\xe2\x80\x94";  ///< a dash: the values are not the same
 
-/// One field in a panel: what it shows, and whom it changes.
+/// One field in a panel: what it shows, and which entities it changes.
 struct FieldRow {
     Ui& ui;
     const std::string& path;  ///< how tests call it

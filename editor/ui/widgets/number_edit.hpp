@@ -30,7 +30,7 @@ private:
     std::string path_;            // what is dragged; empty: nothing
     double dragged_ = 0.0;        // what ImGui drags, as shown
     double start_ = 0.0;          // where it began
-    std::vector<ObjectId> ids_;   // who is changed
+    std::vector<ObjectId> ids_;   // what is changed
     std::vector<double> starts_;  // of each of them that has the component
     bool drawn_ = false;          // in this frame
 };

@@ -85,7 +85,7 @@ void EntityPicker::draw(const FieldRow& row) {
     const Document& document = row.ui.workspace.document;
     const auto id = row.value<ObjectId>();
     const std::string shown = row.mixed()         ? kMixed
-                              : !id               ? "nobody"
+                              : !id               ? "none"
                               : document.find(id) ? document.nameOf(id)
                                                   : "gone";
     const float buttons = (ImGui::GetFrameHeight() + row.ui.px(3.0f)) * 2.0f;
@@ -120,7 +120,7 @@ void EntityPicker::drawList(const FieldRow& row, bool first) {
         ImGui::CloseCurrentPopup();
     }
     beginChild("entities", {0.0f, 0.0f}, false);
-    if (search_.empty() && choice(row.ui, row.path + "/nobody", "nobody", !now && !row.mixed())) {
+    if (search_.empty() && choice(row.ui, row.path + "/none", "none", !now && !row.mixed())) {
         row.set(FieldValue::of(ObjectId{}));
         ImGui::CloseCurrentPopup();
     }
@@ -138,11 +138,11 @@ void EntityPicker::drawList(const FieldRow& row, bool first) {
             ImGui::PopID();
         }
     }
-    if (found_.empty()) ImGui::TextDisabled("Nobody is called so.");
+    if (found_.empty()) ImGui::TextDisabled("No entity has this name.");
     ImGui::EndChild();
 }
 
-/// It is dragged onto the scene and let go over somebody.
+/// It is dragged onto the scene and let go over an entity.
 void EntityPicker::drawAim(const FieldRow& row) {
     Ui& ui = row.ui;
     signButton(row, "aim", Icon::Pick);
@@ -156,7 +156,7 @@ void EntityPicker::drawAim(const FieldRow& row) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemActive()) {
         ImGui::BeginTooltip();
-        ImGui::TextUnformatted(under ? document.nameOf(under).c_str() : "nobody");
+        ImGui::TextUnformatted(under ? document.nameOf(under).c_str() : "none");
         ImGui::EndTooltip();
     } else if (under) {
         row.set(FieldValue::of(under));

@@ -9,7 +9,8 @@
 namespace plumb::editor::ui {
 
 /// The text that a person types over one of the values of a panel. It belongs to the panel and not to the
-/// widget: who clicks another entity while typing makes the widget vanish, and has typed all the same.
+/// widget: a click on another entity while typing makes the widget vanish, and what was typed counts all the
+/// same.
 class Typing {
 public:
     struct Over {
@@ -21,7 +22,7 @@ public:
         bool lines = false;  ///< Enter makes a new line
     };
 
-    /// To be told of each value that can be typed over, in their order: Tab goes from one to the next.
+    /// To be called for each value that can be typed over, in their order: Tab goes from one to the next.
     /// @return whether typing shall begin there
     bool reached(const std::string& path);
     /// Makes a value a text, from the next frame on, and puts the hands on it.

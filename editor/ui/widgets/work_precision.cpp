@@ -67,7 +67,7 @@ bool alike(const WhatIfPoint& a, const WhatIfPoint& b) {
     return near(a.microseconds, b.microseconds) && near(shownError(a), shownError(b));
 }
 
-/// The plot: who draws into it and where what stands.
+/// The plot: what draws into it and where what stands.
 struct Plot {
     Ui& ui;
     const WhatIfResult& result;
@@ -92,7 +92,7 @@ void drawAxes(const Plot& plot) {
         list.AddRectFilled({plot.from.x, y}, plot.to, palette::kPast, plot.ui.px(3.0f));
         if (plot.to.y - y > line * 1.3f)
             list.AddText({plot.from.x + plot.ui.px(6.0f), plot.to.y - line - plot.ui.px(3.0f)},
-                         palette::kText, "nobody sees it");
+                         palette::kText, "cannot be seen");
     }
     float last = 1.0e9f;
     for (const float metres : ticksOf(plot.error, 1.0e-3f)) {

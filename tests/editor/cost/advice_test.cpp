@@ -84,7 +84,7 @@ TEST_F(AdviceTest, automaticQualityIsForAFewHardHeapsAmongManyEasyOnes) {
     EXPECT_FALSE(says()) << "quality 3 for all is cheaper";
     result.points.back().microseconds = 250.0f;
     result.points.back().overlap = result.points[1].overlap;
-    EXPECT_FALSE(says()) << "it helps nobody";
+    EXPECT_FALSE(says()) << "it helps nothing";
 }
 
 TEST_F(AdviceTest, bulletsThatCrawlAreNamed) {

@@ -224,7 +224,7 @@ TEST_F(CostPanelTest, errorsAndForcesAreDrawnInClassesWithALegend) {
     workspace.stopPlaying();
     forces.clear();
     drawContactForces(workspace, workspace.document.world, forces);
-    EXPECT_TRUE(forces.shapes().empty()) << "nothing pushes while nobody plays";
+    EXPECT_TRUE(forces.shapes().empty()) << "nothing pushes while the game does not run";
 }
 
 }  // namespace

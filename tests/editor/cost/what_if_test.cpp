@@ -113,7 +113,7 @@ TEST_F(WhatIfTest, moreQualityCostsMoreAndErrsLess) {
                        format("{} us, {} m, away {}", point.microseconds, point.error(), point.away));
 }
 
-TEST_F(WhatIfTest, whileNobodyPlaysItIsHowTheSceneBegins) {
+TEST_F(WhatIfTest, whileTheGameDoesNotRunItIsHowTheSceneBegins) {
     open(CostScene{}.stack(5));
     const std::string before = workspace.text();
     measure();

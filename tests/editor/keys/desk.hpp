@@ -13,7 +13,7 @@
 
 namespace plumb::editor::ui {
 
-/// Somebody sits at the whole editor, without a screen, with the scene of EditorFixture open.
+/// A user at the whole editor, without a screen, with the scene of EditorFixture open.
 class Desk : public EditorFixture {
 public:
     Desk() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {

@@ -92,7 +92,7 @@ TEST_F(TileGestures, tilesArePickedByTheirToolByAltAndByTheRightButton) {
     EXPECT_FALSE(shown("Viewport/menu/Duplicate"));
 }
 
-TEST_F(TileGestures, theRightButtonErasesForWhoeverPrefersThat) {
+TEST_F(TileGestures, theRightButtonErasesIfTheUserPrefersThat) {
     workspace.tiles.rightErases = true;
     stroke({0, 2}, {3, 2}, MouseButton::Right);
     EXPECT_EQ(rows(), "0000 0110 0000");

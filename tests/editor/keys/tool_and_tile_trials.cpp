@@ -14,7 +14,7 @@ void takes(KeyTrials& at) {
     at.press();
     EXPECT_EQ(at.toolInHand(), at.GetParam().action);
 }
-/// The same from the hand of somebody who paints.
+/// The same from the hand of a user that paints.
 void takesWhilePainting(KeyTrials& at) {
     at.takeBrush();
     at.press();

@@ -32,7 +32,7 @@ void showsLayout(KeyTrials& at) {
     at.press();
     const std::string start = format("Layout {}", layoutPresets()[Index].name);
     EXPECT_EQ(at.workspace.notice.substr(0, start.size()), start);
-    // Who is in front tells them apart.
+    // Which is in front distinguishes them.
     EXPECT_EQ(at.valueOf("Tab/Tiles"), Index == 0 ? "front" : "");
     EXPECT_EQ(at.valueOf("Tab/History"), Index == 2 ? "front" : "");
     EXPECT_EQ(at.valueOf("Tab/Scene"), Index == 1 ? "front" : Index == 0 ? "front" : "");

@@ -69,7 +69,7 @@ TEST_F(Gestures, shiftAddsAndControlToggles) {
     hands.clickAt(onScreen({45.0f, 115.0f}));
     EXPECT_TRUE(selects({"crate", "player"}));
     hands.clickAt(onScreen({216.0f, 80.0f}));
-    EXPECT_EQ(workspace.document.selection.size(), 2u) << "Shift takes nobody out";
+    EXPECT_EQ(workspace.document.selection.size(), 2u) << "Shift takes none out";
     hands.held = {.control = true};
     hands.clickAt(onScreen({216.0f, 80.0f}));
     EXPECT_TRUE(selects({"player"}));

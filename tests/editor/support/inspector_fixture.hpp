@@ -7,7 +7,7 @@
 
 namespace plumb::editor::ui {
 
-/// Somebody works in the inspector.
+/// Work in the inspector.
 class Inspector : public EditorFixture {
 protected:
     Inspector() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {

@@ -13,7 +13,7 @@
 
 namespace plumb::editor::ui {
 
-/// Somebody who does anything that can be done in the editor, in no order: every action of the table, every
+/// A user that does anything that can be done in the editor, in no order: every action of the table, every
 /// widget on the screen, every tool over the scene, keys, text, the clipboard, playing and rewinding. The
 /// same seed does the same. What is new in the editor is found by itself, in the table and among the widgets.
 class Monkey {

@@ -13,7 +13,7 @@
 
 namespace plumb::test {
 
-/// Runs numbered actions in a process of its own, so that after a crash somebody is left to say what led to
+/// Runs numbered actions in a process of its own, so that after a crash a process is left to say what led to
 /// it, and to find out which of the actions it takes.
 class Lives {
 public:
@@ -29,9 +29,9 @@ public:
         std::fflush(nullptr);
         const pid_t child = ::fork();
         if (child == 0) {
-            std::ofstream told{folder_.path / "told"};
+            std::ofstream report{folder_.path / "report"};
             const std::string wrong =
-                life_(numbers, [&](const std::string& line) { told << line << std::endl; });
+                life_(numbers, [&](const std::string& line) { report << line << std::endl; });
             if (!wrong.empty()) std::ofstream{folder_.path / "wrong"} << wrong;
             std::fflush(nullptr);
             ::_exit(wrong.empty() ? 0 : 1);
@@ -45,10 +45,10 @@ public:
         return WIFSIGNALED(status) ? format("killed by signal {}", WTERMSIG(status))
                                    : format("ended with {}", WEXITSTATUS(status));
     }
-    /// What was told in the last life, a line for each action.
-    [[nodiscard]] std::vector<std::string> told() const {
+    /// What was reported in the last life, a line for each action.
+    [[nodiscard]] std::vector<std::string> report() const {
         std::vector<std::string> lines;
-        std::ifstream file{folder_.path / "told"};
+        std::ifstream file{folder_.path / "report"};
         for (std::string line; std::getline(file, line);) lines.push_back(line);
         return lines;
     }

@@ -45,7 +45,7 @@ public:
     Victim(const Victim&) = delete;
     Victim& operator=(const Victim&) = delete;
 
-    /// Lets it live until it has told so much, and then for some time more.
+    /// Lets it live until it has written so much, and then for some time more.
     /// @return false when it ended by itself
     bool live(std::size_t reports, double seconds) {
         while (count() < reports) {
