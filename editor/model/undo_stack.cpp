@@ -81,9 +81,9 @@ void UndoStack::append(std::unique_ptr<Command> command, std::string subject) {
     if (saved_ != kNever && saved_ > position_) saved_ = kNever;
     std::erase_if(lost_, [this](const Lost& branch) { return branch.position > position_; });
     if (position_ < commands_.size()) {
-        const std::string& subject = subjects_.back();
+        const std::string& last = subjects_.back();
         lost_.push_back({position_, commands_.size() - position_,
-                         commands_.back()->label() + (subject.empty() ? "" : ": " + subject)});
+                         commands_.back()->label() + (last.empty() ? "" : ": " + last)});
     }
     commands_.resize(position_);
     subjects_.resize(position_);
