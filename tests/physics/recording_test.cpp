@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -119,6 +122,46 @@ TEST(FromOutside, hitsTellHowFastBothCameTogether) {
         }
         EXPECT_NEAR(approachSpeed, speed + 1.0f, 0.001f * speed) << i;
     }
+}
+
+TEST(FromOutside, hitsCountTheRotationOfTheBodies) {
+    Random random = Random::seeded(10);
+    std::array<int, 2> hits{};
+    for (int i = 0; i < 40; ++i) {
+        Playground playground;
+        World& world = playground.world;
+        world.settings.gravity = {};
+        const bool plateFirst = i % 2 == 0;
+        BodyId plate, ball;
+        const auto addPlate = [&] {
+            plate = playground.body(i % 4 < 2 ? BodyKind::Kinematic : BodyKind::Dynamic, {});
+            playground.shape(plate, box({0.3f, 3.0f}), {.density = 1e4f});
+        };
+        if (plateFirst) addPlate();
+        ball = playground.body(BodyKind::Dynamic, {-2.0, static_cast<double>(random.between(0.5f, 2.0f))});
+        playground.shape(ball, circle(0.2f));
+        if (!plateFirst) addPlate();
+        const float spin = random.between(-1.0f, 1.0f);
+        const Vec2 velocity{random.between(4.0f, 8.0f), 0.0f};
+        ASSERT_TRUE(setAngularVelocity(world, plate, spin).ok());
+        ASSERT_TRUE(setVelocity(world, ball, velocity).ok());
+        for (int n = 0; n < 60; ++n) {
+            step(world, kTick);
+            const auto began =
+                std::find_if(world.events.begin(), world.events.end(),
+                             [](const ContactEvent& event) { return event.phase == ContactPhase::Began; });
+            if (began == world.events.end()) continue;
+            // As both bodies moved until now. The point is that after the step, in which arms turn by 0.02
+            // rad.
+            const Vec2 speed = velocity - cross(spin, began->point);
+            EXPECT_NEAR(began->approachSpeed, std::fabs(dot(began->normal, speed)), 0.05f * length(speed))
+                << i;
+            ++hits[began->a.index == plate.index ? 0 : 1];
+            break;
+        }
+    }
+    EXPECT_GT(hits[0], 5);
+    EXPECT_GT(hits[1], 5);
 }
 
 TEST(FromOutside, everythingThatMovesIsListedUntilItSleeps) {
