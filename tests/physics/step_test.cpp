@@ -18,6 +18,20 @@ TEST(Step, freeFallIsExactWhateverTheNumberOfSubsteps) {
     }
 }
 
+TEST(Step, freeFallIsExactInEveryDirectionOfGravity) {
+    Random random = Random::seeded(5);
+    for (int i = 0; i < 30; ++i) {
+        Playground scene;
+        scene.world.settings.quality = static_cast<Quality>(i % 5);
+        scene.world.settings.gravity = {random.between(-20.0f, 20.0f), random.between(-20.0f, 20.0f)};
+        const BodyId ball = scene.ball({0.0, 0.0});
+        scene.run(60);
+        const Vec2 fall = 0.5f * scene.world.settings.gravity;
+        EXPECT_NEAR(scene.x(ball), static_cast<double>(fall.x), 2.0e-4);
+        EXPECT_NEAR(scene.y(ball), static_cast<double>(fall.y), 2.0e-4);
+    }
+}
+
 TEST(Step, aTimeThatIsNoneChangesNothing) {
     Playground play;
     play.floor();
