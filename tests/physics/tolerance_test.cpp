@@ -101,6 +101,21 @@ const HardCase kHardCases[] = {
     {"a heap", heap},
 };
 
+TEST(Tolerance, islandsThatPartAreJudgedApart) {
+    Held scene;
+    scene.world.settings.sleeping = false;
+    scene.tower(0.0, 10);
+    const BodyId load = scene.heavy({0.0, 10.5}, {0.5f, 0.5f}, 100.0f);
+    const BodyId alone = scene.crate({5.0, 0.5});
+    const JointId rod = *createJoint(
+        scene.world, {.kind = JointKind::Distance, .a = load, .b = alone, .length = std::sqrt(125.0f)});
+    scene.run(60);
+    ASSERT_EQ(scene.qualityOf(alone), scene.qualityOf(load));
+    destroyJoint(scene.world, rod);
+    scene.run(30);
+    EXPECT_LT(scene.qualityOf(alone), scene.qualityOf(load));
+}
+
 TEST(Tolerance, isKept) {
     for (const HardCase& hard : kHardCases) {
         SCOPED_TRACE(hard.name);
