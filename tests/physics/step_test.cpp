@@ -58,6 +58,33 @@ TEST(Step, dragFollowsItsExponential) {
     EXPECT_NEAR(scene.x(*made), 10.0 / 0.7 * (1.0 - std::exp(-0.7)), 1.0e-3);
 }
 
+TEST(Step, dragOfAnySizeFollowsItsExponential) {
+    Random random = Random::seeded(6);
+    for (int i = 0; i < 300; ++i) {
+        Playground scene;
+        scene.world.settings.sleeping = false;
+        scene.world.settings.quality = static_cast<Quality>(i % 5);
+        scene.world.settings.gravity = {random.between(-20.0f, 20.0f), random.between(-20.0f, 20.0f)};
+        const Vec2 velocity{random.between(-30.0f, 30.0f), random.between(-30.0f, 30.0f)};
+        const float drag = std::pow(10.0f, random.between(-2.0f, 6.0f));  // 1/s
+        const BodyId ball = *createBody(scene.world, {.velocity = velocity, .linearDrag = drag});
+        scene.shape(ball, circle(0.5f));
+        scene.run(60);
+        const double k = static_cast<double>(drag), glide = (1.0 - std::exp(-k)) / k,
+                     fall = (1.0 - glide) / k;
+        const auto expected = [&](float speed, float gravity) {
+            return glide * static_cast<double>(speed) + fall * static_cast<double>(gravity);
+        };
+        // What is stopped within one substep (up to 1/60 s) may stop at once, 1/14 of its step early.
+        const double stops = drag > 13.8f * 60.0f ? static_cast<double>(length(velocity)) / k : 0.0;
+        const double error = 1.0e-3 + stops;
+        EXPECT_NEAR(scene.x(ball), expected(velocity.x, scene.world.settings.gravity.x), error)
+            << drag << ' ' << i;
+        EXPECT_NEAR(scene.y(ball), expected(velocity.y, scene.world.settings.gravity.y), error)
+            << drag << ' ' << i;
+    }
+}
+
 TEST(Step, dragDoesNotSlowKinematicBodies) {
     Playground scene;
     const BodyId platform = *createBody(scene.world, {.kind = BodyKind::Kinematic,

@@ -12,7 +12,8 @@ constexpr int kGatherGrain = 512;
 /// Exact displacement of free flight over h, as the offset to `z * (velocity at the end)`.
 Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     // x = v0 D + a (h - D) / k with D = decay.drive; v1 = v0 keep + a D. Without drag: x = v1 h - a h2 / 2.
-    if (decay.keep == 0.0f) return {-0.5f * h * h * drive.x, -0.5f * h * h * drive.y, h, 0.0f};
+    // So little of v0 (2^-20) is lost in the rounding of v1, which is then the speed all the time.
+    if (decay.keep < 0x1p-20f) return {0.0f, 0.0f, h, 0.0f};
     const float along = decay.drive / decay.keep;
     const float rest = distanceUnder(drag, h) - decay.drive * along;
     return {rest * drive.x, rest * drive.y, along, 0.0f};
