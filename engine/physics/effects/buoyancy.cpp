@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/effects/field_types.hpp"
+#include "physics/model/bounds.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {
@@ -49,9 +50,9 @@ void addAlongBottom(Sums& sums, double sa, double sb, double depth) {
     sums.momentD += 0.5 * depth * depth * (sb - sa);
 }
 
-void addStraight(Sums& sums, Vec2 a, Vec2 b, const FluidBox& fluid) {
+void addStraight(Sums& sums, Vec2 a, Vec2 b, const AABB& fluid) {
     const double s0 = a.x, d0 = a.y, ds = static_cast<double>(b.x) - s0, dd = static_cast<double>(b.y) - d0;
-    const double half = fluid.half, depth = fluid.depth;
+    const double half = fluid.max.x, depth = fluid.max.y;
     Cuts cuts;
     if (dd != 0.0) cuts.add(-d0 / dd), cuts.add((depth - d0) / dd);
     if (ds != 0.0) cuts.add((half - s0) / ds), cuts.add((-half - s0) / ds);
@@ -84,8 +85,7 @@ void cutAt(Cuts& cuts, const Arc& arc, float angle) {
     cuts.add(static_cast<double>(displacement) / static_cast<double>(arc.sweep));
 }
 
-/// Adds cuts where an arc crosses a line along or across the surface.
-/// @param offset  m: of the line from the center
+/// Adds cuts where an arc crosses a line along or across the surface, `offset` (m) from the center.
 void cutAtLine(Cuts& cuts, const Arc& arc, float offset, bool isAcross) {
     const float part = offset / arc.radius;
     if (!(part > -1.0f && part < 1.0f)) return;
@@ -110,14 +110,14 @@ void addRound(Sums& sums, const Arc& arc, double a, double b) {
     sums.momentD -= 0.5 * r * (cd * cd * sin1 + 2.0 * cd * r * sin2 + r * r * sin3);
 }
 
-void addArc(Sums& sums, const Arc& arc, const FluidBox& fluid) {
+void addArc(Sums& sums, const Arc& arc, const AABB& fluid) {
     if (arc.sweep == 0.0f) return;
     Cuts cuts;
     cutAtLine(cuts, arc, 0.0f - arc.centre.y, false);
-    cutAtLine(cuts, arc, fluid.depth - arc.centre.y, false);
-    cutAtLine(cuts, arc, fluid.half - arc.centre.x, true);
-    cutAtLine(cuts, arc, -fluid.half - arc.centre.x, true);
-    const double start = arc.start, sweep = arc.sweep, half = fluid.half, depth = fluid.depth;
+    cutAtLine(cuts, arc, fluid.max.y - arc.centre.y, false);
+    cutAtLine(cuts, arc, fluid.max.x - arc.centre.x, true);
+    cutAtLine(cuts, arc, fluid.min.x - arc.centre.x, true);
+    const double start = arc.start, sweep = arc.sweep, half = fluid.max.x, depth = fluid.max.y;
     cuts.forPieces([&](double from, double to) {
         const double a = start + from * sweep, b = start + to * sweep;
         const SinCos middle = sinCos(static_cast<float>(0.5 * (a + b)));
@@ -130,7 +130,7 @@ void addArc(Sums& sums, const Arc& arc, const FluidBox& fluid) {
     });
 }
 
-Sums alongEdge(const Convex& convex, const Frame& toFluid, const FluidBox& fluid) {
+Sums alongEdge(const Convex& convex, const Frame& toFluid, const AABB& fluid) {
     Sums sums;
     if (convex.count == 1) {
         addArc(sums, {apply(toFluid, convex.corners()[0].point), convex.radius, -kPi, kTau}, fluid);
@@ -157,45 +157,44 @@ constexpr float kEndlessPool = 1.0e7f;
 /// A fluid in a frame whose y axis points along gravity.
 struct Fluid {
     WorldPosition surface;  // m: middle of the surface
-    Rot turn;               // from the frame of FluidBox to the world: x along the surface, y down
-    FluidBox box;
+    Rot turn;               // from the fluid's frame to the world: x along the surface, y down
+    AABB box;               // from the surface, y = 0, to the bottom
 };
 
 Fluid fluidOf(const World& world, const FieldDefinition& field) {
     const Vec2 gravity = world.settings.gravity;
     const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{0.0f, 1.0f};
     const Rot turn{down.y, -down.x};  // rotates (0, 1) to `down`
-    if (field.region == RegionKind::Everywhere) return {field.place, turn, {kEndlessPool, kEndlessPool}};
+    if (field.region == RegionKind::Everywhere)
+        return {field.place, turn, {{-kEndlessPool, 0.0f}, {kEndlessPool, kEndlessPool}}};
     const Vec2 half = field.region == RegionKind::Circle ? Vec2{field.radius, field.radius} : field.half;
     const float along = std::fabs(turn.cos) * half.x + std::fabs(turn.sin) * half.y;
     const float deep = std::fabs(turn.sin) * half.x + std::fabs(turn.cos) * half.y;
-    return {field.place + -deep * down, turn, {along, 2.0f * deep}};
+    return {field.place + -deep * down, turn, {{-along, 0.0f}, {along, 2.0f * deep}}};
 }
 
 }  // namespace
 
 Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corners, const Frame& toFluid,
-                        const FluidBox& fluid) {
+                        const AABB& fluid) {
     if (!shapeTypeOf(geometry.kind).solid) return {};
     const AABB bounds = boundsOf(geometry, corners, toFluid);
-    if (bounds.max.y <= 0.0f || bounds.min.y >= fluid.depth || bounds.max.x <= -fluid.half ||
-        bounds.min.x >= fluid.half) {
-        return {};
-    }
-    if (bounds.min.y >= 0.0f && bounds.max.y <= fluid.depth && bounds.min.x >= -fluid.half &&
-        bounds.max.x <= fluid.half) {
+    if (!intersects(bounds, fluid)) return {};
+    if (contains(fluid, bounds)) {
         const MassProperties whole = massProperties(geometry, corners, 1.0f);
-        return {whole.mass, apply(toFluid, whole.centre)};
+        return {whole.mass, apply(toFluid, whole.centre), bounds.size().x};
     }
     const Sums sums = alongEdge(convexOf(geometry, corners), toFluid, fluid);
     const double area = std::fabs(sums.area);
     if (!(area > 1.0e-12)) return {};
     return {static_cast<float>(area),
-            {static_cast<float>(sums.momentS / sums.area), static_cast<float>(sums.momentD / sums.area)}};
+            {static_cast<float>(sums.momentS / sums.area), static_cast<float>(sums.momentD / sums.area)},
+            bounds.size().x};
 }
 
 /// Archimedes' principle: each shape is lifted by the weight of the fluid that it displaces, at the centroid
-/// of its submerged part. Drag is proportional to the displaced mass.
+/// of its submerged part. Drag is proportional to the displaced mass. What is too strong for a step is
+/// reduced, together with the weight, to what a step can follow: depth and terminal velocity remain.
 Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
                       const BodyState& state) {
     const World& world = view.world;
@@ -206,6 +205,7 @@ Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::
     const Frame toFluid{unrotate(fluid.turn, origin), between(fluid.turn, state.rotation)};
     Acceleration sum;
     float displaced = 0.0f;  // kg
+    float stiffness = 0.0f;  // h k + (h w)^2 of decay (k, 1/s) and oscillation (w, rad/s), an upper bound
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
         const Submerged part =
             submergedPart(world.shapes.geometry[s], world.shapes.corners, toFluid, fluid.box);
@@ -213,10 +213,15 @@ Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::
         const float weight = field.density * part.area;
         const Vec2 arm = rotate(fluid.turn, part.centre) - (state.centre - fluid.surface);
         const Vec2 felt = field.velocity - (state.velocity + cross(state.angularVelocity, arm));
-        const float rate = std::min(field.linearDrag * weight, 1.0f / (view.h * mass.inverseMass));
-        const Vec2 force = -weight * world.settings.gravity + rate * felt;
+        const Vec2 force = -weight * world.settings.gravity + field.linearDrag * weight * felt;
         sum += {mass.inverseMass * force, mass.inverseInertia * cross(arm, force)};
         displaced += weight;
+        stiffness += (mass.inverseMass + mass.inverseInertia * lengthSquared(arm)) * view.h * field.density *
+                     (field.linearDrag * part.area + view.h * length(world.settings.gravity) * part.width);
+    }
+    if (stiffness > 1.0f) {
+        const Vec2 weight = world.bodies.driveOf(body).gravityScale * world.settings.gravity;
+        sum = {(sum.linear + weight) / stiffness - weight, sum.angular / stiffness};
     }
     const float rate = field.angularDrag * displaced * mass.inverseMass;
     if (mass.inverseInertia > 0.0f) sum.angular -= std::min(rate, 1.0f / view.h) * state.angularVelocity;

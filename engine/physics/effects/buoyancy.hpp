@@ -6,20 +6,16 @@
 
 namespace plumb::physics {
 
-/// A fluid between surface and bottom, in its own frame: x along the surface, y down.
-struct FluidBox {
-    float half = 0.0f;   ///< m: half width, to both sides of the origin
-    float depth = 0.0f;  ///< m
-};
-
 struct Submerged {
-    float area = 0.0f;  ///< m2
-    Vec2 centre;        ///< m: centroid, in the fluid's frame
+    float area = 0.0f;   ///< m2
+    Vec2 centre;         ///< m: centroid, in the fluid's frame
+    float width = 0.0f;  ///< m: of the whole outline along the surface
 };
 
 /// Exact for every outline, rounded corners included.
-/// @param toFluid  from the outline's frame to the fluid's
+/// @param toFluid  from the outline's frame to the fluid's: x along the surface, y down
+/// @param fluid    m: from the surface, y = 0, to the bottom
 Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corners, const Frame& toFluid,
-                        const FluidBox& fluid);
+                        const AABB& fluid);
 
 }  // namespace plumb::physics

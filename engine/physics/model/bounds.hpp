@@ -4,6 +4,10 @@
 
 namespace plumb::physics {
 
+constexpr bool contains(const AABB& outer, const AABB& inner) {
+    return inner.min.x >= outer.min.x && inner.min.y >= outer.min.y && inner.max.x <= outer.max.x &&
+           inner.max.y <= outer.max.y;
+}
 ProxyMotion motionOf(const World& world, std::uint32_t shape);
 
 /// The frame of a body's shapes in float, which is accurate near the origin only.

@@ -42,11 +42,6 @@ bool meetsSome(const World& world, std::uint32_t body) {
     return filters.layers != 0 && filters.masks != 0;
 }
 
-bool inside(const AABB& outer, const AABB& inner) {
-    return inner.min.x >= outer.min.x && inner.min.y >= outer.min.y && inner.max.x <= outer.max.x &&
-           inner.max.y <= outer.max.y;
-}
-
 /// As boundsOf(), with a fast path for axis-aligned boxes.
 AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) {
     const Geometry& outline = shapes.geometry[shape];
@@ -61,7 +56,7 @@ void updateShapes(World& world, std::uint32_t body, std::vector<std::uint32_t>& 
     Shapes& shapes = world.shapes;
     forShapesOf(world, body, [&](std::uint32_t s) {
         const AABB tight = tightBounds(shapes, s, frame);
-        if (inside(shapes.bounds[s], tight)) return;
+        if (contains(shapes.bounds[s], tight)) return;
         shapes.bounds[s] = grown(tight, shapes.info[s].margin);
         left.push_back(s);
     });
