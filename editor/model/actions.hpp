@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "editor/model/shortcut.hpp"
+#include "editor/model/input/shortcut.hpp"
 
 namespace plumb::editor {
 

@@ -5,11 +5,11 @@
 
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
-#include "editor/model/bounds.hpp"
 #include "editor/model/commands/change_components.hpp"
-#include "editor/model/entity_state.hpp"
-#include "editor/model/prefab_root.hpp"
-#include "editor/model/sight.hpp"
+#include "editor/model/document/bounds.hpp"
+#include "editor/model/document/entity_state.hpp"
+#include "editor/model/document/prefab_root.hpp"
+#include "editor/model/document/sight.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 
 namespace plumb::editor {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "editor/model/undo_stack.hpp"
+#include "editor/model/document/undo_stack.hpp"
 
 namespace plumb::editor {
 

@@ -5,8 +5,8 @@
 
 #include "core/log.hpp"
 #include "core/text.hpp"
-#include "editor/model/prefab_file.hpp"
-#include "editor/model/prefab_root.hpp"
+#include "editor/model/document/prefab_file.hpp"
+#include "editor/model/document/prefab_root.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_members.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "editor/model/commands/insert_entities.hpp"
-#include "editor/model/prefab_edit.hpp"
+#include "editor/model/prefabs/prefab_edit.hpp"
 
 namespace plumb::editor {
 

@@ -5,8 +5,8 @@
 #include "core/text.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/commands/set_field.hpp"
-#include "editor/model/field_number.hpp"
-#include "editor/model/root_place.hpp"
+#include "editor/model/document/field_number.hpp"
+#include "editor/model/document/root_place.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "editor/model/expression.hpp"
-#include "editor/model/field_value.hpp"
+#include "editor/model/document/expression.hpp"
+#include "editor/model/document/field_value.hpp"
 
 namespace plumb::editor {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/result.hpp"
-#include "editor/model/field_value.hpp"
+#include "editor/model/document/field_value.hpp"
 
 namespace plumb::editor {
 

@@ -1,8 +1,8 @@
 #include "editor/model/problems.hpp"
 
 #include "core/text.hpp"
-#include "editor/model/tile_brush.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/tile_brush.hpp"
 
 namespace plumb::editor {
 

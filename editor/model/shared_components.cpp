@@ -6,7 +6,7 @@
 
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
-#include "editor/model/field_number.hpp"
+#include "editor/model/document/field_number.hpp"
 #include "editor/model/workspace.hpp"
 #include "reflect/compare.hpp"
 #include "scene/components/name.hpp"

@@ -5,10 +5,10 @@
 
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
-#include "editor/model/bounds.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/commands/reorder.hpp"
-#include "editor/model/prefab_root.hpp"
+#include "editor/model/document/bounds.hpp"
+#include "editor/model/document/prefab_root.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/world_transform.hpp"

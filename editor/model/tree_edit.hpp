@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "editor/model/commands/reparent.hpp"
-#include "editor/model/undo_stack.hpp"
+#include "editor/model/document/undo_stack.hpp"
 
 namespace plumb::editor {
 

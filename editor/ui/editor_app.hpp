@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/model/editor_options.hpp"
+#include "editor/model/project/editor_options.hpp"
 
 namespace plumb::editor::ui {
 

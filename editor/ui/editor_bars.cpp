@@ -5,8 +5,8 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/key_words.hpp"
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/input/key_words.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/model/problems.hpp"
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/panels/log_counts.hpp"

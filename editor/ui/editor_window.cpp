@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "editor/model/actions.hpp"
-#include "editor/model/project_habits.hpp"
-#include "editor/model/scene_of_game.hpp"
+#include "editor/model/play/scene_of_game.hpp"
+#include "editor/model/project/project_habits.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/prefab_strip.hpp"
 #include "editor/ui/toolbar.hpp"

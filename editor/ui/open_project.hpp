@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "editor/model/project_session.hpp"
+#include "editor/model/project/project_session.hpp"
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/imgui_renderer.hpp"
 #include "editor/ui/scene_picture.hpp"

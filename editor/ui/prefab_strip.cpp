@@ -4,7 +4,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/ui_compat.hpp"
 

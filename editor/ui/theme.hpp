@@ -4,7 +4,7 @@
 
 #include "core/file.hpp"
 #include "core/result.hpp"
-#include "editor/model/settings.hpp"
+#include "editor/model/project/settings.hpp"
 #include "editor/ui/theme_colors.hpp"
 
 namespace plumb::editor::ui {

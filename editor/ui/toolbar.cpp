@@ -6,7 +6,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/key_words.hpp"
+#include "editor/model/input/key_words.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/ui_compat.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/text.hpp"
-#include "editor/model/shortcut.hpp"
+#include "editor/model/input/shortcut.hpp"
 
 namespace plumb::editor::ui {
 namespace {

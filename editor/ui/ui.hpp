@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "editor/model/log_book.hpp"
+#include "editor/model/view/log_book.hpp"
 #include "editor/model/workspace.hpp"
 #include "editor/ui/theme.hpp"
 #include "editor/ui/widget_map.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/file.hpp"
-#include "editor/model/log_book.hpp"
-#include "editor/model/project_session.hpp"
+#include "editor/model/project/project_session.hpp"
+#include "editor/model/view/log_book.hpp"
 #include "editor/ui/editor_window.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "render/recording_device.hpp"

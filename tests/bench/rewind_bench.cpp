@@ -5,8 +5,8 @@
 
 #include "core/clock.hpp"
 #include "core/file.hpp"
-#include "editor/model/game_session.hpp"
-#include "editor/model/play_mode.hpp"
+#include "editor/model/play/game_session.hpp"
+#include "editor/model/play/play_mode.hpp"
 #include "platform/paths.hpp"
 #include "tests/bench/open_editor.hpp"
 #include "tests/editor/support/played_input.hpp"

@@ -10,7 +10,7 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
 #include "editor/model/tools/tile_tools.hpp"
 #include "physics/terrain/terrain_outlines.hpp"
 #include "platform/image_file.hpp"

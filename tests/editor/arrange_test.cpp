@@ -7,7 +7,7 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 

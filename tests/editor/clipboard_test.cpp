@@ -4,7 +4,7 @@
 
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/make_prefab.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/components/distance_joint.hpp"

@@ -4,7 +4,7 @@
 
 #include "core/random.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/make_prefab.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
 #include "editor/model/tools/select_tool.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

@@ -3,7 +3,7 @@
 
 #include "app/project.hpp"
 #include "core/random.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "tests/editor/support/dialog_fixture.hpp"
 #include "tests/editor/support/project_copy.hpp"
 

@@ -1,5 +1,5 @@
 #include "editor/model/commands/delete_entities.hpp"
-#include "editor/model/log_book.hpp"
+#include "editor/model/view/log_book.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 
 namespace plumb::editor {

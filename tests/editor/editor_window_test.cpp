@@ -2,7 +2,7 @@
 
 #include "assets/tileset.hpp"
 #include "core/random.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "scene/physics_state.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

@@ -1,6 +1,6 @@
 #include "app/effect_rows.hpp"
 #include "editor/model/effects/effects_view.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "gameplay/components/music.hpp"
 #include "scene/components/particle_emitter.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

@@ -1,4 +1,4 @@
-#include "editor/model/expression.hpp"
+#include "editor/model/document/expression.hpp"
 
 #include <cmath>
 #include <memory>

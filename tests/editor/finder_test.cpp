@@ -4,7 +4,7 @@
 
 #include "editor/model/actions.hpp"
 #include "editor/model/finder/fuzzy.hpp"
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

@@ -1,4 +1,4 @@
-#include "editor/model/id_table.hpp"
+#include "editor/model/document/id_table.hpp"
 
 #include <unordered_map>
 

@@ -3,7 +3,7 @@
 #include "app/project.hpp"
 #include "ecs/world.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/input_map_edit.hpp"
+#include "editor/model/assets/input_map_edit.hpp"
 #include "gameplay/components/toggle_key.hpp"
 #include "input/input.hpp"
 #include "reflect/json_text.hpp"

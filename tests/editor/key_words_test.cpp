@@ -1,10 +1,10 @@
 // What a message says of keys are the keys that the person has.
 
-#include "editor/model/key_words.hpp"
+#include "editor/model/input/key_words.hpp"
 
 #include "editor/model/actions.hpp"
+#include "editor/model/assets/input_map_edit.hpp"
 #include "editor/model/cost/scene_physics_edit.hpp"
-#include "editor/model/input_map_edit.hpp"
 #include "platform/image_file.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"

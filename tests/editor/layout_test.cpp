@@ -1,4 +1,4 @@
-#include "editor/model/layout.hpp"
+#include "editor/model/view/layout.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <imgui.h>
 
-#include "editor/model/log_view.hpp"
+#include "editor/model/view/log_view.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"

@@ -1,6 +1,6 @@
 #include "editor/model/actions.hpp"
-#include "editor/model/bounds.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/document/bounds.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "editor/ui/icons.hpp"
 #include "input/input.hpp"
 #include "physics/soft/softbody.hpp"

@@ -1,10 +1,10 @@
 // Prefabs made of what lies in the scene, and the list of what an instance has for itself.
 
-#include "editor/model/make_prefab.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
 
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/override_list.hpp"
+#include "editor/model/prefabs/override_list.hpp"
 #include "scene/components/distance_joint.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/world_transform.hpp"

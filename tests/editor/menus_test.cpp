@@ -1,7 +1,7 @@
 // The menus of the right button, and which of their lines can be chosen.
 
 #include "editor/model/actions.hpp"
-#include "editor/model/make_prefab.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

@@ -1,6 +1,6 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/particle_preview.hpp"
+#include "editor/model/view/particle_preview.hpp"
 #include "editor/ui/widgets/curve_edit.hpp"
 #include "editor/ui/widgets/field_row.hpp"
 #include "scene/components/camera.hpp"

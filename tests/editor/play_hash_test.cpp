@@ -5,8 +5,8 @@
 
 #include "app/scene_game.hpp"
 #include "core/file.hpp"
-#include "editor/model/game_session.hpp"
-#include "editor/model/play_mode.hpp"
+#include "editor/model/play/game_session.hpp"
+#include "editor/model/play/play_mode.hpp"
 #include "tests/app/project_replays.hpp"
 
 namespace plumb::editor {

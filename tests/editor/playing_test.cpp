@@ -1,7 +1,7 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/set_field.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/scene_requests.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

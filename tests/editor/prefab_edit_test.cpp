@@ -1,4 +1,4 @@
-#include "editor/model/prefab_edit.hpp"
+#include "editor/model/prefabs/prefab_edit.hpp"
 
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"

@@ -1,11 +1,11 @@
 // Several instances that are selected together, and their prefabs.
 
-#include "editor/model/prefab_group.hpp"
+#include "editor/model/prefabs/prefab_group.hpp"
 
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
-#include "editor/model/make_prefab.hpp"
-#include "editor/model/override_list.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
+#include "editor/model/prefabs/override_list.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

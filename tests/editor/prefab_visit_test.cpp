@@ -1,6 +1,6 @@
 // Opening the file of a prefab for editing, and coming back.
 
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
@@ -8,9 +8,9 @@
 #include "editor/model/assets/place_asset.hpp"
 #include "editor/model/clipboard.hpp"
 #include "editor/model/commands/set_field.hpp"
-#include "editor/model/make_prefab.hpp"
-#include "editor/model/prefab_file.hpp"
-#include "editor/model/prefab_root.hpp"
+#include "editor/model/document/prefab_file.hpp"
+#include "editor/model/document/prefab_root.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
 #include "editor/model/safety/save_beside.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "scene/components/distance_joint.hpp"

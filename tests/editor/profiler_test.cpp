@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

@@ -1,6 +1,6 @@
 // What is kept of a project between two sessions, beside it.
 
-#include "editor/model/project_habits.hpp"
+#include "editor/model/project/project_habits.hpp"
 
 #include "editor/model/actions.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

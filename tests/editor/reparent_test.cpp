@@ -2,7 +2,7 @@
 
 #include "core/random.hpp"
 #include "ecs/hierarchy.hpp"
-#include "editor/model/entity_state.hpp"
+#include "editor/model/document/entity_state.hpp"
 #include "math/angle.hpp"
 #include "scene/world_transform.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

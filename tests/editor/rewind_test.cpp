@@ -7,7 +7,7 @@
 
 #include "core/clock.hpp"
 #include "core/random.hpp"
-#include "editor/model/play_mode.hpp"
+#include "editor/model/play/play_mode.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/physics_state.hpp"

@@ -1,13 +1,13 @@
 // Where the first entity of a prefab stands is no part of its file: nothing moves it.
 
-#include "editor/model/root_place.hpp"
+#include "editor/model/document/root_place.hpp"
 
 #include "editor/model/actions.hpp"
 #include "editor/model/arrange.hpp"
+#include "editor/model/document/prefab_root.hpp"
 #include "editor/model/edit_fields.hpp"
-#include "editor/model/make_prefab.hpp"
-#include "editor/model/prefab_root.hpp"
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/model/tools/shape_spots.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

@@ -1,10 +1,10 @@
 // Long days at the editor: a person builds, tries, changes and saves levels of a real project, by mouse and
 // keys alone. What counts is what stands in the file at the end, and what is on the screen on the way.
 
-#include "editor/model/key_bindings.hpp"
-#include "editor/model/project_session.hpp"
-#include "editor/model/project_templates.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/input/key_bindings.hpp"
+#include "editor/model/project/project_session.hpp"
+#include "editor/model/project/project_templates.hpp"
 #include "scene/components.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

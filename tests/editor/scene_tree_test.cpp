@@ -1,13 +1,13 @@
 // The tree of the scene: filter, order, families, several at once, eye and lock.
 
-#include "editor/model/scene_tree.hpp"
+#include "editor/model/document/scene_tree.hpp"
 
 #include "core/random.hpp"
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/bounds.hpp"
 #include "editor/model/commands/reorder.hpp"
-#include "editor/model/sight.hpp"
+#include "editor/model/document/bounds.hpp"
+#include "editor/model/document/sight.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "scene/world_transform.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

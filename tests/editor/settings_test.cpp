@@ -1,4 +1,4 @@
-#include "editor/model/settings.hpp"
+#include "editor/model/project/settings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "core/random.hpp"
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
 #include "math/angle.hpp"
 #include "scene/components.hpp"
 #include "scene/world_transform.hpp"

@@ -7,7 +7,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/machine_preview.hpp"
 #include "editor/model/assets/state_machine_edit.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "scene/components/animator.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"

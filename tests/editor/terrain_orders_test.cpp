@@ -5,7 +5,7 @@
 
 #include "assets/autotile.hpp"
 #include "core/random.hpp"
-#include "editor/model/terrain_paint.hpp"
+#include "editor/model/tiles/terrain_paint.hpp"
 #include "tests/editor/support/terrain_set.hpp"
 
 namespace plumb::editor {

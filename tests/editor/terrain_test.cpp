@@ -2,8 +2,8 @@
 
 #include "assets/autotile.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/tile_layer_edit.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/tile_layer_edit.hpp"
 #include "editor/model/tools/tile_tools.hpp"
 #include "tests/editor/support/tile_scene.hpp"
 

@@ -3,9 +3,9 @@
 #include <set>
 
 #include "editor/model/actions.hpp"
-#include "editor/model/cell_shapes.hpp"
-#include "editor/model/tile_clipboard.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/cell_shapes.hpp"
+#include "editor/model/tiles/tile_clipboard.hpp"
 #include "tests/editor/support/tile_scene.hpp"
 
 namespace plumb::editor {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "editor/model/actions.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
 #include "scene/components/tile_collider.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/editor/support/tile_scene.hpp"

@@ -1,9 +1,9 @@
-#include "editor/model/tileset_edit.hpp"
+#include "editor/model/tiles/tileset_edit.hpp"
 
 #include <array>
 
-#include "editor/model/tile_layers.hpp"
-#include "editor/model/tile_palette.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/tile_palette.hpp"
 #include "tests/editor/support/tile_scene.hpp"
 
 namespace plumb::editor {

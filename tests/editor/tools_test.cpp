@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "editor/model/actions.hpp"
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
+#include "editor/model/document/tile_layers.hpp"
 #include "editor/model/tools/move_tool.hpp"
 #include "editor/model/tools/rotate_tool.hpp"
 #include "editor/model/tools/scale_tool.hpp"
 #include "editor/model/tools/select_tool.hpp"
-#include "editor/model/tile_layers.hpp"
 #include "editor/model/tools/tile_tools.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdlib>
 
-#include "editor/model/game_session.hpp"
-#include "editor/model/project_session.hpp"
+#include "editor/model/play/game_session.hpp"
+#include "editor/model/project/project_session.hpp"
 #include "editor/ui/tour.hpp"
 #include "gameplay/components/goal.hpp"
 #include "gameplay/components/patrol.hpp"

@@ -3,19 +3,19 @@
 
 #include <fstream>
 
+#include "editor/model/assets/input_map_edit.hpp"
 #include "editor/model/clipboard.hpp"
 #include "editor/model/headless/asset_names.hpp"
-#include "editor/model/input_map_edit.hpp"
-#include "editor/model/make_prefab.hpp"
-#include "editor/model/override_list.hpp"
-#include "editor/model/prefab_edit.hpp"
-#include "editor/model/project_habits.hpp"
-#include "editor/model/project_templates.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
+#include "editor/model/prefabs/override_list.hpp"
+#include "editor/model/prefabs/prefab_edit.hpp"
+#include "editor/model/project/project_habits.hpp"
+#include "editor/model/project/project_templates.hpp"
+#include "editor/model/project/settings.hpp"
 #include "editor/model/safety/journal.hpp"
 #include "editor/model/safety/scene_differences.hpp"
-#include "editor/model/settings.hpp"
-#include "editor/model/tile_clipboard.hpp"
-#include "editor/model/view_file.hpp"
+#include "editor/model/tiles/tile_clipboard.hpp"
+#include "editor/model/view/view_file.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/support/type_swaps.hpp"
 

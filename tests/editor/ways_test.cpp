@@ -3,7 +3,7 @@
 
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/set_field.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "gameplay/components/player_controller.hpp"
 #include "scene/components/rigid_body.hpp"
 #include "tests/editor/support/editor_fixture.hpp"

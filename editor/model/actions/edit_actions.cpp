@@ -5,8 +5,8 @@
 #include "editor/model/clipboard.hpp"
 #include "editor/model/commands/delete_entities.hpp"
 #include "editor/model/commands/place_copies.hpp"
-#include "editor/model/prefab_root.hpp"
-#include "editor/model/sight.hpp"
+#include "editor/model/document/prefab_root.hpp"
+#include "editor/model/document/sight.hpp"
 
 namespace plumb::editor {
 namespace {

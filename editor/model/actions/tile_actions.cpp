@@ -3,9 +3,9 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions/action_rows.hpp"
-#include "editor/model/tile_clipboard.hpp"
-#include "editor/model/tile_layer_edit.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/tile_clipboard.hpp"
+#include "editor/model/tiles/tile_layer_edit.hpp"
 #include "editor/model/tools/move_tiles_tool.hpp"
 
 namespace plumb::editor {

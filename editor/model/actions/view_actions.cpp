@@ -2,7 +2,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions/action_rows.hpp"
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
 
 namespace plumb::editor {
 namespace {

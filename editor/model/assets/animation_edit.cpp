@@ -8,7 +8,7 @@
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/assets/state_machine_edit.hpp"
 #include "editor/model/commands/write_asset.hpp"
-#include "editor/model/key_words.hpp"
+#include "editor/model/input/key_words.hpp"
 
 namespace plumb::editor {
 namespace {

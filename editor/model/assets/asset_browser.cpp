@@ -2,8 +2,8 @@
 
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
+#include "editor/model/assets/move_asset.hpp"
 #include "editor/model/assets/place_asset.hpp"
-#include "editor/model/commands/move_asset.hpp"
 
 namespace plumb::editor {
 

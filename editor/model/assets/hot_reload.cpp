@@ -5,7 +5,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/assets/reload_document.hpp"
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/commands/insert_entities.hpp"
-#include "editor/model/prefab_root.hpp"
+#include "editor/model/document/prefab_root.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "gameplay/components/music.hpp"
 #include "reflect/json.hpp"

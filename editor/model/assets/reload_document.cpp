@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/log.hpp"
-#include "editor/model/prefab_file.hpp"
+#include "editor/model/document/prefab_file.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/loaded_scene.hpp"

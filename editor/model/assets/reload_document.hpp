@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "editor/model/document.hpp"
+#include "editor/model/document/document.hpp"
 #include "scene/scene_file.hpp"
 
 namespace plumb::editor {

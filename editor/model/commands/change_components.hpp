@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "editor/model/command.hpp"
-#include "editor/model/field_value.hpp"
+#include "editor/model/document/command.hpp"
+#include "editor/model/document/field_value.hpp"
 
 namespace plumb::editor {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/command.hpp"
-#include "editor/model/field_value.hpp"
+#include "editor/model/document/command.hpp"
+#include "editor/model/document/field_value.hpp"
 
 namespace plumb::editor {
 

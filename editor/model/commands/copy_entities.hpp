@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/command.hpp"
-#include "editor/model/entity_state.hpp"
+#include "editor/model/document/command.hpp"
+#include "editor/model/document/entity_state.hpp"
 
 namespace plumb::editor {
 

@@ -1,7 +1,7 @@
 #include "editor/model/commands/insert_entities.hpp"
 
 #include "core/text.hpp"
-#include "editor/model/prefab_root.hpp"
+#include "editor/model/document/prefab_root.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/transform.hpp"

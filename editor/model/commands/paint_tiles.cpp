@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "editor/model/document.hpp"
+#include "editor/model/document/document.hpp"
 #include "scene/components/tile_layer.hpp"
 
 namespace plumb::editor {

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "editor/model/command.hpp"
-#include "editor/model/object_id.hpp"
+#include "editor/model/document/command.hpp"
+#include "editor/model/document/object_id.hpp"
 #include "math/tile_grid.hpp"
 #include "reflect/field_types.hpp"
 

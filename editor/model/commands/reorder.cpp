@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/model/document.hpp"
+#include "editor/model/document/document.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
 

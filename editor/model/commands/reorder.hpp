@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/command.hpp"
-#include "editor/model/object_id.hpp"
+#include "editor/model/document/command.hpp"
+#include "editor/model/document/object_id.hpp"
 
 namespace plumb::editor {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ecs/hierarchy.hpp"
-#include "editor/model/document.hpp"
+#include "editor/model/document/document.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/world_transform.hpp"
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "editor/model/command.hpp"
-#include "editor/model/object_id.hpp"
+#include "editor/model/document/command.hpp"
+#include "editor/model/document/object_id.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor {

@@ -4,8 +4,8 @@
 
 #include "assets/asset_store.hpp"
 #include "core/file.hpp"
-#include "editor/model/file_command.hpp"
-#include "editor/model/undo_stack.hpp"
+#include "editor/model/document/file_command.hpp"
+#include "editor/model/document/undo_stack.hpp"
 
 namespace plumb::editor {
 

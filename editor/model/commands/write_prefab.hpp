@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/file.hpp"
-#include "editor/model/command.hpp"
-#include "editor/model/field_value.hpp"
+#include "editor/model/document/command.hpp"
+#include "editor/model/document/field_value.hpp"
 #include "scene/prefab.hpp"
 
 namespace plumb::editor {

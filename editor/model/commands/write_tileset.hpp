@@ -3,7 +3,7 @@
 #include <string>
 
 #include "assets/asset_store.hpp"
-#include "editor/model/file_command.hpp"
+#include "editor/model/document/file_command.hpp"
 
 namespace plumb::editor {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "editor/model/object_id.hpp"
+#include "editor/model/document/object_id.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/world.hpp"
 #include "scene/physics_units.hpp"

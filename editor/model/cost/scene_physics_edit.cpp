@@ -6,7 +6,7 @@
 #include "core/text.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/edit_fields.hpp"
-#include "editor/model/key_words.hpp"
+#include "editor/model/input/key_words.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/components/camera.hpp"
 #include "scene/components/scene_entity.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/field_value.hpp"
+#include "editor/model/document/field_value.hpp"
 #include "physics/settings.hpp"
 #include "scene/components/scene_physics.hpp"
 #include "scene/physics_units.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/clock.hpp"
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/body_sync.hpp"
 #include "scene/components/scene_entity.hpp"

@@ -1,7 +1,7 @@
 #include "editor/model/effects/set_effect_pin.hpp"
 
 #include "core/text.hpp"
-#include "editor/model/document.hpp"
+#include "editor/model/document/document.hpp"
 #include "scene/effect_table.hpp"
 #include "scene/loaded_scene.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ecs/system_gates.hpp"
-#include "editor/model/command.hpp"
+#include "editor/model/document/command.hpp"
 #include "reflect/json.hpp"
 
 namespace plumb::editor {

@@ -7,9 +7,9 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "editor/model/action_groups.hpp"
-#include "editor/model/prefab_edit.hpp"
-#include "editor/model/prefab_visit.hpp"
-#include "editor/model/project_habits.hpp"
+#include "editor/model/prefabs/prefab_edit.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
+#include "editor/model/project/project_habits.hpp"
 #include "editor/model/tools/tool.hpp"
 #include "editor/model/workspace.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/document/object_id.hpp"
 #include "editor/model/finder/fuzzy.hpp"
-#include "editor/model/object_id.hpp"
 
 namespace plumb::editor {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ecs/snapshot.hpp"
-#include "editor/model/play_mode.hpp"
+#include "editor/model/play/play_mode.hpp"
 
 namespace plumb::editor {
 

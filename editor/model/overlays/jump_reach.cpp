@@ -6,7 +6,7 @@
 
 #include "core/clock.hpp"
 #include "ecs/world.hpp"
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
 #include "gameplay/components/player_controller.hpp"
 #include "gameplay/components/respawn.hpp"
 #include "input/input.hpp"

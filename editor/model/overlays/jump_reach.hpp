@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ecs/snapshot.hpp"
-#include "editor/model/play_mode.hpp"
+#include "editor/model/play/play_mode.hpp"
 #include "math/rect.hpp"
 
 namespace plumb::editor {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/profile.hpp"
-#include "editor/model/play_mode.hpp"
+#include "editor/model/play/play_mode.hpp"
 #include "physics/manifest.hpp"
 
 namespace plumb {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/file_lock.hpp"
-#include "editor/model/document.hpp"
+#include "editor/model/document/document.hpp"
+#include "editor/model/document/undo_stack.hpp"
 #include "editor/model/safety/journal_writer.hpp"
-#include "editor/model/undo_stack.hpp"
 
 namespace plumb::editor {
 

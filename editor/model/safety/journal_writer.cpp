@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/assert.hpp"
-#include "editor/model/prefab_file.hpp"
+#include "editor/model/document/prefab_file.hpp"
 #include "scene/physics_state.hpp"
 #include "scene/prefab.hpp"
 

@@ -1,7 +1,7 @@
 #include "editor/model/safety/save_beside.hpp"
 
 #include "core/text.hpp"
-#include "editor/model/prefab_file.hpp"
+#include "editor/model/document/prefab_file.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {

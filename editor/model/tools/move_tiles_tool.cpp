@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "editor/model/cell_shapes.hpp"
-#include "editor/model/tile_brush.hpp"
+#include "editor/model/tiles/cell_shapes.hpp"
+#include "editor/model/tiles/tile_brush.hpp"
 #include "editor/model/tools/tile_marks.hpp"
 #include "scene/components/tile_layer.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
 #include "editor/model/tools/tool.hpp"
 
 namespace plumb::editor {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "editor/model/bounds.hpp"
 #include "editor/model/commands/copy_entities.hpp"
+#include "editor/model/document/bounds.hpp"
 
 namespace plumb::editor {
 namespace {

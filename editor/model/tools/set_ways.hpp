@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "editor/model/overlay.hpp"
 #include "editor/model/tools/shape_spots.hpp"
+#include "editor/model/view/overlay.hpp"
 
 namespace plumb::editor {
 

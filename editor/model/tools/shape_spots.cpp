@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ecs/hierarchy.hpp"
-#include "editor/model/prefab_root.hpp"
+#include "editor/model/document/prefab_root.hpp"
 #include "editor/model/tools/set_ways.hpp"
 #include "math/angle.hpp"
 #include "scene/components/box_collider.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "editor/model/cell_selection.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/cell_selection.hpp"
+#include "editor/model/document/tile_layers.hpp"
 #include "editor/model/tools/tool.hpp"
 
 namespace plumb::editor::marks {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "editor/model/cell_shapes.hpp"
+#include "editor/model/tiles/cell_shapes.hpp"
 #include "editor/model/tools/tile_marks.hpp"
 #include "scene/components/tile_layer.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "editor/model/tile_brush.hpp"
+#include "editor/model/tiles/tile_brush.hpp"
 #include "editor/model/tools/tool.hpp"
 
 namespace plumb::editor {

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "editor/model/document.hpp"
-#include "editor/model/overlay.hpp"
-#include "editor/model/tile_paint.hpp"
-#include "editor/model/undo_stack.hpp"
+#include "editor/model/document/document.hpp"
+#include "editor/model/document/tile_paint.hpp"
+#include "editor/model/document/undo_stack.hpp"
+#include "editor/model/view/overlay.hpp"
 #include "platform/events.hpp"
 
 namespace plumb::editor {

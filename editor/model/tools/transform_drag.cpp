@@ -5,9 +5,9 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "editor/model/commands/change_components.hpp"
-#include "editor/model/entity_state.hpp"
-#include "editor/model/prefab_root.hpp"
-#include "editor/model/sight.hpp"
+#include "editor/model/document/entity_state.hpp"
+#include "editor/model/document/prefab_root.hpp"
+#include "editor/model/document/sight.hpp"
 #include "math/angle.hpp"
 
 namespace plumb::editor {

@@ -5,7 +5,7 @@
 #include <imgui.h>
 
 #include "core/text.hpp"
-#include "editor/model/key_words.hpp"
+#include "editor/model/input/key_words.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/dialog.hpp"
 #include "editor/ui/widgets/text_field.hpp"

@@ -5,9 +5,9 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/key_words.hpp"
-#include "editor/model/make_prefab.hpp"
-#include "editor/model/prefab_names.hpp"
+#include "editor/model/input/key_words.hpp"
+#include "editor/model/prefabs/make_prefab.hpp"
+#include "editor/model/prefabs/prefab_names.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/dialog.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/override_list.hpp"
+#include "editor/model/prefabs/override_list.hpp"
 #include "editor/ui/ui.hpp"
 
 namespace plumb::editor::ui {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "editor/model/overlay.hpp"
+#include "editor/model/view/overlay.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor::ui {

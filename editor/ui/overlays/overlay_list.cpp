@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
 #include "editor/ui/overlays/cost_overlays.hpp"
 #include "editor/ui/overlays/tile_collision.hpp"
 #include "editor/ui/overlays/way_overlays.hpp"

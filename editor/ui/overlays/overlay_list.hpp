@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "editor/model/overlay.hpp"
+#include "editor/model/view/overlay.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor::ui {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
 #include "render/view.hpp"
 #include "scene/components/tile_collider.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/model/overlay.hpp"
+#include "editor/model/view/overlay.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor::ui {

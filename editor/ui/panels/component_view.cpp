@@ -5,9 +5,9 @@
 
 #include "core/text.hpp"
 #include "editor/model/commands/change_components.hpp"
-#include "editor/model/field_number.hpp"
+#include "editor/model/document/field_number.hpp"
+#include "editor/model/document/root_place.hpp"
 #include "editor/model/field_text.hpp"
-#include "editor/model/root_place.hpp"
 #include "editor/model/workspace.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/ui_compat.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/prefab_edit.hpp"
+#include "editor/model/prefabs/prefab_edit.hpp"
 #include "editor/model/shared_components.hpp"
 #include "editor/ui/widgets/field_edit.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/log_view.hpp"
+#include "editor/model/view/log_view.hpp"
 #include "editor/ui/panels/log_counts.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"

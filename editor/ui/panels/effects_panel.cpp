@@ -3,7 +3,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/effects/effects_view.hpp"
-#include "editor/model/prefab_visit.hpp"
+#include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "core/text.hpp"
-#include "editor/model/input_map_edit.hpp"
+#include "editor/model/assets/input_map_edit.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/text_field.hpp"

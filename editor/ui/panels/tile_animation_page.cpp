@@ -1,4 +1,4 @@
-#include "editor/model/tileset_edit.hpp"
+#include "editor/model/tiles/tileset_edit.hpp"
 #include "editor/ui/panels/tileset_panel.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "editor/model/actions.hpp"
-#include "editor/model/tile_layer_edit.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/tile_layer_edit.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "scene/components/tile_layer.hpp"

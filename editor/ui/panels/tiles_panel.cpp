@@ -3,9 +3,9 @@
 
 #include "assets/asset_store.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/tile_brush.hpp"
-#include "editor/model/tile_layers.hpp"
-#include "editor/model/tileset_edit.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/tile_brush.hpp"
+#include "editor/model/tiles/tileset_edit.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/panels/tile_layer_list.hpp"
 #include "editor/ui/ui_compat.hpp"

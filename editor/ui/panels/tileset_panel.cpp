@@ -4,8 +4,8 @@
 #include <array>
 
 #include "assets/asset_store.hpp"
-#include "editor/model/tile_layers.hpp"
-#include "editor/model/tileset_edit.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/tiles/tileset_edit.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"

@@ -4,7 +4,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/commands/change_components.hpp"
-#include "editor/model/name_filter.hpp"
+#include "editor/model/document/name_filter.hpp"
 #include "editor/model/workspace.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/pickers.hpp"

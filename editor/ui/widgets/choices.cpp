@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/text.hpp"
-#include "editor/model/tile_stamp.hpp"
+#include "editor/model/document/tile_stamp.hpp"
 #include "editor/model/workspace.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "math/color.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "editor/model/field_number.hpp"
+#include "editor/model/document/field_number.hpp"
 #include "editor/ui/ui_compat.hpp"
 
 namespace plumb::editor::ui {

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "core/text.hpp"
-#include "editor/model/field_number.hpp"
+#include "editor/model/document/field_number.hpp"
 #include "editor/model/field_text.hpp"
 #include "editor/model/workspace.hpp"
 #include "editor/ui/ui_compat.hpp"

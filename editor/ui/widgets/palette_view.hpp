@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "editor/model/tile_palette.hpp"
+#include "editor/model/tiles/tile_palette.hpp"
 #include "editor/ui/ui.hpp"
 
 namespace plumb::editor::ui {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "editor/model/overlay.hpp"
-#include "editor/model/particle_preview.hpp"
+#include "editor/model/view/overlay.hpp"
+#include "editor/model/view/particle_preview.hpp"
 #include "editor/ui/ui.hpp"
 
 namespace plumb::editor::ui {

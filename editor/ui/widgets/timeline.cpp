@@ -5,7 +5,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/key_words.hpp"
+#include "editor/model/input/key_words.hpp"
 #include "editor/ui/icons.hpp"
 
 namespace plumb::editor::ui {

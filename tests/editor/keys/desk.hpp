@@ -4,9 +4,9 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/game_session.hpp"
-#include "editor/model/key_bindings.hpp"
-#include "editor/model/tile_layers.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "editor/model/input/key_bindings.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

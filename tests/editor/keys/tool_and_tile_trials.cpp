@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/model/tile_clipboard.hpp"
+#include "editor/model/tiles/tile_clipboard.hpp"
 #include "tests/editor/keys/desk.hpp"
 
 namespace plumb::editor::ui {

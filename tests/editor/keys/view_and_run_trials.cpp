@@ -1,6 +1,6 @@
 #include <array>
 
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
 #include "tests/editor/keys/desk.hpp"
 
 namespace plumb::editor::ui {

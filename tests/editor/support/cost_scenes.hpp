@@ -6,7 +6,7 @@
 #include "core/text.hpp"
 #include "editor/model/cost/advice.hpp"
 #include "editor/model/cost/what_if.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 
 namespace plumb::editor {

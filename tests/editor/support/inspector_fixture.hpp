@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

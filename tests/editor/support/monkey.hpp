@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
-#include "editor/model/bounds.hpp"
+#include "editor/model/document/bounds.hpp"
 #include "tests/editor/support/hands.hpp"
 
 namespace plumb::editor::ui {

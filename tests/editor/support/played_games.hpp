@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/file.hpp"
-#include "editor/model/game_session.hpp"
+#include "editor/model/play/game_session.hpp"
 #include "tests/app/platformer.hpp"
 #include "tests/editor/support/played_input.hpp"
 #include "tests/support/places.hpp"

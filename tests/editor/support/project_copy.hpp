@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/file.hpp"
-#include "editor/model/project_session.hpp"
+#include "editor/model/project/project_session.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/model/cell_selection.hpp"
+#include "editor/model/document/cell_selection.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/terrain_set.hpp"
 

@@ -1,0 +1,203 @@
+#include "editor/model/document/bounds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "editor/model/document/scene_boxes.hpp"
+#include "editor/model/document/sight.hpp"
+#include "editor/model/document/tile_layers.hpp"
+#include "math/angle.hpp"
+#include "scene/components/attractor.hpp"
+#include "scene/components/box_collider.hpp"
+#include "scene/components/buoyancy_field.hpp"
+#include "scene/components/capsule_collider.hpp"
+#include "scene/components/chain_collider.hpp"
+#include "scene/components/circle_collider.hpp"
+#include "scene/components/gravity_field.hpp"
+#include "scene/components/label.hpp"
+#include "scene/components/parallax_layer.hpp"
+#include "scene/components/polygon_collider.hpp"
+#include "scene/components/prefab_instance.hpp"
+#include "scene/components/sprite.hpp"
+#include "scene/components/tile_layer.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/components/wind_field.hpp"
+#include "scene/rough_text.hpp"
+#include "scene/soft_sync.hpp"
+#include "scene/tile_bodies.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr float kMarkSize = 8.0f;  // px, half a side: what has no picture
+
+AABB turnedBox(const Pose& pose, Vec2 from, Vec2 size) {
+    const std::array<Vec2, 4> corners{from, from + Vec2{size.x, 0.0f}, from + size,
+                                      from + Vec2{0.0f, size.y}};
+    AABB box;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 at = pose.position + rotated(scaled(corners[i], pose.scale), pose.rotation);
+        box = i == 0 ? AABB{at, at} : AABB{min(box.min, at), max(box.max, at)};
+    }
+    return box;
+}
+
+/// Offsets of boxes and circles do not grow with the entity, points of outlines do.
+template <class Add>
+void addColliders(const World& world, EntityId entity, const Pose& pose, Add&& add) {
+    const Pose turned{pose.position, pose.rotation, {1.0f, 1.0f}};
+    const Vec2 size{std::abs(pose.scale.x), std::abs(pose.scale.y)};
+    if (const auto* box = world.find<BoxCollider>(entity))
+        add(turnedBox(turned, box->offset, scaled({box->width, box->height}, size)));
+    if (const auto* capsule = world.find<CapsuleCollider>(entity))
+        add(turnedBox(turned, capsule->offset, scaled({capsule->width, capsule->height}, size)));
+    if (const auto* circle = world.find<CircleCollider>(entity)) {
+        const float radius = circle->radius * std::max(size.x, size.y);
+        const Vec2 center = pose.position + rotated(circle->offset, pose.rotation);
+        add(grown({center, center}, radius));
+    }
+    const auto addPoints = [&](const auto& points, Vec2 offset, float margin) {
+        for (const Vec2 point : points) {
+            const Vec2 at = pose.position + rotated(scaled(point + offset, pose.scale), pose.rotation);
+            add(grown({at, at}, margin));
+        }
+    };
+    if (const auto* polygon = world.find<PolygonCollider>(entity))
+        addPoints(polygon->points, polygon->offset, polygon->rounding);
+    if (const auto* chain = world.find<ChainCollider>(entity)) addPoints(chain->points, {}, 0.0f);
+}
+
+int layerOf(const World& world, EntityId entity) {
+    if (const Sprite* sprite = world.find<Sprite>(entity)) return sprite->layer;
+    if (const Label* label = world.find<Label>(entity)) return label->layer;
+    if (const TileLayer* tiles = world.find<TileLayer>(entity)) return tiles->layer;
+    return 0;
+}
+
+/// Where a field acts that has a size of its own and neither collider nor picture: px from the Transform.
+Vec2 regionOf(const World& world, EntityId entity) {
+    if (world.has<Sprite>(entity) || world.has<BoxCollider>(entity) || world.has<CircleCollider>(entity))
+        return {};
+    const FieldRegion* region = nullptr;
+    const auto look = [&](const FieldRegion* field) { region = field != nullptr ? field : region; };
+    look(world.find<WindField>(entity));
+    look(world.find<GravityField>(entity));
+    look(world.find<BuoyancyField>(entity));
+    look(world.find<Attractor>(entity));
+    return region != nullptr ? region->size : Vec2{};
+}
+
+/// A layer is only where it has tiles: one reaches through its holes.
+bool isHole(const Document& document, ObjectId id, EntityId entity, Vec2 point) {
+    const auto* layer = document.world.find<TileLayer>(entity);
+    const TileGrid* grid = layer != nullptr ? document.world.tiles().find(layer->cells) : nullptr;
+    if (grid == nullptr) return false;
+    const CellPlace place = cellAt(document, id, point);
+    return !grid->has(place.x, place.y) || grid->at(place.x, place.y) == 0;
+}
+
+/// The whole instance where something is a part of a prefab, unless the part is selected already.
+ObjectId meantBy(const Document& document, ObjectId id) {
+    const PrefabPart* part = document.world.find<PrefabPart>(document.find(id));
+    if (part == nullptr || document.selection.has(id)) return id;
+    const ObjectId root{part->instance};
+    return document.find(root) ? root : id;
+}
+
+}  // namespace
+
+bool isGround(const World& world, EntityId entity) {
+    return world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity) ||
+           regionOf(world, entity) != Vec2{};
+}
+
+bool isSomewhere(const World& world, EntityId entity) {
+    return world.alive(entity) && world.has<Transform>(entity);
+}
+
+AABB boundsOf(const World& world, EntityId entity) {
+    const Pose pose = worldPose(world, entity);
+    std::optional<AABB> box;
+    const auto add = [&](const AABB& part) { box = box ? merged(*box, part) : part; };
+    if (const Sprite* sprite = world.find<Sprite>(entity)) {
+        const Vec2 size{static_cast<float>(sprite->width), static_cast<float>(sprite->height)};
+        add(turnedBox(pose, -scaled(sprite->pivot, size), size));
+    }
+    if (const TileLayer* layer = world.find<TileLayer>(entity)) {
+        if (const TileGrid* grid = world.tiles().find(layer->cells)) {
+            const Vec2 cells{static_cast<float>(grid->width()), static_cast<float>(grid->height())};
+            add(turnedBox(pose, {}, scaled(tileSizeOf(world, *layer), cells)));
+        }
+    }
+    if (const Label* label = world.find<Label>(entity)) {
+        const AABB text = roughTextBox(world, *label);
+        add(turnedBox(pose, text.min, text.size()));
+    }
+    addColliders(world, entity, pose, add);
+    if (const auto soft = softBounds(world, entity)) add(*soft);
+    if (const Vec2 size = regionOf(world, entity); size != Vec2{})
+        add({pose.position, pose.position + scaled(size, {std::abs(pose.scale.x), std::abs(pose.scale.y)})});
+    if (!box) return grown({pose.position, pose.position}, kMarkSize);
+    return {min(box->min, box->max), max(box->min, box->max)};
+}
+
+std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectId>& objects) {
+    std::optional<AABB> box;
+    for (const ObjectId id : objects) {
+        const EntityId entity = document.find(id);
+        if (!isSomewhere(document.world, entity)) continue;
+        const AABB part = boundsOf(document.world, entity);
+        if (isFinite(part.min) && isFinite(part.max)) box = box ? merged(*box, part) : part;
+    }
+    return box;
+}
+
+std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach) {
+    struct Hit {
+        bool ground;
+        int layer;
+        std::size_t place;
+        ObjectId id;
+    };
+    std::vector<Hit> hits;
+    const std::vector<ObjectId>& all = document.objects();
+    const SceneBoxes& boxes = document.boxes();
+    boxes.eachTouching(grown({point, point}, reach), [&](std::size_t i) {
+        const EntityId entity = document.find(all[i]);
+        if (isOutOfHand(document, all[i]) || isHole(document, all[i], entity, point)) return;
+        hits.push_back({isGround(document.world, entity), layerOf(document.world, entity), i, all[i]});
+    });
+    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+        if (a.ground != b.ground) return b.ground;
+        return a.layer != b.layer ? a.layer > b.layer : a.place > b.place;
+    });
+    std::vector<ObjectId> ids;
+    for (const Hit& hit : hits) {
+        ids.push_back(hit.id);
+    }
+    return ids;
+}
+
+ObjectId pickFirst(const Document& document, Vec2 point, float reach) {
+    const std::vector<ObjectId> hits = pickAll(document, point, reach);
+    return hits.empty() ? ObjectId{} : meantBy(document, hits.front());
+}
+
+std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
+    std::vector<ObjectId> ids;
+    std::set<std::uint64_t> taken;  // an instance is met once for each of its parts
+    const std::vector<ObjectId>& all = document.objects();
+    const SceneBoxes& boxes = document.boxes();
+    boxes.eachTouching(box, [&](std::size_t i) {
+        if (!intersects(boxes.at(i), box)) return;
+        if (isOutOfHand(document, all[i]) || isGround(document.world, document.find(all[i]))) return;
+        const ObjectId meant = meantBy(document, all[i]);
+        if (taken.insert(meant.value).second) ids.push_back(meant);
+    });
+    return ids;
+}
+
+}  // namespace plumb::editor

@@ -1,0 +1,162 @@
+#include "editor/model/project/project_templates.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.hpp"
+#include "platform/paths.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr std::array kTemplates{
+    ProjectTemplate{"empty", "Empty", "One scene with a camera. Begin here to make your own game.", "", ""},
+    ProjectTemplate{"kit", "Platformer kit",
+                    "Tiles, creatures, sounds and an empty level: paint your own. The tutorial begins here.",
+                    "platformer", "platformer-kit"},
+    ProjectTemplate{"platformer", "Platformer",
+                    "A copy of the game that comes with Plumb: four levels, enemies, music. Change it.",
+                    "platformer", ""}};
+
+constexpr std::string_view kFirstScene = R"({
+  "format": 1,
+  "effects": {},
+  "layers": [],
+  "entities": [
+    {
+      "id": "0000000000000001",
+      "name": "camera",
+      "components": {
+        "Transform": {
+          "position": [320, 180]
+        },
+        "Camera": {}
+      }
+    }
+  ]
+}
+)";
+
+std::string emptyProject(std::string_view name) {
+    Json json = Json::object();
+    json["name"] = std::string{name};
+    json["version"] = "0.1.0";
+    json["startScene"] = "scenes/level1.scene.json";
+    json["window"] = {{"width", 1280}, {"height", 720}};
+    json["resolution"] = {640, 360};
+    return writeJson(json);
+}
+
+/// @param leftOut  names of files and folders
+Result<Done> copyFolder(const Path& from, const Path& to, std::span<const std::string_view> leftOut) {
+    std::error_code failed;
+    std::filesystem::create_directories(to, failed);
+    for (const auto& entry : std::filesystem::directory_iterator{from, failed}) {
+        const std::string name = entry.path().filename().string();
+        if (std::find(leftOut.begin(), leftOut.end(), name) != leftOut.end()) continue;
+        std::filesystem::copy(entry.path(), to / name, std::filesystem::copy_options::recursive, failed);
+        if (failed) return Error{(to / name).string(), failed.message(), "choose another folder"};
+    }
+    return Done{};
+}
+
+Result<Done> rename(const Path& folder, std::string_view name) {
+    const Result<std::string> text = readFile(folder / "project.json");
+    if (!text) return text.error();
+    Result<Json> json = parseJson(*text, "project.json");
+    if (!json) return json.error();
+    if (!json->is_object())
+        return Error{(folder / "project.json").string(), "the template's project is no object",
+                     "reinstall Plumb"};
+    (*json)["name"] = std::string{name};
+    if (Json* window = findObject(*json, "window")) window->erase("title");
+    return writeFile(folder / "project.json", writeJson(*json));
+}
+
+/// A project that comes with the engine, with scenes of its own or with those of the template.
+Result<Done> copyProject(const ProjectTemplate& from, const Path& folder) {
+    // What editors leave there, and what only made the pictures.
+    static constexpr std::array<std::string_view, 4> kLeftOut{".plumb", "art", "project.json", "scenes"};
+    const std::span<const std::string_view> leftOut{kLeftOut};
+    const Path source = engineProjects() / from.copyOf;
+    if (from.start.empty()) return copyFolder(source, folder, leftOut.first(2));
+    const Result<Done> copied = copyFolder(source, folder, leftOut);
+    return copied ? copyFolder(engineAssets() / "templates" / from.start, folder, {}) : copied;
+}
+
+Result<Done> makeEmpty(const Path& folder, std::string_view name) {
+    std::error_code failed;
+    for (const char* part : {"assets", "prefabs"}) std::filesystem::create_directories(folder / part, failed);
+    const Result<Done> scene = writeFile(folder / "scenes/level1.scene.json", kFirstScene);
+    return scene ? writeFile(folder / "project.json", emptyProject(name)) : scene;
+}
+
+}  // namespace
+
+std::span<const ProjectTemplate> projectTemplates() { return kTemplates; }
+
+Path engineProjects() {
+    std::error_code failed;
+    const Path folder = engineAssets().parent_path() / "projects";
+    return std::filesystem::is_directory(folder, failed) ? folder : Path{};
+}
+
+bool isHere(const ProjectTemplate& row) {
+    if (!row.copyOf.empty() && !isProject(engineProjects() / row.copyOf)) return false;
+    return row.start.empty() || isProject(engineAssets() / "templates" / row.start);
+}
+
+std::string folderNameFor(std::string_view name) {
+    std::string folder;
+    for (const char letter : trimmed(name)) {
+        const bool upper = letter >= 'A' && letter <= 'Z';
+        const bool plain = upper || (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') ||
+                           static_cast<unsigned char>(letter) >= 0x80;
+        if (plain) {
+            folder += upper ? static_cast<char>(letter + 32) : letter;
+        } else if (!folder.empty() && folder.back() != '-') {
+            folder += '-';
+        }
+    }
+    while (!folder.empty() && folder.back() == '-') folder.pop_back();
+    return folder;
+}
+
+Result<Path> createProject(const ProjectTemplate& from, std::string_view name, const Path& folder) {
+    std::error_code failed;
+    if (trimmed(name).empty()) return Error{"New project", "it has no name", "write one, e.g. \"My Game\""};
+    if (folder.empty() || !folder.is_absolute())
+        return Error{folder.string(), "this is no whole path",
+                     "write one that begins at the root, e.g. /home/me/game"};
+    if (std::filesystem::exists(folder, failed) &&
+        (!std::filesystem::is_directory(folder, failed) || !std::filesystem::is_empty(folder, failed)))
+        return Error{folder.string(), "there is something already",
+                     "choose an empty folder, or another name"};
+    if (!isHere(from))
+        return Error{std::string{from.name}, "it is not beside this program", "begin with an empty project"};
+    Result<Done> made = from.copyOf.empty() ? makeEmpty(folder, trimmed(name)) : copyProject(from, folder);
+    if (made && !from.copyOf.empty()) made = rename(folder, trimmed(name));
+    if (!made) return made.error();
+    return folder;
+}
+
+bool isProject(const Path& folder) {
+    std::error_code failed;
+    return std::filesystem::is_regular_file(folder / "project.json", failed);
+}
+
+std::string projectNameOf(const Path& folder) {
+    const Result<std::string> text = readFile(folder / "project.json");
+    if (text) {
+        const Result<Json> json = parseJson(*text, "project.json");
+        if (const std::string* name = json ? findText(*json, "name") : nullptr) return *name;
+    }
+    return folder.filename().string();
+}
+
+Path projectPicture(const Path& folder) { return folder / ".plumb/picture.png"; }
+
+}  // namespace plumb::editor

@@ -1,0 +1,161 @@
+#include "editor/model/project/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "core/guarded.hpp"
+#include "core/log.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_fields.hpp"
+#include "reflect/json_members.hpp"
+#include "reflect/json_text.hpp"
+
+namespace plumb::editor {
+namespace {
+
+constexpr std::array<std::string_view, 2> kThemeNames{"dark", "light"};
+constexpr int kFormat = 1;
+constexpr std::size_t kMostLayouts = 64;
+
+void readRecent(JsonFields& fields, Settings& settings) {
+    const Json* recent = fields.array("recent");
+    for (std::size_t i = 0; recent != nullptr && i < recent->size(); ++i) {
+        const std::string* project = jsonText((*recent)[i]);
+        if (project != nullptr && settings.recent.size() < Settings::kMostRecent)
+            settings.recent.push_back(*project);
+    }
+}
+
+void readLayouts(JsonFields& fields, Settings& settings, std::vector<Error>& problems) {
+    if (const Json* layout = fields.find("layout")) {
+        const auto read = PaneLayout::fromJson(*layout, "settings.json: layout", problems);
+        if (read) settings.layout = *read;
+    }
+    const Json* layouts = fields.find("layouts");
+    if (layouts == nullptr) return;
+    if (!layouts->is_object())
+        return fields.warn("layouts", "expected layouts by names", "they are left out");
+    for (const auto& [name, layout] : layouts->items()) {
+        const auto read = PaneLayout::fromJson(layout, "settings.json: layouts." + name, problems);
+        if (read && !name.empty() && settings.layouts.size() < kMostLayouts)
+            settings.layouts.push_back({name, *read});
+    }
+}
+
+Result<Settings> readSettings(std::string_view text, std::vector<Error>& problems) {
+    Settings settings;
+    const Result<Json> json = parseJson(text, "settings.json", &problems);
+    if (!json) return json.error();
+    if (!json->is_object())
+        return Error{"settings.json", format("expected an object, found {}", json->type_name()),
+                     "the editor starts as at first"};
+    JsonFields fields{*json, "settings.json", problems};
+    static_cast<void>(fields.acceptFormat(kFormat));
+    settings.theme = static_cast<Theme>(fields.choice("theme", 0, kThemeNames));
+    settings.scale = fields.number("scale", 1.0f, Settings::kLeastScale, Settings::kMostScale);
+    settings.textSize = fields.number("textSize", 14.0f, 10.0f, 24.0f);
+    settings.rightErases = fields.flag("rightErases", false);
+    settings.welcome = fields.flag("welcome", true);
+    readRecent(fields, settings);
+    if (const Json* keys = fields.find("keys"))
+        settings.keys = KeyBindings::fromJson(*keys, "settings.json: keys", problems);
+    readLayouts(fields, settings, problems);
+    return settings;
+}
+
+Path fromEnvironment(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? Path{} : Path{value};
+}
+
+}  // namespace
+
+void Settings::remember(const std::string& project) {
+    forget(project);
+    recent.insert(recent.begin(), project);
+    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
+void Settings::keepLayout(const std::string& name) {
+    const auto same = std::find_if(layouts.begin(), layouts.end(),
+                                   [&](const NamedLayout& one) { return one.name == name; });
+    if (same != layouts.end()) {
+        same->layout = layout;
+    } else {
+        layouts.push_back({name, layout});
+    }
+}
+
+std::string Settings::toText() const {
+    Json json = Json::object();
+    json["format"] = kFormat;
+    json["theme"] = kThemeNames[static_cast<std::size_t>(theme)];
+    json["scale"] = scale;
+    json["textSize"] = textSize;
+    json["rightErases"] = rightErases;
+    json["welcome"] = welcome;
+    json["recent"] = recent;
+    json["keys"] = keys.toJson();
+    json["layout"] = layout.toJson();
+    Json named = Json::object();
+    for (const NamedLayout& one : layouts) named[one.name] = one.layout.toJson();
+    json["layouts"] = std::move(named);
+    return writeJson(json);
+}
+
+Result<Settings> Settings::fromText(std::string_view text, std::vector<Error>& problems) {
+    return guarded("settings.json", [&] { return readSettings(text, problems); });
+}
+
+Path configFolder() {
+    if (Path own = fromEnvironment("PLUMB_CONFIG"); !own.empty()) return own;
+#if defined(_WIN32)
+    if (Path data = fromEnvironment("APPDATA"); !data.empty()) return data / "plumb";
+#elif defined(__APPLE__)
+    if (Path home = fromEnvironment("HOME"); !home.empty()) return home / "Library/Application Support/plumb";
+#else
+    // The standard says that a relative path there counts as none.
+    if (Path data = fromEnvironment("XDG_CONFIG_HOME"); data.is_absolute()) return data / "plumb";
+    if (Path home = fromEnvironment("HOME"); !home.empty()) return home / ".config/plumb";
+#endif
+    return Path{".plumb"};
+}
+
+std::vector<Error> SettingsFile::load(Settings& settings) {
+    std::vector<Error> problems;
+    std::error_code failed;
+    if (!std::filesystem::exists(path_, failed)) {
+        written_ = settings.toText();  // nothing is written until something is chosen
+        return problems;
+    }
+    const Result<std::string> text = readFile(path_);
+    Result<Settings> read = text ? Settings::fromText(*text, problems) : Result<Settings>{text.error()};
+    if (read) {
+        settings = *std::move(read);
+        written_ = settings.toText();
+        return problems;
+    }
+    const Path aside = path_.string() + ".damaged";
+    std::filesystem::rename(path_, aside, failed);
+    problems.push_back({read.error().where, read.error().what,
+                        format("the editor starts as at first; the file is kept as {}", aside.string())});
+    return problems;
+}
+
+void SettingsFile::tend(const Settings& settings, double seconds) {
+    waited_ += seconds;
+    if (waited_ < kPause) return;
+    waited_ = 0.0;
+    const Result<Done> saved = save(settings);
+    if (!saved) logWarning("Editor", saved.error());
+}
+
+Result<Done> SettingsFile::save(const Settings& settings) {
+    std::string text = settings.toText();
+    if (text == written_) return Done{};
+    written_ = std::move(text);  // a folder that cannot be written is reported once
+    return writeFile(path_, written_);
+}
+
+}  // namespace plumb::editor
