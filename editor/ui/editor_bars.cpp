@@ -192,7 +192,7 @@ void EditorWindow::drawNewScene() {
     ImGui::PopStyleColor();
     widgets_.mark("New/problem", newSceneError_);
     dialogFoot(ui_);
-    done |= footButton(ui_, "Create", 110.0f, "New/Create");
+    done |= defaultButton(ui_, "Create", 110.0f, "New/Create");
     ImGui::SameLine();
     if (footButton(ui_, "Cancel", 110.0f, "New/Cancel")) ImGui::CloseCurrentPopup();
     if (done) {
@@ -226,7 +226,7 @@ void EditorWindow::drawUnsaved() {
         ImGui::CloseCurrentPopup();
         next_();
     };
-    if (footButton(ui_, "Save", 110.0f, "Unsaved/Save")) {
+    if (defaultButton(ui_, "Save", 110.0f, "Unsaved/Save")) {
         if (const Result<Done> saved = workspace_.save(); saved) {
             leave();
         } else if (workspace_.safety.onDisk() == FileWatch::State::Changed) {

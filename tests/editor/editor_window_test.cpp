@@ -164,6 +164,26 @@ TEST_F(EditorWindowTest, layersOfThePhysicsAreTickedWhileEditingAndStayWhilePlay
     EXPECT_EQ(workspace.text(), text) << "looking changed the scene";
 }
 
+TEST_F(EditorWindowTest, enterSavesWhereItIsAskedForAndEscapeKeepsOnEditing) {
+    hands.click("Scene/crate");
+    hands.key(Key::Delete);
+    const std::string text = workspace.text();
+    const auto quits = [&] {
+        hands.key(Key::Q, {.control = true});
+        hands.rest(2);
+        EXPECT_NE(window.widgets().find("Unsaved/Save"), nullptr);
+    };
+    quits();
+    hands.key(Key::Escape);
+    hands.rest(2);
+    EXPECT_TRUE(workspace.unsaved());
+    quits();
+    hands.key(Key::Enter);
+    hands.rest(2);
+    EXPECT_TRUE(window.wantsQuit());
+    EXPECT_EQ(fileText(), text);
+}
+
 TEST_F(EditorWindowTest, aNewSceneIsNamedAndUnsavedChangesAreAskedFor) {
     hands.click("Scene/crate");
     hands.key(Key::Delete);

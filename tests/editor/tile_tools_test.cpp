@@ -314,6 +314,24 @@ TEST_F(TileTools, layersAreAddedChosenRaisedHiddenAndShownAlone) {
     EXPECT_EQ(workspace.text(), empty_);
 }
 
+TEST_F(TileTools, theLayerSaysWhyNoTileIsSeenOnIt) {
+    const auto words = [&] {
+        Overlay overlay;
+        workspace.tool().draw(workspace.tools(), {.position = middleOf(1, 1)}, overlay);
+        std::string all;
+        for (const Overlay::Shape& shape : overlay.shapes()) all += shape.text;
+        return all;
+    };
+    EXPECT_EQ(words(), "this layer has no tileset; the inspector chooses one");
+    useTileset(terrainSet(TerrainMode::Corners, 1));
+    EXPECT_EQ(words(), "");
+    workspace.document.view.setLocked(layer(), true);
+    EXPECT_EQ(words(), "this layer is locked");
+    workspace.document.view.setLocked(layer(), false);
+    workspace.document.view.setHidden(layer(), true);
+    EXPECT_EQ(words(), "this layer is hidden");
+}
+
 TEST(CellShapes, connectedCellsStopAtOtherTilesAndAtTheBorder) {
     TileGrid grid{40, 40};
     for (int y = 0; y < 40; ++y) grid.set(20, y, 1);

@@ -46,6 +46,8 @@ void drawLayer(const ToolContext& context, ObjectId layer, Overlay& overlay) {
     if (grid == nullptr || grid->width() == 0 || grid->height() == 0) return;
     const AABB box = boxOfCells(context.document, layer, {0, 0}, {grid->width() - 1, grid->height() - 1});
     overlay.box(box, kLayer);
+    if (tilesetOf(context.document, layer) == nullptr)
+        overlay.text(box.min, "this layer has no tileset; the inspector chooses one", kErase);
     if (context.document.view.locks(layer)) overlay.text(box.min, "this layer is locked", kErase);
     if (context.document.view.hides(layer)) overlay.text(box.min, "this layer is hidden", kErase);
     drawSelection(context, layer, overlay);

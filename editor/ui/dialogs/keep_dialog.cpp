@@ -75,8 +75,9 @@ void KeepDialog::draw(Ui& ui) {
     drawRows(ui, rows);
     const auto ticked = std::count_if(rows.begin(), rows.end(), [](const KeepRow& row) { return row.keep; });
     dialogFoot(ui);
-    const ImU32 color = ticked > 0 ? palette::kAccentSoft : palette::kNothing;
-    const bool keep = footButton(ui, format("Keep {}###keep", ticked).c_str(), 120.0f, "Keep/keep", color);
+    const std::string label = format("Keep {}###keep", ticked);
+    const bool keep = ticked > 0 ? defaultButton(ui, label.c_str(), 120.0f, "Keep/keep")
+                                 : footButton(ui, label.c_str(), 120.0f, "Keep/keep", palette::kNothing);
     ui.widgets.mark("Keep/keep", format("{}", ticked));
     ImGui::SameLine();
     const bool none = footButton(ui, "Keep nothing", 120.0f, "Keep/nothing");

@@ -195,7 +195,7 @@ void SafetyDialogs::drawNotSaved(Ui& ui) {
     ImGui::PopStyleColor();
     ui.widgets.mark("NotSaved/problem", problem);
     dialogFoot(ui);
-    const bool again = footButton(ui, "Try again", 110.0f, "NotSaved/again", palette::kAccentSoft);
+    const bool again = defaultButton(ui, "Try again", 110.0f, "NotSaved/again");
     ImGui::SameLine();
     const bool close = footButton(ui, "Close", 110.0f, "NotSaved/close");
     if (again) static_cast<void>(workspace.save().ok());

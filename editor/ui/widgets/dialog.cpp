@@ -42,6 +42,13 @@ bool footButton(Ui& ui, const char* label, float width, const std::string& path,
     return pressed;
 }
 
+bool defaultButton(Ui& ui, const char* label, float width, const std::string& path) {
+    const bool clicked = footButton(ui, label, width, path, palette::kAccentSoft);
+    // What is written into a field is done with by the field's own Enter.
+    const bool entered = pressed(Key::Enter) || pressed(Key::PadEnter);
+    return clicked || (entered && ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive());
+}
+
 bool LastingQuestion::ask(bool wanted) {
     bool left = false;
     if (open_ && !ImGui::IsPopupOpen(title_)) {

@@ -14,6 +14,8 @@ bool beginDialog(const Ui& ui, const char* title, ImVec2 wanted, bool* stays = n
 void dialogFoot(const Ui& ui);
 /// A button in that line, or in the next one where there is no room. @param width  px at scale 1
 bool footButton(Ui& ui, const char* label, float width, const std::string& path, ImU32 color = 0);
+/// The one that Enter means too, in a color of its own. Never one that throws something away.
+bool defaultButton(Ui& ui, const char* label, float width, const std::string& path);
 
 /// A question that comes as soon as no other dialog is open, and comes back when another one takes its place.
 class LastingQuestion {
