@@ -3,6 +3,8 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/animation_edit.hpp"
+#include "editor/model/assets/make_tileset.hpp"
+#include "editor/model/assets/place_asset.hpp"
 #include "editor/model/assets/sheet_slicer.hpp"
 #include "platform/image_file.hpp"
 #include "scene/components/animator.hpp"
@@ -262,6 +264,46 @@ TEST(AnimationEditTest, theFrameThatShowsFollowsDurationsAndTheWayOfRepeating) {
     EXPECT_EQ(frameAt(clip, 0.45), 1);
     EXPECT_EQ(frameAt(clip, 0.75), 0);
     EXPECT_EQ(frameAt(Animation{}, 1.0), 0);
+}
+
+TEST_F(AssetsPanelTest, aPictureBecomesATilesetOfTilesAsLargeAsTheGridsCells) {
+    workspace.grid.size = {8.0f, 8.0f};
+    const Result<std::string> made = makeTileset(workspace, "assets/hero.png");
+    ASSERT_TRUE(made.ok());
+    EXPECT_EQ(*made, "assets/hero.tileset.json");
+    const Tileset& set = workspace.assets.tileset(workspace.assets.loadTileset(*made));
+    EXPECT_EQ(set.image, "assets/hero.png");
+    EXPECT_EQ(set.tileWidth, 8);
+    EXPECT_EQ(set.columns, 2);
+    EXPECT_EQ(set.count, 6);
+    EXPECT_EQ(workspace.undo.size(), 1u);
+    EXPECT_EQ(*makeTileset(workspace, "assets/hero.png"), *made) << "it is used as it is";
+    EXPECT_EQ(workspace.undo.size(), 1u);
+    workspace.undo.undo();
+    EXPECT_FALSE(std::filesystem::exists(workspace.project.root / *made));
+    workspace.grid.size = {64.0f, 64.0f};
+    EXPECT_FALSE(makeTileset(workspace, "assets/hero.png").ok()) << "no such tile fits";
+    EXPECT_FALSE(makeTileset(workspace, "assets/use.tileset.json").ok());
+}
+
+TEST_F(AssetsPanelTest, theMenuOfAPictureMakesATilesetWhoseTilesGetAnotherSize) {
+    workspace.grid.size = {8.0f, 8.0f};
+    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
+    hands.rest(2);
+    hands.click("Assets/menu/Make tileset");
+    hands.rest(2);
+    ASSERT_TRUE(std::filesystem::exists(workspace.project.root / "assets/hero.tileset.json"));
+    ASSERT_TRUE(placeAsset(workspace, "assets/hero.tileset.json", {}).ok());
+    show("Tileset");
+    EXPECT_EQ(valueOf("Tileset/size"), "8 x 8");
+    hands.click("Tileset/size");
+    hands.key(Key::A, {.control = true});
+    hands.type("4");
+    hands.key(Key::Enter);
+    hands.rest(2);
+    EXPECT_EQ(valueOf("Tileset/size"), "8 x 4") << "the field in the middle is the height";
+    const auto id = workspace.assets.loadTileset("assets/hero.tileset.json");
+    EXPECT_EQ(workspace.assets.tileset(id).count, 12);
 }
 
 }  // namespace

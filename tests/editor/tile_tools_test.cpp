@@ -117,6 +117,7 @@ TEST_F(TileTools, whatTheBucketWouldFillIsShown) {
 }
 
 TEST_F(TileTools, ofAHugeAreaOnlyTheFillNearTheMouseIsLookedFor) {
+    useTileset(terrainSet(TerrainMode::Corners, 1));
     World& world = workspace.document.world;
     world.get<TileLayer>(workspace.document.find(layer())).cells = world.tiles().add(TileGrid{16384, 16384});
     workspace.tiles.stamp.cells = {6};

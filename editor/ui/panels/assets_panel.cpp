@@ -5,6 +5,7 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/asset_browser.hpp"
+#include "editor/model/assets/make_tileset.hpp"
 #include "editor/model/assets/place_asset.hpp"
 #include "editor/model/input/key_words.hpp"
 #include "editor/model/prefabs/prefab_visit.hpp"
@@ -248,6 +249,12 @@ private:
               [&] { open(ui, browser, item); });
         entry("Add to the scene", canBePlaced(item.kind) && ui.workspace.canEdit(),
               [&] { browser.place(item.path, ui.workspace.view.view().center); });
+        entry("Make tileset", item.kind == AssetKind::Texture && ui.workspace.canEdit(), [&] {
+            const Result<std::string> made = makeTileset(ui.workspace, item.path);
+            if (made) browser.selected = *made;
+            ui.workspace.notice = made ? format("{}: drag it into the scene, or choose it for a layer", *made)
+                                       : made.error().text();
+        });
         ImGui::Separator();
         entry("Rename...", true, [&] { rename_ = item.path; });
         entry("Delete...", true, [&] { delete_ = item.path; });

@@ -56,8 +56,10 @@ public:
 private:
     void drawTiles(Ui& ui, const Tileset* tileset) {
         if (tileset == nullptr || tileset->count == 0) {
-            return emptyState(ui, "Tiles", "This layer has no tileset yet.",
-                              "Select the layer and choose one in the inspector: TileLayer, tileset.");
+            return emptyState(
+                ui, "Tiles", "This layer has no tileset yet.",
+                "Choose one in the inspector: TileLayer, tileset. A picture in Assets becomes one by "
+                "\"Make tileset\" in its menu.");
         }
         drawTerrains(ui, *tileset);
         ImGui::SetNextItemWidth(ui.px(kSearchWidth));

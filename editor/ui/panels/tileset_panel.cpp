@@ -4,6 +4,7 @@
 #include <array>
 
 #include "assets/asset_store.hpp"
+#include "editor/model/assets/make_tileset.hpp"
 #include "editor/model/document/tile_layers.hpp"
 #include "editor/model/tiles/tileset_edit.hpp"
 #include "editor/ui/panels/panels.hpp"
@@ -32,7 +33,8 @@ public:
         const Tileset* tileset = tilesetOf(workspace.document, layer);
         if (tileset == nullptr || tileset->count == 0) {
             return emptyState(ui, "Tileset", "No layer with a tileset is in hand.",
-                              "Select a layer of tiles and choose its tileset in the inspector.");
+                              "Select a layer of tiles and choose its tileset in the inspector. A picture in "
+                              "Assets becomes one by \"Make tileset\" in its menu.");
         }
         const TilesetId id = workspace.document.world.get<TileLayer>(workspace.document.find(layer)).tileset;
         std::erase_if(chosen_, [&](int tile) { return tile >= tileset->count; });
@@ -62,6 +64,22 @@ private:
         ui.widgets.mark("Tileset/path", path);
         tooltip(path);
         drawGrowth(ui, tileset);
+        drawTileSize(ui, tileset);
+    }
+
+    /// Of a set about whose tiles nothing was said yet, which another size would lose.
+    static void drawTileSize(Ui& ui, const Tileset& tileset) {
+        const Texture* picture = ui.workspace.assets.find(tileset.texture);
+        if (picture == nullptr || !tileset.tiles.empty() || !tileset.terrains.empty()) return;
+        std::array size{tileset.tileWidth, tileset.tileHeight};
+        ImGui::SetNextItemWidth(ui.px(112.0f));
+        const bool entered =
+            ImGui::InputInt2("Tile size, px", size.data(), ImGuiInputTextFlags_EnterReturnsTrue);
+        ui.widgets.mark("Tileset/size", format("{} x {}", tileset.tileWidth, tileset.tileHeight));
+        if (!entered) return;
+        changeTileset(ui.workspace, "set tile size",
+                      [&](Tileset& set) { setTileSize(set, size[0], size[1], *picture); });
+        ui.workspace.undo.endGesture();
     }
 
     /// A picture that became larger has room for more tiles.
@@ -69,16 +87,13 @@ private:
         const Texture* picture = ui.workspace.assets.find(tileset.texture);
         if (picture == nullptr || tileset.image.empty() || tileset.tileWidth <= 0 || tileset.tileHeight <= 0)
             return;
-        const auto along = [&](int side, int tile) {
-            return std::max((side - 2 * tileset.margin + tileset.spacing) / (tile + tileset.spacing), 0);
-        };
-        const int columns = along(picture->width, tileset.tileWidth);
-        const int rows = along(picture->height, tileset.tileHeight);
+        const TilesetSize room = roomFor(tileset, *picture);
         Tileset larger = tileset;
-        const int more = larger.growTo(columns, rows);
+        const int more = larger.growTo(room.columns, room.rows);
         if (more <= 0) return;
         if (ImGui::Button(format("Add {} tiles", more).c_str())) {
-            changeTileset(ui.workspace, "grow tileset", [&](Tileset& set) { set.growTo(columns, rows); });
+            changeTileset(ui.workspace, "grow tileset",
+                          [&](Tileset& set) { set.growTo(room.columns, room.rows); });
             ui.workspace.undo.endGesture();
         }
         ui.widgets.mark("Tileset/grow", format("{}", more));

@@ -46,7 +46,7 @@ bool defaultButton(Ui& ui, const char* label, float width, const std::string& pa
     const bool clicked = footButton(ui, label, width, path, palette::kAccentSoft);
     // What is written into a field is done with by the field's own Enter.
     const bool entered = pressed(Key::Enter) || pressed(Key::PadEnter);
-    return clicked || (entered && ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive());
+    return clicked || (entered && !ImGui::IsWindowAppearing() && ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive());
 }
 
 bool LastingQuestion::ask(bool wanted) {
