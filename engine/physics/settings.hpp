@@ -31,7 +31,8 @@ struct Settings {
     /// every scene.
     float tolerance = 0.0f;
     /// Solves joints that form trees (chains, pendulums, bridges) all at once, by a direct method. They then
-    /// hold at any mass ratio, and neither gain nor lose energy.
+    /// hold at any mass ratio, and neither gain nor lose energy. Contacts between their bodies are solved
+    /// apart: links that touch each other are pressed apart under a load of some hundred times their mass.
     bool directJoints = true;
 
     /// Frequency of the contact springs, as a fraction s of the substep rate 1/h. A load F presses a contact

@@ -136,12 +136,17 @@ void prepareFields(StepContext& step);
 void moveSoftBodies(StepContext& step);
 /// Reads: drives, masses, settings, soft contacts. Writes: work.slots, .groups, .velocity and others.
 void gatherBodies(StepContext& step);
-/// Reads: fields, poses, motions, work.slots. Writes: work.drive, work.smooth (bodies without constraints).
+/// Reads: fields, poses, motions, work.slots, work.drive. Writes: work.smooth.
 void applyFields(StepContext& step);
 /// Reads: contacts, joints, masses. Writes: colours, work's blocks.
 void prepareConstraints(StepContext& step);
 /// Reads and writes: work.velocity, work.deltaPosition, work's blocks, soft bodies. Writes: impulses.
 void solve(StepContext& step);
+/// Applies fields to the bodies of a group that contacts or joints hold, before a substep of h seconds that
+/// begins `elapsed` seconds after the step.
+void driveBodies(StepContext& step, const SolveGroup& group, float h, float elapsed);
+/// After the last substep. Writes: work.smooth.works.
+void finishDriving(StepContext& step, const SolveGroup& group);
 /// Forces and springs of the soft bodies of a group, in a substep of h seconds, before their contacts.
 void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
 /// Computes velocities from displacements.

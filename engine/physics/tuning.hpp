@@ -111,7 +111,6 @@ PLUMB_TUNING(kVanished, 0.02f, "ratio to the error before", "most of the load is
 // Fields, one-way shapes, soft bodies.
 PLUMB_TUNING(kOnTop, 4.0f, "ratio to Settings::slop", "overlap with which a body still lies on a platform: more than at rest");
 PLUMB_TUNING(kSolidSide, 0.7f, "cosine", "45 degrees: a side further from the open direction is not solid, nor is one a ceiling");
-PLUMB_TUNING(kStiffest, 0.5f, "ratio", "of a field's spring to the limit of the explicit step, (omega h)^2 = 4 - 2 c h");
 PLUMB_TUNING(kRousing, 0.5f, "m/s", "a particle that hits a sleeping body faster wakes it");
 PLUMB_TUNING(kSoftSlack, 0.01f, "m", "by which particles may move further in a step than their initial velocity predicts");
 PLUMB_TUNING(kGivenWay, 1.0f / 16.0f, "ratio to a link", "by which a load may move particles in a substep: links carry it when they are "

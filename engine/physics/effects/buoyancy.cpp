@@ -193,11 +193,10 @@ Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corner
 }
 
 /// Archimedes' principle: each shape is lifted by the weight of the fluid that it displaces, at the centroid
-/// of its submerged part. Drag is proportional to the displaced mass. What is too strong for a step is
-/// reduced, together with the weight, to what a step can follow: depth and terminal velocity remain.
-Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
-                      const BodyState& state) {
+/// of its submerged part. Drag is proportional to the displaced mass.
+FieldForce buoyancy(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
     const World& world = view.world;
+    const FieldDefinition& field = world.fields.all[f].definition;
     const Fluid fluid = fluidOf(world, field);
     const BodyMass& mass = world.bodies.mass[body];
     const Vec2 origin =
@@ -205,7 +204,7 @@ Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::
     const Frame toFluid{unrotate(fluid.turn, origin), between(fluid.turn, state.rotation)};
     Acceleration sum;
     float displaced = 0.0f;  // kg
-    float stiffness = 0.0f;  // h k + (h w)^2 of decay (k, 1/s) and oscillation (w, rad/s), an upper bound
+    float stiffness = 0.0f;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
         const Submerged part =
             submergedPart(world.shapes.geometry[s], world.shapes.corners, toFluid, fluid.box);
@@ -219,13 +218,8 @@ Acceleration buoyancy(const FieldView& view, const FieldDefinition& field, std::
         stiffness += (mass.inverseMass + mass.inverseInertia * lengthSquared(arm)) * view.h * field.density *
                      (field.linearDrag * part.area + view.h * length(world.settings.gravity) * part.width);
     }
-    if (stiffness > 1.0f) {
-        const Vec2 weight = world.bodies.driveOf(body).gravityScale * world.settings.gravity;
-        sum = {(sum.linear + weight) / stiffness - weight, sum.angular / stiffness};
-    }
-    const float rate = field.angularDrag * displaced * mass.inverseMass;
-    if (mass.inverseInertia > 0.0f) sum.angular -= std::min(rate, 1.0f / view.h) * state.angularVelocity;
-    return sum;
+    return {sum, stiffness,
+            mass.inverseInertia > 0.0f ? field.angularDrag * displaced * mass.inverseMass : 0.0f};
 }
 
 }  // namespace plumb::physics

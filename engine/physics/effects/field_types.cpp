@@ -18,14 +18,18 @@ bool isInRegion(const FieldDefinition& field, Vec2 displacement, float reach) {
                                          std::fabs(displacement.y) <= field.half.y + reach);
 }
 
-Acceleration areaGravity(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
-                         const BodyState& state) {
+const FieldDefinition& fieldOf(const FieldView& view, std::uint32_t field) {
+    return view.world.fields.all[field].definition;
+}
+
+FieldForce areaGravity(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
+    const FieldDefinition& field = fieldOf(view, f);
     const float scale = view.world.bodies.driveOf(body).gravityScale;
     Vec2 pull = field.acceleration;
     if (field.strength != 0.0f) pull += field.strength * normalized(field.place - state.centre);
     if (field.replacesGravity && view.world.manifest.runs(Effect::Gravity))
         pull -= view.world.settings.gravity;
-    return {scale * pull, 0.0f};
+    return {{scale * pull, 0.0f}};
 }
 
 /// -1..1: gust number `turn` of a seed.
@@ -44,55 +48,45 @@ float gustiness(const FieldDefinition& field, std::uint64_t step) {
 }
 
 /// F = density * width * speed^2, along the apparent wind.
-Acceleration wind(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
-                  const BodyState& state) {
+FieldForce wind(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
+    const FieldDefinition& field = fieldOf(view, f);
     const Vec2 felt = airOf(field, view.world.steps) - state.velocity;
     const float speed = length(felt);
     if (speed == 0.0f) return {};
     const float width = widthAcross(view.world, body, state.rotation, felt / speed);
     const float rate = field.density * width * speed * view.world.bodies.mass[body].inverseMass;  // 1/s
-    return {std::min(rate, 1.0f / view.h) * felt, 0.0f};
+    return {{rate * felt, 0.0f}, rate * view.h};
 }
 
 /// a = strength / distance^2 (Newton), or strength * distance. Softened as by H. Plummer, 1911.
-Acceleration attractor(const FieldView& view, const FieldDefinition& field, std::uint32_t,
-                       const BodyState& state) {
+FieldForce attractor(const FieldView& view, std::uint32_t f, std::uint32_t, const BodyState& state) {
+    const FieldDefinition& field = fieldOf(view, f);
     const WorldPosition centre = field.a ? view.stateOf(view, field.a.index).centre : field.place;
     const Vec2 displacement = centre - state.centre;
-    if (field.linear) return {field.strength * displacement, 0.0f};
+    if (field.linear) return {{field.strength * displacement, 0.0f}};
     const float square = lengthSquared(displacement) + field.length * field.length;
     if (square <= 1.0e-12f) return {};
-    return {(field.strength / (square * std::sqrt(square))) * displacement, 0.0f};
+    return {{(field.strength / (square * std::sqrt(square))) * displacement, 0.0f}};
 }
 
-/// One end of a spring, with the inverse mass and inertia of its body.
+/// One end of a spring.
 struct End {
     WorldPosition place;  // m
     Vec2 velocity;
     Vec2 arm;  // m, from the center of mass
-    float inverseMass = 0.0f;
-    float inverseInertia = 0.0f;
 };
 
 End endOf(const World& world, std::uint32_t body, const BodyState& state, Vec2 anchor) {
     const Vec2 arm = rotate(state.rotation, anchor - world.bodies.pose[body].localCentre);
-    const BodyMass& mass = world.bodies.mass[body];
-    return {state.centre + arm, state.velocity + cross(state.angularVelocity, arm), arm, mass.inverseMass,
-            mass.inverseInertia};
+    return {state.centre + arm, state.velocity + cross(state.angularVelocity, arm), arm};
 }
 
-float easeOf(const End& end, Vec2 along) {
-    const float lever = cross(end.arm, along);
-    return end.inverseMass + end.inverseInertia * lever * lever;
-}
-
-/// F = strength * (length - rest) + damping * speed. A spring that is too stiff for the step is softened to
-/// what the step can follow; otherwise it would gain energy without bound.
-Acceleration spring(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
-                    const BodyState& state) {
+/// F = strength * (length - rest) + damping * speed.
+FieldForce spring(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
+    const FieldDefinition& field = fieldOf(view, f);
     const bool isA = field.a.index == body;
     const End here = endOf(view.world, body, state, isA ? field.anchorA : field.anchorB);
-    End there{field.place, {}, {}, 0.0f, 0.0f};
+    End there{field.place, {}, {}};
     if (field.b) {
         const std::uint32_t other = isA ? field.b.index : field.a.index;
         there = endOf(view.world, other, view.stateOf(view, other), isA ? field.anchorB : field.anchorA);
@@ -101,14 +95,12 @@ Acceleration spring(const FieldView& view, const FieldDefinition& field, std::ui
     const float size = length(displacement);
     if (size == 0.0f) return {};
     const Vec2 along = displacement / size;
-    const float ease = easeOf(here, along) + easeOf(there, along);
-    if (ease == 0.0f) return {};
-    const float damping = std::min(field.damping, 1.0f / (ease * view.h));
-    const float stiffest = kStiffest * (4.0f / view.h - 2.0f * damping * ease) / (ease * view.h);
-    const float pull = std::min(field.strength, stiffest) * (size - field.length) +
-                       damping * dot(along, there.velocity - here.velocity);
-    const Vec2 force = pull * along;
-    return {here.inverseMass * force, here.inverseInertia * cross(here.arm, force)};
+    const Vec2 force = (view.springScales[f] * (field.strength * (size - field.length) +
+                                                field.damping * dot(along, there.velocity - here.velocity))) *
+                       along;
+    const BodyMass& mass = view.world.bodies.mass[body];
+    return {{mass.inverseMass * force, mass.inverseInertia * cross(here.arm, force)},
+            view.springScales[f] * springStiffness(view.world, field, body, view.h)};
 }
 
 /// In the order of FieldKind.
@@ -178,30 +170,46 @@ bool isInRegion(const FieldDefinition& field, WorldPosition place) {
     return isInRegion(field, place - field.place, 0.0f);
 }
 
+float springStiffness(const World& world, const FieldDefinition& field, std::uint32_t body, float h) {
+    const Vec2 anchor = field.a.index == body ? field.anchorA : field.anchorB;
+    const BodyMass& mass = world.bodies.mass[body];
+    const float lever = lengthSquared(anchor - world.bodies.pose[body].localCentre);
+    return (mass.inverseMass + mass.inverseInertia * lever) * h * (field.damping + 0.5f * h * field.strength);
+}
+
 bool isConstant(const FieldDefinition& field) {
     return field.kind == FieldKind::AreaGravity && field.strength == 0.0f;
 }
 
 Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,
-                            const BodyState& state) {
-    Acceleration sum;
+                            const BodyState& state, const Acceleration& other) {
+    FieldForce sum;
     for (const std::uint32_t f : fields) {
-        const FieldDefinition& field = view.world.fields.all[f].definition;
-        if (!view.withSteady && isConstant(field)) continue;
-        if (const auto acceleration = fieldTypeOf(field.kind).acceleration; acceleration != nullptr) {
-            sum += acceleration(view, field, body, state);
+        const FieldDefinition& field = fieldOf(view, f);
+        if (isConstant(field)) continue;
+        if (const auto force = fieldTypeOf(field.kind).force; force != nullptr) {
+            sum += force(view, f, body, state);
         }
     }
+    Acceleration result = sum.acceleration;
+    if (sum.stiffness > 1.0f) {
+        const float part = 1.0f / sum.stiffness;
+        result = {part * (result.linear + other.linear) - other.linear,
+                  part * (result.angular + other.angular) - other.angular};
+    }
+    result.angular -= std::min(sum.angularDrag, 1.0f / view.h) * state.angularVelocity;
     const std::uint8_t flags = view.world.bodies.info[body].flags;
-    if ((flags & kLockX) != 0) sum.linear.x = 0.0f;
-    if ((flags & kLockY) != 0) sum.linear.y = 0.0f;
-    return sum;
+    if ((flags & kLockX) != 0) result.linear.x = 0.0f;
+    if ((flags & kLockY) != 0) result.linear.y = 0.0f;
+    return result;
 }
 
-BodyState stateAtStart(const World& world, std::uint32_t body) {
+BodyState stateAfter(const World& world, std::uint32_t body, float elapsed) {
     const BodyPose& pose = world.bodies.pose[body];
     const BodyMotion& motion = world.bodies.motion[body];
-    return {pose.centre, pose.rotation, motion.velocity, motion.angularVelocity};
+    const float angle = elapsed * motion.angularVelocity;
+    const Rot rotation = angle == 0.0f ? pose.rotation : normalized(rotFromAngle(angle) * pose.rotation);
+    return {pose.centre + elapsed * motion.velocity, rotation, motion.velocity, motion.angularVelocity};
 }
 
 float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction) {

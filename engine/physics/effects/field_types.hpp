@@ -27,22 +27,36 @@ struct Acceleration {
 /// What a field may read besides the state of the body that it acts on.
 struct FieldView {
     const World& world;
-    float h;  ///< s: step of the integrator. Drag is limited so that one step never removes more than the
-              ///< whole velocity
-    /// Current state of another body. One that is not integrated with this is extrapolated from the step's
-    /// start.
+    float h;                                   ///< s: step of the integrator
+    std::span<const float> springScales = {};  ///< by field, see SmoothForces
+    /// Current state of another body. One that is not integrated with this is where stateAfter() expects it.
     BodyState (*stateOf)(const FieldView& view, std::uint32_t body) = nullptr;
     const void* flight = nullptr;  ///< context of stateOf
     float elapsed = 0.0f;          ///< s since the start of the step
-    bool withSteady = true;        ///< false skips fields for which isConstant() holds
+};
+
+/// What a field does to a body in a state.
+struct FieldForce {
+    Acceleration acceleration;
+    /// h c + (h w)^2 / 2 of its damping (c, 1/s) and of the oscillation that it causes (w, rad/s), an upper
+    /// bound: an explicit step can follow up to 1, and becomes unstable from 2.
+    float stiffness = 0.0f;
+    float angularDrag = 0.0f;  ///< 1/s
+
+    FieldForce& operator+=(const FieldForce& more) {
+        acceleration += more.acceleration;
+        stiffness += more.stiffness;
+        angularDrag += more.angularDrag;
+        return *this;
+    }
 };
 
 /// One kind of field: a row of the table in field_types.cpp.
 struct FieldType {
     Effect effect;
-    /// Acceleration that the field gives a body in a state; null if it is not a smooth force (explosions).
-    Acceleration (*acceleration)(const FieldView& view, const FieldDefinition& field, std::uint32_t body,
-                                 const BodyState& state) = nullptr;
+    /// Null if it is not a smooth force (explosions).
+    FieldForce (*force)(const FieldView& view, std::uint32_t field, std::uint32_t body,
+                        const BodyState& state) = nullptr;
 };
 
 const FieldType& fieldTypeOf(FieldKind kind);
@@ -64,13 +78,20 @@ constexpr RegionKind regionOf(const FieldDefinition& field) {
 /// True if a body has a shape on one of these layers, or if they are all.
 [[nodiscard]] bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body);
 
-/// Acceleration of a body in a state by a list of fields, m/s2 and rad/s2. The only evaluation of smooth
-/// forces: for all integrators, and for bodies that touch something.
+/// Acceleration of a body in a state by those of a list of fields that are not constant, m/s2 and rad/s2. The
+/// only evaluation of smooth forces: for all integrators, and for bodies that touch something. If the fields
+/// together are too stiff for the step, the body reacts as if it was heavier: what it comes to rest at and
+/// its terminal velocity remain.
+/// @param other  all that acts on the body besides these fields
 Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,
-                            const BodyState& state);
-BodyState stateAtStart(const World& world, std::uint32_t body);
+                            const BodyState& state, const Acceleration& other);
+/// State of a body some time (s) after the start of the step, if nothing acts on it.
+BodyState stateAfter(const World& world, std::uint32_t body, float elapsed);
 
-Acceleration buoyancy(const FieldView&, const FieldDefinition&, std::uint32_t, const BodyState&);
+FieldForce buoyancy(const FieldView&, std::uint32_t, std::uint32_t, const BodyState&);
+/// FieldForce::stiffness of a spring for one of its ends.
+[[nodiscard]] float springStiffness(const World& world, const FieldDefinition& field, std::uint32_t body,
+                                    float h);
 
 /// m: width of a shape across a unit direction in the shape's frame.
 [[nodiscard]] float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction);
@@ -91,6 +112,29 @@ struct Flyer {
     Acceleration at[4];   ///< accelerations of the stages, see each integrator
 };
 
+/// Ratio by which drag reduces a constant acceleration over a substep.
+struct DriveScale {
+    float linear = 1.0f;
+    float angular = 1.0f;
+};
+
+/// How a body is integrated.
+enum class FieldMotion : std::uint8_t {
+    Steady,  ///< by the solver; constant accelerations alone
+    Driven,  ///< by the solver, as contacts or joints hold it: its fields are evaluated before each substep
+    Free,    ///< by Settings::integrator
+};
+
+/// A body in a field that contacts or joints hold: the solver integrates it.
+struct Driven {
+    std::uint32_t slot = 0;
+    std::uint32_t body = 0;
+    Acceleration steady;  ///< as of a Flyer
+    DriveScale scale;
+    Acceleration moved;  ///< m, rad: displacement before the current substep
+    float work = 0.0f;   ///< J: of all accelerations so far
+};
+
 /// Which fields act on which bodies in a step, and which bodies are integrated freely.
 struct SmoothForces {
     struct Pull {
@@ -100,7 +144,14 @@ struct SmoothForces {
     std::vector<Pull> pulls;
     std::vector<std::uint32_t> begins;  ///< by slot: start of its list in `fields`; one more entry at the end
     std::vector<std::uint32_t> fields;
-    std::vector<Flyer> flyers;          ///< in order of their slots
+    /// By field: ratio by which a spring is softened, as its ends hang on more, or stiffer, springs than a
+    /// step can follow. One for both ends, so that momentum is kept.
+    std::vector<float> springScales;
+    std::vector<FieldMotion> motions;  ///< by slot; empty in a step without fields
+    std::vector<Flyer> flyers;         ///< in order of their slots
+    std::vector<Driven> driven;        ///< in order of their slots
+    /// By slot, J: work on a driven body beyond that of the accelerations of the last substep.
+    std::vector<float> works;
     std::vector<std::int32_t> flyerOf;  ///< by body: index in `flyers`, or -1
 
     [[nodiscard]] std::span<const std::uint32_t> fieldsOf(std::size_t slot) const {

@@ -61,62 +61,127 @@ void sortPulls(Workspace& work, bool hasSprings) {
     }
 }
 
-bool flies(const World& world, const Workspace& work, std::uint32_t body) {
+/// True for a body that no contact, joint or soft body holds.
+bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
     return work.colourMasks[body] == 0 && !work.softSurroundings.holds(body) &&
            world.bodies.info[body].firstJoint == kNone;
 }
 
-/// Ratio by which drag reduces a constant acceleration over a substep, as in gatherBodies().
-struct DriveScale {
-    float linear = 1.0f;
-    float angular = 1.0f;
-};
-
+/// As in gatherBodies().
 DriveScale scaleOf(const StepContext& step, std::uint32_t body, float h) {
     if (step.work.keep.empty()) return {};
     const BodyDrive& drive = step.world.bodies.driveOf(body);
     return {decayOf(drive.linearDrag, h).drive / h, decayOf(drive.angularDrag, h).drive / h};
 }
 
-/// Estimate of another body's state: its state at the start of the step.
-BodyState stateNow(const FieldView& view, std::uint32_t body) { return stateAtStart(view.world, body); }
-
-/// Applies fields to a body that contacts or joints hold: the solver uses the force at the start of the step.
-void drive(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
-    const FieldView view{step.world, step.dt, stateNow};
-    const Acceleration pull =
-        accelerationAt(view, step.work.smooth.fieldsOf(slot), body, stateAtStart(step.world, body));
-    const DriveScale scale = scaleOf(step, body, h);
-    Float4& row = step.work.drive[slot];
-    row.x += scale.linear * pull.linear.x;
-    row.y += scale.linear * pull.linear.y;
-    row.z += scale.angular * pull.angular;
+/// Calls act(slot, body, h) for the bodies on which fields act; h (s) is their substep.
+template <class Act>
+void forPulledSlots(const StepContext& step, Act&& act) {
+    for (const SolveGroup& group : step.work.groups) {
+        const float h = step.dt / static_cast<float>(group.substeps);
+        for (auto slot = static_cast<std::size_t>(group.begin); slot < static_cast<std::size_t>(group.end);
+             ++slot) {
+            if (!step.work.smooth.fieldsOf(slot).empty()) act(slot, step.work.bodyOf[slot], h);
+        }
+    }
 }
 
-void launch(StepContext& step, std::size_t slot, std::uint32_t body, float h) {
+bool hasChangingFields(const StepContext& step, std::size_t slot) {
+    const std::span<const std::uint32_t> fields = step.work.smooth.fieldsOf(slot);
+    return std::any_of(fields.begin(), fields.end(),
+                       [&](std::uint32_t f) { return !isConstant(step.world.fields.all[f].definition); });
+}
+
+/// Bodies that hang by springs on a driven one are driven, too: both ends of a spring must see the same
+/// states, or momentum is lost.
+void chooseMotions(StepContext& step) {
+    const World& world = step.world;
+    const Workspace& work = step.work;
+    std::vector<FieldMotion>& motions = step.work.smooth.motions;
+    motions.assign(work.bodyOf.size(), FieldMotion::Steady);
+    forPulledSlots(step, [&](std::size_t slot, std::uint32_t body, float) {
+        if (isFree(world, work, body))
+            motions[slot] = FieldMotion::Free;
+        else if (hasChangingFields(step, slot))
+            motions[slot] = FieldMotion::Driven;
+    });
+    if (!world.manifest.runs(Effect::Springs)) return;
+    for (bool isChanged = true; isChanged;) {
+        isChanged = false;
+        for (const Field& field : world.fields.all) {
+            const FieldDefinition& d = field.definition;
+            if (!field.isAlive || d.kind != FieldKind::Spring || !d.b) continue;
+            const std::int32_t a = work.slots[d.a.index], b = work.slots[d.b.index];
+            if (a < 0 || b < 0 || !isDynamic(world, d.a.index) || !isDynamic(world, d.b.index)) continue;
+            FieldMotion &ofA = motions[static_cast<std::size_t>(a)],
+                        &ofB = motions[static_cast<std::size_t>(b)];
+            if ((ofA == FieldMotion::Driven) == (ofB == FieldMotion::Driven)) continue;
+            ofA = ofB = FieldMotion::Driven;
+            isChanged = true;
+        }
+    }
+}
+
+/// Sums the stiffness of all springs at each body; a step can follow a spring if the sums at its two ends are
+/// at most 1 (Gershgorin's bound for a net of springs).
+void softenSprings(StepContext& step) {
     SmoothForces& smooth = step.work.smooth;
+    std::vector<float>& scales = smooth.springScales;
+    scales.assign(step.world.fields.all.size(), 0.0f);
+    forPulledSlots(step, [&](std::size_t slot, std::uint32_t body, float h) {
+        const auto isSpring = [&](std::uint32_t f) {
+            return step.world.fields.all[f].definition.kind == FieldKind::Spring;
+        };
+        float sum = 0.0f;
+        for (const std::uint32_t f : smooth.fieldsOf(slot)) {
+            if (!isSpring(f)) continue;
+            sum += springStiffness(step.world, step.world.fields.all[f].definition, body, h);
+        }
+        for (const std::uint32_t f : smooth.fieldsOf(slot)) {
+            if (isSpring(f)) scales[f] += sum;
+        }
+    });
+    for (float& scale : scales) scale = 1.0f / std::max(1.0f, scale);
+}
+
+/// Gravity, forces and constant fields.
+Acceleration steadyAcceleration(const StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     const DriveScale scale = scaleOf(step, body, h);
     const Float4& row = step.work.drive[slot];
+    Acceleration steady{{row.x / scale.linear, row.y / scale.linear}, row.z / scale.angular};
+    const FieldView view{step.world, h};
+    for (const std::uint32_t f : step.work.smooth.fieldsOf(slot)) {
+        const FieldDefinition& field = step.world.fields.all[f].definition;
+        if (!isConstant(field)) continue;
+        steady +=
+            fieldTypeOf(field.kind).force(view, f, body, stateAfter(step.world, body, 0.0f)).acceleration;
+    }
+    const std::uint8_t flags = step.world.bodies.info[body].flags;
+    if ((flags & kLockX) != 0) steady.linear.x = 0.0f;
+    if ((flags & kLockY) != 0) steady.linear.y = 0.0f;
+    return steady;
+}
+
+void setDrive(StepContext& step, std::size_t slot, const DriveScale& scale, const Acceleration& all) {
+    Float4& row = step.work.drive[slot];
+    row.x = scale.linear * all.linear.x;
+    row.y = scale.linear * all.linear.y;
+    row.z = scale.angular * all.angular;
+}
+
+void launch(StepContext& step, std::size_t slot, std::uint32_t body, const Acceleration& steady) {
+    SmoothForces& smooth = step.work.smooth;
     Flyer flyer;
     flyer.slot = static_cast<std::uint32_t>(slot);
     flyer.body = body;
-    flyer.steady = {{row.x / scale.linear, row.y / scale.linear}, row.z / scale.angular};
-    const BodyState start = stateAtStart(step.world, body);
-    const FieldView view{step.world, h, stateNow};
-    flyer.isSteady = true;
-    for (const std::uint32_t& f : smooth.fieldsOf(slot)) {
-        if (isConstant(step.world.fields.all[f].definition)) {
-            flyer.steady += accelerationAt(view, {&f, 1}, body, start);
-        } else {
-            flyer.isSteady = false;
-        }
-    }
+    flyer.steady = steady;
+    flyer.isSteady = !hasChangingFields(step, slot);
     flyer.linearDrag = step.world.bodies.driveOf(body).linearDrag;
     flyer.angularDrag = step.world.bodies.driveOf(body).angularDrag;
-    flyer.now = start;
+    flyer.now = stateAfter(step.world, body, 0.0f);
     const std::uint8_t flags = step.world.bodies.info[body].flags;
-    if ((flags & kLockX) != 0) flyer.now.velocity.x = flyer.steady.linear.x = 0.0f;
-    if ((flags & kLockY) != 0) flyer.now.velocity.y = flyer.steady.linear.y = 0.0f;
+    if ((flags & kLockX) != 0) flyer.now.velocity.x = 0.0f;
+    if ((flags & kLockY) != 0) flyer.now.velocity.y = 0.0f;
     smooth.flyerOf[body] = static_cast<std::int32_t>(smooth.flyers.size());
     smooth.flyers.push_back(flyer);
 }
@@ -137,7 +202,73 @@ void wakeOtherEnds(World& world) {
     }
 }
 
+/// A group while its substeps are solved.
+struct Solved {
+    const Workspace& work;
+    const SolveGroup& group;
+};
+
+BodyState stateInSolver(const FieldView& view, std::uint32_t body) {
+    const auto& [work, group] = *static_cast<const Solved*>(view.flight);
+    const std::int32_t slot = work.slots[body];
+    if (slot < group.begin || slot >= group.end) return stateAfter(view.world, body, view.elapsed);
+    const BodyPose& pose = view.world.bodies.pose[body];
+    const auto row = static_cast<std::size_t>(slot);
+    if (group.withoutRotation) {
+        const Float4& state = work.statesWithoutRotation[row];
+        return {pose.centre + Vec2{state.z, state.w}, pose.rotation, {state.x, state.y}, 0.0f};
+    }
+    const Float4 &velocity = work.velocity[row], &moved = work.deltaPosition[row];
+    const Rot turn = normalized(Rot{1.0f + moved.w, moved.z} * pose.rotation);
+    return {pose.centre + Vec2{moved.x, moved.y}, turn, {velocity.x, velocity.y}, velocity.z};
+}
+
+/// Calls act(driven) for the bodies of a group.
+template <class Act>
+void forDriven(Workspace& work, const SolveGroup& group, Act&& act) {
+    for (Driven& driven : work.smooth.driven) {
+        const auto slot = static_cast<std::int32_t>(driven.slot);
+        if (slot >= group.begin && slot < group.end) act(driven);
+    }
+}
+
+/// J: work of the current accelerations over a displacement.
+float workOver(const StepContext& step, const Driven& driven, const Acceleration& displacement) {
+    const BodyMass& mass = step.world.bodies.mass[driven.body];
+    const Float4& row = step.work.drive[driven.slot];
+    return mass.mass * dot({row.x, row.y}, displacement.linear) + mass.inertia * row.z * displacement.angular;
+}
+
+void noteWork(const StepContext& step, Driven& driven) {
+    const Float4& now = step.work.deltaPosition[driven.slot];
+    const Acceleration moved{{now.x, now.y}, now.z};
+    driven.work +=
+        workOver(step, driven, {moved.linear - driven.moved.linear, moved.angular - driven.moved.angular});
+    driven.moved = moved;
+}
+
 }  // namespace
+
+void driveBodies(StepContext& step, const SolveGroup& group, float h, float elapsed) {
+    const SmoothForces& smooth = step.work.smooth;
+    const Solved solved{step.work, group};
+    const FieldView view{step.world, h, smooth.springScales, stateInSolver, &solved, elapsed};
+    forDriven(step.work, group, [&](Driven& driven) {
+        noteWork(step, driven);
+        Acceleration all = driven.steady;
+        all += accelerationAt(view, smooth.fieldsOf(driven.slot), driven.body,
+                              stateInSolver(view, driven.body), driven.steady);
+        setDrive(step, driven.slot, driven.scale, all);
+    });
+}
+
+void finishDriving(StepContext& step, const SolveGroup& group) {
+    step.work.smooth.works.resize(step.work.bodyOf.size());
+    forDriven(step.work, group, [&](Driven& driven) {
+        noteWork(step, driven);
+        step.work.smooth.works[driven.slot] = driven.work - workOver(step, driven, driven.moved);
+    });
+}
 
 void prepareFields(StepContext& step) {
     dropOrphans(step.world);
@@ -153,15 +284,16 @@ void applyFields(StepContext& step) {
     findPulls(world, work);
     if (smooth.pulls.empty()) return;
     sortPulls(work, world.manifest.runs(Effect::Springs));
-    for (const SolveGroup& group : work.groups) {
-        const float h = step.dt / static_cast<float>(group.substeps);
-        for (auto slot = static_cast<std::size_t>(group.begin); slot < static_cast<std::size_t>(group.end);
-             ++slot) {
-            if (smooth.fieldsOf(slot).empty()) continue;
-            const std::uint32_t body = work.bodyOf[slot];
-            flies(world, work, body) ? launch(step, slot, body, h) : drive(step, slot, body, h);
-        }
-    }
+    chooseMotions(step);
+    if (world.manifest.runs(Effect::Springs)) softenSprings(step);
+    forPulledSlots(step, [&](std::size_t slot, std::uint32_t body, float h) {
+        const Acceleration steady = steadyAcceleration(step, slot, body, h);
+        const DriveScale scale = scaleOf(step, body, h);
+        if (smooth.motions[slot] == FieldMotion::Free) return launch(step, slot, body, steady);
+        setDrive(step, slot, scale, steady);
+        if (smooth.motions[slot] == FieldMotion::Driven)
+            smooth.driven.push_back({static_cast<std::uint32_t>(slot), body, steady, scale});
+    });
 }
 
 }  // namespace plumb::physics

@@ -29,10 +29,24 @@ Vec2 shortened(Vec2 a, float maximum) {
     return square > maximum * maximum ? (maximum / std::sqrt(square)) * a : a;
 }
 
-/// True if a point of the body moves faster than its sleep speed (upper bound).
-bool isRestless(const BodyMotion& motion, const BodyInfo& info) {
-    return lengthSquared(motion.velocity) > info.sleepSpeed * info.sleepSpeed ||
-           std::fabs(motion.angularVelocity) * info.reach > info.sleepSpeed;
+FieldMotion fieldMotionOf(const StepContext& step, std::size_t slot) {
+    const std::vector<FieldMotion>& motions = step.work.smooth.motions;
+    return motions.empty() ? FieldMotion::Steady : motions[slot];
+}
+
+/// m/s: a body that is at rest is slower. What only fields push may move on for ever at any speed, as a
+/// bubble does: it has to stay within the slop for the time after which it sleeps.
+float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
+    const float speed = step.world.bodies.info[body].sleepSpeed;
+    if (fieldMotionOf(step, slot) != FieldMotion::Free) return speed;
+    const Settings& settings = step.world.settings;
+    return std::min(speed, settings.slop / std::max(settings.sleepTime, step.dt));
+}
+
+/// True if a point of the body moves faster than that (upper bound).
+bool isRestless(const BodyMotion& motion, float reach, float restSpeed) {
+    return lengthSquared(motion.velocity) > restSpeed * restSpeed ||
+           std::fabs(motion.angularVelocity) * reach > restSpeed;
 }
 
 /// True if the filters of its shapes allow the body to collide with anything.
@@ -74,6 +88,7 @@ Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Ve
     const float rounding = lengthSquared(velocity) > slowest * slowest ? kRounded : 1.0f;
     const float maximum = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
     if (!held || lengthSquared(gained) > maximum) return {};
+    if (fieldMotionOf(step, slot) == FieldMotion::Driven) return {};  // not constant
     if (step.world.bodies.info[body].firstJoint != kNone) return {};  // else rotation needs a correction too
     return (0.5f * ballisticDrift.z) * gained;
 }
@@ -118,7 +133,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFinding
     if (info.kind == BodyKind::Kinematic) {
         if ((info.flags & kHasTarget) != 0) motion.velocity = {}, motion.angularVelocity = 0.0f;
         info.flags &= static_cast<std::uint8_t>(~kHasTarget);
-    } else if (isRestless(motion, info) || (info.flags & kCanSleep) == 0) {
+    } else if (isRestless(motion, info.reach, restSpeed(step, slot, body)) || (info.flags & kCanSleep) == 0) {
         motion.restTime = 0.0f;
     } else {
         motion.restTime += step.dt;

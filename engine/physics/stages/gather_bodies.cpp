@@ -66,6 +66,9 @@ void makeRoom(StepContext& step, std::size_t slots) {
     Workspace& work = step.work;
     work.slots.assign(step.world.bodies.size(), -1);
     work.bodyOf.assign(slots, kNone);
+    work.smooth.driven.clear();
+    work.smooth.works.clear();
+    work.smooth.motions.clear();
     // Eight additional idle slots serve SIMD lanes without a body.
     const std::size_t count = slots + kLanes;
     for (std::vector<Float4>* array : {&work.velocity, &work.deltaPosition, &work.drive, &work.ballisticDrift,

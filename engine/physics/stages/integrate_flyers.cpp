@@ -24,9 +24,7 @@ BodyState stateInFlight(const FieldView& view, std::uint32_t body) {
             return flyer->trial;
         }
     }
-    BodyState state = stateAtStart(view.world, body);
-    state.centre = state.centre + view.elapsed * state.velocity;
-    return state;
+    return stateAfter(view.world, body, view.elapsed);
 }
 
 bool dragIsInside(const Flight& flight, const Flyer& flyer) {
@@ -36,10 +34,10 @@ bool dragIsInside(const Flight& flight, const Flyer& flyer) {
 
 /// Accelerations of all bodies in their trial states.
 void evaluate(const Flight& flight, int which, float elapsed) {
-    const FieldView view{flight.world, flight.h, stateInFlight, &flight, elapsed, false};
+    const FieldView view{flight.world, flight.h, flight.forces.springScales, stateInFlight, &flight, elapsed};
     for (Flyer& flyer : flight.flyers) {
         Acceleration& at = flyer.at[which];
-        at = accelerationAt(view, flight.forces.fieldsOf(flyer.slot), flyer.body, flyer.trial);
+        at = accelerationAt(view, flight.forces.fieldsOf(flyer.slot), flyer.body, flyer.trial, flyer.steady);
         if (!dragIsInside(flight, flyer)) continue;
         at.linear -= flyer.linearDrag * flyer.trial.velocity;
         at.angular -= flyer.angularDrag * flyer.trial.angularVelocity;

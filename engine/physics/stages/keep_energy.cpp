@@ -40,8 +40,9 @@ float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
 /// J: work of external forces on a body in this step.
 float workOn(const BodyMass& mass, const Workspace& work, std::size_t slot) {
     const Float4 &deltaPosition = work.deltaPosition[slot], &drive = work.drive[slot];
+    const float ofFields = work.smooth.works.empty() ? 0.0f : work.smooth.works[slot];
     return mass.mass * (drive.x * deltaPosition.x + drive.y * deltaPosition.y) +
-           mass.inertia * drive.z * deltaPosition.z;
+           mass.inertia * drive.z * deltaPosition.z + ofFields;
 }
 
 /// J: kinetic energy of a body before this step.

@@ -111,7 +111,9 @@ void solveGroup(Solver<Bodies>& solver) {
         if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
             move = solverKernels().moveUnturned;
     }
+    const bool isDriven = !solver.step.work.smooth.driven.empty();
     for (int i = 0; i < solver.group.substeps; ++i) {
+        if (isDriven) driveBodies(solver.step, solver.group, solver.h, solver.h * static_cast<float>(i));
         forBodies(solver.step, solver.group, [&](int begin, int end) {
             solver.kernels.accelerate(solver.bodies, solver.h, i == 0, begin, end);
         });
@@ -134,6 +136,7 @@ void solveGroup(Solver<Bodies>& solver) {
         }
         addImpulses(solver.step.work);
     }
+    if (isDriven) finishDriving(solver.step, solver.group);
     if constexpr (Bodies::kRotate) {
         forSoft(solver, [&](const SoftGroup& soft) { finishSoft(solver.step, soft, solver.h); });
         applyRestitution(solver.step, solver.group);
