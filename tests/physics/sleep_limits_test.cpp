@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/model/fields.hpp"
 #include "world_of_bodies.hpp"
 
 // When exactly bodies rest and fall asleep, and their maximum speed.
@@ -62,6 +63,48 @@ TEST(SleepLimits, anIslandSleepsWithTheMostRestlessOfItsBodies) {
         EXPECT_EQ(isAwake(world, alone), i < 30) << i;
         EXPECT_EQ(isAwake(world, a), isAwake(world, b)) << i;
         EXPECT_EQ(isAwake(world, a), i < 49) << i;  // b rests from step 20 on
+    }
+}
+
+TEST(SleepLimits, whatSwaysAboutItsPlaceSleepsByTheMeanOfItsEnergy) {
+    // Of a sine the time below the limit outweighs the energy above it up to an amplitude of 1.5 limits.
+    for (const auto& [amplitude, sleeps] : {std::pair{1.2f, true}, {2.0f, false}}) {
+        World world;
+        world.settings.gravity = {};
+        const BodyId body = addBody(world, BodyKind::Dynamic, {});
+        static_cast<void>(createShape(world, body, circle(0.5f)));
+        FieldDefinition spring;
+        spring.kind = FieldKind::Spring;
+        spring.a = body;
+        spring.place = {0.0, 3.0};
+        spring.length = 3.0f;
+        const float frequency = 30.0f;  // rad/s
+        spring.strength = massOf(world, body) * frequency * frequency;
+        ASSERT_TRUE(createField(world, spring).ok());
+        const float limit = world.settings.slop / world.settings.sleepTime;  // m/s: of what only fields push
+        ASSERT_TRUE(setVelocity(world, body, {0.0f, amplitude * limit}).ok());
+        for (int i = 0; i < 600; ++i) step(world, kTick);
+        EXPECT_EQ(!isAwake(world, body), sleeps) << amplitude;
+    }
+}
+
+TEST(SleepLimits, pyramidsThatSwayComeToRest) {
+    for (const std::uint32_t rows : {12u, 16u, 19u}) {
+        for (const Quality quality : {Quality{1}, Quality{2}, Quality{3}}) {
+            World world;
+            world.settings.quality = quality;
+            const BodyId floor = addBody(world, BodyKind::Static, {0.0, 1.0});
+            static_cast<void>(createShape(world, floor, box({100.0f, 1.0f})));
+            for (std::uint32_t row = 0; row < rows; ++row) {
+                for (std::uint32_t i = 0; i < rows - row; ++i) {
+                    const BodyId brick =
+                        addBody(world, BodyKind::Dynamic, {1.05 * (i + 0.5 * row), -0.5 - 1.0 * row});
+                    static_cast<void>(createShape(world, brick, box({0.5f, 0.5f})));
+                }
+            }
+            for (int i = 0; i < 600; ++i) step(world, kTick);
+            EXPECT_TRUE(world.awake.empty()) << rows << " rows, quality " << int{quality};
+        }
     }
 }
 

@@ -47,7 +47,10 @@ struct BodyDefinition {
     float gravityScale = 1.0f;     ///< ratio; 0: no gravity
     float linearDrag = 0.0f;   ///< 1/s: decay rate; without forces the velocity falls as exp(-linearDrag t)
     float angularDrag = 0.0f;  ///< 1/s
-    float sleepSpeed = 0.05f;  ///< m/s: it may fall asleep when slower than this for Settings::sleepTime
+    /// m/s: it may fall asleep when slower than this for Settings::sleepTime. Faster motion takes off as much
+    /// of that time as its energy exceeds that of this speed. What only fields push has to be slower than
+    /// Settings::slop per sleepTime (1 cm/s), too.
+    float sleepSpeed = 0.05f;
     bool fixedRotation = false;
     bool lockX = false;  ///< its velocity along x stays 0
     bool lockY = false;

@@ -43,10 +43,15 @@ float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
     return std::min(speed, settings.slop / std::max(settings.sleepTime, step.dt));
 }
 
-/// True if a point of the body moves faster than that (upper bound).
-bool isRestless(const BodyMotion& motion, float reach, float restSpeed) {
-    return lengthSquared(motion.velocity) > restSpeed * restSpeed ||
-           std::fabs(motion.angularVelocity) * reach > restSpeed;
+/// s: how long the body has rested. Time in which it is slower than `restSpeed` counts; faster motion takes
+/// off as much as its energy exceeds that of this speed. So what sways about its place comes to rest as well,
+/// such as a tall pyramid, in which a single box is too fast for a moment now and then.
+float restTimeAfter(const BodyMotion& motion, float reach, float restSpeed, float dt) {
+    const float spin = motion.angularVelocity * reach;  // m/s: of the farthest point, an upper bound
+    const float square = std::max(lengthSquared(motion.velocity), spin * spin);
+    const float maximum = restSpeed * restSpeed;
+    if (square <= maximum) return motion.restTime + dt;
+    return maximum > 0.0f ? std::max(0.0f, motion.restTime - dt * (square / maximum - 1.0f)) : 0.0f;
 }
 
 /// True if the filters of its shapes allow the body to collide with anything.
@@ -133,10 +138,8 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFinding
     if (info.kind == BodyKind::Kinematic) {
         if ((info.flags & kHasTarget) != 0) motion.velocity = {}, motion.angularVelocity = 0.0f;
         info.flags &= static_cast<std::uint8_t>(~kHasTarget);
-    } else if (isRestless(motion, info.reach, restSpeed(step, slot, body)) || (info.flags & kCanSleep) == 0) {
-        motion.restTime = 0.0f;
-    } else {
-        motion.restTime += step.dt;
+    } else if ((info.flags & kCanSleep) != 0) {
+        motion.restTime = restTimeAfter(motion, info.reach, restSpeed(step, slot, body), step.dt);
         found.sleepy = found.sleepy || motion.restTime >= world.settings.sleepTime;
     }
     const bool isSwept = info.kind == BodyKind::Dynamic

@@ -86,6 +86,10 @@ constexpr auto kFamilies = std::to_array<Family>({
      "crates on belts of 0.2 to 10 m/s, and jumps through one-way platforms: speeds follow the "
      "friction formula, and every body is on the correct side",
      makeOneWayBelt},
+    {"pyramid",
+     "pyramids of 4 to 20 rows of bricks with gaps of up to 30 % of their width, densities that differ by up "
+     "to 2: it stands and falls asleep",
+     makePyramid},
     {"ratio-stack",
      "stacks of 3 to 20 boxes with mass ratios up to 1:200, different sizes and offsets, statically "
      "stable: it stands and falls asleep",

@@ -43,6 +43,7 @@ Blueprint makeElasticGas(Random& random);
 Blueprint makeFields(Random& random);
 Blueprint makeKinematicTraffic(Random& random);
 Blueprint makeOneWayBelt(Random& random);
+Blueprint makePyramid(Random& random);
 Blueprint makeRatioStack(Random& random);
 Blueprint makeSeamSlide(Random& random);
 Blueprint makeSoftAmongRigid(Random& random);
