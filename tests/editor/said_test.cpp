@@ -291,11 +291,28 @@ TEST(ScenesFound, instancesAreCalledAfterTheirPrefab) {
 
 TEST(PlacedOnGrid, whatStandsOnItsLowerEdgeComesToTheLowerEdgeOfTheCellUnderTheMouse) {
     const Vec2 step{16.0f, 16.0f};
-    const Vec2 standing{0.5f, 1.0f};
+    const PlacedPicture standing{{}, {0.5f, 1.0f}};
     EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, standing, step), (Vec2{48.0f, 144.0f})) << "high in the cell";
     EXPECT_EQ(placedOnGrid({50.0f, 143.0f}, standing, step), (Vec2{48.0f, 144.0f})) << "low in it";
     EXPECT_EQ(placedOnGrid({50.0f, 144.0f}, standing, step), (Vec2{48.0f, 144.0f})) << "on the line";
-    EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, {0.5f, 0.5f}, step), (Vec2{48.0f, 128.0f})) << "in its middle";
+    EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, PlacedPicture{}, step), (Vec2{48.0f, 128.0f})) << "in its middle";
+}
+
+TEST(PlacedOnGrid, aPictureOfWholeCellsComesIntoTheCellsUnderTheMouseWhereverItsPivotIs) {
+    const Vec2 step{16.0f, 16.0f}, standing{0.5f, 1.0f};
+    for (const Vec2 pivot : {Vec2{0.5f, 0.5f}, Vec2{0.5f, 1.0f}, Vec2{0.25f, 0.75f}, Vec2{1.0f, 1.0f}}) {
+        for (const Vec2 size : {Vec2{16.0f, 16.0f}, Vec2{48.0f, 32.0f}, Vec2{160.0f, 16.0f}}) {
+            const Vec2 mouse{203.0f, 77.0f};
+            const Vec2 corner = placedOnGrid(mouse, {size, pivot}, step) - scaled(size, pivot);
+            EXPECT_EQ(corner, snapped(corner, step));
+            // Its pivot is in the cell of the mouse, or on the border of it.
+            const Vec2 way = corner + scaled(size, pivot) - mouse;
+            EXPECT_LE(std::max(std::abs(way.x), std::abs(way.y)), 16.0f);
+        }
+    }
+    EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, {{16.0f, 32.0f}, standing}, step), (Vec2{56.0f, 144.0f}));
+    EXPECT_EQ(placedOnGrid({50.0f, 144.0f}, {{16.0f, 32.0f}, standing}, step), (Vec2{56.0f, 144.0f}));
+    EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, {{20.0f, 30.0f}}, step), (Vec2{48.0f, 128.0f})) << "of no cells";
 }
 
 }  // namespace

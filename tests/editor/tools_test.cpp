@@ -64,6 +64,19 @@ TEST_F(Tools, whatIsDraggedSnapsToTheGrid) {
     EXPECT_EQ(positionOf(named("crate")), (Vec2{208.0f, 80.0f}));
 }
 
+TEST_F(Tools, aPictureOfWholeCellsSnapsIntoThemThoughItsPivotIsInItsMiddle) {
+    auto& sprite = workspace.document.world.add<Sprite>(workspace.document.find(named("crate")));
+    sprite.width = 48;
+    sprite.height = 16;
+    sprite.pivot = {0.5f, 0.5f};
+    workspace.document.selection.set({named("crate")});
+    MoveTool tool;
+    tool.press(workspace.tools(), {.position = {210.0f, 70.0f}});
+    tool.drag(workspace.tools(), {.position = {221.0f, 79.0f}, .snap = true});
+    const Vec2 corner = positionOf(named("crate")) - Vec2{24.0f, 8.0f};
+    EXPECT_EQ(corner, snapped(corner, {16.0f, 16.0f}));
+}
+
 TEST_F(Tools, aChildMovesWithItsParentOnce) {
     workspace.document.selection.set({named("player"), named("lamp")});
     MoveTool tool;

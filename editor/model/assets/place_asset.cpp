@@ -9,6 +9,7 @@
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/document/prefab_root.hpp"
 #include "editor/model/tools/tool.hpp"
+#include "editor/model/tools/transform_drag.hpp"
 #include "gameplay/components/music.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_members.hpp"
@@ -166,11 +167,15 @@ PlacedPicture placedPicture(Workspace& workspace, std::string_view path) {
     return {};
 }
 
-Vec2 placedOnGrid(Vec2 at, Vec2 pivot, Vec2 step) {
+Vec2 placedOnGrid(Vec2 at, const PlacedPicture& picture, Vec2 step) {
     // On a crossing itself it stays there.
     constexpr float kJustBefore = 0.001f;
-    const auto shift = [](float part, float length) { return (part - 0.5f) * length * (1.0f - kJustBefore); };
-    return snapped(at + Vec2{shift(pivot.x, step.x), shift(pivot.y, step.y)}, step);
+    const Vec2 offset = snapOffset(picture.size, picture.pivot, step);
+    const auto along = [](float place, float part, float toOrigin, float cell) {
+        const float corner = place - toOrigin + (part - 0.5f) * cell * (1.0f - kJustBefore);
+        return std::round(corner / cell) * cell + toOrigin;
+    };
+    return {along(at.x, picture.pivot.x, offset.x, step.x), along(at.y, picture.pivot.y, offset.y, step.y)};
 }
 
 }  // namespace plumb::editor

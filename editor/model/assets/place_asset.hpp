@@ -24,9 +24,10 @@ struct PlacedPicture {
 };
 PlacedPicture placedPicture(Workspace& workspace, std::string_view path);
 
-/// Where a file comes to that is let go over a grid: a picture in the middle of its place goes to the nearest
-/// crossing, one that stands on its lower edge to the lower edge of the cell under the mouse.
+/// Where a file comes to that is let go over a grid: a picture of whole cells to the cells under the mouse.
+/// Any other one goes to the nearest crossing, or if it stands on its lower edge to the lower edge of the
+/// cell.
 /// @param step  px, between two crossings
-Vec2 placedOnGrid(Vec2 at, Vec2 pivot, Vec2 step);
+Vec2 placedOnGrid(Vec2 at, const PlacedPicture& picture, Vec2 step);
 
 }  // namespace plumb::editor

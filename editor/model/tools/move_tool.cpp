@@ -12,7 +12,7 @@ void MoveTool::pull(const ToolContext& context, const Pointer& pointer) {
     Pointer along = pointer;
     if (held() == Handle::X) along.position.y = grabPoint().y;
     if (held() == Handle::Y) along.position.x = grabPoint().x;
-    offset_ = dragOffset(grabPoint(), drag_.pivot().position, along);
+    offset_ = dragOffset(grabPoint(), drag_.snapPoint(pointer.grid), along);
     drag_.move(context, offset_);
 }
 

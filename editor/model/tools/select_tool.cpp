@@ -49,7 +49,8 @@ void SelectTool::select(const ToolContext& context) const {
 void SelectTool::drag(const ToolContext& context, const Pointer& pointer) {
     end_ = pointer.position;
     if (mode_ == Mode::Pressed && distance(start_, end_) > pointer.reach) beginDrag(context);
-    if (mode_ == Mode::Moving) move_.move(context, dragOffset(start_, move_.pivot().position, pointer));
+    if (mode_ == Mode::Moving)
+        move_.move(context, dragOffset(start_, move_.snapPoint(pointer.grid), pointer));
 }
 
 void SelectTool::beginDrag(const ToolContext& context) {

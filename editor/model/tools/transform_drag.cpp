@@ -9,6 +9,7 @@
 #include "editor/model/document/prefab_root.hpp"
 #include "editor/model/document/sight.hpp"
 #include "math/angle.hpp"
+#include "scene/components/sprite.hpp"
 
 namespace plumb::editor {
 Vec2 inParent(Vec2 offset, const Pose& parent) {
@@ -21,22 +22,38 @@ Vec2 snapped(Vec2 point, Vec2 grid) {
     return {std::round(point.x / grid.x) * grid.x, std::round(point.y / grid.y) * grid.y};
 }
 
-std::optional<Pose> poseInHand(const Document& document) {
+namespace {
+
+EntityId entityInHand(const Document& document) {
     const std::vector<ObjectId>& all = document.selection.all();
     for (auto id = all.rbegin(); id != all.rend(); ++id) {
         const EntityId entity = document.find(*id);
-        if (document.world.has<Transform>(entity)) return worldPose(document.world, entity);
+        if (document.world.has<Transform>(entity)) return entity;
     }
-    return std::nullopt;
+    return {};
 }
 
-Vec2 dragOffset(Vec2 grabPoint, Vec2 origin, const Pointer& pointer) {
+}  // namespace
+
+std::optional<Pose> poseInHand(const Document& document) {
+    const EntityId entity = entityInHand(document);
+    return entity ? std::optional{worldPose(document.world, entity)} : std::nullopt;
+}
+
+Vec2 snapOffset(Vec2 size, Vec2 pivot, Vec2 grid) {
+    const auto along = [](float length, float part, float step) {
+        return length > 0.0f && std::fmod(length, step) == 0.0f ? part * length : 0.0f;
+    };
+    return {along(size.x, pivot.x, grid.x), along(size.y, pivot.y, grid.y)};
+}
+
+Vec2 dragOffset(Vec2 grabPoint, Vec2 snapPoint, const Pointer& pointer) {
     Vec2 offset = pointer.position - grabPoint;
     if (pointer.modifiers.shift) (std::abs(offset.x) > std::abs(offset.y) ? offset.y : offset.x) = 0.0f;
     if (!pointer.snap) return {std::round(offset.x), std::round(offset.y)};
     // Only what moves snaps: a drag along x leaves a y off the grid alone.
-    const Vec2 target = snapped(origin + offset, pointer.grid);
-    return {offset.x == 0.0f ? 0.0f : target.x - origin.x, offset.y == 0.0f ? 0.0f : target.y - origin.y};
+    const Vec2 way = snapped(snapPoint + offset, pointer.grid) - snapPoint;
+    return {offset.x == 0.0f ? 0.0f : way.x, offset.y == 0.0f ? 0.0f : way.y};
 }
 
 void TransformDrag::grab(const ToolContext& context) {
@@ -56,7 +73,14 @@ void TransformDrag::grab(const ToolContext& context) {
                             parent ? worldPose(document.world, parent) : Pose{}});
     }
     pivot_ = poseInHand(document).value_or(Pose{});
+    size_ = {};
+    const Sprite* sprite = document.world.find<Sprite>(entityInHand(document));
+    if (sprite == nullptr || pivot_.rotation != 0.0f || pivot_.scale != Vec2{1.0f, 1.0f}) return;
+    size_ = {static_cast<float>(sprite->width), static_cast<float>(sprite->height)};
+    anchor_ = sprite->pivot;
 }
+
+Vec2 TransformDrag::snapPoint(Vec2 grid) const { return pivot_.position - snapOffset(size_, anchor_, grid); }
 
 void TransformDrag::move(const ToolContext& context, Vec2 offset) {
     std::vector<Transform> targets;

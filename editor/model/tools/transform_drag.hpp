@@ -21,8 +21,10 @@ public:
     bool cancel(const ToolContext& context);
 
     [[nodiscard]] bool holds() const { return !grabbed_.empty(); }
-    /// The pose in the world of the thing in hand, when it was grabbed: it is what snaps.
+    /// The pose in the world of the thing in hand, when it was grabbed.
     [[nodiscard]] const Pose& pivot() const { return pivot_; }
+    /// px, world: the point of it that snaps.
+    [[nodiscard]] Vec2 snapPoint(Vec2 grid) const;
 
 private:
     struct Grabbed {
@@ -35,14 +37,22 @@ private:
     void push(const ToolContext& context, std::string_view verb, std::vector<Transform> targets) const;
 
     Pose pivot_;
+    Vec2 size_;    // px: of its picture, if that is neither turned nor scaled
+    Vec2 anchor_;  // ratio of it
     std::vector<Grabbed> grabbed_;
 };
 
 /// The pose in the world of the thing in hand: the last one selected that is somewhere. Nothing without one.
 std::optional<Pose> poseInHand(const Document& document);
 
+/// px, from the corner of a picture that snaps to its origin: a picture of whole cells comes to lie in cells,
+/// wherever its pivot is. Any other one snaps by its origin.
+/// @param pivot  ratio of the size
+Vec2 snapOffset(Vec2 size, Vec2 pivot, Vec2 grid);
+
 /// How far a drag moves: Shift keeps to one axis, and what moves comes to the grid or to whole pixels.
-Vec2 dragOffset(Vec2 grabPoint, Vec2 origin, const Pointer& pointer);
+/// @param snapPoint  px, world: before the drag
+Vec2 dragOffset(Vec2 grabPoint, Vec2 snapPoint, const Pointer& pointer);
 
 /// An offset in the world as one in a parent that is turned and scaled.
 Vec2 inParent(Vec2 offset, const Pose& parent);

@@ -82,6 +82,7 @@ void ImportDialog::drawChooser(Ui& ui) {
     tooltip("To the folder around this one");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     if (textField("##place", place_, ImGuiInputTextFlags_EnterReturnsTrue) && !task_->goTo(place_))
         missing_ = format("There is no {}", place_);
     ui.widgets.mark("Import/place", place_);
@@ -149,7 +150,7 @@ void ImportDialog::drawReport(Ui& ui, const ImportReport& report) {
     const bool clean = report.problems.empty();
     ImGui::PushStyleColor(ImGuiCol_Text, clean ? palette::kPlay : palette::kWarning);
     ImGui::TextUnformatted(
-        clean ? "Nothing was left out."
+        clean ? "All of it is here."
               : format("{} things are not as they were:", report.foldedProblems().size()).c_str());
     ImGui::PopStyleColor();
     beginChild("report", {0.0f, -ui.px(40.0f)}, true);

@@ -20,7 +20,7 @@ void dropIntoScene(Ui& ui, Vec2 corner) {
     const PlacedPicture picture = placedPicture(workspace, dropped.empty() ? hovering : dropped);
     Vec2 at = workspace.view.toWorldPoint(Vec2{mouse.x, mouse.y} - corner);
     if (workspace.grid.snap != ImGui::GetIO().KeyCtrl)
-        at = placedOnGrid(at, picture.pivot, workspace.grid.step());
+        at = placedOnGrid(at, picture, workspace.grid.step());
     if (dropped.empty()) {
         const AssetKind kind = assetKindOf(hovering);
         const Vec2 size = picture.size * workspace.view.zoom();

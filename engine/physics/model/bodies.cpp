@@ -200,6 +200,7 @@ Result<Done> setPosition(World& world, BodyId body, WorldPosition position, floa
     const Rot before = std::exchange(pose.rotation, rotFromAngle(angle));
     pose.centre = position + rotate(pose.rotation, pose.localCentre);
     refreshBounds(world, body.index);
+    forJointsOf(world, body.index, [&](std::uint32_t j) { world.joints.hot[j].flags |= kEdited; });
     // Contacts of bodies that cannot rotate assume a constant rotation (kAlongAxes).
     if (!(pose.rotation == before) && !canTurn(world, body.index)) refreshContactsOf(world, body.index);
     return Done{};

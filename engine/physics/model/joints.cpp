@@ -83,6 +83,10 @@ Result<Done> check(const World& world, const JointDefinition& d) {
                      "expected two different living revolute or prismatic joints to gear together",
                      "create both first, and pass their ids as jointA and jointB");
     }
+    if ((d.kind == JointKind::Gear && d.ratio == 0.0f) || (d.kind == JointKind::Pulley && d.ratio <= 0.0f)) {
+        return wrong("JointDefinition.ratio", "expected a ratio that is not 0, of a pulley above 0",
+                     "use 1 for equal motion of both sides");
+    }
     return firstOf(checkNumbers(d), checkAngles(d));
 }
 
@@ -161,6 +165,7 @@ void releaseColour(World& world, std::uint32_t index) {
 }
 
 void joinIslandsOf(World& world, const Joint& joint) {
+    if (joint.place == kNone) return;  // a filter, or one of a disabled body, which is in no island
     if (isDynamic(world, joint.bodyA) && isDynamic(world, joint.bodyB))
         joinIslands(world, joint.bodyA, joint.bodyB);
 }
@@ -177,7 +182,7 @@ Result<JointId> createJoint(World& world, const JointDefinition& definition) {
     joint.nextB = std::exchange(world.bodies.info[joint.bodyB].firstJoint, index);
     take(world, index, definition, normalized(definition.axis));
     addAwakeJoint(world, index);
-    if (joint.kind != JointKind::Filter) joinIslandsOf(world, joint);
+    joinIslandsOf(world, joint);
     if (!definition.collideConnected) world.filtersStale = true;
     world.newJoints = true;
     return JointId{index, joint.generation};
@@ -220,7 +225,7 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     }
     callFor(world, before, -1);
     take(world, id.index, definition, axis);
-    if (joint.colour != kNoColour) joint.flags |= kDefinitionChanged;  // it has been solved in a step
+    if (joint.colour != kNoColour) joint.flags |= kEdited;  // it has been solved in a step
     // A part that was switched on starts without an old impulse. A gear stores its error there.
     if (rearms && joint.kind != JointKind::Gear)
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);

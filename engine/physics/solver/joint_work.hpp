@@ -50,9 +50,9 @@ struct BreakableJoint {
     float torque = 0.0f;  ///< N m
 };
 
-/// A further JointFlag: the definition was changed, and the joint has not yet closed since. A change may do
-/// work, as a rope that is shortened does.
-inline constexpr std::uint8_t kDefinitionChanged = 128;
+/// A further JointFlag: the joint has not closed since it was created open, its definition was changed or one
+/// of its bodies was put elsewhere. To close it may do work, as a rope that is shortened does.
+inline constexpr std::uint8_t kEdited = 128;
 
 /// Joint data of a step, in Workspace.
 struct JointWork {

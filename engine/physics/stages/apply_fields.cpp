@@ -92,32 +92,37 @@ bool hasChangingFields(const StepContext& step, std::size_t slot) {
                        [&](std::uint32_t f) { return !isConstant(step.world.fields.all[f].definition); });
 }
 
+/// The slot of the body at the other end of a spring; -1 if that does not move by forces.
+std::int32_t otherEnd(const StepContext& step, const FieldDefinition& spring, std::uint32_t body) {
+    const BodyId other = spring.a.index == body ? spring.b : spring.a;
+    return other && isDynamic(step.world, other.index) ? step.work.slots[other.index] : -1;
+}
+
 /// Bodies that hang by springs on a driven one are driven, too: both ends of a spring must see the same
 /// states, or momentum is lost.
 void chooseMotions(StepContext& step) {
-    const World& world = step.world;
-    const Workspace& work = step.work;
     std::vector<FieldMotion>& motions = step.work.smooth.motions;
-    motions.assign(work.bodyOf.size(), FieldMotion::Steady);
+    motions.assign(step.work.bodyOf.size(), FieldMotion::Steady);
+    std::vector<std::uint32_t>& driven = step.work.bodyScratch;  // slots whose springs have to be followed
+    driven.clear();
     forPulledSlots(step, [&](std::size_t slot, std::uint32_t body, float) {
-        if (isFree(world, work, body))
+        if (isFree(step.world, step.work, body)) {
             motions[slot] = FieldMotion::Free;
-        else if (hasChangingFields(step, slot))
+        } else if (hasChangingFields(step, slot)) {
             motions[slot] = FieldMotion::Driven;
+            driven.push_back(static_cast<std::uint32_t>(slot));
+        }
     });
-    if (!world.manifest.runs(Effect::Springs)) return;
-    for (bool isChanged = true; isChanged;) {
-        isChanged = false;
-        for (const Field& field : world.fields.all) {
-            const FieldDefinition& d = field.definition;
-            if (!field.isAlive || d.kind != FieldKind::Spring || !d.b) continue;
-            const std::int32_t a = work.slots[d.a.index], b = work.slots[d.b.index];
-            if (a < 0 || b < 0 || !isDynamic(world, d.a.index) || !isDynamic(world, d.b.index)) continue;
-            FieldMotion &ofA = motions[static_cast<std::size_t>(a)],
-                        &ofB = motions[static_cast<std::size_t>(b)];
-            if ((ofA == FieldMotion::Driven) == (ofB == FieldMotion::Driven)) continue;
-            ofA = ofB = FieldMotion::Driven;
-            isChanged = true;
+    while (step.world.manifest.runs(Effect::Springs) && !driven.empty()) {
+        const std::uint32_t slot = driven.back();
+        driven.pop_back();
+        for (const std::uint32_t f : step.work.smooth.fieldsOf(slot)) {
+            const FieldDefinition& field = step.world.fields.all[f].definition;
+            if (field.kind != FieldKind::Spring) continue;
+            const std::int32_t other = otherEnd(step, field, step.work.bodyOf[slot]);
+            if (other < 0 || motions[static_cast<std::size_t>(other)] == FieldMotion::Driven) continue;
+            motions[static_cast<std::size_t>(other)] = FieldMotion::Driven;
+            driven.push_back(static_cast<std::uint32_t>(other));
         }
     }
 }

@@ -1,5 +1,6 @@
 #include <bit>
 
+#include "physics/measure/measures.hpp"
 #include "physics/model/edits.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
@@ -61,6 +62,7 @@ void colourJoints(StepContext& step) {
             if (joint.colour != kNoColour) continue;
             const auto [a, b] = pushedBodies(world, joint);
             joint.colour = b != kNone ? takeColour(step.work, a, b) : takeColour(step.work, kNone, a);
+            if (openingOf(world, index) > world.settings.slop) joint.flags |= kEdited;
         }
     }
     growTrees(world, step.work);

@@ -89,8 +89,12 @@ void findPairs(StepContext& step) {
         wakeOnPaths(step.world, step.work, step.dt);
         updateBroadPhase(step.world, step.work);
     }
-    const Shapes& shapes = step.world.shapes;
-    std::erase_if(step.world.moved, [&](std::uint32_t s) { return shapes.motion[s] == ProxyMotion::Gone; });
+    Shapes& shapes = step.world.shapes;
+    std::erase_if(step.world.moved, [&](std::uint32_t s) {
+        if (shapes.motion[s] != ProxyMotion::Gone) return false;
+        shapes.info[s].flags &= static_cast<std::uint8_t>(~kLeftBounds);
+        return true;
+    });
     if (step.world.moved.empty()) return;
     search(step);
     makeContacts(step);

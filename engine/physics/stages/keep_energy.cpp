@@ -25,7 +25,7 @@ bool moves(const World& world, std::uint32_t body) {
 /// True for joints that store energy or add some. A motor of speed 0 is a brake.
 bool isPowered(const Joint& joint, const JointDefinition& definition) {
     const bool drives = (joint.flags & kDriven) != 0 && definition.motor.speed != 0.0f;
-    return drives || (joint.flags & (kSprung | kSoft | kDefinitionChanged)) != 0 ||
+    return drives || (joint.flags & (kSprung | kSoft | kEdited)) != 0 ||
            joint.kind == JointKind::Mouse || joint.kind == JointKind::Motor;
 }
 
@@ -134,8 +134,8 @@ void noteJoints(StepContext& step) {
         EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);
         account.isDriven |= powered(j) || moves(world, joint.bodyA) || moves(world, joint.bodyB);
         account.isRooted |= !isDynamic(world, joint.bodyA) || !isDynamic(world, joint.bodyB);
-        if ((joint.flags & kDefinitionChanged) != 0 && openingOf(world, j) <= world.settings.slop)
-            joint.flags = static_cast<std::uint8_t>(joint.flags & ~kDefinitionChanged);
+        if ((joint.flags & kEdited) != 0 && openingOf(world, j) <= world.settings.slop)
+            joint.flags = static_cast<std::uint8_t>(joint.flags & ~kEdited);
     });
 }
 

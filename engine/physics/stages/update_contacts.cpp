@@ -140,10 +140,8 @@ void endAltered(StepContext& step) {
     // The body may have fallen asleep since, with its contacts: wake it.
     for (const std::uint32_t shape : world.altered) wakeTouching(world, info[shape].body);
     endContactsOf(step, [&](std::uint32_t shape) { return (info[shape].flags & kAltered) != 0; });
-    for (const std::uint32_t shape : world.altered) {
-        const bool isOff = (info[shape].flags & kShapeOff) != 0;  // it is no longer in World::moved
-        info[shape].flags &= static_cast<std::uint8_t>(isOff ? ~(kAltered | kLeftBounds) : ~kAltered);
-    }
+    for (const std::uint32_t shape : world.altered)
+        info[shape].flags &= static_cast<std::uint8_t>(~kAltered);
     world.altered.clear();
 }
 

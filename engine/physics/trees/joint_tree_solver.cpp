@@ -312,7 +312,7 @@ void prepareTrees(StepContext& step) {
         tree.powered = false;
         forLinks(all, tree, [&](Link& link) {
             prepareLink(world, step.work, link);
-            tree.powered |= (world.joints.hot[link.joint].flags & kDefinitionChanged) != 0;
+            tree.powered |= (world.joints.hot[link.joint].flags & kEdited) != 0;
         });
         const std::int32_t slot = all.bodiesOf(tree).front().slot;
         tree.group = 0;

@@ -1,4 +1,4 @@
-"""The board that the pause menu is written on: a signboard of the wood that hangs from two cords."""
+"""The boards that menus are written on: signboards of the wood that hang from two cords."""
 
 from canvas import Canvas, dithered
 from title import shadowed, word
@@ -49,4 +49,4 @@ def pause():
 
 
 def build():
-    return {"pause.png": pause()}
+    return {"board.png": board(), "pause.png": pause()}
