@@ -133,7 +133,7 @@ struct ShapeDefinition {
     std::uint32_t layers = 1;          ///< bits: the layers that it is on
     std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that it collides with; both shapes must agree
     std::int32_t group = 0;  ///< two shapes of the same group collide always (above 0) or never (below 0)
-    /// A sensor: it reports overlaps at the end of a step, wakes what it overlaps, and exerts no forces.
+    /// A sensor: it reports overlaps at the start of a step, wakes what it overlaps, and exerts no forces.
     bool isTrigger = false;
     bool oneWay = false;                ///< stops only bodies from the side that `oneWayDirection` points to
     Vec2 oneWayDirection{0.0f, -1.0f};  ///< outward normal of the solid side, in the body's frame
