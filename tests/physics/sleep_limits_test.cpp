@@ -88,6 +88,17 @@ TEST(SleepLimits, whatSwaysAboutItsPlaceSleepsByTheMeanOfItsEnergy) {
     }
 }
 
+TEST(SleepLimits, whatFallsSlowlyDoesNotSleepInTheAir) {
+    for (const float gravity : {1.0e-3f, 0.02f, 0.09f}) {
+        World world;
+        world.settings.gravity = {0.0f, gravity};
+        const BodyId body = addBody(world, BodyKind::Dynamic, {});
+        static_cast<void>(createShape(world, body, circle(0.5f)));
+        for (int i = 0; i < 600; ++i) step(world, kTick);
+        EXPECT_NEAR(positionOf(world, body).y, 0.5 * static_cast<double>(gravity) * 100.0, 1e-3);
+    }
+}
+
 TEST(SleepLimits, pyramidsThatSwayComeToRest) {
     for (const std::uint32_t rows : {12u, 16u, 19u}) {
         for (const Quality quality : {Quality{1}, Quality{2}, Quality{3}}) {

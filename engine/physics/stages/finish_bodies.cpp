@@ -34,13 +34,19 @@ FieldMotion fieldMotionOf(const StepContext& step, std::size_t slot) {
     return motions.empty() ? FieldMotion::Steady : motions[slot];
 }
 
+/// True for a body that falls: it is accelerated, and no contact or soft body holds it.
+bool isBallistic(const Workspace& work, std::size_t slot) {
+    return work.ballisticDrift[slot].x != 0.0f || work.ballisticDrift[slot].y != 0.0f;
+}
+
 /// m/s: a body that is at rest is slower. What only fields push may move on for ever at any speed, as a
-/// bubble does: it has to stay within the slop for the time after which it sleeps.
+/// bubble does: it has to stay within the slop for the time after which it sleeps. What falls is not at rest.
 float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
-    const float speed = step.world.bodies.info[body].sleepSpeed;
-    if (fieldMotionOf(step, slot) != FieldMotion::Free) return speed;
+    const BodyInfo& info = step.world.bodies.info[body];
     const Settings& settings = step.world.settings;
-    return std::min(speed, settings.slop / std::max(settings.sleepTime, step.dt));
+    if (fieldMotionOf(step, slot) == FieldMotion::Free)
+        return std::min(info.sleepSpeed, settings.slop / std::max(settings.sleepTime, step.dt));
+    return info.firstJoint == kNone && isBallistic(step.work, slot) ? 0.0f : info.sleepSpeed;
 }
 
 /// s: how long the body has rested. Time in which it is slower than `restSpeed` counts; faster motion takes
@@ -88,11 +94,10 @@ Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Ve
     const Vec2 gained = velocity - before;
     const Float4& ballisticDrift = step.work.ballisticDrift[slot];
     const Float4& pull = step.work.drive[slot];
-    const bool held = ballisticDrift.x == 0.0f && ballisticDrift.y == 0.0f;
     const float slowest = kLivelyPart * step.world.settings.bounceSpeed;
     const float rounding = lengthSquared(velocity) > slowest * slowest ? kRounded : 1.0f;
     const float maximum = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
-    if (!held || lengthSquared(gained) > maximum) return {};
+    if (isBallistic(step.work, slot) || lengthSquared(gained) > maximum) return {};
     if (fieldMotionOf(step, slot) == FieldMotion::Driven) return {};  // not constant
     if (step.world.bodies.info[body].firstJoint != kNone) return {};  // else rotation needs a correction too
     return (0.5f * ballisticDrift.z) * gained;
