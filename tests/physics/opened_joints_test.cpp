@@ -17,14 +17,23 @@ BodyId addBob(World& world) {
     return addBody(world, BodyKind::Dynamic, {0.0, 0.25}, box({0.05f, 0.25f}), alone);
 }
 
+/// A bob, and the ground that it is to hang on, in a world with a random quality and solver of joints.
+struct Hung {
+    explicit Hung(Random& random) {
+        world.settings.quality = static_cast<Quality>(random.below(5));
+        world.settings.directJoints = random.below(2) == 0;
+        ground = *createBody(world, {.kind = BodyKind::Static});
+        bob = addBob(world);
+    }
+    World world;
+    BodyId ground, bob;
+};
+
 TEST(OpenedJoints, ofABodyThatWasPutElsewhereClose) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random = Random::seeded(seed);
-        World world;
-        world.settings.quality = static_cast<Quality>(random.below(5));
-        world.settings.directJoints = random.below(2) == 0;
-        const BodyId ground = *createBody(world, {.kind = BodyKind::Static});
-        const BodyId bob = addBob(world);
+        Hung hung{random};
+        auto& [world, ground, bob] = hung;
         const JointKind kind = random.below(2) == 0 ? JointKind::Revolute : JointKind::Weld;
         const JointId joint =
             *createJoint(world, {.kind = kind, .a = ground, .b = bob, .anchorB = {0.0f, -0.25f}});
@@ -54,11 +63,8 @@ TEST(OpenedJoints, closeWhenWhatTheyHangOnWasPutElsewhere) {
 TEST(OpenedJoints, beginOutsideOfTheirLimitsAndComeIntoThem) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random = Random::seeded(seed);
-        World world;
-        world.settings.quality = static_cast<Quality>(random.below(5));
-        world.settings.directJoints = random.below(2) == 0;
-        const BodyId ground = *createBody(world, {.kind = BodyKind::Static});
-        const BodyId bob = addBob(world);
+        Hung hung{random};
+        auto& [world, ground, bob] = hung;
         const float lower = random.between(-1.5f, 1.2f), upper = lower + random.between(0.05f, 0.3f);
         const JointId joint = *createJoint(world, {.a = ground,
                                                    .b = bob,
