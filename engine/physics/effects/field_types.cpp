@@ -198,9 +198,7 @@ Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t
                   part * (result.angular + other.angular) - other.angular};
     }
     result.angular -= std::min(sum.angularDrag, 1.0f / view.h) * state.angularVelocity;
-    const std::uint8_t flags = view.world.bodies.info[body].flags;
-    if ((flags & kLockX) != 0) result.linear.x = 0.0f;
-    if ((flags & kLockY) != 0) result.linear.y = 0.0f;
+    result.linear = unlocked(view.world, body, result.linear);
     return result;
 }
 

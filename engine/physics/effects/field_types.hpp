@@ -24,6 +24,12 @@ struct Acceleration {
     }
 };
 
+/// A velocity or acceleration of a body without the part along its locked axes.
+[[nodiscard]] inline Vec2 unlocked(const World& world, std::uint32_t body, Vec2 a) {
+    const std::uint8_t flags = world.bodies.info[body].flags;
+    return {(flags & kLockX) != 0 ? 0.0f : a.x, (flags & kLockY) != 0 ? 0.0f : a.y};
+}
+
 /// What a field may read besides the state of the body that it acts on.
 struct FieldView {
     const World& world;

@@ -161,9 +161,7 @@ Acceleration steadyAcceleration(const StepContext& step, std::size_t slot, std::
         steady +=
             fieldTypeOf(field.kind).force(view, f, body, stateAfter(step.world, body, 0.0f)).acceleration;
     }
-    const std::uint8_t flags = step.world.bodies.info[body].flags;
-    if ((flags & kLockX) != 0) steady.linear.x = 0.0f;
-    if ((flags & kLockY) != 0) steady.linear.y = 0.0f;
+    steady.linear = unlocked(step.world, body, steady.linear);
     return steady;
 }
 
@@ -184,9 +182,7 @@ void launch(StepContext& step, std::size_t slot, std::uint32_t body, const Accel
     flyer.linearDrag = step.world.bodies.driveOf(body).linearDrag;
     flyer.angularDrag = step.world.bodies.driveOf(body).angularDrag;
     flyer.now = stateAfter(step.world, body, 0.0f);
-    const std::uint8_t flags = step.world.bodies.info[body].flags;
-    if ((flags & kLockX) != 0) flyer.now.velocity.x = 0.0f;
-    if ((flags & kLockY) != 0) flyer.now.velocity.y = 0.0f;
+    flyer.now.velocity = unlocked(step.world, body, flyer.now.velocity);
     smooth.flyerOf[body] = static_cast<std::int32_t>(smooth.flyers.size());
     smooth.flyers.push_back(flyer);
 }
