@@ -156,12 +156,10 @@ bool keptApart(const World& world, std::uint32_t bodyA, std::uint32_t bodyB) {
 }
 
 void releaseColour(World& world, std::uint32_t index) {
+    if (world.work.stale()) return;
     const Joint& joint = world.joints.hot[index];
-    if (!world.work.stale()) {
-        const PushedBodies pushed = pushedBodies(world, joint);
-        const bool fixedB = pushed.b == kNone;
-        freeColour(world.work.get(), fixedB ? kNone : pushed.a, fixedB ? pushed.a : pushed.b, joint.colour);
-    }
+    const auto [a, b] = pushedBodies(world, joint);
+    freeColour(world.work.get(), a, b, joint.colour);
 }
 
 void joinIslandsOf(World& world, const Joint& joint) {

@@ -4,35 +4,33 @@
 // Source: separating axes of boxes after S. Gottschalk, M. Lin, D. Manocha, "OBBTree", 1996, 5; the incident
 // edge is clipped after E. Catto, "Contact Manifolds", GDC 2007.
 
-using BoxPair = BoxPairOf<Float8>;
-using BoxTouch = BoxTouchOf<Float8>;
+using BoxPair = BoxPairOf<Float8, Two8>;
+using BoxTouch = BoxTouchOf<Float8, Two8>;
 
 /// The axis of maximum separation.
 struct BoxAxis {
-    Float8 gap;          // m: separation of the cores along it
-    Float8 ofB, alongY;  // 1 or 0: an axis of B; the y axis of that box
+    Float8 gap;         // m: separation of the cores along it
+    Mask8 ofB, alongY;  // an axis of B; the y axis of that box
 };
+
+inline Float8 oneIn(Mask8 mask) { return select(mask, all(1.0f), all(0.0f)); }
 
 BoxAxis bestAxis(const BoxPair& p, Float8 qx, Float8 qy) {
     const Float8 c = abs(p.cosine);
     const Float8 s = abs(p.sine);
-    const Float8 aX = abs(p.x) - p.halfAx - (c * p.halfBx + s * p.halfBy);
-    const Float8 aY = abs(p.y) - p.halfAy - (s * p.halfBx + c * p.halfBy);
-    const Float8 bX = abs(qx) - p.halfBx - (c * p.halfAx + s * p.halfAy);
-    const Float8 bY = abs(qy) - p.halfBy - (s * p.halfAx + c * p.halfAy);
+    const Float8 aX = abs(p.place.x) - p.halfA.x - (c * p.halfB.x + s * p.halfB.y);
+    const Float8 aY = abs(p.place.y) - p.halfA.y - (s * p.halfB.x + c * p.halfB.y);
+    const Float8 bX = abs(qx) - p.halfB.x - (c * p.halfA.x + s * p.halfA.y);
+    const Float8 bY = abs(qy) - p.halfB.y - (s * p.halfA.x + c * p.halfA.y);
     // As faceTieOf() of the smallest half size.
     const Float8 tie =
-        min(all(kMaxFaceTie), all(kFaceTie) * min(min(p.halfAx, p.halfAy), min(p.halfBx, p.halfBy)));
-    const Float8 zero = all(0.0f);
-    const Float8 one = all(1.0f);
+        min(all(kMaxFaceTie), all(kFaceTie) * min(min(p.halfA.x, p.halfA.y), min(p.halfB.x, p.halfB.y)));
     const auto aIsY = aY > aX + tie;
     const auto bIsY = bY > bX + tie;
     const Float8 a = select(aIsY, aY, aX);
     const Float8 b = select(bIsY, bY, bX);
     const auto isB = b > a + tie;
-    const Float8 yOfA = select(aIsY, one, zero);
-    const Float8 yOfB = select(bIsY, one, zero);
-    return {select(isB, b, a), select(isB, one, zero), select(isB, yOfB, yOfA)};
+    return {select(isB, b, a), isB, select(isB, oneIn(bIsY), oneIn(aIsY)) > all(0.0f)};
 }
 
 /// The boxes seen from the reference face: n is its normal, towards the other box, t the direction along it.
@@ -51,15 +49,14 @@ BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
     const Float8 zero = all(0.0f);
     const Float8 one = all(1.0f);
     const Float8 two = all(2.0f);
-    const auto ofB = axis.ofB > zero;
-    const auto alongY = axis.alongY > zero;
+    const auto& [gap, ofB, alongY] = axis;
     const Float8 sine = select(ofB, -p.sine, p.sine);
-    const Float8 x = select(ofB, -qx, p.x);
-    const Float8 y = select(ofB, -qy, p.y);
-    const Float8 halfX = select(ofB, p.halfBx, p.halfAx);
-    const Float8 halfY = select(ofB, p.halfBy, p.halfAy);
-    const Float8 otherX = select(ofB, p.halfAx, p.halfBx);
-    const Float8 otherY = select(ofB, p.halfAy, p.halfBy);
+    const Float8 x = select(ofB, -qx, p.place.x);
+    const Float8 y = select(ofB, -qy, p.place.y);
+    const Float8 halfX = select(ofB, p.halfB.x, p.halfA.x);
+    const Float8 halfY = select(ofB, p.halfB.y, p.halfA.y);
+    const Float8 otherX = select(ofB, p.halfA.x, p.halfB.x);
+    const Float8 otherY = select(ofB, p.halfA.y, p.halfB.y);
 
     BoxView v;
     const Float8 towards = select(alongY, y, x);
@@ -93,11 +90,11 @@ BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
     v.highN = v.midN + alongN * halfSide;
     v.highT = v.midT + alongT * halfSide;
 
-    const Float8 positive = select(v.flip > zero, one, zero);
+    const Float8 positive = oneIn(v.flip > zero);
     v.cornerLow = select(alongY, positive * two, positive);
     v.cornerHigh = v.cornerLow + select(alongY, one, two);
     const Float8 face = select(backwards, zero, one);
-    const Float8 low = select(sideBackwards, one, zero);
+    const Float8 low = oneIn(sideBackwards);
     v.otherLow = select(byX, face + low * two, face * two + low);
     v.otherHigh = select(byX, face + (one - low) * two, face * two + (one - low));
     return v;
@@ -202,36 +199,29 @@ void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Flo
 BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const BoxAxis& axis) {
     const Float8 zero = all(0.0f);
     const Float8 one = all(1.0f);
-    const auto ofB = axis.ofB > zero;
-    const auto alongY = axis.alongY > zero;
+    const Mask8 ofB = axis.ofB;
     const Float8 cosine = select(ofB, p.cosine, one);
     const Float8 sine = select(ofB, p.sine, zero);
-    const Float8 originX = select(ofB, p.x, zero);
-    const Float8 originY = select(ofB, p.y, zero);
+    const Two8 origin{select(ofB, p.place.x, zero), select(ofB, p.place.y, zero)};
     BoxTouch touch;
     const Float8 normalN = select(ofB, -v.flip, v.flip) * w.normalN;
     const Float8 normalT = select(ofB, -w.normalT, w.normalT);
-    const Float8 normalX = select(alongY, normalT, normalN);
-    const Float8 normalY = select(alongY, normalN, normalT);
-    touch.normalX = cosine * normalX - sine * normalY;
-    touch.normalY = sine * normalX + cosine * normalY;
-    Float8 pointX[2], pointY[2], id[2];
+    const auto inA = [&](Float8 n, Float8 t) {
+        return turned(cosine, sine, select(axis.alongY, t, n), select(axis.alongY, n, t));
+    };
+    touch.normal = inA(normalN, normalT);
+    Two8 point[2];
+    Float8 id[2];
     const Float8 shift = all(256.0f);
     for (int i = 0; i < 2; ++i) {
-        const Float8 n = v.flip * w.n[i];
-        const Float8 x = select(alongY, w.t[i], n);
-        const Float8 y = select(alongY, n, w.t[i]);
-        pointX[i] = originX + (cosine * x - sine * y);
-        pointY[i] = originY + (sine * x + cosine * y);
+        point[i] = origin + inA(v.flip * w.n[i], w.t[i]);
         id[i] = select(ofB, w.other[i] * shift + w.corner[i], w.corner[i] * shift + w.other[i]);
     }
     const auto first = w.keep[0] > zero;  // otherwise the second point becomes the first
-    touch.pointX[0] = select(first, pointX[0], pointX[1]);
-    touch.pointY[0] = select(first, pointY[0], pointY[1]);
+    touch.point[0] = {select(first, point[0].x, point[1].x), select(first, point[0].y, point[1].y)};
     touch.separation[0] = select(first, w.separation[0], w.separation[1]);
     touch.id[0] = select(first, id[0], id[1]);
-    touch.pointX[1] = pointX[1];
-    touch.pointY[1] = pointY[1];
+    touch.point[1] = point[1];
     touch.separation[1] = w.separation[1];
     touch.id[1] = id[1];
     touch.count = w.keep[0] + w.keep[1];
@@ -243,8 +233,8 @@ BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const Bo
 /// @return  count 0 if the boxes are further apart than `speculative`
 BoxTouch touchBoxes(const BoxPair& p, Float8 speculative) {
     const Float8 zero = all(0.0f);
-    const Float8 qx = p.cosine * p.x + p.sine * p.y;  // B's centre along B's axes
-    const Float8 qy = p.cosine * p.y - p.sine * p.x;
+    const Float8 qx = p.cosine * p.place.x + p.sine * p.place.y;  // B's centre along B's axes
+    const Float8 qy = p.cosine * p.place.y - p.sine * p.place.x;
     const BoxAxis axis = bestAxis(p, qx, qy);
     const auto near = speculative + (p.radiusA + p.radiusB) > axis.gap;
     BoxTouch touch;
@@ -252,12 +242,10 @@ BoxTouch touchBoxes(const BoxPair& p, Float8 speculative) {
     if (!any(near)) return touch;
 
     const BoxView view = viewFrom(p, axis, qx, qy);
-    const auto ofB = axis.ofB > zero;
-    const Float8 radius = select(ofB, p.radiusB, p.radiusA);
-    const Float8 otherRadius = select(ofB, p.radiusA, p.radiusB);
+    const Float8 radius = select(axis.ofB, p.radiusB, p.radiusA);
+    const Float8 otherRadius = select(axis.ofB, p.radiusA, p.radiusB);
     BoxPlaces places = touchFaces(view, radius, otherRadius, speculative);
-    if (any((axis.gap > zero) & near))
-        touchCorners(places, view, axis.gap, radius, otherRadius, speculative);
+    if (any((axis.gap > zero) & near)) touchCorners(places, view, axis.gap, radius, otherRadius, speculative);
     touch = placed(places, view, p, axis);
     touch.count = select(near, touch.count, zero);
     return touch;

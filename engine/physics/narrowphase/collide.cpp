@@ -8,14 +8,10 @@
 namespace plumb::physics {
 
 void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA) {
-    const Vec2 displacement = unrotate(a.turn, apply(bInA, b.a) - a.a);
     const Rot turn = between(a.turn, bInA.rotation * b.turn);
-    pairs.halfAx[lane] = a.b.x;
-    pairs.halfAy[lane] = a.b.y;
-    pairs.halfBx[lane] = b.b.x;
-    pairs.halfBy[lane] = b.b.y;
-    pairs.x[lane] = displacement.x;
-    pairs.y[lane] = displacement.y;
+    pairs.halfA.set(lane, a.b);
+    pairs.halfB.set(lane, b.b);
+    pairs.place.set(lane, unrotate(a.turn, apply(bInA, b.a) - a.a));
     pairs.cosine[lane] = turn.cos;
     pairs.sine[lane] = turn.sin;
     pairs.radiusA[lane] = a.radius;
@@ -26,12 +22,12 @@ Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a) {
     Manifold manifold;
     if (!(touches.count[lane] > 0.0f)) return manifold;
     manifold.count = static_cast<int>(touches.count[lane]);
-    manifold.normal = rotate(a.turn, {touches.normalX[lane], touches.normalY[lane]});
+    manifold.normal = rotate(a.turn, touches.normal.at(lane));
     manifold.roundA = touches.roundA[lane];
     manifold.roundB = touches.roundB[lane];
     for (int i = 0; i < manifold.count; ++i) {
-        manifold.points[i] = {a.a + rotate(a.turn, {touches.pointX[i][lane], touches.pointY[i][lane]}),
-                              touches.separation[i][lane], static_cast<std::uint16_t>(touches.id[i][lane])};
+        manifold.points[i] = {a.a + rotate(a.turn, touches.point[i].at(lane)), touches.separation[i][lane],
+                              static_cast<std::uint16_t>(touches.id[i][lane])};
     }
     return manifold;
 }
@@ -96,7 +92,7 @@ Manifold collideBoxes(const Geometry& a, const Geometry& b, const Frame& bInA, f
     constexpr float kFar =
         1.0e9f;  // m: lanes without a pair are apart, so the kernel may skip what others need
     BoxPairs pairs{};
-    std::fill_n(pairs.x, kLanes, kFar);
+    std::fill_n(pairs.place.x, kLanes, kFar);
     BoxTouches touches;
     putPair(pairs, 0, a, b, bInA);
     solverKernels().collideBoxes(pairs, speculative, touches);

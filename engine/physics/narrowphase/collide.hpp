@@ -53,26 +53,28 @@ Manifold collideChain(const Geometry& a, const Geometry& chain, std::span<const 
 
 /// Eight pairs of boxes, each in a frame with the centre and the axes of its box A.
 /// @tparam Row  eight numbers: in memory, or in a register of the kernel
-template <class Row>
+/// @tparam Pair  eight vectors
+template <class Row, class Pair>
 struct BoxPairOf {
-    Row halfAx, halfAy, halfBx, halfBy;  // m
-    Row x, y;                            // m: B's centre
-    Row cosine, sine;                    // B's rotation
-    Row radiusA, radiusB;                // m
+    Pair halfA, halfB;     // m
+    Pair place;            // m: B's centre
+    Row cosine, sine;      // B's rotation
+    Row radiusA, radiusB;  // m
 };
 
 /// Their manifolds.
-template <class Row>
+template <class Row, class Pair>
 struct BoxTouchOf {
-    Row normalX, normalY;  // from A to B
-    Row pointX[2], pointY[2], separation[2];
+    Pair normal;  // from A to B
+    Pair point[2];
+    Row separation[2];
     Row id[2];  // corner of A * 256 + corner of B; corners are 0 (-,-), 1 (+,-), 2 (-,+), 3 (+,+)
     Row count;
     Row roundA, roundB;
 };
 
-using BoxPairs = BoxPairOf<float[kLanes]>;
-using BoxTouches = BoxTouchOf<float[kLanes]>;
+using BoxPairs = BoxPairOf<float[kLanes], VecLanes>;
+using BoxTouches = BoxTouchOf<float[kLanes], VecLanes>;
 
 void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA);
 /// @param a  the first box of the pair

@@ -59,8 +59,7 @@ struct ContactBlockOf {
 
     SideA a;
     SideB b;
-    float normalX[kLanes];
-    float normalY[kLanes];
+    VecLanes normal;
     ContactBlockPoint points[kPointCount];
     float friction[kLanes];    ///< this and the following only with friction
     float slideSpeed[kLanes];  ///< m/s: of the surfaces themselves (conveyors, kinematic bodies)
@@ -122,12 +121,6 @@ struct RollingBlock {
     float mass[kLanes];        ///< kg m2: effective inertia of the relative rotation
     float spin[kLanes];        ///< rad/s: angular velocity of a static or kinematic A
     float impulse[kLanes];     ///< N m s on B
-};
-
-/// Contacts of a block: indices into World::contacts. Entries from `count` on are unused.
-struct BlockLanes {
-    std::int32_t contact[kLanes];
-    std::int32_t count;
 };
 
 /// Soft constraint parameters: a spring as a velocity constraint. Source: E. Catto, "Soft Constraints", GDC

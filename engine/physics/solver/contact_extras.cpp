@@ -14,7 +14,7 @@ namespace {
 template <class Block>
 void prepareBlock(const StepContext& step, const Block& block, const BlockLanes& lanes, BounceBlock& bounce) {
     for (int i = 0; i < lanes.count; ++i) {
-        const Contact& contact = step.world.contacts[static_cast<std::size_t>(lanes.contact[i])];
+        const Contact& contact = step.world.contacts[static_cast<std::size_t>(lanes.index[i])];
         bounce.bounciness[i] = contact.bounciness;
         bounce.before[i] = contact.impulse0;
         bounce.sum[i] = (contact.flags & kRound) != 0 && contact.bounciness > 0.0f ? 0.0f : kNoChain;
@@ -86,19 +86,12 @@ template <class Block>
 void prepareBlock(const World& world, const Block& block, const BlockLanes& lanes, RollingBlock& rolling) {
     rolling = {};
     for (int i = 0; i < lanes.count; ++i) {
-        const Contact& contact = world.contacts[static_cast<std::size_t>(lanes.contact[i])];
+        const Contact& contact = world.contacts[static_cast<std::size_t>(lanes.index[i])];
         rolling.resistance[i] = contact.rollingResistance;
         const float inverse = inverseInertiaOf(block.a, i) + inverseInertiaOf(block.b, i);
         rolling.mass[i] = inverse > 0.0f ? 1.0f / inverse : 0.0f;
         rolling.spin[i] = world.bodies.motion[contact.bodyA].angularVelocity;
         rolling.impulse[i] = contact.rollingResistance > 0.0f ? contact.rollingImpulse : 0.0f;
-    }
-}
-
-template <class Block>
-void warmStartBlock(Workspace& work, const Block& block, const RollingBlock& rolling) {
-    for (int i = 0; i < kLanes; ++i) {
-        if (rolling.impulse[i] != 0.0f) turnApart(work, block, i, rolling.impulse[i]);
     }
 }
 
@@ -128,7 +121,7 @@ void startBlocks(StepContext& step, const std::vector<Block>& blocks, const std:
     Workspace& work = step.work;
     for (auto n = static_cast<std::size_t>(range.begin); n < static_cast<std::size_t>(range.end); ++n) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(lanes[n].count); ++i) {
-            const std::int32_t contact = lanes[n].contact[i];
+            const std::int32_t contact = lanes[n].index[i];
             const std::uint16_t key = work.contactKeys[static_cast<std::size_t>(contact)];
             if (!step.world.settings.stayEvents && (key & kKeyBegan) == 0) continue;
             const float* second =
@@ -175,7 +168,10 @@ void prepareRolling(StepContext& step) {
 void warmStartRolling(StepContext& step, const SolveGroup& group) {
     if (!step.runs(Effect::Rolling)) return;
     forGroup(step, group, [&](const auto& store, std::size_t n) {
-        warmStartBlock(step.work, store.blocks[n], store.rollings[n]);
+        for (int i = 0; i < kLanes; ++i) {
+            const float impulse = store.rollings[n].impulse[i];
+            if (impulse != 0.0f) turnApart(step.work, store.blocks[n], i, impulse);
+        }
     });
 }
 
@@ -189,7 +185,7 @@ void storeRolling(StepContext& step) {
     if (!step.runs(Effect::Rolling)) return;
     forAllBlocks(step, [&](const auto& store, std::size_t n) {
         for (int i = 0; i < store.lanes[n].count; ++i) {
-            step.world.contacts[static_cast<std::size_t>(store.lanes[n].contact[i])].rollingImpulse =
+            step.world.contacts[static_cast<std::size_t>(store.lanes[n].index[i])].rollingImpulse =
                 store.rollings[n].impulse[i];
         }
     });

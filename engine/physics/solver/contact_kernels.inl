@@ -13,13 +13,6 @@ struct Body8 {
     }
 };
 
-inline Body8 bodyAt(const Float4* velocity, const std::int32_t* slots, const float* inverseInertia) {
-    Body8 body;
-    gather(velocity, slots, body.lane);
-    body.inverseInertia = load(inverseInertia);
-    return body;
-}
-
 /// Velocity of a body's point along a direction with lever arm `lever`.
 inline Float8 speedAlong(const Body8& body, Two8 direction, Float8 lever) {
     return body.lane[0] * direction.x + body.lane[1] * direction.y + body.lane[2] * lever;
@@ -39,7 +32,9 @@ struct Mover8<RotatingSide, kPush> {
     Float8 shift[4], turns;
 
     [[gnu::always_inline]] Mover8(const SolverBodies& bodies, const RotatingSide& lanes, Float8)
-        : side{lanes}, body{bodyAt(bodies.velocity, lanes.slot, lanes.inverseInertia)} {
+        : side{lanes} {
+        gather(bodies.velocity, lanes.slot, body.lane);
+        body.inverseInertia = load(lanes.inverseInertia);
         if constexpr (!kPush) return;
         gather(bodies.deltaPosition, lanes.slot, shift);
         turns = load(lanes.turn);
@@ -110,12 +105,6 @@ struct Mover8<FixedSide<kPoints>, kPush> {
     void write(const Bodies&, int) const {}
 };
 
-template <bool kPush, class Lanes, class Bodies>
-[[gnu::always_inline]] inline Mover8<Lanes, kPush> moverOf(const Bodies& bodies, const Lanes& side,
-                                                           Float8 elapsed) {
-    return {bodies, side, elapsed};
-}
-
 template <class MoverA, class MoverB, class ArmA, class ArmB>
 inline void exchange(MoverA& a, MoverB& b, Float8 impulse, Two8 direction, ArmA armA, ArmB armB) {
     a.pull(impulse * direction, impulse * armA);
@@ -136,11 +125,11 @@ void warmStart(const Bodies& bodies, const ContactPass&, const BlockLanes* lanes
                int end) {
     for (int n = begin; n < end; ++n) {
         const Block& block = blocks[n];
-        auto a = moverOf<false>(bodies, block.a, all(0.0f));
-        auto b = moverOf<false>(bodies, block.b, all(0.0f));
+        Mover8<decltype(block.a), false> a{bodies, block.a, all(0.0f)};
+        Mover8<decltype(block.b), false> b{bodies, block.b, all(0.0f)};
         Float8 push = load(block.points[0].impulse);
         for (int p = 1; p < Block::kPoints; ++p) push += load(block.points[p].impulse);
-        const Two8 normal{load(block.normalX), load(block.normalY)};
+        const Two8 normal = load2(block.normal);
         Two8 impulse = push * normal;
         if constexpr (kHasFriction) {
             const Float8 slide = load(block.slideImpulse);
@@ -218,9 +207,9 @@ template <bool kHasFriction, bool kPush, class Block, class Bodies, class Answer
                                          Block* blocks, int begin, int end, const Answer& answer) {
     for (int n = begin; n < end; ++n) {
         Block& block = blocks[n];
-        auto a = moverOf<kPush>(bodies, block.a, elapsed);
-        auto b = moverOf<kPush>(bodies, block.b, elapsed);
-        const Two8 normal{load(block.normalX), load(block.normalY)};
+        Mover8<decltype(block.a), kPush> a{bodies, block.a, elapsed};
+        Mover8<decltype(block.b), kPush> b{bodies, block.b, elapsed};
+        const Two8 normal = load2(block.normal);
         Float8 pressed;
         for (int p = 0; p < Block::kPoints; ++p) {
             ContactBlockPoint& point = block.points[p];
@@ -265,7 +254,7 @@ void storeImpulses(Float4* contacts, const BlockLanes* lanes, const Block* block
     for (int n = begin; n < end; ++n) {
         const Block& block = blocks[n];
         for (int i = 0; i < lanes[n].count; ++i) {
-            Float4* rows = contacts + lanes[n].contact[i] * kContactRows;
+            Float4* rows = contacts + lanes[n].index[i] * kContactRows;
             if constexpr (kHasFriction) rows[kNormalRow].w = block.slideImpulse[i];
             rows[kImpulseRow].y = block.points[0].impulse[i];
             if constexpr (Block::kPoints == 2) rows[kImpulseRow].w = block.points[1].impulse[i];

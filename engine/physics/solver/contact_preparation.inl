@@ -13,7 +13,7 @@ inline Rows8 rowsOf(const ContactSource& source, const BlockLanes& lanes) {
     Rows8 rows;
     float used[kLanes];
     for (int i = 0; i < kLanes; ++i) {
-        const std::int32_t contact = lanes.contact[i < lanes.count ? i : 0];
+        const std::int32_t contact = lanes.index[i < lanes.count ? i : 0];
         std::int32_t ids[4];
         __builtin_memcpy(ids, source.contacts + contact * kContactRows, sizeof ids);
         rows.contact[i] = contact * kContactRows;
@@ -30,7 +30,7 @@ constexpr int kAhead = 2;  // blocks: prefetch distance
 /// Prefetches rows of the contacts of a later block: they are scattered in memory.
 inline void fetch(const Float4* contacts, const BlockLanes& lanes, int line) {
     for (int i = 0; i < kLanes; ++i)
-        __builtin_prefetch(contacts + lanes.contact[i < lanes.count ? i : 0] * kContactRows + line);
+        __builtin_prefetch(contacts + lanes.index[i < lanes.count ? i : 0] * kContactRows + line);
 }
 
 inline void slotsOf(const ContactSource& source, const BlockLanes& lanes, const std::int32_t* body,
@@ -182,8 +182,7 @@ void prepare(const ContactSource& source, const BlockLanes* lanes,
         }
         store(block.b.turn, slideB + places.rounds[1]);
         store(block.b.slide, slideB);
-        store(block.normalX, normal.x);
-        store(block.normalY, normal.y);
+        store2(block.normal, normal);
         prepareFriction(rows, places.friction, places.slideImpulse, slideSpeed, response(slideA, slideB),
                         block);
     }
@@ -220,8 +219,7 @@ void prepare(const ContactSource& source, const BlockLanes* lanes,
         Float8 first[4], impulses[4];
         gather(source.contacts + kNormalRow, rows.contact, first);
         gather(source.contacts + kImpulseRow, rows.contact, impulses);
-        store(block.normalX, first[0]);
-        store(block.normalY, first[1]);
+        store2(block.normal, {first[0], first[1]});
         preparePoint(rows, impulses[0], impulses[1], response, block.points[0]);
         if constexpr (kHasFriction)
             prepareFriction(rows, first[2], first[3], surfaceSpeeds(source, rows), response, block);

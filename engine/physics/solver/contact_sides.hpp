@@ -25,22 +25,17 @@ inline void pushAlong(Workspace& work, const RotatingSide& side, int p, int i, V
 }
 inline void pushAlong(Workspace&, const FixedSide<2>&, int, int, Vec2, float) {}
 
-template <class Block>
-Vec2 normalOf(const Block& block, int i) {
-    return {block.normalX[i], block.normalY[i]};
-}
-
 /// m/s: velocity of B relative to A along the normal.
 template <class Block>
 float approachOf(const Workspace& work, const Block& block, int p, int i) {
-    const Vec2 normal = normalOf(block, i);
+    const Vec2 normal = block.normal.at(i);
     return speedAlong(work, block.b, p, i, normal) - speedAlong(work, block.a, p, i, normal);
 }
 
 template <class Block>
 void pushApart(Workspace& work, const Block& block, int p, int i, float impulse) {
-    pushAlong(work, block.a, p, i, normalOf(block, i), -impulse);
-    pushAlong(work, block.b, p, i, normalOf(block, i), impulse);
+    pushAlong(work, block.a, p, i, block.normal.at(i), -impulse);
+    pushAlong(work, block.b, p, i, block.normal.at(i), impulse);
 }
 
 /// Motion of a point during the step.
@@ -68,7 +63,7 @@ struct Approach {
 
 template <class Block>
 Approach approachIn(const Workspace& work, const Block& block, int p, int i, float dt) {
-    const Vec2 normal = normalOf(block, i);
+    const Vec2 normal = block.normal.at(i);
     const PointMotion a = motionOf(work, block.a, p, i, normal, dt),
                       b = motionOf(work, block.b, p, i, normal, dt);
     return {b.displacement - a.displacement, dot(b.acceleration - a.acceleration, normal)};

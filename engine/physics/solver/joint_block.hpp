@@ -33,17 +33,14 @@ struct JointBodies {
     float inverseInertiaA[kLanes];
     float inverseInertiaB[kLanes];
     std::uint32_t own[kLanes];  ///< of the only body that a one-sided joint moves
-    float ownIsA[kLanes];      ///< 1 if that is A, else 0
+    float ownIsA[kLanes];       ///< 1 if that is A, else 0
 };
 
 /// Two anchors, with the arms of the start of the step.
 struct AnchorLanes {
-    float armAX[kLanes];  ///< m, world, from the center of mass
-    float armAY[kLanes];
-    float armBX[kLanes];
-    float armBY[kLanes];
-    float apartX[kLanes];  ///< m: from A's anchor to B's, at the start of the step
-    float apartY[kLanes];
+    VecLanes armA;  ///< m, world, from the center of mass
+    VecLanes armB;
+    VecLanes apart;  ///< m: from A's anchor to B's, at the start of the step
 };
 
 /// Constraints on a value: what holds it, a motor, and two limits.
@@ -70,8 +67,7 @@ struct PointBlock {
 
     JointBodies bodies;
     AnchorLanes anchors;
-    float impulseX[kLanes];  ///< N s, on B
-    float impulseY[kLanes];
+    VecLanes impulse;     ///< N s, on B
     float turnA[kLanes];  ///< N m s: after a biased pass, torque of the impulse; after a relax pass, its
                           ///< correction along the current arms
     float turnB[kLanes];
@@ -82,8 +78,7 @@ struct HingeBlock : PointBlock {
     static constexpr bool kHasAngle = true;
 
     GripLanes grip;
-    float apartX[kLanes];  ///< m: from A's anchor to B's, as of the last biased pass
-    float apartY[kLanes];
+    VecLanes apart;       ///< m: from A's anchor to B's, as of the last biased pass
     float angle[kLanes];  ///< rad, at the start of the step
     RowLanes turning;
 };
@@ -91,8 +86,7 @@ struct HingeBlock : PointBlock {
 /// Correction of impulses whose directions rotate with the bodies: along the current directions, minus what
 /// was applied.
 struct CarryLanes {
-    float x[kLanes];  ///< N s
-    float y[kLanes];
+    VecLanes impulse;     ///< N s
     float turnA[kLanes];  ///< N m s
     float turnB[kLanes];
 };
@@ -111,8 +105,7 @@ struct RodBlock {
 struct SliderBlock : RodBlock {
     static constexpr bool kSlides = true;
 
-    float axisX[kLanes];  ///< at the start of the step
-    float axisY[kLanes];
+    VecLanes axis;                ///< at the start of the step
     float angle[kLanes];          ///< rad, at the start of the step, relative to where it is held
     float holdsAngle[kLanes];     ///< 1 or 0
     float acrossImpulse[kLanes];  ///< N s
@@ -129,12 +122,6 @@ enum JointBlockKind : std::int32_t {
     kRodBlocks,
     kSliderBlocks,
     kJointBlockKinds
-};
-
-/// Joints of a block: indices into World::joints. Entries from `count` on are unused.
-struct JointLanes {
-    std::int32_t joint[kLanes];
-    std::int32_t count;
 };
 
 /// Parameters of a pass over joints.

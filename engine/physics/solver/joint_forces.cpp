@@ -22,30 +22,29 @@ Rot turnOf(const StepContext& step, std::uint32_t offset) {
 /// N m: torque at B's anchor by a force at the point that replaces it (see balanced()).
 template <class Block>
 float momentOf(const StepContext& step, const Joint& joint, const Block& block, int i, Vec2 force) {
-    const Vec2 shift = Vec2{block.anchors.armBX[i], block.anchors.armBY[i]} -
-                       rotate(step.world.bodies.pose[joint.bodyB].rotation, joint.anchorB);
+    const Vec2 shift =
+        block.anchors.armB.at(i) - rotate(step.world.bodies.pose[joint.bodyB].rotation, joint.anchorB);
     return cross(rotate(turnOf(step, block.bodies.b[i]), shift), force);
 }
 
 JointForce givenBy(const StepContext&, const Joint&, const PointBlock& block, int i, float rate) {
-    return {{block.impulseX[i] * rate, block.impulseY[i] * rate}, 0.0f};
+    return {block.impulse.at(i) * rate, 0.0f};
 }
 JointForce givenBy(const StepContext& step, const Joint& joint, const HingeBlock& block, int i, float rate) {
     const Vec2 force = givenBy(step, joint, static_cast<const PointBlock&>(block), i, rate).force;
     return {force, totalOf(block.turning, i) * rate + momentOf(step, joint, block, i, force)};
 }
 JointForce givenBy(const StepContext& step, const Joint&, const RodBlock& block, int i, float rate) {
-    const auto arm = [&](const float* x, const float* y, const std::uint32_t* offset) {
+    const auto arm = [&](const VecLanes& arms, const std::uint32_t* offset) {
         const Float4& moved = step.work.deltaPosition[offset[i] / sizeof(Float4)];
-        return Vec2{moved.x, moved.y} + rotate(turnOf(step, offset[i]), {x[i], y[i]}) - Vec2{x[i], y[i]};
+        return Vec2{moved.x, moved.y} + rotate(turnOf(step, offset[i]), arms.at(i)) - arms.at(i);
     };
-    const Vec2 apart = Vec2{block.anchors.apartX[i], block.anchors.apartY[i]} +
-                       (arm(block.anchors.armBX, block.anchors.armBY, block.bodies.b) -
-                        arm(block.anchors.armAX, block.anchors.armAY, block.bodies.a));
+    const Vec2 apart = block.anchors.apart.at(i) +
+                       (arm(block.anchors.armB, block.bodies.b) - arm(block.anchors.armA, block.bodies.a));
     return {totalOf(block.along, i) * rate * normalized(apart), 0.0f};
 }
 JointForce givenBy(const StepContext& step, const Joint& joint, const SliderBlock& block, int i, float rate) {
-    const Vec2 axis = rotate(turnOf(step, block.bodies.a[i]), {block.axisX[i], block.axisY[i]});
+    const Vec2 axis = rotate(turnOf(step, block.bodies.a[i]), block.axis.at(i));
     const Vec2 force = rate * (totalOf(block.along, i) * axis + block.acrossImpulse[i] * perpendicular(axis));
     return {force,
             rate * (block.angleImpulse[i] + block.spinImpulse[i]) + momentOf(step, joint, block, i, force)};
@@ -118,9 +117,9 @@ void noteJointForces(StepContext& step, const SolveGroup& group, float substepRa
 }
 
 void storeJoints(StepContext& step) {
-    forJointBlocks(step, [&](const auto& block, const JointLanes& lanes, float rate) {
+    forJointBlocks(step, [&](const auto& block, const BlockLanes& lanes, float rate) {
         for (int i = 0; i < lanes.count; ++i) {
-            Joint& joint = step.world.joints.hot[static_cast<std::size_t>(lanes.joint[i])];
+            Joint& joint = step.world.joints.hot[static_cast<std::size_t>(lanes.index[i])];
             const JointForce given = givenBy(step, joint, block, i, rate);
             joint.force = given.force;
             joint.torque = given.torque;

@@ -4,9 +4,6 @@
 // starting repeats the velocity change of the previous substep (accelerate), along the arms of then; the
 // difference to the current arms is added in the biased pass.
 
-inline Two8 load2(const float* x, const float* y) { return {load(x), load(y)}; }
-inline void store2(float* x, float* y, Two8 a) { store(x, a.x), store(y, a.y); }
-
 /// The bodies of eight joints while a block is solved. `shift` is their motion since the start of the step.
 struct Couple8 {
     Body8 a, b;
@@ -67,11 +64,10 @@ struct Anchors8 {
 };
 
 inline Anchors8 anchorsAt(const AnchorLanes& lanes, const Couple8& couple) {
-    const Two8 armA = load2(lanes.armAX, lanes.armAY), armB = load2(lanes.armBX, lanes.armBY);
+    const Two8 armA = load2(lanes.armA), armB = load2(lanes.armB);
     const Two8 changeA = changeOf(armA, couple.shiftA), changeB = changeOf(armB, couple.shiftB);
     const Two8 moved{couple.shiftB[0] - couple.shiftA[0], couple.shiftB[1] - couple.shiftA[1]};
-    return {armA + changeA, armB + changeB,
-            load2(lanes.apartX, lanes.apartY) + (moved + (changeB - changeA))};
+    return {armA + changeA, armB + changeB, load2(lanes.apart) + (moved + (changeB - changeA))};
 }
 
 // Soft constraint parameters.
@@ -270,13 +266,13 @@ template <class Block>
 concept HasPoint = requires { Block::kHasAngle; };
 
 template <bool kOneSided, HasPoint Block>
-void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, Block* blocks,
+void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLanes* lanes, Block* blocks,
                      int begin, int end) {
     for (int n = begin; n < end; ++n) {
         PointBlock& point = blocks[n];
         Couple8 couple = coupleOf(bodies, point.bodies);
         if constexpr (Block::kHasAngle) couple.turn(totalOf(blocks[n].turning));
-        givePoint(couple, anchorsAt(point.anchors, couple), load2(point.impulseX, point.impulseY));
+        givePoint(couple, anchorsAt(point.anchors, couple), load2(point.impulse));
         write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
     }
 }
@@ -296,23 +292,23 @@ inline void answerAngle(HingeBlock& block, const JointPass& pass, Couple8& coupl
     if constexpr (kPush) {
         if ((block.turning.uses & (kHolds | kLimits)) != 0)  // a motor alone turns at any angle
             store(block.turning.value, load(block.angle) + turnBetween(couple));
-        store2(block.apartX, block.apartY, at.apart);
+        store2(block.apart, at.apart);
     } else {
-        at.apart = load2(block.apartX, block.apartY);  // spring forces are evaluated once per substep
+        at.apart = load2(block.apart);  // spring forces are evaluated once per substep
     }
     if (block.turning.uses == 0) return;
     answerRows<kPush>(block.turning, pass, load(block.turning.value), angleMass(couple), AngleLine8{couple});
 }
 
 template <bool kPush, bool kOneSided, HasPoint Block>
-void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, Block* blocks,
+void answerJoints(const SolverBodies& bodies, const JointPass& pass, const BlockLanes* lanes, Block* blocks,
                   int begin, int end) {
     const Grip8 rigid = gripOf(kPush ? pass.rigid : kRelaxed);
     for (int n = begin; n < end; ++n) {
         PointBlock& point = blocks[n];
         Couple8 couple = coupleOf(bodies, point.bodies);
         Anchors8 at = anchorsAt(point.anchors, couple);
-        const Two8 before = load2(point.impulseX, point.impulseY);
+        const Two8 before = load2(point.impulse);
         if (pass.first) kPush ? makeUp(couple, point) : noteLack(point, at, before);
         Two8 after;
         if constexpr (Block::kHasAngle) {
@@ -329,7 +325,7 @@ void answerJoints(const SolverBodies& bodies, const JointPass& pass, const Joint
             after = before + change;
             givePoint(couple, at, change);
         }
-        store2(point.impulseX, point.impulseY, after);
+        store2(point.impulse, after);
         if constexpr (kPush) noteTurns(point, at, after);
         write<kOneSided>(bodies, point.bodies, couple, lanes[n].count);
     }

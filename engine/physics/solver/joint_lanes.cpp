@@ -21,8 +21,7 @@ std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t inde
     if (joint.colour > kOverflow || work.joints.trees.isDirect[index] != 0) return -1;
     std::size_t group = 0;
     if (work.groups.size() > 1) {
-        const PushedBodies bodies = pushedBodies(world, joint);
-        const std::int32_t slot = work.slots[bodies.b != kNone ? bodies.b : bodies.a];
+        const std::int32_t slot = work.slots[pushedBodies(world, joint).b];
         if (slot < 0) return -1;
         while (slot >= work.groups[group].end) ++group;
     }
@@ -81,7 +80,7 @@ void layOut(Workspace& work, Store& store, JointBlockKind kind) {
 
 void fill(const World& world, Workspace& work, bool someBreak) {
     JointWork& joints = work.joints;
-    std::vector<JointLanes>* lanes[kJointBlockKinds] = {&joints.points.lanes, &joints.hinges.lanes,
+    std::vector<BlockLanes>* lanes[kJointBlockKinds] = {&joints.points.lanes, &joints.hinges.lanes,
                                                         &joints.rods.lanes, &joints.sliders.lanes};
     joints.breakables.clear();
     for (std::size_t i = 0; i < joints.keys.size(); ++i) {
@@ -92,9 +91,9 @@ void fill(const World& world, Workspace& work, bool someBreak) {
         std::int32_t& next = joints.counts[static_cast<std::size_t>(key)];
         const std::int32_t block = next / kLanes, lane = next % kLanes;
         next += alone ? kLanes : 1;
-        JointLanes& target = (*lanes[kind])[static_cast<std::size_t>(block)];
+        BlockLanes& target = (*lanes[kind])[static_cast<std::size_t>(block)];
         const std::uint32_t joint = world.joints.awake[i];
-        target.joint[lane] = static_cast<std::int32_t>(joint);
+        target.index[lane] = static_cast<std::int32_t>(joint);
         target.count = lane + 1;
         if (someBreak && (world.joints.hot[joint].flags & kBreakable) != 0)
             joints.breakables.push_back({joint, kind, block, lane});
@@ -154,10 +153,6 @@ void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, 
     bodies.ownIsA[lane] = pushesA ? 1.0f : 0.0f;
 }
 
-void clearBodies(const Preparation& all, JointBodies& bodies, int lane) {
-    bodies.a[lane] = bodies.b[lane] = bodies.own[lane] = offsetOf(all, -1, lane);
-}
-
 /// For joints that also hold the angle, replaces the anchors by a point of B at which the
 /// rows are decoupled: there a force does not rotate the bodies relative to each other and a
 /// torque does not move the point, so rows that are solved sequentially are solved exactly.
@@ -190,12 +185,9 @@ void calm(const JointParts& parts, Vec2 force, float h, JointBodies& bodies, int
 }
 
 void setAnchors(const JointParts& parts, AnchorLanes& anchors, int lane) {
-    anchors.armAX[lane] = parts.armA.x;
-    anchors.armAY[lane] = parts.armA.y;
-    anchors.armBX[lane] = parts.armB.x;
-    anchors.armBY[lane] = parts.armB.y;
-    anchors.apartX[lane] = parts.apart.x;
-    anchors.apartY[lane] = parts.apart.y;
+    anchors.armA.set(lane, parts.armA);
+    anchors.armB.set(lane, parts.armB);
+    anchors.apart.set(lane, parts.apart);
 }
 
 void setGrip(const Grip& grip, bool springs, float maximum, GripLanes& lanes, int lane) {
@@ -225,8 +217,7 @@ void setRows(const Preparation& all, const Joint& joint, const ValueParts& value
 void setPoint(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
               int lane) {
     setAnchors(parts, block.anchors, lane);
-    block.impulseX[lane] = joint.force.x * all.timing.h;
-    block.impulseY[lane] = joint.force.y * all.timing.h;
+    block.impulse.set(lane, all.timing.h * joint.force);
 }
 
 void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
@@ -261,8 +252,7 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnc
     calm(parts, joint.force, all.timing.h, block.bodies, lane);
     setAnchors(parts, block.anchors, lane);
     setRows(all, joint, parts.value, block.along, lane);
-    block.axisX[lane] = parts.axis.x;
-    block.axisY[lane] = parts.axis.y;
+    block.axis.set(lane, parts.axis);
     block.angle[lane] = parts.angle;
     block.holdsAngle[lane] = parts.holdsAngle ? 1.0f : 0.0f;
     block.spins |= parts.maxSpin > 0.0f ? 1 : 0;
@@ -274,22 +264,22 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnc
 }
 
 template <class Block>
-void prepareBlock(const Preparation& all, const JointLanes& lanes, Block& block) {
+void prepareBlock(const Preparation& all, const BlockLanes& lanes, Block& block) {
     block = {};
     for (int i = 0; i < lanes.count; ++i) {
-        const JointView view = viewOf(all.world, static_cast<std::uint32_t>(lanes.joint[i]), all.timing);
+        const JointView view = viewOf(all.world, static_cast<std::uint32_t>(lanes.index[i]), all.timing);
         setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
     }
-    for (int i = lanes.count; i < kLanes; ++i) clearBodies(all, block.bodies, i);
+    JointBodies& idle = block.bodies;
+    for (int i = lanes.count; i < kLanes; ++i) idle.a[i] = idle.b[i] = idle.own[i] = offsetOf(all, -1, i);
 }
 
 }  // namespace
 
 PushedBodies pushedBodies(const World& world, const Joint& joint) {
-    const auto pushed = [&](std::uint32_t body) {
-        return world.bodies.info[body].kind == BodyKind::Dynamic ? body : kNone;
-    };
-    return {joint.kind == JointKind::Mouse ? kNone : pushed(joint.bodyA), pushed(joint.bodyB)};
+    const bool pushesA = isDynamic(world, joint.bodyA) && joint.kind != JointKind::Mouse;
+    if (!isDynamic(world, joint.bodyB)) return {kNone, joint.bodyA};
+    return {pushesA ? joint.bodyA : kNone, joint.bodyB};
 }
 
 void prepareJoints(StepContext& step) {
@@ -301,7 +291,7 @@ void prepareJoints(StepContext& step) {
     collectTies(step);
     noteBreakables(world, work.joints);
     prepareTrees(step);
-    forJointBlocks(step, [&](auto& block, const JointLanes& lanes, float rate) {
+    forJointBlocks(step, [&](auto& block, const BlockLanes& lanes, float rate) {
         const float h = 1.0f / rate;
         const JointTiming timing{h, world.settings.jointStiffness / h, jointPass(world.settings, h).rigid};
         prepareBlock({world, work, timing}, lanes, block);
@@ -333,9 +323,8 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
         }
         // Joints without a color share bodies, so they are solved one by one, each in a block of its own.
         for (int n = range.begin; n < range.end; ++n) {
-            const auto joint = static_cast<std::size_t>(store.lanes[static_cast<std::size_t>(n)].joint[0]);
-            const PushedBodies pushed = pushedBodies(step.world, step.world.joints.hot[joint]);
-            run(pushed.a == kNone || pushed.b == kNone, n, n + 1);
+            const auto joint = static_cast<std::size_t>(store.lanes[static_cast<std::size_t>(n)].index[0]);
+            run(pushedBodies(step.world, step.world.joints.hot[joint]).a == kNone, n, n + 1);
         }
     });
 }

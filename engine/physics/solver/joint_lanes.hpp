@@ -32,7 +32,8 @@ void forJointBlocks(StepContext& step, Act&& act) {
     });
 }
 
-/// The bodies that a joint moves: kNone for one that is not dynamic, or that the joint leaves alone.
+/// The bodies that a joint moves, those that are dynamic and that it does not leave alone. If there is only
+/// one, it is B.
 struct PushedBodies {
     std::uint32_t a;
     std::uint32_t b;

@@ -11,7 +11,7 @@ namespace plumb::physics {
 template <class Block>
 struct JointStore {
     std::vector<Block> blocks;
-    std::vector<JointLanes> lanes;
+    std::vector<BlockLanes> lanes;
     std::vector<std::uint8_t> groups;  ///< by block
 };
 

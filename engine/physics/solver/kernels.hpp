@@ -53,7 +53,7 @@ struct GroupKernels {
 /// bodies].
 template <class Block>
 struct JointPasses {
-    void (*passes[3][2])(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes,
+    void (*passes[3][2])(const SolverBodies& bodies, const JointPass& pass, const BlockLanes* lanes,
                          Block* blocks, int begin, int end);
 };
 

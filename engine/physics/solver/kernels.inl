@@ -18,6 +18,8 @@ inline Float8 cross8(Two8 a, Two8 b) { return a.x * b.y - a.y * b.x; }
 inline Two8 operator+(Two8 a, Two8 b) { return {a.x + b.x, a.y + b.y}; }
 inline Two8 operator-(Two8 a, Two8 b) { return {a.x - b.x, a.y - b.y}; }
 inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
+inline Two8 load2(const VecLanes& from) { return {load(from.x), load(from.y)}; }
+inline void store2(VecLanes& to, Two8 a) { store(to.x, a.x), store(to.y, a.y); }
 
 /// 1/x, or 0 for x = 0: the effective mass of a body that cannot move.
 inline Float8 inverseOrZero(Float8 x) {

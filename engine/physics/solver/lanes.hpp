@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "math/vec2.hpp"
+
 #if defined(PLUMB_LANES_SCALAR)
 #define PLUMB_LANES scalar
 #elif defined(__AVX2__) && !defined(PLUMB_LANES_BASE)
@@ -37,6 +39,21 @@ struct alignas(16) Float4 {
     float y = 0.0f;
     float z = 0.0f;
     float w = 0.0f;
+};
+
+/// Contacts or joints of a block: indices into the lists of the world. Entries from `count` on are unused.
+struct BlockLanes {
+    std::int32_t index[kLanes];
+    std::int32_t count;
+};
+
+/// A vector in each lane.
+struct VecLanes {
+    float x[kLanes];
+    float y[kLanes];
+
+    void set(int lane, Vec2 v) { x[lane] = v.x, y[lane] = v.y; }
+    [[nodiscard]] Vec2 at(int lane) const { return {x[lane], y[lane]}; }
 };
 
 namespace PLUMB_LANES {

@@ -37,7 +37,7 @@ void gather(const Store& store, BlockRange range, std::vector<ImpactPlace>& impa
         }
     }
     // The order of solving does not depend on the lanes: within a color, sort by contact index.
-    const auto numberOf = [&](const ImpactPlace& impact) { return lanes[impact.block].contact[impact.lane]; };
+    const auto numberOf = [&](const ImpactPlace& impact) { return lanes[impact.block].index[impact.lane]; };
     std::sort(impacts.begin() + static_cast<std::ptrdiff_t>(before), impacts.end(),
               [&](const ImpactPlace& a, const ImpactPlace& b) { return numberOf(a) < numberOf(b); });
 }
@@ -115,7 +115,7 @@ void moveAlong(Workspace& work, std::int32_t slot, float distance, Vec2 normal) 
 
 template <class Block>
 void part(Workspace& work, const Block& block, int lane, float depth) {
-    const Vec2 normal = normalOf(block, lane);
+    const Vec2 normal = block.normal.at(lane);
     if constexpr (decltype(block.a)::kFixed) {
         moveAlong(work, block.b.slot[lane], depth, normal);
     } else {

@@ -30,15 +30,15 @@ struct Carry8 {
 };
 
 inline void makeUp(Couple8& couple, const CarryLanes& carry) {
-    couple.push(load2(carry.x, carry.y), load(carry.turnA), load(carry.turnB));
+    couple.push(load2(carry.impulse), load(carry.turnA), load(carry.turnB));
 }
 inline void note(CarryLanes& lanes, const Carry8& carry) {
-    store2(lanes.x, lanes.y, carry.impulse);
+    store2(lanes.impulse, carry.impulse);
     store(lanes.turnA, carry.turnA);
     store(lanes.turnB, carry.turnB);
 }
 inline void noteLack(CarryLanes& lanes, const Carry8& carry) {
-    store2(lanes.x, lanes.y, carry.impulse - load2(lanes.x, lanes.y));
+    store2(lanes.impulse, carry.impulse - load2(lanes.impulse));
     store(lanes.turnA, carry.turnA - load(lanes.turnA));
     store(lanes.turnB, carry.turnB - load(lanes.turnB));
 }
@@ -73,7 +73,7 @@ struct Slider8 {
 
 inline Slider8 placeOf(Couple8& couple, const SliderBlock& block) {
     const Anchors8 at = anchorsAt(block.anchors, couple);
-    const Two8 start = load2(block.axisX, block.axisY);
+    const Two8 start = load2(block.axis);
     const Two8 axis = start + changeOf(start, couple.shiftA);
     const Two8 across{-axis.y, axis.x};
     const Two8 armA = at.armA + at.apart;
@@ -133,7 +133,7 @@ template <class Block>
 concept ActsAlong = requires { Block::kSlides; };
 
 template <bool kOneSided, ActsAlong Block>
-void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLanes* lanes, Block* blocks,
+void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLanes* lanes, Block* blocks,
                      int begin, int end) {
     for (int n = begin; n < end; ++n) {
         const Block& block = blocks[n];
@@ -146,7 +146,7 @@ void warmStartJoints(const SolverBodies& bodies, const JointPass&, const JointLa
 }
 
 template <bool kPush, bool kOneSided, ActsAlong Block>
-void answerJoints(const SolverBodies& bodies, const JointPass& pass, const JointLanes* lanes, Block* blocks,
+void answerJoints(const SolverBodies& bodies, const JointPass& pass, const BlockLanes* lanes, Block* blocks,
                   int begin, int end) {
     for (int n = begin; n < end; ++n) {
         Block& block = blocks[n];

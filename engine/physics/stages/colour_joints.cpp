@@ -61,7 +61,7 @@ void colourJoints(StepContext& step) {
             Joint& joint = world.joints.hot[index];
             if (joint.colour != kNoColour) continue;
             const auto [a, b] = pushedBodies(world, joint);
-            joint.colour = b != kNone ? takeColour(step.work, a, b) : takeColour(step.work, kNone, a);
+            joint.colour = takeColour(step.work, a, b);
             if (openingOf(world, index) > world.settings.slop) joint.flags |= kEdited;
         }
     }

@@ -3,7 +3,6 @@
 
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/joints/joint_types.hpp"
 #include "physics/measure/measures.hpp"
 #include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
@@ -60,11 +59,9 @@ bool isSlow(const Float4& velocity, float maximum) {
 /// Reserves room for all bodies, so that an impact allocates nothing.
 void makeRoom(const World& world, Workspace& work) {
     const std::size_t room = world.bodies.info.capacity();
-    work.gainers.reserve(room);
     work.accounts.reserve(room);
-    work.openAccounts.reserve(room);
-    work.roots.reserve(room);
-    work.bookedBodies.reserve(room);
+    for (auto* list : {&work.gainers, &work.openAccounts, &work.roots, &work.bookedBodies})
+        list->reserve(room);
 }
 
 /// Slots of groups with rotation, which come first: no others can gain energy.
@@ -154,7 +151,7 @@ void noteHolders(StepContext& step) {
         constexpr bool kFixed = decltype(store.blocks[0].a)::kFixed;
         if (!kFixed && !step.runs(Effect::Conveyor)) return;
         const auto contactAt = [&](std::size_t i) -> const Contact& {
-            return world.contacts[static_cast<std::size_t>(store.lanes[i / kLanes].contact[i % kLanes])];
+            return world.contacts[static_cast<std::size_t>(store.lanes[i / kLanes].index[i % kLanes])];
         };
         const auto accountAt = [&](std::size_t i) -> EnergyAccount& {
             return accountOf(world, work, contactAt(i).bodyA, contactAt(i).bodyB);

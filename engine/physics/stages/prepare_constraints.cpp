@@ -95,7 +95,7 @@ void fillLanes(const StepContext& step) {
     forPushing([&](std::int32_t& next, std::uint16_t key, std::int32_t contact) {
         const auto place = static_cast<std::uint32_t>(next);
         next += (key & kKeyColour) == kOverflow ? kLanes : 1;
-        lanes[(key & kKeyFixed) != 0 ? 1 : 0][place / kLanes].contact[place % kLanes] = contact;
+        lanes[(key & kKeyFixed) != 0 ? 1 : 0][place / kLanes].index[place % kLanes] = contact;
     });
 }
 
