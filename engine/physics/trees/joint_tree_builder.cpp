@@ -89,13 +89,12 @@ private:
 
     Link linkOf(std::uint32_t index, std::uint32_t body) {
         const Joint& joint = world_.joints.hot[index];
-        Link link;
-        link.joint = index;
-        link.kind = joint.kind;
-        link.treeBodyIsB = joint.bodyB == body;
-        link.ground = link.treeBodyIsB ? joint.bodyA : joint.bodyB;
+        const bool isB = joint.bodyB == body;
         trees_.isDirect[index] = 1;
-        return link;
+        return {.joint = index,
+                .kind = joint.kind,
+                .treeBodyIsB = isB,
+                .ground = isB ? joint.bodyA : joint.bodyB};
     }
 
     void keep() {

@@ -57,8 +57,8 @@ void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
         return all > 0.0 ? kTreeSoftness * all : kNoAnswer;
     };
     if (link.byArms()) {
-        link.softness = {softness(0, {1.0, 0.0, link.limbY}, {1.0, 0.0, link.parentY}),
-                         softness(1, {0.0, 1.0, link.limbX}, {0.0, 1.0, link.parentX}), 1.0};
+        link.softness = {softness(0, {1.0, 0.0, link.limb.y}, {1.0, 0.0, link.parentLimb.y}),
+                         softness(1, {0.0, 1.0, link.limb.x}, {0.0, 1.0, link.parentLimb.x}), 1.0};
     } else {
         link.softness = {softness(0, link.onTreeBody[0], link.onParent[0]),
                          softness(1, link.onTreeBody[1], link.onParent[1]),
@@ -69,8 +69,9 @@ void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
 void strain(TreeBody& treeBody, const Link& link, TreeBody* parent) {
     // Only joints that hold a point have these arms.
     if (link.kind != JointKind::Revolute && link.kind != JointKind::Weld) return;
-    treeBody.straining += link.force.x * link.limbX + link.force.y * link.limbY;
-    if (parent != nullptr) parent->straining -= link.force.x * link.parentX + link.force.y * link.parentY;
+    treeBody.straining += link.force.x * link.limb.x + link.force.y * link.limb.y;
+    if (parent != nullptr)
+        parent->straining -= link.force.x * link.parentLimb.x + link.force.y * link.parentLimb.y;
 }
 
 void setLink(const Trees& trees, Link& link) {
@@ -105,7 +106,7 @@ void setTree(const Trees& trees, const JointTree& tree) {
         hold.stiffness = {1.0 / hold.softness.x,   0.0, 1.0 / hold.softness.y, 0.0, 0.0,
                           1.0 / hold.softness.turn};
         Symmetric& own = trees.treeBody(hold.treeBody).own;
-        hold.byArms() ? addPoint(hold.limbX, hold.limbY, hold.stiffness, own)
+        hold.byArms() ? addPoint(hold.limb.x, hold.limb.y, hold.stiffness, own)
                       : addRows(hold.onTreeBody, hold.stiffness, own);
     }
     for (std::int32_t i = tree.begin; i < tree.end; ++i) {
@@ -205,10 +206,7 @@ void calmTree(const Trees& trees, JointTree& tree) {
     const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
     const double less = own > excess ? 1.0 - std::sqrt(1.0 - excess / own) : 1.0;
     for (const TreeBody& treeBody : trees.all.bodiesOf(tree)) {
-        Triple change = treeBody.velocity;
-        change += -1.0 * middle;
-        change = -less * change;
-        addChange(trees, treeBody, change);
+        addChange(trees, treeBody, -less * (treeBody.velocity - middle));
     }
     tree.gain -= excess;
 }

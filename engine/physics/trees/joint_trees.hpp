@@ -16,13 +16,10 @@ struct Triple {
 };
 
 inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.turn * b.turn; }
-inline Triple& operator+=(Triple& a, const Triple& b) {
-    a.x += b.x;
-    a.y += b.y;
-    a.turn += b.turn;
-    return a;
-}
+inline Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.turn + b.turn}; }
 inline Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.turn}; }
+inline Triple operator-(const Triple& a, const Triple& b) { return a + -1.0 * b; }
+inline Triple& operator+=(Triple& a, const Triple& b) { return a = a + b; }
 
 struct Symmetric {
     double xx = 1.0;
@@ -104,10 +101,8 @@ struct Link {
     float rest = 0.0f;   ///< m: length of rods
     float reach = 0.0f;  ///< m: largest gap that is closed within a substep
     // At the current poses.
-    double limbX = 0.0;  ///< m: arms of point constraints
-    double limbY = 0.0;
-    double parentX = 0.0;
-    double parentY = 0.0;
+    Double2 limb;  ///< m: arms of point constraints
+    Double2 parentLimb;
     Symmetric stiffness;  ///< effective mass: impulse per velocity removed
     Triple across[3];     ///< by row: change of the body's velocity by an impulse
     Triple softness;

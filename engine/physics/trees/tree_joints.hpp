@@ -11,7 +11,7 @@ namespace plumb::physics {
 /// Effective mass of a link on its tree body with the subtree. @pre TreeBody::own is inverted
 inline void stiffenPoint(const TreeBody& treeBody, Link& link) {
     const Symmetric& own = treeBody.own;
-    const double x = link.limbX, y = link.limbY;
+    const double x = link.limb.x, y = link.limb.y;
     link.across[0] = {own.xx - y * own.xt, own.xy - y * own.yt, own.xt - y * own.tt};
     link.across[1] = {own.xy + x * own.xt, own.yy + x * own.yt, own.yt + x * own.tt};
     const double xx = (link.across[0].x - y * link.across[0].turn) + link.softness.x;
@@ -60,7 +60,7 @@ inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own)
 inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     if (link.byArms()) {
         stiffenPoint(treeBody, link);
-        if (parent != nullptr) addPoint(link.parentX, link.parentY, link.stiffness, parent->own);
+        if (parent != nullptr) addPoint(link.parentLimb.x, link.parentLimb.y, link.stiffness, parent->own);
     } else {
         stiffenRows(treeBody, link);
         if (parent != nullptr) addRows(link.onParent, link.stiffness, parent->own);
@@ -72,27 +72,25 @@ inline Triple seenBy(const Triple (&rows)[3], const Triple& v) {
     return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 inline Triple seenFromLimb(const Link& link, const Triple& v) {
-    if (link.byArms()) return {v.x - link.limbY * v.turn, v.y + link.limbX * v.turn, 0.0};
+    if (link.byArms()) return {v.x - link.limb.y * v.turn, v.y + link.limb.x * v.turn, 0.0};
     return seenBy(link.onTreeBody, v);
 }
 inline Triple seenFromParent(const Link& link, const Triple& v) {
-    if (link.byArms()) return {link.parentY * v.turn - v.x, -(v.y + link.parentX * v.turn), 0.0};
+    if (link.byArms()) return {link.parentLimb.y * v.turn - v.x, -(v.y + link.parentLimb.x * v.turn), 0.0};
     return seenBy(link.onParent, v);
 }
 
 /// Impulse along x and y and torque on the parent or the tree body, of the impulses of the rows.
 inline Triple sumOf(const Triple (&rows)[3], const Triple& impulse) {
-    Triple sum = impulse.x * rows[0];
-    sum += impulse.y * rows[1];
-    sum += impulse.turn * rows[2];
-    return sum;
+    return impulse.x * rows[0] + impulse.y * rows[1] + impulse.turn * rows[2];
 }
 inline Triple onParent(const Link& link, const Triple& impulse) {
-    if (link.byArms()) return {-impulse.x, -impulse.y, link.parentY * impulse.x - link.parentX * impulse.y};
+    if (link.byArms())
+        return {-impulse.x, -impulse.y, link.parentLimb.y * impulse.x - link.parentLimb.x * impulse.y};
     return sumOf(link.onParent, impulse);
 }
 inline Triple onTreeBody(const Link& link, const Triple& impulse) {
-    if (link.byArms()) return {impulse.x, impulse.y, link.limbX * impulse.y - link.limbY * impulse.x};
+    if (link.byArms()) return {impulse.x, impulse.y, link.limb.x * impulse.y - link.limb.y * impulse.x};
     return sumOf(link.onTreeBody, impulse);
 }
 
@@ -121,13 +119,12 @@ inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
             impulse.x -= k.xx * seen.x + k.xy * seen.y;
             impulse.y -= k.xy * seen.x + k.yy * seen.y;
         } else {
-            impulse += -1.0 * (k * seen);
+            impulse = impulse - k * seen;
         }
     }
     link.given += impulse;
-    treeBody.impulse = treeBody.own * treeBody.impulse;
-    treeBody.impulse += impulse.x * link.across[0];
-    treeBody.impulse += impulse.y * link.across[1];
+    treeBody.impulse =
+        treeBody.own * treeBody.impulse + impulse.x * link.across[0] + impulse.y * link.across[1];
     if (!link.byArms()) treeBody.impulse += impulse.turn * link.across[2];
 }
 

@@ -55,10 +55,8 @@ void setAngle(Link& link, int row) {
 }
 
 void setPoint(Link& link, const Anchors& at) {
-    link.limbX = at.treeBodyArm.x;
-    link.limbY = at.treeBodyArm.y;
-    link.parentX = at.parentArm.x;
-    link.parentY = at.parentArm.y;
+    link.limb = at.treeBodyArm;
+    link.parentLimb = at.parentArm;
     if (link.byArms()) return;
     setLine(link, 0, {1.0, 0.0}, at.treeBodyArm, at.parentArm);
     setLine(link, 1, {0.0, 1.0}, at.treeBodyArm, at.parentArm);
