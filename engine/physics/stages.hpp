@@ -46,10 +46,9 @@ auto ask(World& world, Call&& call) {
 
 /// True if the owner's filter callback allows these two shapes to collide.
 inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
-    const std::vector<ShapeInfo>& info = step.world.shapes.info;
     return step.hooks.filter == nullptr || ask(step.world, [&] {
-               return step.hooks.filter(step.hooks.context, step.world, {a, info[a].generation},
-                                        {b, info[b].generation});
+               return step.hooks.filter(step.hooks.context, step.world, idOfShape(step.world, a),
+                                        idOfShape(step.world, b));
            });
 }
 

@@ -390,6 +390,13 @@ template <class List, class Thing>
     return isLatest(world.softBodies.all, id) && world.softBodies.all[id.index].isAlive;
 }
 
+[[nodiscard]] inline BodyId idOfBody(const World& world, std::uint32_t body) {
+    return {body, world.bodies.info[body].generation};
+}
+[[nodiscard]] inline ShapeId idOfShape(const World& world, std::uint32_t shape) {
+    return {shape, world.shapes.info[shape].generation};
+}
+
 /// Returns the object's element of a list, or a default value if the object is gone. All getters use it.
 template <class T, class Thing>
 [[nodiscard]] const T& readOf(const World& world, const std::vector<T>& list, Id<Thing> id) {
@@ -399,6 +406,11 @@ template <class T, class Thing>
 
 [[nodiscard]] inline bool isDynamic(const World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic;
+}
+/// The part of a vector along the axes on which a body is not locked.
+[[nodiscard]] inline Vec2 unlocked(const World& world, std::uint32_t body, Vec2 v) {
+    const std::uint8_t flags = world.bodies.info[body].flags;
+    return {(flags & kLockX) != 0 ? 0.0f : v.x, (flags & kLockY) != 0 ? 0.0f : v.y};
 }
 /// True for a body that can be pushed and is awake.
 [[nodiscard]] inline bool isUp(const World& world, std::uint32_t body) {

@@ -109,7 +109,7 @@ std::optional<CastHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition 
     const BodyPose pose = poseOf(info.body);
     const Geometry& geometry = world_.shapes.geometry[shape];
     const Frame frame = seenFrom(pose, at, Rot{});
-    CastHit hit{.shape = idOf(world_, shape), .body = bodyOf(world_, idOf(world_, shape))};
+    CastHit hit{.shape = idOfShape(world_, shape), .body = bodyOf(world_, idOfShape(world_, shape))};
     if (geometry.kind == ShapeKind::ChainSegment) {
         const Manifold manifold =
             collide(definition_.outline, geometry, world_.shapes.corners, inverse(frame), within);
@@ -136,7 +136,7 @@ std::optional<CastHit> CharacterProbe::nearest(WorldPosition at, float within) c
     for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, {})) {
         const ShapeInfo& info = world_.shapes.info[shape];
         if (ignores(shape) || contains(passed_, shape)) continue;
-        if ((info.flags & kOneWay) != 0 && idOf(world_, shape) != floor) continue;
+        if ((info.flags & kOneWay) != 0 && idOfShape(world_, shape) != floor) continue;
         const auto hit = apart(shape, at, within);
         if (hit && hit->separation < within && (!best || hit->separation < best->separation)) best = hit;
     }

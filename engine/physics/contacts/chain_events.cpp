@@ -53,12 +53,6 @@ float approachOf(const Workspace& work, const Contact& contact) {
     return known ? std::prev(after)->second : 0.0f;
 }
 
-constexpr std::int32_t stepOf(ContactPhase phase) {
-    return phase == ContactPhase::Began ? 1 : (phase == ContactPhase::Ended ? -1 : 0);
-}
-
-}  // namespace
-
 bool isReported(const World& world, const Contact& contact) {
     if ((contact.flags & kPassing) != 0) return false;
     return (contact.flags & kTriggered) != 0 ||
@@ -67,20 +61,18 @@ bool isReported(const World& world, const Contact& contact) {
 }
 
 ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {
-    const auto bodyId = [&](std::uint32_t body) { return BodyId{body, world.bodies.info[body].generation}; };
-    const auto shapeId = [&](std::uint32_t shape) {
-        return ShapeId{shape, world.shapes.info[shape].generation};
-    };
     const BodyPose& a = world.bodies.pose[contact.bodyA];
-    return {.a = bodyId(contact.bodyA),
-            .b = bodyId(contact.bodyB),
-            .shapeA = shapeId(contact.shapeA),
-            .shapeB = shapeId(contact.shapeB),
+    return {.a = idOfBody(world, contact.bodyA),
+            .b = idOfBody(world, contact.bodyB),
+            .shapeA = idOfShape(world, contact.shapeA),
+            .shapeB = idOfShape(world, contact.shapeB),
             .phase = phase,
             .isTrigger = (contact.flags & kTriggered) != 0,
             .normal = contact.normal,
             .point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)))};
 }
+
+}  // namespace
 
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse) {
     if (!isReported(world, contact)) return;
@@ -127,7 +119,8 @@ void publishSurfaces(World& world, Workspace& work) {
         const std::int32_t before = isKnown ? (known++)->count : 0;
         Outcome now{before, &change->event, &change->event};
         for (; change != changes.end() && change->pair == pair; ++change) {
-            now.count += stepOf(change->event.phase);
+            const ContactPhase phase = change->event.phase;
+            now.count += phase == ContactPhase::Began ? 1 : (phase == ContactPhase::Ended ? -1 : 0);
             now.last = &change->event;
             now.impulse += change->event.impulse;
         }

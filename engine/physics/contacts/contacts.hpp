@@ -68,10 +68,6 @@ void beginContact(World& world, Workspace& work, std::size_t index);
 /// @param point  below Contact::count
 [[nodiscard]] Vec2 pointOf(const World& world, const Contact& contact, int point);
 
-[[nodiscard]] bool isReported(const World& world, const Contact& contact);
-
-ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase);
-
 // chain_events.cpp
 
 // Shapes with one ShapeDefinition::surface form a chain, whose seams should not cause events. So contacts

@@ -1,7 +1,5 @@
 #include "physics/effects/buoyancy.hpp"
 
-#include <algorithm>
-
 #include "physics/effects/field_types.hpp"
 #include "physics/model/bounds.hpp"
 #include "physics/shapes/shape_types.hpp"
@@ -213,7 +211,7 @@ FieldForce buoyancy(const FieldView& view, std::uint32_t f, std::uint32_t body, 
         const Vec2 arm = rotate(fluid.turn, part.centre) - (state.centre - fluid.surface);
         const Vec2 felt = field.velocity - (state.velocity + cross(state.angularVelocity, arm));
         const Vec2 force = -weight * world.settings.gravity + field.linearDrag * weight * felt;
-        sum += {mass.inverseMass * force, mass.inverseInertia * cross(arm, force)};
+        sum += Acceleration{mass.inverseMass * force, mass.inverseInertia * cross(arm, force)};
         displaced += weight;
         stiffness += (mass.inverseMass + mass.inverseInertia * lengthSquared(arm)) * view.h * field.density *
                      (field.linearDrag * part.area + view.h * length(world.settings.gravity) * part.width);

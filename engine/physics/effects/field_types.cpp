@@ -194,8 +194,7 @@ Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t
     Acceleration result = sum.acceleration;
     if (sum.stiffness > 1.0f) {
         const float part = 1.0f / sum.stiffness;
-        result = {part * (result.linear + other.linear) - other.linear,
-                  part * (result.angular + other.angular) - other.angular};
+        result = part * (result + other) - other;
     }
     result.angular -= std::min(sum.angularDrag, 1.0f / view.h) * state.angularVelocity;
     result.linear = unlocked(view.world, body, result.linear);

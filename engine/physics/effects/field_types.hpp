@@ -16,13 +16,13 @@ struct BodyState {
 struct Acceleration {
     Vec2 linear;           ///< m/s2
     float angular = 0.0f;  ///< rad/s2
-
-    Acceleration& operator+=(const Acceleration& more) {
-        linear += more.linear;
-        angular += more.angular;
-        return *this;
-    }
 };
+inline Acceleration operator+(const Acceleration& a, const Acceleration& b) {
+    return {a.linear + b.linear, a.angular + b.angular};
+}
+inline Acceleration operator*(float s, const Acceleration& a) { return {s * a.linear, s * a.angular}; }
+inline Acceleration operator-(const Acceleration& a, const Acceleration& b) { return a + -1.0f * b; }
+inline Acceleration& operator+=(Acceleration& a, const Acceleration& b) { return a = a + b; }
 
 /// A velocity or acceleration of a body without the part along its locked axes.
 [[nodiscard]] inline Vec2 unlocked(const World& world, std::uint32_t body, Vec2 a) {

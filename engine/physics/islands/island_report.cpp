@@ -49,7 +49,7 @@ std::vector<std::uint32_t> indicesOf(const World& world, std::vector<IslandRepor
         std::uint32_t& index = indices[firsts[body]];
         if (index == kNone) {  // the first body itself: none is lower
             index = static_cast<std::uint32_t>(islands.size());
-            islands.emplace_back().first = {body, world.bodies.info[body].generation};
+            islands.emplace_back().first = idOfBody(world, body);
         }
         indices[body] = index;
     }

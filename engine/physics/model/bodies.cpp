@@ -136,12 +136,8 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     if (isHeldUpright(info)) bodies.motion[index].angularVelocity = 0.0f;
     updateMass(world, index);
     countEffectsOfBody(world, index, 1);
-    if (definition.kind == BodyKind::Kinematic ||
-        (definition.kind == BodyKind::Dynamic && definition.awake)) {
-        addAwake(world, index);
-    } else if (definition.kind == BodyKind::Dynamic) {
-        addAsleep(world, index);
-    }
+    const bool isAwake = definition.awake || definition.kind == BodyKind::Kinematic;
+    if (definition.kind != BodyKind::Static) isAwake ? addAwake(world, index) : addAsleep(world, index);
     return BodyId{index, info.generation};
 }
 
@@ -176,8 +172,7 @@ FreeMotion freeMotionOf(const World& world, std::uint32_t body, float dt) {
         decayOf(drive.linearDrag, dt).drive * motion.velocity + distanceUnder(drive.linearDrag, dt) * pull,
         decayOf(drive.angularDrag, dt).drive * motion.angularVelocity +
             distanceUnder(drive.angularDrag, dt) * spin};
-    if ((info.flags & kLockX) != 0) free.displacement.x = 0.0f;
-    if ((info.flags & kLockY) != 0) free.displacement.y = 0.0f;
+    free.displacement = unlocked(world, body, free.displacement);
     return free;
 }
 
@@ -261,9 +256,8 @@ Result<Done> setMass(World& world, BodyId body, float mass) {
 
 Result<Done> setQuality(World& world, BodyId body, Quality quality) {
     const auto checked = firstOf(checkAlive("setQuality", world, body), checkQuality("setQuality", quality));
-    if (!checked) return checked;
-    change(world, body, [&] { world.bodies.info[body.index].quality = quality; });
-    return Done{};
+    if (checked) change(world, body, [&] { world.bodies.info[body.index].quality = quality; });
+    return checked;
 }
 
 Result<Done> applyForce(World& world, BodyId body, Vec2 force) {

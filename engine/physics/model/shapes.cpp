@@ -146,7 +146,7 @@ void countEffectsOfShape(World& world, std::uint32_t shape, int times) {
 
 BodyId bodyOf(const World& world, ShapeId shape) {
     const std::uint32_t body = readOf(world, world.shapes.info, shape).body;
-    return body == kNone ? BodyId{} : BodyId{body, world.bodies.info[body].generation};
+    return body == kNone ? BodyId{} : idOfBody(world, body);
 }
 
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found) {

@@ -66,8 +66,6 @@ Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation) {
     return {localPoint(body, position), between(body.rotation, rotation)};
 }
 
-ShapeId idOf(const World& world, std::uint32_t shape) { return {shape, world.shapes.info[shape].generation}; }
-
 std::span<const Corner> cornersOf(const World& world, const QueryShape& shape) {
     return shape.corners.empty() ? std::span<const Corner>{world.shapes.corners} : shape.corners;
 }
@@ -92,7 +90,8 @@ void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filt
          candidatesIn(world, shape.position + box.min, shape.position + box.max, filter)) {
         const Convex theirs = convexOf(world.shapes.geometry[other], world.shapes.corners);
         const Frame frame = seenFrom(poseOf(world, other), shape.position, shape.rotation);
-        if (distanceBetween(theirs, outline, frame).distance <= 0.0f) found.push_back(idOf(world, other));
+        if (distanceBetween(theirs, outline, frame).distance <= 0.0f)
+            found.push_back(idOfShape(world, other));
     }
 }
 
@@ -113,7 +112,7 @@ void overlapPoint(World& world, WorldPosition point, const QueryFilter& filter, 
     for (const std::uint32_t shape : candidatesIn(world, point, point, filter)) {
         const Vec2 seen = localPoint(poseOf(world, shape), point);
         if (containsPoint(world.shapes.geometry[shape], world.shapes.corners, seen))
-            found.push_back(idOf(world, shape));
+            found.push_back(idOfShape(world, shape));
     }
 }
 
@@ -128,8 +127,8 @@ std::optional<ClosestHit> closestPoint(World& world, WorldPosition place, float 
         const ClosestPoint near =
             closestPoint(world.shapes.geometry[shape], world.shapes.corners, localPoint(pose, place));
         if (near.distance > within || (best && near.distance >= best->distance)) continue;
-        best = ClosestHit{idOf(world, shape), bodyOf(world, idOf(world, shape)), worldPoint(pose, near.point),
-                          rotate(pose.rotation, near.normal), near.distance};
+        best = ClosestHit{idOfShape(world, shape), bodyOf(world, idOfShape(world, shape)),
+                          worldPoint(pose, near.point), rotate(pose.rotation, near.normal), near.distance};
     }
     return best;
 }

@@ -24,8 +24,6 @@ std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from,
 /// A frame relative to that of a body's shapes.
 [[nodiscard]] Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation);
 
-[[nodiscard]] ShapeId idOf(const World& world, std::uint32_t shape);
-
 /// m: bounding box of the outline relative to its position.
 [[nodiscard]] AABB boundsOf(const World& world, const QueryShape& shape);
 [[nodiscard]] std::span<const Corner> cornersOf(const World& world, const QueryShape& shape);

@@ -25,7 +25,7 @@ std::optional<CastHit> firstHit(std::span<const std::uint32_t> shapes, HitOf&& h
 }
 /// All hits: nearest first; at equal distances the lowest index first.
 template <class HitOf>
-void allHits(std::span<const std::uint32_t> shapes, HitOf&& hitOf, std::vector<CastHit>& hits) {
+void allHits(std::span<const std::uint32_t> shapes, std::vector<CastHit>& hits, HitOf&& hitOf) {
     for (const std::uint32_t shape : shapes) {
         if (const std::optional<CastHit> hit = hitOf(shape)) hits.push_back(*hit);
     }
@@ -46,8 +46,8 @@ std::optional<CastHit> hitOf(const World& world, std::uint32_t shape, WorldPosit
         castRay(world.shapes.geometry[shape], world.shapes.corners,
                 Ray{localPoint(pose, from), unrotate(pose.rotation, displacement)});
     if (!hit) return std::nullopt;
-    return CastHit{.shape = idOf(world, shape),
-                   .body = bodyOf(world, idOf(world, shape)),
+    return CastHit{.shape = idOfShape(world, shape),
+                   .body = bodyOf(world, idOfShape(world, shape)),
                    .point = from + displacement * hit->fraction,
                    .normal = rotate(pose.rotation, hit->normal),
                    .fraction = hit->fraction,
@@ -118,9 +118,8 @@ bool isRayBlocked(World& world, WorldPosition from, Vec2 displacement, const Que
 void castRayAll(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter,
                 std::vector<CastHit>& hits) {
     hits.clear();
-    allHits(
-        candidatesOf(world, from, displacement, filter),
-        [&](std::uint32_t shape) { return hitOf(world, shape, from, displacement); }, hits);
+    allHits(candidatesOf(world, from, displacement, filter), hits,
+            [&](std::uint32_t shape) { return hitOf(world, shape, from, displacement); });
 }
 
 std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyPose& pose,
@@ -137,7 +136,7 @@ std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyP
     const Convex theirs = convexOf(geometry, world.shapes.corners);
     std::optional<CastHit> hit = castShape(theirs, moving.outline, frame, displacement);
     if (!hit) return std::nullopt;
-    hit->shape = idOf(world, shape);
+    hit->shape = idOfShape(world, shape);
     hit->body = bodyOf(world, hit->shape);
     hit->point = worldPoint(pose, toVec2(hit->point));
     // The direction of minimum penetration of a chain segment may point to its back.
@@ -159,9 +158,8 @@ void castShapeAll(World& world, const QueryShape& shape, Vec2 displacement, cons
     hits.clear();
     if (!isUsable(world, shape) || !isUsable(displacement)) return;
     const MovingOutline moving = outlineOf(world, shape, displacement);
-    allHits(
-        candidatesOf(world, shape, displacement, filter),
-        [&](std::uint32_t other) { return meet(world, other, poseOf(world, other), moving); }, hits);
+    allHits(candidatesOf(world, shape, displacement, filter), hits,
+            [&](std::uint32_t other) { return meet(world, other, poseOf(world, other), moving); });
 }
 
 }  // namespace plumb::physics

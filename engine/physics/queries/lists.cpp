@@ -24,7 +24,7 @@ AABB boundsOfAll(const World& world, ForShapes&& forShapes) {
 void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found) {
     found.clear();
     if (!alive(world, body)) return;
-    forShapesOf(world, body.index, [&](std::uint32_t s) { found.push_back(idOf(world, s)); });
+    forShapesOf(world, body.index, [&](std::uint32_t s) { found.push_back(idOfShape(world, s)); });
     std::reverse(found.begin(), found.end());  // the last one is the first of the list
 }
 
@@ -59,7 +59,7 @@ void overlapsOf(const World& world, ShapeId trigger, std::vector<ShapeId>& found
     forTouching(world, true, [&](const Contact& contact) {
         const bool isA = contact.shapeA == trigger.index;
         if (isA || contact.shapeB == trigger.index)
-            found.push_back(idOf(world, isA ? contact.shapeB : contact.shapeA));
+            found.push_back(idOfShape(world, isA ? contact.shapeB : contact.shapeA));
     });
 }
 
@@ -68,7 +68,7 @@ void movedBodies(const World& world, std::vector<BodyId>& found) {
     const auto add = [&](BodyId body) {
         if ((world.bodies.info[body.index].flags & kMoved) != 0) found.push_back(body);
     };
-    for (const std::uint32_t body : world.awake) add({body, world.bodies.info[body].generation});
+    for (const std::uint32_t body : world.awake) add(idOfBody(world, body));
     for (const BodyId body : world.fellAsleep) add(body);
 }
 

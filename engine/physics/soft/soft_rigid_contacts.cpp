@@ -45,8 +45,7 @@ SoftObstacle obstacleOf(const World& world, std::uint32_t body) {
         obstacle.motion = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, 0.0f};
     if (!obstacle.isPushed) return obstacle;
     const BodyMass& mass = world.bodies.mass[body];
-    obstacle.inverseMass = {(info.flags & kLockX) != 0 ? 0.0f : mass.inverseMass,
-                            (info.flags & kLockY) != 0 ? 0.0f : mass.inverseMass};
+    obstacle.inverseMass = unlocked(world, body, {mass.inverseMass, mass.inverseMass});
     obstacle.inverseInertia = mass.inverseInertia;
     return obstacle;
 }

@@ -243,8 +243,7 @@ float workOver(const StepContext& step, const Driven& driven, const Acceleration
 void noteWork(const StepContext& step, Driven& driven) {
     const Float4& now = step.work.deltaPosition[driven.slot];
     const Acceleration moved{{now.x, now.y}, now.z};
-    driven.work +=
-        workOver(step, driven, {moved.linear - driven.moved.linear, moved.angular - driven.moved.angular});
+    driven.work += workOver(step, driven, moved - driven.moved);
     driven.moved = moved;
 }
 

@@ -174,8 +174,7 @@ void finishBodies(StepContext& step) {
         }
         work.sleepy = work.sleepy || found.sleepy;
         work.fastBodies.insert(work.fastBodies.end(), found.fast.begin(), found.fast.end());
-        for (const std::uint32_t body : found.broken)
-            world.quarantined.push_back({body, world.bodies.info[body].generation});
+        for (const std::uint32_t body : found.broken) world.quarantined.push_back(idOfBody(world, body));
     }
     // The impulses on them are not finite either and would be reused: clear them.
     const auto isBroken = [&](std::uint32_t body) {

@@ -44,12 +44,6 @@ void evaluate(const Flight& flight, int which, float elapsed) {
     }
 }
 
-Acceleration operator*(float s, const Acceleration& a) { return {s * a.linear, s * a.angular}; }
-Acceleration operator+(Acceleration a, const Acceleration& b) { return a += b; }
-Acceleration operator-(const Acceleration& a, const Acceleration& b) {
-    return {a.linear - b.linear, a.angular - b.angular};
-}
-
 Acceleration velocityOf(const BodyState& state) { return {state.velocity, state.angularVelocity}; }
 
 /// Sets the trial state: `now`, advanced by a displacement and a change of velocity.
