@@ -52,23 +52,17 @@ inline float middleOfOverlap(float halfA, float halfB, float displacement) {
     const Vec2 side{displacement.x < 0.0f ? -1.0f : 1.0f, displacement.y < 0.0f ? -1.0f : 1.0f};
     if (gap.x > 0.0f && gap.y > 0.0f)
         return collideUprightCorners(halfA, gap, side, displacement, speculative);
-    const bool alongY = goesAlongY(halfA, halfB, gap);
-    Manifold manifold;
-    manifold.count = 1;
-    if (alongY) {
-        manifold.normal = {0.0f, side.y};
-        manifold.points[0] = {
-            {middleOfOverlap(halfA.x, halfB.x, displacement.x), side.y * (halfA.y + 0.5f * gap.y)},
-            gap.y,
-            static_cast<std::uint16_t>(kFaceY + (side.y < 0.0f ? 1 : 0))};
-    } else {
-        manifold.normal = {side.x, 0.0f};
-        manifold.points[0] = {
-            {side.x * (halfA.x + 0.5f * gap.x), middleOfOverlap(halfA.y, halfB.y, displacement.y)},
-            gap.x,
-            static_cast<std::uint16_t>(kFaceX + (side.x < 0.0f ? 1 : 0))};
+    const auto at = [&](Vec2 normal, Vec2 point, float separation, int feature) {
+        const int backwards = normal.x + normal.y < 0.0f ? 1 : 0;
+        return Manifold{
+            normal, {{point, separation, static_cast<std::uint16_t>(feature + backwards)}, {}}, 1};
+    };
+    if (goesAlongY(halfA, halfB, gap)) {
+        const float x = middleOfOverlap(halfA.x, halfB.x, displacement.x);
+        return at({0.0f, side.y}, {x, side.y * (halfA.y + 0.5f * gap.y)}, gap.y, kFaceY);
     }
-    return manifold;
+    const float y = middleOfOverlap(halfA.y, halfB.y, displacement.y);
+    return at({side.x, 0.0f}, {side.x * (halfA.x + 0.5f * gap.x), y}, gap.x, kFaceX);
 }
 
 }  // namespace plumb::physics

@@ -42,8 +42,8 @@ struct Displacements {
 struct DisplacementBetween {
     Way first, second;
     float part = 0.0f;
-    Vec2 normal;            ///< unit length, from A to B
-    float distance = 0.0f;  ///< m along it; negative: overlap
+    Vec2 normal = kAnyNormal;  ///< unit length, from A to B
+    float distance = 0.0f;     ///< m along it; negative: overlap
     int iterations = 0;
 };
 
@@ -94,12 +94,10 @@ void reduceThree(Simplex& simplex) {
     bool inside = area != 0.0f;
     for (int i = 0; i < 3; ++i) {
         Simplex side{{{simplex.displacements[i], simplex.displacements[(i + 1) % 3], {}}, 2}, 0.0f};
-        inside = inside &&
-                 sign * cross(side.displacements[0].displacement, side.displacements[1].displacement) > 0.0f;
+        const Vec2 &from = side.displacements[0].displacement, &to = side.displacements[1].displacement;
+        inside = inside && sign * cross(from, to) > 0.0f;
         reduceTwo(side);
-        const Vec2 place = side.count == 1 ? side.displacements[0].displacement
-                                           : lerp(side.displacements[0].displacement,
-                                                  side.displacements[1].displacement, side.part);
+        const Vec2 place = side.count == 1 ? from : lerp(from, to, side.part);
         const float square = lengthSquared(place);
         if (square < minimum) {
             minimum = square;
@@ -135,8 +133,7 @@ float sizeOf(const Simplex& simplex) {
 /// The distance of the simplex from the origin. Along a segment it is measured by the perpendicular, which
 /// stays accurate when the outlines almost touch.
 DisplacementBetween nearestOf(const Simplex& simplex) {
-    DisplacementBetween nearest{
-        simplex.displacements[0], simplex.displacements[0], 0.0f, kAnyNormal, 0.0f, 0};
+    DisplacementBetween nearest{simplex.displacements[0], simplex.displacements[0]};
     if (simplex.count == 1) {
         nearest.distance = length(simplex.displacements[0].displacement);
         if (nearest.distance > 0.0f)
@@ -231,8 +228,7 @@ NearestSide nearestSide(const Polytope& polytope) {
 /// The shortest displacement that separates two overlapping cores.
 DisplacementBetween deepestOverlap(const Displacements& displacements) {
     Polytope polytope = polytopeOf(displacements);
-    DisplacementBetween result{
-        polytope.displacements[0], polytope.displacements[0], 0.0f, kAnyNormal, 0.0f, 0};
+    DisplacementBetween result{polytope.displacements[0], polytope.displacements[0]};
     if (polytope.count < 2) return result;  // two discs with the same centre
     NearestSide side = nearestSide(polytope);
     while (polytope.count < kMaxWays) {

@@ -6,11 +6,6 @@
 
 namespace plumb::physics {
 
-std::array<Corner, 2> cornersOfSegment(Vec2 start, Vec2 end) {
-    const Vec2 displacement = normalized(end - start);
-    return {Corner{start, {displacement.y, -displacement.x}}, Corner{end, {-displacement.y, displacement.x}}};
-}
-
 std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn) {
     const Vec2 x = rotate(turn, {1.0f, 0.0f});
     const Vec2 y = rotate(turn, {0.0f, 1.0f});
@@ -52,9 +47,9 @@ ScaledConvex::ScaledConvex(const Convex& outline, Vec2 about, float part) : conv
 Convex convexOf(const Geometry& geometry, std::span<const Corner> pool) {
     Convex convex{.radius = geometry.radius, .centre = geometry.a};
     const auto takeSegment = [&] {
-        const auto corners = cornersOfSegment(geometry.a, geometry.b);
-        convex.own[0] = corners[0];
-        convex.own[1] = corners[1];
+        const Vec2 along = normalized(geometry.b - geometry.a);
+        convex.own[0] = {geometry.a, {along.y, -along.x}};
+        convex.own[1] = {geometry.b, {-along.y, along.x}};
         convex.count = 2;
         convex.centre = (geometry.a + geometry.b) * 0.5f;
     };

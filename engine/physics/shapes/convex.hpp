@@ -47,8 +47,6 @@ inline constexpr Vec2 kAnyNormal{1.0f, 0.0f};
 /// @param pool  Shapes::corners; used for polygons only
 Convex convexOf(const Geometry& geometry, std::span<const Corner> pool);
 
-/// The two corners of a segment or of the core of a capsule, each with the face that follows it.
-std::array<Corner, 2> cornersOfSegment(Vec2 start, Vec2 end);
 /// The corners of a box, beginning with (-, -), in the order in which normals rotate, as for all outlines.
 std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn);
 

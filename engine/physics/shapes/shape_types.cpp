@@ -132,16 +132,6 @@ std::optional<RayHit> castAtSharp(Corners corners, const Ray& ray) {
     return RayHit{enter, *normal};
 }
 
-constexpr ShapeType kShapeTypes[] = {
-    {"circle", true, aroundCircle},
-    {"capsule", true, aroundTwoPoints},
-    {"box", true, aroundBox},
-    {"polygon", true, aroundPolygon},
-    {"segment", false, aroundTwoPoints},
-    {"chain segment", false, aroundTwoPoints},
-};
-static_assert(std::size(kShapeTypes) == static_cast<std::size_t>(ShapeKind::Count));
-
 bool isPlace(Vec2 v) { return std::fabs(v.x) <= kLargest && std::fabs(v.y) <= kLargest; }
 
 Error badPlace(const char* where, Vec2 found) {
@@ -177,18 +167,18 @@ bool isConvex(Corners corners) {
     return size >= kSmallest;
 }
 
-Result<Done> checkCircle(const Geometry& geometry) {
+Result<Done> checkCircle(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("circle.a", geometry.a);
     return checkSize("circle.radius", geometry.radius, 0.5f * kSmallest);
 }
 
-Result<Done> checkCapsule(const Geometry& geometry) {
+Result<Done> checkCapsule(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("capsule.a", geometry.a);
     if (!isPlace(geometry.b)) return badPlace("capsule.b", geometry.b);
     return checkSize("capsule.radius", geometry.radius, 0.5f * kSmallest);
 }
 
-Result<Done> checkBox(const Geometry& geometry) {
+Result<Done> checkBox(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("box.a", geometry.a);
     const Rot turn = geometry.turn;
     if (!(std::fabs(turn.cos * turn.cos + turn.sin * turn.sin - 1.0f) < 1.0e-3f)) {
@@ -222,7 +212,7 @@ Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
     return checkSize("polygon.radius", geometry.radius, 0.0f);
 }
 
-Result<Done> checkSegment(const Geometry& geometry) {
+Result<Done> checkSegment(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("segment.a", geometry.a);
     if (!isPlace(geometry.b)) return badPlace("segment.b", geometry.b);
     const bool isOfChain = geometry.kind == ShapeKind::ChainSegment;
@@ -234,6 +224,17 @@ Result<Done> checkSegment(const Geometry& geometry) {
     }
     return checkSize("segment length", distance(geometry.a, geometry.b), kSmallest);
 }
+
+/// In the order of ShapeKind.
+constexpr ShapeType kShapeTypes[] = {
+    {"circle", true, aroundCircle, checkCircle},
+    {"capsule", true, aroundTwoPoints, checkCapsule},
+    {"box", true, aroundBox, checkBox},
+    {"polygon", true, aroundPolygon, checkPolygon},
+    {"segment", false, aroundTwoPoints, checkSegment},
+    {"chain segment", false, aroundTwoPoints, checkSegment},
+};
+static_assert(std::size(kShapeTypes) == static_cast<std::size_t>(ShapeKind::Count));
 
 }  // namespace
 
@@ -298,15 +299,7 @@ std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const R
 }
 
 Result<Done> checkGeometry(const Geometry& geometry, Corners corners) {
-    switch (geometry.kind) {
-        case ShapeKind::Circle: return checkCircle(geometry);
-        case ShapeKind::Capsule: return checkCapsule(geometry);
-        case ShapeKind::Box: return checkBox(geometry);
-        case ShapeKind::Polygon: return checkPolygon(geometry, corners);
-        case ShapeKind::Segment:
-        case ShapeKind::ChainSegment: return checkSegment(geometry);
-        case ShapeKind::Count: break;
-    }
+    if (geometry.kind < ShapeKind::Count) return shapeTypeOf(geometry.kind).check(geometry, corners);
     return Error{"shape.kind", "expected a kind of shape, found another number", "use a ShapeKind"};
 }
 

@@ -13,6 +13,7 @@ struct ShapeType {
     std::string_view name;
     bool solid = true;  ///< it has an inside, and so a mass
     AABB (*bounds)(const Geometry& geometry, std::span<const Corner> corners, const Frame& frame) = nullptr;
+    Result<Done> (*check)(const Geometry& geometry, std::span<const Corner> corners) = nullptr;
 };
 
 const ShapeType& shapeTypeOf(ShapeKind kind);

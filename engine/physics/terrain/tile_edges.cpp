@@ -10,14 +10,11 @@ namespace {
 
 /// The edge along a part of a side, clockwise.
 TileEdge alongSide(GridPoint corner, CellSide side, FaceSpan span, EdgeKind kind) {
-    switch (side) {
-        case kTop: return {corner + GridPoint{span.from, 0}, corner + GridPoint{span.to, 0}, kind};
-        case kRight:
-            return {corner + GridPoint{kCellUnits, span.from}, corner + GridPoint{kCellUnits, span.to}, kind};
-        case kBottom:
-            return {corner + GridPoint{span.to, kCellUnits}, corner + GridPoint{span.from, kCellUnits}, kind};
-        default: return {corner + GridPoint{0, span.to}, corner + GridPoint{0, span.from}, kind};
-    }
+    const std::int32_t line = side == kRight || side == kBottom ? kCellUnits : 0;
+    if (side == kBottom || side == kLeft) std::swap(span.from, span.to);
+    if (side == kTop || side == kBottom)
+        return {corner + GridPoint{span.from, line}, corner + GridPoint{span.to, line}, kind};
+    return {corner + GridPoint{line, span.from}, corner + GridPoint{line, span.to}, kind};
 }
 
 class EdgesOfCell {
