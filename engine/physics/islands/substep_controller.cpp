@@ -35,19 +35,21 @@ std::uint8_t oneMore(std::uint8_t patience) {
     return static_cast<std::uint8_t>(std::min<int>(patience + 1, kMaxPatience));
 }
 
-SubstepController watching(SubstepController controller, SubstepPhase phase, const Terms& terms) {
+SubstepController changed(SubstepController controller, SubstepPhase phase, std::uint32_t wait, float error) {
     controller.phase = phase;
-    controller.wait = terms.stepsIn(kWatch) << controller.patience;
-    controller.error = 0.0f;
+    controller.wait = wait;
+    controller.error = error;
     return controller;
 }
 
+SubstepController watching(const SubstepController& controller, SubstepPhase phase, const Terms& terms) {
+    return changed(controller, phase, terms.stepsIn(kWatch) << controller.patience, 0.0f);
+}
+
 SubstepController resigned(SubstepController controller, float error, const Terms& terms) {
-    controller.phase = SubstepPhase::Resigned;
     controller.patience = oneMore(controller.patience);
-    controller.wait = terms.stepsIn(kResignation) << controller.patience;
-    controller.error = error;
-    return controller;
+    const std::uint32_t wait = terms.stepsIn(kResignation) << controller.patience;
+    return changed(controller, SubstepPhase::Resigned, wait, error);
 }
 
 /// Quality that a rise aims at.
@@ -58,24 +60,19 @@ Quality goalOf(const SubstepController& controller, const Terms& terms) {
 
 SubstepController oneHigher(SubstepController controller, float error, const Terms& terms) {
     ++controller.quality;
-    controller.wait =
-        controller.quality < goalOf(controller, terms) ? terms.stepsIn(kClimb) : terms.stepsIn(kSettling);
-    controller.error = error;
-    return controller;
+    const float time = controller.quality < goalOf(controller, terms) ? kClimb : kSettling;
+    return changed(controller, SubstepPhase::Rising, terms.stepsIn(time), error);
 }
 
 SubstepController risen(SubstepController controller, float error, const Terms& terms) {
     if (controller.quality == kMaxQuality) return resigned(controller, error, terms);
     controller.before = controller.quality;
     controller.first = error;
-    controller.phase = SubstepPhase::Rising;
     return oneHigher(controller, error, terms);
 }
 
-SubstepController strained(SubstepController controller, const Terms& terms) {
-    controller.phase = SubstepPhase::Strained;
-    controller.wait = terms.stepsIn(kBlow);
-    return controller;
+SubstepController strained(const SubstepController& controller, const Terms& terms) {
+    return changed(controller, SubstepPhase::Strained, terms.stepsIn(kBlow), controller.error);
 }
 
 /// Within the tolerance, as far as is known.
@@ -111,11 +108,8 @@ SubstepController whileRising(SubstepController controller, float error, const T
     if (error > kGrew * controller.first) controller.first = error;  // the load has grown
     if (controller.wait > 0) return controller;
     if (controller.quality < goalOf(controller, terms)) return oneHigher(controller, error, terms);
-    if (error < kStillFalls * controller.error) {
-        controller.error = error;
-        controller.wait = terms.stepsIn(kSettling);
-        return controller;
-    }
+    if (error < kStillFalls * controller.error)
+        return changed(controller, SubstepPhase::Rising, terms.stepsIn(kSettling), error);
     if (error < kHelped * controller.first) return risen(controller, error, terms);
     controller.quality = controller.before;
     return resigned(controller, error, terms);
