@@ -13,8 +13,6 @@ JointView viewOf(const World& world, std::uint32_t index, const JointTiming& tim
         world, joint, world.joints.definition[index], timing, a.rotation, b.rotation, b.centre - a.centre};
 }
 
-float impulseOf(float force, const JointView& view) { return std::min(force * view.timing.h, kNoLimit); }
-
 JointParts anchorsOf(const JointView& view) {
     JointParts parts;
     parts.armA = rotate(view.turnA, view.joint.anchorA);
@@ -29,6 +27,16 @@ float angleOf(const JointView& view) {
     return angle - kTau * std::floor((angle + kPi) / kTau);
 }
 
+namespace {
+
+// Parts that several kinds have.
+
+/// N s or N m s: of a force or torque in a substep.
+float impulseOf(float force, const JointView& view) { return std::min(force * view.timing.h, kNoLimit); }
+
+/// Soft constraint parameters of a spring with a given frequency (1/s) and damping ratio, on the effective
+/// mass of its joint, for a substep of h (s). Frequency, damping and static sag are exact as long as the
+/// spring is much slower than the substeps.
 Grip springGrip(float hertz, float dampingRatio, float h) {
     // Above half a radian per substep the implicit (soft) spring is used: it is unconditionally stable.
     const float turn = kTau * hertz * h;
@@ -39,6 +47,8 @@ Grip springGrip(float hertz, float dampingRatio, float h) {
     return {1.0f - kept, turn * turn * kept / h, kept};
 }
 
+/// Of the joint itself: rigid, or a spring if JointDefinition::hertz is below JointTiming::stiffest.
+/// @return true for a spring
 bool ownGrip(const JointView& view, Grip& grip) {
     const float hertz = view.definition.hertz;
     const bool springs = hertz > 0.0f && hertz < view.timing.stiffest;
@@ -46,6 +56,7 @@ bool ownGrip(const JointView& view, Grip& grip) {
     return springs;
 }
 
+/// Motor, limits and spring of the definition; the spring is what holds the value.
 ValueParts valueParts(const JointView& view) {
     const JointDefinition& definition = view.definition;
     ValueParts value;
@@ -66,8 +77,6 @@ ValueParts valueParts(const JointView& view) {
     }
     return value;
 }
-
-namespace {
 
 // What each kind of joint is made of.
 

@@ -71,22 +71,9 @@ const JointType& jointType(JointKind kind);
 /// A joint at the current poses of its bodies. It refers to `timing`.
 JointView viewOf(const World& world, std::uint32_t joint, const JointTiming& timing);
 
-// Parts that several kinds have.
-
-/// N s or N m s: of a force or torque in a substep.
-float impulseOf(float force, const JointView& view);
 /// Arms and separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
 /// rad, -pi..pi: rotation of B relative to A, minus the reference angle.
 float angleOf(const JointView& view);
-/// Soft constraint parameters of a spring with a given frequency (1/s) and damping ratio, on the effective
-/// mass of its joint, for a substep of h (s). Frequency, damping and static sag are exact as long as the
-/// spring is much slower than the substeps.
-Grip springGrip(float hertz, float dampingRatio, float h);
-/// Of the joint itself: rigid, or a spring if JointDefinition::hertz is below JointTiming::stiffest.
-/// @return true for a spring
-bool ownGrip(const JointView& view, Grip& grip);
-/// Motor, limits and spring of the definition; the spring is what holds the value.
-ValueParts valueParts(const JointView& view);
 
 }  // namespace plumb::physics
