@@ -61,7 +61,6 @@ struct Manifest {
     void call(Effect effect, bool on, int times = 1) {
         if (on) callers[static_cast<std::size_t>(effect)] += static_cast<std::uint32_t>(times);
     }
-    void leave(Effect effect, bool on) { call(effect, on, -1); }
 };
 
 constexpr std::string_view nameOf(Effect effect) {

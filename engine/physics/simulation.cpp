@@ -56,11 +56,6 @@ constexpr StageInfo kStages[] = {
 
 static_assert(std::size(kStages) <= kMaxStages);
 
-bool isCalledFor(const StageInfo& stage, const StepContext& step) {
-    if (stage.effects == 0 || (stage.effects & step.effects) != 0) return true;
-    return stage.also != nullptr && stage.also(step);
-}
-
 /// True when nothing moves and nothing was added or removed: a step of a resting world then costs nothing.
 bool nothingToDo(const World& world) {
     return world.awake.empty() && world.moved.empty() && world.contacts.empty() &&
@@ -88,12 +83,6 @@ std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     return effects;
 }
 
-/// Not for an effect that is only a part of a stage: StepContext::starts() counts that.
-void count(const StepContext& step, const StageInfo& stage) {
-    ++step.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
-    step.work.effectsRun |= stage.effects & step.effects;
-}
-
 /// Measures a stage: the time of this thread, and the time of each thread of the pool in it.
 class StageScope {
 public:
@@ -118,11 +107,6 @@ private:
     TaskPool::Times before_;
     ProfileScope scope_;
 };
-
-void countEffects(Workspace& work) {
-    for (std::uint32_t left = work.effectsRun; left != 0; left &= left - 1)
-        ++work.effectRuns[static_cast<std::size_t>(std::countr_zero(left))];
-}
 
 }  // namespace
 
@@ -176,12 +160,16 @@ void step(World& world, float dt, const StepOptions& options) {
     context.work.effectsRun = 0;
     context.work.rootsKnown = false;
     for (const StageInfo& stage : kStages) {
-        if (!isCalledFor(stage, context)) continue;
+        const bool isCalled = stage.effects == 0 || (stage.effects & context.effects) != 0;
+        if (!isCalled && (stage.also == nullptr || !stage.also(context))) continue;
         const StageScope scope{own, stage.name};
-        count(context, stage);
+        ++context.work.stageRuns[static_cast<std::size_t>(&stage - kStages)];
+        // An effect that is only a part of a stage is counted by StepContext::starts().
+        context.work.effectsRun |= stage.effects & context.effects;
         stage.run(context);
     }
-    countEffects(context.work);
+    for (std::uint32_t left = context.work.effectsRun; left != 0; left &= left - 1)
+        ++context.work.effectRuns[static_cast<std::size_t>(std::countr_zero(left))];
     world.work.noteStep();
 }
 

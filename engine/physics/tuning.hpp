@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 // Every chosen constant of the physics, its unit and its source. docs/tuning.md says what breaks at half and
 // at double: ./plumb accuracy --tuning, whose build defines the macro so that it can change them.
 #ifndef PLUMB_TUNING

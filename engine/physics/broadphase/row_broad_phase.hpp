@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "physics/broadphase/partitioned_broad_phase.hpp"
 
 namespace plumb::physics {

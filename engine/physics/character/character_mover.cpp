@@ -181,9 +181,7 @@ CharacterMotion CharacterMover::fly(Vec2 displacement) {
         if (ground) {
             const CharacterMotion walked = walk(along(displacement), *ground);
             motion.wall = walked.wall ? walked.wall : motion.wall;
-            motion.ground = touchOf(*hit);
-            motion.ground.normal = *ground;
-            motion.landed = true;
+            motion.ground = touchOf(*hit, *ground);
             break;
         }
         if (rise(normal) < -kSolidSide && rise(displacement) > 0.0f && passCorner(displacement)) continue;
@@ -192,9 +190,8 @@ CharacterMotion CharacterMover::fly(Vec2 displacement) {
         const bool wedged =
             before != Vec2{} && dot(before, normal) < 0.999f && dot(displacement, before) < 0.0f;
         if (wedged && rise(before) > kAxisAligned && rise(normal) > kAxisAligned) {
-            motion.ground = touchOf(*hit);  // wedged between two slopes, it stands as in a pit
-            motion.ground.normal = definition_.up;
-            motion.landed = true;
+            // Wedged between two slopes, it stands as in a pit.
+            motion.ground = touchOf(*hit, definition_.up);
         }
         if (wedged) break;
         before = normal;
@@ -237,9 +234,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     const float drop = reach * hit->fraction;
     // At rest it is not moved, otherwise it would creep.
     if (drop > 0.0625f * definition_.gap) shift(definition_.up * -drop);
-    motion.ground = touchOf(*hit);
-    motion.ground.normal = *normal;
-    motion.landed = true;
+    motion.ground = touchOf(*hit, *normal);
     return motion;
 }
 

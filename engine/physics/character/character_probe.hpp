@@ -9,6 +9,10 @@ namespace plumb::physics {
 [[nodiscard]] inline CharacterTouch touchOf(const CastHit& hit) {
     return {hit.shape, hit.body, hit.normal, hit.point};
 }
+/// @param normal  of the ground below it
+[[nodiscard]] inline CharacterTouch touchOf(const CastHit& hit, Vec2 normal) {
+    return {hit.shape, hit.body, normal, hit.point};
+}
 
 /// The world as a character collides with it: kinematic bodies up to 60 m/s are where the next step takes
 /// them, and one-way shapes stop only what is in front of them.

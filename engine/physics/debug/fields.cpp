@@ -10,8 +10,6 @@ constexpr float kLevelWidth = 4.0f;   // m: half the drawn width of an unbounded
 constexpr float kPullRadius = 0.25f;  // m: size of the symbol of an attractor
 constexpr float kSpringEnd = 0.06f;   // m
 
-bool hasNBodyConstraint(const FieldDefinition& field) { return field.kind == FieldKind::Spring; }
-
 /// The point of a body to which a spring is attached, or its fixed end.
 Vec2 endOf(const Picture& picture, BodyId body, Vec2 anchor, WorldPosition place) {
     return alive(picture.world, body) ? apply(picture.frame(body.index), anchor) : picture.seen(place);
@@ -50,7 +48,7 @@ void drawPull(const Picture& picture, Vec2 centre, bool inwards) {
 }
 
 void drawField(const Picture& picture, const FieldDefinition& field) {
-    if (hasNBodyConstraint(field)) return drawSpring(picture, field);
+    if (field.kind == FieldKind::Spring) return drawSpring(picture, field);
     drawRegion(picture, field);
     const Vec2 centre = field.kind == FieldKind::Attractor && alive(picture.world, field.a)
                             ? picture.centre(field.a.index)
@@ -66,7 +64,7 @@ bool isShown(const Picture& picture, std::size_t field) {
     const auto isChosen = [&](BodyId body) {
         return alive(picture.world, body) && picture.shows(body.index);
     };
-    return hasNBodyConstraint(definition) && (isChosen(definition.a) || isChosen(definition.b));
+    return definition.kind == FieldKind::Spring && (isChosen(definition.a) || isChosen(definition.b));
 }
 
 }  // namespace

@@ -40,22 +40,10 @@ void drawRounded(DebugCanvas& canvas, std::span<const Corner> corners, const Fra
     canvas.polygon({points.data(), count}, ink);
 }
 
-/// With a spoke that shows its rotation.
-void drawDisc(DebugCanvas& canvas, Vec2 centre, const Frame& frame, float radius, DebugInk ink) {
-    const Vec2 place = apply(frame, centre);
-    canvas.circle(place, radius, ink);
-    canvas.line(place, place + rotate(frame.rotation, {radius, 0.0f}), ink);
-}
-
 DebugRole roleOf(ProxyMotion motion) {
-    switch (motion) {
-        case ProxyMotion::Kinematic: return DebugRole::Driven;
-        case ProxyMotion::Awake: return DebugRole::Awake;
-        case ProxyMotion::Asleep: return DebugRole::Asleep;
-        case ProxyMotion::Static:
-        case ProxyMotion::Gone: break;
-    }
-    return DebugRole::Fixed;
+    constexpr DebugRole kRoles[] = {DebugRole::Fixed, DebugRole::Fixed, DebugRole::Asleep, DebugRole::Driven,
+                                    DebugRole::Awake};
+    return kRoles[static_cast<std::size_t>(motion)];
 }
 
 void drawSoftBodies(const Picture& picture) {
@@ -107,10 +95,13 @@ constexpr int kPathLines = 20;
 
 void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink) {
     const std::span<const Corner> corners = convex.corners();
-    if (corners.size() == 1) return drawDisc(canvas, corners[0].point, frame, convex.radius, ink);
+    const Vec2 first = apply(frame, corners[0].point);
+    if (corners.size() == 1) {  // a disc, with a spoke that shows its rotation
+        canvas.circle(first, convex.radius, ink);
+        return canvas.line(first, first + rotate(frame.rotation, {convex.radius, 0.0f}), ink);
+    }
     if (convex.radius > 0.0f) return drawRounded(canvas, corners, frame, convex.radius, ink);
-    if (corners.size() == 2)
-        return canvas.line(apply(frame, corners[0].point), apply(frame, corners[1].point), ink);
+    if (corners.size() == 2) return canvas.line(first, apply(frame, corners[1].point), ink);
     std::array<Vec2, kMaxCorners> points;
     for (std::size_t i = 0; i < corners.size(); ++i) points[i] = apply(frame, corners[i].point);
     canvas.polygon({points.data(), corners.size()}, ink);

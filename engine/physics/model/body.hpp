@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "math/rot.hpp"
 #include "physics/ids.hpp"
 
 namespace plumb::physics {

@@ -24,14 +24,6 @@ float marginOf(const AABB& tight, const Settings& settings) {
     return std::max(std::min(0.125f * std::max(size.x, size.y), settings.boundsMargin), 0.0f);
 }
 
-/// Recomputes what follows from a world that was created or overwritten.
-void refill(World& world, Workspace& work) {
-    work.pairs.clear();
-    countSurfaces(world, work);
-    forContacts(world,
-                [&](const Contact& contact) { work.pairs.add(pairKey(contact.shapeA, contact.shapeB)); });
-}
-
 Proxies proxiesOf(const World& world) {
     return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
 }
@@ -114,8 +106,10 @@ void updateBroadPhase(World& world, Workspace& work) {
     const bool stale = world.work.takeStale();
     work.isChanged.resize(world.shapes.size());
     work.isMoved.resize(world.shapes.size());
-    if (stale) {
-        refill(world, work);
+    if (stale) {  // the world was created or overwritten: recompute what follows from it
+        work.pairs.clear();
+        countSurfaces(world, work);
+        forContacts(world, [&](const Contact& c) { work.pairs.add(pairKey(c.shapeA, c.shapeB)); });
         work.joints.trees.stale = true;
     }
     if (stale || work.broadPhaseKind != world.settings.broadPhase) {

@@ -81,7 +81,7 @@ void destroyField(World& world, FieldId field) {
     if (!mayChange(world, field)) return;
     Field& gone = world.fields.all[field.index];
     if (gone.definition.kind != FieldKind::Explosion) wakeThoseIn(world, gone.definition);
-    world.manifest.leave(fieldTypeOf(gone.definition.kind).effect, true);
+    world.manifest.call(fieldTypeOf(gone.definition.kind).effect, true, -1);
     gone.isAlive = false;
     world.fields.free.push_back(field.index);
 }

@@ -175,7 +175,7 @@ void destroySoftBody(World& world, SoftBodyId body) {
     world.softBodies.all[body.index] = {};
     world.softBodies.all[body.index].generation = generation;
     world.softBodies.free.push_back(body.index);
-    world.manifest.leave(Effect::SoftBodies, true);
+    world.manifest.call(Effect::SoftBodies, true, -1);
 }
 
 Result<Done> pinParticle(World& world, SoftBodyId body, int particle, bool pinned) {

@@ -146,19 +146,18 @@ void endAltered(StepContext& step) {
 }
 
 void beginContact(World& world, Workspace& work, std::size_t index) {
-    world.contacts[index].flags |= kTouching | kBegan;
     Contact& begun = world.contacts[index];
+    begun.flags |= kTouching | kBegan;
     if ((begun.flags & kInitialOverlap) != 0) addInitialOverlap(world, begun);
     if ((begun.flags & kReports) != 0)
         noteApproach(world, work, begun, world.bodies.motion[begun.bodyA], world.bodies.motion[begun.bodyB]);
-    const std::uint32_t bodyA = world.contacts[index].bodyA, bodyB = world.contacts[index].bodyB;
-    const bool pushesA = pushableA(world.contacts[index]) != kNone;
-    if ((world.contacts[index].flags & kTriggered) == 0) {
-        world.contacts[index].colour = takeColour(work, pushableA(world.contacts[index]), bodyB);
-        if (pushesA && world.bodies.info[bodyA].place == kNone) wake(world, bodyA);
-        if (world.bodies.info[bodyB].place == kNone) wake(world, bodyB);
+    const std::uint32_t bodyA = pushableA(begun), bodyB = begun.bodyB;
+    if ((begun.flags & kTriggered) == 0) {
+        begun.colour = takeColour(work, bodyA, bodyB);
+        for (const std::uint32_t body : {bodyA, bodyB})  // this may move the contacts
+            if (body != kNone && world.bodies.info[body].place == kNone) wake(world, body);
     }
-    if (pushesA) joinIslands(world, bodyA, bodyB);
+    if (bodyA != kNone) joinIslands(world, bodyA, bodyB);
 }
 
 void updateContacts(StepContext& step) {
