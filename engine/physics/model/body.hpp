@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "math/vec2.hpp"
 #include "physics/ids.hpp"
 
 namespace plumb::physics {
