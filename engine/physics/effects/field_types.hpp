@@ -24,12 +24,6 @@ inline Acceleration operator*(float s, const Acceleration& a) { return {s * a.li
 inline Acceleration operator-(const Acceleration& a, const Acceleration& b) { return a + -1.0f * b; }
 inline Acceleration& operator+=(Acceleration& a, const Acceleration& b) { return a = a + b; }
 
-/// A velocity or acceleration of a body without the part along its locked axes.
-[[nodiscard]] inline Vec2 unlocked(const World& world, std::uint32_t body, Vec2 a) {
-    const std::uint8_t flags = world.bodies.info[body].flags;
-    return {(flags & kLockX) != 0 ? 0.0f : a.x, (flags & kLockY) != 0 ? 0.0f : a.y};
-}
-
 /// What a field may read besides the state of the body that it acts on.
 struct FieldView {
     const World& world;

@@ -10,7 +10,7 @@ namespace {
 /// Each rule on a scene that deserves it, and on one that does not.
 class AdviceTest : public CostFixture {
 protected:
-    [[nodiscard]] const Advice* judged(const CostScene& scene, std::string_view rule, int ticks = 200) {
+    const Advice* judged(const CostScene& scene, std::string_view rule, int ticks = 200) {
         if (workspace.play.running()) workspace.stopPlaying();
         open(scene);
         play(ticks);
@@ -121,10 +121,20 @@ TEST_F(AdviceTest, whatRestsWhileSleepingIsOffIsCounted) {
 }
 
 TEST_F(AdviceTest, rungeKuttaForSlowSpringsIsNoBetterThanVerlet) {
-    const Advice* advice = judged(springs(R"("integrator": "Rk4", "quality": 4)"), "Runge-Kutta");
-    ASSERT_NE(advice, nullptr);
-    EXPECT_EQ(advice->remedy.field, "integrator");
-    EXPECT_EQ(judged(springs(R"("integrator": "Verlet", "quality": 4)"), "Runge-Kutta"), nullptr);
+    // Where bodies end is measured. The cost is set by hand: on a busy machine 1.3 times may measure as 1.
+    const auto says = [&](std::string_view integrator) {
+        judged(springs(format(R"("integrator": "{}", "quality": 4)", integrator)), "Runge-Kutta");
+        WhatIfResult result = whatIf.result();
+        for (WhatIfPoint& point : result.points)
+            point.microseconds = point.kind == WhatIfKind::Quality ? 130.0f : 100.0f;
+        std::vector<Advice> all = adviceFor({result, *whatIf.tape()});
+        std::erase_if(all, [](const Advice& one) { return one.rule != "Runge-Kutta"; });
+        return all;
+    };
+    const std::vector<Advice> advice = says("Rk4");
+    ASSERT_EQ(advice.size(), 1u);
+    EXPECT_EQ(advice.front().remedy.field, "integrator");
+    EXPECT_TRUE(says("Verlet").empty());
 }
 
 TEST_F(AdviceTest, explicitEulerIsForTeaching) {
