@@ -13,7 +13,7 @@
 #include "reflect/json_text.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/scene_entity.hpp"
-#include "scene/world_field_context.hpp"
+#include "scene/files/world_field_context.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -9,7 +9,7 @@
 #include "reflect/json.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
-#include "scene/world_field_context.hpp"
+#include "scene/files/world_field_context.hpp"
 
 namespace plumb::editor {
 namespace {

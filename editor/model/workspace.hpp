@@ -20,9 +20,9 @@
 #include "editor/model/view/view_camera.hpp"
 #include "editor/model/view/view_file.hpp"
 #include "math/color.hpp"
-#include "scene/physics_times.hpp"
-#include "scene/physics_view.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/drawing/physics_view.hpp"
+#include "scene/files/scene_file.hpp"
+#include "scene/physics/physics_times.hpp"
 
 namespace plumb::editor {
 

@@ -13,7 +13,7 @@
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/fitted_text.hpp"
 #include "editor/ui/widgets/physics_layers.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 
 namespace plumb::editor::ui {
 namespace {

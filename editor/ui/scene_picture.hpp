@@ -6,7 +6,7 @@
 
 #include "render/draw_list.hpp"
 #include "render/render_device.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 
 namespace plumb::editor::ui {
 

@@ -12,8 +12,8 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "scene/components.hpp"
-#include "scene/contact_events.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/contact_events.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb {
 namespace {

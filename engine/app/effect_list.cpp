@@ -9,15 +9,15 @@
 #include "core/profile.hpp"
 #include "core/text.hpp"
 #include "physics/simulation.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/physics_bridge.hpp"
-#include "scene/physics_state.hpp"
 
 namespace plumb {
 namespace {
 
 constexpr double kMicro = 1e6;
 constexpr int kRounds = 3;           // the best counts: other programs can only make it slower
-constexpr int kWarmUpTicks = 20;          // ticks, until everything has its memory
+constexpr int kWarmUpTicks = 20;     // ticks, until everything has its memory
 constexpr double kLongRound = 0.03;  // s: where ticks are so slow that fewer of them will do
 constexpr int kFewestTicks = 20;
 

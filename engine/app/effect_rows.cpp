@@ -6,10 +6,10 @@
 #include "assets/asset_store.hpp"
 #include "gameplay/components.hpp"
 #include "scene/components.hpp"
+#include "scene/drawing/tile_drawing.hpp"
 #include "scene/lab.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/particles.hpp"
-#include "scene/tile_drawing.hpp"
 
 namespace plumb {
 namespace {

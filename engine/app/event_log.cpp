@@ -4,11 +4,11 @@
 
 #include "assets/asset_store.hpp"
 #include "core/log.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/name.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/sprite.hpp"
-#include "scene/contact_events.hpp"
+#include "scene/physics/contact_events.hpp"
 
 namespace plumb {
 namespace {

@@ -8,9 +8,9 @@
 #include "core/log.hpp"
 #include "gameplay/label_values.hpp"
 #include "scene/components/name.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
+#include "scene/files/prefab.hpp"
 #include "scene/play_sound.hpp"
-#include "scene/prefab.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
 

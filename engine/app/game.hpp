@@ -9,11 +9,11 @@
 #include "ecs/world.hpp"
 #include "input/input.hpp"
 #include "reflect/type_registry.hpp"
-#include "scene/background.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/drawing/background.hpp"
 #include "scene/effects.hpp"
 #include "scene/game_random.hpp"
-#include "scene/physics_threads.hpp"
+#include "scene/physics/physics_threads.hpp"
 
 namespace plumb {
 

@@ -13,7 +13,7 @@
 #include "app/sound_output.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
-#include "scene/physics_times.hpp"
+#include "scene/physics/physics_times.hpp"
 
 namespace plumb {
 

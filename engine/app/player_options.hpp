@@ -7,7 +7,7 @@
 
 #include "core/result.hpp"
 #include "platform/window.hpp"
-#include "scene/physics_view.hpp"
+#include "scene/drawing/physics_view.hpp"
 
 namespace plumb {
 

@@ -10,7 +10,7 @@
 #include "reflect/json_fields.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
-#include "scene/import_commit.hpp"
+#include "scene/files/import_commit.hpp"
 
 namespace plumb {
 namespace {

@@ -12,7 +12,7 @@
 #include "reflect/json_text.hpp"
 #include "scene/game_random.hpp"
 #include "scene/loaded_scene.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/scene_stack.hpp"
 #include "scene/systems/camera_system.hpp"

@@ -6,9 +6,9 @@
 
 #include "app/game.hpp"
 #include "app/project.hpp"
-#include "scene/prefab.hpp"
-#include "scene/scene_assets.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/prefab.hpp"
+#include "scene/files/scene_assets.hpp"
+#include "scene/files/scene_file.hpp"
 
 namespace plumb {
 

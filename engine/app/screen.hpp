@@ -9,7 +9,7 @@
 #include "input/input_frame.hpp"
 #include "platform/window.hpp"
 #include "render/gl/gl_device.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scene/components/transform.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 #include "scene/scene_stack.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"

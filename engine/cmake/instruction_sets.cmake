@@ -5,9 +5,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     else()
         set(plumb_avx2 -mavx2)
     endif()
-    set_source_files_properties(physics/solver/kernels_avx2.cpp TARGET_DIRECTORY physics
+    set_source_files_properties(physics/kernels_avx2.cpp TARGET_DIRECTORY physics
         PROPERTIES COMPILE_OPTIONS ${plumb_avx2})
 else()
-    set_source_files_properties(physics/solver/kernels_avx2.cpp TARGET_DIRECTORY physics
+    set_source_files_properties(physics/kernels_avx2.cpp TARGET_DIRECTORY physics
         PROPERTIES HEADER_FILE_ONLY ON)
 endif()

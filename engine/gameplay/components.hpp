@@ -1,32 +1,45 @@
 #pragma once
 
 // The ready-made parts of games, all of them.
-#include "gameplay/components/bob.hpp"
-#include "gameplay/components/button.hpp"
-#include "gameplay/components/checkpoint.hpp"
-#include "gameplay/components/collectible.hpp"
-#include "gameplay/components/detonator.hpp"
-#include "gameplay/components/door.hpp"
-#include "gameplay/components/goal.hpp"
-#include "gameplay/components/hazard.hpp"
-#include "gameplay/components/health.hpp"
-#include "gameplay/components/kill_plane.hpp"
-#include "gameplay/components/lifetime.hpp"
-#include "gameplay/components/menu.hpp"
-#include "gameplay/components/menu_item.hpp"
-#include "gameplay/components/mouse_drag.hpp"
-#include "gameplay/components/moving_platform.hpp"
+
+#include "gameplay/components/actors/bob.hpp"
+#include "gameplay/components/actors/health.hpp"
+#include "gameplay/components/actors/moving_platform.hpp"
+#include "gameplay/components/actors/patrol.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/actors/push_control.hpp"
+#include "gameplay/components/actors/respawn.hpp"
+#include "gameplay/components/actors/spin.hpp"
+#include "gameplay/components/actors/stompable.hpp"
+#include "gameplay/components/controls/button.hpp"
+#include "gameplay/components/controls/menu.hpp"
+#include "gameplay/components/controls/menu_item.hpp"
+#include "gameplay/components/controls/mouse_drag.hpp"
+#include "gameplay/components/controls/scene_key.hpp"
+#include "gameplay/components/controls/scene_link.hpp"
+#include "gameplay/components/controls/toggle_key.hpp"
 #include "gameplay/components/music.hpp"
-#include "gameplay/components/patrol.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "gameplay/components/portal.hpp"
-#include "gameplay/components/push_control.hpp"
-#include "gameplay/components/respawn.hpp"
-#include "gameplay/components/scene_key.hpp"
-#include "gameplay/components/scene_link.hpp"
 #include "gameplay/components/sound_cues.hpp"
-#include "gameplay/components/spin.hpp"
-#include "gameplay/components/spring.hpp"
-#include "gameplay/components/stompable.hpp"
-#include "gameplay/components/toggle_key.hpp"
-#include "gameplay/components/touch_color.hpp"
+#include "gameplay/components/triggers/checkpoint.hpp"
+#include "gameplay/components/triggers/collectible.hpp"
+#include "gameplay/components/triggers/detonator.hpp"
+#include "gameplay/components/triggers/door.hpp"
+#include "gameplay/components/triggers/goal.hpp"
+#include "gameplay/components/triggers/hazard.hpp"
+#include "gameplay/components/triggers/kill_plane.hpp"
+#include "gameplay/components/triggers/lifetime.hpp"
+#include "gameplay/components/triggers/portal.hpp"
+#include "gameplay/components/triggers/spring.hpp"
+#include "gameplay/components/triggers/touch_color.hpp"
+#include "reflect/type_list.hpp"
+
+namespace plumb {
+
+/// In the order in which files, the inspector and scripts list them.
+using GameplayComponents =
+    TypeList<PlayerController, Health, Respawn, Hazard, Stompable, Patrol, MovingPlatform, Spring,
+             Collectible, Checkpoint, Goal, SceneLink, Door, Button, KillPlane, Bob, Spin, Lifetime,
+             SoundCues, Music, Menu, MenuItem, PushControl, MouseDrag, TouchColor, SceneKey, ToggleKey,
+             Detonator, Portal>;
+
+}  // namespace plumb

@@ -4,8 +4,8 @@
 
 #include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
-#include "gameplay/components/health.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/health.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
 #include "gameplay/label_values.hpp"
 #include "gameplay/physics_counts.hpp"
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "gameplay/components/health.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "gameplay/components/respawn.hpp"
+#include "gameplay/components/actors/health.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/actors/respawn.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "math/portable.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ecs/world.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/scene_stack.hpp"
 
 namespace plumb {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gameplay/components/menu_item.hpp"
+#include "gameplay/components/controls/menu_item.hpp"
 #include "scene/scene_requests.hpp"
 
 namespace plumb {

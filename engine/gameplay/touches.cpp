@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "assets/asset_store.hpp"
-#include "scene/components/animator.hpp"
-#include "scene/components/box_collider.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/drawing/animator.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ecs/world.hpp"
-#include "scene/contact_events.hpp"
+#include "scene/physics/contact_events.hpp"
 
 namespace plumb {
 

@@ -8,7 +8,7 @@
 #include "import/import_objects.hpp"
 #include "import/tiled_json.hpp"
 #include "math/tile_grid.hpp"
-#include "scene/tiles_json.hpp"
+#include "scene/files/tiles_json.hpp"
 
 namespace plumb {
 namespace {

@@ -10,7 +10,7 @@
 #include "import/ldtk_tilesets.hpp"
 #include "import/loaders/ldtk_loader.hpp"
 #include "import/tiled_json.hpp"
-#include "scene/tiles_json.hpp"
+#include "scene/files/tiles_json.hpp"
 
 namespace plumb {
 namespace {

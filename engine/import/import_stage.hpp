@@ -11,7 +11,7 @@
 #include "math/color.hpp"
 #include "math/rect.hpp"
 #include "platform/image.hpp"
-#include "scene/import_commit.hpp"
+#include "scene/files/import_commit.hpp"
 
 namespace plumb {
 

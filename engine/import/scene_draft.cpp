@@ -9,8 +9,8 @@
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/files/scene_file.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/profile.hpp"
-#include "physics/solver/kernels.hpp"
+#include "physics/kernels.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {

@@ -2,8 +2,8 @@
 
 #include "physics/contacts/detection_counts.hpp"
 #include "physics/contacts/pair_set.hpp"
+#include "physics/continuous/sweep.hpp"
 #include "physics/effects/field_types.hpp"
-#include "physics/narrowphase/sweep.hpp"
 #include "physics/soft/soft_contacts.hpp"
 #include "physics/solver/joint_work.hpp"
 #include "physics/solver/strips.hpp"

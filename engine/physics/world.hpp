@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "physics/geometry.hpp"
 #include "physics/manifest.hpp"
 #include "physics/model/contact.hpp"
 #include "physics/model/field.hpp"
-#include "physics/model/geometry.hpp"
 #include "physics/model/joint.hpp"
 #include "physics/model/side_table.hpp"
 #include "physics/settings.hpp"

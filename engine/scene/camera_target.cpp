@@ -1,6 +1,6 @@
 #include "scene/camera_target.hpp"
 
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ecs/world.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 
 #include "core/log.hpp"
 #include "physics/simulation.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb {
 namespace {

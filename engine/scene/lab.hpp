@@ -7,7 +7,7 @@
 #include "core/hash.hpp"
 #include "ecs/entity.hpp"
 #include "physics/world.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {

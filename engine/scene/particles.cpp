@@ -10,7 +10,7 @@
 #include "math/portable.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb {
 namespace {
@@ -51,9 +51,9 @@ void resize(Particles& particles, std::size_t places) {
     for (const Column column : kColumns) (particles.*column).resize(places);
 }
 
-/// Gives every stream that is wanted a range as large as its capacity and takes its particles there, in place:
-/// those that go down from the first on, then those that go up from the last on. As the streams keep their
-/// order, no move overwrites what has not moved yet.
+/// Gives every stream that is wanted a range as large as its capacity and takes its particles there, in
+/// place: those that go down from the first on, then those that go up from the last on. As the streams keep
+/// their order, no move overwrites what has not moved yet.
 void layOut(Particles& particles) {
     std::vector<ParticleStream>& streams = particles.streams;
     std::erase_if(streams, [](const ParticleStream& stream) { return !stream.wanted; });

@@ -5,7 +5,7 @@
 
 #include "core/hash.hpp"
 #include "ecs/world.hpp"
-#include "scene/components/particle_emitter.hpp"
+#include "scene/components/drawing/particle_emitter.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {

@@ -9,11 +9,11 @@
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
 #include "input/input.hpp"
-#include "scene/components/overlay.hpp"
+#include "scene/components/drawing/overlay.hpp"
 #include "scene/components/persistent.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/loaded_scene.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/result.hpp"
 #include "ecs/entity.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/scene_file.hpp"
 
 namespace plumb {
 

@@ -2,6 +2,7 @@
 
 // Every system of a scene, for game code.
 
+#include "scene/drawing/render_system.hpp"
 #include "scene/systems/animation_system.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/systems/character_controller_system.hpp"
@@ -13,5 +14,4 @@
 #include "scene/systems/particle_system.hpp"
 #include "scene/systems/physics_system.hpp"
 #include "scene/systems/plot_system.hpp"
-#include "scene/systems/render_system.hpp"
 #include "scene/systems/slider_system.hpp"

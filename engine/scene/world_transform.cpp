@@ -4,7 +4,7 @@
 
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/sound_place.hpp"
 #include "input/recorder.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/systems/camera_system.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "app/scene_game.hpp"
 #include "gameplay/components.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 #include "scene/scene_requests.hpp"
 #include "tests/support/places.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "app/screen.hpp"
 #include "scene/components.hpp"
-#include "scene/physics_drawing.hpp"
+#include "scene/drawing/physics_drawing.hpp"
 #include "scene/systems/physics_system.hpp"
 #include "tests/support/places.hpp"
 

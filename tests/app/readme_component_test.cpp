@@ -42,7 +42,7 @@ TEST(ReadmeComponent, theComponentShownInTheMapIsThisOneAndTakesLessThanTenLines
 
     ASSERT_FALSE(shown.empty());
     EXPECT_EQ(shown, here);
-    constexpr int kRegistration = 2;  // an #include and a line in register_components.cpp
+    constexpr int kRegistration = 2;  // an #include and a name in components.hpp
     EXPECT_LT(std::count(shown.begin(), shown.end(), '\n') - 1 /* blank */ + kRegistration, 10);
 }
 

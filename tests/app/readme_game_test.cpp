@@ -5,8 +5,8 @@
 
 #include "app/scene_game.hpp"
 #include "core/file.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "tests/app/platformer.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "tests/app/projects/platformer.hpp"
 
 namespace plumb {
 namespace {

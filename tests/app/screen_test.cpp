@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reflect/type_registry.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/register_components.hpp"
 

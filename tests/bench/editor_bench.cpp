@@ -13,12 +13,12 @@
 #include "ecs/hierarchy.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/tools/transform_drag.hpp"
-#include "scene/components/box_collider.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
-#include "scene/components/sprite.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/scene_file.hpp"
 #include "tests/bench/open_editor.hpp"
 
 namespace plumb::bench {

@@ -8,7 +8,7 @@
 #include "reflect/type_registry.hpp"
 #include "render/recording_device.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 #include "scene/particles.hpp"
 #include "scene/register_components.hpp"
 #include "scene/systems/particle_system.hpp"

@@ -14,13 +14,13 @@
 #include "editor/model/tools/tile_tools.hpp"
 #include "physics/terrain/terrain_outlines.hpp"
 #include "platform/image_file.hpp"
+#include "scene/components/colliders/tile_collider.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 #include "scene/components/scene_entity.hpp"
-#include "scene/components/tile_collider.hpp"
-#include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/physics_drawing.hpp"
-#include "scene/physics_state.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/drawing/physics_drawing.hpp"
+#include "scene/files/scene_file.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "tests/bench/open_editor.hpp"
 
 namespace plumb::bench {

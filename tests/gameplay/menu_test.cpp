@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "scene/components/camera.hpp"
-#include "scene/components/label.hpp"
+#include "scene/components/drawing/camera.hpp"
+#include "scene/components/drawing/label.hpp"
 #include "scene/play_sound.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/systems/camera_system.hpp"

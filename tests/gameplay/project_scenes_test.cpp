@@ -6,9 +6,9 @@
 #include "ecs/world.hpp"
 #include "gameplay/register_components.hpp"
 #include "reflect/type_registry.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
+#include "scene/files/scene_file.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
 #include "tests/support/places.hpp"
 
 namespace plumb {

@@ -13,7 +13,7 @@
 #include "import/loaders/tmx_loader.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
-#include "scene/tiles_json.hpp"
+#include "scene/files/tiles_json.hpp"
 #include "tests/support/foreign_maps.hpp"
 #include "tests/support/temporary_folder.hpp"
 

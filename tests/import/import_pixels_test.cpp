@@ -17,9 +17,9 @@
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "render/gl/gl_device.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
+#include "scene/files/scene_file.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
 #include "tests/support/foreign_maps.hpp"
 #include "tests/support/temporary_folder.hpp"
 

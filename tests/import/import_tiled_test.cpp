@@ -9,7 +9,7 @@
 #include "platform/image_file.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
-#include "scene/tiles_json.hpp"
+#include "scene/files/tiles_json.hpp"
 #include "tests/support/foreign_maps.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"

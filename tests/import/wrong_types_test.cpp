@@ -11,9 +11,9 @@
 #include "ecs/world.hpp"
 #include "import/import_file.hpp"
 #include "reflect/type_registry.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
+#include "scene/files/scene_file.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 #include "physics/workspace.hpp"
 #include "tests/accuracy/experiments.hpp"
-#include "tests/physics/world_of_bodies.hpp"
+#include "tests/physics/support/world_of_bodies.hpp"
 
 namespace plumb::physics {
 namespace {

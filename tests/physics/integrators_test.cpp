@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "physics/model/fields.hpp"
-#include "tests/physics/effect_worlds.hpp"
+#include "tests/physics/support/effect_worlds.hpp"
 
 namespace plumb::physics {
 namespace {

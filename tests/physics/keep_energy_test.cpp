@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "joint_world.hpp"
 #include "physics/workspace.hpp"
+#include "tests/physics/support/joint_world.hpp"
 
 namespace plumb::physics {
 namespace {

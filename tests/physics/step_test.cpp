@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/physics/world_of_bodies.hpp"
+#include "tests/physics/support/world_of_bodies.hpp"
 
 namespace plumb::physics {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/simulation.hpp"
-#include "tests/physics/golden_scenes.hpp"
+#include "tests/physics/support/golden_scenes.hpp"
 #include "tests/support/tunable.hpp"
 
 // Constants that a build with PLUMB_TUNABLE can change: ./plumb accuracy --tuning.

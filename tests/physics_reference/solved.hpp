@@ -6,7 +6,7 @@
 
 #include "physics/model/joints.hpp"
 #include "tests/accuracy/reference/reference.hpp"
-#include "tests/physics/world_of_bodies.hpp"
+#include "tests/physics/support/world_of_bodies.hpp"
 
 namespace plumb::reference {
 

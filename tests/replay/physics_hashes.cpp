@@ -13,7 +13,7 @@
 #include "core/task_pool.hpp"
 #include "math/portable.hpp"
 #include "physics/simulation.hpp"
-#include "tests/physics/golden_scenes.hpp"
+#include "tests/physics/support/golden_scenes.hpp"
 
 namespace plumb {
 namespace {

@@ -8,10 +8,10 @@
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
+#include "scene/files/scene_file.hpp"
+#include "scene/files/world_field_context.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/world_field_context.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 
 #include <cmath>
 
@@ -9,10 +9,10 @@
 #include "math/angle.hpp"
 #include "reflect/type_registry.hpp"
 #include "render/recording_device.hpp"
-#include "scene/components/camera.hpp"
-#include "scene/components/label.hpp"
-#include "scene/components/parallax_layer.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/camera.hpp"
+#include "scene/components/drawing/label.hpp"
+#include "scene/components/drawing/parallax_layer.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/register_components.hpp"
 #include "scene/systems/camera_system.hpp"

@@ -1,6 +1,6 @@
 // The files of an import take their places all together or not at all, also when the program is killed.
 
-#include "scene/import_commit.hpp"
+#include "scene/files/import_commit.hpp"
 
 #include <gtest/gtest.h>
 

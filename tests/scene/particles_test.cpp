@@ -11,7 +11,7 @@
 #include "render/recording_device.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
-#include "scene/draw_scene.hpp"
+#include "scene/drawing/draw_scene.hpp"
 #include "scene/register_components.hpp"
 #include "scene/systems/particle_system.hpp"
 #include "tests/support/allocations.hpp"

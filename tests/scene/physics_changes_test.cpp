@@ -4,9 +4,9 @@
 
 #include "core/random.hpp"
 #include "reflect/type_registry.hpp"
-#include "scene/contact_events.hpp"
+#include "scene/files/scene_file.hpp"
+#include "scene/physics/contact_events.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
 #include "tests/scene/physics_scene.hpp"
 #include "tests/support/allocations.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "core/log.hpp"
 #include "physics/model/bodies.hpp"
-#include "scene/contact_events.hpp"
+#include "scene/physics/contact_events.hpp"
 #include "tests/scene/physics_scene.hpp"
 
 namespace plumb {

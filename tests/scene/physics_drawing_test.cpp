@@ -1,4 +1,4 @@
-#include "scene/physics_drawing.hpp"
+#include "scene/drawing/physics_drawing.hpp"
 
 #include <algorithm>
 
@@ -7,9 +7,9 @@
 #include "physics/simulation.hpp"
 #include "render/recording_device.hpp"
 #include "scene/components.hpp"
-#include "scene/draw_scene.hpp"
-#include "scene/physics_state.hpp"
-#include "scene/physics_times.hpp"
+#include "scene/drawing/draw_scene.hpp"
+#include "scene/physics/physics_state.hpp"
+#include "scene/physics/physics_times.hpp"
 #include "scene/systems/physics_system.hpp"
 #include "tests/support/places.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "scene/components.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/physics_bridge.hpp"
-#include "scene/physics_state.hpp"
 #include "scene/systems/character_controller_system.hpp"
 #include "scene/systems/physics_system.hpp"
 

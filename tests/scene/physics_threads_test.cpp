@@ -1,4 +1,4 @@
-#include "scene/physics_threads.hpp"
+#include "scene/physics/physics_threads.hpp"
 
 #include <gtest/gtest.h>
 

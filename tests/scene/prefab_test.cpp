@@ -1,4 +1,4 @@
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,14 @@
 #include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
 #include "reflect/type_registry.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/prefab_instance.hpp"
-#include "scene/components/sprite.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/files/scene_file.hpp"
+#include "scene/files/world_field_context.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/world_field_context.hpp"
 
 namespace plumb {
 namespace {

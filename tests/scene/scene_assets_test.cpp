@@ -1,4 +1,4 @@
-#include "scene/scene_assets.hpp"
+#include "scene/files/scene_assets.hpp"
 
 #include <string>
 #include <vector>
@@ -10,10 +10,10 @@
 #include "ecs/world.hpp"
 #include "platform/image_file.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/persistent.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/files/scene_file.hpp"
 #include "scene/register_components.hpp"
-#include "scene/scene_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "scene/tiles_json.hpp"
+#include "scene/files/tiles_json.hpp"
 
 #include <algorithm>
 

@@ -13,7 +13,7 @@
 #include "reflect/type_registry.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/scene_file.hpp"
 
 namespace plumb {
 

@@ -11,9 +11,9 @@
 #include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "editor/model/tree_edit.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
+#include "scene/components/drawing/particle_emitter.hpp"
 #include "scene/components/name.hpp"
-#include "scene/components/particle_emitter.hpp"
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/transform.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/components/animator.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/animator.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/systems/animation_system.hpp"
 
 namespace plumb::editor {

@@ -13,14 +13,14 @@
 #include "gameplay/components/music.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_members.hpp"
-#include "scene/components/animator.hpp"
+#include "scene/components/colliders/tile_collider.hpp"
+#include "scene/components/drawing/animator.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
-#include "scene/components/sprite.hpp"
-#include "scene/components/tile_collider.hpp"
-#include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "editor/model/document/document.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/scene_file.hpp"
 
 namespace plumb::editor {
 

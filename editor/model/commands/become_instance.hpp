@@ -7,7 +7,7 @@
 
 #include "editor/model/document/command.hpp"
 #include "editor/model/document/field_value.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 
 namespace plumb::editor {
 

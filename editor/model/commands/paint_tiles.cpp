@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "editor/model/document/document.hpp"
-#include "scene/components/tile_layer.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 
 namespace plumb::editor {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "physics/model/bodies.hpp"
-#include "scene/body_sync.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/body_sync.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb::editor {
 namespace {

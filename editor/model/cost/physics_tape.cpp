@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/model/bounds.hpp"
+#include "physics/bounds.hpp"
 #include "physics/model/fields.hpp"
 #include "physics/model/joints.hpp"
 

@@ -6,7 +6,7 @@
 #include "editor/model/document/object_id.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/world.hpp"
-#include "scene/physics_units.hpp"
+#include "scene/physics/physics_units.hpp"
 
 namespace plumb::editor {
 

@@ -8,7 +8,7 @@
 #include "editor/model/edit_fields.hpp"
 #include "editor/model/input/key_words.hpp"
 #include "editor/model/workspace.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/scene_entity.hpp"
 
 namespace plumb::editor {

@@ -6,7 +6,7 @@
 #include "editor/model/document/field_value.hpp"
 #include "physics/settings.hpp"
 #include "scene/components/scene_physics.hpp"
-#include "scene/physics_units.hpp"
+#include "scene/physics/physics_units.hpp"
 
 namespace plumb::editor {
 

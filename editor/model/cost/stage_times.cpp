@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "physics/simulation.hpp"
-#include "scene/physics_times.hpp"
+#include "scene/physics/physics_times.hpp"
 #include "scene/systems/physics_system.hpp"
 
 namespace plumb::editor {

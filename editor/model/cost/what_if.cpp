@@ -7,10 +7,10 @@
 #include "core/clock.hpp"
 #include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/model/workspace.hpp"
-#include "scene/body_sync.hpp"
 #include "scene/components/scene_entity.hpp"
+#include "scene/physics/body_sync.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/physics_bridge.hpp"
-#include "scene/physics_state.hpp"
 #include "scene/systems/physics_system.hpp"
 
 namespace plumb::editor {

@@ -10,7 +10,7 @@
 #include "editor/model/headless/asset_content.hpp"
 #include "editor/model/headless/asset_names.hpp"
 #include "editor/model/workspace.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 
 namespace plumb::editor {
 namespace {

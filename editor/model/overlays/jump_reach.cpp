@@ -7,11 +7,11 @@
 #include "core/clock.hpp"
 #include "ecs/world.hpp"
 #include "editor/model/document/bounds.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "gameplay/components/respawn.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/actors/respawn.hpp"
 #include "input/input.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor {

@@ -1,8 +1,8 @@
 #include "editor/model/overlays/reach_view.hpp"
 
 #include "editor/model/workspace.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor {

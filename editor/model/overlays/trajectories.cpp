@@ -4,9 +4,9 @@
 
 #include "core/clock.hpp"
 #include "editor/model/workspace.hpp"
-#include "gameplay/components/moving_platform.hpp"
-#include "gameplay/components/patrol.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "gameplay/components/actors/moving_platform.hpp"
+#include "gameplay/components/actors/patrol.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/world_transform.hpp"
 

@@ -10,7 +10,7 @@
 #include "reflect/field_json.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
-#include "scene/world_field_context.hpp"
+#include "scene/files/world_field_context.hpp"
 
 namespace plumb::editor {
 namespace {

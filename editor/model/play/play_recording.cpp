@@ -7,7 +7,7 @@
 #include "ecs/world.hpp"
 #include "physics/simulation.hpp"
 #include "scene/particles.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb::editor {
 namespace {

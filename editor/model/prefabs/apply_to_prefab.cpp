@@ -11,7 +11,7 @@
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/components/prefab_instance.hpp"
-#include "scene/world_field_context.hpp"
+#include "scene/files/world_field_context.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "editor/model/document/bounds.hpp"
 #include "editor/model/workspace.hpp"
-#include "scene/components/chain_collider.hpp"
-#include "scene/components/polygon_collider.hpp"
+#include "scene/components/colliders/chain_collider.hpp"
+#include "scene/components/colliders/polygon_collider.hpp"
 #include "scene/components/prefab_instance.hpp"
 
 namespace plumb::editor {

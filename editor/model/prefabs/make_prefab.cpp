@@ -13,7 +13,7 @@
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/components/prefab_instance.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/scene_file.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -6,8 +6,8 @@
 #include "core/clock.hpp"
 #include "ecs/world.hpp"
 #include "physics/simulation.hpp"
-#include "scene/physics_state.hpp"
-#include "scene/physics_times.hpp"
+#include "scene/physics/physics_state.hpp"
+#include "scene/physics/physics_times.hpp"
 #include "scene/systems/physics_system.hpp"
 
 namespace plumb::editor {

@@ -9,7 +9,7 @@
 #include "editor/model/project/editor_options.hpp"
 #include "editor/model/workspace.hpp"
 #include "reflect/type_registry.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 
 namespace plumb::editor {
 

@@ -4,8 +4,8 @@
 
 #include "core/assert.hpp"
 #include "editor/model/document/prefab_file.hpp"
-#include "scene/physics_state.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb::editor {
 

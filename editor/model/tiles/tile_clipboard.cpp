@@ -5,7 +5,7 @@
 #include "reflect/json.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
-#include "scene/tiles_json.hpp"
+#include "scene/files/tiles_json.hpp"
 
 namespace plumb::editor {
 namespace {

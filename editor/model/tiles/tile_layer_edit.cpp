@@ -13,9 +13,9 @@
 #include "editor/model/document/tile_layers.hpp"
 #include "editor/model/tiles/terrain_paint.hpp"
 #include "editor/model/workspace.hpp"
-#include "scene/components/parallax_layer.hpp"
-#include "scene/components/tile_collider.hpp"
-#include "scene/components/tile_layer.hpp"
+#include "scene/components/colliders/tile_collider.hpp"
+#include "scene/components/drawing/parallax_layer.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor {

@@ -11,7 +11,7 @@
 #include "reflect/json.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
-#include "scene/components/tile_layer.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 
 namespace plumb::editor {
 namespace {

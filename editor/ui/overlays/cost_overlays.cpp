@@ -8,8 +8,8 @@
 #include "editor/model/cost/cost_words.hpp"
 #include "physics/debug_draw.hpp"
 #include "render/view.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/physics_bridge.hpp"
-#include "scene/physics_state.hpp"
 
 namespace plumb::editor::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include "editor/ui/overlays/tile_collision.hpp"
 #include "editor/ui/overlays/way_overlays.hpp"
 #include "render/view.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor::ui {

@@ -5,7 +5,7 @@
 
 #include "editor/model/document/tile_layers.hpp"
 #include "render/view.hpp"
-#include "scene/components/tile_collider.hpp"
+#include "scene/components/colliders/tile_collider.hpp"
 
 namespace plumb::editor::ui {
 namespace {

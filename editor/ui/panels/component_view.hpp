@@ -7,7 +7,7 @@
 
 #include "editor/model/prefabs/prefab_edit.hpp"
 #include "editor/model/shared_components.hpp"
-#include "editor/ui/widgets/field_edit.hpp"
+#include "editor/ui/fields/field_edit.hpp"
 
 namespace plumb::editor::ui {
 

@@ -10,7 +10,7 @@
 #include "editor/model/cost/stage_times.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/systems/physics_system.hpp"
 
 namespace plumb::editor::ui {

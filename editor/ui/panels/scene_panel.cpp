@@ -13,12 +13,12 @@
 #include "editor/model/document/sight.hpp"
 #include "editor/model/play/scene_of_game.hpp"
 #include "editor/model/tree_edit.hpp"
+#include "editor/ui/fields/pickers.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
-#include "editor/ui/widgets/pickers.hpp"
-#include "scene/components/hidden.hpp"
+#include "scene/components/drawing/hidden.hpp"
 #include "scene/components/prefab_instance.hpp"
 
 namespace plumb::editor::ui {

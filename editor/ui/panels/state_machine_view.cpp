@@ -7,7 +7,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/sheet_cell.hpp"
-#include "scene/components/animator.hpp"
+#include "scene/components/drawing/animator.hpp"
 
 namespace plumb::editor::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include "editor/model/tiles/tile_layer_edit.hpp"
 #include "editor/ui/icons.hpp"
 #include "editor/ui/ui_compat.hpp"
-#include "scene/components/tile_layer.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor::ui {

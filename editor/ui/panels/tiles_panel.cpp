@@ -12,7 +12,7 @@
 #include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/palette_view.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
-#include "scene/components/tile_layer.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 
 namespace plumb::editor::ui {
 namespace {

@@ -24,10 +24,10 @@
 #include "editor/ui/widgets/scene_drop.hpp"
 #include "editor/ui/widgets/tile_picture.hpp"
 #include "editor/ui/widgets/timeline.hpp"
-#include "gameplay/components/mouse_drag.hpp"
+#include "gameplay/components/controls/mouse_drag.hpp"
 #include "render/view.hpp"
-#include "scene/draw_scene.hpp"
-#include "scene/soft_sync.hpp"
+#include "scene/drawing/draw_scene.hpp"
+#include "scene/physics/soft_sync.hpp"
 
 namespace plumb::editor::ui {
 namespace {

@@ -8,7 +8,7 @@
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "reflect/json_members.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 
 namespace plumb::editor::ui {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb::editor::ui {

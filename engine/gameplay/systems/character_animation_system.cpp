@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/health.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/health.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
 #include "gameplay/touches.hpp"
-#include "scene/components/animator.hpp"
-#include "scene/components/kinematic_body.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/bodies/kinematic_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/drawing/animator.hpp"
+#include "scene/components/drawing/sprite.hpp"
 
 namespace plumb {
 

@@ -1,8 +1,8 @@
 #include "gameplay/systems/checkpoint_system.hpp"
 
 #include "ecs/world.hpp"
-#include "gameplay/components/checkpoint.hpp"
-#include "gameplay/components/respawn.hpp"
+#include "gameplay/components/actors/respawn.hpp"
+#include "gameplay/components/triggers/checkpoint.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"
 #include "scene/world_transform.hpp"

@@ -4,14 +4,14 @@
 
 #include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
-#include "gameplay/components/collectible.hpp"
-#include "gameplay/components/health.hpp"
-#include "gameplay/components/lifetime.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/health.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/triggers/collectible.hpp"
+#include "gameplay/components/triggers/lifetime.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"
-#include "scene/components/particle_emitter.hpp"
+#include "scene/components/drawing/particle_emitter.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {

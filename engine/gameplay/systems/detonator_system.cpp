@@ -1,12 +1,12 @@
 #include "gameplay/systems/detonator_system.hpp"
 
 #include "ecs/world.hpp"
-#include "gameplay/components/detonator.hpp"
+#include "gameplay/components/triggers/detonator.hpp"
 #include "gameplay/named_action.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "input/input.hpp"
 #include "math/portable.hpp"
-#include "scene/components/explosion.hpp"
+#include "scene/components/fields/explosion.hpp"
 #include "scene/scene_stack.hpp"
 
 namespace plumb {

@@ -5,23 +5,23 @@
 #include <vector>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/button.hpp"
-#include "gameplay/components/door.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/controls/button.hpp"
+#include "gameplay/components/triggers/door.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/sprite.hpp"
-#include "scene/physics_queries.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/physics/physics_queries.hpp"
 
 namespace plumb {
 
 namespace {
 
 constexpr int kButtonTicks = 6;     // a button comes up this long after the last foot
-constexpr float kKeyReach = 2.0f;      // px around a door from which a key works
+constexpr float kKeyReach = 2.0f;   // px around a door from which a key works
 constexpr std::uint8_t kOpen = 60;  // opacity of an open door
 
 void press(World& world, EntityId id) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/goal.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "gameplay/components/respawn.hpp"
-#include "gameplay/components/scene_link.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/actors/respawn.hpp"
+#include "gameplay/components/controls/scene_link.hpp"
+#include "gameplay/components/triggers/goal.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"

@@ -1,11 +1,11 @@
 #include "gameplay/systems/motion_decor_system.hpp"
 
 #include "ecs/world.hpp"
-#include "gameplay/components/bob.hpp"
-#include "gameplay/components/lifetime.hpp"
-#include "gameplay/components/spin.hpp"
+#include "gameplay/components/actors/bob.hpp"
+#include "gameplay/components/actors/spin.hpp"
+#include "gameplay/components/triggers/lifetime.hpp"
 #include "math/angle.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {

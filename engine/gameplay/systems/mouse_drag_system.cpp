@@ -6,20 +6,20 @@
 #include <vector>
 
 #include "ecs/hierarchy.hpp"
-#include "gameplay/components/mouse_drag.hpp"
+#include "gameplay/components/controls/mouse_drag.hpp"
 #include "input/input.hpp"
 #include "math/angle.hpp"
 #include "math/portable.hpp"
-#include "scene/components/hidden.hpp"
-#include "scene/components/mouse_joint.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/soft_grip.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/bodies/soft_grip.hpp"
+#include "scene/components/drawing/hidden.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/components/joints/mouse_joint.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/draw_scene.hpp"
-#include "scene/physics_queries.hpp"
+#include "scene/drawing/draw_scene.hpp"
+#include "scene/physics/physics_queries.hpp"
+#include "scene/physics/soft_hand.hpp"
 #include "scene/scene_stack.hpp"
-#include "scene/soft_hand.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
 
@@ -27,7 +27,7 @@ namespace plumb {
 
 namespace {
 
-constexpr float kHertz = 5.0f;   ///< 1/s: how firmly it pulls
+constexpr float kHertz = 5.0f;       ///< 1/s: how firmly it pulls
 constexpr float kDragReach = 10.0f;  ///< px: thin things can be taken a little beside them
 
 Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/moving_platform.hpp"
+#include "gameplay/components/actors/moving_platform.hpp"
 #include "math/portable.hpp"
 #include "scene/components/transform.hpp"
 

@@ -1,16 +1,16 @@
 #include "gameplay/systems/patrol_system.hpp"
 
 #include "ecs/world.hpp"
-#include "gameplay/components/patrol.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/patrol.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
 #include "gameplay/touches.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/kinematic_body.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/bodies/kinematic_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/physics/physics_queries.hpp"
 #include "scene/physics_bridge.hpp"
-#include "scene/physics_queries.hpp"
 
 namespace plumb {
 

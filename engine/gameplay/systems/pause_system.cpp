@@ -1,7 +1,7 @@
 #include "gameplay/systems/pause_system.hpp"
 
 #include "ecs/world.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
 #include "gameplay/pause_scene.hpp"
 #include "input/input.hpp"
 #include "scene/scene_requests.hpp"

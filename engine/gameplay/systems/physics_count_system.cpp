@@ -2,8 +2,8 @@
 
 #include "ecs/world.hpp"
 #include "gameplay/physics_counts.hpp"
-#include "scene/components/label.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/components/drawing/label.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "scene/scene_stack.hpp"
 
 namespace plumb {

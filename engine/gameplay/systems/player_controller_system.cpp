@@ -5,18 +5,18 @@
 #include <utility>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "gameplay/components/respawn.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/actors/respawn.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "input/input.hpp"
 #include "physics/character/character_mover.hpp"
-#include "scene/body_sync.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/character_body.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/character_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/physics/body_sync.hpp"
+#include "scene/physics/physics_queries.hpp"
 #include "scene/physics_bridge.hpp"
-#include "scene/physics_queries.hpp"
 #include "scene/scene_stack.hpp"
 
 namespace plumb {

@@ -1,8 +1,8 @@
 #include "gameplay/systems/portal_system.hpp"
 
-#include "gameplay/components/portal.hpp"
+#include "gameplay/components/triggers/portal.hpp"
 #include "gameplay/touches.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {

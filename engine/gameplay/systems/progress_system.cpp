@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/collectible.hpp"
-#include "gameplay/components/player_controller.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/triggers/collectible.hpp"
 #include "gameplay/game_progress.hpp"
 #include "scene/components/scene_entity.hpp"
 

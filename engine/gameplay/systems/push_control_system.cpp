@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/push_control.hpp"
+#include "gameplay/components/actors/push_control.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "input/input.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 #include "scene/scene_stack.hpp"
 
 namespace plumb {

@@ -4,12 +4,12 @@
 
 #include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
-#include "gameplay/components/health.hpp"
-#include "gameplay/components/respawn.hpp"
-#include "scene/components/animator.hpp"
-#include "scene/components/hidden.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/sprite.hpp"
+#include "gameplay/components/actors/health.hpp"
+#include "gameplay/components/actors/respawn.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/drawing/animator.hpp"
+#include "scene/components/drawing/hidden.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {

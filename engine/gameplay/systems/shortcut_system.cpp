@@ -1,12 +1,12 @@
 #include "gameplay/systems/shortcut_system.hpp"
 
 #include "ecs/world.hpp"
-#include "gameplay/components/scene_key.hpp"
-#include "gameplay/components/toggle_key.hpp"
+#include "gameplay/components/controls/scene_key.hpp"
+#include "gameplay/components/controls/toggle_key.hpp"
 #include "gameplay/named_action.hpp"
 #include "gameplay/scene_choice.hpp"
 #include "input/input.hpp"
-#include "scene/components/hidden.hpp"
+#include "scene/components/drawing/hidden.hpp"
 #include "scene/scene_stack.hpp"
 
 namespace plumb {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "ecs/world.hpp"
-#include "gameplay/components/player_controller.hpp"
-#include "gameplay/components/spring.hpp"
+#include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/components/triggers/spring.hpp"
 #include "gameplay/sound_cue.hpp"
 #include "gameplay/touches.hpp"
-#include "scene/components/rigid_body.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 
 namespace plumb {
 

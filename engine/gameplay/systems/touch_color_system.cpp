@@ -1,8 +1,8 @@
 #include "gameplay/systems/touch_color_system.hpp"
 
-#include "gameplay/components/touch_color.hpp"
+#include "gameplay/components/triggers/touch_color.hpp"
 #include "gameplay/touches.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "physics/broadphase/overlap.hpp"
+#include "physics/kernels.hpp"
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
 #include "physics/narrowphase/reference_face.hpp"
-#include "physics/solver/kernels.hpp"
 #include "physics/workspace.hpp"
 
 namespace plumb::physics {

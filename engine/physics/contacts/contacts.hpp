@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/model/edits.hpp"
+#include "physics/edits.hpp"
 
 namespace plumb::physics {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "physics/broadphase/overlap.hpp"
-#include "physics/model/edits.hpp"
+#include "physics/edits.hpp"
 #include "physics/ranges.hpp"
 #include "physics/tuning.hpp"
 

@@ -1,7 +1,7 @@
 #include "physics/effects/buoyancy.hpp"
 
+#include "physics/bounds.hpp"
 #include "physics/effects/field_types.hpp"
-#include "physics/model/bounds.hpp"
 #include "physics/shapes/shape_types.hpp"
 
 namespace plumb::physics {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "physics/model/geometry.hpp"
+#include "physics/geometry.hpp"
 
 namespace plumb::physics {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/hash.hpp"
-#include "physics/model/edits.hpp"
+#include "physics/edits.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 

@@ -4,8 +4,8 @@
 #include <bit>
 #include <numeric>
 
+#include "physics/edits.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {

@@ -1,7 +1,7 @@
 #include "physics/islands/sleeping.hpp"
 
-#include "physics/model/bounds.hpp"
-#include "physics/model/edits.hpp"
+#include "physics/bounds.hpp"
+#include "physics/edits.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "physics/edits.hpp"
 #include "physics/islands/quality.hpp"
 #include "physics/measure/measures.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/solver/passes.hpp"
+#include "physics/tuning.hpp"
 
 namespace plumb::physics {
 

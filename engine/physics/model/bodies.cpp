@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "physics/bounds.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/effects/drag.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/model/shapes.hpp"

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "physics/bounds.hpp"
+#include "physics/edits.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/joints/joint_types.hpp"
 #include "physics/model/bodies.hpp"
-#include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/model/shapes.hpp"
-#include "physics/solver/joint_lanes.hpp"
+#include "physics/workspace.hpp"
 
 namespace plumb::physics {
 
@@ -153,6 +153,12 @@ bool keptApart(const World& world, std::uint32_t bodyA, std::uint32_t bodyB) {
         kept |= other == bodyB && (joint.flags & kKeepsApart) != 0;
     });
     return kept;
+}
+
+PushedBodies pushedBodies(const World& world, const Joint& joint) {
+    const bool pushesA = isDynamic(world, joint.bodyA) && joint.kind != JointKind::Mouse;
+    if (!isDynamic(world, joint.bodyB)) return {kNone, joint.bodyA};
+    return {pushesA ? joint.bodyA : kNone, joint.bodyB};
 }
 
 void releaseColour(World& world, std::uint32_t index) {

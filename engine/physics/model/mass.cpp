@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "physics/model/bounds.hpp"
-#include "physics/model/edits.hpp"
+#include "physics/bounds.hpp"
+#include "physics/edits.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/workspace.hpp"
 

@@ -4,11 +4,11 @@
 #include <bit>
 #include <tuple>
 
+#include "physics/bounds.hpp"
+#include "physics/edits.hpp"
 #include "physics/islands/sleeping.hpp"
 #include "physics/model/bodies.hpp"
-#include "physics/model/bounds.hpp"
 #include "physics/model/checks.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/shapes/hull.hpp"
 #include "physics/shapes/shape_types.hpp"
 

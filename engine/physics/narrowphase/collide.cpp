@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/kernels.hpp"
 #include "physics/shapes/shape_types.hpp"
-#include "physics/solver/kernels.hpp"
 
 namespace plumb::physics {
 

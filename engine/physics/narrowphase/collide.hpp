@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "physics/model/geometry.hpp"
-#include "physics/solver/lanes.hpp"
+#include "physics/geometry.hpp"
+#include "physics/lanes.hpp"
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

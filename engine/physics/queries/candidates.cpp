@@ -1,6 +1,6 @@
 #include "physics/queries/candidates.hpp"
 
-#include "physics/model/bounds.hpp"
+#include "physics/bounds.hpp"
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/overlap.hpp"

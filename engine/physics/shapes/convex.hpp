@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "physics/model/geometry.hpp"
+#include "physics/geometry.hpp"
 
 namespace plumb::physics {
 

@@ -5,7 +5,7 @@
 
 #include "core/fixed_list.hpp"
 #include "core/result.hpp"
-#include "physics/model/geometry.hpp"
+#include "physics/geometry.hpp"
 
 namespace plumb::physics {
 

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physics/solver/lanes.hpp"
+#include "physics/lanes.hpp"
+#include "physics/softness.hpp"
 
 namespace plumb::physics {
 
@@ -121,14 +122,6 @@ struct RollingBlock {
     float mass[kLanes];        ///< kg m2: effective inertia of the relative rotation
     float spin[kLanes];        ///< rad/s: angular velocity of a static or kinematic A
     float impulse[kLanes];     ///< N m s on B
-};
-
-/// Soft constraint parameters: a spring as a velocity constraint. Source: E. Catto, "Soft Constraints", GDC
-/// 2011.
-struct Softness {
-    float biasRate = 0.0f;  ///< 1/s
-    float massScale = 1.0f;
-    float impulseScale = 0.0f;
 };
 
 /// Parameters of a pass over contacts.

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "physics/model/joints.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
@@ -85,22 +84,6 @@ void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& brea
 }
 
 }  // namespace
-
-void breakJoints(StepContext& step) {
-    World& world = step.world;
-    for (const BreakableJoint& breakable : step.work.joints.breakables) {
-        const JointDefinition& definition = world.joints.definition[breakable.joint];
-        const auto exceeds = [&](float force, float torque) {
-            return breakable.force > force || breakable.torque > torque;
-        };
-        if (world.joints.hot[breakable.joint].bodyA == kNone) continue;  // already broken
-        const JointId id{breakable.joint, world.joints.hot[breakable.joint].generation};
-        if (exceeds(definition.reportForce, definition.reportTorque)) world.strainedJoints.push_back(id);
-        if (!exceeds(definition.breakForce, definition.breakTorque)) continue;
-        world.brokenJoints.push_back(id);
-        destroyJoint(world, id);
-    }
-}
 
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
     if (!step.world.manifest.runs(Effect::Joints)) return;  // breakables are those of an earlier step

@@ -276,12 +276,6 @@ void prepareBlock(const Preparation& all, const BlockLanes& lanes, Block& block)
 
 }  // namespace
 
-PushedBodies pushedBodies(const World& world, const Joint& joint) {
-    const bool pushesA = isDynamic(world, joint.bodyA) && joint.kind != JointKind::Mouse;
-    if (!isDynamic(world, joint.bodyB)) return {kNone, joint.bodyA};
-    return {pushesA ? joint.bodyA : kNone, joint.bodyB};
-}
-
 void prepareJoints(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/edits.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
@@ -32,14 +33,6 @@ void forJointBlocks(StepContext& step, Act&& act) {
     });
 }
 
-/// The bodies that a joint moves, those that are dynamic and that it does not leave alone. If there is only
-/// one, it is B.
-struct PushedBodies {
-    std::uint32_t a;
-    std::uint32_t b;
-};
-PushedBodies pushedBodies(const World& world, const Joint& joint);
-
 /// Packs awake joints into blocks. After gatherBodies.
 void prepareJoints(StepContext& step);
 
@@ -56,8 +49,6 @@ void noteJointForces(StepContext& step, const SolveGroup& group, float substepRa
 
 /// Writes forces back to the joints.
 void storeJoints(StepContext& step);
-/// Destroys joints whose maximum was exceeded. After keepEnergy, which takes back what they gave.
-void breakJoints(StepContext& step);
 
 // n_body_joints.cpp
 

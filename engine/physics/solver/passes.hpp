@@ -12,21 +12,6 @@ inline constexpr int kBlockGrain = 8;
 inline constexpr int kSequential = 1 << 30;  ///< as a grain: one piece
 inline constexpr int kBodyGrain = 256;
 
-/// Soft constraint: a damped spring as a velocity constraint, for a substep of h seconds. Unconditionally
-/// stable. Source: E. Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024.
-inline Softness softness(float hertz, float dampingRatio, float h) {
-    if (hertz == 0.0f) return {0.0f, 1.0f, 0.0f};
-    constexpr float kTurn = 6.28318530717958647692f;
-    const float omega = kTurn * hertz;
-    const float a = 2.0f * dampingRatio + h * omega;
-    const float b = h * omega * a;
-    const float c = 1.0f / (1.0f + b);
-    return {omega / a, b * c, c};
-}
-inline Grip gripOf(const Softness& soft) {
-    return {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
-}
-
 /// @param h  s: substep
 inline ContactPass contactPass(const Settings& settings, float h) {
     ContactPass pass;

@@ -1,7 +1,7 @@
 #include <bit>
 
+#include "physics/edits.hpp"
 #include "physics/measure/measures.hpp"
-#include "physics/model/edits.hpp"
 #include "physics/solver/joint_lanes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "physics/bounds.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/islands/sleeping.hpp"
-#include "physics/model/bounds.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/stages.hpp"
 

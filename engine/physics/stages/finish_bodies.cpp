@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "physics/bounds.hpp"
 #include "physics/broadphase/overlap.hpp"
 #include "physics/continuous/swept_bodies.hpp"
-#include "physics/model/bounds.hpp"
-#include "physics/model/edits.hpp"
+#include "physics/edits.hpp"
+#include "physics/model/joints.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/solver/contact_extras.hpp"
 #include "physics/solver/joint_lanes.hpp"
@@ -152,6 +153,23 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFinding
                              : moved;
     if (isSwept && world.settings.continuous && meetsSome(world, body)) found.fast.push_back(body);
     updateShapes(world, body, found.left);
+}
+
+/// Destroys joints whose maximum was exceeded. After keepEnergy, which takes back what they gave.
+void breakJoints(StepContext& step) {
+    World& world = step.world;
+    for (const BreakableJoint& breakable : step.work.joints.breakables) {
+        const JointDefinition& definition = world.joints.definition[breakable.joint];
+        const auto exceeds = [&](float force, float torque) {
+            return breakable.force > force || breakable.torque > torque;
+        };
+        if (world.joints.hot[breakable.joint].bodyA == kNone) continue;  // already broken
+        const JointId id{breakable.joint, world.joints.hot[breakable.joint].generation};
+        if (exceeds(definition.reportForce, definition.reportTorque)) world.strainedJoints.push_back(id);
+        if (!exceeds(definition.breakForce, definition.breakTorque)) continue;
+        world.brokenJoints.push_back(id);
+        destroyJoint(world, id);
+    }
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 #include <functional>
 #include <utility>
 
+#include "physics/bounds.hpp"
 #include "physics/broadphase/overlap.hpp"
 #include "physics/contacts/contacts.hpp"
 #include "physics/continuous/swept_bodies.hpp"
-#include "physics/model/bounds.hpp"
-#include "physics/model/edits.hpp"
+#include "physics/edits.hpp"
 #include "physics/solver/impact.hpp"
 #include "physics/stages.hpp"
 #include "physics/tuning.hpp"

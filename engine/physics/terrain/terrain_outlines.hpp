@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "physics/geometry.hpp"
 #include "physics/ids.hpp"
-#include "physics/model/geometry.hpp"
 #include "physics/terrain/tile_mask.hpp"
 
 namespace plumb {

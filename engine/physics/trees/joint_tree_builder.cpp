@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "physics/model/edits.hpp"
+#include "physics/edits.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {

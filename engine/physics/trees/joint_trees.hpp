@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/model/geometry.hpp"
+#include "physics/geometry.hpp"
 #include "physics/model/joint.hpp"
 
 namespace plumb::physics {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "physics/model/geometry.hpp"
+#include "physics/geometry.hpp"
 #include "physics/trees/joint_trees.hpp"
 
 namespace plumb::physics {

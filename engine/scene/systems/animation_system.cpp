@@ -2,8 +2,8 @@
 
 #include "assets/asset_store.hpp"
 #include "assets/clip_cursor.hpp"
-#include "scene/components/animator.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/animator.hpp"
+#include "scene/components/drawing/sprite.hpp"
 
 namespace plumb {
 namespace {

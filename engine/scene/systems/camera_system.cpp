@@ -4,7 +4,7 @@
 
 #include "render/camera_motion.hpp"
 #include "scene/camera_target.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "physics/character/character_controller.hpp"
-#include "scene/body_sync.hpp"
-#include "scene/collider_shapes.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/capsule_collider.hpp"
-#include "scene/components/character_body.hpp"
-#include "scene/components/character_controller.hpp"
-#include "scene/components/circle_collider.hpp"
+#include "scene/components/bodies/character_body.hpp"
+#include "scene/components/bodies/character_controller.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/colliders/capsule_collider.hpp"
+#include "scene/components/colliders/circle_collider.hpp"
+#include "scene/physics/body_sync.hpp"
+#include "scene/physics/collider_shapes.hpp"
 #include "scene/physics_bridge.hpp"
 
 namespace plumb {

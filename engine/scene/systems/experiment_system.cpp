@@ -4,8 +4,8 @@
 
 #include "ecs/world.hpp"
 #include "input/input.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/experiment.hpp"
-#include "scene/components/rigid_body.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/lab.hpp"
 #include "scene/scene_stack.hpp"

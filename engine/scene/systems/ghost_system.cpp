@@ -5,10 +5,10 @@
 
 #include "ecs/world.hpp"
 #include "physics/simulation.hpp"
-#include "scene/components/ghost.hpp"
+#include "scene/components/bodies/ghost.hpp"
 #include "scene/lab.hpp"
-#include "scene/physics_state.hpp"
-#include "scene/physics_threads.hpp"
+#include "scene/physics/physics_state.hpp"
+#include "scene/physics/physics_threads.hpp"
 
 namespace plumb {
 

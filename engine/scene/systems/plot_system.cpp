@@ -7,11 +7,11 @@
 #include "physics/measure/measures.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/simulation.hpp"
-#include "scene/body_sync.hpp"
-#include "scene/components/ghost.hpp"
-#include "scene/components/plot.hpp"
+#include "scene/components/bodies/ghost.hpp"
+#include "scene/components/drawing/plot.hpp"
 #include "scene/lab.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/body_sync.hpp"
+#include "scene/physics/physics_state.hpp"
 
 namespace plumb {
 

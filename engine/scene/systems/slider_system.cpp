@@ -5,8 +5,8 @@
 
 #include "ecs/world.hpp"
 #include "input/input.hpp"
+#include "scene/components/drawing/hidden.hpp"
 #include "scene/components/experiment.hpp"
-#include "scene/components/hidden.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/lab.hpp"
 #include "scene/number_field.hpp"

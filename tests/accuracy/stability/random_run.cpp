@@ -5,7 +5,7 @@
 
 #include "core/text.hpp"
 #include "tests/accuracy/stability/fair_scene.hpp"
-#include "tests/physics/random_scene.hpp"
+#include "tests/physics/support/random_scene.hpp"
 
 namespace plumb::stability {
 

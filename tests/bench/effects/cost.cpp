@@ -3,7 +3,7 @@
 
 #include "tests/bench/callgrind.hpp"
 #include "tests/bench/effects/effects_bench.hpp"
-#include "tests/physics/effect_scenes.hpp"
+#include "tests/physics/support/effect_scenes.hpp"
 
 namespace {
 

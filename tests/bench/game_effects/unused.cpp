@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/profile.hpp"
-#include "scene/physics_state.hpp"
-#include "tests/app/effect_games.hpp"
+#include "scene/physics/physics_state.hpp"
+#include "tests/app/effects/effect_games.hpp"
 #include "tests/bench/callgrind.hpp"
 #include "tests/bench/game_effects/game_effects_bench.hpp"
 

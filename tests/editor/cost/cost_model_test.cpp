@@ -2,7 +2,7 @@
 #include "editor/model/cost/island_table.hpp"
 #include "editor/model/cost/stage_times.hpp"
 #include "physics/simulation.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "tests/editor/support/cost_scenes.hpp"
 
 namespace plumb::editor {

@@ -2,7 +2,7 @@
 
 #include "editor/model/cost/cost_words.hpp"
 #include "physics/simulation.hpp"
-#include "scene/physics_state.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "tests/editor/support/cost_scenes.hpp"
 #include "tests/editor/support/played_games.hpp"
 

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "scene/components/polygon_collider.hpp"
+#include "scene/components/colliders/polygon_collider.hpp"
 #include "tests/editor/keys/desk.hpp"
 
 namespace plumb::editor::ui {

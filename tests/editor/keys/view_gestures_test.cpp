@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scene/components/polygon_collider.hpp"
+#include "scene/components/colliders/polygon_collider.hpp"
 #include "tests/editor/keys/desk.hpp"
 
 namespace plumb::editor::ui {

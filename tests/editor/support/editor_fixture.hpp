@@ -10,15 +10,15 @@
 #include "core/file.hpp"
 #include "editor/model/commands/insert_entities.hpp"
 #include "editor/model/workspace.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/camera.hpp"
-#include "scene/components/label.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/drawing/camera.hpp"
+#include "scene/components/drawing/label.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 #include "scene/components/name.hpp"
-#include "scene/components/rigid_body.hpp"
-#include "scene/components/sprite.hpp"
-#include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 
 namespace plumb::editor {
 

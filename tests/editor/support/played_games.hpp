@@ -6,7 +6,7 @@
 
 #include "core/file.hpp"
 #include "editor/model/play/game_session.hpp"
-#include "tests/app/platformer.hpp"
+#include "tests/app/projects/platformer.hpp"
 #include "tests/editor/support/played_input.hpp"
 #include "tests/support/places.hpp"
 

@@ -1,0 +1,145 @@
+#include "physics/continuous/sweep.hpp"
+
+#include <algorithm>
+
+#include "physics/contacts/contacts.hpp"
+#include "physics/model/joints.hpp"
+#include "physics/narrowphase/distance.hpp"
+#include "physics/tuning.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+/// m: maximum distance of the outline's corners from the centre of rotation. Round corners rotate in place.
+float armOf(const SweptOutline& swept) {
+    float square = 0.0f;
+    for (const Corner& corner : swept.outline.corners()) {
+        square = std::max(square, lengthSquared(corner.point - swept.sweep.localCentre));
+    }
+    return std::sqrt(square);
+}
+
+/// True if the target lets the mover through because of the side that it comes from.
+bool opensFor(const World& world, const Mover& mover, const Mover& target) {
+    const Geometry& outline = world.shapes.geometry[target.shape];
+    if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
+        const std::uint32_t body = world.shapes.info[mover.shape].body;
+        if ((world.bodies.info[body].flags & kDropsThrough) != 0) return true;
+        if (dot(openDirection(world, target.shape), mover.sweep.displacement) >= 0.0f) return true;
+    }
+    if (outline.kind != ShapeKind::ChainSegment) return false;
+    const float begin = std::max(mover.sweep.begin, target.sweep.begin);
+    const BodyPose pose = target.sweep.at(begin), from = mover.sweep.at(begin);
+    const Vec2 normal = rotate(pose.rotation, normalOfChain(outline));
+    const Vec2 start = rotate(pose.rotation, outline.a - pose.localCentre);
+    const Convex own = convexOf(world.shapes.geometry[mover.shape], world.shapes.corners);
+    const Vec2 centre = rotate(from.rotation, own.centre - from.localCentre) + (from.centre - pose.centre);
+    return dot(normal, centre - start) < 0.0f;
+}
+
+bool mayCollide(const World& world, std::uint32_t a, std::uint32_t b) {
+    const Shapes& shapes = world.shapes;
+    if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
+    if (!meet(shapes.filter[a], shapes.filter[b]) || !comesTo(world, a, b)) return false;
+    const std::uint32_t bodyA = shapes.info[a].body, bodyB = shapes.info[b].body;
+    return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
+}
+
+/// Fast path: true if a core stays in front of a face of a target at rest up to a part of its path,
+/// as most bodies on a floor do. Rotation moves no corner of the core further than along its arc.
+bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs, const Sweep& target,
+                     float end) {
+    if (target.displacement != Vec2{} || target.turn != 0.0f) return false;
+    const BodyPose from = path.at(path.begin), pose = target.at(0.0f);
+    const Rot turn = between(pose.rotation, from.rotation);
+    const auto inTarget = [&](Vec2 point) {
+        return unrotate(pose.rotation, from.centre - pose.centre) + rotate(turn, point - from.localCentre) +
+               pose.localCentre;
+    };
+    const Vec2 centre = inTarget(core.centre);
+    const Vec2 displacement = unrotate(pose.rotation, (end - path.begin) * path.displacement);
+    float beyond = -std::numeric_limits<float>::max();
+    Vec2 normal;
+    for (const Corner& face : theirs.corners()) {
+        const float gap =
+            dot(face.normal, centre - face.point) + std::min(dot(face.normal, displacement), 0.0f);
+        if (gap > beyond) beyond = gap, normal = face.normal;
+    }
+    float lever = 0.0f, extent = 0.0f;
+    for (const Corner& corner : core.corners()) {
+        lever = std::max(lever, lengthSquared(corner.point - from.localCentre));
+        extent = std::max(extent, dot(normal, centre - inTarget(corner.point)));
+    }
+    const float arc = std::fabs(path.turn) * (end - path.begin) * std::sqrt(lever);
+    return beyond > extent + arc + core.radius + theirs.radius;
+}
+
+}  // namespace
+
+BodyPose Sweep::at(float part) const {
+    const Rot turned = turn == 0.0f ? rotation : rotFromAngle(turn * part) * rotation;
+    return {start + displacement * part, normalized(turned), localCentre};
+}
+
+Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn) {
+    const Rot before = turn == 0.0f ? pose.rotation : normalized(rotFromAngle(-turn * part) * pose.rotation);
+    return {pose.centre + displacement * -part, displacement, before, turn, pose.localCentre, part};
+}
+
+Frame seenFrom(const BodyPose& a, const BodyPose& b) {
+    const auto originOf = [](const BodyPose& pose) {
+        return pose.centre + -rotate(pose.rotation, pose.localCentre);
+    };
+    return {unrotate(a.rotation, originOf(b) - originOf(a)), between(a.rotation, b.rotation)};
+}
+
+float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest) {
+    // Upper bound of the approach along a normal in a whole step.
+    const Vec2 displacement = a.sweep.displacement - b.sweep.displacement;
+    const float turning = std::fabs(a.sweep.turn) * armOf(a) + std::fabs(b.sweep.turn) * armOf(b);
+    SimplexCache cache;
+    float part = std::max(a.sweep.begin, b.sweep.begin);
+    for (int i = 0; i < kMaxRounds && part <= latest; ++i) {
+        const BodyPose poseA = a.sweep.at(part), poseB = b.sweep.at(part);
+        const Distance now = distanceBetween(a.outline, b.outline, seenFrom(poseA, poseB), &cache);
+        if (now.distance <= gap + 2.0f * kTouchDistance) return part;
+        const float closing = dot(rotate(poseA.rotation, now.normal), displacement) + turning;
+        part = closing > 0.0f ? part + (now.distance - gap) / closing : kNever;
+    }
+    return part <= latest ? part : kNever;
+}
+
+void meetOnPath(const World& world, const Mover& mover, const Mover& target, PathHit& next) {
+    if (!mayCollide(world, mover.shape, target.shape) || opensFor(world, mover, target)) return;
+    const Convex own = convexOf(world.shapes.geometry[mover.shape], world.shapes.corners);
+    const Convex theirs = convexOf(world.shapes.geometry[target.shape], world.shapes.corners);
+    const ScaledConvex core{own, own.centre, kSweptCore};
+    if (staysBeyondFace(core.outline(), mover.sweep, theirs, target.sweep, mover.goesOn ? 2.0f : 1.0f))
+        return;
+    const auto impactOf = [&](const Convex& outline, float gap, float latest) {
+        return firstImpact({theirs, target.sweep}, {outline, mover.sweep}, gap, latest);
+    };
+    const float begin = std::max(mover.sweep.begin, target.sweep.begin), latest = std::min(next.part, 1.0f);
+    float part = impactOf(own, kSweptGap, latest);
+    const bool isPressed = part <= begin;
+    if (isPressed) {
+        // The core already touches at the start (the body spins or is pressed): try smaller cores.
+        for (float size = kSweptCore; size > kLeastCore; size *= 0.5f) {
+            part = impactOf(ScaledConvex{own, own.centre, size}.outline(), 0.0f, latest);
+            if (part > begin) break;
+        }
+    }
+    if (part >= next.part || part <= begin) return;
+    if (!isPressed) {
+        // Head-on or grazing? Only if the core would touch too, in this step or, if the body
+        // continues after the hit, within its own length of path after that, it is a hit.
+        const float displacement = length(mover.sweep.displacement - target.sweep.displacement);
+        const float size = 2.0f * world.bodies.info[world.shapes.info[mover.shape].body].reach;
+        const float further = mover.goesOn ? (displacement > size ? size / displacement : 1.0f) : 0.0f;
+        if (impactOf(core.outline(), 0.0f, std::max(part + further, 1.0f)) == kNever) return;
+    }
+    next = {part, mover.shape, target.shape, 0, isPressed};
+}
+
+}  // namespace plumb::physics

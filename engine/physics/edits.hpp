@@ -1,0 +1,66 @@
+#pragma once
+
+#include "physics/world.hpp"
+
+namespace plumb::physics {
+
+// Parts of creation and destruction that edits of existing objects reuse.
+
+template <class Act>
+void forShapesOf(const World& world, std::uint32_t body, Act&& act) {
+    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
+        act(s);
+}
+
+/// Calls act(contact) for all contacts, sleeping ones last.
+template <class Act>
+void forContacts(const World& world, Act&& act) {
+    for (const Contact& contact : world.contacts) act(contact);
+    for (const SleepingIsland& island : world.sleepers.islands) {
+        for (std::uint32_t c = island.firstContact; c != kNone; c = world.sleepers.nextContact[c])
+            act(world.sleepers.contacts[c]);
+    }
+}
+
+template <class Act>
+void forJointsOf(const World& world, std::uint32_t body, Act&& act) {
+    for (std::uint32_t j = world.bodies.info[body].firstJoint; j != kNone;) {
+        const Joint& joint = world.joints.hot[j];
+        const std::uint32_t next = joint.bodyA == body ? joint.nextA : joint.nextB;
+        act(j);
+        j = next;
+    }
+}
+
+/// Counts a body, without its shapes, as a user of the effects that it needs; a negative `times` removes it.
+void countEffectsOfBody(World& world, std::uint32_t body, int times);
+void countEffectsOfShape(World& world, std::uint32_t shape, int times);
+
+/// True if a joint has a dynamic body to move: one of the two; for a mouse joint, body B.
+constexpr bool canHold(JointKind kind, BodyKind a, BodyKind b) {
+    return b == BodyKind::Dynamic || (a == BodyKind::Dynamic && kind != JointKind::Mouse);
+}
+
+/// The bodies that a joint moves, those that are dynamic and that it does not leave alone. If there is only
+/// one, it is B.
+struct PushedBodies {
+    std::uint32_t a;
+    std::uint32_t b;
+};
+PushedBodies pushedBodies(const World& world, const Joint& joint);
+
+/// Removes the color of the joint from its bodies. A joint that stays gets kNoColour and World::newJoints.
+void releaseColour(World& world, std::uint32_t joint);
+/// Joins the islands of the two bodies of a joint, if both are dynamic.
+void joinIslandsOf(World& world, const Joint& joint);
+
+inline constexpr float kLightest = 1.0e-12f;  ///< kg: minimum mass of a dynamic body
+
+/// Computes mass, centre of mass, inertia and extent of a body from its shapes. A dynamic body whose shapes
+/// have no mass gets 1 kg and cannot rotate. The shapes stay where they are; the velocity becomes that of the
+/// new centre of mass. Joints and contacts keep their points on the shapes.
+void updateMass(World& world, std::uint32_t body);
+/// Moves the center of mass (m, in the frame of the shapes).
+void moveCentre(World& world, std::uint32_t body, Vec2 centre);
+
+}  // namespace plumb::physics

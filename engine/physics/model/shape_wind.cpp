@@ -1,0 +1,59 @@
+#include "physics/model/shape_wind.hpp"
+
+#include <algorithm>
+
+#include "physics/model/bodies.hpp"
+#include "physics/model/checks.hpp"
+#include "physics/model/shapes.hpp"
+#include "physics/shapes/convex.hpp"
+
+namespace plumb::physics {
+
+namespace {
+
+struct Load {
+    Vec2 force;           // N
+    float torque = 0.0f;  // N m, about the center of mass
+};
+
+/// The force on a piece of the outline with a width (m) across the air: F = q * width * speed^2.
+void add(Load& load, Vec2 felt, Vec2 arm, float width, float drag, Vec2 lift) {
+    const Vec2 force = (width * length(felt)) * (drag * felt + length(felt) * lift);
+    load.force += force;
+    load.torque += cross(arm, force);
+}
+
+}  // namespace
+
+Result<Done> applyWind(World& world, ShapeId shape, Vec2 air, float drag, float lift) {
+    const auto checked =
+        firstOf(checkAlive("applyWind", world, shape), checkVector("applyWind air", air, kFastest),
+                checkNumber("applyWind drag", drag, 0.0, kFastest),
+                checkNumber("applyWind lift", lift, 0.0, kFastest));
+    if (!checked) return checked;
+    const BodyId body = bodyOf(world, shape);
+    const BodyPose& pose = world.bodies.pose[body.index];
+    const BodyMotion& motion = world.bodies.motion[body.index];
+    const Convex outline = convexOf(world.shapes.geometry[shape.index], world.shapes.corners);
+    const std::span<const Corner> corners = outline.corners();
+    const auto feltAt = [&](Vec2 arm) { return air - motion.velocity - cross(motion.angularVelocity, arm); };
+    const auto armOf = [&](Vec2 point) { return rotate(pose.rotation, point - pose.localCentre); };
+    Load load;
+    for (std::size_t i = 0; i < corners.size() && corners.size() > 1; ++i) {
+        const Vec2 to = corners[(i + 1) % corners.size()].point;
+        const Vec2 arm = armOf(0.5f * (corners[i].point + to)), felt = feltAt(arm);
+        const Vec2 normal = rotate(pose.rotation, corners[i].normal), along = normalized(felt);
+        const float facing = -dot(normal, along);
+        if (!(facing > 0.0f)) continue;
+        add(load, felt, arm, facing * length(to - corners[i].point), drag, lift * (-normal - facing * along));
+    }
+    const Vec2 middle = armOf(outline.centre);  // round corners have no lift
+    add(load, feltAt(middle), middle, 2.0f * outline.radius, drag, {});
+    // No step gives it more than the speed of the air.
+    const float maximum = massOf(world, body) * length(feltAt(middle)) / world.stepLength;
+    const float part = std::min(1.0f, maximum / std::max(length(load.force), 1.0e-30f));
+    const Result<Done> pushed = applyForce(world, body, part * load.force);
+    return pushed ? applyTorque(world, body, part * load.torque) : pushed;
+}
+
+}  // namespace plumb::physics

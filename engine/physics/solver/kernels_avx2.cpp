@@ -1,1 +1,0 @@
-#include "physics/solver/kernels.inl"

@@ -1,2 +1,0 @@
-#define PLUMB_LANES_SCALAR
-#include "physics/solver/kernels.inl"

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace plumb {
+
+/// Several types, in an order.
+template <class... T>
+struct TypeList {};
+
+}  // namespace plumb

@@ -1,0 +1,431 @@
+#include "scene/drawing/draw_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ecs/hierarchy.hpp"
+#include "ecs/paused.hpp"
+#include "math/portable.hpp"
+#include "render/camera_motion.hpp"
+#include "scene/camera_target.hpp"
+#include "scene/components/drawing/camera.hpp"
+#include "scene/components/drawing/hidden.hpp"
+#include "scene/components/drawing/label.hpp"
+#include "scene/components/drawing/parallax_layer.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/drawing/background.hpp"
+#include "scene/drawing/lab_drawing.hpp"
+#include "scene/drawing/soft_drawing.hpp"
+#include "scene/loaded_scene.hpp"
+#include "scene/scene_stack.hpp"
+#include "scene/world_transform.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr float kLinesOfThinStrokes = 1080.0f;  // px: on twice that height they are twice as wide
+
+Rect sourceOf(const Sprite& sprite) {
+    if (!sprite.source.empty()) return sprite.source;
+    const auto width = static_cast<float>(sprite.width);
+    const auto height = static_cast<float>(sprite.height);
+    return {static_cast<float>(sprite.frameX) * width, static_cast<float>(sprite.frameY) * height, width,
+            height};
+}
+
+/// The sprite as a quad at a pose. A negative scale mirrors.
+[[gnu::always_inline]] inline SpriteQuad quadOf(const Sprite& sprite, const Pose& pose,
+                                                const TextureRegion& picture) {
+    const Vec2 size{static_cast<float>(sprite.width) * pose.scale.x,
+                    static_cast<float>(sprite.height) * pose.scale.y};
+    SpriteQuad quad;
+    quad.center = quadCenter(pose.position, sprite.pivot, size, pose.rotation);
+    quad.half = {std::fabs(size.x) * 0.5f, std::fabs(size.y) * 0.5f};
+    quad.rotation = pose.rotation;
+    quad.texture = picture.texture;
+    quad.source =
+        picture.texture == TextureHandle{} ? Rect{0.0f, 0.0f, 1.0f, 1.0f} : picture.part(sourceOf(sprite));
+    quad.tint = sprite.tint;
+    quad.layer = sprite.layer;
+    quad.flipX = sprite.flipX != (size.x < 0.0f);
+    quad.flipY = sprite.flipY != (size.y < 0.0f);
+    return quad;
+}
+
+/// How many times the picture is enlarged, when that is a whole number; else 0.
+int wholeFactor(Vec2 picture, const Viewport& viewport) {
+    const auto factor = static_cast<int>(static_cast<float>(viewport.width) / std::max(picture.x, 1.0f));
+    const auto enlarged = [factor](float side) { return static_cast<int>(side) * factor; };
+    return enlarged(picture.x) == viewport.width && enlarged(picture.y) == viewport.height ? factor : 0;
+}
+
+/// How many times fewer px a side are drawn and enlarged where every pixel costs: as many as leave three for
+/// each px of the picture, fine enough for what moves slowly.
+int shrinkOf(int factor) {
+    int shrink = 1;
+    for (int i = 2; factor / i >= 3; ++i) {
+        if (factor % i == 0) shrink = i;
+    }
+    return shrink;
+}
+
+/// A backdrop looks the same drawn small and enlarged when its texels are whole px of the picture.
+bool isWholeZoom(float zoom) { return zoom >= 1.0f && zoom == std::floor(zoom); }
+
+Vec2 topLeftOf(const View& view) { return view.center - view.size * (0.5f / view.zoom); }
+
+/// Neither turned nor enlarged: drawn texel for px.
+bool isPlain(const Pose& pose) {
+    return pose.rotation == 0.0f && std::fabs(pose.scale.x) == 1.0f && std::fabs(pose.scale.y) == 1.0f;
+}
+
+/// Where the quad's center comes to lie when its corner is moved onto the nearest px.
+Vec2 centerOnGrid(const SpriteQuad& quad, const View& view, float grid) {
+    if (!(grid > 0.0f) || quad.rotation != 0.0f) return quad.center;
+    const float pxPerWorld = grid * view.zoom;
+    const Vec2 origin = topLeftOf(view) + quad.half;
+    const Vec2 place = (quad.center - origin) * pxPerWorld;
+    return origin + Vec2{std::floor(place.x + 0.5f), std::floor(place.y + 0.5f)} / pxPerWorld;
+}
+
+/// How far a layer lies from its place because the camera has moved (px).
+Vec2 parallaxOf(const SceneLayer& layer, const SceneView& how) {
+    if (!how.parallax) return {};
+    const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
+    return {moved.x * (1.0f - layer.parallax.x), moved.y * (1.0f - layer.parallax.y)};
+}
+
+bool isAt(const World& world, EntityId entity, int place) {
+    return place == kEveryScene || placeOf(world, entity) == static_cast<std::size_t>(place);
+}
+
+/// A quick look whether a sprite can be in a view at all, before its quad is made.
+struct Sight {
+    AABB visible;          // px, world
+    bool isExact = false;  // no layer is drawn elsewhere than it lies
+
+    [[nodiscard]] bool mayShow(const Sprite& sprite, const Pose& pose) const {
+        if (!isExact) return true;
+        // However it is turned, no corner is farther from its origin than this.
+        const float wide =
+            (1.0f + std::fabs(sprite.pivot.x)) * std::fabs(static_cast<float>(sprite.width) * pose.scale.x);
+        const float high =
+            (1.0f + std::fabs(sprite.pivot.y)) * std::fabs(static_cast<float>(sprite.height) * pose.scale.y);
+        const float reach = wide + high;
+        // Written so that NaN is looked at more closely.
+        return !(pose.position.x + reach < visible.min.x || pose.position.x - reach > visible.max.x ||
+                 pose.position.y + reach < visible.min.y || pose.position.y - reach > visible.max.y);
+    }
+};
+
+/// Poses of entities of which many have the same parent, one after the other: it is walked up to once. The
+/// same bits as worldPose.
+class FamilyPoses {
+public:
+    explicit FamilyPoses(const World& world) : world_{world} {}
+
+    /// @param own  in the parent
+    Pose of(const Pose& own, EntityId parent, float alpha) {
+        if (!parent) return own;
+        if (parent != parent_ || alpha != alpha_) {
+            pose_ = worldPose(world_, parent, alpha);
+            parent_ = parent, alpha_ = alpha;
+        }
+        return composed(pose_, own);
+    }
+
+private:
+    const World& world_;
+    EntityId parent_;
+    float alpha_ = 0.0f;
+    Pose pose_;
+};
+
+}  // namespace
+
+bool isSeen(const World& world, EntityId entity, const SceneView& how) {
+    return isAt(world, entity, how.place) &&
+           (how.hidden.empty() || !std::binary_search(how.hidden.begin(), how.hidden.end(), entity));
+}
+
+View cameraView(const World& world, Vec2 picture, float alpha, int place) {
+    View view;
+    view.size = picture;
+    view.center = picture * 0.5f;
+    for (auto [entity, camera] : world.query<const Camera>(without<Hidden>, withPaused)) {
+        if (!camera.enabled || !isAt(world, entity, place)) continue;
+        const float between = world.has<Paused>(entity) ? 1.0f : alpha;
+        view.center = worldPose(world, entity, between).position;
+        view.zoom = lerp(camera.previousZoom, camera.zoom, between);
+        if (!(view.zoom > 0.0f)) view.zoom = 1.0f;
+        if (!camera.settled && world.alive(camera.follow)) {
+            // No tick has brought it to its target yet: look from there already.
+            const Vec2 target = cameraTarget(world, camera, view.center);
+            view.center = keptInLimits(target, picture / view.zoom, camera.limits);
+        }
+        const float time = camera.shakeTime + between * static_cast<float>(kSecondsPerTick);
+        view.center += shakeOffset(camera.shakeStrength, camera.shakeSeconds, time);
+        break;
+    }
+    return view;
+}
+
+SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets, TextureFilter filter)
+    : assets_{assets},
+      renderer_{device},
+      textures_{device, assets, filter},
+      tiles_{device, assets, textures_},
+      labels_{device, assets},
+      far_{device},
+      canvas_{device} {}
+
+void SceneRenderer::draw(const World& world, Vec2 picture, float alpha, const Viewport& viewport,
+                         LabelText labelText) {
+    RenderDevice& device = renderer_.device();
+    const int factor = device.drawsInSoftware() ? wholeFactor(picture, viewport) : 1;
+    const int shrink = shrinkOf(factor);
+    const Viewport canvas =
+        shrink > 1 ? canvas_.whole(viewport.width / shrink, viewport.height / shrink) : viewport;
+    if (shrink > 1) {
+        device.setViewport(canvas);
+        device.clear({0, 0, 0, 255});
+    }
+    const auto* loaded = world.findResource<LoadedScenes>();
+    const int scenes = loaded == nullptr ? 0 : static_cast<int>(loaded->scenes.size());
+    // What an overlay paused is shown where it stands until it moves again.
+    const bool resumed = loaded != nullptr && loaded->resumedAt == world.tick && world.tick > 0;
+    SceneView how;
+    how.alpha = resumed ? 1.0f : alpha;
+    how.labelText = labelText;
+    for (int place = 0; place < std::max(scenes, 1); ++place) {
+        how.place = scenes > 1 ? place : kEveryScene;
+        drawInto(world, picture, how, canvas);
+        if (place == 0) sceneView_ = how;
+    }
+    if (shrink > 1) device.show(canvas.target, viewport);
+}
+
+void SceneRenderer::drawInto(const World& world, Vec2 picture, SceneView& how, const Viewport& viewport) {
+    const float pixelScale = picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f;
+    how.view = snappedToPixels(cameraView(world, picture, how.alpha, how.place), pixelScale);
+    // An overlay lets what is below be seen, so it has no backdrop of its own to draw first.
+    const bool farIsSmall = how.place <= 0 && renderer_.device().drawsInSoftware() &&
+                            wholeFactor(picture, viewport) > 1 && isWholeZoom(how.view.zoom);
+    how.grid = farIsSmall ? 1.0f : pixelScale;
+    labels_.setPixelScale(pixelScale);
+    list_.begin(how.view);
+    collect(world, how, list_);
+    if (farIsSmall) {
+        const Viewport& far = far_.whole(static_cast<int>(picture.x), static_cast<int>(picture.y));
+        renderer_.draw(list_, viewport, {far, nearLayer_});
+    } else {
+        renderer_.draw(list_, viewport);
+    }
+}
+
+void SceneRenderer::drawPhysics(const World& world, const PhysicsShown& shown, const SceneView& how,
+                                const Viewport& viewport) {
+    if (shown.any() == 0) return;
+    const float lines = static_cast<float>(viewport.height);
+    const float enlarged = std::max(1.0f, std::floor(lines / kLinesOfThinStrokes));
+    const float pixel = enlarged * how.view.size.x / static_cast<float>(viewport.width);
+    const float behind = anyPaused_ ? 0.0f : (1.0f - how.alpha) * static_cast<float>(kSecondsPerTick);
+    list_.begin(how.view);
+    physics_.draw(world, shown, behind, pixel, list_);
+    renderer_.draw(list_, viewport);
+    const Vec2 screen{static_cast<float>(viewport.width), lines};
+    list_.begin({screen * 0.5f, screen});
+    drawPhysicsPanel(world, shown, labels_, list_);
+    renderer_.draw(list_, viewport);
+}
+
+void SceneRenderer::collect(const World& world, const SceneView& how, DrawList& list) {
+    textures_.refresh();
+    if (how.place <= 0) tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick + how.ahead);
+    anyPaused_ = world.count<Paused>() > 0;
+    readLayers(world, how);
+    collectBackground(world, how, list);
+    nearLayer_ = kHighestLayer;
+    collectBackdrops(world, how, list);
+    const std::size_t backdrops = list.items().size();
+    collectTiles(world, how, list);
+    collectSprites(world, how, list);
+    drawSoftBodies(world, how, list);
+    collectParticles(world, how, list);
+    collectLabels(world, how, list);
+    drawLab(world, how, labels_, list);
+    for (const DrawItem& item : list.items().subspan(backdrops)) {
+        nearLayer_ = std::min(nearLayer_, layerOfKey(item.key));
+    }
+}
+
+void SceneRenderer::collectBackground(const World& world, const SceneView& how, DrawList& list) {
+    const auto* loaded = world.findResource<LoadedScenes>();
+    const auto place = static_cast<std::size_t>(std::max(how.place, 0));
+    Color background{0, 0, 0, 0};
+    if (loaded == nullptr || loaded->scenes.empty()) {
+        if (const auto* own = world.findResource<Background>()) background = own->color;
+    } else if (place < loaded->scenes.size()) {
+        background = loaded->scenes[place].background;
+    }
+    if (background.a > 0) list.filledRect(visibleBox(how.view), background, kLowestLayer);
+}
+
+void SceneRenderer::readLayers(const World& world, const SceneView& how) {
+    layers_.clear();
+    const auto* loaded = world.findResource<LoadedScenes>();
+    if (loaded == nullptr) return;
+    for (std::size_t i = 0; i < loaded->scenes.size(); ++i) {
+        const std::vector<SceneLayer>& layers = loaded->scenes[i].layers;
+        const bool wanted = how.place == kEveryScene || static_cast<std::size_t>(how.place) == i;
+        if (wanted) layers_.insert(layers_.end(), layers.begin(), layers.end());
+    }
+}
+
+float SceneRenderer::alphaOf(const World& world, EntityId entity, const SceneView& how) const {
+    return anyPaused_ && world.has<Paused>(entity) ? 1.0f : how.alpha;
+}
+
+const SceneLayer* SceneRenderer::layerOf(int order) const {
+    for (const SceneLayer& layer : layers_) {
+        if (layer.order == order) return &layer;
+    }
+    return nullptr;
+}
+
+template <class... T, class Draw>
+void SceneRenderer::forSeen(const Query<const T...>& query, const World& world, const SceneView& how,
+                            const Draw& draw) const {
+    // Their ids are looked up only where they decide something.
+    if (how.place == kEveryScene && how.hidden.empty() && !anyPaused_)
+        return query.each([&](const T&... parts) { draw(how.alpha, parts...); });
+    query.each([&](Entity entity, const T&... parts) {
+        if (isSeen(world, entity, how)) draw(alphaOf(world, entity, how), parts...);
+    });
+}
+
+void SceneRenderer::add(const SpriteQuad& quad, float y, const SceneView& how, DrawList& list) const {
+    const SceneLayer* look = layerOf(quad.layer);
+    if (look == nullptr) return list.sprite(quad);
+    if (!look->visible) return;
+    SpriteQuad drawn = quad;
+    drawn.tint = quad.tint * look->tint;
+    drawn.center += parallaxOf(*look, how);
+    if (look->ySort) drawn.sortY = y;
+    list.sprite(drawn);
+}
+
+void SceneRenderer::collectSprites(const World& world, const SceneView& how, DrawList& list) {
+    const Sight sight{visibleBox(how.view), !how.parallax || layers_.empty()};
+    TextureId lastTexture;
+    TextureRegion picture = textures_.regionOf(lastTexture);
+    const auto collect = [&](const Sprite& sprite, const Pose& pose) {
+        // What is out of sight is on the card all the same: coming into sight must not take longer.
+        if (sprite.texture != lastTexture) picture = textures_.regionOf(lastTexture = sprite.texture);
+        if (sight.mayShow(sprite, pose)) add(quadOf(sprite, pose, picture), pose.position.y, how, list);
+    };
+    // Most sprites have no parent; they skip the walk up.
+    forSeen(world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>, withPaused),
+            world, how, [&](float alpha, const Sprite& sprite, const Transform& transform) {
+                collect(sprite, interpolated(transform, alpha));
+            });
+    FamilyPoses poses{world};
+    forSeen(
+        world.query<const Sprite, const Transform, const Parent>(without<Hidden, ParallaxLayer>, withPaused),
+        world, how, [&](float alpha, const Sprite& sprite, const Transform& transform, const Parent& parent) {
+            collect(sprite, poses.of(interpolated(transform, alpha), parent.entity, alpha));
+        });
+    forSeen(world.query<const Sprite, const Parent>(without<Hidden, ParallaxLayer, Transform>, withPaused),
+            world, how, [&](float alpha, const Sprite& sprite, const Parent& parent) {
+                collect(sprite, poses.of({}, parent.entity, alpha));
+            });
+}
+
+void SceneRenderer::collectBackdrops(const World& world, const SceneView& how, DrawList& list) {
+    const AABB seen = visibleBox(how.view);
+    const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
+    for (auto [entity, sprite, backdrop] :
+         world.query<const Sprite, const ParallaxLayer>(without<Hidden>, withPaused)) {
+        if (!isSeen(world, entity, how)) continue;
+        const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
+        SpriteQuad quad = quadOf(sprite, pose, textures_.regionOf(sprite.texture));
+        if (!isPlain(pose)) nearLayer_ = std::min(nearLayer_, quad.layer);
+        if (how.parallax)
+            quad.center += {moved.x * (1.0f - backdrop.factor.x), moved.y * (1.0f - backdrop.factor.y)};
+        const Vec2 size = quad.half * 2.0f;
+        if (!(size.x >= 1.0f) || !(size.y >= 1.0f)) continue;
+        quad.center = centerOnGrid(quad, how.view, how.grid);
+        // The first copy is the leftmost that is seen; without repetition there is one.
+        const Vec2 first = quad.center;
+        const auto start = [](bool repeats, float center, float step, float from) {
+            return repeats ? center + std::ceil((from - center) / step - 0.5f) * step : center;
+        };
+        const float left = start(backdrop.repeatX, first.x, size.x, seen.min.x);
+        const float top = start(backdrop.repeatY, first.y, size.y, seen.min.y);
+        const float right = backdrop.repeatX ? seen.max.x + quad.half.x : left;
+        const float bottom = backdrop.repeatY ? seen.max.y + quad.half.y : top;
+        for (float y = top; y <= bottom; y += size.y) {
+            for (float x = left; x <= right; x += size.x) {
+                quad.center = {x, y};
+                add(quad, kNoSortY, how, list);
+            }
+        }
+    }
+}
+
+void SceneRenderer::collectTiles(const World& world, const SceneView& how, DrawList& list) {
+    const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
+    for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>, withPaused)) {
+        if (!isSeen(world, entity, how)) continue;
+        Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
+        if (const auto* backdrop = world.find<ParallaxLayer>(entity); backdrop != nullptr && how.parallax) {
+            pose.position += {moved.x * (1.0f - backdrop->factor.x), moved.y * (1.0f - backdrop->factor.y)};
+        }
+        TileLayer drawn = layer;
+        if (const SceneLayer* look = layerOf(layer.layer)) {
+            if (!look->visible) continue;
+            drawn.tint = layer.tint * look->tint;
+            pose.position += parallaxOf(*look, how);
+        }
+        tiles_.draw(world, entity, drawn, pose, list);
+    }
+}
+
+void SceneRenderer::collectParticles(const World& world, const SceneView& how, DrawList& list) {
+    const Particles* particles = how.particles != nullptr ? how.particles : world.findResource<Particles>();
+    if (particles == nullptr) return;
+    particles_.begin();
+    const Vec2 gravity = particleGravity(world);
+    for (const ParticleStream& stream : particles->streams) {
+        const auto* emitter = world.find<ParticleEmitter>(stream.emitter);
+        if (emitter == nullptr || world.has<Hidden>(stream.emitter)) continue;
+        if (!isSeen(world, stream.emitter, how)) continue;
+        const float alpha = alphaOf(world, stream.emitter, how);
+        ParticleLook look;
+        look.picture = textures_.regionOf(emitter->texture);
+        look.pose = worldPose(world, stream.emitter, alpha);
+        look.back = how.particles != nullptr ? how.particleBack
+                                             : (1.0f - alpha) * static_cast<float>(kSecondsPerTick);
+        look.gravity = gravity;
+        if (const SceneLayer* layer = layerOf(emitter->layer)) {
+            if (!layer->visible) continue;
+            look.tint = layer->tint;
+            look.offset = parallaxOf(*layer, how);
+            if (layer->ySort) look.sortY = look.pose.position.y;
+        }
+        particles_.draw(*particles, stream, *emitter, look, list);
+    }
+}
+
+void SceneRenderer::collectLabels(const World& world, const SceneView& how, DrawList& list) {
+    const Vec2 corner = how.parallax ? topLeftOf(how.view) : Vec2{};
+    for (auto [entity, label] : world.query<const Label>(without<Hidden>, withPaused)) {
+        if (!isSeen(world, entity, how)) continue;
+        Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
+        if (label.screen) pose.position += corner;
+        if (const SceneLayer* look = layerOf(label.layer); look != nullptr && !look->visible) continue;
+        labels_.draw(world, label, pose, how.labelText, list);
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,262 @@
+#include "scene/files/prefab.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/guarded.hpp"
+#include "core/hash.hpp"
+#include "core/limits.hpp"
+#include "core/text.hpp"
+#include "reflect/field_json.hpp"
+#include "reflect/json_members.hpp"
+#include "reflect/json_text.hpp"
+#include "reflect/type_registry.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view kRemedyForPrefab =
+    "write {\"format\": 1, \"entities\": [...]} with the root as the first entity";
+
+std::string_view textIn(const Json& object, std::string_view key) {
+    const std::string* text = findText(object, key);
+    return text == nullptr ? std::string_view{} : std::string_view{*text};
+}
+
+/// Puts the overrides of an instance over what its prefab says.
+void mergeEntity(PrefabEntity& base, const Json& overrides) {
+    if (const auto name = textIn(overrides, "name"); !name.empty()) base.name = name;
+    if (const Json* without = findArray(overrides, "without")) {
+        for (const Json& type : *without) {
+            if (const std::string* name = jsonText(type)) base.components.erase(*name);
+        }
+    }
+    const Json* components = findObject(overrides, "components");
+    if (components == nullptr) return;
+    for (const auto& [type, fields] : components->items()) {
+        Json& merged = makeObject(base.components, type);
+        if (!fields.is_object()) continue;
+        for (const auto& [key, value] : fields.items()) merged[key] = value;
+    }
+}
+
+/// One level of a prefab file becoming the flat list of its entities.
+class PrefabReader {
+public:
+    PrefabReader(const TypeRegistry& types, Prefab& prefab) : types_{types}, prefab_{prefab} {}
+
+    void addEntity(const Json& entity, const std::string& where, const Prefab* nested) {
+        const bool isRoot = prefab_.entities.empty();
+        const std::uint64_t id = hexIdIn(entity, "id");
+        if (isRoot) rootId_ = id == 0 ? Prefab::kRootPart : id;
+        if (id == 0 && !isRoot)
+            return skip(where + ".id", "expected the id of the entity", "write 16 hex digits in quotes");
+        const std::uint64_t part = isRoot ? Prefab::kRootPart : id;
+        if (prefab_.find(part) != nullptr)
+            return skip(where + ".id", "another entity has this id", "write a new one");
+        std::uint64_t parent = 0;
+        if (!isRoot) {
+            const std::uint64_t said = hexIdIn(entity, "parent");
+            parent = partOf(said == 0 ? rootId_ : said);
+            if (prefab_.find(parent) == nullptr) {
+                return skip(where + ".parent", "no entity before this one has the id",
+                            "write the parent first");
+            }
+        }
+        if (nested == nullptr) {
+            PrefabEntity made{part, parent, std::string{textIn(entity, "name")}};
+            mergeEntity(made, localized(entity));
+            prefab_.entities.push_back(std::move(made));
+        } else {
+            addNested(*nested, part, parent, entity, where);
+        }
+    }
+
+    void skip(std::string where, std::string what, std::string remedy) {
+        prefab_.problems.push_back(
+            {std::move(where), std::move(what), std::move(remedy) + "; the entity was skipped"});
+    }
+
+private:
+    /// Files call the root by an id of its own; inside, it is always kRootPart.
+    [[nodiscard]] std::uint64_t partOf(std::uint64_t id) const {
+        return id == rootId_ ? Prefab::kRootPart : id;
+    }
+
+    [[nodiscard]] Json localized(Json entity) const {
+        if (const auto components = entity.find("components"); components != entity.end()) {
+            changeReferences(types_, *components, [this](std::uint64_t id) { return partOf(id); });
+        }
+        return entity;
+    }
+
+    void addNested(const Prefab& nested, std::uint64_t part, std::uint64_t parent, const Json& entity,
+                   const std::string& where) {
+        const Json* children = findMember(entity, "children");
+        if (children != nullptr && !children->is_object())
+            ignore(where + ".children", "an object", *children,
+                   "write {\"<part>\": {\"components\": {...}}}");
+        for (const PrefabEntity& inner : nested.entities) {
+            PrefabEntity made = inner;
+            made.part = combinedId(part, inner.part);
+            made.parent = inner.part == Prefab::kRootPart ? parent : combinedId(part, inner.parent);
+            changeReferences(types_, made.components,
+                             [part](std::uint64_t id) { return combinedId(part, id); });
+            if (inner.part == Prefab::kRootPart) {
+                mergeEntity(made, localized(entity));
+            } else if (children != nullptr) {
+                const std::string key = hexText(inner.part);
+                const Json* overrides = findMember(*children, key);
+                if (overrides != nullptr && !override(made, *overrides, format("{}.children.{}", where, key)))
+                    continue;
+            }
+            if (made.parent == 0 || prefab_.find(made.parent) != nullptr)
+                prefab_.entities.push_back(std::move(made));
+        }
+    }
+
+    /// @return false when the part is left out
+    bool override(PrefabEntity& part, const Json& overrides, const std::string& where) {
+        const Json* removed = findMember(overrides, "removed");
+        if (!overrides.is_object()) {
+            ignore(where, "an object", overrides, "write {\"components\": {...}}");
+        } else if (removed != nullptr && !removed->is_boolean()) {
+            ignore(where + ".removed", "true or false", *removed, "write true to leave the part out");
+        } else if (removed != nullptr && *removed == true) {
+            return false;
+        }
+        mergeEntity(part, localized(overrides));
+        return true;
+    }
+
+    void ignore(std::string where, std::string_view expected, const Json& found, std::string remedy) {
+        prefab_.problems.push_back({std::move(where),
+                                    format("expected {}, found {}", expected, foundText(found)),
+                                    std::move(remedy) + "; it counts as missing"});
+    }
+
+    const TypeRegistry& types_;
+    Prefab& prefab_;
+    std::uint64_t rootId_ = Prefab::kRootPart;
+};
+
+void changeReference(Json& value, const std::function<std::uint64_t(std::uint64_t)>& change) {
+    if (const std::uint64_t id = hexIdOf(value)) value = hexText(change(id));
+}
+
+}  // namespace
+
+const PrefabEntity* Prefab::find(std::uint64_t part) const {
+    const auto found = std::find_if(entities.begin(), entities.end(),
+                                    [part](const PrefabEntity& e) { return e.part == part; });
+    return found == entities.end() ? nullptr : &*found;
+}
+
+std::uint64_t combinedId(std::uint64_t outer, std::uint64_t part) {
+    if (part == Prefab::kRootPart) return outer;
+    if (outer == Prefab::kRootPart) return part;
+    const std::uint64_t mixed = mixBits(outer ^ (mixBits(part) + 0x9e3779b97f4a7c15ull));
+    return mixed > Prefab::kRootPart ? mixed : mixed + 2;
+}
+
+void changeReferences(const TypeRegistry& types, Json& components,
+                      const std::function<std::uint64_t(std::uint64_t)>& change) {
+    if (!components.is_object()) return;
+    for (auto& [name, fields] : *components.get_ptr<Json::object_t*>()) {
+        const TypeInfo* type = types.find(name);
+        if (type == nullptr || !fields.is_object()) continue;
+        for (const FieldInfo& field : type->fields) {
+            const auto value = fields.find(std::string{field.name});
+            if (value == fields.end()) continue;
+            if (field.kind == FieldKind::Entity) {
+                changeReference(*value, change);
+            } else if (field.kind == FieldKind::List && field.element == FieldKind::Entity &&
+                       value->is_array()) {
+                for (Json& item : *value) changeReference(item, change);
+            }
+        }
+    }
+}
+
+void PrefabLibrary::add(std::string_view path, std::string text) {
+    forget();
+    for (Source& source : given_) {
+        if (source.path == path) return static_cast<void>(source.text = std::move(text));
+    }
+    given_.push_back({std::string{path}, std::move(text)});
+}
+
+void PrefabLibrary::forget() { known_.clear(); }
+
+Result<const Prefab*> PrefabLibrary::find(std::string_view path) {
+    for (const Prefab& prefab : known_) {
+        if (prefab.path == path) return &prefab;
+    }
+    std::vector<std::string> open;
+    Result<Prefab> read = guarded(path, [&] { return this->read(path, open); });
+    if (!read) return read.error();
+    known_.push_back(std::move(*read));
+    return &known_.back();
+}
+
+Result<std::string> PrefabLibrary::textOf(std::string_view path) const {
+    for (const Source& source : given_) {
+        if (source.path == path) return source.text;
+    }
+    if (root_.empty()) return Error{std::string{path}, "no such prefab", "add it to the library"};
+    Result<Path> file = pathInside(root_, path);
+    if (!file) return file.error();
+    return readFile(*file);
+}
+
+Result<Prefab> PrefabLibrary::read(std::string_view path, std::vector<std::string>& open) {
+    const std::string name{path};
+    if (std::find(open.begin(), open.end(), name) != open.end()) {
+        return Error{name, "the prefab is inside itself, through " + open.back(),
+                     "take it out of one of the two"};
+    }
+    if (open.size() >= static_cast<std::size_t>(limits::kPrefabDepth)) {
+        return Error{name, format("prefabs inside prefabs more than {} deep", limits::kPrefabDepth),
+                     "flatten them"};
+    }
+    Result<std::string> text = textOf(path);
+    if (!text) return text.error();
+    Result<Json> json = parseJson(*text, path);
+    if (!json) return json.error();
+    const Json* entities = findArray(*json, "entities");
+    if (entities == nullptr || entities->empty()) {
+        return Error{name, "expected a prefab with at least one entity", std::string{kRemedyForPrefab}};
+    }
+    if (const Json* number = findMember(*json, "format"); number != nullptr && *number != Prefab::kFormat) {
+        return Error{name + ": format", format("expected {}, found {}", Prefab::kFormat, foundText(*number)),
+                     "open it with the version of the engine that wrote it"};
+    }
+
+    Prefab prefab;
+    prefab.path = name;
+    PrefabReader reader{types_, prefab};
+    open.push_back(name);
+    for (std::size_t i = 0; i < entities->size(); ++i) {
+        const Json& entity = (*entities)[i];
+        const std::string where = format("{}: entities[{}]", name, i);
+        if (!entity.is_object()) {
+            reader.skip(where, "expected an object, found " + foundText(entity), "write {\"id\": ...}");
+            continue;
+        }
+        const std::string_view inner = textIn(entity, "prefab");
+        if (inner.empty()) {
+            reader.addEntity(entity, where, nullptr);
+            continue;
+        }
+        Result<Prefab> nested = read(inner, open);
+        if (!nested) return nested.error();
+        prefab.problems.insert(prefab.problems.end(), nested->problems.begin(), nested->problems.end());
+        reader.addEntity(entity, where, &*nested);
+    }
+    open.pop_back();
+    if (prefab.entities.empty())
+        return Error{name, "no entity of the prefab could be read", std::string{kRemedyForPrefab}};
+    return prefab;
+}
+
+}  // namespace plumb

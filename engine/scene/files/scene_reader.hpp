@@ -1,0 +1,106 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "reflect/component_json.hpp"
+#include "scene/components/scene_entity.hpp"
+#include "scene/files/prefab_placing.hpp"
+#include "scene/files/scene_file.hpp"
+#include "scene/files/world_field_context.hpp"
+#include "scene/loaded_scene.hpp"
+
+namespace plumb {
+
+/// A key of a scene that was made of a prefab's file, to edit it: what that file said in another way. Kept
+/// and written back like all that a scene does not know.
+inline constexpr std::string_view kPrefabFileNote = "prefabFile";
+
+/// Knows the entities of the scene that is being read, and remembers when it was asked for one that is not
+/// there yet.
+class ReadingContext final : public WorldFieldContext {
+public:
+    using WorldFieldContext::WorldFieldContext;
+
+    [[nodiscard]] EntityId entity(std::uint64_t stableId) const override;
+    bool insert(std::uint64_t stableId, EntityId entity) { return known_.emplace(stableId, entity).second; }
+    void reserve(std::size_t count) { known_.reserve(count); }
+
+    mutable bool missed = false;
+
+private:
+    std::unordered_map<std::uint64_t, EntityId> known_;  // only asked, never walked
+};
+
+/// Reads one scene into a world, entity by entity. What refers to later entities waits for the end.
+class SceneReader {
+public:
+    SceneReader(World& world, const SceneContext& context, std::string_view path);
+
+    void readEffects(const Json& json);
+    void readLayers(const Json& json);
+    void keepKey(std::string key, Json value);
+    void reserve(std::size_t entities);
+    /// @param text  the entity as it stands in the file, to keep when it cannot be loaded; empty where the
+    ///              file is no text
+    void readEntity(Json json, int place, std::string_view text);
+    void skipEntity(int place, std::string_view text, Error error);
+    void problem(std::string where, std::string what, std::string remedy);
+    /// Resolves references and parents, and makes the scene known to the world.
+    LoadReport finish();
+
+    int fileFormat = kSceneFormat;
+    [[nodiscard]] const std::string& path() const { return scene_.path; }
+
+private:
+    struct Waiting {
+        EntityId entity;
+        const TypeInfo* type;
+        Json json;
+        std::string where;
+        std::uint64_t id;
+    };
+    struct ParentLink {
+        EntityId child;
+        std::uint64_t id;
+        Json parent;
+        std::string where;
+    };
+
+    void readBackground(const Json& json);
+    void checkEffects();
+    bool readId(const Json& json, int place, std::string_view text, std::uint64_t& id);
+    bool placeInstance(const Json& json, int place, std::string_view text, std::uint64_t id,
+                       EntityId& entity);
+    void readKeys(const Json& json, EntityId entity, std::uint64_t id, const std::string& where);
+    void readName(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
+    void readWithout(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
+    void readChildren(const Json& value, EntityId root, std::uint64_t id, const std::string& where);
+    /// @return false when an instance leaves this part of its prefab out
+    bool readRemoved(const Json& overrides, EntityId entity, std::uint64_t id, const std::string& where);
+    void readComponents(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
+    void readComponent(const TypeInfo& type, const Json& json, EntityId entity, std::uint64_t id,
+                       const std::string& where, bool mayWait);
+    void keepField(const TypeInfo& type, const std::string& key, const Json& json, const void* object,
+                   std::uint64_t id);
+    KeptEntity& kept(std::uint64_t id) { return rest_.entities[id]; }
+
+    World& world_;
+    const SceneContext& context_;
+    ReadingContext fields_;
+    LoadedScene scene_;
+    SceneRest rest_;
+    LoadReport report_;
+    std::vector<Waiting> waiting_;
+    std::vector<ParentLink> parents_;
+    std::vector<FieldProblem> fieldProblems_;
+    std::vector<const Prefab*> usedPrefabs_;
+    std::vector<std::uint64_t> skippedIds_;
+};
+
+/// Brings an entity of an older format up to date, one format after the other.
+void migrateEntity(Json& entity, int format);
+
+}  // namespace plumb

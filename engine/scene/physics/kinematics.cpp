@@ -1,0 +1,117 @@
+#include "scene/physics/kinematics.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "math/angle.hpp"
+#include "physics/bounds.hpp"
+#include "physics/model/bodies.hpp"
+#include "physics/model/checks.hpp"
+#include "scene/components/bodies/character_body.hpp"
+#include "scene/components/bodies/kinematic_body.hpp"
+#include "scene/physics/body_sync.hpp"
+
+namespace plumb {
+
+namespace {
+
+/// What moves a kinematic body in this tick.
+struct Course {
+    Pose pose;            // px: where its entity is now
+    bool driven = false;  // its entity was moved
+    bool jumps = false;   // without a way
+    Vec2 velocity;        // px/s, else
+    float angularVelocity = 0.0f;
+};
+
+Course courseOf(const World& world, const BodyLink& link) {
+    Course course;
+    course.pose = worldPose(world, link.entity);
+    course.driven = course.pose.position != link.pose.position || course.pose.rotation != link.pose.rotation;
+    const Transform& transform = world.get<Transform>(link.entity);
+    // A body that teleports sets its stored pose too.
+    course.jumps = course.driven && !link.hasParent && transform.previousPosition == transform.position &&
+                   transform.previousRotation == transform.rotation;
+    const KinematicBody* body = world.find<KinematicBody>(link.entity);
+    if (body != nullptr) {
+        course.velocity = body->velocity;
+        course.angularVelocity = body->angularVelocity;
+    }
+    return course;
+}
+
+physics::BodyId idAt(const PhysicsState& state, std::uint32_t body) {
+    return {body, state.world.bodies.info[body].generation};
+}
+
+/// A character is where its controller put it at once, so that triggers notice it without delay. It pushes by
+/// what its controller does, not by its speed.
+void follow(World& world, PhysicsState& state, std::uint32_t index) {
+    BodyLink& link = state.links[index];
+    const Pose pose = worldPose(std::as_const(world), link.entity);
+    if (pose.position == link.pose.position && pose.rotation == link.pose.rotation) return;
+    const physics::WorldPosition place = placeInMetres(pose.position, state.scale);
+    if (!(std::abs(place.x) < physics::kFarthest && std::abs(place.y) < physics::kFarthest &&
+          std::abs(pose.rotation) < 1e5f)) {
+        tellRefusal(world, state, link.entity,
+                    {"Transform", "expected finite numbers", "put it back into the scene"});
+        placeEntity(world, link.entity, link.pose);
+        return;
+    }
+    link.pose.position = pose.position;
+    link.pose.rotation = pose.rotation;
+    physics::BodyPose& body = state.world.bodies.pose[index];
+    body.rotation = link.rotation = rotFromAngle(wrapAngle(pose.rotation));
+    body.centre = place + rotate(body.rotation, body.localCentre);
+    physics::refreshBounds(state.world, index);
+}
+
+void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
+    BodyLink& link = state.links[index];
+    if (std::as_const(world).has<CharacterBody>(link.entity)) {
+        link.driven = true;
+        return follow(world, state, index);
+    }
+    const physics::BodyId body = idAt(state, index);
+    const Course course = courseOf(std::as_const(world), link);
+    // moveTo() was already called by syncBodies() this tick, for queries: keep that target.
+    const bool sent = (state.world.bodies.info[index].flags & physics::kHasTarget) != 0;
+    link.driven = course.driven || sent;
+    if (sent && !course.driven) return;
+    Result<Done> result = Done{};
+    if (course.driven) {
+        const physics::WorldPosition place = placeInMetres(course.pose.position, state.scale);
+        const float angle = wrapAngle(course.pose.rotation);
+        result = course.jumps ? physics::setPosition(state.world, body, place, angle)
+                              : physics::moveTo(state.world, body, place, angle, dt);
+        if (result) {
+            link.pose.position = course.pose.position;
+            link.pose.rotation = course.pose.rotation;
+            link.rotation = rotFromAngle(angle);
+        } else {
+            placeEntity(world, link.entity, link.pose);
+        }
+    }
+    if (!course.driven || course.jumps) {
+        const physics::BodyMotion motion = state.world.bodies.motion[index];
+        const Vec2 velocity = toMetres(course.velocity, state.scale);
+        if (result && motion.velocity != velocity) result = physics::setVelocity(state.world, body, velocity);
+        if (result && motion.angularVelocity != course.angularVelocity)
+            result = physics::setAngularVelocity(state.world, body, course.angularVelocity);
+        if (!result) {
+            if (auto* kinematic = world.find<KinematicBody>(link.entity)) {
+                kinematic->velocity = toPixels(motion.velocity, state.scale);
+                kinematic->angularVelocity = motion.angularVelocity;
+            }
+        }
+    }
+    if (!result) tellRefusal(world, state, link.entity, result.error());
+}
+
+}  // namespace
+
+void driveKinematics(World& world, PhysicsState& state, float dt) {
+    for (const std::uint32_t body : state.driven) drive(world, state, body, dt);
+}
+
+}  // namespace plumb

@@ -1,0 +1,88 @@
+#include "scene/physics/physics_queries.hpp"
+
+#include <algorithm>
+
+#include "physics/model/bodies.hpp"
+#include "physics/queries/overlap.hpp"
+#include "physics/queries/ray_cast.hpp"
+#include "physics/queries/shape_cast.hpp"
+#include "scene/physics/body_sync.hpp"
+#include "scene/physics_bridge.hpp"
+
+namespace plumb {
+
+namespace {
+
+constexpr float kAlong = 1e-3f;     // of a way: what comes nearer by less slides along
+constexpr float kSolidSide = 0.7f;  // cosine between the open side of a one-way surface and its solid normal
+
+physics::QueryFilter filterFrom(const PhysicsState& state, const QueryFilter& filter) {
+    physics::QueryFilter out;
+    out.layers = filter.layers;
+    out.mask = filter.mask;
+    out.triggers = filter.triggers;
+    out.movers = filter.movers;
+    if (filter.except) out.except = bodyOf(state, filter.except);
+    return out;
+}
+
+/// One-way surfaces stop only what comes from their open side and is not inside.
+bool stops(const physics::World& world, const physics::CastHit& hit, Vec2 way, bool oneWay) {
+    const bool leaves = -dot(hit.normal, way) <= kAlong * length(way);
+    if (leaves && way != Vec2{}) return false;
+    const physics::ShapeInfo& info = world.shapes.info[hit.shape.index];
+    if ((info.flags & physics::kOneWay) == 0) return true;
+    const Vec2 open = rotate(rotationOf(world, hit.body), world.shapes.extras[info.extras].oneWayDirection);
+    return oneWay && dot(hit.normal, open) > kSolidSide && hit.separation > -2.0f * world.settings.slop;
+}
+
+QueryHit hitFrom(const PhysicsState& state, const physics::CastHit& hit) {
+    return {ownerOf(state, hit.body), hit.normal, placeInPixels(hit.point, state.scale), hit.fraction,
+            hit.separation * state.scale.pixels};
+}
+
+std::optional<QueryHit> firstThatStops(const PhysicsState& state, Vec2 way, bool oneWay) {
+    for (const physics::CastHit& hit : state.hits) {
+        if (stops(state.world, hit, way, oneWay)) return hitFrom(state, hit);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const QueryFilter& filter) {
+    PhysicsState& state = world.resource<PhysicsState>();
+    physics::QueryShape shape;
+    shape.geometry = physics::box(toMetres(box.size() * 0.5f, state.scale));
+    shape.position = placeInMetres(box.center(), state.scale);
+    const Vec2 metres = toMetres(way, state.scale);
+    physics::castShapeAll(state.world, shape, metres, filterFrom(state, filter), state.hits);
+    return firstThatStops(state, metres, filter.oneWay);
+}
+
+std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFilter& filter) {
+    PhysicsState& state = world.resource<PhysicsState>();
+    const Vec2 metres = toMetres(way, state.scale);
+    physics::castRayAll(state.world, placeInMetres(from, state.scale), metres, filterFrom(state, filter),
+                        state.hits);
+    return firstThatStops(state, metres, filter.oneWay);
+}
+
+Vec2 tickMotionOf(World& world, EntityId entity, float dt) {
+    const PhysicsState& state = world.resource<PhysicsState>();
+    const physics::BodyId body = bodyOf(state, entity);
+    return body ? toPixels(velocityOf(state.world, body) * dt, state.scale) : Vec2{};
+}
+
+void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found) {
+    PhysicsState& state = world.resource<PhysicsState>();
+    physics::overlapBox(state.world, placeInMetres(box.min, state.scale), placeInMetres(box.max, state.scale),
+                        filterFrom(state, filter), state.found);
+    found.clear();
+    for (const physics::ShapeId shape : state.found) {
+        const EntityId entity = ownerOf(state, physics::bodyOf(state.world, shape));
+        if (std::find(found.begin(), found.end(), entity) == found.end()) found.push_back(entity);
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,274 @@
+#include "scene/physics/tile_bodies.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "assets/asset_store.hpp"
+#include "core/task_pool.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/physics/body_sync.hpp"
+
+namespace plumb {
+
+namespace {
+
+using physics::MaskCell;
+using physics::OneWay;
+using physics::TerrainOutlines;
+using physics::TileForm;
+using physics::TilePalette;
+
+template <class T>
+T valueOr(const Result<T>& result, T otherwise) {
+    return result ? *result : otherwise;
+}
+
+TileForm formOf(TileShape shape) {
+    constexpr TileForm kForms[] = {
+        TileForm::Empty,        TileForm::Full,       TileForm::OneWay,      TileForm::SlopeUp,
+        TileForm::SlopeDown,    TileForm::SlopeUpLow, TileForm::SlopeUpHigh, TileForm::SlopeDownHigh,
+        TileForm::SlopeDownLow, TileForm::HalfTop,    TileForm::HalfBottom,
+    };
+    return kForms[static_cast<std::size_t>(shape)];
+}
+
+/// Turns the cells of a grid into those of a terrain.
+class CellReader {
+public:
+    CellReader(const Tileset* tileset, const TileCollider& collider, TilePalette& palette)
+        : tileset_{tileset}, collider_{collider}, palette_{palette} {
+        layers_ = valueOr(palette.addLayers({collider.layers, collider.mask}), std::uint8_t{0});
+    }
+
+    MaskCell of(TileCell cell) {
+        if (cell == 0) return {};
+        if (cell == last_.first) return last_.second;
+        auto known =
+            std::lower_bound(known_.begin(), known_.end(), cell,
+                             [](const auto& entry, TileCell wanted) { return entry.first < wanted; });
+        if (known == known_.end() || known->first != cell) known = known_.emplace(known, cell, make(cell));
+        return (last_ = *known).second;
+    }
+
+private:
+    MaskCell make(TileCell cell) {
+        const Tile* tile = tileset_ != nullptr ? tileset_->find(tileOf(cell)) : nullptr;
+        if (tileset_ != nullptr && tile == nullptr) return {};
+        const TileForm form = tile != nullptr ? formOf(*tile, cell & kTileFlips) : TileForm::Full;
+        if (form == TileForm::Empty) return {};
+        physics::TileMaterial material;
+        material.friction = tile != nullptr && tile->friction >= 0.0f ? tile->friction : collider_.friction;
+        material.bounciness =
+            std::clamp(tile != nullptr && tile->bounciness >= 0.0f ? tile->bounciness : collider_.bounciness,
+                       0.0f, 1.0f);
+        return {form, valueOr(palette_.addMaterial(material), std::uint8_t{0}), layers_};
+    }
+
+    TileForm formOf(const Tile& tile, TileCell flips) {
+        if (tile.shape == TileShape::None) return TileForm::Empty;
+        TileForm form = TileForm::Full;
+        if (tile.shape == TileShape::Polygon) {
+            const Vec2 size{static_cast<float>(tileset_->tileWidth),
+                            static_cast<float>(tileset_->tileHeight)};
+            std::vector<Vec2> points;
+            for (const Vec2 point : tile.polygon) points.push_back({point.x / size.x, point.y / size.y});
+            form = valueOr(palette_.addPolygon(points), TileForm::Full);
+        } else {
+            form = plumb::formOf(tile.shape);
+        }
+        if (flips != 0) form = valueOr(palette_.flipped(form, flips), form);
+        if (tile.oneWay && tile.shape != TileShape::OneWay)
+            form = valueOr(palette_.withOneWay(form, OneWay::Up), form);
+        return form;
+    }
+
+    const Tileset* tileset_;
+    const TileCollider& collider_;
+    TilePalette& palette_;
+    std::uint8_t layers_ = 0;
+    std::vector<std::pair<TileCell, MaskCell>> known_;  // in order of the cells
+    std::pair<TileCell, MaskCell> last_;
+};
+
+std::uint64_t madeFrom(const World& world, const TileLayer& layer, const TileCollider& collider,
+                       const TileGrid& grid, Vec2 place, Vec2 tileSize) {
+    Hasher hasher;
+    if (const auto* assets = world.service<AssetStore>())
+        hasher.add(std::uint64_t{assets->revisionOf(AssetKind::Tileset, layer.tileset.path)});
+    hasher.add(std::uint64_t{layer.cells.value});
+    hasher.add(layer.tileset.path.value);
+    hasher.add(static_cast<std::uint64_t>(grid.width()) << 32 | static_cast<std::uint64_t>(grid.height()));
+    for (const float value : {place.x, place.y, tileSize.x, tileSize.y}) hasher.add(value);
+    hasher.add(std::uint64_t{collider.layers} << 32 | collider.mask);
+    hasher.add(collider.friction), hasher.add(collider.bounciness);
+    return hasher.value() | 1;
+}
+
+/// The cells of one chunk of a grid.
+template <class Visit>
+void eachCell(const TileGrid& grid, int column, int row, Visit visit) {
+    constexpr int kSide = TileGrid::kChunkSide;
+    for (int y = row * kSide; y < std::min((row + 1) * kSide, grid.height()); ++y) {
+        for (int x = column * kSide; x < std::min((column + 1) * kSide, grid.width()); ++x) visit(x, y);
+    }
+}
+
+constexpr std::size_t kCellsWorthThreads = std::size_t{1} << 22;
+
+int threadsHere() {
+    constexpr int kMost = 8;
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMost);
+}
+
+/// One layer and its terrain.
+class TileSync {
+public:
+    TileSync(World& world, PhysicsState& state, EntityId entity, const TileLayer& layer,
+             const TileCollider& collider)
+        : reader_{world},
+          state_{state},
+          pool_{world.service<TaskPool>()},
+          entity_{entity},
+          layer_{layer},
+          collider_{collider} {}
+
+    void follow(const TileGrid& grid) {
+        TileTerrain& terrain = find();
+        terrain.seen = state_.syncs;
+        const Vec2 place = worldPose(reader_, entity_).position;
+        const Vec2 size = tileSizeOf(reader_, layer_);
+        const std::uint64_t made = madeFrom(reader_, layer_, collider_, grid, place, size);
+        if (made != terrain.made) {
+            terrain.made = made;
+            makeAnew(terrain, grid, place, size);
+        } else if (grid.version() != terrain.version) {
+            change(terrain, grid);
+        }
+        terrain.version = grid.version();
+    }
+
+private:
+    TileTerrain& find() {
+        const auto known = std::find_if(state_.terrains.begin(), state_.terrains.end(),
+                                        [&](const TileTerrain& other) { return other.entity == entity_; });
+        if (known != state_.terrains.end()) return *known;
+        state_.terrains.emplace_back().entity = entity_;
+        return state_.terrains.back();
+    }
+
+    void makeAnew(TileTerrain& terrain, const TileGrid& grid, Vec2 place, Vec2 size) {
+        terrain.body.destroy(state_.world);
+        physics::TileMask mask{grid.width(), grid.height()};
+        readChunks(grid, mask);
+        terrain.outlines = std::make_shared<TerrainOutlines>(std::move(mask));
+        terrain.cells = std::make_shared<TileGrid>(grid);
+        physics::TerrainDefinition definition;
+        definition.position = placeInMetres(place, state_.scale);
+        definition.cellSize = toMetres(size, state_.scale);
+        definition.user = userOf(entity_);
+        auto body = physics::TerrainBody::create(state_.world, *terrain.outlines, definition);
+        if (!body) return tellRefusal(reader_, state_, entity_, body.error());
+        terrain.body = std::move(*body);
+        // A map that takes long to read is worth threads of its own where the world has none to lend.
+        std::optional<TaskPool> threads;
+        if (pool_ == nullptr && grid.cellCount() > kCellsWorthThreads)
+            pool_ = &threads.emplace(threadsHere());
+        update(terrain);
+        if (threads) pool_ = nullptr;
+    }
+
+    /// Chunk for chunk; those of one tile all over are read once.
+    void readChunks(const TileGrid& grid, physics::TileMask& mask) {
+        CellReader cells{tileset(), collider_, mask.palette};
+        physics::TileMask::Chunk read;
+        for (int row = 0; row < mask.cells().chunkRows(); ++row) {
+            for (int column = 0; column < mask.cells().chunkColumns(); ++column) {
+                const TileGrid::Chunk* chunk = grid.chunk(column, row);
+                if (chunk == nullptr) continue;
+                const TileCell first = chunk->cells.front();
+                if (std::all_of(chunk->cells.begin(), chunk->cells.end(),
+                                [first](TileCell cell) { return cell == first; })) {
+                    mask.putPlain(column, row, cells.of(first));
+                    continue;
+                }
+                std::transform(chunk->cells.begin(), chunk->cells.end(), read.begin(),
+                               [&](TileCell cell) { return cells.of(cell); });
+                mask.putChunk(column, row, read);
+            }
+        }
+    }
+
+    /// Looks at chunks only that are others now.
+    void change(TileTerrain& terrain, const TileGrid& grid) {
+        makeOwn(terrain.outlines);
+        makeOwn(terrain.cells);
+        TileGrid& known = *terrain.cells;
+        CellReader cells{tileset(), collider_, terrain.outlines->palette()};
+        for (int row = 0; row < grid.chunkRows(); ++row) {
+            if (known.rowStamp(row) == grid.rowStamp(row)) continue;
+            for (int column = 0; column < grid.chunkColumns(); ++column) {
+                if (known.chunk(column, row) == grid.chunk(column, row)) continue;
+                eachCell(grid, column, row, [&](int x, int y) {
+                    const TileCell now = grid.at(x, y);
+                    if (known.at(x, y) != now) terrain.outlines->set(x, y, cells.of(now));
+                });
+                known.adopt(grid, column, row);
+            }
+        }
+        update(terrain);
+    }
+
+    template <class T>
+    static void makeOwn(std::shared_ptr<T>& shared) {
+        if (shared.use_count() > 1) shared = std::make_shared<T>(*shared);
+    }
+
+    void update(TileTerrain& terrain) {
+        const auto updated =
+            terrain.body.update(state_.world, *terrain.outlines, terrain.outlines->update(pool_));
+        if (!updated) tellRefusal(reader_, state_, entity_, updated.error());
+    }
+
+    [[nodiscard]] const Tileset* tileset() const {
+        const auto* assets = reader_.service<AssetStore>();
+        return assets != nullptr ? &assets->tileset(layer_.tileset) : nullptr;
+    }
+
+    const World& reader_;
+    PhysicsState& state_;
+    TaskPool* pool_;
+    EntityId entity_;
+    const TileLayer& layer_;
+    const TileCollider& collider_;
+};
+
+}  // namespace
+
+Vec2 tileSizeOf(const World& world, const TileLayer& layer) {
+    if (layer.tileSize.x > 0.0f && layer.tileSize.y > 0.0f) return layer.tileSize;
+    const auto* assets = world.service<AssetStore>();
+    if (assets == nullptr) return {16.0f, 16.0f};
+    const Tileset& tileset = assets->tileset(layer.tileset);
+    return {static_cast<float>(std::max(tileset.tileWidth, 1)),
+            static_cast<float>(std::max(tileset.tileHeight, 1))};
+}
+
+void followTiles(World& world, PhysicsState& state, bool all) {
+    for (auto [entity, layer, collider] :
+         std::as_const(world).query<const TileLayer, const TileCollider>(with<Transform>)) {
+        const TileGrid* grid = world.tiles().find(layer.cells);
+        if (grid == nullptr || grid->width() == 0 || grid->height() == 0) continue;
+        TileSync{world, state, entity.id(), layer, collider}.follow(*grid);
+    }
+    if (!all) return;
+    std::erase_if(state.terrains, [&state](TileTerrain& terrain) {
+        if (terrain.seen == state.syncs) return false;
+        terrain.body.destroy(state.world);
+        return true;
+    });
+}
+
+}  // namespace plumb

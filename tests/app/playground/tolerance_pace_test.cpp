@@ -1,0 +1,62 @@
+// Automatic quality follows what is simulated and nothing else: not how fast time passes.
+
+#include <algorithm>
+
+#include "app/step_clock.hpp"
+#include "physics/simulation.hpp"
+#include "tests/app/playground/playground.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr int kTicks = 240;
+
+/// A heavy box on two light ones that has to keep to half a pixel.
+struct HeldMasses : Playground {
+    HeldMasses() : Playground{"masses", "physics-lab"} {
+        auto& physics = game.world.get<ScenePhysics>(find("how exact"));
+        physics.quality = 0;
+        physics.tolerance = 0.5f;
+    }
+    [[nodiscard]] const physics::World& bodies() { return game.world.resource<PhysicsState>().world; }
+    /// The highest quality that an island has.
+    [[nodiscard]] int quality() {
+        int best = -1;
+        for (const physics::SubstepController& effort : bodies().bodies.substepControllers)
+            best = std::max(best, int{effort.quality});
+        return best;
+    }
+    /// At this speed against the clock, in frames of a display of `rate` Hz.
+    void runAt(double speed, double rate) {
+        StepClock clock;
+        for (int done = 0; done < kTicks;) {
+            for (int ticks = clock.advance(1.0 / rate, speed).ticks; ticks > 0 && done < kTicks;
+                 --ticks, ++done)
+                run(1);
+        }
+    }
+};
+
+TEST(TolerancePace, theSameBitsAtTenTimesAndATenthOfRealTime) {
+    HeldMasses real;
+    real.runAt(1.0, 60.0);
+    ASSERT_GT(real.quality(), 0) << "the tolerance asks for more than the scene's quality";
+    ASSERT_GT(real.bodies().contacts.size(), 0u);
+    for (const auto& [speed, rate] : {std::pair{10.0, 60.0}, {0.1, 60.0}, {10.0, 144.0}, {0.1, 30.0}}) {
+        HeldMasses other;
+        other.runAt(speed, rate);
+        EXPECT_EQ(other.game.world.hash(), real.game.world.hash()) << speed << " times, at " << rate << " Hz";
+    }
+}
+
+TEST(TolerancePace, ofAComponentItIsPixels) {
+    HeldMasses held;
+    held.run(1);
+    EXPECT_FLOAT_EQ(held.bodies().settings.tolerance, 0.5f / 128.0f);
+    held.game.world.get<ScenePhysics>(held.find("how exact")).tolerance = 0.0f;
+    held.run(1);
+    EXPECT_EQ(held.bodies().settings.tolerance, 0.0f);
+}
+
+}  // namespace
+}  // namespace plumb

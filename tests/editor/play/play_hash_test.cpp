@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "app/scene_game.hpp"
+#include "core/file.hpp"
+#include "editor/model/play/game_session.hpp"
+#include "editor/model/play/play_mode.hpp"
+#include "tests/app/projects/project_replays.hpp"
+
+namespace plumb::editor {
+namespace {
+
+/// One of many types that no entity has: panels and overlays ask for types that no player asks for.
+template <int N>
+struct Looked {
+    int value = N;
+};
+
+template <int... N>
+void look(const World& world, std::integer_sequence<int, N...>) {
+    (static_cast<void>(world.query<const Looked<N>>().count()), ...);
+}
+
+class PlayHash : public testing::TestWithParam<ProjectReplay> {};
+
+std::unique_ptr<PlaySession> sessionOf(const Project& project) {
+    const Result<std::string> text = readFile(project.root / project.startScene);
+    EXPECT_TRUE(text.ok());
+    return makeGameSession(project, project.startScene, *text);
+}
+
+/// Pauses, looks at the past, and comes back.
+void pauseAndLookBack(PlayMode& play) {
+    const std::int64_t now = play.ticks();
+    play.setPaused(true);
+    play.seek(std::max(play.oldest(), now - 25));
+    EXPECT_LT(play.ticks(), now);
+    play.seek(now);
+    play.setPaused(false);
+    EXPECT_EQ(play.ticks(), now);
+}
+
+TEST_P(PlayHash, aReplayPlayedInTheEditorComesOutAsInThePlayer) {
+    constexpr std::int64_t kPauseEvery = 400;  // ticks
+    const Replay replay = replayOf(GetParam());
+    const Project project = projectOf(GetParam());
+    SceneGame game{project};
+    game.assets.logging = false;
+    game.onCreate();
+    PlayMode play;
+    play.start(sessionOf(project));
+    look(play.world(), std::make_integer_sequence<int, 100>{});
+
+    for (const InputFrame& frame : framesOf(replay)) {
+        tickGame(game, frame);
+        play.step(frame);
+        ASSERT_EQ(play.world().hash(), game.world.hash()) << "tick " << play.ticks();
+        if (play.ticks() % kPauseEvery == 0) pauseAndLookBack(play);
+    }
+    EXPECT_EQ(play.ticks(), static_cast<std::int64_t>(replay.ticks()));
+    EXPECT_GT(play.ticks(), kPauseEvery);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, PlayHash, testing::ValuesIn(kProjectReplays), [](const auto& row) {
+    std::string name = row.param.project;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace plumb::editor

@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include "tests/physics/support/joint_world.hpp"
+
+namespace plumb::physics {
+namespace {
+
+TEST(MouseJoint, pullsToItsTargetWithoutSwingingOver) {
+    JointWorld scene;
+    scene.world.settings.gravity = {};
+    const BodyId box = scene.disc({0.0, 0.0});
+    JointDefinition definition = scene.define(JointKind::Mouse, scene.ground, box, {0.0, 0.0});
+    definition.target = {3.0, 1.0};
+    (void)scene.join(definition);
+    float furthest = 0.0f;
+    for (int i = 0; i < 120; ++i) {
+        scene.run(JointWorld::kDt);
+        furthest = std::fmax(furthest, scene.place(box).x);
+    }
+
+    EXPECT_NEAR(scene.place(box).x, 3.0f, 0.001f);
+    EXPECT_NEAR(scene.place(box).y, 1.0f, 0.001f);
+    EXPECT_LT(furthest, 3.01f);
+}
+
+TEST(MouseJoint, pullsNoHarderThanItMay) {
+    JointWorld scene;
+    scene.world.settings.gravity = {};
+    const BodyId box = scene.disc({0.0, 0.0}, 2.0f);
+    JointDefinition definition = scene.define(JointKind::Mouse, scene.ground, box, {0.0, 0.0});
+    definition.target = {1000.0, 0.0};
+    definition.maxForce = 6.0f;
+    const JointId joint = scene.join(definition);
+
+    scene.run(1.0f);
+
+    EXPECT_NEAR(velocityOf(scene.world, box).x, 6.0f / 2.0f, 0.01f);  // F t / m
+    EXPECT_NEAR(jointForce(scene.world, joint).x, 6.0f, 0.01f);
+}
+
+TEST(MouseJoint, leavesItsFirstBodyAlone) {
+    JointWorld scene;
+    scene.world.settings.gravity = {};
+    const BodyId other = scene.disc({5.0, 5.0}), box = scene.disc({0.0, 0.0});
+    JointDefinition definition = scene.define(JointKind::Mouse, other, box, {0.0, 0.0});
+    definition.target = {1.0, 0.0};
+    const JointId joint = scene.join(definition);
+
+    scene.run(1.0f);
+    (void)*setTarget(scene.world, joint, {-1.0, 0.0});
+    scene.run(2.0f);
+
+    EXPECT_EQ(scene.place(other), (Vec2{5.0f, 5.0f}));
+    EXPECT_NEAR(scene.place(box).x, -1.0f, 0.001f);
+}
+
+// Regression: with unlimited force a crate passed through 2 m of floor at 212 m/s.
+TEST(MouseJoint, ofAnyForcePullsNothingThroughAFloor) {
+    for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
+        SCOPED_TRACE(int{quality});
+        JointWorld scene;
+        scene.world.settings.quality = quality;
+        (void)*createShape(scene.world, scene.ground, box({50.0f, 1.0f}, {0.0f, -1.0f}));
+        BodyDefinition definition;
+        definition.position = {0.0, 0.5};
+        const BodyId crate = *createBody(scene.world, definition);
+        (void)*createShape(scene.world, crate, box({0.5f, 0.5f}));
+        JointDefinition mouse = scene.define(JointKind::Mouse, scene.ground, crate, {0.0, 0.5});
+        mouse.target = {0.0, -20.0};
+        const JointId joint = scene.join(mouse);
+
+        scene.run(5.0f);
+        EXPECT_GT(scene.place(crate).y, 0.0f);
+        EXPECT_LT(length(velocityOf(scene.world, crate)), 0.1f);
+
+        (void)*setTarget(scene.world, joint, {0.0, 5.0});
+        scene.run(5.0f);
+        EXPECT_NEAR(scene.place(crate).y, 5.0f, 0.02f);
+    }
+}
+
+}  // namespace
+}  // namespace plumb::physics

@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.hpp"
+#include "math/portable.hpp"
+#include "physics/soft/softbody.hpp"
+#include "tests/physics/support/effect_worlds.hpp"
+
+// Soft bodies that carry bodies much heavier or lighter than they are, or lie on them.
+
+namespace plumb::physics {
+namespace {
+
+using namespace test;
+
+constexpr float kGravity = 10.0f;     // m/s2
+constexpr int kTenSeconds = 600;      // steps
+constexpr float kNearRest = 4.0e-3f;  // m/s: crates rock on round jellies for a while
+constexpr float kAtRest = 1.0e-3f;    // m/s
+
+/// A jelly of 1 kg between two posts, and crates on it or a crate below it.
+struct Load {
+    float radius = 0.5f;      // m
+    float crate = 0.2f;       // m: half a side
+    float mass = 1.0f;        // kg, of all crates
+    float compliance = 0.0f;  // m/N
+    int crates = 1;
+    bool below = false;
+};
+
+/// Masses from 1/1000 to 1000 times that of the jelly. Links stretch by at most 1 cm under all of it.
+Load randomLoad(std::uint64_t seed) {
+    Random random = Random::seeded(seed);
+    Load load;
+    load.radius = random.between(0.4f, 0.6f);
+    load.crate = load.radius * random.between(0.3f, 0.45f);
+    load.mass = std::pow(10.0f, random.between(-3.0f, 3.0f));
+    load.compliance = random.unit() * std::min(2.0e-5f, 0.01f / (load.mass * kGravity));
+    load.below = seed % 3 == 2;
+    return load;
+}
+
+struct Loaded {
+    World world;
+    SoftBodyId jelly;
+    std::vector<BodyId> crates;
+};
+
+constexpr float kParticle = 0.02f;  // m: radius
+
+Loaded build(const Load& load) {
+    Loaded made{makeWorld(), {}, {}};
+    World& world = made.world;
+    addFloor(world);
+    const float wall = load.radius + kParticle;
+    for (const float side : {-1.0f, 1.0f}) {
+        const auto x = static_cast<double>(side * (wall + 0.1f));
+        addBody(world, BodyKind::Static, {x, -3.0}, box({0.1f, 3.0f}));
+    }
+    SoftMaterial material;
+    material.radius = kParticle;
+    material.stretchCompliance = material.areaCompliance = load.compliance;
+    material.bendCompliance = 5.0e-5f;
+    material.friction = 0.6f;
+    material.damping = 4.0f;
+    std::vector<Vec2> ring;
+    for (int i = 0; i < 36; ++i)
+        ring.push_back(rotate(rotFromAngle(kTau * static_cast<float>(i) / 36.0f), {load.radius, 0.0f}));
+    const float lowest = load.below ? 2.0f * load.crate : 0.0f;
+    made.jelly = *createJelly(world, {0.0, static_cast<double>(-lowest - load.radius - 1.5f * kParticle)},
+                              ring, material);
+    const float side = 2.0f * load.crate;
+    const float density = load.mass / (static_cast<float>(load.crates) * side * side);
+    const float bottom = load.below ? 0.0f : 2.0f * load.radius + 3.0f * kParticle;
+    for (int i = 0; i < load.crates; ++i) {
+        const float height = bottom + (static_cast<float>(i) + 0.5f) * side;
+        made.crates.push_back(addBody(world, BodyKind::Dynamic, {0.0, static_cast<double>(-height)},
+                                      box({load.crate, load.crate}), {.density = density, .friction = 0.6f}));
+    }
+    return made;
+}
+
+/// m/s
+float fastest(const Loaded& made) {
+    float most = 0.0f;
+    for (const BodyId body : made.crates) most = std::max(most, length(velocityOf(made.world, body)));
+    return most;
+}
+
+/// m: depth of the middle of a particle inside a crate.
+float entered(const Loaded& made, float crate) {
+    float most = 0.0f;
+    for (const BodyId body : made.crates) {
+        const BodyPose& pose = made.world.bodies.pose[body.index];
+        for (const SoftParticle& p : particlesOf(made.world, made.jelly)) {
+            const Vec2 at = unrotate(pose.rotation, p.place - pose.centre);
+            most = std::max(most, crate - std::max(std::fabs(at.x), std::fabs(at.y)));
+        }
+    }
+    return most;
+}
+
+/// J: kinetic and potential energy. Springs are at rest at the start, so they contain none.
+double energyOf(const Loaded& made) {
+    const auto g = static_cast<double>(kGravity);
+    double sum = 0.0;
+    for (const SoftParticle& p : particlesOf(made.world, made.jelly))
+        sum += static_cast<double>(p.mass) *
+               (0.5 * static_cast<double>(lengthSquared(p.velocity)) - g * p.place.y);
+    for (const BodyId body : made.crates) {
+        const BodyMotion& motion = made.world.bodies.motion[body.index];
+        const BodyMass& mass = made.world.bodies.mass[body.index];
+        const float turning = mass.inertia * motion.angularVelocity * motion.angularVelocity;
+        sum += static_cast<double>(mass.mass) * (0.5 * static_cast<double>(lengthSquared(motion.velocity)) -
+                                                 g * made.world.bodies.pose[body.index].centre.y) +
+               0.5 * static_cast<double>(turning);
+    }
+    return sum;
+}
+
+TEST(SoftLoads, ofAnyMassComeToRestOnAJellyAndUnderIt) {
+    for (std::uint64_t seed = 0; seed < 45; ++seed) {
+        const Load load = randomLoad(seed);
+        Loaded made = build(load);
+        SCOPED_TRACE(testing::Message()
+                     << seed << ": " << load.mass << " kg" << (load.below ? " below" : ""));
+        const double start = energyOf(made);
+        for (int i = 0; i < kTenSeconds; ++i) {
+            run(made.world, 1);
+            ASSERT_LT(energyOf(made), start * (start > 0.0 ? 1.001 : 0.999)) << i;
+        }
+        EXPECT_LT(fastest(made), kNearRest);
+        run(made.world, kTenSeconds);
+        EXPECT_LT(fastest(made), kAtRest);
+        EXPECT_LE(entered(made, load.crate), 0.0f);
+        const double height = heightOf(made.world, made.crates[0]);
+        EXPECT_GT(height, static_cast<double>(load.below ? 0.9f * load.crate : load.radius));
+    }
+}
+
+TEST(SoftLoads, stacksOfCratesStayOnAJelly) {
+    for (const float mass : {0.003f, 0.03f, 0.3f, 3.0f, 30.0f}) {
+        SCOPED_TRACE(mass);
+        const Load load{.mass = mass, .crates = 3};
+        Loaded made = build(load);
+        run(made.world, 2 * kTenSeconds);
+        EXPECT_LT(fastest(made), 0.05f);
+        EXPECT_LE(entered(made, load.crate), 0.0f);
+        for (std::size_t i = 0; i < made.crates.size(); ++i) {
+            const auto lowest =
+                static_cast<double>(1.8f * load.radius + 2.0f * load.crate * static_cast<float>(i));
+            EXPECT_GT(heightOf(made.world, made.crates[i]), lowest) << i;
+        }
+    }
+}
+
+TEST(SoftLoads, aRopeCarriesWhatLiesOnIt) {
+    for (const float mass : {0.01f, 1.0f, 20.0f}) {
+        SCOPED_TRACE(mass);
+        World world = makeWorld();
+        SoftMaterial material;
+        material.damping = 3.0f;
+        const SoftBodyId rope = *createRope(world, {-1.0, 0.0}, {1.0, 0.0}, 21, material);
+        for (const int end : {0, 20}) ASSERT_TRUE(pinParticle(world, rope, end, true).ok());
+        const BodyId ball =
+            addBody(world, BodyKind::Dynamic, {0.0, -0.4}, circle(0.2f), {.density = mass / (kPi * 0.04f)});
+        run(world, 2 * kTenSeconds);
+        EXPECT_LT(length(velocityOf(world, ball)), 0.01f);
+        EXPECT_GT(heightOf(world, ball), -1.0) << "it did not fall through";
+    }
+}
+
+TEST(SoftLoads, aJellyInFreeFlightComesToRestInItself) {
+    for (const float compliance : {0.0f, 2.0e-5f, 1.0e-3f}) {
+        SCOPED_TRACE(compliance);
+        Loaded made = build({.compliance = compliance});
+        World& world = made.world;
+        world.settings.gravity = {};
+        run(world, kTenSeconds);
+        for (const SoftParticle& p : particlesOf(world, made.jelly))
+            ASSERT_LT(length(p.velocity), kAtRest) << "links pass errors on around the ring";
+    }
+}
+
+TEST(SoftLoads, islandsThatShareASoftBodyAreSolvedWithIt) {
+    World world = makeWorld();
+    world.settings.gravity = {};
+    SoftMaterial material;
+    material.damping = 0.0f;
+    const SoftBodyId rope = *createRope(world, {-1.0, 0.0}, {1.0, 0.0}, 21, material);
+    const BodyId fine = addBody(world, BodyKind::Dynamic, {-0.7, -0.5}, circle(0.2f), {}, {.quality = 5});
+    const BodyId coarse = addBody(world, BodyKind::Dynamic, {0.7, -0.5}, circle(0.2f));
+    for (const BodyId ball : {fine, coarse}) ASSERT_TRUE(setVelocity(world, ball, {0.0f, 2.0f}).ok());
+    run(world, 60);
+    double momentum = 0.0;
+    for (const SoftParticle& p : particlesOf(world, rope))
+        momentum += static_cast<double>(p.mass) * static_cast<double>(p.velocity.y);
+    double before = 0.0;
+    for (const BodyId ball : {fine, coarse}) {
+        momentum += static_cast<double>(massOf(world, ball) * velocityOf(world, ball).y);
+        before += static_cast<double>(massOf(world, ball) * 2.0f);
+        EXPECT_LT(velocityOf(world, ball).y, 1.99f) << "it met the rope";
+    }
+    EXPECT_NEAR(momentum, before, 1.0e-5 * before);
+}
+
+}  // namespace
+}  // namespace plumb::physics
