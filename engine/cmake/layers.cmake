@@ -4,13 +4,13 @@
 #   add_layer(physics DEPENDS core math)
 #
 # With PLUMB_UNITY several files of a layer are compiled as one, which reads their headers once; layers marked
-# SINGLE_FILES keep out, because their files share names.
+# SINGLE_FILES keep out, because their files share names. FAST layers are compiled with -O3.
 #
 # How: every layer gets a private include root in the build folder that holds one link,
 # <root>/physics -> <source>/engine/physics. Linking a layer adds only its root.
 
 function(add_layer name)
-    cmake_parse_arguments(LAYER "SINGLE_FILES" "FOLDER;ROOT_AS" "DEPENDS;LIBRARIES" ${ARGN})
+    cmake_parse_arguments(LAYER "FAST;SINGLE_FILES" "FOLDER;ROOT_AS" "DEPENDS;LIBRARIES" ${ARGN})
     if(NOT LAYER_FOLDER)
         set(LAYER_FOLDER ${name})
     endif()
@@ -45,6 +45,9 @@ function(add_layer name)
         set_plumb_warnings(${name})
         if(PLUMB_UNITY AND NOT LAYER_SINGLE_FILES)
             set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        endif()
+        if(LAYER_FAST AND NOT MSVC)
+            target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O3>)
         endif()
         # Position-independent code may be of a shared library, where another could replace every function: gcc then
         # inlines none that other files see, even where it is defined.
