@@ -16,10 +16,10 @@
 #include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/model/problems.hpp"
 #include "editor/model/project/project_habits.hpp"
-#include "scene/components/camera.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/scene_file.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -39,6 +39,7 @@ constexpr float kFrameMargin =
 Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder folder,
                      PrefabLibrary* prefabs)
     : project{std::move(folder)}, assets{store}, document{types}, undo{document}, prefabs_{prefabs} {
+    document.picture = project.picture;
     document.world.provide(assets);
     document.world.provide(engineEffects());
     readGrid(*this);

@@ -222,6 +222,23 @@ TEST_F(SceneTreeTest, whatLiesUnderTheMouseFollowsEveryWriteOfTheWorld) {
     EXPECT_EQ(pickFirst(document, {1000.0f, 1000.0f}, 1.0f), named("ground"));
 }
 
+/// A fade or a painted sky before everything: a click is meant for what stands there.
+TEST_F(SceneTreeTest, aSpriteThatFillsThePictureIsGround) {
+    Document& document = workspace.document;
+    const EntityId lamp = document.find(named("lamp"));
+    document.world.get<Transform>(lamp).position = {-40.0f, -100.0f};  // of the world: 0, 0
+    auto& fade = document.world.add<Sprite>(lamp);
+    fade.layer = 10;
+    fade.width = static_cast<int>(document.picture.x);
+    fade.height = static_cast<int>(document.picture.y) - 1;
+    const Vec2 crate{216.0f, 80.0f};
+    EXPECT_EQ(pickFirst(document, crate, 1.0f), named("lamp")) << "one row less than the picture";
+    ++fade.height;
+    EXPECT_EQ(pickFirst(document, crate, 1.0f), named("crate"));
+    EXPECT_EQ(pickFirst(document, {300.0f, 300.0f}, 1.0f), named("lamp")) << "where nothing else is";
+    EXPECT_EQ(pickInside(document, {{190.0f, 60.0f}, {240.0f, 100.0f}}), std::vector{named("crate")});
+}
+
 // By hand.
 
 class TreeHands : public SceneTreeTest {

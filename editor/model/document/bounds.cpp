@@ -9,24 +9,24 @@
 #include "editor/model/document/sight.hpp"
 #include "editor/model/document/tile_layers.hpp"
 #include "math/angle.hpp"
-#include "scene/components/attractor.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/buoyancy_field.hpp"
-#include "scene/components/capsule_collider.hpp"
-#include "scene/components/chain_collider.hpp"
-#include "scene/components/circle_collider.hpp"
-#include "scene/components/gravity_field.hpp"
-#include "scene/components/label.hpp"
-#include "scene/components/parallax_layer.hpp"
-#include "scene/components/polygon_collider.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/colliders/capsule_collider.hpp"
+#include "scene/components/colliders/chain_collider.hpp"
+#include "scene/components/colliders/circle_collider.hpp"
+#include "scene/components/colliders/polygon_collider.hpp"
+#include "scene/components/drawing/label.hpp"
+#include "scene/components/drawing/parallax_layer.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
+#include "scene/components/fields/attractor.hpp"
+#include "scene/components/fields/buoyancy_field.hpp"
+#include "scene/components/fields/gravity_field.hpp"
+#include "scene/components/fields/wind_field.hpp"
 #include "scene/components/prefab_instance.hpp"
-#include "scene/components/sprite.hpp"
-#include "scene/components/tile_layer.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/components/wind_field.hpp"
-#include "scene/rough_text.hpp"
-#include "scene/soft_sync.hpp"
-#include "scene/tile_bodies.hpp"
+#include "scene/files/rough_text.hpp"
+#include "scene/physics/soft_sync.hpp"
+#include "scene/physics/tile_bodies.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb::editor {
@@ -109,9 +109,13 @@ ObjectId meantBy(const Document& document, ObjectId id) {
 
 }  // namespace
 
-bool isGround(const World& world, EntityId entity) {
-    return world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity) ||
-           regionOf(world, entity) != Vec2{};
+bool isGround(const Document& document, EntityId entity) {
+    const World& world = document.world;
+    if (world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity)) return true;
+    if (regionOf(world, entity) != Vec2{}) return true;
+    if (!world.has<Sprite>(entity)) return false;
+    const Vec2 size = boundsOf(world, entity).size();
+    return size.x >= document.picture.x && size.y >= document.picture.y;
 }
 
 bool isSomewhere(const World& world, EntityId entity) {
@@ -168,7 +172,7 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
     boxes.eachTouching(grown({point, point}, reach), [&](std::size_t i) {
         const EntityId entity = document.find(all[i]);
         if (isOutOfHand(document, all[i]) || isHole(document, all[i], entity, point)) return;
-        hits.push_back({isGround(document.world, entity), layerOf(document.world, entity), i, all[i]});
+        hits.push_back({isGround(document, entity), layerOf(document.world, entity), i, all[i]});
     });
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
         if (a.ground != b.ground) return b.ground;
@@ -193,7 +197,7 @@ std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
     const SceneBoxes& boxes = document.boxes();
     boxes.eachTouching(box, [&](std::size_t i) {
         if (!intersects(boxes.at(i), box)) return;
-        if (isOutOfHand(document, all[i]) || isGround(document.world, document.find(all[i]))) return;
+        if (isOutOfHand(document, all[i]) || isGround(document, document.find(all[i]))) return;
         const ObjectId meant = meantBy(document, all[i]);
         if (taken.insert(meant.value).second) ids.push_back(meant);
     });

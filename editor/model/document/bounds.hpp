@@ -11,9 +11,9 @@ namespace plumb::editor {
 /// Whether an entity has a place. One without, e.g. a key, can neither be clicked nor framed.
 bool isSomewhere(const World& world, EntityId entity);
 
-/// What is everywhere: tile layers, backdrops and fields. Others come before it, and a drag that begins on it
-/// moves it only when it is selected already.
-bool isGround(const World& world, EntityId entity);
+/// What is everywhere: tile layers, fields, and sprites that fill the game's picture. Others come before it,
+/// and a drag that begins on it moves it only when it is selected already.
+bool isGround(const Document& document, EntityId entity);
 
 /// The box around what can be seen of an entity (px, world); a small one where there is nothing to see.
 AABB boundsOf(const World& world, EntityId entity);

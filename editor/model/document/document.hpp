@@ -30,6 +30,7 @@ public:
     Selection selection;
     EntityView view;
     std::string scenePath;            ///< in the project, e.g. "scenes/cave.scene.json"; empty: none is open
+    Vec2 picture{640.0f, 360.0f};     ///< px of the game's own picture
     SceneId scene;                    ///< what new entities belong to
     std::uint64_t sceneRevision = 0;  ///< counts changes; a panel that caches compares it
     std::uint64_t treeRevision = 0;  ///< counts changes of the entities, their parents, their order, by which

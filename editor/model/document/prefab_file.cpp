@@ -17,10 +17,10 @@
 #include "reflect/type_registry.hpp"
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/files/prefab.hpp"
+#include "scene/files/scene_reader.hpp"
+#include "scene/files/world_field_context.hpp"
 #include "scene/loaded_scene.hpp"
-#include "scene/prefab.hpp"
-#include "scene/scene_reader.hpp"
-#include "scene/world_field_context.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/file.hpp"
 #include "ecs/world.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/files/scene_file.hpp"
 
 namespace plumb::editor {
 

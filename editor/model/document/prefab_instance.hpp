@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "editor/model/document/entity_state.hpp"
-#include "scene/prefab_placing.hpp"
+#include "scene/files/prefab_placing.hpp"
 
 namespace plumb::editor {
 

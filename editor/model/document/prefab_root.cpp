@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "editor/model/document/prefab_file.hpp"
-#include "scene/prefab.hpp"
+#include "scene/files/prefab.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb::editor {

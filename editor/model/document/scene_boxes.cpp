@@ -6,7 +6,7 @@
 #include "ecs/hierarchy.hpp"
 #include "editor/model/document/bounds.hpp"
 #include "scene/components.hpp"
-#include "scene/soft_sync.hpp"
+#include "scene/physics/soft_sync.hpp"
 
 namespace plumb::editor {
 namespace {

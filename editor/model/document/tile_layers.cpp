@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "assets/asset_store.hpp"
+#include "scene/components/colliders/tile_collider.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 #include "scene/components/scene_entity.hpp"
-#include "scene/components/tile_collider.hpp"
-#include "scene/components/tile_layer.hpp"
-#include "scene/tile_bodies.hpp"
+#include "scene/physics/tile_bodies.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb::editor {

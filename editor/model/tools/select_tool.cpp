@@ -30,7 +30,7 @@ void SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     reach_ = pointer.reach;
     hit_ = pickFirst(context.document, pointer.position, pointer.reach);
     wasSelected_ = context.selection.has(hit_);
-    onThing_ = hit_ && (wasSelected_ || !isGround(context.document.world, context.document.find(hit_)));
+    onThing_ = hit_ && (wasSelected_ || !isGround(context.document, context.document.find(hit_)));
     select(context);
 }
 

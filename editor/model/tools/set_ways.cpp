@@ -4,8 +4,8 @@
 
 #include "ecs/hierarchy.hpp"
 #include "editor/model/tools/handles.hpp"
-#include "gameplay/components/moving_platform.hpp"
-#include "gameplay/components/patrol.hpp"
+#include "gameplay/components/actors/moving_platform.hpp"
+#include "gameplay/components/actors/patrol.hpp"
 
 namespace plumb::editor {
 namespace {

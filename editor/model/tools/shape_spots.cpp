@@ -8,12 +8,12 @@
 #include "editor/model/document/prefab_root.hpp"
 #include "editor/model/tools/set_ways.hpp"
 #include "math/angle.hpp"
-#include "scene/components/box_collider.hpp"
-#include "scene/components/capsule_collider.hpp"
-#include "scene/components/chain_collider.hpp"
-#include "scene/components/circle_collider.hpp"
-#include "scene/components/polygon_collider.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/colliders/box_collider.hpp"
+#include "scene/components/colliders/capsule_collider.hpp"
+#include "scene/components/colliders/chain_collider.hpp"
+#include "scene/components/colliders/circle_collider.hpp"
+#include "scene/components/colliders/polygon_collider.hpp"
+#include "scene/components/drawing/sprite.hpp"
 
 namespace plumb::editor {
 namespace {

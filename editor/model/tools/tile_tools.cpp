@@ -6,7 +6,7 @@
 #include "core/text.hpp"
 #include "editor/model/tiles/cell_shapes.hpp"
 #include "editor/model/tools/tile_marks.hpp"
-#include "scene/components/tile_layer.hpp"
+#include "scene/components/drawing/tile_layer.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -9,7 +9,7 @@
 #include "editor/model/document/prefab_root.hpp"
 #include "editor/model/document/sight.hpp"
 #include "math/angle.hpp"
-#include "scene/components/sprite.hpp"
+#include "scene/components/drawing/sprite.hpp"
 
 namespace plumb::editor {
 Vec2 inParent(Vec2 offset, const Pose& parent) {
