@@ -11,3 +11,16 @@ else()
     set_source_files_properties(physics/kernels_avx2.cpp TARGET_DIRECTORY physics
         PROPERTIES HEADER_FILE_ONLY ON)
 endif()
+
+# Where the processor has lanes, plain C++ is for comparison: programs that link physics_scalar have it.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|aarch64|arm64|ARM64")
+    get_target_property(sources physics SOURCES)
+    list(FILTER sources EXCLUDE REGEX kernels_scalar)
+    set_target_properties(physics PROPERTIES SOURCES "${sources}")
+    add_library(physics_scalar STATIC EXCLUDE_FROM_ALL physics/kernels_scalar.cpp)
+    target_link_libraries(physics_scalar PUBLIC physics)
+    set_plumb_warnings(physics_scalar)
+else()
+    add_library(physics_scalar INTERFACE)
+    target_link_libraries(physics_scalar INTERFACE physics)
+endif()
