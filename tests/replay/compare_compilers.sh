@@ -19,9 +19,9 @@ physics-lab         lab.replay
 # name, compiler, flags
 table='
 gcc-O0      g++      -O0
-gcc-O3      g++      -O3 -DNDEBUG
+gcc-O3      g++      -DNDEBUG -O3
 clang-O0    clang++  -O0
-clang-O3    clang++  -O3 -DNDEBUG
+clang-O3    clang++  -DNDEBUG -O3
 gcc-native  g++      -O3 -march=native
 '
 
