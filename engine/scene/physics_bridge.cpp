@@ -10,6 +10,7 @@
 #include "scene/effects.hpp"
 #include "scene/physics/body_sync.hpp"
 #include "scene/physics/contact_events.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/field_sync.hpp"
 #include "scene/physics/joint_sync.hpp"
 #include "scene/physics/kinematics.hpp"

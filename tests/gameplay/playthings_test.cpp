@@ -6,7 +6,7 @@
 #include "input/input.hpp"
 #include "physics/soft/softbody.hpp"
 #include "scene/components.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/systems/physics_system.hpp"

@@ -12,7 +12,7 @@
 #include "scene/components/colliders/circle_collider.hpp"
 #include "scene/components/joints/revolute_joint.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "scene/systems/physics_system.hpp"
 #include "scene/world_transform.hpp"

@@ -11,7 +11,7 @@
 #include "scene/components/bodies/jelly.hpp"
 #include "scene/components/bodies/rope.hpp"
 #include "scene/drawing/draw_scene.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "scene/physics/soft_sync.hpp"
 #include "scene/systems/physics_system.hpp"

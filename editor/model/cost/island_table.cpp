@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "physics/model/bodies.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 
 namespace plumb::editor {

@@ -8,7 +8,7 @@
 #include "editor/model/prefabs/prefab_visit.hpp"
 #include "editor/model/workspace.hpp"
 #include "scene/components/scene_entity.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "scene/physics_bridge.hpp"
 #include "scene/systems/physics_system.hpp"

@@ -14,7 +14,7 @@
 #include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_queries.hpp"
 #include "scene/physics_bridge.hpp"
 #include "scene/scene_stack.hpp"

@@ -14,7 +14,7 @@
 #include "scene/drawing/plot_drawing.hpp"
 #include "scene/lab.hpp"
 #include "scene/number_field.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "scene/scene_stack.hpp"
 #include "scene/slider_scale.hpp"

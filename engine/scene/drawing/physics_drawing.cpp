@@ -4,7 +4,7 @@
 #include <array>
 
 #include "physics/debug_draw.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "scene/physics_bridge.hpp"
 #include "scene/scene_stack.hpp"

@@ -9,7 +9,7 @@
 #include "scene/components/drawing/hidden.hpp"
 #include "scene/drawing/draw_scene.hpp"
 #include "scene/loaded_scene.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/soft_sync.hpp"
 #include "scene/scene_stack.hpp"
 

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/log.hpp"
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
 #include "math/angle.hpp"
@@ -16,10 +15,9 @@
 #include "scene/components/bodies/static_body.hpp"
 #include "scene/components/colliders/tile_collider.hpp"
 #include "scene/components/drawing/tile_layer.hpp"
-#include "scene/components/name.hpp"
-#include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
 #include "scene/physics/collider_shapes.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/field_sync.hpp"
 #include "scene/physics/joint_sync.hpp"
 #include "scene/physics/soft_sync.hpp"
@@ -386,14 +384,6 @@ private:
                   endStale_ = 0;  // the bodies with something noted are among these
 };
 
-std::string nameOf(const World& world, EntityId entity) {
-    const Name* name = world.find<Name>(entity);
-    const SceneEntity* part = world.find<SceneEntity>(entity);
-    const std::string words{name == nullptr ? std::string_view{} : world.texts().find(name->text)};
-    if (part == nullptr) return words.empty() ? format("entity {}", entity.index) : words;
-    return format("{} @{}", words.empty() ? "entity" : words, hexText(part->id));
-}
-
 void takeSettings(World& world, PhysicsState& state, const physics::Settings& settings) {
     const auto& wanted = world.resource<PhysicsSettings>();
     const PixelScale scale = pixelScale(wanted.pixelsPerMetre);
@@ -409,34 +399,6 @@ void takeSettings(World& world, PhysicsState& state, const physics::Settings& se
 }
 
 }  // namespace
-
-BodyId bodyOf(const PhysicsState& state, EntityId entity) {
-    if (entity.index >= state.bodyOf.size() || state.bodyOf[entity.index] == 0) return {};
-    const std::uint32_t index = state.bodyOf[entity.index] - 1;
-    if (state.links[index].entity != entity) return {};
-    return {index, state.world.bodies.info[index].generation};
-}
-
-void placeEntity(World& world, EntityId entity, const Pose& pose) {
-    Transform* transform = world.find<Transform>(entity);
-    if (transform == nullptr) return;
-    const EntityId parent = parentOf(std::as_const(world), entity);
-    if (!parent) {
-        transform->position = pose.position;
-        transform->rotation = pose.rotation;
-        return;
-    }
-    const Pose local = relativeTo(worldPose(world, parent), {pose.position, pose.rotation, {1.0f, 1.0f}});
-    transform->position = local.position;
-    transform->rotation = local.rotation;
-}
-
-void tellRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error) {
-    if (contains(state.refused, entity)) return;
-    state.refused.push_back(entity);
-    logWarning("Physics",
-               Error{format("{}: {}", nameOf(world, entity), error.where), error.what, error.remedy});
-}
 
 physics::Settings physicsSettingsOf(World& world) {
     const auto& project = world.resource<PhysicsSettings>();

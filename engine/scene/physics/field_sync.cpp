@@ -13,7 +13,7 @@
 #include "scene/components/fields/explosion.hpp"
 #include "scene/components/fields/gravity_field.hpp"
 #include "scene/components/fields/wind_field.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 
 namespace plumb {
 

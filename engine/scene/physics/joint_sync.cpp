@@ -15,8 +15,8 @@
 #include "scene/components/joints/revolute_joint.hpp"
 #include "scene/components/joints/weld_joint.hpp"
 #include "scene/components/joints/wheel_joint.hpp"
-#include "scene/physics/body_sync.hpp"
 #include "scene/physics/contact_events.hpp"
+#include "scene/physics/entity_bodies.hpp"
 
 namespace plumb {
 

@@ -9,7 +9,7 @@
 #include "physics/model/checks.hpp"
 #include "scene/components/bodies/character_body.hpp"
 #include "scene/components/bodies/kinematic_body.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 
 namespace plumb {
 

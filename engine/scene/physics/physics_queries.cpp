@@ -6,7 +6,7 @@
 #include "physics/queries/overlap.hpp"
 #include "physics/queries/ray_cast.hpp"
 #include "physics/queries/shape_cast.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics_bridge.hpp"
 
 namespace plumb {

@@ -6,7 +6,7 @@
 
 #include "physics/model/bodies.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 
 namespace plumb {
 

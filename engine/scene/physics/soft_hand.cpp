@@ -6,7 +6,7 @@
 
 #include "physics/soft/softbody.hpp"
 #include "scene/components/bodies/soft_grip.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/soft_sync.hpp"
 #include "scene/soft_look.hpp"
 

@@ -7,7 +7,7 @@
 #include "scene/components/bodies/cloth.hpp"
 #include "scene/components/bodies/jelly.hpp"
 #include "scene/components/bodies/rope.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 
 namespace plumb {
 

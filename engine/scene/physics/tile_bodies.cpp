@@ -9,7 +9,7 @@
 #include "assets/asset_store.hpp"
 #include "core/task_pool.hpp"
 #include "scene/components/transform.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 
 namespace plumb {
 

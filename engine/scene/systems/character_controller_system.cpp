@@ -11,8 +11,8 @@
 #include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/colliders/capsule_collider.hpp"
 #include "scene/components/colliders/circle_collider.hpp"
-#include "scene/physics/body_sync.hpp"
 #include "scene/physics/collider_shapes.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics_bridge.hpp"
 
 namespace plumb {

@@ -10,7 +10,7 @@
 #include "scene/components/bodies/ghost.hpp"
 #include "scene/components/drawing/plot.hpp"
 #include "scene/lab.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 
 namespace plumb {

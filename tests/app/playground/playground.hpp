@@ -14,7 +14,7 @@
 #include "scene/components.hpp"
 #include "scene/components/name.hpp"
 #include "scene/loaded_scene.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "scene/physics/soft_sync.hpp"
 #include "scene/world_transform.hpp"

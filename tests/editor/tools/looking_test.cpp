@@ -10,7 +10,7 @@
 #include "scene/components/colliders/polygon_collider.hpp"
 #include "scene/components/fields/wind_field.hpp"
 #include "scene/components/joints/mouse_joint.hpp"
-#include "scene/physics/body_sync.hpp"
+#include "scene/physics/entity_bodies.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
