@@ -6,27 +6,27 @@
 
 namespace plumb::physics {
 
-/// Some proxies of one leaf that search for partners in a tree.
-struct TreeSearch {
-    const Bvh8* own = nullptr;
-    const Bvh8* others = nullptr;  ///< may be equal to `own`; not empty
-    std::uint32_t leaf = 0;        ///< leaf of `own`
-    std::uint32_t lanes = 0;       ///< bits: its lanes that search
+/// Proxies of one partition that search for partners in another.
+template <class Part>
+struct PartSearch {
+    const Part* own = nullptr;
+    const Part* others = nullptr;  ///< may be equal to `own`; not empty
     bool ownMayBeAwake = false;
     bool allCanPair = false;  ///< one side moves and the other sleeps; else one of a pair must be awake
     const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that search
 };
 
-/// Proxies near each other that search for partners together.
-struct RowSearch {
+/// Some proxies of one leaf that search together.
+struct TreeSearch : PartSearch<Bvh8> {
+    std::uint32_t leaf = 0;   ///< leaf of `own`
+    std::uint32_t lanes = 0;  ///< bits: its lanes that search
+};
+
+/// Proxies near each other that search together.
+struct RowSearch : PartSearch<BoxRows> {
     static constexpr std::uint32_t kMaxLookers = 8;
 
-    const BoxRows* own = nullptr;
-    const BoxRows* others = nullptr;  ///< may be equal to `own`
-    bool ownMayBeAwake = false;
-    bool allCanPair = false;  ///< as in TreeSearch
     bool onlyLater = false;  ///< every proxy of the list searches, so each only tests the slots after its own
-    const std::uint8_t* isMoved = nullptr;    ///< by proxy: nonzero for all that search
     std::uint32_t lookers[kMaxLookers] = {};  ///< slots in `own`, ascending
     std::uint32_t count = 0;
 };

@@ -2,7 +2,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "physics/broadphase/row_broad_phase.hpp"
 
@@ -113,11 +112,8 @@ private:
     static std::array<std::int32_t, 4> cellsOf(const AABB& box, float perMetre) {
         using Four [[gnu::vector_size(16)]] = float;
         using Cells = decltype(Four{} < Four{});
-        static_assert(sizeof(Four) == sizeof(AABB));
-        Four sides;
-        std::memcpy(&sides, &box, sizeof(box));
         const Four most = 0x1p30f - Four{};
-        sides *= perMetre;
+        Four sides = std::bit_cast<Four>(box) * perMetre;
         sides = sides < most ? sides : most;
         sides = sides > -most ? sides : -most;
         const Cells cells = __builtin_convertvector(sides, Cells);

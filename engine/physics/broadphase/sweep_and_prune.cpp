@@ -30,7 +30,6 @@ bool sortNearlySorted(std::vector<std::uint64_t>& keys) {
         if (i - at > left) return false;
         left -= i - at;
     }
-
     return true;
 }
 
