@@ -52,6 +52,13 @@ inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
            });
 }
 
+/// True if the owner's callback lets this contact exert forces.
+inline bool mayPush(const StepContext& step, const Contact& contact) {
+    const ContactHooks& hooks = step.hooks;
+    return hooks.preSolve == nullptr ||
+           ask(step.world, [&] { return hooks.preSolve(hooks.context, step.world, contact); });
+}
+
 constexpr int piecesOf(int count, int grain) { return (count + grain - 1) / grain; }
 
 /// Splits 0..count-1 into pieces of `grain` and runs `act(begin, end, piece)` for each, on all threads.

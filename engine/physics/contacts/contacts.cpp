@@ -55,12 +55,6 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
     return std::fabs(cross(normal, apart)) <= tolerance;
 }
 
-/// m: how far bodies may slide along each other before the points are computed again. Less for small bodies.
-float displacementToKeep(const Contact& contact, const Settings& settings) {
-    const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
-    return std::min(settings.recycleDistance, kMaxOfSize * size);
-}
-
 /// Reuses the points of the last step: updates their separations, but keeps the world directions of
 /// the normal and the arms (see prepare() of the kernels). So a slight lean of a column does not
 /// change how it carries a load, and high stacks do not buckle on their contacts, which are springs.
@@ -70,8 +64,9 @@ bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     if ((contact.flags & (kTouching | kRound | kTriggered | kPassing | kDisabled)) != kTouching) return false;
     const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
     if (contact.count > all) return false;
+    const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
+    const float maximum = std::min(settings.recycleDistance, kMaxOfSize * size);  // less for small bodies
     // With one point out of two, the second may be about to touch: use a smaller tolerance.
-    const float maximum = displacementToKeep(contact, settings);
     const float tolerance = contact.count == all ? maximum : kOnePointPart * maximum;
     const Vec2 normal = unrotate(now.turnA, contact.normal);
     if (!hardlyMoved(contact, now, normal, tolerance)) return false;
@@ -89,7 +84,6 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
         if (count > 0 && first == id) return impulse0;
         return count > 1 && second == id ? impulse1 : 0.0f;
     };
-    const BodyPose& a = world.bodies.pose[contact.bodyA];
     contact.count = static_cast<std::uint8_t>(manifold.count);
     contact.turn = now.turn;
     contact.normalInA = manifold.normal;
@@ -98,7 +92,7 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
     contact.roundB = manifold.roundB;
     for (int i = 0; i < 2; ++i) {
         const ManifoldPoint& point = manifold.points[std::min(i, manifold.count - 1)];
-        const Vec2 middle = point.point - a.localCentre;
+        const Vec2 middle = point.point - world.bodies.pose[contact.bodyA].localCentre;
         const Vec2 halfway = (0.5f * point.separation) * manifold.normal;
         contact.anchors[i] = {middle - halfway, unrotate(now.turn, middle + halfway - now.between)};
         contact.ids[i] = point.id;
@@ -113,12 +107,6 @@ Frame frameInA(const World& world, const Contact& contact, const Encounter& now)
     const BodyPose& a = world.bodies.pose[contact.bodyA];
     const BodyPose& b = world.bodies.pose[contact.bodyB];
     return {a.localCentre + now.between - rotate(now.turn, b.localCentre), now.turn};
-}
-
-bool nearByCircles(const World& world, const Contact& contact, const Encounter& now) {
-    const float reach = world.bodies.info[contact.bodyA].reach + world.bodies.info[contact.bodyB].reach +
-                        world.settings.speculativeDistance;
-    return lengthSquared(now.between) <= reach * reach;
 }
 
 /// Without rotation all points of a contact approach at the same speed: the deepest one stands for both.
@@ -261,7 +249,9 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
         return true;
     }
     if (endsByBounds(world, contact, counts)) return true;
-    if ((contact.flags & kFixedA) == 0 && !nearByCircles(world, contact, now)) {
+    const float reach = world.bodies.info[contact.bodyA].reach + world.bodies.info[contact.bodyB].reach +
+                        world.settings.speculativeDistance;
+    if ((contact.flags & kFixedA) == 0 && !(lengthSquared(now.between) <= reach * reach)) {
         ++counts.apartByCircles;
         forgetPoints(contact);
         return true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace plumb::physics {
 
@@ -15,13 +16,11 @@ struct DetectionCounts {
     std::uint32_t swept = 0;     ///< in addition: pairs that were tested along the path of a fast body
 
     DetectionCounts& operator+=(const DetectionCounts& more) {
-        pairs += more.pairs;
-        apartByBounds += more.apartByBounds;
-        apartByCircles += more.apartByCircles;
-        apartByAxes += more.apartByAxes;
-        touching += more.touching;
-        recycled += more.recycled;
-        swept += more.swept;
+        using Counts = DetectionCounts;
+        for (std::uint32_t Counts::*const count :
+             {&Counts::pairs, &Counts::apartByBounds, &Counts::apartByCircles, &Counts::apartByAxes,
+              &Counts::touching, &Counts::recycled, &Counts::swept})
+            this->*count += more.*count;
         return *this;
     }
 };

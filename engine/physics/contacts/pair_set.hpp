@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -16,33 +17,22 @@ public:
         std::fill(keys_.begin(), keys_.end(), kFree);
         size_ = 0;
     }
-    [[nodiscard]] bool has(PairKey key) const {
-        if (size_ == 0) return false;
-        for (std::size_t i = placeOf(key);; i = (i + 1) & mask_) {
-            if (keys_[i] == key) return true;
-            if (keys_[i] == kFree) return false;
-        }
-    }
+    [[nodiscard]] bool has(PairKey key) const { return size_ > 0 && keys_[find(key)] == key; }
     /// @return false if it was there already
     bool add(PairKey key) {
         if (2 * (size_ + 1) > keys_.size()) grow();
-        std::size_t i = placeOf(key);
-        for (; keys_[i] != kFree; i = (i + 1) & mask_) {
-            if (keys_[i] == key) return false;
-        }
+        const std::size_t i = find(key);
+        if (keys_[i] == key) return false;
         keys_[i] = key;
         ++size_;
         return true;
     }
     void remove(PairKey key) {
         if (size_ == 0) return;
-        std::size_t i = placeOf(key);
-        for (; keys_[i] != key; i = (i + 1) & mask_) {
-            if (keys_[i] == kFree) return;
-        }
+        std::size_t i = find(key);
+        if (keys_[i] == kFree) return;
         --size_;
-        // Moves later keys of the probe sequence into the hole, if they may be there: no search may stop at
-        // it.
+        // Moves later keys of the sequence into the hole if they may be there: no search may stop at it.
         for (std::size_t next = (i + 1) & mask_; keys_[next] != kFree; next = (next + 1) & mask_) {
             const std::size_t home = placeOf(keys_[next]);
             if (((next - home) & mask_) >= ((next - i) & mask_)) {
@@ -61,12 +51,17 @@ private:
     [[nodiscard]] std::size_t placeOf(PairKey key) const {
         return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ull) >> shift_);
     }
+    /// The slot of a key, or the free one in which it belongs.
+    [[nodiscard]] std::size_t find(PairKey key) const {
+        std::size_t i = placeOf(key);
+        while (keys_[i] != key && keys_[i] != kFree) i = (i + 1) & mask_;
+        return i;
+    }
     void grow() {
         const std::vector<PairKey> old =
             std::exchange(keys_, std::vector<PairKey>(std::max(kSmallest, keys_.size() * 2), kFree));
         mask_ = keys_.size() - 1;
-        shift_ = 64;
-        for (std::size_t places = keys_.size(); places > 1; places /= 2) --shift_;
+        shift_ = 64 - std::countr_zero(keys_.size());
         size_ = 0;
         for (const PairKey key : old) {
             if (key != kFree) add(key);

@@ -85,10 +85,8 @@ public:
         const bool starts = ownStart_->angle > start_.angle - kParallel;
         const bool ends = ownEnd_->angle < end_.angle + kParallel;
         if (!starts && !ends) return std::nullopt;
-        if (!ends) return ownStart_->normal;
-        if (!starts) return ownEnd_->normal;
-        return dot(ownStart_->normal, normal) > dot(ownEnd_->normal, normal) ? ownStart_->normal
-                                                                             : ownEnd_->normal;
+        const bool nearer = dot(ownStart_->normal, normal) > dot(ownEnd_->normal, normal);
+        return starts && (!ends || nearer) ? ownStart_->normal : ownEnd_->normal;
     }
 
 private:

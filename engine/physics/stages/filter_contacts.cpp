@@ -68,13 +68,6 @@ void decideOneWay(StepContext& step, Contact& contact) {
     if ((contact.flags & kPassing) != 0) contact.flags |= kDisabled;
 }
 
-void askOwner(StepContext& step, Contact& contact) {
-    const ContactHooks& hooks = step.hooks;
-    if (hooks.preSolve == nullptr || (contact.flags & kDisabled) != 0) return;
-    if (!ask(step.world, [&] { return hooks.preSolve(hooks.context, step.world, contact); }))
-        contact.flags |= kDisabled;
-}
-
 }  // namespace
 
 void askForMaterial(const StepContext& step, Contact& contact) {
@@ -95,7 +88,7 @@ void filterContacts(StepContext& step) {
         if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
         decideOneWay(step, contact);
         askForMaterial(step, contact);
-        askOwner(step, contact);
+        if ((contact.flags & kDisabled) == 0 && !mayPush(step, contact)) contact.flags |= kDisabled;
         if ((contact.flags & kDisabled) != 0) step.work.contactKeys[i] = keyOf(contact);
     }
 }

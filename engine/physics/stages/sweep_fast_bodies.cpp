@@ -44,9 +44,8 @@ void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     const std::uint32_t place = step.work.bodyScratch[body];
     if (place == kNone || !isDynamic(step.world, body)) return;
     SweptBody& swept = step.work.swept[place];
-    BodyMotion& motion = step.world.bodies.motion[body];
     if (swept.isHeld) takeBackGain(step, swept, 1.0f - part);
-    motion.velocity -= ((1.0f - part) * step.dt) * swept.pull;
+    step.world.bodies.motion[body].velocity -= ((1.0f - part) * step.dt) * swept.pull;
     swept.sweep = resting(swept.sweep.at(part), part);
     swept.hits = kMaxImpacts + 1;
 }
@@ -126,19 +125,12 @@ Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std:
     return contact;
 }
 
-/// True if the owner's callbacks let these two pass each other.
-bool isRefused(const StepContext& step, const PathHit& hit, const Contact& contact) {
-    const ContactHooks& hooks = step.hooks;
-    return !mayMeet(step, hit.shape, hit.met) ||
-           (hooks.preSolve != nullptr &&
-            !ask(step.world, [&] { return hooks.preSolve(hooks.context, step.world, contact); }));
-}
-
 /// Handles the next hit on the path of a body.
 void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const PathHit& hit) {
     Workspace& work = step.work;
     Contact contact = contactOf(step, hit, own, met);
-    if (hitsOf(work, own) < kMaxImpacts && isRefused(step, hit, contact)) {
+    if (hitsOf(work, own) < kMaxImpacts &&
+        !(mayMeet(step, hit.shape, hit.met) && mayPush(step, contact))) {  // the owner lets them pass
         SweptBody& swept = work.swept[work.bodyScratch[own]];
         swept.passed = hit.met;
         swept.sweep.begin = hit.part;

@@ -18,11 +18,6 @@ bool touches(const Contact& contact) {
     return (contact.flags & kTriggered) == 0 || std::min(contact.separation0, contact.separation1) <= 0.0f;
 }
 
-bool mayCollide(const World& world, const Contact& contact) {
-    return meet(world.shapes.filter[contact.shapeA], world.shapes.filter[contact.shapeB]) &&
-           !keptApart(world, contact.bodyA, contact.bodyB);
-}
-
 /// @param asked  filters have changed: check again whether the shapes may collide
 void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked, ContactFindings& found) {
     World& world = step.world;
@@ -34,7 +29,9 @@ void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked,
         Contact& contact = contacts[i];
         if (strips.areUsed && contact.bodyB < strips.ofBody.size())
             strips.ofContact[first + i] = strips.ofBody[contact.bodyB];
-        if (asked && !mayCollide(world, contact)) contact.flags |= kGone;
+        if (asked && (!meet(world.shapes.filter[contact.shapeA], world.shapes.filter[contact.shapeB]) ||
+                      keptApart(world, contact.bodyA, contact.bodyB)))
+            contact.flags |= kGone;
         if ((contact.flags & (kFixedA | kTriggered | kPassing | kGone)) == kFixedA)
             found.fixed.push_back({contact.bodyB, static_cast<std::uint32_t>(first + i)});
         const bool before = (contact.flags & kTouching) != 0;
@@ -140,8 +137,7 @@ void endAltered(StepContext& step) {
     // The body may have fallen asleep since, with its contacts: wake it.
     for (const std::uint32_t shape : world.altered) wakeTouching(world, info[shape].body);
     endContactsOf(step, [&](std::uint32_t shape) { return (info[shape].flags & kAltered) != 0; });
-    for (const std::uint32_t shape : world.altered)
-        info[shape].flags &= static_cast<std::uint8_t>(~kAltered);
+    for (const std::uint32_t shape : world.altered) info[shape].flags &= static_cast<std::uint8_t>(~kAltered);
     world.altered.clear();
 }
 
@@ -171,11 +167,8 @@ void updateContacts(StepContext& step) {
     for (const ContactFindings& found : work.contactFindings) {
         for (const std::uint32_t i : found.changed) {
             Contact& contact = world.contacts[i];
-            if ((contact.flags & kGone) != 0 || !touches(contact)) {
-                end(world, work, contact);
-            } else {
-                beginContact(world, work, i);
-            }
+            const bool ends = (contact.flags & kGone) != 0 || !touches(contact);
+            ends ? end(world, work, contact) : beginContact(world, work, i);
             work.contactKeys[i] = keyOf(world.contacts[i]);
         }
     }
