@@ -13,11 +13,10 @@ namespace {
 
 /// m: maximum distance of the outline's corners from the centre of rotation. Round corners rotate in place.
 float armOf(const SweptOutline& swept) {
-    float square = 0.0f;
-    for (const Corner& corner : swept.outline.corners()) {
-        square = std::max(square, lengthSquared(corner.point - swept.sweep.localCentre));
-    }
-    return std::sqrt(square);
+    const auto squareOf = [&](const Corner& corner) {
+        return lengthSquared(corner.point - swept.sweep.localCentre);
+    };
+    return std::sqrt(largestOf(swept.outline.corners(), squareOf).value);
 }
 
 /// True if the target lets the mover through because of the side that it comes from.
@@ -59,20 +58,17 @@ bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs
     };
     const Vec2 centre = inTarget(core.centre);
     const Vec2 displacement = unrotate(pose.rotation, (end - path.begin) * path.displacement);
-    float beyond = -std::numeric_limits<float>::max();
-    Vec2 normal;
-    for (const Corner& face : theirs.corners()) {
-        const float gap =
-            dot(face.normal, centre - face.point) + std::min(dot(face.normal, displacement), 0.0f);
-        if (gap > beyond) beyond = gap, normal = face.normal;
-    }
+    const BestCorner beyond = largestOf(theirs.corners(), [&](const Corner& face) {
+        return dot(face.normal, centre - face.point) + std::min(dot(face.normal, displacement), 0.0f);
+    });
+    const Vec2 normal = theirs.corners()[beyond.index].normal;
     float lever = 0.0f, extent = 0.0f;
     for (const Corner& corner : core.corners()) {
         lever = std::max(lever, lengthSquared(corner.point - from.localCentre));
         extent = std::max(extent, dot(normal, centre - inTarget(corner.point)));
     }
     const float arc = std::fabs(path.turn) * (end - path.begin) * std::sqrt(lever);
-    return beyond > extent + arc + core.radius + theirs.radius;
+    return beyond.value > extent + arc + core.radius + theirs.radius;
 }
 
 }  // namespace

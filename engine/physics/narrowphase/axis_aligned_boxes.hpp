@@ -28,15 +28,12 @@ inline Manifold collideUprightCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 disp
     const float square = lengthSquared(gap);
     if (square > speculative * speculative || square <= kBlur * kBlur * lengthSquared(displacement))
         return {};
-    Manifold manifold;
     const float distance = std::sqrt(square);
-    manifold.normal = {side.x * (gap.x / distance), side.y * (gap.y / distance)};
+    const Vec2 normal{side.x * (gap.x / distance), side.y * (gap.y / distance)};
     const Vec2 corner{side.x * halfA.x, side.y * halfA.y};
     const int quadrant = (side.x < 0.0f ? 1 : 0) + (side.y < 0.0f ? 2 : 0);
-    manifold.points[0] = {corner + (0.5f * distance) * manifold.normal, distance,
-                          static_cast<std::uint16_t>(kCorner + quadrant)};
-    manifold.count = 1;
-    return manifold;
+    const auto id = static_cast<std::uint16_t>(kCorner + quadrant);
+    return {normal, {{corner + (0.5f * distance) * normal, distance, id}, {}}, 1};
 }
 
 /// The middle of the intersection of two intervals, centred at 0 and at a displacement.

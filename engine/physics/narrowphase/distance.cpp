@@ -269,12 +269,11 @@ Distance distanceBetween(const Convex& a, const Convex& b, const Frame& bInA, Si
         nearest = deepestOverlap(displacements);
         nearest.iterations += before;
     }
-    Distance result{.distance = nearest.distance - a.radius - b.radius,
-                    .normal = nearest.normal,
-                    .iterations = nearest.iterations};
-    result.pointA = lerp(nearest.first.a, nearest.second.a, nearest.part) + nearest.normal * a.radius;
-    result.pointB = lerp(nearest.first.b, nearest.second.b, nearest.part) - nearest.normal * b.radius;
-    return result;
+    return {.distance = nearest.distance - a.radius - b.radius,
+            .normal = nearest.normal,
+            .pointA = lerp(nearest.first.a, nearest.second.a, nearest.part) + nearest.normal * a.radius,
+            .pointB = lerp(nearest.first.b, nearest.second.b, nearest.part) - nearest.normal * b.radius,
+            .iterations = nearest.iterations};
 }
 
 }  // namespace plumb::physics

@@ -55,28 +55,15 @@ FaceGap widestGap(std::span<const Corner> faces, std::span<const Corner> other) 
     FaceGap widest{0, -1.0e30f};
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const Vec2 normal = faces[i].normal;
-        float minimum = dot(normal, other[0].point);
-        for (std::size_t k = 1; k < other.size(); ++k) {
-            const float along = dot(normal, other[k].point);
-            minimum = along < minimum ? along : minimum;
-        }
-        const float gap = minimum - dot(normal, faces[i].point);
+        const auto depthOf = [&](const Corner& corner) { return -dot(normal, corner.point); };
+        const float gap = -largestOf(other, depthOf).value - dot(normal, faces[i].point);
         if (gap > widest.gap) widest = {i, gap};
     }
     return widest;
 }
 
 std::size_t faceAgainst(std::span<const Corner> faces, Vec2 direction) {
-    std::size_t best = 0;
-    float minimum = dot(faces[0].normal, direction);
-    for (std::size_t i = 1; i < faces.size(); ++i) {
-        const float along = dot(faces[i].normal, direction);
-        if (along < minimum) {
-            minimum = along;
-            best = i;
-        }
-    }
-    return best;
+    return largestOf(faces, [&](const Corner& face) { return -dot(face.normal, direction); }).index;
 }
 
 EdgeOnEdge edgeOnEdge(const Side& reference, std::size_t face, const Side& other) {

@@ -16,21 +16,13 @@ std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn) {
 }
 
 int farthest(std::span<const Corner> corners, Vec2 direction) {
-    int best = 0;
-    float maximum = dot(corners[0].point, direction);
-    for (int i = 1; i < static_cast<int>(corners.size()); ++i) {
-        const float reach = dot(corners[static_cast<std::size_t>(i)].point, direction);
-        if (reach > maximum) {
-            maximum = reach;
-            best = i;
-        }
-    }
-    return best;
+    const auto reachOf = [&](const Corner& corner) { return dot(corner.point, direction); };
+    return static_cast<int>(largestOf(corners, reachOf).index);
 }
 
 float reachAlong(const Convex& outline, Vec2 direction) {
-    const auto corner = static_cast<std::size_t>(farthest(outline.corners(), direction));
-    return dot(outline.corners()[corner].point, direction) + outline.radius;
+    const auto reachOf = [&](const Corner& corner) { return dot(corner.point, direction); };
+    return largestOf(outline.corners(), reachOf).value + outline.radius;
 }
 
 ScaledConvex::ScaledConvex(const Convex& outline, Vec2 about, float part) : convex_{outline} {
@@ -46,6 +38,10 @@ ScaledConvex::ScaledConvex(const Convex& outline, Vec2 about, float part) : conv
 
 Convex convexOf(const Geometry& geometry, std::span<const Corner> pool) {
     Convex convex{.radius = geometry.radius, .centre = geometry.a};
+    const auto takeDisc = [&] {
+        convex.own[0] = {convex.centre, kAnyNormal};
+        convex.count = 1;
+    };
     const auto takeSegment = [&] {
         const Vec2 along = normalized(geometry.b - geometry.a);
         convex.own[0] = {geometry.a, {along.y, -along.x}};
@@ -54,16 +50,10 @@ Convex convexOf(const Geometry& geometry, std::span<const Corner> pool) {
         convex.centre = (geometry.a + geometry.b) * 0.5f;
     };
     switch (geometry.kind) {
-        case ShapeKind::Circle:
-            convex.own[0] = {geometry.a, kAnyNormal};
-            convex.count = 1;
-            break;
+        case ShapeKind::Circle: takeDisc(); break;
         case ShapeKind::Capsule:
             takeSegment();
-            if (!(distance(geometry.a, geometry.b) > kBlur * geometry.radius)) {
-                convex.own[0] = {convex.centre, kAnyNormal};
-                convex.count = 1;
-            }
+            if (!(distance(geometry.a, geometry.b) > kBlur * geometry.radius)) takeDisc();
             break;
         case ShapeKind::Box:
             convex.own = cornersOfBox(geometry.a, geometry.b, geometry.turn);

@@ -55,6 +55,22 @@ int farthest(std::span<const Corner> corners, Vec2 direction);
 /// m: extent of an outline along a direction of unit length, from the origin of its frame.
 float reachAlong(const Convex& outline, Vec2 direction);
 
+/// A corner and what it is chosen by.
+struct BestCorner {
+    std::size_t index = 0;
+    float value = 0.0f;
+};
+/// The corner with the largest value; the first of equal ones.
+template <class ValueOf>
+BestCorner largestOf(std::span<const Corner> corners, ValueOf&& valueOf) {
+    BestCorner best{0, valueOf(corners[0])};
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const float value = valueOf(corners[i]);
+        if (value > best.value) best = {i, value};
+    }
+    return best;
+}
+
 constexpr Corner apply(const Frame& frame, const Corner& corner) {
     return {apply(frame, corner.point), rotate(frame.rotation, corner.normal)};
 }

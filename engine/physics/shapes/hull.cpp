@@ -16,6 +16,9 @@ using Loop = std::vector<Vec2>;
 /// Computed in double precision: products of differences of floats fit, so its sign is exact.
 double areaOf(Vec2 a, Vec2 b, Vec2 c) { return cross(wide(b) - wide(a), wide(c) - wide(a)); }
 
+/// The corners of a loop follow each other in a circle.
+Vec2 at(const Loop& loop, std::size_t i) { return loop[i % loop.size()]; }
+
 /// The part of the hull below all points, or above them if the points are sorted in descending order.
 void appendChain(std::span<const Vec2> sorted, Loop& loop) {
     const std::size_t start = loop.size();
@@ -52,9 +55,7 @@ void dropFlat(Loop& loop, double height) {
         std::size_t flattest = 0;
         double minimum = height;
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Vec2 before = loop[i > 0 ? i - 1 : loop.size() - 1];
-            const Vec2 after = loop[i + 1 < loop.size() ? i + 1 : 0];
-            const double over = heightOver(before, after, loop[i]);
+            const double over = heightOver(at(loop, i + loop.size() - 1), at(loop, i + 1), loop[i]);
             if (over < minimum) {
                 minimum = over;
                 flattest = i;
@@ -75,19 +76,16 @@ Vec2 normalOfFace(Vec2 from, Vec2 to) {
 void measure(Hull& hull) {
     const Vec2 origin = hull.corners[0].point;
     double twice = 0.0;
-    double x = 0.0;
-    double y = 0.0;
+    Double2 sum;
     for (std::size_t i = 1; i + 1 < hull.corners.size(); ++i) {
-        const Vec2 a = hull.corners[i].point;
-        const Vec2 b = hull.corners[i + 1].point;
+        const Vec2 a = hull.corners[i].point, b = hull.corners[i + 1].point;
         const double part = areaOf(origin, a, b);
         twice += part;
-        x += part * (static_cast<double>(a.x - origin.x) + static_cast<double>(b.x - origin.x));
-        y += part * (static_cast<double>(a.y - origin.y) + static_cast<double>(b.y - origin.y));
+        sum = sum + (wide(a - origin) + wide(b - origin)) * part;
     }
     hull.area = static_cast<float>(0.5 * twice);
     hull.centroid =
-        origin + Vec2{static_cast<float>(x / (3.0 * twice)), static_cast<float>(y / (3.0 * twice))};
+        origin + Vec2{static_cast<float>(sum.x / (3.0 * twice)), static_cast<float>(sum.y / (3.0 * twice))};
 }
 
 std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
@@ -100,8 +98,7 @@ Loop cleaned(std::span<const Vec2> outline) {
     }
     while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
     for (std::size_t i = 0; i < loop.size() && loop.size() > 3;) {
-        const Vec2 before = loop[i > 0 ? i - 1 : loop.size() - 1];
-        const Vec2 after = loop[i + 1 < loop.size() ? i + 1 : 0];
+        const Vec2 before = at(loop, i + loop.size() - 1), after = at(loop, i + 1);
         const bool straight =
             areaOf(before, loop[i], after) == 0.0 && dot(after - loop[i], loop[i] - before) > 0.0f;
         if (straight) {
@@ -115,20 +112,15 @@ Loop cleaned(std::span<const Vec2> outline) {
 }
 
 bool isBetween(Vec2 a, Vec2 b, Vec2 point) {
-    return std::min(a.x, b.x) <= point.x && point.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= point.y &&
-           point.y <= std::max(a.y, b.y);
+    const Vec2 low = min(a, b), high = max(a, b);
+    return low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y;
 }
 
 /// True if two sides cross or touch.
 bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const double abc = areaOf(a, b, c);
-    const double abd = areaOf(a, b, d);
-    const double cda = areaOf(c, d, a);
-    const double cdb = areaOf(c, d, b);
-    if (((abc > 0.0) != (abd > 0.0)) && ((cda > 0.0) != (cdb > 0.0)) && abc != 0.0 && abd != 0.0 &&
-        cda != 0.0 && cdb != 0.0) {
-        return true;
-    }
+    const double abc = areaOf(a, b, c), abd = areaOf(a, b, d);
+    const double cda = areaOf(c, d, a), cdb = areaOf(c, d, b);
+    if (abc * abd < 0.0 && cda * cdb < 0.0) return true;
     return (abc == 0.0 && isBetween(a, b, c)) || (abd == 0.0 && isBetween(a, b, d)) ||
            (cda == 0.0 && isBetween(c, d, a)) || (cdb == 0.0 && isBetween(c, d, b));
 }
@@ -136,15 +128,13 @@ bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 std::optional<Error> findCrossing(const Loop& loop) {
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 a = loop[i];
-        const Vec2 b = loop[(i + 1) % n];
-        const Vec2 c = loop[(i + 2) % n];
-        if (areaOf(a, b, c) == 0.0) {
+        const Vec2 a = loop[i], b = at(loop, i + 1);
+        if (areaOf(a, b, at(loop, i + 2)) == 0.0) {
             return Error{"decompose", format("turns back on itself at {}", text(b)), "remove the spike"};
         }
         for (std::size_t k = i + 2; k < n; ++k) {
             if (i == 0 && k == n - 1) continue;  // neighbours
-            if (!meet(a, b, loop[k], loop[(k + 1) % n])) continue;
+            if (!meet(a, b, loop[k], at(loop, k + 1))) continue;
             return Error{"decompose",
                          format("the sides from {} and from {} cross or touch", text(a), text(loop[k])),
                          "move a point, or cut the outline in two"};
@@ -160,10 +150,7 @@ double twiceArea(const Loop& loop) {
 }
 
 bool isEar(const Loop& loop, std::size_t i) {
-    const std::size_t n = loop.size();
-    const Vec2 a = loop[(i + n - 1) % n];
-    const Vec2 b = loop[i];
-    const Vec2 c = loop[(i + 1) % n];
+    const Vec2 a = at(loop, i + loop.size() - 1), b = loop[i], c = at(loop, i + 1);
     if (areaOf(a, b, c) <= 0.0) return false;
     return std::none_of(loop.begin(), loop.end(), [&](Vec2 p) {
         if (p == a || p == b || p == c) return false;
@@ -180,7 +167,7 @@ std::optional<std::vector<Loop>> triangles(Loop loop) {
         const std::size_t n = loop.size();
         i %= n;
         if (isEar(loop, i)) {
-            pieces.push_back({loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]});
+            pieces.push_back({at(loop, i + n - 1), loop[i], at(loop, i + 1)});
             loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
             misses = 0;
         } else if (++misses > n) {
@@ -196,16 +183,13 @@ std::optional<std::vector<Loop>> triangles(Loop loop) {
 std::optional<Loop> joined(const Loop& a, const Loop& b) {
     if (a.size() + b.size() - 2 > kMaxCorners) return std::nullopt;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const Vec2 start = a[i];
-        const Vec2 end = a[(i + 1) % a.size()];
         for (std::size_t k = 0; k < b.size(); ++k) {
-            if (!(b[k] == end && b[(k + 1) % b.size()] == start)) continue;
+            if (!(b[k] == at(a, i + 1) && at(b, k + 1) == a[i])) continue;
             Loop whole;
-            for (std::size_t m = 1; m <= a.size(); ++m) whole.push_back(a[(i + m) % a.size()]);
-            for (std::size_t m = 2; m < b.size(); ++m) whole.push_back(b[(k + m) % b.size()]);
+            for (std::size_t m = 1; m <= a.size(); ++m) whole.push_back(at(a, i + m));
+            for (std::size_t m = 2; m < b.size(); ++m) whole.push_back(at(b, k + m));
             for (std::size_t m = 0; m < whole.size(); ++m) {
-                const Vec2 next = whole[(m + 1) % whole.size()];
-                if (areaOf(whole[m], next, whole[(m + 2) % whole.size()]) < 0.0) return std::nullopt;
+                if (areaOf(whole[m], at(whole, m + 1), at(whole, m + 2)) < 0.0) return std::nullopt;
             }
             return whole;
         }
@@ -233,7 +217,7 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 point = points[i];
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return Error{"hull", format("point {} is ({}, {}), not within {} m", i, point.x, point.y, kLargest),
+        return Error{"hull", format("point {} is {}, not within {} m", i, text(point), kLargest),
                      "use metres, not pixels, relative to the origin of the body"};
     }
     Loop loop = loopAround({points.begin(), points.end()});
@@ -257,8 +241,7 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     }
     Hull hull;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec2 next = loop[i + 1 < loop.size() ? i + 1 : 0];
-        hull.corners.push({loop[i], normalOfFace(loop[i], next)});
+        hull.corners.push({loop[i], normalOfFace(loop[i], at(loop, i + 1))});
     }
     measure(hull);
     return hull;

@@ -43,21 +43,6 @@ AABB aroundPolygon(const Geometry& geometry, Corners pool, const Frame& frame) {
 /// m: the square of a smaller distance loses its digits.
 constexpr float kNoGap = 1.0e-18f;
 
-/// The face from which a point has the maximum signed distance.
-struct Face {
-    std::size_t index = 0;
-    float distance = 0.0f;
-};
-
-Face faceTowards(Corners corners, Vec2 place) {
-    Face best{0, dot(corners[0].normal, place - corners[0].point)};
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-        const float distance = dot(corners[i].normal, place - corners[i].point);
-        if (distance > best.distance) best = {i, distance};
-    }
-    return best;
-}
-
 /// The point of a segment that is nearest: 0 at its start, 1 at its end.
 float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
     const Vec2 displacement = end - start;
@@ -246,12 +231,8 @@ AABB boundsOf(const Geometry& geometry, Corners corners, const Frame& frame) {
 
 float reachOf(const Geometry& geometry, Corners corners, Vec2 from) {
     const Convex convex = convexOf(geometry, corners);
-    float square = 0.0f;
-    for (const Corner& corner : convex.corners()) {
-        const float far = lengthSquared(corner.point - from);
-        square = far > square ? far : square;
-    }
-    return std::sqrt(square) + convex.radius;
+    const auto squareOf = [&](const Corner& corner) { return lengthSquared(corner.point - from); };
+    return std::sqrt(largestOf(convex.corners(), squareOf).value) + convex.radius;
 }
 
 float coreOf(const Geometry& geometry, Corners corners, Vec2 at) {
@@ -265,10 +246,12 @@ bool containsPoint(const Geometry& geometry, Corners corners, Vec2 point) {
 
 ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
     const Corners corners = convex.corners();
-    const Face face = faceTowards(corners, place);
+    // The face from which the point has the maximum signed distance.
+    const BestCorner face =
+        largestOf(corners, [&](const Corner& corner) { return dot(corner.normal, place - corner.point); });
     const Corner& corner = corners[face.index];
-    if (convex.count > 2 && face.distance <= 0.0f) {
-        const float distance = face.distance - convex.radius;
+    if (convex.count > 2 && face.value <= 0.0f) {
+        const float distance = face.value - convex.radius;
         return {place - corner.normal * distance, corner.normal, distance, false, face.index};
     }
     // Outside a convex core, the nearest feature is on the face of maximum distance, or its corner.
