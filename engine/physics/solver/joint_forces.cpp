@@ -18,7 +18,7 @@ Rot turnOf(const StepContext& step, std::uint32_t offset) {
     return {1.0f + deltaPosition.w, deltaPosition.z};
 }
 
-/// N m: torque at B's anchor by a force at the point that replaces it (see balanced()).
+/// N m: torque at B's anchor by a force at the point that replaces it (see balance()).
 template <class Block>
 float momentOf(const StepContext& step, const Joint& joint, const Block& block, int i, Vec2 force) {
     const Vec2 shift =
@@ -79,7 +79,7 @@ void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& brea
     const auto place = static_cast<std::size_t>(breakable.block);
     const Link& link =
         place < trees.links.size() ? trees.links[place] : trees.holds[place - trees.links.size()];
-    const std::int32_t slot = trees.treeBodies[static_cast<std::size_t>(link.treeBody)].slot;
+    const std::int32_t slot = trees.treeBodies[link.treeBody].slot;
     if (slot >= group.begin && slot < group.end) note(forceOf(link), breakable);
 }
 

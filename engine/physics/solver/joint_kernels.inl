@@ -281,8 +281,7 @@ void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLa
 inline Two8 shortened(Two8 impulse, Float8 maximum) {
     const Float8 square = dot8(impulse, impulse);
     if (!any(square > maximum * maximum)) return impulse;
-    const Float8 size = sqrt(square);
-    const Float8 ratio = maximum / max(size, all(1.0e-30f));
+    const Float8 ratio = maximum / max(sqrt(square), all(1.0e-30f));
     return min(ratio, all(1.0f)) * impulse;
 }
 

@@ -1,6 +1,7 @@
 #include "physics/solver/joint_lanes.hpp"
 
 #include <bit>
+#include <type_traits>
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/solver/passes.hpp"
@@ -142,13 +143,12 @@ std::uint32_t offsetOf(const Preparation& all, std::int32_t slot, int lane) {
 
 void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, int lane) {
     const BodyMass& massA = all.world.bodies.mass[joint.bodyA];
-    const BodyMass& massB = all.world.bodies.mass[joint.bodyB];
     const std::int32_t a = all.work.slots[joint.bodyA], b = all.work.slots[joint.bodyB];
     const bool pushesA = massA.inverseMass > 0.0f && joint.kind != JointKind::Mouse;
     bodies.a[lane] = offsetOf(all, joint.kind == JointKind::Mouse ? -1 : a, lane);
     bodies.b[lane] = offsetOf(all, b, lane);
     bodies.inverseInertiaA[lane] = pushesA ? massA.inverseInertia : 0.0f;
-    bodies.inverseInertiaB[lane] = massB.inverseInertia;
+    bodies.inverseInertiaB[lane] = all.world.bodies.mass[joint.bodyB].inverseInertia;
     bodies.own[lane] = pushesA ? bodies.a[lane] : bodies.b[lane];
     bodies.ownIsA[lane] = pushesA ? 1.0f : 0.0f;
 }
@@ -158,16 +158,15 @@ void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, 
 /// torque does not move the point, so rows that are solved sequentially are solved exactly.
 /// At an anchor at distance L from a body of gyration radius k, each iteration would leave 1
 /// / (1 + (k / L)^2) of an error, and a motor with that arm would bend the angle.
-JointParts balanced(JointParts parts, const JointBodies& bodies, int lane) {
+void balance(JointParts& parts, const JointBodies& bodies, int lane) {
     const float ofA = bodies.inverseInertiaA[lane], ofB = bodies.inverseInertiaB[lane];
-    if (!parts.holdsAngle || !(ofA + ofB > 0.0f)) return parts;
+    if (!parts.holdsAngle || !(ofA + ofB > 0.0f)) return;
     const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) * parts.axis;  // including how far B has slid
     const Vec2 shift = (-1.0f / (ofA + ofB)) * (ofA * armA + ofB * parts.armB);
     const Vec2 shiftA = rotate(rotFromAngle(-parts.angle), shift);
     parts.armA += shiftA;
     parts.armB += shift;
     parts.apart += shift - shiftA;
-    return parts;
 }
 
 /// A force F along an arm r acts as a rotational spring of frequency sqrt(F r / I). If
@@ -179,15 +178,9 @@ float calmed(float inverseInertia, float straining, float h) {
 }
 
 void calm(const JointParts& parts, Vec2 force, float h, JointBodies& bodies, int lane) {
-    if (parts.holdsAngle) return;  // its arms are short, see balanced()
+    if (parts.holdsAngle) return;  // its arms are short, see balance()
     bodies.inverseInertiaA[lane] = calmed(bodies.inverseInertiaA[lane], dot(parts.armA, force), h);
     bodies.inverseInertiaB[lane] = calmed(bodies.inverseInertiaB[lane], dot(parts.armB, force), h);
-}
-
-void setAnchors(const JointParts& parts, AnchorLanes& anchors, int lane) {
-    anchors.armA.set(lane, parts.armA);
-    anchors.armB.set(lane, parts.armB);
-    anchors.apart.set(lane, parts.apart);
 }
 
 void setGrip(const Grip& grip, bool springs, float maximum, GripLanes& lanes, int lane) {
@@ -214,43 +207,30 @@ void setRows(const Preparation& all, const Joint& joint, const ValueParts& value
     rows.upperImpulse[lane] = value.limited ? joint.rows[3] * h : 0.0f;
 }
 
-void setPoint(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
-              int lane) {
-    setAnchors(parts, block.anchors, lane);
+// What the lanes of each kind have besides bodies and anchors.
+// `moment`, N m: of the force of the joint about its anchor, see balance().
+
+void setLane(const Preparation& all, const Joint& joint, const JointParts&, float, PointBlock& block,
+             int lane) {
     block.impulse.set(lane, all.timing.h * joint.force);
 }
 
-void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, PointBlock& block,
-             int lane) {
-    setBodies(all, joint, block.bodies, lane);
-    setPoint(all, joint, parts, block, lane);
-}
-
-void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnchors, HingeBlock& block,
-             int lane) {
-    setBodies(all, joint, block.bodies, lane);
-    const JointParts parts = balanced(atAnchors, block.bodies, lane);
-    calm(parts, joint.force, all.timing.h, block.bodies, lane);
-    setPoint(all, joint, parts, block, lane);
+void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, float moment,
+             HingeBlock& block, int lane) {
+    block.impulse.set(lane, all.timing.h * joint.force);
     setGrip(parts.grip, parts.springs, parts.maximum, block.grip, lane);
     block.angle[lane] = parts.angle;
     setRows(all, joint, parts.value, block.turning, lane);
-    block.turning.holdImpulse[lane] -= all.timing.h * cross(parts.armB - atAnchors.armB, joint.force);
+    block.turning.holdImpulse[lane] -= all.timing.h * moment;
 }
 
-void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, RodBlock& block, int lane) {
-    setBodies(all, joint, block.bodies, lane);
-    calm(parts, joint.force, all.timing.h, block.bodies, lane);
-    setAnchors(parts, block.anchors, lane);
+void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, float, RodBlock& block,
+             int lane) {
     setRows(all, joint, parts.value, block.along, lane);
 }
 
-void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnchors, SliderBlock& block,
-             int lane) {
-    setBodies(all, joint, block.bodies, lane);
-    const JointParts parts = balanced(atAnchors, block.bodies, lane);
-    calm(parts, joint.force, all.timing.h, block.bodies, lane);
-    setAnchors(parts, block.anchors, lane);
+void setLane(const Preparation& all, const Joint& joint, const JointParts& parts, float moment,
+             SliderBlock& block, int lane) {
     setRows(all, joint, parts.value, block.along, lane);
     block.axis.set(lane, parts.axis);
     block.angle[lane] = parts.angle;
@@ -259,7 +239,7 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& atAnc
     block.spin[lane] = parts.spin;
     block.maxSpin[lane] = parts.maxSpin;
     block.acrossImpulse[lane] = joint.rows[4] * all.timing.h;
-    const float turn = joint.rows[5] - cross(parts.armB - atAnchors.armB, joint.force);
+    const float turn = joint.rows[5] - moment;
     (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = turn * all.timing.h;
 }
 
@@ -268,7 +248,17 @@ void prepareBlock(const Preparation& all, const BlockLanes& lanes, Block& block)
     block = {};
     for (int i = 0; i < lanes.count; ++i) {
         const JointView view = viewOf(all.world, static_cast<std::uint32_t>(lanes.index[i]), all.timing);
-        setLane(all, view.joint, jointType(view.joint.kind).parts(view), block, i);
+        setBodies(all, view.joint, block.bodies, i);
+        JointParts parts = jointType(view.joint.kind).parts(view);
+        const Vec2 anchorArm = parts.armB;
+        balance(parts, block.bodies, i);
+        if constexpr (!std::is_same_v<Block, PointBlock>)
+            calm(parts, view.joint.force, all.timing.h, block.bodies, i);
+        block.anchors.armA.set(i, parts.armA);
+        block.anchors.armB.set(i, parts.armB);
+        block.anchors.apart.set(i, parts.apart);
+        const float moment = cross(parts.armB - anchorArm, view.joint.force);
+        setLane(all, view.joint, parts, moment, block, i);
     }
     JointBodies& idle = block.bodies;
     for (int i = lanes.count; i < kLanes; ++i) idle.a[i] = idle.b[i] = idle.own[i] = offsetOf(all, -1, i);

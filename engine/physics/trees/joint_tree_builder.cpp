@@ -35,7 +35,7 @@ public:
                 const bool a = isDynamic(world_, joint.bodyA), b = isDynamic(world_, joint.bodyB);
                 if (hanging == (a && b)) continue;
                 const std::uint32_t root = a ? joint.bodyA : joint.bodyB;
-                if (trees_.reached[root] == 0) grow({root, -1, hanging ? index : kNone});
+                if (trees_.reached[root] == 0) grow({root, kNone, hanging ? index : kNone});
             }
         }
     }
@@ -46,7 +46,7 @@ private:
         held_.clear();
         trees_.reached[root.body] = 1;
         bool isTree = true;
-        for (std::size_t i = 0; i < reached_.size(); ++i) isTree &= reachFrom(static_cast<std::int32_t>(i));
+        for (std::uint32_t i = 0; i < reached_.size(); ++i) isTree &= reachFrom(i);
         if (isTree && canBeHeld()) keep();
     }
 
@@ -54,8 +54,8 @@ private:
     /// @return false if a joint closes a loop, or cannot be solved in a tree.
     /// Solved alternately with a rigid tree, a motor, limit or spring in SIMD lanes
     /// would see only the inertia of its two bodies: linkages tear, and arms shake.
-    bool reachFrom(std::int32_t place) {
-        const ReachedBody from = reached_[static_cast<std::size_t>(place)];
+    bool reachFrom(std::uint32_t place) {
+        const ReachedBody from = reached_[place];
         bool isTree = true;
         forJointsOf(world_, from.body, [&](std::uint32_t index) {
             const Joint& joint = world_.joints.hot[index];
@@ -99,8 +99,8 @@ private:
 
     void keep() {
         JointTree tree;
-        tree.begin = static_cast<std::int32_t>(trees_.treeBodies.size());
-        tree.end = tree.begin + static_cast<std::int32_t>(reached_.size());
+        tree.begin = static_cast<std::uint32_t>(trees_.treeBodies.size());
+        tree.end = tree.begin + static_cast<std::uint32_t>(reached_.size());
         tree.rooted = reached_[0].joint != kNone;
         for (auto it = reached_.rbegin(); it != reached_.rend(); ++it) {
             trees_.treeBodies.push_back({.body = it->body});
@@ -108,15 +108,15 @@ private:
             link.joint = kNone;
             if (it->joint == kNone) continue;
             link = linkOf(it->joint, it->body);
-            link.treeBody = static_cast<std::int32_t>(trees_.treeBodies.size()) - 1;
-            link.parent = it->parent < 0 ? -1 : tree.end - 1 - it->parent;
+            link.treeBody = static_cast<std::uint32_t>(trees_.treeBodies.size()) - 1;
+            link.parent = it->parent == kNone ? kNone : tree.end - 1 - it->parent;
         }
-        tree.holdBegin = static_cast<std::int32_t>(trees_.holds.size());
+        tree.holdBegin = static_cast<std::uint32_t>(trees_.holds.size());
         for (const ReachedBody& held : held_) {
-            trees_.holds.push_back(linkOf(held.joint, reached_[static_cast<std::size_t>(held.parent)].body));
+            trees_.holds.push_back(linkOf(held.joint, reached_[held.parent].body));
             trees_.holds.back().treeBody = tree.end - 1 - held.parent;
         }
-        tree.holdEnd = static_cast<std::int32_t>(trees_.holds.size());
+        tree.holdEnd = static_cast<std::uint32_t>(trees_.holds.size());
         trees_.trees.push_back(tree);
     }
 
@@ -125,17 +125,6 @@ private:
     std::vector<ReachedBody>& reached_;
     std::vector<ReachedBody>& held_;
 };
-
-/// Notes the colors of each body's joints. Any further color of the body then belongs to a contact.
-void noteColours(const World& world, JointTrees& trees) {
-    for (TreeBody& treeBody : trees.treeBodies) {
-        treeBody.colours = 0;
-        forJointsOf(world, treeBody.body, [&](std::uint32_t j) {
-            const std::uint8_t colour = world.joints.hot[j].colour;
-            if (colour < kColours) treeBody.colours |= 1u << colour;
-        });
-    }
-}
 
 bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
 
@@ -204,7 +193,13 @@ void growTrees(World& world, Workspace& work) {
     for (const std::uint32_t joint : world.joints.awake) {
         if (trees.isDirect[joint] == 0) world.joints.hot[joint].flags |= kStretched;
     }
-    noteColours(world, trees);
+    // The colors of each body's joints: any further color of the body then belongs to a contact.
+    for (TreeBody& treeBody : trees.treeBodies) {
+        forJointsOf(world, treeBody.body, [&](std::uint32_t j) {
+            const std::uint8_t colour = world.joints.hot[j].colour;
+            if (colour < kColours) treeBody.colours |= 1u << colour;
+        });
+    }
     trees.freeMasks.assign(trees.trees.empty() ? 0 : world.bodies.size(), 0);
     choose(world, work);
 }

@@ -22,12 +22,9 @@ struct Trees {
     double elapsed;   // s since the start of the step, of the poses at which rows are evaluated
     double farthest;  // m or rad: that a gap closes in a substep
 
-    [[nodiscard]] TreeBody& treeBody(std::int32_t i) const {
-        return all.treeBodies[static_cast<std::size_t>(i)];
-    }
-    [[nodiscard]] Link& link(std::int32_t i) const { return all.links[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] TreeBody& treeBodyOf(const Link& link) const { return all.treeBodies[link.treeBody]; }
     [[nodiscard]] TreeBody* parentOf(const Link& link) const {
-        return link.parent >= 0 ? &treeBody(link.parent) : nullptr;
+        return link.parent != kNone ? &all.treeBodies[link.parent] : nullptr;
     }
 };
 
@@ -43,7 +40,7 @@ TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
 }
 
 double offered(const TreeBody& treeBody, const Triple& row) {
-    const double turned = treeBody.turns ? row.turn * row.turn / treeBody.inertia : 0.0;
+    const double turned = treeBody.inertia > 0.0 ? row.turn * row.turn / treeBody.inertia : 0.0;
     return (row.x * row.x + row.y * row.y) / treeBody.mass + turned;
 }
 
@@ -66,20 +63,16 @@ void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
     }
 }
 
-void strain(TreeBody& treeBody, const Link& link, TreeBody* parent) {
+void setLink(const Trees& trees, Link& link) {
+    TreeBody* const parent = trees.parentOf(link);
+    TreeBody& treeBody = trees.treeBodyOf(link);
+    link.gap = setRows(link, treeBody.pose, parentPose(link, parent, trees.elapsed));
+    if (trees.elapsed == 0.0) soften(treeBody, link, parent);
     // Only joints that hold a point have these arms.
     if (link.kind != JointKind::Revolute && link.kind != JointKind::Weld) return;
     treeBody.straining += link.force.x * link.limb.x + link.force.y * link.limb.y;
     if (parent != nullptr)
         parent->straining -= link.force.x * link.parentLimb.x + link.force.y * link.parentLimb.y;
-}
-
-void setLink(const Trees& trees, Link& link) {
-    TreeBody* const parent = trees.parentOf(link);
-    TreeBody& treeBody = trees.treeBody(link.treeBody);
-    link.gap = setRows(link, treeBody.pose, parentPose(link, parent, trees.elapsed));
-    if (trees.elapsed == 0.0) soften(treeBody, link, parent);
-    strain(treeBody, link, parent);
 }
 
 void takeMotion(const Trees& trees, TreeBody& treeBody) {
@@ -105,14 +98,14 @@ void setTree(const Trees& trees, const JointTree& tree) {
     for (Link& hold : trees.all.holdsOf(tree)) {
         hold.stiffness = {1.0 / hold.softness.x,   0.0, 1.0 / hold.softness.y, 0.0, 0.0,
                           1.0 / hold.softness.turn};
-        Symmetric& own = trees.treeBody(hold.treeBody).own;
+        Symmetric& own = trees.treeBodyOf(hold).own;
         hold.byArms() ? addPoint(hold.limb.x, hold.limb.y, hold.stiffness, own)
                       : addRows(hold.onTreeBody, hold.stiffness, own);
     }
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        TreeBody& treeBody = trees.treeBody(i);
-        treeBody.own = treeBody.turns ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
-        if (hasLink(tree, i)) stiffen(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+    for (std::uint32_t i = tree.begin; i < tree.end; ++i) {
+        TreeBody& treeBody = trees.all.treeBodies[i];
+        treeBody.own = treeBody.inertia > 0.0 ? inverse(treeBody.own) : inverseUnturned(treeBody.own);
+        if (hasLink(tree, i)) stiffen(treeBody, trees.all.links[i], trees.parentOf(trees.all.links[i]));
     }
 }
 
@@ -128,7 +121,7 @@ void lookAhead(const Trees& trees, TreeBody& treeBody) {
 /// Velocities to be removed so that the gaps are closed at the predicted poses.
 void aimAtGaps(const Trees& trees, Link& link) {
     const TreePose parent = parentPose(link, trees.parentOf(link), trees.elapsed + trees.h);
-    const Triple ahead = gapsOf(link, trees.treeBody(link.treeBody).pose, parent);
+    const Triple ahead = gapsOf(link, trees.treeBodyOf(link).pose, parent);
     const auto reach = static_cast<double>(link.reach);
     const auto aim = [&](double gap, double then) {
         const double size = std::fabs(gap);
@@ -140,7 +133,7 @@ void aimAtGaps(const Trees& trees, Link& link) {
 
 void findSpeeds(const Trees& trees, Link& link) {
     const TreeBody* const parent = trees.parentOf(link);
-    link.error = seenFromLimb(link, trees.treeBody(link.treeBody).velocity);
+    link.error = seenFromLimb(link, trees.treeBodyOf(link).velocity);
     link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
 
@@ -163,10 +156,10 @@ double gainOf(const TreeBody& treeBody, const Triple& change) {
 
 /// Back substitution, from the root to the leaves: velocity changes and impulses of links.
 void giveTree(const Trees& trees, JointTree& tree) {
-    for (std::int32_t i = tree.end; i-- > tree.begin;) {
-        TreeBody& treeBody = trees.treeBody(i);
+    for (std::uint32_t i = tree.end; i-- > tree.begin;) {
+        TreeBody& treeBody = trees.all.treeBodies[i];
         if (hasLink(tree, i)) {
-            give(treeBody, trees.link(i), trees.parentOf(trees.link(i)));
+            give(treeBody, trees.all.links[i], trees.parentOf(trees.all.links[i]));
         } else {
             treeBody.impulse = treeBody.own * treeBody.impulse;
         }
@@ -175,7 +168,7 @@ void giveTree(const Trees& trees, JointTree& tree) {
     }
     for (Link& hold : trees.all.holdsOf(tree)) {
         hold.given += hold.answer;
-        hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBody(hold.treeBody).impulse));
+        hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBodyOf(hold).impulse));
     }
 }
 
@@ -184,7 +177,7 @@ bool isDriven(const Trees& trees, const JointTree& tree) {
     bool driven = false;
     forLinks(trees.all, tree, [&](const Link& link) {
         const Triple& v = link.groundVelocity;
-        driven = driven || (link.parent < 0 && (v.x != 0.0 || v.y != 0.0 || v.turn != 0.0));
+        driven = driven || (link.parent == kNone && (v.x != 0.0 || v.y != 0.0 || v.turn != 0.0));
     });
     return driven;
 }
@@ -217,13 +210,13 @@ void solveTree(const Trees& trees, JointTree& tree, Find&& find) {
     for (Link& hold : trees.all.holdsOf(tree)) {
         find(trees, hold);
         hold.answer = -1.0 * (hold.stiffness * hold.error);
-        trees.treeBody(hold.treeBody).impulse += onTreeBody(hold, hold.answer);
+        trees.treeBodyOf(hold).impulse += onTreeBody(hold, hold.answer);
     }
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
+    for (std::uint32_t i = tree.begin; i < tree.end; ++i) {
         if (!hasLink(tree, i)) continue;
-        Link& link = trees.link(i);
+        Link& link = trees.all.links[i];
         find(trees, link);
-        answer(trees.treeBody(i), link, trees.parentOf(link));
+        answer(trees.all.treeBodies[i], link, trees.parentOf(link));
     }
     giveTree(trees, tree);
 }
@@ -276,19 +269,11 @@ void prepareArms(const World& world, Link& link) {
     link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
 }
 
-void prepareLink(const World& world, const Workspace& work, Link& link) {
-    prepareArms(world, link);
-    if (link.parent >= 0) return;
-    const std::int32_t slot = work.slots[link.ground];
-    link.groundVelocity = slot >= 0 ? tripleOf(work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
-}
-
 void prepareLimb(const World& world, const Workspace& work, TreeBody& treeBody) {
     const BodyMass& mass = world.bodies.mass[treeBody.body];
     treeBody.slot = work.slots[treeBody.body];
     treeBody.mass = 1.0 / std::max(static_cast<double>(mass.inverseMass), 1.0e-30);
-    treeBody.turns = mass.inverseInertia > 0.0f;
-    treeBody.inertia = treeBody.turns ? 1.0 / static_cast<double>(mass.inverseInertia) : 0.0;
+    treeBody.inertia = mass.inverseInertia > 0.0f ? 1.0 / static_cast<double>(mass.inverseInertia) : 0.0;
 }
 
 }  // namespace
@@ -309,7 +294,10 @@ void prepareTrees(StepContext& step) {
         for (TreeBody& treeBody : all.bodiesOf(tree)) prepareLimb(world, step.work, treeBody);
         tree.powered = false;
         forLinks(all, tree, [&](Link& link) {
-            prepareLink(world, step.work, link);
+            prepareArms(world, link);
+            const std::int32_t slot = link.parent == kNone ? step.work.slots[link.ground] : -1;
+            link.groundVelocity =
+                slot >= 0 ? tripleOf(step.work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
             tree.powered |= (world.joints.hot[link.joint].flags & kEdited) != 0;
         });
         const std::int32_t slot = all.bodiesOf(tree).front().slot;

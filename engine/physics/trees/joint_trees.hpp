@@ -75,8 +75,7 @@ struct TreeBody {
     std::int32_t slot = 0;
     std::uint32_t colours = 0;  ///< of all its joints
     double mass = 0.0;          ///< kg
-    double inertia = 0.0;       ///< kg m2
-    bool turns = true;          ///< its inertia is finite
+    double inertia = 0.0;       ///< kg m2; 0 if it cannot rotate
     double straining = 0.0;     ///< N m/rad: rotational stiffness by the tension of its joints
     TreePose pose;
     Triple velocity;
@@ -90,9 +89,9 @@ struct Link {
     std::uint32_t joint = 0;  ///< kNone at the root of a floating tree
     JointKind kind = JointKind::Revolute;
     bool treeBodyIsB = true;
-    std::int32_t treeBody = 0;  ///< in JointTrees::treeBodies
-    std::int32_t parent = -1;   ///< in JointTrees::treeBodies; -1 for a static or kinematic body
-    std::uint32_t ground = 0;   ///< in that case: the body
+    std::uint32_t treeBody = 0;    ///< in JointTrees::treeBodies
+    std::uint32_t parent = kNone;  ///< in JointTrees::treeBodies; kNone for a static or kinematic body
+    std::uint32_t ground = 0;      ///< in that case: the body
     // At the start of the step.
     Vec2 treeBodyArm;  ///< m, world, from the center of mass
     Vec2 parentArm;
@@ -122,10 +121,10 @@ struct Link {
 
 /// A tree: its bodies, ordered from the leaves to the root.
 struct JointTree {
-    std::int32_t begin = 0;  ///< tree bodies and their links
-    std::int32_t end = 0;
-    std::int32_t holdBegin = 0;  ///< further links to static or kinematic bodies, besides that of the root
-    std::int32_t holdEnd = 0;
+    std::uint32_t begin = 0;  ///< tree bodies and their links
+    std::uint32_t end = 0;
+    std::uint32_t holdBegin = 0;  ///< further links to static or kinematic bodies, besides that of the root
+    std::uint32_t holdEnd = 0;
     bool direct = true;   ///< in this step: false while its bodies touch something
     bool rooted = false;  ///< the last body has a link too, to a static or kinematic body
     std::uint8_t group = 0;
@@ -136,8 +135,8 @@ struct JointTree {
 /// A body found while a tree is built, from the root outwards; or the one that a hold is to.
 struct ReachedBody {
     std::uint32_t body = 0;
-    std::int32_t parent = -1;  ///< index among the bodies found, or -1
-    std::uint32_t joint = 0;   ///< to the parent or the ground; kNone at the root of a floating tree
+    std::uint32_t parent = kNone;  ///< index among the bodies found, or kNone
+    std::uint32_t joint = 0;       ///< to the parent or the ground; kNone at the root of a floating tree
 };
 
 /// All trees. Link i connects tree body i to its parent.
@@ -157,12 +156,10 @@ struct JointTrees {
     std::vector<ReachedBody> heldJoints;
 
     [[nodiscard]] std::span<TreeBody> bodiesOf(const JointTree& tree) {
-        return std::span{treeBodies}.subspan(static_cast<std::size_t>(tree.begin),
-                                             static_cast<std::size_t>(tree.end - tree.begin));
+        return std::span{treeBodies}.subspan(tree.begin, tree.end - tree.begin);
     }
     [[nodiscard]] std::span<Link> holdsOf(const JointTree& tree) {
-        return std::span{holds}.subspan(static_cast<std::size_t>(tree.holdBegin),
-                                        static_cast<std::size_t>(tree.holdEnd - tree.holdBegin));
+        return std::span{holds}.subspan(tree.holdBegin, tree.holdEnd - tree.holdBegin);
     }
 };
 
@@ -172,15 +169,15 @@ constexpr int rowsOf(JointKind kind) {
 }
 
 /// True if a tree body has a link: all but the root of a floating tree.
-inline bool hasLink(const JointTree& tree, std::int32_t treeBody) {
+inline bool hasLink(const JointTree& tree, std::uint32_t treeBody) {
     return tree.rooted || treeBody + 1 < tree.end;
 }
 
 /// Calls act(link) for all joints of a tree.
 template <class Act>
 void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
-    for (std::int32_t i = tree.begin; i < tree.end; ++i) {
-        if (hasLink(tree, i)) act(trees.links[static_cast<std::size_t>(i)]);
+    for (std::uint32_t i = tree.begin; i < tree.end; ++i) {
+        if (hasLink(tree, i)) act(trees.links[i]);
     }
     for (Link& hold : trees.holdsOf(tree)) act(hold);
 }

@@ -42,18 +42,15 @@ inline void addPoint(double x, double y, const Symmetric& k, Symmetric& own) {
 }
 
 inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own) {
-    const Triple x = k * Triple{rows[0].x, rows[1].x, rows[2].x};
-    const Triple y = k * Triple{rows[0].y, rows[1].y, rows[2].y};
-    const Triple turn = k * Triple{rows[0].turn, rows[1].turn, rows[2].turn};
-    const auto with = [](const Triple& a, double b0, double b1, double b2) {
-        return a.x * b0 + a.y * b1 + a.turn * b2;
-    };
-    own.xx += with(x, rows[0].x, rows[1].x, rows[2].x);
-    own.xy += with(y, rows[0].x, rows[1].x, rows[2].x);
-    own.yy += with(y, rows[0].y, rows[1].y, rows[2].y);
-    own.xt += with(turn, rows[0].x, rows[1].x, rows[2].x);
-    own.yt += with(turn, rows[0].y, rows[1].y, rows[2].y);
-    own.tt += with(turn, rows[0].turn, rows[1].turn, rows[2].turn);
+    const Triple x{rows[0].x, rows[1].x, rows[2].x};
+    const Triple y{rows[0].y, rows[1].y, rows[2].y};
+    const Triple turn{rows[0].turn, rows[1].turn, rows[2].turn};
+    own.xx += dot(k * x, x);
+    own.xy += dot(k * y, x);
+    own.yy += dot(k * y, y);
+    own.xt += dot(k * turn, x);
+    own.yt += dot(k * turn, y);
+    own.tt += dot(k * turn, turn);
 }
 
 /// Adds the subtree behind a link to the mass matrix of the parent.
