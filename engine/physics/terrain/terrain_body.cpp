@@ -23,19 +23,16 @@ Vec2 toVec2(GridPoint point) { return {static_cast<float>(point.x), static_cast<
 ShapeDefinition definitionOf(const TilePalette& palette, EdgeKind kind, const TerrainDefinition& terrain) {
     const TileMaterial& material = palette.material(kind.material);
     const TileLayers& layers = palette.layers(kind.layers);
-    ShapeDefinition shape;
-    shape.density = 0.0f;
-    shape.friction = material.friction;
-    shape.bounciness = material.bounciness;
-    shape.surfaceSpeed = material.surfaceSpeed;
-    shape.layers = layers.layers;
-    shape.mask = layers.mask;
-    shape.reportsContacts = terrain.reportsContacts;
-    shape.user = terrain.user;
-    if (kind.oneWay != OneWay::No) {
-        shape.oneWay = true;
-        shape.oneWayDirection = toVec2(directionOf(kind.oneWay));
-    }
+    ShapeDefinition shape{.density = 0.0f,
+                          .friction = material.friction,
+                          .bounciness = material.bounciness,
+                          .surfaceSpeed = material.surfaceSpeed,
+                          .layers = layers.layers,
+                          .mask = layers.mask,
+                          .oneWay = kind.oneWay != OneWay::No,
+                          .oneWayDirection = toVec2(directionOf(kind.oneWay)),
+                          .reportsContacts = terrain.reportsContacts,
+                          .user = terrain.user};
     if (kind.isInner()) {
         const TileLayers& front = palette.layers(static_cast<std::uint8_t>(kind.behind - 1));
         shape.frontLayers = front.layers;

@@ -61,8 +61,7 @@ void OutlineBuilder::walk(std::uint32_t start, TerrainOutline& outline) {
         places_[edge].segment = static_cast<std::uint32_t>(outline.size());
         if (isStraightAfter(edge)) continue;
         outline.push_back({edges_[first].a, edges_[edge].b, {}, {}, edges_[edge].kind});
-        firstEdge_.push_back(first);
-        lastEdge_.push_back(edge);
+        ends_.emplace_back(first, edge);
         first = places_[edge].after.outline;
         if (!joinsNext(edge) || first == start) return;
     }
@@ -72,8 +71,8 @@ void OutlineBuilder::setGhosts(TerrainOutline& outline) const {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         TerrainSegment& segment = outline[i];
         const GridPoint along = segment.b - segment.a;
-        const std::uint32_t before = places_[firstEdge_[i]].before.ghost;
-        const std::uint32_t after = places_[lastEdge_[i]].after.ghost;
+        const std::uint32_t before = places_[ends_[i].first].before.ghost;
+        const std::uint32_t after = places_[ends_[i].second].after.ghost;
         segment.before = before == kNone ? segment.a - along
                          : before < own_ ? outline[places_[before].segment].a
                                          : edges_[before].a;
@@ -95,8 +94,7 @@ void OutlineBuilder::build(const TileMask& mask, CellRect rect, TerrainOutline& 
     links_.connect(edges_, rect.grown(2));
     places_.resize(own_);
     for (std::uint32_t i = 0; i < own_; ++i) places_[i] = {links_.before(i), links_.after(i)};
-    firstEdge_.clear();
-    lastEdge_.clear();
+    ends_.clear();
     for (std::uint32_t i = 0; i < own_; ++i) {
         const std::uint32_t before = places_[i].before.outline;
         if (before >= own_ || !joinsNext(before) || places_[before].after.outline != i) walk(i, outline);

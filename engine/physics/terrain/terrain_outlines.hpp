@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "physics/geometry.hpp"
@@ -146,9 +147,8 @@ private:
     EdgeLinks links_;
     std::vector<TileEdge> edges_;  // the chunk's own edges, then those around it that touch its border
     std::uint32_t own_ = 0;
-    std::vector<EdgePlace> places_;         // parallel to the chunk's own edges
-    std::vector<std::uint32_t> firstEdge_;  // by segment
-    std::vector<std::uint32_t> lastEdge_;
+    std::vector<EdgePlace> places_;                              // parallel to the chunk's own edges
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  // by segment: its first and its last edge
 };
 
 /// A terrain in chunks. Only chunks whose cells or neighbouring cells changed are rebuilt. The result of

@@ -10,11 +10,9 @@ namespace {
 
 /// The edge along a part of a side, clockwise.
 TileEdge alongSide(GridPoint corner, CellSide side, FaceSpan span, EdgeKind kind) {
-    const std::int32_t line = side == kRight || side == kBottom ? kCellUnits : 0;
     if (side == kBottom || side == kLeft) std::swap(span.from, span.to);
-    if (side == kTop || side == kBottom)
-        return {corner + GridPoint{span.from, line}, corner + GridPoint{span.to, line}, kind};
-    return {corner + GridPoint{line, span.from}, corner + GridPoint{line, span.to}, kind};
+    const auto at = [&](std::int32_t along) { return corner + alongFirst(side, {along, lineOf(side)}); };
+    return {at(span.from), at(span.to), kind};
 }
 
 class EdgesOfCell {
@@ -35,17 +33,14 @@ public:
             if (side == kInside) {
                 edges_.push_back({a, b, kind});
             } else {
-                const bool level = side == kTop || side == kBottom;
-                const FaceSpan own =
-                    level ? spanOf(a.x - corner.x, b.x - corner.x) : spanOf(a.y - corner.y, b.y - corner.y);
-                appendSide(corner, side, own, kind, maskCellOf(number[toNeighbour_[side]]));
+                const std::int32_t from = alongFirst(side, a - corner).x, to = alongFirst(side, b - corner).x;
+                appendSide(corner, side, {std::min(from, to), std::max(from, to)}, kind,
+                           maskCellOf(number[toNeighbour_[side]]));
             }
         }
     }
 
 private:
-    static FaceSpan spanOf(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
     /// Fast path for the common case: a full cell among full cells with the same layers.
     [[nodiscard]] bool isInside(const TileCell* number) const {
         const std::uint8_t layers = maskCellOf(*number).layers;
@@ -163,10 +158,6 @@ EdgeLink linkOfInner(const Vertex& vertex, std::uint8_t layers) {
     return {own.edge, own.edge};
 }
 
-constexpr GridPoint mirroredIf(bool mirror, GridPoint displacement) {
-    return mirror ? GridPoint{-displacement.x, displacement.y} : displacement;
-}
-
 }  // namespace
 
 void CellWindow::read(const TileMask& mask, CellRect rect) {
@@ -237,7 +228,9 @@ bool EdgeLinks::hasOneLayer(GridPoint place) const {
 EdgeLink EdgeLinks::find(std::uint32_t number, std::size_t end) const {
     const TileEdge& edge = (*edges_)[number];
     const GridPoint place = edge.end(end);
-    const auto seen = [&](GridPoint far) { return mirroredIf(end == 0, far - place); };
+    const auto seen = [&](GridPoint far) {  // mirrored at the start
+        return GridPoint{end == 0 ? place.x - far.x : far.x - place.x, far.y - place.y};
+    };
     Vertex vertex{seen(edge.end(1 - end))};
     forEdgesAt(place, 1 - end, [&](std::uint32_t other, const TileEdge& candidate) {
         vertex.add({other, seen(candidate.end(end)), candidate.kind});

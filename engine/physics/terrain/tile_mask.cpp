@@ -13,23 +13,19 @@ constexpr std::int32_t kSnap = kCellUnits / 256;
 constexpr std::size_t kMaxPoints = 256;  // maximum input; at most 8 of them remain
 
 CellSide sideOf(GridPoint a, GridPoint b) {
-    if (a.y == 0 && b.y == 0) return kTop;
-    if (a.x == kCellUnits && b.x == kCellUnits) return kRight;
-    if (a.y == kCellUnits && b.y == kCellUnits) return kBottom;
-    if (a.x == 0 && b.x == 0) return kLeft;
+    for (const CellSide side : {kTop, kRight, kBottom, kLeft}) {
+        const std::int32_t line = lineOf(side);
+        if (alongFirst(side, a).y == line && alongFirst(side, b).y == line) return side;
+    }
     return kInside;
 }
 
 /// The part of a side that a solid outline fills, or the point at which it touches the side.
 FaceSpan spanOf(const TileOutline& outline, CellSide side) {
-    const bool level = side == kTop || side == kBottom;
-    const std::int32_t line = side == kRight || side == kBottom ? kCellUnits : 0;
     FaceSpan span{kCellUnits, 0};
     for (int i = 0; i < outline.count && outline.isSolid(); ++i) {
-        const GridPoint corner = outline.corner(i);
-        if ((level ? corner.y : corner.x) != line) continue;
-        span.from = std::min(span.from, level ? corner.x : corner.y);
-        span.to = std::max(span.to, level ? corner.x : corner.y);
+        const auto [along, across] = alongFirst(side, outline.corner(i));
+        if (across == lineOf(side)) span = {std::min(span.from, along), std::max(span.to, along)};
     }
     return span.from <= span.to ? span : FaceSpan{};
 }

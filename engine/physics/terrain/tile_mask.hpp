@@ -103,6 +103,13 @@ struct FaceSpan {
 /// The sides of a cell, clockwise on screen, as its outline.
 enum CellSide : std::int8_t { kTop, kRight, kBottom, kLeft, kInside = -1 };
 
+/// The position (units) of a side across its direction.
+constexpr std::int32_t lineOf(CellSide side) { return side == kRight || side == kBottom ? kCellUnits : 0; }
+/// A point with its coordinates in the order along a side, across it; and the reverse.
+constexpr GridPoint alongFirst(CellSide side, GridPoint point) {
+    return side == kTop || side == kBottom ? point : GridPoint{point.y, point.x};
+}
+
 /// The geometry of a form: convex corners, clockwise on screen, within the cell.
 struct TileOutline {
     static constexpr int kMaxCorners = 8;
