@@ -314,11 +314,6 @@ inline Float8& operator+=(Float8& a, Float8 b) { return a = a + b; }
 inline Float8& operator-=(Float8& a, Float8 b) { return a = a - b; }
 inline Float8 abs(Float8 a) { return max(a, -a); }
 inline bool any(Mask8 mask) { return bits(mask) != 0; }
-/// For code that is written once for float and Float8.
-template <class F>
-F all(float s) {
-    return all(s);
-}
 inline Float8 clamp(Float8 a, Float8 low, Float8 high) { return min(max(a, low), high); }
 
 }  // namespace PLUMB_LANES

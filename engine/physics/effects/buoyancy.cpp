@@ -74,22 +74,17 @@ struct Arc {
     float sweep;
 };
 
-/// Adds a cut at an angle if the arc contains it.
-void cutAt(Cuts& cuts, const Arc& arc, float angle) {
-    float displacement = angle - arc.start;
-    const float sign = arc.sweep < 0.0f ? -1.0f : 1.0f;
-    while (sign * displacement < 0.0f) displacement += sign * kTau;
-    while (sign * displacement >= kTau) displacement -= sign * kTau;
-    cuts.add(static_cast<double>(displacement) / static_cast<double>(arc.sweep));
-}
-
 /// Adds cuts where an arc crosses a line along or across the surface, `offset` (m) from the center.
 void cutAtLine(Cuts& cuts, const Arc& arc, float offset, bool isAcross) {
-    const float part = offset / arc.radius;
+    const float part = offset / arc.radius, sign = arc.sweep < 0.0f ? -1.0f : 1.0f;
     if (!(part > -1.0f && part < 1.0f)) return;
     const float other = std::sqrt(1.0f - part * part);
-    for (const float side : {other, -other})
-        cutAt(cuts, arc, isAcross ? arcTangent(side, part) : arcTangent(part, side));
+    for (const float side : {other, -other}) {
+        float displacement = (isAcross ? arcTangent(side, part) : arcTangent(part, side)) - arc.start;
+        while (sign * displacement < 0.0f) displacement += sign * kTau;
+        while (sign * displacement >= kTau) displacement -= sign * kTau;
+        cuts.add(static_cast<double>(displacement) / static_cast<double>(arc.sweep));
+    }
 }
 
 /// Adds the part of an arc from angle a to b (rad), in closed form.

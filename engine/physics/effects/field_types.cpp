@@ -24,12 +24,11 @@ const FieldDefinition& fieldOf(const FieldView& view, std::uint32_t field) {
 
 FieldForce areaGravity(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
     const FieldDefinition& field = fieldOf(view, f);
-    const float scale = view.world.bodies.driveOf(body).gravityScale;
     Vec2 pull = field.acceleration;
     if (field.strength != 0.0f) pull += field.strength * normalized(field.place - state.centre);
     if (field.replacesGravity && view.world.manifest.runs(Effect::Gravity))
         pull -= view.world.settings.gravity;
-    return {{scale * pull, 0.0f}};
+    return {{view.world.bodies.driveOf(body).gravityScale * pull, 0.0f}};
 }
 
 /// -1..1: gust number `turn` of a seed.

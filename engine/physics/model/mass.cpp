@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "physics/bounds.hpp"
 #include "physics/edits.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/workspace.hpp"

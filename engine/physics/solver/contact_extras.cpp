@@ -39,8 +39,7 @@ void noteImpulses(const Block& block, BounceBlock& bounce) {
 /// Restitution at one of the two points of a contact.
 template <class Block>
 void bouncePoint(StepContext& step, Block& block, const BounceBlock& bounce, int p, int i) {
-    const float slowest = step.world.settings.bounceSpeed;
-    if (bounce.approach[p][i] > -slowest || bounce.largest[p][i] == 0.0f) return;
+    if (bounce.approach[p][i] > -step.world.settings.bounceSpeed || bounce.largest[p][i] == 0.0f) return;
     auto& point = block.points[p];
     const float speed = approachOf(step.work, block, p, i), before = point.impulse[i];
     const float leaving = speedOfBounce(bounce.approach[p][i], bounce.bounciness[i], point.separation[i],

@@ -27,10 +27,10 @@ inline Rows8 rowsOf(const ContactSource& source, const BlockLanes& lanes) {
 
 constexpr int kAhead = 2;  // blocks: prefetch distance
 
-/// Prefetches rows of the contacts of a later block: they are scattered in memory.
-inline void fetch(const Float4* contacts, const BlockLanes& lanes, int line) {
+/// Prefetches the first rows of the contacts of a later block: they are scattered in memory.
+inline void fetch(const Float4* contacts, const BlockLanes& lanes) {
     for (int i = 0; i < kLanes; ++i)
-        __builtin_prefetch(contacts + lanes.index[i < lanes.count ? i : 0] * kContactRows + line);
+        __builtin_prefetch(contacts + lanes.index[i < lanes.count ? i : 0] * kContactRows);
 }
 
 inline void slotsOf(const ContactSource& source, const BlockLanes& lanes, const std::int32_t* body,
@@ -211,7 +211,7 @@ template <bool kHasFriction, class SideA>
 void prepare(const ContactSource& source, const BlockLanes* lanes,
              ContactBlockOf<SideA, SideWithoutRotation, 1>* blocks, int begin, int end) {
     for (int n = begin; n < end; ++n) {
-        if (n + kAhead < end) fetch(source.contacts, lanes[n + kAhead], 0);
+        if (n + kAhead < end) fetch(source.contacts, lanes[n + kAhead]);
         auto& block = blocks[n];
         const Rows8 rows = rowsOf(source, lanes[n]);
         Float8 response = prepareSide(source, lanes[n], rows.b, block.b);

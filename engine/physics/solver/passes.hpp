@@ -14,12 +14,10 @@ inline constexpr int kBodyGrain = 256;
 
 /// @param h  s: substep
 inline ContactPass contactPass(const Settings& settings, float h) {
-    ContactPass pass;
-    pass.substepRate = 1.0f / h;
-    pass.softness = softness(settings.contactStiffness / h, settings.contactDampingRatio, h);
-    pass.pushSpeed = settings.pushSpeed;
-    pass.deepPushRate = settings.deepPushRate;
-    return pass;
+    return {.softness = softness(settings.contactStiffness / h, settings.contactDampingRatio, h),
+            .substepRate = 1.0f / h,
+            .pushSpeed = settings.pushSpeed,
+            .deepPushRate = settings.deepPushRate};
 }
 
 /// Runs `act(begin, end)` over a range of blocks or slots, in pieces.

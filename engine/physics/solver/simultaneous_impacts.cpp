@@ -10,11 +10,10 @@ namespace {
 /// Calls act(block, bounce, lane) for the contact of an impact.
 template <class Act>
 void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
-    if (impact.fixed) {
-        act(work.fixed.blocks[impact.block], work.fixed.bounces[impact.block], int{impact.lane});
-    } else {
-        act(work.two.blocks[impact.block], work.two.bounces[impact.block], int{impact.lane});
-    }
+    const auto actIn = [&](auto& store) {
+        act(store.blocks[impact.block], store.bounces[impact.block], int{impact.lane});
+    };
+    impact.fixed ? actIn(work.fixed) : actIn(work.two);
 }
 
 /// The same for all impacts, in order.

@@ -92,12 +92,6 @@ bool hasChangingFields(const StepContext& step, std::size_t slot) {
                        [&](std::uint32_t f) { return !isConstant(step.world.fields.all[f].definition); });
 }
 
-/// The slot of the body at the other end of a spring; -1 if that does not move by forces.
-std::int32_t otherEnd(const StepContext& step, const FieldDefinition& spring, std::uint32_t body) {
-    const BodyId other = spring.a.index == body ? spring.b : spring.a;
-    return other && isDynamic(step.world, other.index) ? step.work.slots[other.index] : -1;
-}
-
 /// Bodies that hang by springs on a driven one are driven, too: both ends of a spring must see the same
 /// states, or momentum is lost.
 void chooseMotions(StepContext& step) {
@@ -119,7 +113,9 @@ void chooseMotions(StepContext& step) {
         for (const std::uint32_t f : step.work.smooth.fieldsOf(slot)) {
             const FieldDefinition& field = step.world.fields.all[f].definition;
             if (field.kind != FieldKind::Spring) continue;
-            const std::int32_t other = otherEnd(step, field, step.work.bodyOf[slot]);
+            const BodyId end = field.a.index == step.work.bodyOf[slot] ? field.b : field.a;
+            const std::int32_t other =
+                end && isDynamic(step.world, end.index) ? step.work.slots[end.index] : -1;
             if (other < 0 || motions[static_cast<std::size_t>(other)] == FieldMotion::Driven) continue;
             motions[static_cast<std::size_t>(other)] = FieldMotion::Driven;
             driven.push_back(static_cast<std::uint32_t>(other));
@@ -139,8 +135,7 @@ void softenSprings(StepContext& step) {
         };
         float sum = 0.0f;
         for (const std::uint32_t f : smooth.fieldsOf(slot)) {
-            if (!isSpring(f)) continue;
-            sum += springStiffness(step.world, step.world.fields.all[f].definition, body, h);
+            if (isSpring(f)) sum += springStiffness(step.world, step.world.fields.all[f].definition, body, h);
         }
         for (const std::uint32_t f : smooth.fieldsOf(slot)) {
             if (isSpring(f)) scales[f] += sum;
@@ -174,14 +169,13 @@ void setDrive(StepContext& step, std::size_t slot, const DriveScale& scale, cons
 
 void launch(StepContext& step, std::size_t slot, std::uint32_t body, const Acceleration& steady) {
     SmoothForces& smooth = step.work.smooth;
-    Flyer flyer;
-    flyer.slot = static_cast<std::uint32_t>(slot);
-    flyer.body = body;
-    flyer.steady = steady;
-    flyer.isSteady = !hasChangingFields(step, slot);
-    flyer.linearDrag = step.world.bodies.driveOf(body).linearDrag;
-    flyer.angularDrag = step.world.bodies.driveOf(body).angularDrag;
-    flyer.now = stateAfter(step.world, body, 0.0f);
+    Flyer flyer{.slot = static_cast<std::uint32_t>(slot),
+                .body = body,
+                .steady = steady,
+                .isSteady = !hasChangingFields(step, slot),
+                .linearDrag = step.world.bodies.driveOf(body).linearDrag,
+                .angularDrag = step.world.bodies.driveOf(body).angularDrag,
+                .now = stateAfter(step.world, body, 0.0f)};
     flyer.now.velocity = unlocked(step.world, body, flyer.now.velocity);
     smooth.flyerOf[body] = static_cast<std::int32_t>(smooth.flyers.size());
     smooth.flyers.push_back(flyer);

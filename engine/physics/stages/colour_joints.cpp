@@ -2,7 +2,6 @@
 
 #include "physics/edits.hpp"
 #include "physics/measure/measures.hpp"
-#include "physics/solver/joint_lanes.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {

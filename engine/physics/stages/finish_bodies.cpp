@@ -7,7 +7,6 @@
 #include "physics/model/joints.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/solver/contact_extras.hpp"
-#include "physics/solver/joint_lanes.hpp"
 
 namespace plumb::physics {
 
@@ -93,7 +92,6 @@ void updateShapes(World& world, std::uint32_t body, std::vector<std::uint32_t>& 
 /// the change of the velocity. Free bodies move exactly already, and an impact is not a constant force.
 Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Vec2 before, Vec2 velocity) {
     const Vec2 gained = velocity - before;
-    const Float4& ballisticDrift = step.work.ballisticDrift[slot];
     const Float4& pull = step.work.drive[slot];
     const float slowest = kLivelyPart * step.world.settings.bounceSpeed;
     const float rounding = lengthSquared(velocity) > slowest * slowest ? kRounded : 1.0f;
@@ -101,7 +99,7 @@ Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Ve
     if (isBallistic(step.work, slot) || lengthSquared(gained) > maximum) return {};
     if (fieldMotionOf(step, slot) == FieldMotion::Driven) return {};  // not constant
     if (step.world.bodies.info[body].firstJoint != kNone) return {};  // else rotation needs a correction too
-    return (0.5f * ballisticDrift.z) * gained;
+    return (0.5f * step.work.ballisticDrift[slot].z) * gained;
 }
 
 /// Moves a body to its new pose. @return false if its state is not finite: it stays and stops

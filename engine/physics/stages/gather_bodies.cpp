@@ -1,6 +1,5 @@
 #include "physics/effects/drag.hpp"
 #include "physics/islands/quality.hpp"
-#include "physics/islands/sleeping.hpp"
 #include "physics/trees/joint_tree_solver.hpp"
 
 namespace plumb::physics {

@@ -128,17 +128,14 @@ void keepLayout(Workspace& work) {
 
 ContactSource sourceOf(const StepContext& step) {
     const World& world = step.world;
-    const Workspace& work = step.work;
-    ContactSource source;
-    source.contacts = reinterpret_cast<const Float4*>(world.contacts.data());
-    source.masses = reinterpret_cast<const Float4*>(world.bodies.mass.data());
-    source.motions = reinterpret_cast<const Float4*>(world.bodies.motion.data());
-    source.slots = work.slots.data();
-    source.idleSlot = static_cast<std::int32_t>(work.bodyOf.size());
-    source.turning = step.starts(Effect::Rotation);
-    source.surfaces = step.starts(Effect::Conveyor);
-    source.kinematics = step.starts(Effect::Kinematics);
-    return source;
+    return {.contacts = reinterpret_cast<const Float4*>(world.contacts.data()),
+            .masses = reinterpret_cast<const Float4*>(world.bodies.mass.data()),
+            .motions = reinterpret_cast<const Float4*>(world.bodies.motion.data()),
+            .slots = step.work.slots.data(),
+            .idleSlot = static_cast<std::int32_t>(step.work.bodyOf.size()),
+            .turning = step.starts(Effect::Rotation),
+            .surfaces = step.starts(Effect::Conveyor),
+            .kinematics = step.starts(Effect::Kinematics)};
 }
 
 template <class Bodies>
