@@ -56,8 +56,11 @@ std::vector<std::uint32_t> indicesOf(const World& world, std::vector<IslandRepor
     return indices;
 }
 
-void addBodies(const World& world, const std::vector<std::uint32_t>& indices,
-               std::vector<IslandReport>& islands) {
+}  // namespace
+
+std::vector<IslandReport> reportIslands(const World& world) {
+    std::vector<IslandReport> islands;
+    const std::vector<std::uint32_t> indices = indicesOf(world, islands);
     for (std::uint32_t body = 0; body < indices.size(); ++body) {
         if (indices[body] == kNone) continue;
         IslandReport& island = islands[indices[body]];
@@ -65,37 +68,24 @@ void addBodies(const World& world, const std::vector<std::uint32_t>& indices,
         island.quality = std::max(island.quality, qualityOf(world, body));
         island.speed = std::max(island.speed, length(world.bodies.motion[body].velocity));
     }
-}
-
-/// The index of B, or of A if B has none because it is not dynamic.
-std::uint32_t indexOf(const std::vector<std::uint32_t>& indices, std::uint32_t a, std::uint32_t b) {
-    return indices[b] != kNone ? indices[b] : indices[a];
-}
-
-void addConstraints(const World& world, const std::vector<std::uint32_t>& indices,
-                    std::vector<IslandReport>& islands) {
+    // The island of B, or of A if B has none because it is not dynamic.
+    const auto islandFor = [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t index = indices[b] != kNone ? indices[b] : indices[a];
+        return index != kNone ? &islands[index] : nullptr;
+    };
     for (const Contact& contact : world.contacts) {
-        const std::uint32_t index = indexOf(indices, contact.bodyA, contact.bodyB);
-        if (index == kNone || (contact.flags & (kTouching | kTriggered | kDisabled)) != kTouching) continue;
-        ++islands[index].contacts;
-        islands[index].overlap = std::max(islands[index].overlap, overlapOf(contact));
+        IslandReport* const island = islandFor(contact.bodyA, contact.bodyB);
+        if (island == nullptr || (contact.flags & (kTouching | kTriggered | kDisabled)) != kTouching)
+            continue;
+        ++island->contacts;
+        island->overlap = std::max(island->overlap, overlapOf(contact));
     }
     for (const std::uint32_t j : world.joints.awake) {
-        const Joint& joint = world.joints.hot[j];
-        const std::uint32_t index = indexOf(indices, joint.bodyA, joint.bodyB);
-        if (index == kNone) continue;
-        ++islands[index].joints;
-        islands[index].jointError = std::max(islands[index].jointError, openingOf(world, j));
+        IslandReport* const island = islandFor(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
+        if (island == nullptr) continue;
+        ++island->joints;
+        island->jointError = std::max(island->jointError, openingOf(world, j));
     }
-}
-
-}  // namespace
-
-std::vector<IslandReport> reportIslands(const World& world) {
-    std::vector<IslandReport> islands;
-    const std::vector<std::uint32_t> indices = indicesOf(world, islands);
-    addBodies(world, indices, islands);
-    addConstraints(world, indices, islands);
     return islands;
 }
 

@@ -46,17 +46,6 @@ void addGroup(Workspace& work, std::size_t kind, int bodies) {
     group.bodies = bodies;
 }
 
-void addGuesses(World& world, Workspace& work) {
-    estimateSubsteps(world, work);
-    for (const std::uint32_t body : world.awake) {
-        const std::uint32_t root = work.roots[body];
-        std::uint32_t& quality = work.bodyScratch[root];
-        const auto extra = static_cast<std::uint32_t>(extraQuality(work.estimate[root]));
-        quality = std::min(quality + extra, static_cast<std::uint32_t>(kMaxQuality));
-        work.estimate[root].bodies = 0.0f;  // done
-    }
-}
-
 /// Quality of each body, equal within an island: work.bodyScratch.
 void judgeIslands(World& world, Workspace& work) {
     std::vector<std::uint32_t>& qualities = work.bodyScratch;
@@ -66,7 +55,15 @@ void judgeIslands(World& world, Workspace& work) {
         const Quality wish = std::max(world.settings.quality, wishOf(world, body));
         best = std::max(best, static_cast<std::uint32_t>(wish));
     }
-    if (world.settings.automaticQuality) addGuesses(world, work);
+    if (world.settings.automaticQuality) {
+        estimateSubsteps(world, work);
+        for (const std::uint32_t body : world.awake) {
+            const std::uint32_t root = work.roots[body];
+            const auto extra = static_cast<std::uint32_t>(extraQuality(work.estimate[root]));
+            qualities[root] = std::min(qualities[root] + extra, static_cast<std::uint32_t>(kMaxQuality));
+            work.estimate[root].bodies = 0.0f;  // done
+        }
+    }
     for (const std::uint32_t body : world.awake) qualities[body] = qualities[work.roots[body]];
 }
 
@@ -117,14 +114,6 @@ void findRotating(StepContext& step) {
     }
 }
 
-void setRotationApart(StepContext& step) {
-    findRotating(step);
-    for (const std::uint32_t body : step.world.awake) {
-        if (step.work.needsRotation[step.work.roots[body]] == 0)
-            step.work.bodyScratch[body] += kKindsWithRotation;
-    }
-}
-
 void sortByIsland(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -139,8 +128,12 @@ void sortByIsland(StepContext& step) {
         work.bodyScratch.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
     }
     if (!work.softSurroundings.obstacleOf.empty()) addSoftGroups(work, world.awake);
-    if (mixesRotation(step)) setRotationApart(step);
-    const std::vector<std::uint32_t>& kinds = work.bodyScratch;
+    std::vector<std::uint32_t>& kinds = work.bodyScratch;
+    if (mixesRotation(step)) {
+        findRotating(step);
+        for (const std::uint32_t body : world.awake)
+            if (work.needsRotation[work.roots[body]] == 0) kinds[body] += kKindsWithRotation;
+    }
     // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
     std::array<int, kContactKinds> counts{}, begins{};
     std::array<std::uint8_t, kContactKinds> groups{};

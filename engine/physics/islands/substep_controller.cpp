@@ -1,6 +1,7 @@
 #include "physics/islands/substep_controller.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/edits.hpp"
 #include "physics/islands/quality.hpp"
@@ -147,8 +148,7 @@ Findings openCases(World& world, Workspace& work) {
         found.someChanged |= others != kQualityOfWorld && others != controller.quality;
         island.controller = merged(island.controller, controller);
         if (wishes) island.minimum = std::max(island.minimum, wishOf(world, body));
-        if (controller.quality != kQualityOfWorld) continue;
-        island.isNew = found.someNew = true;
+        if (controller.quality == kQualityOfWorld) island.isNew = found.someNew = true;
     }
     return found;
 }
@@ -202,10 +202,6 @@ bool judge(World& world, Workspace& work) {
     return changed;
 }
 
-float powerOfTwo(int exponent) {
-    return exponent < 0 ? 1.0f / static_cast<float>(1 << -exponent) : static_cast<float>(1 << exponent);
-}
-
 /// Contacts store impulses per substep: a longer substep needs larger ones. Joints store forces instead.
 void scaleImpulses(World& world, Workspace& work) {
     for (Contact& contact : world.contacts) {
@@ -214,7 +210,7 @@ void scaleImpulses(World& world, Workspace& work) {
         if (world.bodies.info[contact.bodyB].place == kNone || before == kQualityOfWorld) continue;
         const int change = before - work.cases[work.roots[contact.bodyB]].controller.quality;
         if (change == 0) continue;
-        const float ratio = powerOfTwo(change);
+        const float ratio = std::ldexp(1.0f, change);
         for (float* impulse :
              {&contact.impulse0, &contact.impulse1, &contact.frictionImpulse, &contact.rollingImpulse})
             *impulse *= ratio;

@@ -24,8 +24,8 @@ bool moves(const World& world, std::uint32_t body) {
 /// True for joints that store energy or add some. A motor of speed 0 is a brake.
 bool isPowered(const Joint& joint, const JointDefinition& definition) {
     const bool drives = (joint.flags & kDriven) != 0 && definition.motor.speed != 0.0f;
-    return drives || (joint.flags & (kSprung | kSoft | kEdited)) != 0 ||
-           joint.kind == JointKind::Mouse || joint.kind == JointKind::Motor;
+    return drives || (joint.flags & (kSprung | kSoft | kEdited)) != 0 || joint.kind == JointKind::Mouse ||
+           joint.kind == JointKind::Motor;
 }
 
 EnergyAccount& accountOf(const World& world, Workspace& work, std::uint32_t a, std::uint32_t b) {
@@ -50,20 +50,6 @@ float energyBefore(const World& world, std::uint32_t body) {
     return energyOf(world.bodies.mass[body], before.velocity, before.angularVelocity);
 }
 
-/// Rough test that treats angular velocity as the speed at a radius of 1 m.
-bool isSlow(const Float4& velocity, float maximum) {
-    const float square = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
-    return square <= maximum * maximum;
-}
-
-/// Reserves room for all bodies, so that an impact allocates nothing.
-void makeRoom(const World& world, Workspace& work) {
-    const std::size_t room = world.bodies.info.capacity();
-    work.accounts.reserve(room);
-    for (auto* list : {&work.gainers, &work.openAccounts, &work.roots, &work.bookedBodies})
-        list->reserve(room);
-}
-
 /// Slots of groups with rotation, which come first: no others can gain energy.
 std::size_t slotsWithRotation(const Workspace& work) {
     std::int32_t end = 0;
@@ -77,13 +63,18 @@ void findGainers(StepContext& step) {
     Workspace& work = step.work;
     work.gainers.clear();
     if (!step.runs(Effect::Contacts)) return;
-    makeRoom(world, work);
+    const std::size_t room = world.bodies.info.capacity();  // for all: so an impact allocates nothing
+    work.accounts.reserve(room);
+    for (auto* list : {&work.gainers, &work.openAccounts, &work.roots, &work.bookedBodies})
+        list->reserve(room);
     const float slow = kCreeping * world.settings.pushSpeed;
     const bool bounces = step.runs(Effect::Restitution);
     const Float4* const velocities = work.velocity.data();
     const auto gains = [&](std::size_t slot) {
         const Float4& velocity = velocities[slot];
-        if (isSlow(velocity, slow)) return false;  // as idle ones are
+        // Roughly, with the angular velocity as the speed at a radius of 1 m. Idle slots are slow.
+        const float square = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
+        if (square <= slow * slow) return false;
         const std::uint32_t body = work.bodyOf[slot];
         const BodyMass& mass = world.bodies.mass[body];
         if (work.colourMasks[body] == 0 || (mass.inverseInertia == 0.0f && !bounces)) return false;
@@ -117,7 +108,6 @@ void openAccounts(const World& world, Workspace& work) {
 /// Looks up the island only for the few joints that are powered or attached to a static or kinematic body.
 void noteJoints(StepContext& step) {
     World& world = step.world;
-    Workspace& work = step.work;
     const std::vector<std::uint32_t>& awake = world.joints.awake;
     const auto powered = [&](std::uint32_t j) {
         return isPowered(world.joints.hot[j], world.joints.definition[j]);
@@ -128,7 +118,7 @@ void noteJoints(StepContext& step) {
     forThose(step, awake.size(), matters, [&](std::uint32_t i) {
         const std::uint32_t j = awake[i];
         Joint& joint = world.joints.hot[j];
-        EnergyAccount& account = accountOf(world, work, joint.bodyA, joint.bodyB);
+        EnergyAccount& account = accountOf(world, step.work, joint.bodyA, joint.bodyB);
         account.isDriven |= powered(j) || moves(world, joint.bodyA) || moves(world, joint.bodyB);
         account.isRooted |= !isDynamic(world, joint.bodyA) || !isDynamic(world, joint.bodyB);
         if ((joint.flags & kEdited) != 0 && openingOf(world, j) <= world.settings.slop)
