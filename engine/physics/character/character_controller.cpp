@@ -32,15 +32,12 @@ Result<Done> checkUp(Vec2 up) {
 }
 
 Result<Done> check(const CharacterDefinition& definition) {
-    const auto length = [](const char* where, float value) {
-        return checkNumber(where, value, 0.0, static_cast<double>(kLargest));
-    };
     return firstOf(
         checkOutline(definition.outline), checkUp(definition.up),
         checkNumber("CharacterDefinition.steepest", definition.steepest, 0.0, 1.5),
-        length("CharacterDefinition.stepHeight", definition.stepHeight),
-        length("CharacterDefinition.snap", definition.snap),
-        length("CharacterDefinition.cornerCorrection", definition.cornerCorrection),
+        checkNumber("CharacterDefinition.stepHeight", definition.stepHeight, 0.0, kLargest),
+        checkNumber("CharacterDefinition.snap", definition.snap, 0.0, kLargest),
+        checkNumber("CharacterDefinition.cornerCorrection", definition.cornerCorrection, 0.0, kLargest),
         checkNumber("CharacterDefinition.gravityScale", definition.gravityScale, -kFastest, kFastest),
         checkNumber("CharacterDefinition.pushForce", definition.pushForce, 0.0, kStrongest),
         checkNumber("CharacterDefinition.pushMass", definition.pushMass, 0.0, kStrongest),
@@ -139,11 +136,10 @@ void CharacterController::holdOn(const CharacterProbe& probe) {
 
 bool CharacterController::ride(CharacterMover& mover, WorldPosition held) {
     CharacterProbe& probe = mover.probe();
-    const BodyMotion& motion = probe.world().bodies.motion[ground_.body.index];
     probe.carrier = ground_.body;
     const bool arrived = mover.carryTo(held);
     probe.carrier = {};
-    if (motion.angularVelocity == 0.0f) return arrived;
+    if (probe.world().bodies.motion[ground_.body.index].angularVelocity == 0.0f) return arrived;
     const Vec2 extent = boundsOf(definition_.outline, {}, {}).size();
     const WorldPosition foot = held + definition_.up * -height_;
     mover.settle(0.1f * std::max(extent.x, extent.y) + definition_.snap);

@@ -86,8 +86,7 @@ bool CharacterMover::escape() {
         for (const Vec2 displacement :
              {up, right, -right, up + right, up - right, -up, right - up, -right - up}) {
             position_ = before + displacement * (size * static_cast<float>(ring));
-            if (probe_.nearest(position_, 0.0f)) continue;
-            return true;
+            if (!probe_.nearest(position_, 0.0f)) return true;
         }
     }
     position_ = before;

@@ -12,8 +12,7 @@ namespace plumb::physics {
 
 namespace {
 
-template <std::size_t N>
-bool contains(const FixedList<std::uint32_t, N>& shapes, std::uint32_t shape) {
+bool contains(const FixedList<std::uint32_t, 8>& shapes, std::uint32_t shape) {
     return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
 }
 
@@ -105,8 +104,7 @@ std::optional<CastHit> CharacterProbe::cast(const Geometry& outline, WorldPositi
 }
 
 std::optional<CastHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition at, float within) const {
-    const ShapeInfo& info = world_.shapes.info[shape];
-    const BodyPose pose = poseOf(info.body);
+    const BodyPose pose = poseOf(world_.shapes.info[shape].body);
     const Geometry& geometry = world_.shapes.geometry[shape];
     const Frame frame = seenFrom(pose, at, Rot{});
     CastHit hit{.shape = idOfShape(world_, shape), .body = bodyOf(world_, idOfShape(world_, shape))};

@@ -9,10 +9,9 @@ namespace plumb::physics {
 /// Length (m) of an arrow per acceleration (m/s2) of the lighter body by a force: 0.2 m for its weight on
 /// Earth.
 inline constexpr float kArrowPerAcceleration = 0.02f;
-inline constexpr float kLongestArrow = 1.0f;    ///< m: keeps hard landings from crossing the screen
-inline constexpr float kPointRadius = 0.02f;    ///< m
-inline constexpr float kOneWayArrow = 0.25f;    ///< m
-inline constexpr float kAround = kOneWayArrow;  ///< m: nothing is drawn further from its shape
+inline constexpr float kLongestArrow = 1.0f;  ///< m: keeps hard landings from crossing the screen
+inline constexpr float kPointRadius = 0.02f;  ///< m
+inline constexpr float kOneWayArrow = 0.25f;  ///< m: nothing else is drawn so far from its shape
 
 struct Picture {
     const World& world;
@@ -53,10 +52,8 @@ struct Picture {
     /// @param box  of the shape
     [[nodiscard]] bool isInSight(const AABB& box, std::uint32_t body) const {
         if (choice.sight == nullptr) return true;
-        const float displacement = choice.behind == 0.0f || !moves(body)
-                                       ? 0.0f
-                                       : std::abs(choice.behind) * length(world.bodies.motion[body].velocity);
-        return intersects(grown(box, displacement + kAround), *choice.sight);
+        const float speed = moves(body) ? length(world.bodies.motion[body].velocity) : 0.0f;
+        return intersects(grown(box, std::abs(choice.behind) * speed + kOneWayArrow), *choice.sight);
     }
     /// True if a shape is so small on the canvas that its bounds look like its outline.
     [[nodiscard]] bool isDot(const AABB& box) const {

@@ -25,8 +25,7 @@ double energyOfMotion(const World& world, std::uint32_t body) {
 
 double energyInGravity(const World& world, std::uint32_t body) {
     const WorldPosition& place = world.bodies.pose[body].centre;
-    const BodyDrive& drive = world.bodies.driveOf(body);
-    const Vec2 gravity = world.settings.gravity * drive.gravityScale;
+    const Vec2 gravity = world.settings.gravity * world.bodies.driveOf(body).gravityScale;
     return -static_cast<double>(world.bodies.mass[body].mass) *
            (static_cast<double>(gravity.x) * place.x + static_cast<double>(gravity.y) * place.y);
 }

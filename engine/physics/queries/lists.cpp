@@ -10,14 +10,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// The common bounding box of some shapes; both corners (0, 0) if there are none.
-/// @param forShapes  calls a function with each of them
-template <class ForShapes>
-AABB boundsOfAll(const World& world, ForShapes&& forShapes) {
-    AABB bounds = kNowhere;
-    forShapes([&](std::size_t shape) { bounds = merged(bounds, world.shapes.bounds[shape]); });
-    return bounds == kNowhere ? AABB{} : bounds;
-}
+/// Both corners (0, 0) if nothing was merged into kNowhere.
+AABB finished(const AABB& bounds) { return bounds == kNowhere ? AABB{} : bounds; }
 
 }  // namespace
 
@@ -86,15 +80,17 @@ FixedList<ContactPoint, 2> contactPoints(const World& world, const Contact& cont
 
 AABB boundsOf(const World& world, BodyId body) {
     if (!alive(world, body)) return {};
-    return boundsOfAll(world, [&](auto&& add) { forShapesOf(world, body.index, add); });
+    AABB bounds = kNowhere;
+    forShapesOf(world, body.index, [&](std::uint32_t s) { bounds = merged(bounds, world.shapes.bounds[s]); });
+    return finished(bounds);
 }
 
 AABB boundsOf(const World& world) {
-    return boundsOfAll(world, [&](auto&& add) {
-        for (std::size_t s = 0; s < world.shapes.size(); ++s) {
-            if (world.shapes.motion[s] != ProxyMotion::Gone) add(s);
-        }
-    });
+    AABB bounds = kNowhere;
+    for (std::size_t s = 0; s < world.shapes.size(); ++s) {
+        if (world.shapes.motion[s] != ProxyMotion::Gone) bounds = merged(bounds, world.shapes.bounds[s]);
+    }
+    return finished(bounds);
 }
 
 }  // namespace plumb::physics

@@ -28,20 +28,12 @@ void findShapes(StepContext& step, const SoftBody& body) {
 
 Vec2 velocityAt(const Float4& motion, Vec2 arm) { return Vec2{motion.x, motion.y} + cross(motion.z, arm); }
 
-void addNeighbours(World& world, SoftSurroundings& around, std::uint32_t soft) {
-    for (const std::uint32_t shape : around.shapesOf(soft)) {
-        const std::uint32_t body = world.shapes.info[shape].body;
-        if (isUp(world, body)) around.neighbours.emplace_back(islandOf(world, body), soft);
-    }
-}
-
 SoftObstacle obstacleOf(const World& world, std::uint32_t body) {
     const BodyMotion& motion = world.bodies.motion[body];
-    const BodyInfo& info = world.bodies.info[body];
     const BodyPose& pose = world.bodies.pose[body];
     SoftObstacle obstacle{
         .body = body, .isPushed = isUp(world, body), .centre = pose.centre, .rotation = pose.rotation};
-    if (info.kind != BodyKind::Dynamic)
+    if (!isDynamic(world, body))
         obstacle.motion = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, 0.0f};
     if (!obstacle.isPushed) return obstacle;
     const BodyMass& mass = world.bodies.mass[body];
@@ -193,7 +185,12 @@ void findSurroundings(StepContext& step) {
         around.ends.push_back(static_cast<std::uint32_t>(around.shapes.size()));
         for (const std::uint32_t shape : around.shapesOf(soft)) rouse(step, body, shape);
     }
-    for (std::uint32_t soft = 0; soft < around.ends.size(); ++soft) addNeighbours(world, around, soft);
+    for (std::uint32_t soft = 0; soft < around.ends.size(); ++soft) {
+        for (const std::uint32_t shape : around.shapesOf(soft)) {
+            const std::uint32_t body = world.shapes.info[shape].body;
+            if (isUp(world, body)) around.neighbours.emplace_back(islandOf(world, body), soft);
+        }
+    }
     std::sort(around.neighbours.begin(), around.neighbours.end());
     around.obstacleOf.assign(around.shapes.empty() ? 0 : world.bodies.size(), 0);
     around.obstacles.clear();
@@ -214,10 +211,9 @@ void findSoftContacts(StepContext& step, SoftGroup& group) {
 }
 
 int substepsOf(const StepContext& step, const SoftGroup& group) {
-    SoftSurroundings& around = step.work.softSurroundings;
     const World& world = step.world;
     float heaviest = 0.0f;  // kg
-    for (const SoftObstacle& obstacle : group.obstacles.of(around.obstacles)) {
+    for (const SoftObstacle& obstacle : group.obstacles.of(step.work.softSurroundings.obstacles)) {
         if (obstacle.isPushed) heaviest = std::max(heaviest, world.bodies.mass[obstacle.body].mass);
     }
     const float load = step.runs(Effect::Gravity) ? heaviest * length(world.settings.gravity) : 0.0f;  // N
