@@ -91,7 +91,8 @@ compare_physics() { # NAME RUNNER...
     local program hashes
     program=$(find "$build/$1/bin" -name 'plumb-physics-hashes*' 2>/dev/null || true)
     [ -n "$program" ] || return 0  # the build has said so
-    hashes=$("${@:2}" "$program" 2>"$build/$1.log" </dev/null | tr -d '\r') || { tail -n 10 "$build/$1.log"; hashes+=" (ended early)"; }
+    # They take seconds; a foreign system may hang as it starts.
+    hashes=$(timeout 600 "${@:2}" "$program" 2>"$build/$1.log" </dev/null | tr -d '\r') || { tail -n 10 "$build/$1.log"; hashes+=" (ended early)"; }
     diff <(echo "$hashes") "$root/tests/replay/physics.golden" && return 0
     echo "$1: scenes of the physics library differ"
     return 1
