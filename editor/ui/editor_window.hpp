@@ -99,7 +99,7 @@ private:
     std::array<char, 64> newScene_{};
     std::string newSceneError_;
     std::string unsavedProblem_;  ///< why the scene could not be saved before it is left
-    Theme theme_ = Theme::Dark;   ///< as it is shown, like the two below
+    Theme theme_ = Theme::Dark;   ///< as it is shown, like the text size
     float textSize_ = 0.0f;
     bool askUnsaved_ = false;
     bool quit_ = false;

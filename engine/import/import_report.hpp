@@ -31,7 +31,7 @@ struct ImportReport {
     /// Adds names of what means something only inside another editor.
     void leaveOut(std::string_view owner, const std::set<std::string>& keys);
 
-    /// The problems, those that say the same of several places as one: "tile 3 and 5 more places".
+    /// The problems, identical ones of several places merged: "tile 3 and 5 more places".
     [[nodiscard]] std::vector<Error> foldedProblems() const;
     /// "70 keys that only LDtk needs were left out"; empty when there are none. The keys are many and matter
     /// to few, so they are no lines of their own.

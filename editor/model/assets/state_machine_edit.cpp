@@ -40,7 +40,7 @@ const T& at(const std::vector<T>& items, int index) {
     return items[static_cast<std::size_t>(index)];
 }
 
-/// After an item was taken out: what named a later one names it still.
+/// Adjusts an index into a list from which an item was erased.
 int withoutIndex(int index, int removed) { return index > removed ? index - 1 : index; }
 
 std::string freeName(const AnimationSet& set, std::string_view wanted,

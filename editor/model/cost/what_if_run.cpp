@@ -53,7 +53,7 @@ physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
 
 }  // namespace
 
-/// What was seen of one way.
+/// The recorded samples of one run.
 struct WhatIfRun::Track {
     WhatIfPoint point;
     /// m, from the place at the start: of each watched body at each look; far away for a body that is gone.

@@ -12,7 +12,7 @@ namespace plumb::editor {
 
 class Workspace;
 
-// Changes of a tileset as such; `changeTileset` makes one a step of undo.
+// Edits of tileset data without undo; changeTileset() makes one a step of undo.
 
 /// What is special about a tile, to be changed; made when there was nothing.
 Tile& tileIn(Tileset& tileset, int tile);

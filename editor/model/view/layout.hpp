@@ -118,7 +118,7 @@ PaneBoxes arrange(const PaneLayout& layout, std::span<const PanelHome> panels, V
 /// Where a tab that is dragged would come to stand.
 struct PaneDrop {
     Dock dock = Dock::Bottom;
-    AABB box;  ///< px; what it would take, to be shown meanwhile
+    AABB box;  ///< px; the area that the dropped tab would take
 };
 /// @param at  px; the mouse. Over the scene the parts of it count where a pane is not there yet
 std::optional<PaneDrop> dropAt(const PaneLayout& layout, const PaneBoxes& boxes, Vec2 at);

@@ -26,7 +26,7 @@ public:
     std::string search;  ///< words; a line has to have all of them, in any case
     bool once = true;    ///< equal lines are one row, where they were said last
 
-    /// Looks at the book again, when it or what one wants to see changed.
+    /// Computes the rows again if the log or the filter changed.
     void update(const LogBook& book);
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
     /// Of all lines, shown or not.

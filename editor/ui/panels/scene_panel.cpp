@@ -348,7 +348,7 @@ private:
         ImGui::EndDragDropTarget();
     }
 
-    /// Below an open parent is before its first child.
+    /// A drop below an expanded parent inserts before its first child.
     [[nodiscard]] TreePlace placeBeside(const Document& document, const Row& row, bool below) const {
         const std::vector<Row>& rows = tree_.rows();
         const std::size_t next = tree_.rowOf(row.id) + 1;

@@ -21,7 +21,7 @@ protected:
 
     [[nodiscard]] std::string folder(std::string_view name) const { return (root_.path / name).string(); }
     [[nodiscard]] Path root(std::string_view name) const { return root_.path / name; }
-    /// A project whose scene has one entity more than others.
+    /// A project whose scene has an entity of this name.
     void make(const std::string& name, const std::string& entity) {
         std::string scene{kSceneText};
         scene.replace(scene.find("\"crate\""), 7, '"' + entity + '"');

@@ -184,7 +184,7 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     EXPECT_NE(w().text().find("\"speed\": 40"), std::string::npos);
     EXPECT_NE(w().text().find("\"speed\": 56"), std::string::npos) << "the other one stays";
 
-    // All of it can be taken back and done again, is saved, and is there after a restart.
+    // All of it can be undone and redone, is saved, and is there after a restart.
     expectHistoryIsExact(empty);
     const std::string done = w().text();
     EXPECT_NE(valueOf("Status/state").find("Not saved"), std::string::npos);
