@@ -5,15 +5,6 @@
 
 namespace plumb {
 
-namespace {
-
-template <class... T>
-void addAll(TypeRegistry& types, TypeList<T...>) {
-    (types.add<T>(), ...);
-}
-
-}  // namespace
-
 void registerGameplayComponents(TypeRegistry& types) { addAll(types, GameplayComponents{}); }
 
 }  // namespace plumb
