@@ -3,7 +3,7 @@
 
 #include "editor/ui/editor_app.hpp"
 
-/// The editor: opens a project, shows its scenes, changes and saves them.
+/// Entry point of the editor.
 int main(int count, char** arguments) {
     const std::vector<const char*> words(arguments + 1, arguments + count);
     const auto options = plumb::editor::parseEditorOptions(words);

@@ -6,7 +6,8 @@
 
 namespace plumb::editor {
 
-/// Where an action stands in a list of all of them: by its menu, or by its kind when it stands in none.
+/// Returns the heading of an action in the list of all actions: its menu, or the capitalized prefix of its id
+/// ("tiles.keep1": "Tiles") for an action that is in no menu.
 std::string groupOf(const Action& action);
 
 }  // namespace plumb::editor

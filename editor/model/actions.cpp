@@ -51,7 +51,7 @@ bool isOn(const Action& action, const Workspace& workspace) {
 }
 
 bool runShortcut(Workspace& workspace, const Event& event) {
-    // What a key means for tiles, or for entities, goes before what it always means.
+    // Shortcuts for only tiles or only entities take precedence over general ones.
     for (const bool special : {true, false}) {
         for (const Action& action : actionTable()) {
             if ((action.during != During::Always) != special || !counts(action.during, workspace)) continue;

@@ -9,18 +9,19 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// When a shortcut counts, so that a key may mean one thing for entities and another for tiles.
+/// When a shortcut is active: always, or only while the current tool edits entities or tiles, so that one key
+/// can have a different function in each case.
 enum class During : unsigned char { Always, Entities, Tiles };
 
-/// One thing that a person can ask for: a row of the table that menus, toolbar, tooltips and shortcuts read.
+/// A user action: a row of the table from which menus, toolbar, tooltips and shortcuts are built.
 struct Action {
-    std::string_view id;     ///< "edit.undo"; empty: a line between two groups of a menu
+    std::string_view id;     ///< "edit.undo"; empty: a separator line in a menu
     std::string_view menu;   ///< "Edit"
     std::string_view label;  ///< "Undo"
     Shortcut shortcut;
     bool (*enabled)(const Workspace& workspace) = nullptr;
-    void (*run)(Workspace& workspace) = nullptr;       ///< null: takes the tool of that id
-    bool (*on)(const Workspace& workspace) = nullptr;  ///< for what is a switch
+    void (*run)(Workspace& workspace) = nullptr;       ///< null: activates the tool of that id
+    bool (*on)(const Workspace& workspace) = nullptr;  ///< state of a toggle; null: not a toggle
     Shortcut alternative{};
     During during = During::Always;
 };
@@ -28,13 +29,13 @@ struct Action {
 std::span<const Action> actionTable();
 const Action* findAction(std::string_view id);
 
-/// Whether a switch is on, or a tool in the hand.
+/// True if the action is a toggle that is on, or activates the tool that is active now.
 bool isOn(const Action& action, const Workspace& workspace);
 
-/// Does what the id stands for; nothing when it is not possible now.
+/// Runs the action with this id. @return false if there is none or it is disabled now
 bool runAction(Workspace& workspace, std::string_view id);
 
-/// Runs what the pressed keys stand for. @return whether there was something
+/// Runs the first enabled action whose shortcut matches the event. @return true if one ran
 bool runShortcut(Workspace& workspace, const Event& event);
 
 }  // namespace plumb::editor

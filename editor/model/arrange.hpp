@@ -6,17 +6,18 @@
 
 namespace plumb::editor {
 
-/// What of several boxes is brought to one line: that of the box around all of them.
+/// Edge or center of each entity's box that is moved to that of the box around all the entities.
 enum class Alignment : unsigned char { Left, Center, Right, Top, Middle, Bottom };
 
-/// Those that are arranged: each once, not below another one of them, not locked, and somewhere.
+/// Returns the entities of the list that can be arranged: not locked, with a Transform, not the root of an
+/// open prefab, and not below another entity of the list.
 std::vector<ObjectId> arrangeable(const Document& document, const std::vector<ObjectId>& objects);
 
-/// Moves entities so that their boxes are in line. One step of undo; doing it twice changes nothing more.
-/// @return false when nothing had to be moved
+/// Aligns the boxes of entities, as one undo step.
+/// @return false if no entity had to move
 bool alignEntities(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects, Alignment to);
 
-/// Makes the gaps between boxes equal, left to right or top to bottom; the first and the last one stay.
+/// Makes the gaps between the boxes equal, along x or (`downwards`) along y. The first and the last box stay.
 bool spreadEntities(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects,
                     bool downwards);
 

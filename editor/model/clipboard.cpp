@@ -75,18 +75,19 @@ std::string prefabOf(const Document& document, const EntityState& state) {
     return std::string{document.world.texts().find(instance.prefab.path)};
 }
 
-/// Why these cannot be put into the open document; empty when they can.
+/// Returns the reason why these entities cannot be pasted into the open document, or an empty text.
 std::string whyNotHere(const PrefabEdit& edit, const std::vector<EntityState>& states) {
     if (!prefabRootOf(edit.document)) return {};
     for (const EntityState& state : states) {
         const std::string path = prefabOf(edit.document, state);
         if (!path.empty() && isInside(edit.root, edit.document.scenePath, path))
-            return format("{} is the prefab that is edited, or has it inside itself", path);
+            return format("{} cannot be pasted here: it is the edited prefab or contains it", path);
     }
     return {};
 }
 
-/// Makes plain entities of what this project's prefabs do not have. @return the prefabs that are missing
+/// Turns instances and parts for which this project has no prefab into plain entities.
+/// @return paths of the missing prefabs
 std::vector<std::string> unpackStrangers(const PrefabEdit& edit, std::vector<EntityState>& states) {
     std::vector<std::string> missing;
     std::map<std::uint64_t, const Prefab*> instances;  // null: its prefab is missing
@@ -108,7 +109,7 @@ std::vector<std::string> unpackStrangers(const PrefabEdit& edit, std::vector<Ent
         PrefabPart part;
         std::memcpy(&part, link->bytes.data(), sizeof part);
         const auto instance = instances.find(part.instance);
-        if (instance == instances.end()) continue;  // copied without its instance: plain in any case
+        if (instance == instances.end()) continue;  // without its instance, copiesOf makes it a plain entity
         if (instance->second == nullptr || instance->second->find(part.part) == nullptr)
             drop<PrefabPart>(state);
     }
@@ -160,8 +161,8 @@ Pasted pasteFromText(const PrefabEdit& edit, std::string_view text) {
     if (!pasted.why.empty()) return pasted;
     pasted.unpacked = unpackStrangers(edit, states);
     for (const std::string& path : pasted.unpacked)
-        logWarning("Editor", Error{path, "this project has no such prefab",
-                                   "its instance was pasted as plain entities; bring the prefab's file here "
+        logWarning("Editor", Error{path, "the prefab is not in this project",
+                                   "its instance was pasted as plain entities; copy the prefab's file here "
                                    "and paste again to keep it an instance"});
     const std::string label =
         states.size() == 1 ? "paste entity" : format("paste {} entities", states.size());

@@ -10,20 +10,20 @@
 
 namespace plumb::editor {
 
-/// Entities as text that other scenes, other editors and people can read.
+/// Returns entities and all their descendants as JSON text for the clipboard, to be pasted in any scene.
 std::string copyAsText(Document& document, const std::vector<ObjectId>& objects);
 
-/// What came of a text that is to be pasted.
+/// Result of reading a clipboard text.
 struct Pasted {
-    std::unique_ptr<InsertEntities> command;  ///< null: the text is something else, or it cannot be put in
-    std::vector<ObjectId> originals;          ///< of each entity of it, wherever that is
-    std::vector<std::string> unpacked;        ///< prefabs that this project does not have
-    std::string why;                          ///< it cannot be put in; empty
+    std::unique_ptr<InsertEntities> command;  ///< null: the text holds no entities, or `why` is set
+    std::vector<ObjectId> originals;          ///< the entities' ids in the text, in its order
+    std::vector<std::string> unpacked;        ///< paths of prefabs that this project lacks
+    std::string why;                          ///< reason why the entities cannot be pasted here; else empty
 };
 
-/// A command that puts in what `copyAsText` made. Instances of prefabs that this project does not have become
-/// plain entities, and so do parts that its prefab does not have: else saving would lose them. The console
-/// says so.
+/// Makes a command that inserts copies of the entities in a text made by `copyAsText`. Instances of prefabs
+/// that this project lacks, and parts that the prefab here lacks, become plain entities, because saving would
+/// lose them; a missing prefab is logged as a warning.
 Pasted pasteFromText(const PrefabEdit& edit, std::string_view text);
 
 }  // namespace plumb::editor

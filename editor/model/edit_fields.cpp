@@ -16,8 +16,9 @@ const void* componentOf(const Workspace& workspace, const FieldTarget& target, O
     return workspace.shownWorld().find(target.type, workspace.shownEntity(id));
 }
 
-/// The component with the place that it cannot give: the first entity of a prefab stays where it is.
-ComponentState inPlace(const Document& document, ObjectId id, ComponentState state) {
+/// Returns the component with the present position and rotation if the entity is the root of the open prefab,
+/// which must not move.
+ComponentState withRootPoseKept(const Document& document, ObjectId id, ComponentState state) {
     const World& world = document.world;
     const void* now = world.find(*state.type, document.find(id));
     for (const FieldInfo& field : state.type->fields) {
@@ -64,7 +65,8 @@ void setComponent(Workspace& workspace, const std::vector<ObjectId>& ids, const 
                   std::string label) {
     if (!workspace.play.running()) {
         std::vector<ChangeComponents::Change> changes;
-        for (const ObjectId id : ids) changes.push_back({id, inPlace(workspace.document, id, state)});
+        for (const ObjectId id : ids)
+            changes.push_back({id, withRootPoseKept(workspace.document, id, state)});
         return workspace.undo.push(
             std::make_unique<ChangeComponents>(std::move(label), *state.type, std::move(changes)));
     }

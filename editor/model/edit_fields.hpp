@@ -11,35 +11,37 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// A field of several entities.
+/// One field of a component, on several entities.
 struct FieldTarget {
     const TypeInfo& type;
     const FieldInfo& field;
-    std::span<const ObjectId> objects;  ///< in the order of selecting
+    std::span<const ObjectId> objects;  ///< in order of selection
 };
 
-/// What an edit does to the value of one entity. The index is its place in the target.
+/// Edits the value of one entity in place. `index` is the entity's index in `FieldTarget::objects`.
 using ChangeValue = std::function<void(FieldValue& value, std::size_t index)>;
 
-/// Changes the field of all of them by one command, or at once in the game that plays. What lacks the
-/// component is left out. What changes nothing is no command.
+/// Changes the field on all entities of the target that have the component: by one command (none if no value
+/// changes), or directly in the running game.
 void editFields(Workspace& workspace, const FieldTarget& target, const ChangeValue& change);
 
-/// Gives all fields of a component their defaults: one command, or at once in the game that plays.
+/// Resets all fields of a component to their defaults: by one command, or directly in the running game.
 void resetComponent(Workspace& workspace, const std::vector<ObjectId>& ids, const TypeInfo& type);
 
-/// Gives a component to all of these, also to those that lack it; in the game that plays, only its fields to
-/// those that have it.
+/// Adds a component with this state to the entities, or overwrites it where they have one. In the running
+/// game, only the entities that have the component are changed.
 /// @param label  completes "Undo …"
 void setComponent(Workspace& workspace, const std::vector<ObjectId>& ids, const ComponentState& state,
                   std::string label);
 
-/// The values as they are shown now. An entity without the component is left out.
+/// Returns the current values, from the running game if there is one. Entities without the component are left
+/// out.
 std::vector<FieldValue> readFields(const Workspace& workspace, const FieldTarget& target);
 
-/// Types over a number of all of them; see typedNumber. Either all change or none.
-/// @param at  bytes from the start of the value
-/// @error     what is wrong with the text, or for which of them it has no result
+/// Evaluates a typed text (see typedNumber) for each entity and sets the number to the result. Either all
+/// entities change or none.
+/// @param at  byte offset of the number in the value
+/// @error     the text cannot be evaluated for one of the entities
 Result<Done> typeNumber(Workspace& workspace, const FieldTarget& target, std::size_t at,
                         std::string_view text);
 

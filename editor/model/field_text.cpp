@@ -16,12 +16,13 @@ namespace {
 
 constexpr std::string_view kMark = "plumbComponent";
 
-/// What a JSON text of a component says, or why it says nothing.
+/// Reads a component from a clipboard text.
 Result<ComponentState> componentFromText(Workspace& workspace, const TypeInfo& type, std::string_view text) {
     const Result<Json> json = parseJson(text, "clipboard");
     if (!json) return json.error();
     const Json* fields = findMember(*json, "fields");
-    if (fields == nullptr) return Error{"clipboard", "the component has no \"fields\"", "copy it again"};
+    if (fields == nullptr)
+        return Error{"clipboard", "the component has no \"fields\"", "copy the component again"};
     WorldFieldContext context{workspace.shownWorld()};
     ComponentState scratch = defaultComponent(type);
     std::vector<FieldProblem> problems;
@@ -62,7 +63,8 @@ Result<FieldValue> colorFromText(std::string_view text) {
     const bool whole = digits.size() == 6 || digits.size() == 8;
     const std::optional<std::uint64_t> bits = whole ? parseHex(digits) : std::nullopt;
     if (!bits)
-        return Error{"color", format("\"{}\" is none", text), "write it as #rgb, #rrggbb or #rrggbbaa"};
+        return Error{"color", format("\"{}\" is not a color", text),
+                     "write it as #rgb, #rrggbb or #rrggbbaa"};
     const std::uint64_t all = digits.size() == 6 ? *bits << 8 | 0xff : *bits;
     const auto part = [all](int shift) { return static_cast<std::uint8_t>(all >> shift); };
     return FieldValue::of(Color{part(24), part(16), part(8), part(0)});
@@ -109,7 +111,7 @@ const TypeInfo* componentInText(const TypeRegistry& types, std::string_view text
 
 Result<Done> pasteComponent(Workspace& workspace, const std::vector<ObjectId>& ids, std::string_view text) {
     const TypeInfo* type = componentInText(workspace.document.types(), text);
-    if (type == nullptr) return Error{"clipboard", "it holds no component", "copy one first"};
+    if (type == nullptr) return Error{"clipboard", "contains no component", "copy a component first"};
     const Result<ComponentState> state = componentFromText(workspace, *type, text);
     if (!state) return state.error();
     setComponent(workspace, ids, *state, format("paste {}", type->name));

@@ -10,31 +10,32 @@ namespace plumb::editor {
 
 class Workspace;
 
-// Values and components as JSON text, in the words of scene files: what goes to the clipboard and back.
+// Clipboard texts: values and components as JSON, as in scene files.
 
-/// A value as a scene file has it: `[3, 4]`, `"#ff8000"`, `true`.
+/// Returns a value as JSON, as in a scene file: `[3, 4]`, `"#ff8000"`, `true`.
 std::string valueText(Workspace& workspace, const TypeInfo& type, const FieldInfo& field,
                       const FieldValue& value);
 
-/// The value of such a text. A number past the field's range becomes the nearest in it.
-/// @error  what was expected and what was found
+/// Reads a value from JSON text. A number outside the field's range is clamped to it.
+/// @error  the text is not a value of the field's type
 Result<FieldValue> valueFromText(Workspace& workspace, const TypeInfo& type, const FieldInfo& field,
                                  std::string_view text);
 
-/// A color as people type it: with or without #, in 3, 6 or 8 digits.
+/// Reads a color of 3, 6 or 8 hexadecimal digits, with or without a leading #.
 Result<FieldValue> colorFromText(std::string_view text);
 std::string colorText(const FieldValue& color);
 
-/// A whole component with all its fields.
-/// @pre  the entity has it
+/// Returns a component with all its saved fields as clipboard text.
+/// @pre  the entity has the component
 std::string componentText(Workspace& workspace, const TypeInfo& type, ObjectId id);
 
-/// The type of the component that a text holds; null when it is something else. Looks only at its beginning.
+/// Returns the type of the component in a clipboard text, null if the text holds none. Reads only the first
+/// 120 characters.
 const TypeInfo* componentInText(const TypeRegistry& types, std::string_view text);
 
-/// Gives the component of the text to all of these, those that lack it too; one step of undo. In the game
-/// that plays, to those that have it.
-/// @error  what is wrong with the text; nothing has changed then
+/// Pastes the component of a clipboard text onto the entities, as one undo step, and adds it where it is
+/// missing. In the running game, only the entities that have the component are changed.
+/// @error  the text cannot be read; nothing has changed then
 Result<Done> pasteComponent(Workspace& workspace, const std::vector<ObjectId>& ids, std::string_view text);
 
 }  // namespace plumb::editor

@@ -13,23 +13,24 @@ std::string_view whyNotPainted(const Workspace& workspace, Vec2 at) {
     if (!workspace.paintsTiles()) return {};
     const ObjectId layer = activeTileLayer(document, workspace.tiles);
     const TileGrid* grid = gridOf(document, layer);
-    if (grid == nullptr) return "This scene has no tile layer; add one in the panel Tiles";
+    if (grid == nullptr) return "This scene has no tile layer; add one in the Tiles panel";
     if (document.view.locks(layer))
-        return "This layer is locked; the lock beside its name in the panel Tiles opens it";
+        return "This layer is locked; click the lock beside its name in the Tiles panel to unlock it";
     if (document.view.hides(layer))
-        return "This layer is hidden; the eye beside its name in the panel Tiles shows it";
+        return "This layer is hidden; click the eye beside its name in the Tiles panel to show it";
     const CellPlace cell = cellAt(document, layer, at);
     if (grid->has(cell.x, cell.y)) return {};
-    return "The layer ends before that; cells of its TileLayer, in the inspector, make it larger";
+    return "This point is outside the layer; increase \"cells\" of its TileLayer in the inspector";
 }
 
 Result<Path> newSceneFile(const Path& project, std::string_view name) {
     const std::string path = format("scenes/{}.scene.json", name);
     if (name.empty() || name.find('/') != std::string_view::npos)
-        return Error{path, "this is no name for a scene", "write a word, e.g. \"level1\""};
+        return Error{path, "the name of a scene must not be empty or contain a slash",
+                     "use a name like \"level1\""};
     Result<Path> file = pathInside(project, path);
     if (file && std::filesystem::exists(*file))
-        return Error{path, "there is such a scene", "choose another name"};
+        return Error{path, "a scene with this name exists", "choose another name"};
     return file;
 }
 

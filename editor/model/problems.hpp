@@ -7,23 +7,23 @@
 
 namespace plumb::editor {
 
-/// What went wrong with files, until the person has read it or it went well. Lies beside the document, which
-/// outlives what is opened in it.
+/// Errors of the last load and save, shown until the user dismisses them or a later try succeeds. A resource
+/// of the document's world.
 struct Problems {
-    std::string load;  ///< why the scene that was asked for is not open
+    std::string load;  ///< why the requested scene could not be opened
     std::string save;  ///< why the last save failed
 };
 Problems& problemsOf(Workspace& workspace);
 
-/// Why a stroke of the tile tool in hand paints nothing there; empty when it paints.
-/// @param at  px, world
+/// Returns why the active tile tool cannot paint at this point; empty if it can.
+/// @param at  px, in world space
 std::string_view whyNotPainted(const Workspace& workspace, Vec2 at);
 
-/// Where a new scene of that name would be.
-/// @error  no name, one that leaves the folder, or there is such a scene
+/// Returns the path of a new scene file.
+/// @error  the name is empty, contains a slash or leaves the folder, or a scene of that name exists
 Result<Path> newSceneFile(const Path& project, std::string_view name);
 
-/// The notice of a game that has just begun.
+/// Notice in the status bar when a game starts.
 inline constexpr std::string_view kPlayingNotice = "Playing";
 
 }  // namespace plumb::editor

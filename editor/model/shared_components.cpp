@@ -17,8 +17,8 @@ namespace plumb::editor {
 
 namespace {
 
-/// "previousPosition" beside "position": what the field was one tick ago. The engine keeps it, to draw what
-/// is between two ticks; it is never set by hand.
+/// True for a field like "previousPosition" beside "position": the value one tick ago, which the engine
+/// stores to interpolate between two ticks. Users never set it.
 bool isOfLastTick(const TypeInfo& type, const FieldInfo& field) {
     constexpr std::string_view kBefore = "previous";
     if (!field.transient || !startsWith(field.name, kBefore) || field.name.size() == kBefore.size())
@@ -38,7 +38,7 @@ bool floatsDiffer(const void* a, const void* b, std::size_t at) {
 
 }  // namespace
 
-bool hasOwnPlace(const TypeInfo& type) {
+bool isHiddenInComponentLists(const TypeInfo& type) {
     return type.key == typeKey<SceneEntity>() || type.key == typeKey<PrefabInstance>() ||
            type.key == typeKey<PrefabPart>() || type.key == typeKey<Name>() ||
            type.key == typeKey<Parent>() || type.key == typeKey<Children>();
@@ -62,8 +62,8 @@ std::vector<ComponentHolders> componentHolders(const TypeRegistry& types, const 
                                                std::span<const EntityId> entities) {
     std::vector<ComponentHolders> held;
     for (const TypeInfo& type : types.all()) {
-        // Few of the types are in a scene: the others need not be looked for in thousands of entities.
-        if (hasOwnPlace(type) || world.count(type) == 0) continue;
+        // A scene uses few of the types; the others need no search through thousands of entities.
+        if (isHiddenInComponentLists(type) || world.count(type) == 0) continue;
         const auto count = static_cast<std::size_t>(std::count_if(
             entities.begin(), entities.end(), [&](EntityId entity) { return world.has(type, entity); }));
         if (count > 0) held.push_back({&type, count});
@@ -85,13 +85,13 @@ void MixedBytes::compare(const FieldInfo& field, const void* a, const void* b) {
             }
             return;
         case FieldKind::List: {
-            // Lists of another length have no places in common.
-            if (*field.listCount(const_cast<void*>(a)) != *field.listCount(const_cast<void*>(b))) {
+            // Elements of lists of different lengths are not compared.
+            if (field.countOf(a) != field.countOf(b)) {
                 lengths_ = true;
                 return mark(0, field.size);
             }
             if (!hasNumbers(field)) break;
-            const std::size_t bytes = *field.listCount(const_cast<void*>(a)) * field.elementSize;
+            const std::size_t bytes = field.countOf(a) * field.elementSize;
             for (std::size_t at = 0; at < bytes; at += sizeof(float)) {
                 if (floatsDiffer(a, b, at)) mark(at, sizeof(float));
             }

@@ -7,48 +7,50 @@
 
 namespace plumb::editor {
 
-/// Components that the tree or the scene file shows in another way, so that no list of components has them.
-bool hasOwnPlace(const TypeInfo& type);
+/// True for component types that no component list shows: name, parent, children, and the links to scene and
+/// prefab, which the scene tree and the inspector's header show.
+bool isHiddenInComponentLists(const TypeInfo& type);
 
-/// A component type, and how many of some entities have it.
+/// A component type and the number of entities that have it.
 struct ComponentHolders {
     const TypeInfo* type = nullptr;
     std::size_t count = 0;
 };
 
-/// Each type that one of them has, in the order of the registry.
-/// @param types  the document's, which outlive a game's
+/// Returns each component type that at least one of the entities has, in registry order.
+/// @param types  the document's, which outlive those of a running game
 std::vector<ComponentHolders> componentHolders(const TypeRegistry& types, const World& world,
                                                std::span<const EntityId> entities);
 
-/// Tells whether what was found out about the selected entities still holds.
+/// Key for values cached from the selected entities: the cache is valid while selectedState() returns the
+/// same value.
 struct SelectedState {
     std::uint64_t scene = static_cast<std::uint64_t>(-1);
     std::uint64_t selection = 0;
-    std::int64_t tick = -1;  ///< of the game that plays
+    std::int64_t tick = -1;  ///< tick of the running game; -1: none runs
     friend bool operator==(const SelectedState&, const SelectedState&) = default;
 };
 SelectedState selectedState(const Workspace& workspace);
 
-/// Those that have the component.
+/// Returns the ids of the entities that have the component.
 std::vector<ObjectId> holdersOf(const Workspace& workspace, std::span<const ObjectId> ids,
                                 const TypeInfo& type);
 
-/// Which bytes of the value are not the same in all of them: none is zero where they differ. Numbers that are
-/// equal count as the same.
+/// Mask of the bytes in which a field's values differ between entities: nonzero where they differ. Numbers
+/// are compared by value, so 0 and -0 are equal.
 class MixedBytes {
 public:
     MixedBytes() = default;
     explicit MixedBytes(const FieldInfo& field) : bytes_(field.size) {}
 
-    /// Marks where two values at addresses differ.
+    /// Marks the bytes in which the field's values at `a` and `b` differ.
     void compare(const FieldInfo& field, const void* a, const void* b);
     [[nodiscard]] bool any() const { return any_; }
-    /// Whether further values can change nothing any more.
+    /// True if all bytes are marked, so further comparisons can be skipped.
     [[nodiscard]] bool all() const;
     [[nodiscard]] bool any(std::size_t at, std::size_t size) const;
     [[nodiscard]] bool bit(unsigned bit) const;
-    /// Whether they are lists that are not all as long.
+    /// True if the values are lists of different lengths.
     [[nodiscard]] bool lengths() const { return lengths_; }
 
 private:
@@ -57,27 +59,28 @@ private:
     bool lengths_ = false;
 };
 
-/// One field of what is selected, as the inspector shows it.
+/// One field of the selected entities, as the inspector shows it.
 struct SharedField {
-    FieldValue value;       ///< of the one selected last
-    MixedBytes mixed;       ///< against the others
-    bool isDefault = true;  ///< of all of them
+    FieldValue value;       ///< value of the entity selected last
+    MixedBytes mixed;       ///< bytes in which other entities differ from `value`
+    bool isDefault = true;  ///< all the values are the default
 };
 
-/// The components of one type that several entities have. Valid until one of them comes, goes or is changed.
+/// The components of one type on several entities. Valid until one of them is added, removed or changed.
 struct HeldComponents {
     const TypeInfo* type = nullptr;
-    const void* inHand = nullptr;        ///< of the last of the entities; null: none of them has one
-    std::vector<const void*> different;  ///< those of which not every byte is as in that one
+    const void* inHand = nullptr;        ///< component of the last entity that has one; null: none has
+    std::vector<const void*> different;  ///< components that are not bytewise equal to `inHand`
 };
 HeldComponents heldComponents(const World& world, const TypeInfo& type, std::span<const EntityId> entities);
 
 /// @param fresh  a default component of the type
-/// @pre   there is one in hand
+/// @pre   held.inHand is not null
 SharedField sharedField(const ObjectNames& names, const FieldInfo& field, const HeldComponents& held,
                         const ComponentState& fresh);
 
-/// Whether a field does something in one of them: another field may switch it off.
+/// True if the inspector shows the field: its condition on another field (shownIf) holds in one of the
+/// components, and it is not the copy of a value at the last tick.
 bool isShown(const FieldInfo& field, const HeldComponents& held);
 
 }  // namespace plumb::editor

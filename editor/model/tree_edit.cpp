@@ -16,7 +16,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Those that can be moved below a parent: each once, in the order of the file.
+/// Returns the entities of the list that can be moved below the parent, each once, in file order.
 std::vector<ObjectId> movable(const Document& document, const std::vector<ObjectId>& objects,
                               ObjectId parent) {
     const World& world = document.world;
@@ -39,7 +39,7 @@ ObjectId parentIn(const Document& document, ObjectId id) {
     return document.idOf(parentOf(document.world, document.find(id)));
 }
 
-/// Where things stand together, in the parent that they are to have.
+/// Returns the center of the box around the entities, rounded to pixels, in the space of the parent.
 Vec2 middleIn(const Document& document, const std::vector<ObjectId>& ids, ObjectId parent) {
     const std::optional<AABB> box = boundsOf(document, ids);
     if (!box) return {};
@@ -54,23 +54,22 @@ Vec2 middleIn(const Document& document, const std::vector<ObjectId>& ids, Object
 bool moveInTree(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects,
                 const TreePlace& wanted, KeepPlace keep) {
     TreePlace place = wanted;
-    if (!place.parent && prefabRootOf(document))
-        place = {prefabRootOf(document)};  // there is nothing beside it
+    if (!place.parent && prefabRootOf(document)) place = {prefabRootOf(document)};  // a prefab has one root
     const std::vector<ObjectId> moved = movable(document, objects, place.parent);
-    std::vector<ObjectId> strangers = moved;
-    std::erase_if(strangers, [&](ObjectId id) { return parentIn(document, id) == place.parent; });
+    std::vector<ObjectId> newcomers = moved;
+    std::erase_if(newcomers, [&](ObjectId id) { return parentIn(document, id) == place.parent; });
     const bool ordered = place.beside && !document.world.has<PrefabPart>(document.find(place.beside)) &&
                          std::find(moved.begin(), moved.end(), place.beside) == moved.end();
-    if (moved.empty() || (strangers.empty() && !ordered)) return false;
+    if (moved.empty() || (newcomers.empty() && !ordered)) return false;
     const std::string what =
         moved.size() == 1 ? document.nameOf(moved.front()) : format("{} entities", moved.size());
     Transaction transaction{undo, format("move {} in the tree", what)};
-    if (!strangers.empty()) undo.push(std::make_unique<Reparent>(strangers, place.parent, keep));
+    if (!newcomers.empty()) undo.push(std::make_unique<Reparent>(newcomers, place.parent, keep));
     if (ordered) {
         auto reorder = std::make_unique<Reorder>(moved, place.beside, place.behind);
         const Reorder& done = *reorder;
         undo.push(std::move(reorder));
-        if (strangers.empty() && done.changesNothing(document)) return false;
+        if (newcomers.empty() && done.changesNothing(document)) return false;
     }
     return transaction.commit();
 }

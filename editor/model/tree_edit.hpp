@@ -8,24 +8,25 @@
 
 namespace plumb::editor {
 
-/// Where something comes to in the tree.
+/// Destination of moved entities in the tree.
 struct TreePlace {
-    ObjectId parent;      ///< none: beside those that have none
-    ObjectId beside{};    ///< one of the parent's children; none: among them, where the file has it
-    bool behind = false;  ///< behind that one, not before it
+    ObjectId parent;      ///< null: no parent
+    ObjectId beside{};    ///< a child of the parent, next to which they go; null: the order stays
+    bool behind = false;  ///< after `beside` instead of before it
 };
 
-/// Moves entities in the tree; what is below them goes with them. One step of undo.
-/// Parts of prefabs stay where their prefab has them, and nothing becomes a child of itself.
-/// @return false when nothing was to be moved
+/// Moves entities with their descendants in the tree, as one undo step. Skips parts of prefab instances, and
+/// entities that would become their own descendant.
+/// @return false if nothing moves
 bool moveInTree(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects,
                 const TreePlace& place, KeepPlace keep = KeepPlace::InWorld);
 
-/// Puts entities below a new one in the middle of them, in the place of the first of them. One step of undo.
-/// @return the new one, which is selected; null when there is nothing to put below it
+/// Makes entities children of a new entity at the center of their boxes, which takes the position of the
+/// first of them in the tree. One undo step.
+/// @return the new entity, which gets selected; null if none of the entities can be moved
 ObjectId groupEntities(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects);
 
-/// One place up (-1) or down (1) among those with the same parent. @return false when there is none
+/// Moves an entity one row up (-1) or down (1) among its siblings. @return false if it cannot move
 bool stepInTree(Document& document, UndoStack& undo, ObjectId object, int by);
 
 }  // namespace plumb::editor

@@ -31,8 +31,7 @@ constexpr std::string_view kEmptyScene = R"({
   "entities": []
 }
 )";
-constexpr float kFrameMargin =
-    12.0f;  // px of the screen around what the camera sees: its frame is drawn there
+constexpr float kFrameMargin = 12.0f;  // screen px around the camera's area, in which its frame is drawn
 
 }  // namespace
 
@@ -58,17 +57,17 @@ Result<LoadReport> Workspace::openText(std::string_view path, const std::string&
     return report;
 }
 
-/// @param text  instead of the file's; null for that
+/// @param text  read instead of the file; null: the file is read
 Result<LoadReport> Workspace::load(const std::string& wanted, const std::string* text) {
     safety.leaving();
     const std::string left = undo.total() > 0 && wanted != document.scenePath ? document.scenePath : "";
     viewFile.keep(document.scenePath, document.view);
     play.stop();
-    toKeep.clear();
+    offeredChanges.clear();
     if (!document.scenePath.empty()) unloadScene(document.world, document.scene);
     document.world.clear();
     undo.clear();
-    if (prefabs_ != nullptr) prefabs_->forget();  // their files may have changed
+    if (prefabs_ != nullptr) prefabs_->forget();  // the prefab files may have changed
     Result<LoadReport> report = readFileText(document.world, context(), wanted, text);
     document.scenePath = report ? wanted : std::string{};
     document.scene = report ? report->scene : SceneId{};
@@ -86,11 +85,11 @@ Result<LoadReport> Workspace::load(const std::string& wanted, const std::string*
     for (const Error& problem : report->problems) {
         logWarning("Editor", problem);
     }
-    // With the parts of prefabs, as the tree and the status bar count.
+    // Counts parts of prefabs too, like the tree and the status bar.
     const std::size_t count = document.objectCount();
     notice = format("Opened {}: {} {}", wanted, count, count == 1 ? "entity" : "entities");
     logNote("Editor", "{}", notice);
-    if (!left.empty()) notice += format("; the steps of undo of {} end here", left);
+    if (!left.empty()) notice += format("; the undo history of {} was cleared", left);
     showStart();
     return report;
 }
@@ -119,10 +118,10 @@ void Workspace::showStart() {
     }
 }
 
-/// Whatever the outcome, it is said: a save that does nothing in silence loses work.
+/// Reports success as well as failure: a save that failed silently would lose work.
 Result<Done> Workspace::save() {
     const Result<Done> saved = write();
-    const bool asked = safety.onDisk() == FileWatch::State::Changed;  // which of the two to keep
+    const bool asked = safety.onDisk() == FileWatch::State::Changed;  // a dialog asks which version to keep
     problemsOf(*this).save = saved || asked ? std::string{} : saved.error().text();
     notice = saved ? format("Saved {}", document.scenePath) : saved.error().text();
     if (saved) {
@@ -141,7 +140,8 @@ Result<Done> Workspace::write() {
     safety.lookAtFile();
     if (safety.onDisk() == FileWatch::State::Changed) {
         safety.refuse();
-        return Error{document.scenePath, "another program has changed it", "choose which one to keep"};
+        return Error{document.scenePath, "the file was changed by another program",
+                     "choose the version to keep"};
     }
     safety.saving();
     const bool prefab = isPrefabFile(document.scenePath);
@@ -184,7 +184,8 @@ bool Workspace::selectsInstance() const {
 
 void Workspace::revertToPrefab(const PrefabScope& scope) {
     const bool changed = editor::revertToPrefab(prefabs(), document.selection.all(), scope);
-    notice = changed ? format("Did: {}", undo.label(undo.size() - 1)) : "It is as its prefab says already";
+    notice = changed ? format("Did: {}", undo.label(undo.size() - 1))
+                     : "The selected entities already match their prefab";
 }
 
 void Workspace::applyToPrefab(const PrefabScope& scope) {
@@ -201,14 +202,14 @@ void Workspace::useTool(std::size_t index) {
     notice = format("{}: {}", row.name, withKeys(*this, row.hint));
     if (!row.forTiles) return;
     tiles.layer = activeTileLayer(document, tiles);
-    if (row.hand != Hand::Keeps) tiles.terrainInHand = row.hand == Hand::Terrain;
+    if (row.hand != Hand::Keeps) tiles.activeTerrain = row.hand == Hand::Terrain;
     const Tileset* tileset = tilesetOf(document, tiles.layer);
     if (document.scenePath.empty()) {
         notice = "No scene is open";
     } else if (!tiles.layer) {
-        notice = "This scene has no tile layer; add one in the panel Tiles, or drag a tileset into the scene";
+        notice = "This scene has no tile layer; add one in the Tiles panel, or drag a tileset into the scene";
     } else if (row.hand == Hand::Terrain && (tileset == nullptr || tileset->terrains.empty())) {
-        notice = "This tileset has no terrain yet; the panel Tileset makes one of its tiles";
+        notice = "This tileset has no terrain yet; create one in the Tileset panel";
     }
 }
 
@@ -223,47 +224,47 @@ void Workspace::togglePlay() { play.running() ? stopPlaying() : startPlaying(); 
 
 void Workspace::startPlaying(bool paused) {
     if (!makeSession) return;
-    if (editsPrefab(*this)) return askToPlayScene(*this, paused);  // it has no ground to stand on
-    forgetKeys(*this);
+    if (editsPrefab(*this)) return askToPlayScene(*this, paused);  // a prefab alone is not playable
+    clearPlayedKeys(*this);
     tool().cancel(tools());
     undo.endGesture();
-    toKeep.clear();
+    offeredChanges.clear();
     std::unique_ptr<PlaySession> session = makeSession(document.scenePath, text());
     if (session == nullptr) {
-        notice = "This scene cannot be played; the console says why";
+        notice = "This scene cannot be played; see the console for the reason";
         return;
     }
     play.start(std::move(session), paused);
-    profiler.tend(play);  // for its first tick
-    notice = paused ? "Before the first tick" : std::string{kPlayingNotice};
+    profiler.tend(play);  // records the first tick too
+    notice = paused ? "Paused before the first tick" : std::string{kPlayingNotice};
 }
 
 void Workspace::stopPlaying() {
     if (!play.running()) return;
-    toKeep = changesToKeep(document, play.world(), play.edits());
+    offeredChanges = changesToKeep(document, play.world(), play.edits());
     play.stop();
-    notice = "Stopped; the scene is as it was";
+    notice = "Stopped; the scene is unchanged";
 }
 
 void Workspace::keepTicked() {
-    const std::size_t kept = keepChanges(document, undo, toKeep);
-    toKeep.clear();
-    notice = kept == 0 ? "Nothing was kept"
-                       : format("Kept {} changes of the game; {} takes them back", kept,
-                                keysFor(*this, "edit.undo"));
+    const std::size_t kept = keepChanges(document, undo, offeredChanges);
+    offeredChanges.clear();
+    notice = kept == 0
+                 ? "Nothing was kept"
+                 : format("Kept {} changes of the game; press {} to undo", kept, keysFor(*this, "edit.undo"));
 }
 
 void Workspace::tend(double seconds) {
     safety.tend(seconds);
     profiler.tend(play);
     viewFile.keep(document.scenePath, document.view);
-    tendKeys(*this);
-    tendGrid(*this, seconds);
+    updatePlayedKeys(*this);
+    updateGrid(*this, seconds);
     const bool open = !document.scenePath.empty() && !editsPrefab(*this);
     const PhysicsReach jumps = open ? reachOf("reach") : PhysicsReach::Off;
     jumps == PhysicsReach::Off ? reach.clear() : reach.tend(*this, jumps == PhysicsReach::All);
-    const PhysicsReach ways = open ? reachOf("trajectories") : PhysicsReach::Off;
-    ways == PhysicsReach::Off ? trajectories.clear() : trajectories.tend(*this, ways == PhysicsReach::All);
+    const PhysicsReach paths = open ? reachOf("trajectories") : PhysicsReach::Off;
+    paths == PhysicsReach::Off ? trajectories.clear() : trajectories.tend(*this, paths == PhysicsReach::All);
 }
 
 PhysicsReach Workspace::reachOf(std::string_view overlay) const {

@@ -4,7 +4,7 @@
 
 namespace plumb::editor::ui {
 
-/// What plumb-editor does. @return the program's exit code
+/// Runs the program plumb-editor. @return its exit code
 int runEditor(const EditorOptions& options);
 
 }  // namespace plumb::editor::ui

@@ -1,4 +1,4 @@
-// The bars of the window and its questions; the rest is in editor_window.cpp.
+// The status bar and the dialogs of EditorWindow; its other functions are in editor_window.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// What was done without a word of its own is named by its step of undo.
+/// Reports an action that set no notice of its own by the label of its undo step, as "Did: ...".
 void tellStep(Workspace& workspace) {
-    // As the bar showed it last: how many steps there were, and which notice was about which.
+    // The state of the last frame (number of steps, hash of the notice, ...) is kept in ImGui's storage.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const auto idOf = [](const std::string& text) { return static_cast<int>(ImGui::GetID(text.c_str())); };
     const auto kept = [&](const char* name) { return storage.GetInt(ImGui::GetID(name)); };
@@ -32,7 +32,7 @@ void tellStep(Workspace& workspace) {
     const bool made = steps > kept("steps") && cleared == kept("cleared");
     const bool silent = idOf(notice) == kept("notice");
     const std::string label = made ? undo.label(undo.size() - 1) : std::string{};
-    // How a tile tool is used is worth more than that it was.
+    // The hint of a tile tool must not be replaced by the label of a stroke.
     const ToolRow& tool = toolTable()[workspace.toolIndex()];
     const bool hint = tool.forTiles && notice == format("{}: {}", tool.name, withKeys(workspace, tool.hint));
     if (made && silent && !hint && idOf(label) != kept("step")) {
@@ -41,7 +41,7 @@ void tellStep(Workspace& workspace) {
             subject.empty() || label.find(subject) != std::string::npos || endsWith(subject, " more");
         notice = named ? format("Did: {}", label) : format("Did: {} ({})", label, subject);
     } else if (silent && steps < kept("steps") && startsWith(notice, "Did: ")) {
-        notice.clear();  // it was taken back
+        notice.clear();  // the step was undone
     }
     if (idOf(notice) != kept("notice")) keep("step", idOf(label));
     keep("notice", idOf(notice));
@@ -51,7 +51,7 @@ void tellStep(Workspace& workspace) {
 
 }  // namespace
 
-/// What is looked at and how much of it is selected, in as many words as the width has room for.
+/// Returns mouse position, selection, zoom and saved state, as far as the width has room for them.
 std::string EditorWindow::stateInWords(float width) const {
     const Document& document = workspace_.document;
     if (document.scenePath.empty()) return "No scene";
@@ -72,7 +72,7 @@ std::string EditorWindow::stateInWords(float width) const {
     return words;
 }
 
-/// What was said last, or how the tool in hand is used; of a game that plays, where it is.
+/// Returns the last notice, or the hint of the active tool; while a game runs, preceded by the tick.
 std::string EditorWindow::noticeInWords() const {
     const std::string& notice = workspace_.notice;
     if (!workspace_.play.running())
@@ -129,7 +129,7 @@ void EditorWindow::drawDialogs() {
             break;
         case WindowRequest::LargerText:
         case WindowRequest::SmallerText:
-            // Applied before the next frame.
+            // applyLook() takes effect at the start of the next frame.
             workspace_.settings.scale += workspace_.request == WindowRequest::LargerText ? 0.125f : -0.125f;
             workspace_.settings.scale =
                 std::clamp(workspace_.settings.scale, Settings::kLeastScale, Settings::kMostScale);
@@ -181,7 +181,7 @@ void EditorWindow::leaveFor(std::function<void()> next) {
 
 void EditorWindow::drawNewScene() {
     if (!beginDialog(ui_, "New scene", {400.0f, 150.0f})) return;
-    ImGui::TextDisabled("Its name in the folder scenes/");
+    ImGui::TextDisabled("Name of the new scene, in the folder scenes/");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     bool done = ImGui::InputTextWithHint("##name", "for example cave", newScene_.data(), newScene_.size(),
@@ -197,7 +197,7 @@ void EditorWindow::drawNewScene() {
     if (footButton(ui_, "Cancel", 110.0f, "New/Cancel")) ImGui::CloseCurrentPopup();
     if (done) {
         const std::string name = newScene_.data();
-        // Said here, where another name can be written, and before the question about unsaved changes.
+        // Checked here, so that the user can correct the name, and before the dialog about unsaved changes.
         const Result<Path> free = newSceneFile(workspace_.project.root, name);
         newSceneError_ = free ? std::string{} : format("{}; {}", free.error().what, free.error().remedy);
         if (free) {
@@ -214,7 +214,7 @@ void EditorWindow::drawNewScene() {
 
 void EditorWindow::drawUnsaved() {
     if (!beginDialog(ui_, "Unsaved changes", {400.0f, unsavedProblem_.empty() ? 140.0f : 190.0f})) return;
-    ImGui::TextWrapped("%s has changes that are not saved.", workspace_.document.scenePath.c_str());
+    ImGui::TextWrapped("%s has unsaved changes.", workspace_.document.scenePath.c_str());
     if (!unsavedProblem_.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
         ImGui::TextWrapped("%s", unsavedProblem_.c_str());
@@ -230,10 +230,10 @@ void EditorWindow::drawUnsaved() {
         if (const Result<Done> saved = workspace_.save(); saved) {
             leave();
         } else if (workspace_.safety.onDisk() == FileWatch::State::Changed) {
-            ImGui::CloseCurrentPopup();  // which one to keep is asked first
+            ImGui::CloseCurrentPopup();  // another dialog first asks which version to keep
         } else {
             unsavedProblem_ = saved.error().text();
-            problemsOf(workspace_).save.clear();  // it is shown here
+            problemsOf(workspace_).save.clear();  // the error is shown in this dialog
         }
     }
     ImGui::SameLine();

@@ -23,14 +23,14 @@ struct ImGuiContext;
 
 namespace plumb::editor::ui {
 
-/// The whole editor for one frame after another. Fed with plain events, so that tests and people use the same
-/// door; drawing what it made is the business of the owner of the graphics device.
+/// The contents of the editor's window. It is driven by plain events frame by frame, so that tests use it in
+/// the same way as users; the owner of the graphics device draws the resulting ImGui draw data.
 class EditorWindow {
 public:
-    /// @param log      what the console shows
-    /// @param fonts    the folder of the engine's fonts
-    /// @param picture  null: headless, the viewport stays empty
-    EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* picture, Path fonts, float scale = 1.0f);
+    /// @param log      log shown in the console
+    /// @param fonts    folder of the engine's fonts
+    /// @param picture  renderer of the scene; null: headless, the viewport stays empty
+    EditorWindow(Workspace& workspace, LogBook& log, SceneTexture* picture, Path fonts, float scale = 1.0f);
     ~EditorWindow();
     EditorWindow(const EditorWindow&) = delete;
     EditorWindow& operator=(const EditorWindow&) = delete;
@@ -40,40 +40,40 @@ public:
 
     [[nodiscard]] const WidgetMap& widgets() const { return widgets_; }
     [[nodiscard]] bool wantsQuit() const { return quit_; }
-    /// The folder of another project that the person chose, once; empty: none.
+    /// Returns and clears the folder of the project that the user wants to open; empty if there is none.
     std::string takeProject() { return std::exchange(project_, {}); }
-    /// For a folder in which there is no project yet.
+    /// Shows the welcome screen, to create a project in this folder.
     void welcome(const std::string& folder) { welcome_.open(ui_, folder); }
     [[nodiscard]] MouseShape mouseShape() const;
-    /// True once after the fonts changed: their texture must be made again.
+    /// Returns and clears the flag that the fonts changed, so that their texture must be uploaded again.
     bool takeFontsChanged() { return std::exchange(fontsChanged_, false); }
     [[nodiscard]] bool pending() const { return feed_->pending(); }
 
 private:
     void handleKeys(std::span<const Event> events);
-    /// Those of the welcome screen: the scene behind it shall not hear them.
+    /// Handles the keys while the welcome screen is shown; the hidden scene receives no events then.
     void handleWelcomeKeys(std::span<const Event> events);
     void drawAll();
     [[nodiscard]] bool isForGame(const Event& event, bool typing) const;
-    /// What the hands do; the mouse where it is in the game's own picture.
+    /// Returns the input for the game, with the mouse position in the game's viewport.
     InputFrame takeGameInput();
     void playGame(float seconds);
     void drawMenus();
     void drawOverlayMenu();
     void drawMenu(const char* menu);
     void drawTitle();
-    /// The panel of a file that is to be edited comes to the front.
+    /// Brings the requested panel, or that of the requested file, to the front.
     void showAssetPanel();
     void drawStatus(float height);
     [[nodiscard]] std::string stateInWords(float width) const;
     [[nodiscard]] std::string noticeInWords() const;
     void drawDialogs();
     void drawNewScene();
-    /// Opens a scene or makes a new one, after the person said what to do with unsaved changes.
+    /// Calls `next`, which leaves the scene; first asks the user about unsaved changes.
     void leaveFor(std::function<void()> next);
     void drawUnsaved();
     void openScene(const std::string& path);
-    /// Whether theme or size are no longer those that are shown.
+    /// True if the theme, the scale or the text size in the settings has changed since `applyLook`.
     [[nodiscard]] bool looksOld() const;
     void applyLook();
 
@@ -93,14 +93,14 @@ private:
     FinderDialog finder_;
     PreferencesDialog preferences_;
     WelcomeScreen welcome_;
-    std::string project_;  ///< to be opened instead of this one
+    std::string project_;  ///< folder of the project to open; empty: none
     HotReload hotReload_{workspace_};
-    std::function<void()> next_;  ///< what comes once the person said what to do with unsaved changes
+    std::function<void()> next_;  ///< called after the user decided about unsaved changes
     std::array<char, 64> newScene_{};
     std::string newSceneError_;
-    std::string unsavedProblem_;  ///< why the scene could not be saved before it is left
-    Theme theme_ = Theme::Dark;   ///< as it is shown, like the text size
-    float textSize_ = 0.0f;
+    std::string unsavedProblem_;  ///< error of saving in the dialog about unsaved changes
+    Theme theme_ = Theme::Dark;   ///< applied theme
+    float textSize_ = 0.0f;       ///< applied text size, px at scale 1
     bool askUnsaved_ = false;
     bool quit_ = false;
     bool fontsChanged_ = true;

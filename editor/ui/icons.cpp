@@ -9,7 +9,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Draws on a square from -1 to 1.
+/// Draws shapes with coordinates from -1 to 1 into the square of an icon.
 struct Pen {
     ImDrawList& list;
     ImVec2 center;
@@ -66,7 +66,7 @@ void drawScale(const Pen& pen) {
     pen.line(-0.05f, 0.05f, 0.55f, -0.55f);
     pen.triangle(0.9f, -0.9f, 0.15f, -0.75f, 0.75f, -0.15f);
 }
-/// An outline with its corners.
+/// Draws a polygon with marked corners.
 void drawShape(const Pen& pen) {
     pen.line(-0.6f, 0.6f, -0.45f, -0.6f);
     pen.line(-0.45f, -0.6f, 0.65f, -0.3f);
@@ -77,7 +77,7 @@ void drawShape(const Pen& pen) {
         pen.fill(x - 0.25f, y - 0.25f, x + 0.25f, y + 0.25f);
     }
 }
-/// Ground with grass on it that bends around a corner.
+/// Draws ground with a step and a line of grass above it.
 void drawTerrain(const Pen& pen) {
     pen.line(-0.9f, -0.2f, -0.3f, -0.2f);
     pen.line(-0.3f, -0.2f, -0.3f, -0.75f);
@@ -85,7 +85,7 @@ void drawTerrain(const Pen& pen) {
     pen.fill(-0.9f, 0.05f, 0.9f, 0.85f);
     pen.fill(-0.02f, -0.48f, 0.9f, 0.1f);
 }
-/// Cells in a dashed border.
+/// Draws cells in a dashed border.
 void drawMoveTiles(const Pen& pen) {
     for (const float side : {-0.85f, 0.85f}) {
         for (const float from : {-0.85f, -0.2f, 0.45f}) {
@@ -105,7 +105,7 @@ void drawEye(const Pen& pen) {
     pen.arc(0.0f, 0.75f, 1.15f, -2.45f, -0.69f);
     pen.arc(0.0f, -0.75f, 1.15f, 0.69f, 2.45f);
 }
-/// @param lift  where the lower end of the bow is
+/// Draws a padlock. @param lift  y of the ends of the shackle; higher up (more negative) when unlocked
 void drawLock(const Pen& pen, float lift) {
     pen.fill(-0.6f, 0.0f, 0.6f, 0.8f, 0.12f);
     pen.arc(0.0f, lift, 0.4f, 3.14159f, 6.28318f);

@@ -53,14 +53,14 @@ enum class Icon : unsigned char {
     Solo
 };
 
-/// Draws an icon of lines and shapes: sharp at any scale, no image files. @param size  px of its square
+/// Draws an icon as vector shapes, which are sharp at any scale. @param size  px: side length of the icon
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 color);
 
-/// What an entity mainly is.
+/// Returns the icon for the most characteristic component of an entity.
 Icon iconOf(const World& world, EntityId entity);
 ImU32 iconColor(Icon icon);
 
-/// The icon of a tool or an action, by its id.
+/// Returns the icon of an action, also of one that selects a tool. @param action  id of the action
 Icon iconOfAction(std::string_view action);
 
 }  // namespace plumb::editor::ui

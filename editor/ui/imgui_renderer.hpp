@@ -2,7 +2,7 @@
 
 namespace plumb::editor::ui {
 
-/// Puts what ImGui made on the screen, with OpenGL. @pre contexts of both are current
+/// Draws ImGui's draw data with OpenGL. @pre the ImGui and OpenGL contexts are current
 class ImguiRenderer {
 public:
     ImguiRenderer();
@@ -10,7 +10,7 @@ public:
     ImguiRenderer(const ImguiRenderer&) = delete;
     ImguiRenderer& operator=(const ImguiRenderer&) = delete;
 
-    /// After the fonts were loaded or scaled.
+    /// Uploads the font texture; to be called after the fonts were loaded or scaled.
     void uploadFonts();
     void draw();
 };

@@ -79,7 +79,7 @@ void LayoutMenu::askName() {
 void LayoutMenu::drawQuestion(Ui& ui) {
     if (std::exchange(ask_, false)) ImGui::OpenPopup("Save layout as");
     if (!beginDialog(ui, "Save layout as", {360.0f, 140.0f})) return;
-    ImGui::TextDisabled("A layout of the same name is replaced.");
+    ImGui::TextDisabled("An existing layout of this name is replaced.");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     bool done = ImGui::InputTextWithHint("##name", "My layout", name_.data(), name_.size(),
@@ -95,7 +95,7 @@ void LayoutMenu::drawQuestion(Ui& ui) {
     const std::string name{trimmed(name_.data())};
     if (done && !name.empty()) {
         ui.workspace.settings.keepLayout(name);
-        ui.workspace.notice = format("Layout {} is in View > Layout", name);
+        ui.workspace.notice = format("Saved the layout {}; select it in View > Layout", name);
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

@@ -7,7 +7,8 @@
 
 namespace plumb::editor::ui {
 
-/// The part of the menu View that opens panels and chooses layouts, and the question for a layout's name.
+/// The items of the menu View that open panels and select layouts, and the dialog that asks for a layout's
+/// name.
 class LayoutMenu {
 public:
     void drawItems(Ui& ui);

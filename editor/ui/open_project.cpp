@@ -15,7 +15,7 @@ OpenProject::OpenProject(std::unique_ptr<ProjectSession> session, LogBook& log, 
 void OpenProject::use(std::unique_ptr<ProjectSession> session) {
     session_ = std::move(session);
     const TextureFilter filter = workspace().project.smooth ? TextureFilter::Linear : TextureFilter::Nearest;
-    if (device_ != nullptr) picture_ = std::make_unique<ScenePicture>(*device_, session_->assets(), filter);
+    if (device_ != nullptr) picture_ = std::make_unique<SceneTexture>(*device_, session_->assets(), filter);
     window_ = std::make_unique<EditorWindow>(workspace(), log_, picture_.get(), engineAssets() / "fonts",
                                              workspace().settings.scale);
     if (device_ != nullptr) renderer_ = std::make_unique<ImguiRenderer>();
@@ -33,7 +33,7 @@ std::string OpenProject::title() {
 }
 
 Result<Done> OpenProject::change(const std::string& folder, const std::function<void()>& leaving) {
-    // What was said about this project says nothing about the next one, and its links would lead astray.
+    // Clears the log: its lines and their links refer to the files and entities of the old project.
     if (isProject(folder)) log_.clear();
     Result<std::unique_ptr<ProjectSession>> next = ProjectSession::open(folder);
     if (!next) {

@@ -15,11 +15,11 @@ class RenderDevice;
 
 namespace plumb::editor::ui {
 
-/// One project after another in the editor, each with a workspace and a window's contents of its own: nothing
-/// of one is seen in the next but what the person likes.
+/// The project that is open in the editor, which can be replaced by another one. Each has its own workspace
+/// and window contents; only the user's settings are passed on.
 class OpenProject {
 public:
-    /// @param device  null: headless, nothing is drawn
+    /// @param device  graphics device; null: headless, nothing is drawn
     OpenProject(std::unique_ptr<ProjectSession> session, LogBook& log, RenderDevice* device);
     ~OpenProject() { letGo(); }
     OpenProject(const OpenProject&) = delete;
@@ -27,17 +27,17 @@ public:
 
     [[nodiscard]] Workspace& workspace() { return session_->workspace(); }
     [[nodiscard]] EditorWindow& window() { return *window_; }
-    /// @pre  there is a device
+    /// @pre  the project was opened with a graphics device
     [[nodiscard]] ImguiRenderer& renderer() { return *renderer_; }
-    /// What the title of the program's window says.
+    /// Returns the title of the program's window.
     [[nodiscard]] std::string title();
 
-    /// Another project takes the place of this one. Unsaved changes were asked for before; a game that plays
-    /// ends.
-    /// @param leaving  called while this one is still there
-    /// @error          it cannot be opened; this one stays
+    /// Replaces this project by another one. Stops a running game; discards unsaved changes, so that the
+    /// caller must ask about them before.
+    /// @param leaving  called before this project is closed; may be null
+    /// @error          the other project cannot be opened; this one stays open
     Result<Done> change(const std::string& folder, const std::function<void()>& leaving = nullptr);
-    /// Puts it first among the recent projects.
+    /// Puts the project first in the list of recent ones.
     void remember();
 
 private:
@@ -46,9 +46,9 @@ private:
 
     LogBook& log_;
     RenderDevice* device_;
-    // In the order in which they need each other.
+    // Each member depends on those before it.
     std::unique_ptr<ProjectSession> session_;
-    std::unique_ptr<ScenePicture> picture_;
+    std::unique_ptr<SceneTexture> picture_;
     std::unique_ptr<EditorWindow> window_;
     std::unique_ptr<ImguiRenderer> renderer_;
 };

@@ -10,11 +10,12 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kTabHeight = 27.0f;  // px at scale 1
-constexpr float kGap = 4.0f;
-constexpr float kLeast = 150.0f;
-constexpr float kTabMargin = 11.0f;
-constexpr float kDragStart = 8.0f;
+// Sizes in px at scale 1.
+constexpr float kTabHeight = 27.0f;
+constexpr float kGap = 4.0f;         // between two panes
+constexpr float kLeast = 150.0f;     // minimum width of a pane
+constexpr float kTabMargin = 11.0f;  // left and right of a tab's title
+constexpr float kDragStart = 8.0f;   // distance of the mouse from the press at which a tab drag starts
 constexpr std::string_view kTiles = "Tiles";
 
 struct Place {
@@ -119,13 +120,14 @@ void Panes::drawPane(Ui& ui, Dock dock, const AABB& box) {
 }
 
 void Panes::drawTabs(Ui& ui, Dock dock, const AABB& box) {
-    const PaneLayout::Pane pane = ui.workspace.settings.layout.pane(dock);  // a menu may change it
+    const PaneLayout::Pane pane =
+        ui.workspace.settings.layout.pane(dock);  // a copy: the menu of a tab may change the layout
     const float height = ui.px(kTabHeight);
     float whole = 0.0f;
     for (const std::string& tab : pane.tabs) whole += widthOf(ui, indexOf(tab));
     const float more = whole > box.size().x ? height : 0.0f;
     const float room = box.size().x - more;
-    // The one in front always has its room.
+    // The front tab is always shown.
     float left = room - widthOf(ui, indexOf(pane.front));
     std::vector<std::size_t> rest;
     float x = box.min.x;
@@ -200,7 +202,7 @@ void Panes::drawRest(Ui& ui, Dock dock, ImVec2 at, float side, const std::vector
 }
 
 void Panes::tabMenu(Ui& ui, const std::string& title, Dock dock) const {
-    // Pressed here: a stroke in the scene may end over a tab.
+    // Opens only on a click that starts here: a drag with the right button in the scene may end over a tab.
     const std::string menu = title + " menu";
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(menu.c_str());
     if (!ImGui::BeginPopup(menu.c_str())) return;
@@ -216,7 +218,7 @@ void Panes::tabMenu(Ui& ui, const std::string& title, Dock dock) const {
     ui.widgets.mark(format("Tab/{}/Close", title));
     if (close) {
         layout.close(title);
-        ui.workspace.notice = format("View > Panels opens {} again", title);
+        ui.workspace.notice = format("Closed {}; View > Panels opens it again", title);
     }
     ImGui::EndPopup();
 }
@@ -226,7 +228,7 @@ void Panes::dragTab(Ui& ui, const std::string& title) {
         dragged_ = title;
 }
 
-/// The bar itself is ImGui's; how large the panes are is kept as parts of the window.
+/// Draws a bar between panes and handles its drag. The sizes are stored as ratios of the window's size.
 void Panes::drawSplitter(Ui& ui, const PaneBoxes::Bar& bar) {
     const auto extent = [&](Dock dock) {
         const Vec2 size = boxes_.panes[static_cast<std::size_t>(dock)].size();
@@ -283,7 +285,7 @@ void Panes::drawDrop(Ui& ui) {
                        ui.px(4.0f));
     list.AddText(corner, palette::kText, dragged_.c_str());
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    // Let go over its own pane, beside the tabs, it stays where it is.
+    // Dropped over its own pane, outside the tabs, the tab keeps its position.
     const bool home = drop && layout.dockOf(dragged_) == drop->dock;
     const bool onTab = before < ~std::size_t{0};
     if (home && (!onTab || layout.pane(drop->dock).tabs[before] == dragged_)) {

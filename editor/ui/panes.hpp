@@ -8,7 +8,7 @@
 
 namespace plumb::editor::ui {
 
-/// The panes of the window with their tabs and the bars between them, as the layout of the person says.
+/// The panes of the window with their tabs and the bars between them, by the layout in the settings.
 class Panes {
 public:
     Panes();
@@ -17,16 +17,17 @@ public:
 
 private:
     struct Tab {
-        std::size_t panel = 0;  ///< of the table
-        AABB box;
+        std::size_t panel = 0;  ///< index in `panelTable`
+        AABB box;               ///< px on screen
     };
 
-    /// The palette comes with the first tile tool, and goes with the last.
+    /// Shows the panel Tiles when a tile tool is selected, and restores the former panel when another tool
+    /// is.
     void showTilesWhilePainting(Workspace& workspace);
     void drawPane(Ui& ui, Dock dock, const AABB& box);
     void drawTabs(Ui& ui, Dock dock, const AABB& box);
     void drawTab(Ui& ui, Dock dock, const Tab& tab, bool alone);
-    /// Those that have no room, in a list.
+    /// Draws a button that opens a list of the tabs for which there is no room.
     void drawRest(Ui& ui, Dock dock, ImVec2 at, float side, const std::vector<std::size_t>& rest);
     void tabMenu(Ui& ui, const std::string& title, Dock dock) const;
     void dragTab(Ui& ui, const std::string& title);
@@ -34,12 +35,12 @@ private:
     void drawDrop(Ui& ui);
 
     std::vector<std::unique_ptr<Panel>> panels_;
-    PaneBoxes boxes_;  ///< px on the screen
+    PaneBoxes boxes_;  ///< px on screen
     std::vector<Tab> tabs_;
-    std::string dragged_;  ///< the panel whose tab is in the hand
-    bool paintedTiles_ = false;
-    bool openedTiles_ = false;  ///< they were closed before the first tile tool
-    std::string beforeTiles_;   ///< what they took the place of
+    std::string dragged_;        ///< title of the panel whose tab is dragged; empty: none
+    bool paintedTiles_ = false;  ///< a tile tool was selected in the last frame
+    bool openedTiles_ = false;   ///< the panel Tiles was closed before the tile tool was selected
+    std::string beforeTiles_;    ///< panel that was in front before Tiles was shown
 };
 
 }  // namespace plumb::editor::ui

@@ -26,7 +26,7 @@ bool sameKeyOrButton(const Event& a, const Event& b) {
 }
 
 int buttonIndex(MouseButton button) {
-    // ImGui counts left, right, middle.
+    // ImGui's order of buttons is left, right, middle.
     switch (button) {
         case MouseButton::Left: return 0;
         case MouseButton::Right: return 1;
@@ -70,7 +70,7 @@ std::span<const Event> PlatformFeed::beginFrame(const FrameInput& input) {
             changesKeyOrButton(next) && std::any_of(now_.begin(), now_.end(), [&](const Event& event) {
                 return changesKeyOrButton(event) && sameKeyOrButton(event, next);
             });
-        // A pointer that moves on after a press belongs to the next frame: the press is where it was made.
+        // A move after a press belongs to the next frame, so that the press keeps its position.
         const bool movesAfterPress =
             next.kind == EventKind::MouseMoved &&
             std::any_of(now_.begin(), now_.end(), [](const Event& event) {
@@ -122,7 +122,7 @@ void PlatformFeed::feed(const Event& event) {
 
 void PlatformFeed::feedKey(Key key, bool down) {
     keys_[static_cast<std::size_t>(key)] = down;
-    // Where nothing is typed, Tab hides the panels; ImGui would go into their first field.
+    // Outside of text fields Tab hides the panels, so that ImGui must not move the focus to a field.
     if (key == Key::Tab && down && !ImGui::GetIO().WantTextInput) return;
 #if IMGUI_VERSION_NUM >= 18700
     const auto theirs = static_cast<ImGuiKey>(imguiKey(key));

@@ -11,31 +11,32 @@
 
 namespace plumb::editor::ui {
 
-/// What happened to the window since the last frame, and how large it is.
+/// The events since the last frame, and the size of the window.
 struct FrameInput {
     std::span<const Event> events;
-    PixelSize size{1280, 720};      ///< in the units of mouse positions
-    PixelSize drawable{1280, 720};  ///< in pixels
-    float seconds = 1.0f / 60.0f;   ///< since the last frame
+    PixelSize size{1280, 720};      ///< size of the window in the units of mouse positions
+    PixelSize drawable{1280, 720};  ///< size of the framebuffer, px; larger than `size` on high-DPI screens
+    float seconds = 1.0f / 60.0f;   ///< s since the last frame
 };
 
-/// Feeds ImGui from plain events; nothing is asked of SDL, so a test plays with the same hands as a person.
-/// Each frame takes events up to the second change of one key or button: a press and its release never share
-/// a frame, because ImGui would see neither.
+/// Passes plain events to ImGui, without SDL, so that tests can simulate a user's input. Each frame takes the
+/// events up to the second change of the same key or button, because ImGui would miss a press and a release
+/// in one frame.
 class PlatformFeed {
 public:
     /// @pre an ImGui context is current
     PlatformFeed();
 
-    /// Takes what fits into this frame; the rest waits for the next one.
+    /// Passes the events that fit into this frame to ImGui; the others wait for the next frame.
     /// @return the events of this frame, in order
     std::span<const Event> beginFrame(const FrameInput& input);
 
-    /// Events of a frame that does not come to be: they wait for the next one.
+    /// Keeps the events of a skipped frame for the next one.
     void keep(std::span<const Event> events) {
         waiting_.insert(waiting_.end(), events.begin(), events.end());
     }
 
+    /// True if events wait for the next frame.
     [[nodiscard]] bool pending() const { return !waiting_.empty(); }
     [[nodiscard]] Modifiers modifiers() const { return modifiers_; }
     [[nodiscard]] Vec2 mouse() const { return mouse_; }

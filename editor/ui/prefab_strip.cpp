@@ -11,18 +11,18 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kHeight = 32.0f;  // px at scale 1
+constexpr float kHeight = 32.0f;  // px at scale 1: height of the strip
 constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-/// "level1" of "scenes/level1.scene.json".
+/// Returns the name of a file without folder and extensions: "level1" for "scenes/level1.scene.json".
 std::string shortName(std::string_view path) {
     const std::string_view file = path.substr(path.rfind('/') + 1);
     return std::string{file.substr(0, file.find('.'))};
 }
 
 void drawBack(Ui& ui) {
-    const std::string behind = behindPrefab(ui.workspace);
+    const std::string behind = fileToReturnTo(ui.workspace);
     ImGui::BeginDisabled(behind.empty());
     const std::string label = behind.empty() ? "Back" : format("Back to {}", shortName(behind));
     if (ImGui::Button(label.c_str())) runAction(ui.workspace, "entity.leavePrefab");
@@ -45,8 +45,8 @@ void drawContents(Ui& ui, float width) {
     ImGui::TextUnformatted(format("Prefab {}", shortName(path)).c_str());
     ui.widgets.mark("Prefab/name", path);
     tooltip(path);
-    const char* hint = ui.workspace.unsaved() ? "Its instances follow when you save."
-                                              : "What is changed here changes all of its instances.";
+    const char* hint = ui.workspace.unsaved() ? "Saving updates all instances of this prefab."
+                                              : "Changes here change all instances of this prefab.";
     ImGui::SameLine(0.0f, ui.px(14.0f));
     if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(hint).x < width) ImGui::TextDisabled("%s", hint);
 }
@@ -68,7 +68,7 @@ float drawPrefabStrip(Ui& ui, float top, float width) {
     const ImVec2 from = ImGui::GetWindowPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 to{from.x + width, from.y + height};
-    list.PushClipRect(from, to);  // the window's own leaves out half of its padding
+    list.PushClipRect(from, to);  // the window's own clip rectangle excludes half of its padding
     list.AddRectFilled({from.x, to.y - ui.px(2.0f)}, to, palette::kViolet);
     list.PopClipRect();
     drawContents(ui, width);

@@ -9,7 +9,7 @@ constexpr Color kBackground{23, 24, 28, 255};
 
 }  // namespace
 
-std::uintptr_t ScenePicture::draw(const World& world, AssetStore* assets, const View& view, PixelSize size,
+std::uintptr_t SceneTexture::draw(const World& world, AssetStore* assets, const View& view, PixelSize size,
                                   float alpha, bool asGame, const PhysicsShown& physics) {
     if (size != size_) {
         device_.destroyTarget(target_);
@@ -43,7 +43,7 @@ std::uintptr_t ScenePicture::draw(const World& world, AssetStore* assets, const 
     return device_.nativeTexture(device_.targetTexture(target_));
 }
 
-TexturePart ScenePicture::part(TextureId id, const Rect& source) {
+TexturePart SceneTexture::part(TextureId id, const Rect& source) {
     const TextureRegion& region = renderer_.textures().regionOf(id);
     const Rect area = source.empty() ? region.whole() : region.part(source);
     const PixelSize size = device_.textureSize(region.texture);

@@ -10,51 +10,51 @@
 
 namespace plumb::editor::ui {
 
-/// A part of a picture as ImGui draws it.
+/// A rectangular part of a texture, to be drawn by ImGui.
 struct TexturePart {
-    std::uintptr_t texture = 0;  ///< the graphics card's name
-    Vec2 from;                   ///< ratio of the texture
-    Vec2 to;                     ///< ratio of the texture
+    std::uintptr_t texture = 0;  ///< native (OpenGL) name of the texture
+    Vec2 from;                   ///< texture coordinates of the upper left corner, 0..1
+    Vec2 to;                     ///< texture coordinates of the lower right corner, 0..1
 };
 
-/// Draws a world into a texture by the renderer that the player uses.
-class ScenePicture {
+/// Draws a world into a texture, with the same renderer as the player application.
+class SceneTexture {
 public:
-    ScenePicture(RenderDevice& device, AssetStore& assets, TextureFilter filter)
+    SceneTexture(RenderDevice& device, AssetStore& assets, TextureFilter filter)
         : device_{device}, filter_{filter}, renderer_{device, assets, filter} {}
-    ~ScenePicture() { device_.destroyTarget(target_); }
-    ScenePicture(const ScenePicture&) = delete;
-    ScenePicture& operator=(const ScenePicture&) = delete;
+    ~SceneTexture() { device_.destroyTarget(target_); }
+    SceneTexture(const SceneTexture&) = delete;
+    SceneTexture& operator=(const SceneTexture&) = delete;
 
-    /// @param assets  those of the game that plays; null: the editor's own
-    /// @param size   px of the texture
-    /// @param alpha  between the last two ticks (ratio, 0..1)
-    /// @param asGame  backdrops and texts on the screen keep to the picture, as the player draws it; else
-    /// they
-    ///                are where the scene has them
-    /// @param physics  what of it is drawn over the scene
-    /// @return the graphics card's name of the texture
+    /// Draws a world.
+    /// @param assets   the running game's; null: the editor's own
+    /// @param size     px: size of the texture
+    /// @param alpha    interpolation factor between the last two ticks, 0..1
+    /// @param asGame   true: backdrops and screen-space texts are placed as in the player application; false:
+    ///                 they are drawn at their positions in the scene
+    /// @param physics  physics layers drawn over the scene
+    /// @return native (OpenGL) name of the texture
     std::uintptr_t draw(const World& world, AssetStore* assets, const View& view, PixelSize size, float alpha,
                         bool asGame, const PhysicsShown& physics = {});
 
-    /// What only the editor's own look at a scene has.
+    /// Settings for drawing a scene that is edited, not played.
     struct Preview {
-        double ahead = 0.0;                    ///< s: animated tiles move though nothing plays
-        std::vector<EntityId> hidden;          ///< what is not drawn (sorted)
-        const Particles* particles = nullptr;  ///< of emitters that are previewed
-        float particleBack = 0.0f;             ///< s from what is drawn to their last step
+        double ahead = 0.0;                    ///< s: time by which animated tiles are advanced
+        std::vector<EntityId> hidden;          ///< entities not drawn, sorted
+        const Particles* particles = nullptr;  ///< particles of previewed emitters; may be null
+        float particleBack = 0.0f;             ///< s from the drawn moment to the particles' last step
     };
     Preview preview;
-    RenderCounts counts;  ///< of the last picture
+    RenderCounts counts;  ///< draw calls, sprites etc. of the last call of `draw`
 
-    /// Where a part of one of the editor's pictures is on the card. @param source  px; empty: all of it
+    /// Returns a part of one of the editor's textures. @param source  px; empty: the whole texture
     TexturePart part(TextureId id, const Rect& source);
 
 private:
     RenderDevice& device_;
     TextureFilter filter_;
     SceneRenderer renderer_;
-    std::unique_ptr<SceneRenderer> playRenderer_;  // a game has pictures of its own
+    std::unique_ptr<SceneRenderer> playRenderer_;  // renderer of a running game, which has its own textures
     AssetStore* playAssets_ = nullptr;
     DrawList list_;
     TargetHandle target_;

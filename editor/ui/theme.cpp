@@ -7,10 +7,10 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// What io.UserData points to while the light theme is in use; without it the dark one is.
+/// io.UserData points to this while the light theme is in use, and is null while the dark one is.
 constexpr bool kLightInUse = true;
 
-/// Latin with all its accents, and the signs of punctuation.
+/// Ranges of loaded characters: Latin with accents, and punctuation.
 constexpr std::array<ImWchar, 5> kLetters{0x20, 0x17f, 0x2010, 0x2044, 0};
 
 ImFont* loadFont(const Path& file, float size) {
@@ -44,7 +44,7 @@ Fonts loadFonts(const Path& folder, float size) {
 void setColors(ImGuiStyle& style) {
     const struct {
         ImGuiCol slot;
-        Swatch color;
+        ThemeColor color;
     } colors[] = {
         {ImGuiCol_Text, palette::kText},
         {ImGuiCol_TextDisabled, palette::kTextDim},
@@ -96,7 +96,7 @@ void setColors(ImGuiStyle& style) {
 
 ImVec4 colorOf(ImU32 color) { return ImGui::ColorConvertU32ToFloat4(color); }
 
-Swatch::operator ImU32() const { return ImGui::GetIO().UserData == &kLightInUse ? light : dark; }
+ThemeColor::operator ImU32() const { return ImGui::GetIO().UserData == &kLightInUse ? light : dark; }
 
 void applyColors(Theme theme) {
     const bool light = theme == Theme::Light;
@@ -108,7 +108,7 @@ void applyColors(Theme theme) {
 }
 
 Fonts applyTheme(const Path& fontFolder, Theme theme, float scale, float textSize) {
-    // Scaling a scaled style drifts, so each change starts from a fresh one.
+    // Each change starts from an unscaled style, because scaling repeatedly accumulates rounding errors.
     ImGuiStyle style;
     style.WindowPadding = {8.0f, 8.0f};
     style.FramePadding = {7.0f, 4.0f};

@@ -12,22 +12,22 @@ namespace plumb::editor::ui {
 /// The fonts of the editor, rebuilt when the scale changes.
 struct Fonts {
     ImFont* text = nullptr;
-    ImFont* strong = nullptr;  ///< for what differs from its default
+    ImFont* strong = nullptr;  ///< bold, e.g. for values that differ from their default
     ImFont* mono = nullptr;
     ImFont* title = nullptr;  ///< large, for the name of the program
-    float size = 15.0f;       ///< px
-    float titleSize = 30.0f;  ///< px
+    float size = 15.0f;       ///< px: size of `text`, `strong` and `mono`
+    float titleSize = 30.0f;  ///< px: size of `title`
 };
 
-/// Loads the fonts and sets colors and spacing for a scale of the whole interface.
-/// @param fonts  the folder of the engine's fonts; without its files ImGui's own font is used
-/// @param scale     ratio, 0.75..3
+/// Loads the fonts and sets colors and spacing.
+/// @param fonts     folder of the engine's fonts; without its files ImGui's own font is used
+/// @param scale     scale of the user interface, 0.75..3
 /// @param textSize  px at scale 1
 Fonts applyTheme(const Path& fonts, Theme theme, float scale, float textSize = 14.0f);
-/// The colors alone, of the ImGui context in use.
+/// Sets only the colors, in the current ImGui context.
 void applyColors(Theme theme);
 
-/// The color as ImGui's style wants it.
+/// Converts a color to the format of ImGui's style.
 ImVec4 colorOf(ImU32 color);
 
 }  // namespace plumb::editor::ui

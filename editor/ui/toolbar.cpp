@@ -18,23 +18,23 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kButtonSide = 28.0f;  // px at scale 1; all that stands in the toolbar is as high
-constexpr float kBetween = 3.0f;      // px at scale 1, between two buttons of a group
-constexpr float kGap = 14.0f;         // px at scale 1, between two groups
-constexpr float kMargin = 8.0f;
-constexpr float kTop = 5.0f;
-constexpr float kWordMargin = 7.0f;  // px at scale 1, at both sides of a word on a button
+constexpr float kButtonSide = 28.0f;  // px at scale 1: height of all items of the toolbar
+constexpr float kBetween = 3.0f;      // px at scale 1: between two buttons of a group
+constexpr float kGap = 14.0f;         // px at scale 1: between two groups
+constexpr float kMargin = 8.0f;       // px at scale 1: left and right of the toolbar
+constexpr float kTop = 5.0f;          // px at scale 1: above the buttons
+constexpr float kWordMargin = 7.0f;   // px at scale 1: on both sides of a button's text
 constexpr const char* kMoreList = "toolbar list";
 
 enum class Side : unsigned char { Left, Middle, Right };
 
 struct Group {
     Side side;
-    int worth;
+    int worth;  ///< priority: groups with a lower one are hidden first if the window is too narrow
     float (*width)(const Ui& ui);
     void (*draw)(Ui& ui);
-    void (*list)(Ui& ui);                        ///< the same as entries of a menu
-    bool (*inHand)(const Workspace& workspace);  ///< whether the tool in hand is one of them
+    void (*list)(Ui& ui);                        ///< draws the group as items of a menu
+    bool (*inHand)(const Workspace& workspace);  ///< true if the active tool is in this group; null: no tools
 };
 
 float buttonsWidth(const Ui& ui, std::size_t count) {
@@ -138,7 +138,7 @@ float wordWidth(const Ui& ui, std::string_view word) {
     return std::ceil(ImGui::CalcTextSize(word.data(), word.data() + word.size()).x) +
            2.0f * ui.px(kWordMargin);
 }
-/// A button with a word, for something that is shown or not.
+/// Draws a text button that toggles the visibility of something.
 bool wordButton(Ui& ui, std::string_view word, bool on) {
     ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : palette::kNothing);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? palette::kText : palette::kTextDim);
@@ -156,7 +156,7 @@ float overlaysWidth(const Ui& ui) {
 }
 void drawOverlays(Ui& ui) {
     for (const OverlayRow& row : overlayTable()) {
-        if (row.ofEntities) continue;  // in the list of layers
+        if (row.ofEntities) continue;  // shown in the list of physics layers instead
         const bool on = ui.workspace.shows(row.name);
         if (wordButton(ui, row.label, on)) ui.workspace.toggleOverlay(row.name);
         ui.widgets.mark(format("Overlay/{}", row.name), on ? "on" : "off");
@@ -174,8 +174,9 @@ void listOverlays(Ui& ui) {
     }
 }
 
-/// A list below a button at the edge of the window, where its size is known too late to fit in by itself.
-/// @param top  px, the lower edge of the button
+/// Begins a popup at the right edge of the window, below a button. ImGui cannot keep it inside the window in
+/// its first frame, so it is aligned to the edge.
+/// @param top  px: lower edge of the button
 bool beginEdgeList(const Ui& ui, const char* name, float top) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float from = top + ui.px(6.0f);
@@ -194,7 +195,7 @@ void drawPhysics(Ui& ui) {
                    keysFor(ui.workspace, "view.physics")));
     ImGui::SameLine(0.0f, ui.px(1.0f));
     if (listArrow(ui, "Overlay/physics layers", ui.px(kButtonSide))) ImGui::OpenPopup("physics layers list");
-    tooltip("What of the physics is shown");
+    tooltip("Select the physics layers to show");
     if (!beginEdgeList(ui, "physics layers list", ImGui::GetItemRectMax().y)) return;
     physicsLayerItems(ui, "Overlay/physics/");
     ImGui::EndPopup();
@@ -208,7 +209,8 @@ void listPhysics(Ui& ui) {
     ImGui::EndMenu();
 }
 
-/// From left to right. What has a key that hands know, and what is in a menu too, is worth less of the room.
+/// The groups from left to right. Those with well-known keys, or that are also in a menu, have a lower
+/// priority.
 constexpr std::array kGroups{
     Group{Side::Left, 5, &width<kFile>, &drawFile, &list<kFile>, nullptr},
     Group{Side::Left, 6, &toolsWidth<false>, &drawTools<false>, &listTools<false>, &toolInHand<false>},
@@ -221,7 +223,7 @@ constexpr std::array kGroups{
 
 using Shown = std::vector<bool>;
 
-/// The list of all that has no room, behind an arrow at the right end.
+/// Draws an arrow at the right end that opens a list of the hidden groups.
 void drawMore(Ui& ui, const Shown& shown, float x) {
     ImGui::SetCursorPos({x, ui.px(kTop)});
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -233,7 +235,7 @@ void drawMore(Ui& ui, const Shown& shown, float x) {
         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + listArrowWidth(ui), at.y + side},
                                                   palette::kAccentSoft, ui.px(4.0f));
     if (listArrow(ui, "Toolbar/more", side)) ImGui::OpenPopup(kMoreList);
-    tooltip("What the window is too narrow for");
+    tooltip("More buttons, for which the window is too narrow");
     if (!beginEdgeList(ui, kMoreList, at.y + side)) return;
     bool first = true;
     for (std::size_t i = 0; i < kGroups.size(); ++i) {
@@ -264,7 +266,7 @@ void drawToolbar(Ui& ui, float top, float height) {
     };
     const float end = window - margin - (all ? 0.0f : more + gap);
     const float right = end - std::max(widthOf(Side::Right) - gap, 0.0f);
-    // In the middle, or behind the tools where those need the room.
+    // Centered in the window, or right of the tools if these need the center.
     const float middle = widthOf(Side::Middle) - gap;
     const float centered = std::floor((window - middle) * 0.5f);
     const float least = margin + widthOf(Side::Left);

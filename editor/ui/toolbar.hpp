@@ -4,8 +4,9 @@
 
 namespace plumb::editor::ui {
 
-/// The bar below the menus: groups of buttons, and a list of those groups for which the window is too narrow.
-/// @param top     px, where it begins
+/// Draws the toolbar below the menus: groups of buttons, and a list of the groups for which the window is too
+/// narrow.
+/// @param top     px: upper edge of the toolbar
 /// @param height  px
 void drawToolbar(Ui& ui, float top, float height);
 

@@ -8,14 +8,14 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr int kDragSteps = 12;      // frames
-constexpr int kMostFrames = 36000;  // of one wait
+constexpr int kDragSteps = 12;      // frames of a drag
+constexpr int kMostFrames = 36000;  // maximum of "wait"
 
-/// What plays: where the mouse is, and what it can ask.
+/// The state of a running script.
 struct Player {
     const Tour::Stage& stage;
-    Vec2 mouse;
-    Modifiers with;  // of the step that is played
+    Vec2 mouse;      // position of the mouse
+    Modifiers with;  // modifier keys of the present step
 
     void rest(int frames = 1) const {
         for (int i = 0; i < frames; ++i) stage.frame({});
@@ -43,7 +43,7 @@ struct Player {
     }
 };
 
-/// "160,64"
+/// Parses a point such as "160,64".
 std::optional<Vec2> parsePlace(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ',');
     if (parts.size() != 2) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<Vec2> parsePlace(std::string_view text) {
     return Vec2{*x, *y};
 }
 
-/// Takes "10%" from the end of a name. @return the ratio
+/// Removes a percentage such as " 10%" from the end of a name. @return the ratio; nothing if there is none
 std::optional<float> takePercent(std::string_view& name) {
     const std::size_t space = name.rfind(' ');
     if (!endsWith(name, "%") || space == name.npos) return std::nullopt;
@@ -62,10 +62,11 @@ std::optional<float> takePercent(std::string_view& name) {
     return *percent / 100.0f;
 }
 
-/// "Timeline/track 10%": how far along a widget, from its left; with a second one how far down, from its top.
+/// A point of a widget, e.g. "Timeline/track 10%": a ratio of its width from the left, and optionally one of
+/// its height from the top.
 struct Part {
     std::string_view widget;
-    Vec2 at{0.5f, 0.5f};  // ratio
+    Vec2 at{0.5f, 0.5f};  // ratio of the widget's size; default: its center
 };
 Part parsePart(std::string_view name) {
     const auto last = takePercent(name);
@@ -74,7 +75,8 @@ Part parsePart(std::string_view name) {
     return {name, {last.value_or(0.5f), 0.5f}};
 }
 
-/// px of the window: a widget's middle or another part of it, or a place in the scene.
+/// Returns a point in the window (px) for an argument of an action: a point of a widget, or "@x,y" in the
+/// scene.
 Result<Vec2> placeOf(const Player& player, std::string_view name, const std::string& where) {
     const WidgetMap& widgets = player.stage.window().widgets();
     if (!startsWith(name, "@")) {
@@ -84,16 +86,16 @@ Result<Vec2> placeOf(const Player& player, std::string_view name, const std::str
         std::vector<std::string_view> names;
         for (const auto& [path, widget] : widgets.all()) names.push_back(path);
         const std::string_view near = closestName(name, names);
-        return Error{
-            where, format("\"{}\" is not on the screen", name),
-            near.empty() ? "open the panel or menu that it is in first" : format("did you mean {}?", near)};
+        return Error{where, format("\"{}\" is not on the screen", name),
+                     near.empty() ? "first open the panel or menu that contains it"
+                                  : format("did you mean {}?", near)};
     }
     const WidgetMap::Widget* view = widgets.find("Viewport");
-    if (view == nullptr) return Error{where, "the scene is not on the screen", "show its panel first"};
+    if (view == nullptr) return Error{where, "the scene view is not on the screen", "show it first"};
     return view->box.min + player.stage.workspace().view.toScreenPoint(*parsePlace(name.substr(1)));
 }
 
-/// "Ctrl+Shift+Z"
+/// Parses keys such as "Ctrl+Shift+Z".
 std::optional<Shortcut> parseKeys(std::string_view text) {
     Shortcut keys;
     for (const std::string_view part : split(text, '+')) {
@@ -214,7 +216,8 @@ const Verb* findVerb(std::string_view name) {
     return nullptr;
 }
 
-/// "... with Ctrl+Shift", where the mouse does something.
+/// Parses and removes modifier keys at the end of a mouse action: "... with Ctrl+Shift".
+/// @return false if the keys are invalid
 bool takeModifiers(Tour::Step& step) {
     constexpr std::string_view kWith = " with ";
     const std::size_t at = step.from.rfind(kWith);
@@ -232,12 +235,12 @@ Result<Tour::Step> readStep(std::string_view line, std::string where) {
     if (verb == nullptr) {
         std::string all;
         for (const Verb& known : kVerbs) all += (all.empty() ? "" : ", ") + std::string{known.name};
-        return Error{std::move(where), format("there is no action \"{}\"", name), "there are: " + all};
+        return Error{std::move(where), format("unknown action \"{}\"", name), "the actions are: " + all};
     }
     Tour::Step step{verb->name, {}, {}, {}, std::move(where)};
     if (end != line.npos) step.from = trimmed(line.substr(end));
     if (!takeModifiers(step))
-        return Error{step.where, "these keys are none that are held",
+        return Error{step.where, "the keys after \"with\" are not modifier keys",
                      "write e.g. \"click @16,16 with Ctrl+Shift\""};
     constexpr std::string_view kTo = " to ";
     if (const std::size_t to = step.from.find(kTo); endsWith(verb->name, "drag") && to != step.from.npos) {
@@ -245,7 +248,8 @@ Result<Tour::Step> readStep(std::string_view line, std::string where) {
         step.from.resize(to);
     }
     if (verb->isWhole(step)) return step;
-    return Error{step.where, format("\"{}\" is not whole", line), format("write e.g. \"{}\"", verb->example)};
+    return Error{step.where, format("\"{}\" is not a complete action", line),
+                 format("write e.g. \"{}\"", verb->example)};
 }
 
 }  // namespace
@@ -266,7 +270,7 @@ Result<Tour> Tour::read(std::string_view text, std::string_view name) {
 
 Result<Done> Tour::play(const Stage& stage) const {
     Player player{stage, {}, {}};
-    player.rest(3);  // panes settle
+    player.rest(3);  // frames until the layout of the panes is stable
     for (const Step& step : steps_) {
         player.with = step.with;
         if (Result<Done> done = findVerb(step.verb)->play(player, step); !done) return done.error();

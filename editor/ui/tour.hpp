@@ -10,13 +10,13 @@
 
 namespace plumb::editor::ui {
 
-/// A way through the editor as text, one action a line, played by the same events as a person's hands:
+/// A script of user actions in the editor, one per line, executed as input events:
 ///
 ///     # a comment
 ///     click Toolbar/Play
-///     click Timeline/track 10%          a tenth along it from the left, not its middle
-///     click Tiles/palette 10% 50%       the same, and half down
-///     click @160,64                     a place in the scene (px, world)
+///     click Timeline/track 10%          at 10 % of the widget's width, instead of its center
+///     click Tiles/palette 10% 50%       at 10 % of its width and 50 % of its height
+///     click @160,64                     at a point in the scene (px, world)
 ///     right-click Scene/crate
 ///     double-click Inspector/Transform/position.x
 ///     click Scene/crate with Shift
@@ -24,16 +24,16 @@ namespace plumb::editor::ui {
 ///     move @80,100
 ///     key Ctrl+S
 ///     type hello world
-///     press Right                       goes down, and stays down
+///     press Right                       presses a key and keeps it down
 ///     release Right
-///     wait 30                           frames
+///     wait 30                           waits for 30 frames
 ///     picture images/first.png
 ///
-/// The tutorial's pictures are made by it, and its test says when the editor no longer is what it tells.
+/// A script creates the images of the tutorial. A test runs it, to detect that the tutorial is out of date.
 class Tour {
 public:
-    /// What surrounds the window: which one it is (another project has another), how a frame is shown, and
-    /// how a picture of it is taken.
+    /// Callbacks into the surrounding program: return the present window and workspace (opening another
+    /// project replaces them), show a frame with events, and write a screenshot.
     struct Stage {
         std::function<const EditorWindow&()> window;
         std::function<const Workspace&()> workspace;
@@ -41,20 +41,21 @@ public:
         std::function<Result<Done>(std::string_view path)> picture;
     };
 
-    /// @param name  of the text, for errors
-    /// @error       a line that is no action: its number, and what there is
+    /// Parses a script.
+    /// @param name  of the script's file, for errors
+    /// @error       an invalid action, with its line number
     static Result<Tour> read(std::string_view text, std::string_view name);
 
-    /// @error a widget that is not on the screen, or a picture that cannot be written
+    /// Runs the script. @error  a widget that is not visible, or a screenshot that cannot be written
     Result<Done> play(const Stage& stage) const;
 
-    /// One line.
+    /// One line of the script.
     struct Step {
-        std::string_view verb;  ///< of the table in tour.cpp
-        std::string from;       ///< what comes after the verb
-        std::string to;         ///< where a drag ends
-        Modifiers with;         ///< keys held meanwhile
-        std::string where;      ///< "tutorial.tour:12", for errors
+        std::string_view verb;  ///< one of the actions in tour.cpp, e.g. "click"
+        std::string from;       ///< argument of the action; of a drag its start
+        std::string to;         ///< end of a drag
+        Modifiers with;         ///< modifier keys held during the action
+        std::string where;      ///< file and line for errors, e.g. "tutorial.tour:12"
     };
 
 private:

@@ -11,23 +11,24 @@
 
 namespace plumb::editor::ui {
 
-class ScenePicture;
+class SceneTexture;
 
-/// What every panel draws with.
+/// The objects and state shared by all panels of a window.
 struct Ui {
     Workspace& workspace;
     WidgetMap& widgets;
     LogBook& log;
     Fonts fonts{};
-    float scale = 1.0f;               ///< of the whole interface
-    ScenePicture* picture = nullptr;  ///< null: headless, the viewport stays empty
-    float playAlpha = 1.0f;           ///< between the last two ticks of the game that plays
-    Vec2 mouseInScene;                ///< px, world
+    float scale = 1.0f;               ///< scale of the user interface
+    SceneTexture* picture = nullptr;  ///< renderer of the scene; null: headless, the viewport stays empty
+    float playAlpha = 1.0f;           ///< interpolation factor between the last two ticks of the running game
+    Vec2 mouseInScene;                ///< px, world: position of the mouse
     bool mouseOverScene = false;
-    bool panHeld = false;      ///< Space is held over the scene
-    bool viewReady = false;    ///< the viewport has had its size once
-    bool takesEscape = false;  ///< Esc belongs to what is dragged in a panel: it gives the value back
-    /// What waits for a key or a button gets each event first. @return whether it was meant for them
+    bool panHeld = false;      ///< Space is held to pan the scene view
+    bool viewReady = false;    ///< false: the viewport moves to the start view of the scene in the next frame
+    bool takesEscape = false;  ///< Esc is used by a drag in a panel, to restore its value
+    /// Handler that receives each event first, while a key or button is awaited. @return true if it used the
+    /// event
     std::function<bool(const Event&)> takeEvent;
 
     [[nodiscard]] float px(float size) const { return size * scale; }
@@ -42,25 +43,26 @@ public:
 
 struct PanelRow {
     const char* title;
-    Dock dock;  ///< where it stands until the user moves it
+    Dock dock;  ///< default position
     std::unique_ptr<Panel> (*make)();
-    bool tall = false;  ///< at the bottom it needs more height than others
+    bool tall = false;  ///< needs more height than other panels if docked at the bottom
 };
 std::span<const PanelRow> panelTable();
-/// The same as the layouts know them.
+/// The panels of `panelTable` in the form that `PaneLayout` uses.
 std::span<const PanelHome> panelHomes();
 
-/// How many errors and warnings the log has, behind the last item of the status bar; a click shows them.
+/// Draws the numbers of errors and warnings of the log after the last item of the status bar; a click shows
+/// them.
 void drawLogCounts(Ui& ui);
 
-/// Shows text when the mouse rests on the last item.
+/// Shows a tooltip while the mouse hovers over the last item, also if that is disabled.
 void tooltip(std::string_view text);
 
-/// A menu item for an action, with its shortcut; greyed while it is not possible.
-/// @param path  how tests call it
+/// Draws a menu item for an action, with its shortcut; disabled while the action is not possible.
+/// @param path  prefix of the widget path, for tests
 void actionItem(Ui& ui, std::string_view action, const std::string& path);
 
-/// What one can do with the selection, for the menus of the right mouse button.
+/// Draws the items of the context menu for the selected entities.
 void selectionMenu(Ui& ui, const std::string& path);
 
 }  // namespace plumb::editor::ui

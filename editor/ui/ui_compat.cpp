@@ -20,7 +20,8 @@ constexpr int kNone = -1;
 constexpr int kPadEnter = ImGuiKey_KeyPadEnter;
 #endif
 
-// What ImGui itself acts on: text editing and navigation. Shortcuts of the editor are its own table.
+// Keys that ImGui handles itself, for text editing and navigation. The editor's shortcuts are in the action
+// table.
 constexpr std::array kKeys{
     KeyPair{Key::Tab, ImGuiKey_Tab},
     KeyPair{Key::Left, ImGuiKey_LeftArrow},
@@ -64,14 +65,14 @@ bool pressed(Key key, bool repeats) {
 #if IMGUI_VERSION_NUM >= 18700
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(imguiKey(key)), repeats);
 #else
-    return ImGui::IsKeyPressed(static_cast<int>(key), repeats);  // PlatformFeed gives it our numbers
+    return ImGui::IsKeyPressed(static_cast<int>(key), repeats);  // PlatformFeed passes these codes to ImGui
 #endif
 }
 void dropActiveItem() { ImGui::ClearActiveID(); }
 
 bool splitterBar(const char* id, ImVec2 from, ImVec2 to, bool upright, float& before, float& after,
                  float least) {
-    ImGui::PushStyleColor(ImGuiCol_Separator, ImVec4{});  // the gap has its color already
+    ImGui::PushStyleColor(ImGuiCol_Separator, ImVec4{});  // the gap is already drawn in its color
     const bool held = ImGui::SplitterBehavior(
         {from, to}, ImGui::GetID(id), upright ? ImGuiAxis_X : ImGuiAxis_Y, &before, &after, least, least);
     ImGui::PopStyleColor();

@@ -10,8 +10,8 @@
 
 namespace plumb::editor::ui {
 
-// Every use of ImGui that differs between 1.86 (Debian 12) and 1.92 (vcpkg, Homebrew) stands here and in
-// platform_feed.cpp, so that the rest of the editor is written once.
+// All uses of ImGui that differ between the versions 1.86 (Debian 12) and 1.92 (vcpkg, Homebrew) are here and
+// in platform_feed.cpp, so that the rest of the editor needs no version checks.
 
 inline ImTextureID textureId(std::uintptr_t native) {
 #if IMGUI_VERSION_NUM >= 19140
@@ -31,13 +31,14 @@ inline bool beginChild(const char* id, ImVec2 size, bool border, ImGuiWindowFlag
 #endif
 }
 
-/// Before an item that others may lie on.
+/// Lets later items overlap the next item; to be called before it, together with `allowOverlapAfter`.
 inline void allowOverlapBefore() {
 #if IMGUI_VERSION_NUM >= 18970
     ImGui::SetNextItemAllowOverlap();
 #endif
 }
-/// After that item; each version needs one of the two.
+/// Lets later items overlap the last item; to be called after it. Each version of ImGui needs one of the two
+/// calls.
 inline void allowOverlapAfter() {
 #if IMGUI_VERSION_NUM < 18970
     ImGui::SetItemAllowOverlap();
@@ -63,7 +64,8 @@ inline void polyline(ImDrawList& list, const ImVec2* points, int count, ImU32 co
 #endif
 }
 
-/// From 1.92.8 on the back end filters every texture; pixel art asks for its own pixels back.
+/// Draws a texture with nearest filtering, for pixel art. From ImGui 1.92.8 on the default is linear
+/// filtering.
 inline void imageOfPixels(ImDrawList& list, ImTextureID texture, ImVec2 from, ImVec2 to) {
 #if IMGUI_VERSION_NUM >= 19280
     const ImGuiPlatformIO& io = ImGui::GetPlatformIO();
@@ -75,7 +77,7 @@ inline void imageOfPixels(ImDrawList& list, ImTextureID texture, ImVec2 from, Im
 #endif
 }
 
-/// A part of a texture on four corners, clockwise from the top left, each with its place in the texture.
+/// Draws a part of a texture as a quad with nearest filtering. @param corners  clockwise from the top left
 inline void quadOfPixels(ImDrawList& list, ImTextureID texture, const std::array<ImVec2, 4>& corners,
                          const std::array<Vec2, 4>& uv, ImU32 tint) {
     const auto at = [&](std::size_t i) { return ImVec2{uv[i].x, uv[i].y}; };
@@ -98,32 +100,35 @@ inline void pushFont(ImFont* font, [[maybe_unused]] float size) {
 #endif
 }
 
-/// Makes the glyphs of the loaded fonts; newer versions make them when they are drawn.
+/// Rasterizes the glyphs of the loaded fonts; ImGui 1.92 and later does this on demand.
 inline void buildFonts() {
 #if IMGUI_VERSION_NUM < 19200
     ImGui::GetIO().Fonts->Build();
 #endif
 }
 
-/// Whether a menu, a list or a question is open; and closes them all.
+/// True if a menu, a list or a dialog is open.
 bool anyPopupOpen();
+/// Closes all menus, lists and dialogs.
 void closePopups();
 
-/// A check box; mixed: it stands for several things, of which some are on.
+/// Draws a check box. @param mixed  the box represents several values, of which only some are on
 bool checkbox(const char* label, bool& on, bool mixed);
 
-/// Whether a key went down in this frame, for what ImGui acts on too.
-/// @param repeats  also again and again while it is held
+/// True if a key was pressed in this frame. Only for keys that ImGui handles as well.
+/// @param repeats  true: also reports the repeated presses while the key is held
 bool pressed(Key key, bool repeats = false);
-/// Takes the mouse and the keyboard from the item that has them.
+/// Ends the interaction with ImGui's active item, e.g. a drag or text input.
 void dropActiveItem();
-/// A bar that divides two panes; a drag gives the one what it takes of the other.
-/// @param least  px that each keeps
-/// @return whether it is held
+/// Draws a bar between two panes; dragging it enlarges one and shrinks the other.
+/// @param before  px: size of the left or upper pane
+/// @param after   px: size of the right or lower pane
+/// @param least   px: minimum size of each
+/// @return true while the bar is held
 bool splitterBar(const char* id, ImVec2 from, ImVec2 to, bool upright, float& before, float& after,
                  float least);
 
-/// ImGui's name of a key, or none.
+/// Returns ImGui's code of a key; its code for no key if ImGui does not use the key.
 int imguiKey(Key key);
 
 }  // namespace plumb::editor::ui

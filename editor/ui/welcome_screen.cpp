@@ -14,12 +14,13 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kWidth = 980.0f;  // px at scale 1, of all
+// Sizes in px at scale 1.
+constexpr float kWidth = 980.0f;  // width of the whole content
 constexpr float kHeight = 600.0f;
-constexpr float kLeft = 0.42f;  // ratio, of the new project
+constexpr float kLeft = 0.42f;  // ratio of the width for the part "New project"
 constexpr float kTemplateHeight = 66.0f;
-constexpr float kRowHeight = 64.0f;
-constexpr float kLabels = 66.0f;
+constexpr float kRowHeight = 64.0f;  // height of a row of the recent projects
+constexpr float kLabels = 66.0f;     // width of the labels
 
 Path homeFolder() {
     for (const char* name : {"HOME", "USERPROFILE"}) {
@@ -29,7 +30,7 @@ Path homeFolder() {
     return std::filesystem::current_path(failed);
 }
 
-/// "~" stands for the home folder, as in a shell.
+/// Converts a path typed by the user; a leading "~" is the home folder.
 Path pathFrom(const std::string& text) {
     const std::string_view plain = trimmed(text);
     if (plain == "~") return homeFolder();
@@ -67,7 +68,7 @@ void label(const Ui& ui, const char* text) {
     ImGui::SetNextItemWidth(-1.0f);
 }
 
-/// The sign of the program: a weight on a line.
+/// Draws the logo of the program: a plumb bob.
 void drawSign(ImDrawList& list, ImVec2 at, float size) {
     const auto point = [&](float x, float y) { return ImVec2{at.x + x * size, at.y + y * size}; };
     list.AddLine(point(0.5f, 0.0f), point(0.5f, 0.45f), palette::kTextDim, size * 0.05f);
@@ -178,7 +179,7 @@ void WelcomeScreen::drawNew(Ui& ui) {
     done |= textField("##folder", folder_, ImGuiInputTextFlags_EnterReturnsTrue, "an empty folder");
     ownFolder_ |= folder_ != before;
     ui.widgets.mark("Welcome/folder", folder_);
-    tooltip("It is made when it is not there");
+    tooltip("The folder is created if it does not exist");
     ImGui::Dummy({0.0f, ui.px(4.0f)});
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentPressed);
     done |= ImGui::Button("Create project", {-1.0f, ui.px(32.0f)});
@@ -212,7 +213,7 @@ void WelcomeScreen::drawTemplate(Ui& ui, std::size_t index) {
                  there ? palette::kText : palette::kTextDim, row.name.data(),
                  row.name.data() + row.name.size());
     const std::string what =
-        there ? std::string{row.what} : std::string{"Its project is not beside this program."};
+        there ? std::string{row.what} : std::string{"This template is not installed with the program."};
     list.AddText(ui.fonts.text, ui.fonts.size, {at.x + inset, at.y + ui.px(11.0f) + ui.fonts.size * 1.25f},
                  palette::kTextDim, what.c_str(), nullptr, size.x - 2.0f * inset);
     list.PopClipRect();
@@ -232,7 +233,7 @@ void WelcomeScreen::drawRecent(Ui& ui) {
     beginChild("list", {0.0f, -ui.px(78.0f)}, false);
     if (recent_.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-        ImGui::TextWrapped("No project was open yet. Make one on the left, or open a folder below.");
+        ImGui::TextWrapped("No recent projects. Create one on the left, or open a folder below.");
         ImGui::PopStyleColor();
     }
     for (std::size_t i = 0; i < recent_.size(); ++i) drawRecentRow(ui, i);
@@ -250,11 +251,14 @@ void WelcomeScreen::drawRecentRow(Ui& ui, std::size_t index) {
     ui.widgets.mark(path, row.name);
     const bool hovered = ImGui::IsItemHovered();
     if (hovered)
-        tooltip(row.there ? row.folder
-                          : row.folder + "\nThere is no project any more. The right button forgets it.");
+        tooltip(
+            row.there
+                ? row.folder
+                : row.folder +
+                      "\nThis folder no longer contains a project. Right-click to remove it from the list.");
     bool forget = false;
     if (ImGui::BeginPopupContextItem("menu")) {
-        forget = ImGui::MenuItem("Forget it");
+        forget = ImGui::MenuItem("Remove from list");
         ui.widgets.mark(path + "/forget");
         ImGui::EndPopup();
     }
@@ -279,7 +283,7 @@ void WelcomeScreen::drawRecentRow(Ui& ui, std::size_t index) {
     list.AddText(ui.fonts.strong, ui.fonts.size, {x, at.y + ui.px(13.0f)},
                  row.there ? palette::kText : palette::kTextDim, row.name.c_str());
     const std::string where =
-        row.there ? shortened(row.folder) : format("not there any more: {}", shortened(row.folder));
+        row.there ? shortened(row.folder) : format("not found: {}", shortened(row.folder));
     list.AddText({x, at.y + ui.px(16.0f) + ui.fonts.size * 1.25f}, palette::kTextDim, where.c_str());
     list.PopClipRect();
     ImGui::PopID();
@@ -302,7 +306,7 @@ void WelcomeScreen::drawOpen(Ui& ui) {
     ImGui::SameLine();
     done |= ImGui::Button("Open", {button, 0.0f});
     ui.widgets.mark("Welcome/Open");
-    tooltip("The folder with the file project.json");
+    tooltip("A folder that contains a file project.json");
     if (done) openFolder(ui, place_);
     message(ui, openMessage_, "Welcome/openMessage");
 }
@@ -314,7 +318,7 @@ void WelcomeScreen::openFolder(Ui& ui, const std::string& folder) {
     openMessage_.clear();
     if (path.empty() || !std::filesystem::is_directory(path, failed)) {
         openMessage_ =
-            path.empty() ? "Write the path of a folder." : format("There is no folder {}", path.string());
+            path.empty() ? "Enter the path of a folder." : format("There is no folder {}", path.string());
     } else if (isProject(path)) {
         ui.workspace.projectToOpen = std::filesystem::absolute(path, failed).lexically_normal().string();
         ui.workspace.request = WindowRequest::OpenProject;
@@ -323,7 +327,7 @@ void WelcomeScreen::openFolder(Ui& ui, const std::string& folder) {
         ownFolder_ = true;
         name_ = Path{folder_}.filename().string();
         focus_ = true;
-        message_ = "There is no project in this folder yet. Give it a name and create one there.";
+        message_ = "This folder does not contain a project. Enter a name to create one there.";
     }
 }
 

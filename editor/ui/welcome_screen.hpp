@@ -9,13 +9,13 @@
 
 namespace plumb::editor::ui {
 
-/// What the editor shows while no project is open, and where one goes to open another: recent projects, and
-/// what a new one may begin with. What it chooses it asks for by WindowRequest::OpenProject.
+/// The screen to open or create a project, with recent projects and templates; shown first if no project is
+/// open. It opens a project by WindowRequest::OpenProject.
 class WelcomeScreen {
 public:
-    /// @param folder  one without a project, for which one is to be made; empty: none
+    /// Shows the screen. @param folder  of the project to create or open; empty: none
     void open(Ui& ui, const std::string& folder = {});
-    /// Without a project there is nowhere to go back to.
+    /// Hides the screen; without an open project it stays.
     void close(const Ui& ui) { shown_ = ui.workspace.project.isNone; }
     [[nodiscard]] bool shown() const { return shown_; }
     /// @param size  px of the window
@@ -25,8 +25,8 @@ private:
     struct Recent {
         std::string folder;
         std::string name;
-        bool there = true;
-        TextureId picture;
+        bool there = true;  ///< the folder still contains a project
+        TextureId picture;  ///< preview image
         bool hasPicture = false;
     };
 
@@ -42,15 +42,15 @@ private:
     void openFolder(Ui& ui, const std::string& folder);
 
     bool shown_ = false;
-    bool focus_ = false;  ///< the name shall take the keyboard
+    bool focus_ = false;  ///< the name field gets the keyboard focus in the next frame
     std::vector<Recent> recent_;
-    std::size_t template_ = 0;
-    std::string name_;
-    std::string folder_;       ///< of the new project
-    bool ownFolder_ = false;   ///< written by the person; else it follows the name
-    std::string place_;        ///< the folder to open
-    std::string message_;      ///< what was wrong with the new one
-    std::string openMessage_;  ///< what was wrong with the one to open
+    std::size_t template_ = 0;  ///< index of the selected template
+    std::string name_;          ///< name of the new project
+    std::string folder_;        ///< folder of the new project
+    bool ownFolder_ = false;    ///< the user edited the folder; otherwise it follows the name
+    std::string place_;         ///< text of the field for the folder to open
+    std::string message_;       ///< error of creating a project
+    std::string openMessage_;   ///< error of opening a folder
 };
 
 }  // namespace plumb::editor::ui

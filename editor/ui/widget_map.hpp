@@ -8,17 +8,17 @@
 
 namespace plumb::editor::ui {
 
-/// Where each named widget of the last frame was and what it showed, so that a test (or a guide that points
-/// at things) says "Inspector/Transform/position.x" instead of pixels.
+/// Position and value of each named widget of the last frame, so that tests and tour scripts can use paths
+/// such as "Inspector/Transform/position.x" instead of coordinates.
 class WidgetMap {
 public:
     struct Widget {
-        AABB box;  ///< in the units of mouse positions
+        AABB box;  ///< bounds, in the units of mouse positions
         std::string value;
     };
 
     void beginFrame() { widgets_.clear(); }
-    /// Remembers the ImGui item just drawn.
+    /// Stores the last ImGui item under a path.
     void mark(std::string_view path, std::string_view value = {});
     void mark(std::string_view path, const AABB& box, std::string_view value = {});
 

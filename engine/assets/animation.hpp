@@ -13,31 +13,30 @@ namespace plumb {
 
 enum class LoopMode : std::uint8_t { Loop, Once, PingPong };
 
-/// One picture of a clip: a cell of the sheet and how long it shows.
+/// A frame of a clip: a cell of the sprite sheet and its duration.
 struct AnimationFrame {
     int cellX = 0;  ///< column in the sheet
     int cellY = 0;  ///< row in the sheet
     float seconds = 0.1f;
-    std::string event;  ///< emitted when the frame begins, e.g. "step"; empty for none
+    std::string event;  ///< emitted when the frame begins, e.g. "step"; empty: none
 
     friend bool operator==(const AnimationFrame&, const AnimationFrame&) = default;
 };
 
-/// A clip: frames in order.
+/// A clip: a named sequence of frames.
 struct Animation {
     std::string name;
     std::vector<AnimationFrame> frames;
     LoopMode loop = LoopMode::Loop;
-    std::vector<KeptProperty> unknown =
-        {};  ///< what the file said and this program does not know; written back
+    std::vector<KeptProperty> unknown = {};  ///< unknown members of the file, kept for writing
 
     friend bool operator==(const Animation&, const Animation&) = default;
 };
 
 enum class ParameterKind : std::uint8_t { Float, Bool, Trigger };
 
-/// What the game tells the state machine. Bools and triggers are 0 and 1; a trigger falls back to 0 once it
-/// is used.
+/// An input of the state machine, set by the game. Bools and triggers are 0 or 1; a trigger is reset to 0 by
+/// the transition that uses it.
 struct AnimationParameter {
     std::string name;
     ParameterKind kind = ParameterKind::Float;
@@ -49,7 +48,7 @@ struct AnimationParameter {
 struct AnimationState {
     std::string name;
     int clip = 0;        ///< index in the clips
-    float speed = 1.0f;  ///< ratio; negative plays backwards
+    float speed = 1.0f;  ///< ratio to the clip's speed; negative plays backwards
 
     friend bool operator==(const AnimationState&, const AnimationState&) = default;
 };
@@ -69,30 +68,30 @@ struct AnimationTransition {
 
     int from = kAnyState;                  ///< index in the states
     int to = 0;                            ///< index in the states
-    std::vector<AnimationCondition> when;  ///< all must hold
-    bool afterEnd = false;                 ///< and the clip has reached its end at least once
+    std::vector<AnimationCondition> when;  ///< all conditions must be true
+    bool afterEnd = false;                 ///< also requires that the clip has reached its end at least once
 
     friend bool operator==(const AnimationTransition&, const AnimationTransition&) = default;
 };
 
-/// The clips of one sheet, and the state machine that chooses among them. The first state is the start.
+/// The clips of a sprite sheet and a state machine that selects them. The first state is the initial one.
 struct AnimationSet {
     static constexpr int kFormat = 1;
     static constexpr std::size_t kMaxClips = 1024;
-    static constexpr std::size_t kMaxFrames = 4096;  ///< of one clip
+    static constexpr std::size_t kMaxFrames = 4096;  ///< per clip
     static constexpr std::size_t kMaxParameters = 8;
 
-    std::string image;    ///< path of the sheet; empty for clips made by code
-    TextureId texture;    ///< of `image`
-    int frameWidth = 0;   ///< px; 0 keeps the Sprite's own
-    int frameHeight = 0;  ///< px
+    std::string image;    ///< path of the sprite sheet; empty for clips created by code
+    TextureId texture;    ///< id of `image`
+    int frameWidth = 0;   ///< px; 0: the Sprite's width
+    int frameHeight = 0;  ///< px; 0: the Sprite's height
     std::vector<Animation> clips;
     std::vector<AnimationParameter> parameters;
-    std::vector<AnimationState> states;  ///< none: clips are chosen by hand
+    std::vector<AnimationState> states;  ///< empty: the game selects the clips
     std::vector<AnimationTransition> transitions;
-    std::vector<KeptProperty> unknown;
+    std::vector<KeptProperty> unknown;  ///< unknown members of the file, kept for writing
 
-    /// Index of what has this name; -1 when nothing has.
+    /// Returns the index of the clip, state or parameter with this name; -1 if there is none.
     [[nodiscard]] int findClip(std::string_view name) const;
     [[nodiscard]] int findState(std::string_view name) const;
     [[nodiscard]] int findParameter(std::string_view name) const;
@@ -100,19 +99,19 @@ struct AnimationSet {
     friend bool operator==(const AnimationSet&, const AnimationSet&) = default;
 };
 
-/// Clips made by code, without a state machine.
+/// Returns a set of clips created by code, without a state machine.
 AnimationSet animationSetOf(std::vector<Animation> clips);
 
-/// The clips of a sheet of four cells in a row, as the first character of most games has: idle, run and jump.
+/// Sample clips for a player character with a sheet of four cells in one row: idle, run and jump.
 extern const std::vector<Animation> playerAnimations;
 
-/// Reads `*.anim.json`. What is wrong inside is listed in `problems` and left out.
+/// Reads the text of an `*.anim.json` file. Invalid parts are reported in `problems` and ignored.
 /// @param where  the file's path, for errors
-/// @error        the text is no JSON object, or of a newer format
+/// @error        the text is not a JSON object, or has a newer format
 Result<AnimationSet> parseAnimationSet(std::string_view json, std::string_view where,
                                        std::vector<Error>& problems);
 
-/// The text of `*.anim.json`; reading it gives the same set.
+/// Returns the text of an `*.anim.json` file; parseAnimationSet() of it returns an equal set.
 std::string writeAnimationSet(const AnimationSet& set);
 
 }  // namespace plumb

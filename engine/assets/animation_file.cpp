@@ -24,26 +24,27 @@ std::string nameIn(const Names& names, Enum value) {
     return std::string{names[static_cast<std::size_t>(value)]};
 }
 
-/// The number of what another part of the file names; tells and gives -1 when nothing has that name.
+/// Reads the name of a clip, state or parameter of the file and returns its index. Reports an unknown name
+/// and returns -1.
 int readName(JsonFields& fields, std::string_view key, const AnimationSet& set,
              int (AnimationSet::*find)(std::string_view) const) {
     const std::string name = fields.text(key);
     const int index = (set.*find)(name);
     if (index < 0)
-        fields.warn(key, format("nothing is named \"{}\"", name.substr(0, 80)),
-                    "write a name that the file defines");
+        fields.warn(key, format("the name \"{}\" is not defined in this file", name.substr(0, 80)),
+                    "use a name that the file defines");
     return index;
 }
 
 AnimationFrame readFrame(JsonFields& fields) {
     AnimationFrame frame;
     const Vec2 cell = fields.vec2("cell", {});
-    const auto inRange = [](float place) { return place >= 0.0f && place <= static_cast<float>(kMaxCell); };
+    const auto inRange = [](float index) { return index >= 0.0f && index <= static_cast<float>(kMaxCell); };
     if (inRange(cell.x) && inRange(cell.y)) {
         frame.cellX = static_cast<int>(cell.x);
         frame.cellY = static_cast<int>(cell.y);
     } else {
-        fields.warn("cell", "lies outside every sheet", "write [column, row], counted from 0");
+        fields.warn("cell", format("column and row must be 0 to {}", kMaxCell), "write [column, row]");
     }
     frame.seconds = fields.number("seconds", 0.1f, 0.001f, 3600.0f);
     frame.event = fields.text("event");
@@ -58,7 +59,8 @@ Animation readClip(JsonFields& fields) {
     for (JsonFields& item : fields.objects("frames", AnimationSet::kMaxFrames))
         clip.frames.push_back(readFrame(item));
     if (clip.frames.empty()) {
-        fields.warn("frames", "the clip has no frame", "give it one; the sheet's first cell stands in");
+        fields.warn("frames", "the clip has no frames",
+                    "add a frame; the sheet's first cell is used instead");
         clip.frames.emplace_back();
     }
     clip.unknown = fields.keepUnknown();
@@ -87,7 +89,7 @@ void readState(JsonFields& fields, AnimationSet& set) {
     if (state.clip >= 0) set.states.push_back(std::move(state));
 }
 
-/// A condition on a bool or a trigger may leave out its comparison: it then holds while the parameter is set.
+/// Reads a condition. Without "is" and "value" it means "> 0": the bool or trigger is set.
 bool readCondition(JsonFields& fields, const AnimationSet& set, AnimationTransition& transition) {
     AnimationCondition condition;
     condition.parameter = readName(fields, "parameter", set, &AnimationSet::findParameter);
@@ -102,7 +104,7 @@ bool readCondition(JsonFields& fields, const AnimationSet& set, AnimationTransit
     return condition.parameter >= 0;
 }
 
-/// A transition of which a part is wrong is left out: without the part it would mean something else.
+/// Reads a transition; ignores it if a part is invalid, because without that part its meaning would change.
 void readTransition(JsonFields& fields, AnimationSet& set) {
     AnimationTransition transition;
     bool good = true;
@@ -126,7 +128,7 @@ void readSheet(JsonFields& fields, AnimationSet& set) {
         set.frameWidth = static_cast<int>(size.x);
         set.frameHeight = static_cast<int>(size.y);
     } else {
-        fields.warn("frameSize", "is no size of a cell", "write [width, height] in px");
+        fields.warn("frameSize", "width and height must be 0 to 16384 px", "write [width, height] in px");
     }
 }
 

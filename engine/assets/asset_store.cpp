@@ -14,19 +14,22 @@ namespace {
 
 constexpr std::string_view kEnginePrefix = "engine:";
 constexpr std::size_t kMaxErrors = 1000;
-constexpr std::uint32_t kRevisionStep = 0x10000;  // more than a file is edited while it is loaded
+constexpr std::uint32_t kRevisionStep = 0x10000;  // more than the number of reloads of any file
 
 }  // namespace
 
 template <class Visit>
-void AssetStore::visitShelf(AssetKind kind, Visit&& visit) {
-    std::apply([&](auto&... shelf) { ((shelf.kKind == kind ? visit(shelf.table) : void()), ...); }, shelves_);
+void AssetStore::visitTable(AssetKind kind, Visit&& visit) {
+    std::apply(
+        [&](auto&... kindTable) { ((kindTable.kKind == kind ? visit(kindTable.table) : void()), ...); },
+        tables_);
 }
 
 template <class Visit>
-void AssetStore::visitShelf(AssetKind kind, Visit&& visit) const {
-    std::apply([&](const auto&... shelf) { ((shelf.kKind == kind ? visit(shelf.table) : void()), ...); },
-               shelves_);
+void AssetStore::visitTable(AssetKind kind, Visit&& visit) const {
+    std::apply(
+        [&](const auto&... kindTable) { ((kindTable.kKind == kind ? visit(kindTable.table) : void()), ...); },
+        tables_);
 }
 
 AssetStore::AssetStore(Path root, Path engineRoot)
@@ -37,7 +40,7 @@ Result<Path> AssetStore::resolve(std::string_view path) const {
     const Path& root = ofEngine ? engineRoot_ : root_;
     if (root.empty()) {
         return Error{std::string{path.substr(0, 200)},
-                     ofEngine ? "the engine's assets were not found" : "there is no project",
+                     ofEngine ? "the engine's assets folder was not found" : "no project is open",
                      ofEngine ? "install the engine with its assets folder" : "open a project first"};
     }
     if (ofEngine) return pathInside(root, path.substr(kEnginePrefix.size()));
@@ -67,7 +70,7 @@ template <class T>
 TextId AssetStore::loadInto(AssetTable<T>& table, std::string_view path) {
     const TextId id = textId(path);
     if (id.empty() || table.find(id) != nullptr) return id;
-    // The entry exists before it is read: a set that names itself finds it and stops.
+    // The entry is added before the file is read, so that an asset that references itself is loaded once.
     AssetEntry<T>& entry = table.add(id, std::string{path});
     entry.revision = firstRevision_;
     if (const Result<Done> read = readEntry(entry); !read) {
@@ -81,25 +84,25 @@ TextId AssetStore::loadInto(AssetTable<T>& table, std::string_view path) {
 }
 
 TextureId AssetStore::loadTexture(std::string_view path) {
-    return {loadInto(std::get<0>(shelves_).table, path)};
+    return {loadInto(std::get<0>(tables_).table, path)};
 }
 TilesetId AssetStore::loadTileset(std::string_view path) {
-    return {loadInto(std::get<1>(shelves_).table, path)};
+    return {loadInto(std::get<1>(tables_).table, path)};
 }
 AnimationId AssetStore::loadAnimation(std::string_view path) {
-    return {loadInto(std::get<2>(shelves_).table, path)};
+    return {loadInto(std::get<2>(tables_).table, path)};
 }
-SoundId AssetStore::loadSound(std::string_view path) { return {loadInto(std::get<3>(shelves_).table, path)}; }
-FontId AssetStore::loadFont(std::string_view path) { return {loadInto(std::get<4>(shelves_).table, path)}; }
+SoundId AssetStore::loadSound(std::string_view path) { return {loadInto(std::get<3>(tables_).table, path)}; }
+FontId AssetStore::loadFont(std::string_view path) { return {loadInto(std::get<4>(tables_).table, path)}; }
 
 void AssetStore::load(AssetKind kind, std::string_view path) {
-    visitShelf(kind, [&](auto& table) { loadInto(table, path); });
+    visitTable(kind, [&](auto& table) { loadInto(table, path); });
 }
 
 Result<Done> AssetStore::readBytes(std::string_view bytes, const std::string& path, Texture& texture) {
     const Result<ImageSize> size = readImageSize(bytes, path);
     if (!size) return size.error();
-    // A picture that is shown is decoded at once, so that a broken one keeps the old.
+    // Decode an image in use immediately, so that the old one is kept if the new file is damaged.
     Image image;
     if (texture.wanted) {
         Result<Image> decoded = decodeImage(bytes, path);
@@ -129,14 +132,14 @@ Result<Done> AssetStore::readBytes(std::string_view bytes, const std::string& pa
 }
 
 Result<Done> AssetStore::readBytes(std::string_view bytes, const std::string& path, FileBytes& file) {
-    if (bytes.empty()) return Error{path, "the file is empty", "put the file there again"};
+    if (bytes.empty()) return Error{path, "the file is empty", "restore the file"};
     file.bytes = bytes;
     return Done{};
 }
 
 Result<Done> AssetStore::readBytes(std::string_view, const std::string&, WatchedFile&) { return Done{}; }
 
-// ---- what code makes ----------------------------------------------------------------------------
+// ---- assets created by code ---------------------------------------------------------------------
 
 template <class T>
 TextId AssetStore::addTo(AssetTable<T>& table, std::string_view name, T value) {
@@ -158,16 +161,16 @@ TextId AssetStore::addTo(AssetTable<T>& table, std::string_view name, T value) {
 TextureId AssetStore::addTexture(std::string_view name, Image image) {
     const int width = image.width;
     const int height = image.height;
-    return {addTo(std::get<0>(shelves_).table, name, Texture{width, height, std::move(image)})};
+    return {addTo(std::get<0>(tables_).table, name, Texture{width, height, std::move(image)})};
 }
 TilesetId AssetStore::addTileset(std::string_view name, Tileset tileset) {
-    return {addTo(std::get<1>(shelves_).table, name, std::move(tileset))};
+    return {addTo(std::get<1>(tables_).table, name, std::move(tileset))};
 }
 AnimationId AssetStore::addAnimation(std::string_view name, AnimationSet set) {
-    return {addTo(std::get<2>(shelves_).table, name, std::move(set))};
+    return {addTo(std::get<2>(tables_).table, name, std::move(set))};
 }
 
-// ---- asking -------------------------------------------------------------------------------------
+// ---- queries ------------------------------------------------------------------------------------
 
 const Tileset& AssetStore::tileset(TilesetId id) const {
     static const Tileset placeholder;
@@ -207,7 +210,7 @@ void AssetStore::dropImage(TextureId id) {
 
 std::string_view AssetStore::pathOf(AssetKind kind, TextId id) const {
     std::string_view path;
-    visitShelf(kind, [&](const auto& table) {
+    visitTable(kind, [&](const auto& table) {
         if (const auto* entry = table.find(id)) path = entry->path;
     });
     return path;
@@ -215,7 +218,7 @@ std::string_view AssetStore::pathOf(AssetKind kind, TextId id) const {
 
 bool AssetStore::isMissing(AssetKind kind, TextId id) const {
     bool missing = true;
-    visitShelf(kind, [&](const auto& table) {
+    visitTable(kind, [&](const auto& table) {
         if (const auto* entry = table.find(id)) missing = entry->missing;
     });
     return missing;
@@ -223,36 +226,36 @@ bool AssetStore::isMissing(AssetKind kind, TextId id) const {
 
 std::uint32_t AssetStore::revisionOf(AssetKind kind, TextId id) const {
     std::uint32_t revision = 0;
-    visitShelf(kind, [&](const auto& table) {
+    visitTable(kind, [&](const auto& table) {
         if (const auto* entry = table.find(id)) revision = entry->revision;
     });
     return revision;
 }
 
 std::size_t AssetStore::size() const {
-    return std::apply([](const auto&... shelf) { return (shelf.table.size() + ...); }, shelves_);
+    return std::apply([](const auto&... kindTable) { return (kindTable.table.size() + ...); }, tables_);
 }
 
-// ---- users of assets ----------------------------------------------------------------------------
+// ---- references ---------------------------------------------------------------------------------
 
 void AssetStore::acquire(AssetKind kind, TextId id) {
-    visitShelf(kind, [&](auto& table) {
+    visitTable(kind, [&](auto& table) {
         if (auto* entry = table.find(id)) ++entry->references;
     });
 }
 
 void AssetStore::release(AssetKind kind, TextId id) {
-    visitShelf(kind, [&](auto& table) {
+    visitTable(kind, [&](auto& table) {
         auto* entry = table.find(id);
         PLUMB_ASSERT(entry == nullptr || entry->references > 0,
-                     "release an asset only as often as it was acquired");
+                     "an asset was released more often than acquired");
         if (entry != nullptr && entry->references > 0) --entry->references;
     });
 }
 
 int AssetStore::references(AssetKind kind, TextId id) const {
     int count = 0;
-    visitShelf(kind, [&](const auto& table) {
+    visitTable(kind, [&](const auto& table) {
         if (const auto* entry = table.find(id)) count = entry->references;
     });
     return count;
@@ -287,10 +290,10 @@ std::size_t AssetStore::unloadUnused() {
             return unused;
         });
     };
-    // Textures last: the sets above them let go of theirs first.
+    // Textures last, because unloading tilesets and animations releases their textures.
     std::size_t count =
-        std::apply([&](auto&, auto&... others) { return (unload(others.table) + ...); }, shelves_);
-    count += unload(std::get<0>(shelves_).table);
+        std::apply([&](auto&, auto&... others) { return (unload(others.table) + ...); }, tables_);
+    count += unload(std::get<0>(tables_).table);
     if (count > 0) firstRevision_ += kRevisionStep;
     return count;
 }
@@ -317,7 +320,7 @@ std::size_t AssetStore::byteCount() const {
         for (std::size_t i = 0; i < table.size(); ++i)
             bytes += sizeof(table.at(i)) + bytesOf(table.at(i).value);
     };
-    std::apply([&](const auto&... shelf) { (add(shelf.table), ...); }, shelves_);
+    std::apply([&](const auto&... kindTable) { (add(kindTable.table), ...); }, tables_);
     return bytes;
 }
 
@@ -353,32 +356,32 @@ std::vector<AssetChange> AssetStore::pollChanges(std::size_t budget) {
     for (std::size_t looked = 0; looked < std::min(budget, total); ++looked) {
         std::size_t index = pollAt_ = pollAt_ % total;
         ++pollAt_;
-        const auto lookAt = [&](auto& shelf) {
-            if (index >= shelf.table.size()) {
-                index -= shelf.table.size();
+        const auto lookAt = [&](auto& kindTable) {
+            if (index >= kindTable.table.size()) {
+                index -= kindTable.table.size();
                 return false;
             }
-            if (auto& entry = shelf.table.at(index); reload(entry))
-                changes.push_back({shelf.kKind, entry.id});
+            if (auto& entry = kindTable.table.at(index); reload(entry))
+                changes.push_back({kindTable.kKind, entry.id});
             return true;
         };
-        std::apply([&](auto&... shelf) { (lookAt(shelf) || ...); }, shelves_);
+        std::apply([&](auto&... kindTable) { (lookAt(kindTable) || ...); }, tables_);
     }
     return changes;
 }
 
 bool AssetStore::refresh(AssetKind kind, TextId id) {
     bool loaded = false;
-    visitShelf(kind, [&](auto& table) {
+    visitTable(kind, [&](auto& table) {
         auto* entry = table.find(id);
         if (entry == nullptr) return;
-        entry->stamp = 0;  // a file's time may be too coarse to tell two writings apart
+        entry->stamp = 0;  // force a reload: two writes in quick succession may have the same file time
         loaded = reload(*entry);
     });
     return loaded;
 }
 
-// ---- telling ------------------------------------------------------------------------------------
+// ---- log and errors -----------------------------------------------------------------------------
 
 void AssetStore::report(Error error) {
     if (logging) logWarning("Assets", error);

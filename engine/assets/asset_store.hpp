@@ -16,134 +16,137 @@
 
 namespace plumb {
 
-/// A file whose bytes are the asset: a sound or a font.
+/// An asset stored as the bytes of its file: a sound or a font.
 struct FileBytes {
     std::string bytes;
 };
 
-/// A file that others load and the store only watches: a scene or a prefab.
+/// A file that the store watches for changes but does not load: a scene or a prefab.
 struct WatchedFile {};
 
-/// One asset that `pollChanges` replaced, or a watched file that changed.
+/// An asset that `pollChanges` reloaded, or a watched file that changed.
 struct AssetChange {
     AssetKind kind = AssetKind::None;
     TextId path;
 };
 
-/// Every asset of a project: loads each file once, hands out ids, and gives a placeholder for what is missing
-/// or broken, so that a game goes on. All paths stay inside the project; `engine:fonts/…` names the engine's
-/// own files.
+/// All assets of a project. Loads each file once, assigns ids, and returns a placeholder for a missing or
+/// damaged file, so that the game continues. Paths must be inside the project; `engine:fonts/…` is a path in
+/// the engine's assets.
 ///
-/// Pictures are decoded when their pixels are first asked for; a game without a screen never decodes one.
+/// Images are decoded when their pixels are first requested, so a game without a screen decodes none.
 class AssetStore {
 public:
-    /// @param root        the project's folder; empty for a store of what code makes
-    /// @param engineRoot  the engine's own assets/ folder; empty when there is none
+    /// @param root        the project's folder; empty if all assets are created by code
+    /// @param engineRoot  the engine's assets/ folder; empty if there is none
     explicit AssetStore(Path root = {}, Path engineRoot = {});
 
-    /// Load a file once and give its id: always the same for the same path, also when the file is missing.
-    /// What went wrong is in `errors()`. A bare name that does not lie in the root is looked for in assets/.
+    /// Loads a file at the first call for it and returns its id, which depends only on the path. Errors, such
+    /// as a missing file, are added to `errors()`. A file name not found in the root is searched in assets/.
     TextureId loadTexture(std::string_view path);
     TilesetId loadTileset(std::string_view path);
     AnimationId loadAnimation(std::string_view path);
     SoundId loadSound(std::string_view path);
     FontId loadFont(std::string_view path);
 
-    /// As above by kind; scenes and prefabs are only watched. For readers that go by reflection.
+    /// Loads a file of a kind that is known only at run time; scenes and prefabs are only watched.
     void load(AssetKind kind, std::string_view path);
 
-    /// Put what code made under a name, in place of what had that name.
+    /// Adds an asset created by code under a name; replaces an asset of that name.
     TextureId addTexture(std::string_view name, Image image);
     TilesetId addTileset(std::string_view name, Tileset tileset);
     AnimationId addAnimation(std::string_view name, AnimationSet set);
 
-    /// The asset, or null when it was never loaded. A few ns.
+    /// Returns the asset, or null if it was never loaded. Takes a few ns.
     [[nodiscard]] const Texture* find(TextureId id) const { return valueOf(textures(), id.path); }
     [[nodiscard]] const Tileset* find(TilesetId id) const { return valueOf(tilesets(), id.path); }
     [[nodiscard]] const AnimationSet* find(AnimationId id) const { return valueOf(animations(), id.path); }
     [[nodiscard]] const FileBytes* find(SoundId id) const { return valueOf(sounds(), id.path); }
     [[nodiscard]] const FileBytes* find(FontId id) const { return valueOf(fonts(), id.path); }
 
-    /// The asset, or a placeholder: a checker of magenta and black, a set without tiles, a set without clips.
+    /// Returns the asset, or an empty one if it was never loaded.
     [[nodiscard]] const Tileset& tileset(TilesetId id) const;
     [[nodiscard]] const AnimationSet& animation(AnimationId id) const;
 
-    /// The pixels, decoded at the first request. Valid until the texture changes or is unloaded.
+    /// Returns the pixels, decoded at the first call; of a missing texture the placeholder, a checkerboard of
+    /// magenta and black. Valid until the texture changes or is unloaded.
     const Image& image(TextureId id);
 
-    /// Frees decoded pixels, e.g. once they are on the GPU; asking again decodes again. What code made stays.
+    /// Frees decoded pixels, e.g. after upload to the GPU; image() decodes them again. Does nothing for
+    /// textures created by code.
     void dropImage(TextureId id);
 
-    /// The path or name that was loaded; empty for an unknown id.
+    /// Returns the path or name of an asset; empty for an unknown id.
     [[nodiscard]] std::string_view pathOf(AssetKind kind, TextId id) const;
     template <AssetKind Kind>
     [[nodiscard]] std::string_view pathOf(AssetRef<Kind> id) const {
         return pathOf(Kind, id.path);
     }
 
-    /// True when a placeholder stands in for the asset.
+    /// True if the asset is missing or damaged, so that a placeholder is used.
     [[nodiscard]] bool isMissing(AssetKind kind, TextId id) const;
-    /// Grows when the asset is replaced; 0 for an unknown id.
+    /// Returns a number that increases whenever the asset is replaced; 0 for an unknown id.
     [[nodiscard]] std::uint32_t revisionOf(AssetKind kind, TextId id) const;
 
-    /// Count the users of an asset. A tileset or an animation needs its pictures by itself.
+    /// Changes the reference count of an asset. Tilesets and animations hold references to their textures.
     void acquire(AssetKind kind, TextId id);
     void release(AssetKind kind, TextId id);
     [[nodiscard]] int references(AssetKind kind, TextId id) const;
 
-    /// Forgets the files without users; ids stay valid and load again. What code made stays.
-    /// @return how many
+    /// Unloads files without references; their ids can be loaded again. Keeps assets created by code.
+    /// @return the number of unloaded files
     std::size_t unloadUnused();
 
-    /// How often a file was read, each time it was loaded anew counted.
+    /// Number of file reads, including reloads.
     [[nodiscard]] std::size_t loadCount() const { return loads_; }
-    /// Memory that loaded assets hold: decoded pixels, bytes of files, tables (bytes).
+    /// Approximate memory of all assets, bytes: decoded pixels, file contents, tables.
     [[nodiscard]] std::size_t byteCount() const;
 
-    /// Looks at the next few files and reloads those that changed. A file that became broken is listed in
-    /// `errors()` and the old asset stays.
-    /// @param budget  files to look at; the next call goes on behind them. About 2 us each
+    /// Checks some files and reloads those that changed; the next call continues with the following files. If
+    /// a changed file is damaged, an error is added to `errors()` and the old asset is kept.
+    /// @param budget  maximum number of files to check, about 2 us each
     std::vector<AssetChange> pollChanges(std::size_t budget = 32);
 
-    /// Reads a file again now, after the caller has written it. A broken one is listed in `errors()` and the
-    /// old asset stays. @return whether it was loaded
+    /// Reloads a file immediately, e.g. after the caller has written it. If it is damaged, an error is added
+    /// to `errors()` and the old asset is kept. @return true if it was loaded
     bool refresh(AssetKind kind, TextId id);
 
-    /// What went wrong since the last `clearErrors`, at most a thousand.
+    /// Errors since the last `clearErrors`, at most 1000.
     [[nodiscard]] const std::vector<Error>& errors() const { return errors_; }
     void clearErrors() { errors_.clear(); }
 
-    /// Whether loading writes to the log. On at first.
+    /// Writes loaded files and errors to the log.
     bool logging = true;
 
     [[nodiscard]] const Path& root() const { return root_; }
     [[nodiscard]] std::size_t size() const;
 
-    /// Where a path of the project lies on this machine.
-    /// @error  it leaves the project
+    /// Converts a path in the project or in the engine's assets to a path in the file system.
+    /// @error  the path is outside of the project
     [[nodiscard]] Result<Path> resolve(std::string_view path) const;
 
 private:
     template <AssetKind Kind, class T>
-    struct Shelf {
+    struct KindTable {
         static constexpr AssetKind kKind = Kind;
         AssetTable<T> table;
     };
-    using Shelves = std::tuple<Shelf<AssetKind::Texture, Texture>, Shelf<AssetKind::Tileset, Tileset>,
-                               Shelf<AssetKind::Animation, AnimationSet>, Shelf<AssetKind::Sound, FileBytes>,
-                               Shelf<AssetKind::Font, FileBytes>, Shelf<AssetKind::Scene, WatchedFile>,
-                               Shelf<AssetKind::Prefab, WatchedFile>>;
+    using KindTables =
+        std::tuple<KindTable<AssetKind::Texture, Texture>, KindTable<AssetKind::Tileset, Tileset>,
+                   KindTable<AssetKind::Animation, AnimationSet>, KindTable<AssetKind::Sound, FileBytes>,
+                   KindTable<AssetKind::Font, FileBytes>, KindTable<AssetKind::Scene, WatchedFile>,
+                   KindTable<AssetKind::Prefab, WatchedFile>>;
 
     template <class T>
     static const T* valueOf(const AssetTable<T>& table, TextId id) {
         const AssetEntry<T>* entry = table.find(id);
         return entry == nullptr ? nullptr : &entry->value;
     }
-    [[nodiscard]] const AssetTable<Texture>& textures() const { return std::get<0>(shelves_).table; }
-    [[nodiscard]] const AssetTable<Tileset>& tilesets() const { return std::get<1>(shelves_).table; }
-    [[nodiscard]] const AssetTable<AnimationSet>& animations() const { return std::get<2>(shelves_).table; }
-    [[nodiscard]] const AssetTable<FileBytes>& sounds() const { return std::get<3>(shelves_).table; }
-    [[nodiscard]] const AssetTable<FileBytes>& fonts() const { return std::get<4>(shelves_).table; }
+    [[nodiscard]] const AssetTable<Texture>& textures() const { return std::get<0>(tables_).table; }
+    [[nodiscard]] const AssetTable<Tileset>& tilesets() const { return std::get<1>(tables_).table; }
+    [[nodiscard]] const AssetTable<AnimationSet>& animations() const { return std::get<2>(tables_).table; }
+    [[nodiscard]] const AssetTable<FileBytes>& sounds() const { return std::get<3>(tables_).table; }
+    [[nodiscard]] const AssetTable<FileBytes>& fonts() const { return std::get<4>(tables_).table; }
 
     template <class T>
     TextId loadInto(AssetTable<T>& table, std::string_view path);
@@ -160,7 +163,7 @@ private:
     Result<Done> readBytes(std::string_view bytes, const std::string& path, FileBytes& file);
     Result<Done> readBytes(std::string_view bytes, const std::string& path, WatchedFile& file);
 
-    /// Loads and counts the pictures that an asset is made of, or gives them back.
+    /// Loads the textures that an asset uses and adds references to them, which releaseParts removes.
     void acquireParts(const Tileset& tileset);
     void acquireParts(const AnimationSet& set);
     template <class T>
@@ -178,18 +181,18 @@ private:
     void logLoaded(const std::string& path, const T&) const;
 
     template <class Visit>
-    void visitShelf(AssetKind kind, Visit&& visit);
+    void visitTable(AssetKind kind, Visit&& visit);
     template <class Visit>
-    void visitShelf(AssetKind kind, Visit&& visit) const;
+    void visitTable(AssetKind kind, Visit&& visit) const;
 
     Path root_;
     Path engineRoot_;
-    Shelves shelves_;
+    KindTables tables_;
     std::vector<Error> errors_;
     std::size_t pollAt_ = 0;
     std::size_t loads_ = 0;
-    /// Of what is loaded now: past all those before the last unloading, so that a caller that remembers what
-    /// was made of an asset sees that it is another one.
+    /// Revision of assets loaded from now on. Larger than all revisions before the last unloading, so that a
+    /// caller that caches data of an asset notices when it was unloaded and loaded again.
     std::uint32_t firstRevision_ = 1;
 };
 

@@ -12,21 +12,21 @@
 
 namespace plumb {
 
-/// One asset and what the store knows of it.
+/// An asset and its administrative data.
 template <class T>
 struct AssetEntry {
     TextId id;
-    std::string path;         ///< as in the project's files
-    Path file;                ///< where it lies; empty for what code made
-    std::uint64_t stamp = 0;  ///< of the file when it was read; 0 when there was none
+    std::string path;         ///< path in the project, or name of an asset created by code
+    Path file;                ///< path in the file system; empty for an asset created by code
+    std::uint64_t stamp = 0;  ///< stamp (time, size) of the file when it was read; 0 if there was none
     int references = 0;
-    bool missing = false;        ///< a placeholder stands in
-    std::uint32_t revision = 1;  ///< grows when the asset is replaced
+    bool missing = false;        ///< the file is missing or damaged; a placeholder is used
+    std::uint32_t revision = 1;  ///< increases whenever the asset is replaced
     T value;
 };
 
-/// The assets of one kind by id: open addressing, so that a look-up is one multiplication and most often one
-/// compare. Entries keep their address; walking them follows the order of loading.
+/// Hash table of the assets of one kind by id. Open addressing: a look-up needs one multiplication and
+/// usually one comparison. Entries keep their address; at() returns them in the order of loading.
 template <class T>
 class AssetTable {
 public:
@@ -78,7 +78,7 @@ private:
     }
 
     std::vector<std::unique_ptr<Entry>> entries_;
-    std::vector<Entry*> slots_;  // a power of two, at most half full
+    std::vector<Entry*> slots_;  // size a power of two, at most half full
 };
 
 }  // namespace plumb

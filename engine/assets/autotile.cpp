@@ -10,13 +10,13 @@ namespace {
 
 constexpr int kMaxId = 255;
 
-/// How badly a tile of one mask stands in for another: a wrong side is worse than a wrong corner.
+/// Returns the difference of two masks, used to find the best tile: a wrong edge counts 4, a wrong corner 1.
 int distance(std::uint8_t a, std::uint8_t b) {
     const unsigned differing = a ^ b;
     return 4 * std::popcount(differing & Neighbour::kEdges) + std::popcount(differing & Neighbour::kCorners);
 }
 
-/// Uniform in [0, 1), the same for a place each time.
+/// Returns a pseudorandom number, uniform in [0, 1), that depends only on the cell and the terrain.
 double chanceAt(int x, int y, int terrain) {
     const std::uint64_t place =
         static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32 | static_cast<std::uint32_t>(y);
@@ -78,7 +78,8 @@ int Autotile::terrainOf(TileCell cell) const {
                : 0;
 }
 
-/// The terrain that decides about a cell: the one in it, else the one with the highest id at its corners.
+/// Returns the terrain that determines a cell's tile: the cell's own, unless it has mode Corners; otherwise
+/// the one with the highest id among those of mode Corners at the cell's corners; 0: none.
 int Autotile::terrainFor(const Around& around) const {
     const int own = around[4];
     if (rules_[static_cast<std::size_t>(own)].known && !onCorners(own)) return own;

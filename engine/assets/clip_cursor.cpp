@@ -6,9 +6,9 @@
 namespace plumb {
 namespace {
 
-constexpr double kMaxSeconds = 1e6;  // of one advance
+constexpr double kMaxSeconds = 1e6;  // maximum time of one advance
 
-/// To the nearest unit; what is not a number counts as 0.
+/// Converts to kAnimationUnit, rounded to nearest; NaN becomes 0.
 std::int64_t unitsOf(float seconds) {
     if (!(seconds == seconds)) return 0;
     const double clamped = std::clamp(static_cast<double>(seconds), -kMaxSeconds, kMaxSeconds);
@@ -44,11 +44,11 @@ ClipAdvance::ClipAdvance(const Animation& clip, LoopMode mode, ClipCursor& curso
         return;
     }
     cursor_.frame = std::clamp(cursor_.frame, 0, static_cast<int>(clip.frames.size()) - 1);
-    const std::int64_t turn = turnLength();
-    if (mode_ != LoopMode::Once && std::abs(left_) > 2 * turn) left_ %= turn;
+    const std::int64_t cycle = cycleLength();
+    if (mode_ != LoopMode::Once && std::abs(left_) > 2 * cycle) left_ %= cycle;
 }
 
-std::int64_t ClipAdvance::turnLength() const {
+std::int64_t ClipAdvance::cycleLength() const {
     std::int64_t length = 0;
     for (const AnimationFrame& frame : clip_.frames) length += lengthOf(frame);
     if (mode_ != LoopMode::PingPong || clip_.frames.size() < 2) return length;
@@ -61,14 +61,14 @@ bool ClipAdvance::begin() {
     return true;
 }
 
-/// Steps to the frame after or before, in the order of play; false at the end of a clip that plays once.
-bool ClipAdvance::enterNeighbour(bool forth) {
+/// Steps to the next or previous frame in playback order. @return false at the end of a clip of mode Once
+bool ClipAdvance::enterAdjacentFrame(bool forward) {
     const int last = static_cast<int>(clip_.frames.size()) - 1;
-    const bool upwards = forth == (cursor_.direction > 0);
+    const bool upwards = forward == (cursor_.direction > 0);
     const bool atEdge = cursor_.frame == (upwards ? last : 0);
     if (!atEdge) {
         cursor_.frame += upwards ? 1 : -1;
-        // A turn of a ping-pong clip is over when it is back where it began.
+        // A cycle of a ping-pong clip ends when it is back at its first frame.
         cursor_.ended = cursor_.ended || (mode_ == LoopMode::PingPong && cursor_.frame == 0);
         return true;
     }
@@ -88,18 +88,18 @@ int ClipAdvance::next() {
     if (clip_.frames.empty()) return -1;
     if (begin()) return cursor_.frame;
     if (left_ == 0) return -1;
-    const bool forth = left_ > 0;
+    const bool forward = left_ > 0;
     const std::int64_t length = lengthOf(clip_.frames[static_cast<std::size_t>(cursor_.frame)]);
     const std::int64_t reached = timer_ + left_;
-    if (forth ? reached < length : reached >= 0) {
+    if (forward ? reached < length : reached >= 0) {
         timer_ = reached;
         left_ = 0;
-    } else if (!enterNeighbour(forth)) {
-        timer_ = forth ? length : 0;
+    } else if (!enterAdjacentFrame(forward)) {
+        timer_ = forward ? length : 0;
         left_ = 0;
     } else {
-        left_ = forth ? reached - length : reached;
-        timer_ = forth ? 0 : lengthOf(clip_.frames[static_cast<std::size_t>(cursor_.frame)]);
+        left_ = forward ? reached - length : reached;
+        timer_ = forward ? 0 : lengthOf(clip_.frames[static_cast<std::size_t>(cursor_.frame)]);
         cursor_.timer = secondsOf(timer_);
         return cursor_.frame;
     }

@@ -10,7 +10,8 @@
 
 namespace plumb {
 
-/// The neighbours of a cell as bits, clockwise from above. A tile's mask has those that are of its terrain.
+/// The eight neighbours of a cell as bits, clockwise from above. A tile's mask contains those neighbours that
+/// must have the tile's terrain.
 struct Neighbour {
     static constexpr std::uint8_t kUp = 1, kUpRight = 2, kRight = 4, kDownRight = 8;
     static constexpr std::uint8_t kDown = 16, kDownLeft = 32, kLeft = 64, kUpLeft = 128;
@@ -19,15 +20,15 @@ struct Neighbour {
     static constexpr std::uint8_t kAll = kEdges | kCorners;
 };
 
-/// Which neighbours count. Edges: the four beside a cell, 16 masks. Blob: also those across a corner, where
-/// both beside it are there: 47 masks. Corners: not cells but the places where four cells meet are of a
-/// terrain: 16.
+/// Neighbours that determine a tile. Edges: the four cells at the edges, 16 masks. Blob: also a diagonal cell
+/// if both edge cells next to it have the terrain, 47 masks. Corners: terrain belongs to the corners of cells
+/// instead of to cells, 16 masks.
 enum class TerrainMode : std::uint8_t { Edges, Blob, Corners };
 std::span<const std::string_view> terrainModeNames();
 
-/// The mask with the neighbours only that count in this mode.
+/// Removes the neighbours that do not count in a mode from a mask.
 std::uint8_t countedMask(TerrainMode mode, std::uint8_t mask);
-/// All masks that the mode tells apart, in rising order.
+/// Returns all distinct masks of a mode in ascending order.
 std::vector<std::uint8_t> masksOf(TerrainMode mode);
 
 struct TerrainTile {
@@ -37,13 +38,13 @@ struct TerrainTile {
     friend bool operator==(const TerrainTile&, const TerrainTile&) = default;
 };
 
-/// A material that is painted as such; each of its cells takes the tile whose mask fits its neighbours.
+/// A terrain to paint with: each of its cells gets the tile whose mask matches the cell's neighbours.
 struct Terrain {
-    int id = 1;  ///< what cells of a layer's terrain hold: 1 .. 255
+    int id = 1;  ///< value in the cells of a layer's terrain, 1..255
     std::string name;
     TerrainMode mode = TerrainMode::Blob;
-    Color color{120, 200, 90, 255};  ///< of the editor's marks
-    std::vector<TerrainTile> tiles;  ///< several of one mask are variants
+    Color color{120, 200, 90, 255};  ///< used by the editor to mark the terrain
+    std::vector<TerrainTile> tiles;  ///< several tiles with the same mask are variants
 
     friend bool operator==(const Terrain&, const Terrain&) = default;
 };

@@ -4,21 +4,21 @@
 
 namespace plumb {
 
-/// A picture of the project. Its size is known at once; its pixels are in the store, decoded when asked for.
+/// A texture of the project. Its size is always known; its pixels are decoded by AssetStore::image().
 struct Texture {
     int width = 0;        ///< px
     int height = 0;       ///< px
-    Image image;          ///< empty until the store was asked for it
-    bool wanted = false;  ///< the pixels were asked for once: a changed file is decoded before it counts
+    Image image;          ///< empty until AssetStore::image() decodes it
+    bool wanted = false;  ///< the pixels were requested before, so a changed file is decoded immediately
 
-    /// How many square cells of a sheet lie side by side; 1 for a single picture. Only a guess for the log,
-    /// made where the height is a whole number of 8 px, as cells are drawn.
+    /// Guesses the number of square frames side by side, for the log: 1 unless the width is a multiple of the
+    /// height and the height a multiple of 8 px.
     [[nodiscard]] int frameCount() const {
         return height > 0 && height % 8 == 0 && width % height == 0 ? width / height : 1;
     }
 };
 
-/// What stands in for a picture that is missing: a checker of magenta and black that cannot be overlooked.
+/// Returns the placeholder for a missing image: a conspicuous checkerboard of magenta and black.
 const Image& placeholderImage();
 
 }  // namespace plumb

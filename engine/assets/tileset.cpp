@@ -10,7 +10,8 @@ constexpr auto kShapeNames = std::to_array<std::string_view>(
     {"none", "full", "oneWay", "slopeUp", "slopeDown", "slopeUpLow", "slopeUpHigh", "slopeDownHigh",
      "slopeDownLow", "halfTop", "halfBottom"});
 
-/// The corners of a slope whose surface goes from `left` to `right` (ratio of the height, from the top).
+/// Returns the corners of a slope. `left` and `right` are the distances of its surface from the top, as
+/// ratios of the tile's height.
 std::vector<Vec2> slope(Vec2 size, float left, float right) {
     std::vector<Vec2> points;
     if (left < 1.0f) points.push_back({0.0f, left * size.y});
@@ -54,7 +55,7 @@ const TileImage* Tileset::imageOf(int tile) const {
 
 namespace {
 
-/// The tiles that came when a picture of `from` became one of `to`.
+/// The tiles added when an image grew from size `from` to size `to`, with ids in the order of `index`.
 struct Growth {
     TilesetSize from;
     TilesetSize to;
@@ -90,7 +91,7 @@ Tileset::Place Tileset::placeOf(int tile) const {
 }
 
 int Tileset::tileAt(Place place) const {
-    if (place.column < 0 || place.row < 0 || place.column >= columnsNow()) return -1;
+    if (place.column < 0 || place.row < 0 || place.column >= currentColumns()) return -1;
     if (sizes.empty() || (place.column < sizes.front().columns && place.row < sizes.front().rows)) {
         const int tile = place.row * std::max(columns, 1) + place.column;
         return tile < count ? tile : -1;

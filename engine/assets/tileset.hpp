@@ -16,8 +16,8 @@
 
 namespace plumb {
 
-/// What a tile is to bodies. "Up" and "Down" are seen from left to right; Low and High are the two halves of
-/// a slope that takes two tiles.
+/// Collision shape of a tile. Slopes go "Up" or "Down" from left to right; Low and High are the two halves of
+/// a slope that is two tiles long.
 enum class TileShape : std::uint8_t {
     None,
     Full,
@@ -33,7 +33,8 @@ enum class TileShape : std::uint8_t {
     Polygon
 };
 
-/// The names of the shapes in files, in the enum's order; a Polygon is written as its points.
+/// Returns the names of the shapes in files, in the order of the enum. Polygon has none: it is stored as
+/// points.
 std::span<const std::string_view> tileShapeNames();
 
 struct TileFrame {
@@ -43,32 +44,32 @@ struct TileFrame {
     friend bool operator==(const TileFrame&, const TileFrame&) = default;
 };
 
-/// A value that only the game understands, e.g. "hazard": true.
+/// A custom property that only the game uses, e.g. "hazard": true.
 using TileProperty = KeptProperty;
 
-/// What is special about one tile of a set.
+/// Data of one tile; tiles without such data are not stored.
 struct Tile {
     int id = 0;
     TileShape shape = TileShape::None;
-    std::vector<Vec2> polygon;         ///< px in the tile, of TileShape::Polygon
-    bool oneWay = false;               ///< solid only from above, whatever the shape
-    float friction = -1.0f;            ///< negative takes the TileCollider's
-    float bounciness = -1.0f;          ///< negative takes the TileCollider's
-    float probability = 1.0f;          ///< weight among variants and in random painting; 0 is never chosen
-    std::string material;              ///< a word of the game's own, e.g. "ice", for sounds and particles
-    std::vector<TileFrame> animation;  ///< shown instead of the tile, in turns
+    std::vector<Vec2> polygon;         ///< corners, px in the tile; only for TileShape::Polygon
+    bool oneWay = false;               ///< solid only from above, with any shape
+    float friction = -1.0f;            ///< negative: the TileCollider's friction
+    float bounciness = -1.0f;          ///< negative: the TileCollider's bounciness
+    float probability = 1.0f;          ///< weight among variants and in random painting; 0: never selected
+    std::string material;              ///< name for the game, e.g. "ice", for sounds and particles
+    std::vector<TileFrame> animation;  ///< tiles shown one after another instead of this tile
     std::vector<TileProperty> properties;
-    std::vector<KeptProperty> unknown;  ///< what the file said and this program does not know; written back
+    std::vector<KeptProperty> unknown;  ///< unknown members of the file, kept for writing
 
-    /// The property's JSON text; empty when there is none.
+    /// Returns the JSON text of a property; empty if the tile does not have it.
     [[nodiscard]] std::string_view property(std::string_view name) const;
     [[nodiscard]] bool hasFlag(std::string_view name) const { return property(name) == "true"; }
 
     friend bool operator==(const Tile&, const Tile&) = default;
 };
 
-/// A size that a set's picture has had, in tiles. When it grows what was there keeps its numbers; new tiles
-/// follow the last one, first those to the right of the old picture, then those below.
+/// A former or current size of a tileset's image, in tiles. When the image grows, old tiles keep their ids;
+/// new tiles get the following ids: first those to the right of the old image, then those below.
 struct TilesetSize {
     int columns = 0;
     int rows = 0;
@@ -76,77 +77,78 @@ struct TilesetSize {
     friend bool operator==(const TilesetSize&, const TilesetSize&) = default;
 };
 
-/// A picture of its own for one tile, in sets that are collections of images.
+/// The image of one tile, in tilesets that are collections of images.
 struct TileImage {
     int tile = 0;
     std::string path;
     TextureId texture;
-    Rect source;  ///< px in the picture; empty means all of it
+    Rect source;  ///< region of the image, px; empty: the whole image
 
     friend bool operator==(const TileImage&, const TileImage&) = default;
 };
 
-/// The tiles that layers are made of: where each is in a picture, and what it means. Tiles count from 0.
+/// The tiles of a tile layer: position of each in an image, collision, and custom properties. Ids begin at 0.
 struct Tileset {
     static constexpr int kFormat = 1;
     static constexpr int kMaxTiles = 1 << 20;
 
-    std::string image;   ///< path; empty for a collection
-    TextureId texture;   ///< of `image`
+    std::string image;   ///< path of the image of all tiles; empty for a collection of images
+    TextureId texture;   ///< id of `image`
     int tileWidth = 16;  ///< px
     int tileHeight = 16;
-    int margin = 0;   ///< px around all tiles of the picture
-    int spacing = 0;  ///< px between them
-    int columns = 1;  ///< in the picture, when the set was made
-    int count = 0;
-    std::vector<TilesetSize> sizes;  ///< of a picture that became wider: the first one up to that of now
-    Vec2 offset;                     ///< px added where tiles are drawn
-    std::vector<TileImage> images;   ///< of a collection, by tile
-    std::vector<Tile> tiles;         ///< those with something special, by id
-    std::vector<Terrain> terrains;   ///< what the editor paints as a whole
+    int margin = 0;                  ///< px between the image's edge and the tiles
+    int spacing = 0;                 ///< px between tiles
+    int columns = 1;                 ///< columns of the image when the tileset was created
+    int count = 0;                   ///< number of tiles
+    std::vector<TilesetSize> sizes;  ///< if the image became wider: all its sizes, the current one last
+    Vec2 offset;                     ///< px, added to the position of drawn tiles
+    std::vector<TileImage> images;   ///< images of a collection, sorted by tile
+    std::vector<Tile> tiles;         ///< tiles with data, sorted by id
+    std::vector<Terrain> terrains;   ///< terrains for painting in the editor
     std::vector<TileProperty> properties;
-    std::vector<KeptProperty> unknown;
+    std::vector<KeptProperty> unknown;  ///< unknown members of the file, kept for writing
 
-    /// What is special about a tile; null when nothing is. A binary search.
+    /// Returns the data of a tile; null if it has none. Binary search.
     [[nodiscard]] const Tile* find(int tile) const;
     [[nodiscard]] TileShape shapeOf(int tile) const;
 
-    /// The picture of its own that a tile has; null when it is in the common one.
+    /// Returns the tile's own image in a collection; null if the tile is in the image of all tiles.
     [[nodiscard]] const TileImage* imageOf(int tile) const;
 
-    /// Where a tile is in the common picture (px).
+    /// Returns the region of a tile in the image of all tiles, px.
     [[nodiscard]] Rect sourceOf(int tile) const;
 
-    /// The picture's columns now, and where a tile is in it, in tiles.
-    [[nodiscard]] int columnsNow() const { return sizes.empty() ? columns : sizes.back().columns; }
+    /// Returns the current number of columns of the image.
+    [[nodiscard]] int currentColumns() const { return sizes.empty() ? columns : sizes.back().columns; }
+    /// Position of a tile in the image, in tiles.
     struct Place {
         int column = 0;
         int row = 0;
     };
     [[nodiscard]] Place placeOf(int tile) const;
-    /// The tile at a place of the picture; -1 where there is none.
+    /// Returns the tile at a position of the image; -1 if there is none.
     [[nodiscard]] int tileAt(Place place) const;
-    /// Takes in a picture with more room. The numbers of all tiles stay.
-    /// @return how many tiles came to it
+    /// Enlarges the tileset for a larger image. All tiles keep their ids.
+    /// @return the number of tiles added
     int growTo(int newColumns, int newRows);
 
-    /// The tile that is shown for `tile` at a time: itself, or the frame of its animation.
-    /// @param seconds  since the scene began
+    /// Returns the tile shown for `tile` at a time: itself, or the current frame of its animation.
+    /// @param seconds  time since the scene began
     [[nodiscard]] int shownTile(int tile, double seconds) const;
 
     friend bool operator==(const Tileset&, const Tileset&) = default;
 };
 
-/// The outline of a tile's shape, clockwise on screen, convex but for polygons; empty for None.
-/// @param size  px of the tile
+/// Returns the outline of a tile's shape, clockwise on screen, convex except for Polygon; empty for None.
+/// @param size  size of the tile, px
 std::vector<Vec2> outlineOf(const Tile& tile, Vec2 size);
 
-/// Reads `*.tileset.json`. What is wrong inside is listed in `problems` and left out.
+/// Reads the text of a `*.tileset.json` file. Invalid parts are reported in `problems` and ignored.
 /// @param where  the file's path, for errors
-/// @error        the text is no JSON object, or of a newer format
+/// @error        the text is not a JSON object, or has a newer format
 Result<Tileset> parseTileset(std::string_view json, std::string_view where, std::vector<Error>& problems);
 
-/// The text of `*.tileset.json`; reading it gives the same tileset.
+/// Returns the text of a `*.tileset.json` file; parseTileset() of it returns an equal tileset.
 std::string writeTileset(const Tileset& tileset);
 
 }  // namespace plumb

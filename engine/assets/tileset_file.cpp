@@ -13,9 +13,9 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMaxCorners = 64;
-constexpr int kMaxSide = 4096;  // px of a tile
+constexpr int kMaxSide = 4096;  // maximum side of a tile, px
 constexpr float kMaxPixels = 16384.0f;
-/// A size or a place in whole px.
+/// Reads a pair of integers; reports values out of range and returns the fallback for both.
 std::pair<int, int> readPair(JsonFields& fields, std::string_view key, int min, int max, int fallback) {
     const auto kept = static_cast<float>(fallback);
     const Vec2 pair = fields.vec2(key, {kept, kept});
@@ -24,7 +24,7 @@ std::pair<int, int> readPair(JsonFields& fields, std::string_view key, int min, 
     if (pair.x >= low && pair.x <= high && pair.y >= low && pair.y <= high) {
         return {static_cast<int>(pair.x), static_cast<int>(pair.y)};
     }
-    fields.warn(key, format("expected two numbers from {} to {}", min, max), "correct them");
+    fields.warn(key, format("expected two numbers from {} to {}", min, max), "correct the numbers");
     return {fallback, fallback};
 }
 
@@ -92,7 +92,7 @@ Color readColor(JsonFields& fields, Color fallback) {
     const std::optional<std::uint64_t> bits =
         formed ? parseHex(std::string_view{text}.substr(1)) : std::nullopt;
     if (!bits) {
-        fields.warn("color", format("found \"{}\"", text), "write \"#rrggbb\"");
+        fields.warn("color", format("expected a color, found \"{}\"", text), "write \"#rrggbb\"");
         return fallback;
     }
     const auto part = [&](int shift) { return static_cast<std::uint8_t>(*bits >> shift); };
@@ -139,7 +139,7 @@ TileImage readImage(JsonFields& fields) {
     return image;
 }
 
-/// Puts a list in the order of its numbers and leaves out what has none or repeats one.
+/// Sorts items by id and removes those without an id (-1) or with the same id as another; reports duplicates.
 template <class Item>
 void settle(std::vector<Item>& items, int Item::*number, JsonFields& fields, std::string_view key) {
     const auto unnumbered = [&](const Item& item) { return item.*number < 0; };
@@ -149,11 +149,12 @@ void settle(std::vector<Item>& items, int Item::*number, JsonFields& fields, std
     const auto repeated = std::unique(items.begin(), items.end(),
                                       [&](const Item& a, const Item& b) { return a.*number == b.*number; });
     if (repeated != items.end())
-        fields.warn(key, "the same tile stands there twice", "keep one; the first one counts");
+        fields.warn(key, "there are two entries with the same id",
+                    "remove one of them; the first one is used");
     items.erase(repeated, items.end());
 }
 
-/// The sizes that a growing picture has had. They must grow, and have room for as many tiles as there are.
+/// Reads the sizes of an image that has grown. They must increase; the last one must match the tile count.
 void readSizes(JsonFields& fields, Tileset& tileset) {
     std::int64_t cells = 0;
     for (JsonFields& item : fields.objects("sizes", 1024)) {
@@ -169,14 +170,14 @@ void readSizes(JsonFields& fields, Tileset& tileset) {
             tileset.sizes.push_back(size);
             continue;
         }
-        fields.warn("sizes", "the sizes of a picture grow from its columns to its count",
-                    "make sizes, columns and count agree");
+        fields.warn("sizes", "the sizes must increase, begin with \"columns\" and end with \"count\" tiles",
+                    "make \"sizes\", \"columns\" and \"count\" consistent");
         tileset.sizes.clear();
         return;
     }
     if (cells == 0 || cells == tileset.count) return;
-    fields.warn("sizes", format("the last size has {} tiles, the count is {}", cells, tileset.count),
-                "make them agree");
+    fields.warn("sizes", format("the last size has {} tiles, but \"count\" is {}", cells, tileset.count),
+                "make \"sizes\" and \"count\" consistent");
     tileset.sizes.clear();
 }
 

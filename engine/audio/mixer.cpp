@@ -14,7 +14,7 @@ float ratio(float value) { return value == value ? std::clamp(value, 0.0f, 1.0f)
 
 Mixer::Mixer(AssetStore& assets, OpenDevice open) : assets_{assets}, open_{std::move(open)} {}
 
-/// Opens the device at the first call; a machine without one is asked once.
+/// Tries once, at the first call, to open the device. @return true if a device is open
 bool Mixer::ready() {
     if (device_ == nullptr && open_) {
         Result<std::unique_ptr<AudioDevice>> opened = std::exchange(open_, nullptr)();
@@ -32,7 +32,7 @@ AudioDevice::SoundHandle Mixer::handleOf(SoundId sound) {
     const std::uint32_t revision = assets_.revisionOf(AssetKind::Sound, sound.path);
     auto at =
         std::find_if(loaded_.begin(), loaded_.end(), [&](const Loaded& item) { return item.sound == sound; });
-    // What a scene that is gone asked for at its end is still heard after its files were unloaded.
+    // Revision 0: the file was unloaded with its scene. The loaded sound is still played.
     if (at != loaded_.end() && (at->revision == revision || revision == 0)) return at->handle;
     if (at == loaded_.end()) at = loaded_.insert(loaded_.end(), Loaded{sound});
     if (at->handle >= 0) device_->unload(at->handle);

@@ -14,7 +14,7 @@ namespace plumb {
 
 enum class SoundGroup : std::uint8_t { Effects, Interface, Music, Count };
 
-/// How a sound is played.
+/// Parameters for playing a sound.
 struct SoundSettings {
     float volume = 1.0f;  ///< ratio, 0..1
     float pan = 0.0f;     ///< -1 left .. 1 right
@@ -22,25 +22,25 @@ struct SoundSettings {
     bool looped = false;
 };
 
-/// Plays the sounds of a project. The device is opened when the first one is played; where there is none the
-/// game is silent and nothing else changes.
+/// Plays the sounds of a project. The audio device is opened when the first sound is played. Without a
+/// device the game is silent; everything else works as usual.
 class Mixer {
 public:
     using OpenDevice = std::function<Result<std::unique_ptr<AudioDevice>>()>;
 
     /// @param assets  must outlive this
-    /// @param open    opens the device; an empty one keeps the mixer silent, as --headless does
+    /// @param open    opens the device; an empty function keeps the mixer silent, as --headless does
     explicit Mixer(AssetStore& assets, OpenDevice open = openAudioDevice);
 
-    /// @return the voice, to stop or adjust a looped sound; -1 when nothing plays
+    /// @return the voice, to stop or adjust a looped sound; -1 if the sound is not played
     AudioDevice::Voice play(SoundId sound, const SoundSettings& settings = {});
     void stop(AudioDevice::Voice voice);
 
-    /// Plays one looped piece in place of the one before; the same piece goes on.
+    /// Plays looped music instead of the current one; if it is playing already, it continues.
     void playMusic(SoundId music, float volume = 1.0f, float fadeSeconds = 0.5f);
     void stopMusic(float fadeSeconds = 0.5f);
 
-    /// Plays what the simulation asked for, and empties the queue.
+    /// Plays the sounds that the simulation requested, and clears the queue.
     void play(SoundQueue& queue);
 
     void setVolume(SoundGroup group, float volume);  ///< ratio, 0..1
@@ -50,7 +50,7 @@ public:
 
     void setPaused(bool paused);
 
-    /// Opens the device now, before anything is played.
+    /// Opens the device now instead of with the first sound.
     void open() { ready(); }
     /// True once a device is open.
     [[nodiscard]] bool isOpen() const { return device_ != nullptr; }
@@ -58,8 +58,8 @@ public:
 private:
     struct Loaded {
         SoundId sound;
-        std::uint32_t revision = 0;            // of the file that was loaded
-        AudioDevice::SoundHandle handle = -1;  // -1: it cannot be played
+        std::uint32_t revision = 0;            // revision of the loaded file
+        AudioDevice::SoundHandle handle = -1;  // -1: the sound cannot be played
     };
 
     bool ready();

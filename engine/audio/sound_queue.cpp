@@ -6,7 +6,7 @@ namespace plumb {
 
 SoundQueue::SoundQueue() {
     waiting_.reserve(64);
-    passed_.reserve(kMostRemembered);
+    passed_.reserve(kMaxRemembered);
 }
 
 void SoundQueue::add(const SoundEvent& event) {
@@ -18,11 +18,11 @@ void SoundQueue::add(const SoundEvent& event) {
     };
     if (std::any_of(passed_.begin(), passed_.end(), same)) return;
     const Passed passed{event.tick, event.sound.path.value};
-    if (passed_.size() < kMostRemembered) {
+    if (passed_.size() < kMaxRemembered) {
         passed_.push_back(passed);
     } else {
         passed_[oldest_] = passed;
-        oldest_ = (oldest_ + 1) % kMostRemembered;
+        oldest_ = (oldest_ + 1) % kMaxRemembered;
     }
     waiting_.push_back(event);
 }

@@ -9,30 +9,30 @@
 
 namespace plumb {
 
-/// A sound that the simulation asks for.
+/// A sound that the simulation requests.
 struct SoundEvent {
-    std::uint64_t tick = 0;  ///< in which it sounds
+    std::uint64_t tick = 0;  ///< tick in which it is played
     SoundId sound;
     float volume = 1.0f;  ///< ratio
     float pan = 0.0f;     ///< -1 left .. 1 right
 };
 
-/// Sounds on their way from the simulation to the loudspeakers. A tick that is run again, after a rollback or
-/// a rewind of a few seconds, asks for the same sounds again: each (tick, sound) passes once.
+/// Sounds that the simulation has requested and the mixer has not played yet. A tick that is simulated again
+/// after a rollback or a short rewind requests its sounds again: each (tick, sound) is accepted only once.
 class SoundQueue {
 public:
-    static constexpr std::uint64_t kMemory = 600;        ///< ticks; a tick further back begins a new time
-    static constexpr std::size_t kMostRemembered = 512;  ///< sounds
+    static constexpr std::uint64_t kMemory = 600;       ///< ticks: an earlier event resets the queue
+    static constexpr std::size_t kMaxRemembered = 512;  ///< accepted sounds
 
     SoundQueue();
 
     void add(const SoundEvent& event);
 
-    /// What was added since the last `clear`, in order.
+    /// The events accepted since the last clear(), in order.
     [[nodiscard]] std::span<const SoundEvent> waiting() const { return waiting_; }
     void clear() { waiting_.clear(); }
 
-    /// Forgets all, e.g. when another scene begins.
+    /// Discards the events and the list of accepted sounds, e.g. when another scene begins.
     void reset();
 
 private:
@@ -42,9 +42,9 @@ private:
     };
 
     std::vector<SoundEvent> waiting_;
-    std::vector<Passed> passed_;  // a ring
-    std::size_t oldest_ = 0;
-    std::uint64_t newest_ = 0;  // tick
+    std::vector<Passed> passed_;  // ring buffer of the accepted sounds
+    std::size_t oldest_ = 0;      // index in passed_
+    std::uint64_t newest_ = 0;    // the latest tick of an event
 };
 
 }  // namespace plumb

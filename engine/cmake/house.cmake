@@ -1,4 +1,4 @@
-# What every target of the house shares: the dialect, the warnings, and the flags that keep the bits.
+# Settings of all targets: language standard, warnings, and flags for bit-identical floating-point results.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -10,11 +10,12 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
-# Optimized for speed beyond -O2 is what loops over thousands: layers marked FAST. The rest becomes smaller and compiles faster.
+# Only layers marked FAST, which loop over thousands of items, use -O3. With -O2 the others are smaller and compile
+# faster.
 if(CMAKE_CXX_FLAGS_RELEASE STREQUAL "-O3 -DNDEBUG")  # CMake's default
     set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 endif()
-# A program contains only the functions of the library that it can reach.
+# Removes unreachable functions of the library from programs.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
     add_compile_options(-ffunction-sections -fdata-sections)
     add_link_options(-Wl,--gc-sections)
@@ -24,12 +25,12 @@ set(PLUMB_SANITIZE "" CACHE STRING "sanitizers to build with, e.g. address,undef
 if(PLUMB_SANITIZE)
     add_compile_options(-fsanitize=${PLUMB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${PLUMB_SANITIZE})
-    # A build that looks for mistakes has the assertions too: ours and those of the standard library.
+    # Sanitizer builds also enable the assertions of the engine and of the standard library.
     add_compile_definitions(PLUMB_ASSERTS _GLIBCXX_ASSERTIONS)
 endif()
 add_compile_definitions($<$<CONFIG:RelWithDebInfo>:PLUMB_ASSERTS>)
 
-option(PLUMB_FUZZ "build the fuzzers of tests/fuzz; needs clang" OFF)
+option(PLUMB_FUZZ "build the fuzzers of tests/fuzz; requires clang" OFF)
 if(PLUMB_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
@@ -40,14 +41,14 @@ if(PLUMB_TUNABLE)
     add_compile_definitions(PLUMB_TUNABLE)
 endif()
 
-# Contraction to fused multiply-add changes bits between CPUs; nothing here may allow it.
+# Contraction to fused multiply-add would make results differ between CPUs, so it is disabled everywhere.
 if(MSVC)
     add_compile_options(/fp:precise /utf-8 /permissive-)
 else()
     add_compile_options(-ffp-contract=off -fno-fast-math)
 endif()
-# gcc (12 at least) makes vfmaddsub of neighbouring products all the same, where the flags name a processor that has
-# it (-march=native). So that is switched off: here where the flags name one, for users of the library always.
+# Despite -ffp-contract=off, gcc (at least 12) generates vfmaddsub if the flags allow FMA (-march=native). So FMA is
+# disabled: in this build if the flags enable it, for users of the library always (PLUMB_NEVER_FUSED).
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
     set(PLUMB_NEVER_FUSED -mno-fma -mno-fma4 -mno-avx512f)
 endif()

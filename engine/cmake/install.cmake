@@ -1,6 +1,6 @@
-# cmake --install puts the engine where find_package(plumb) finds it:
+# cmake --install installs the engine for find_package(plumb):
 #
-#   find_package(plumb REQUIRED)                      # or COMPONENTS physics for that library alone
+#   find_package(plumb REQUIRED)                      # or COMPONENTS physics for the physics library only
 #   target_link_libraries(my_game PRIVATE plumb::engine)
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -14,7 +14,7 @@ foreach(line IN LISTS table)
     list(GET words 1 folder)
     list(GET words 2 include_name)
     if(NOT folder MATCHES "^${CMAKE_CURRENT_SOURCE_DIR}/")
-        continue()  # the editor's layers are no part of the library
+        continue()  # layers of the editor are not installed
     endif()
     list(APPEND layers ${name})
     install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/${include_name}

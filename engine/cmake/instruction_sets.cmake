@@ -1,4 +1,4 @@
-# Inner loops that are built once for each instruction set and chosen at run time (core/cpu.hpp).
+# Inner loops that are compiled for several instruction sets, one of which is selected at run time (core/cpu.hpp).
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     if(MSVC)
         set(plumb_avx2 /arch:AVX2)
@@ -12,7 +12,7 @@ else()
         PROPERTIES HEADER_FILE_ONLY ON)
 endif()
 
-# Where the processor has lanes, plain C++ is for comparison: programs that link physics_scalar have it.
+# On processors with SIMD the scalar kernels serve only as a reference, for programs that link physics_scalar.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|aarch64|arm64|ARM64")
     get_target_property(sources physics SOURCES)
     list(FILTER sources EXCLUDE REGEX kernels_scalar)

@@ -1,13 +1,13 @@
-# One target per layer. A layer sees its own headers and those of the layers it DEPENDS on,
-# and nothing else: a forbidden #include is "No such file or directory" at compile time.
+# One target per layer. A layer can include only its own headers and those of the layers it DEPENDS on:
+# a forbidden #include fails to compile with "No such file or directory".
 #
 #   add_layer(physics DEPENDS core math)
 #
-# With PLUMB_UNITY several files of a layer are compiled as one, which reads their headers once; layers marked
-# SINGLE_FILES keep out, because their files share names. FAST layers are compiled with -O3.
+# With PLUMB_UNITY, several files of a layer are compiled as one, so their headers are read once; layers marked
+# SINGLE_FILES are excluded, because their files define the same names. FAST layers are compiled with -O3.
 #
-# How: every layer gets a private include root in the build folder that holds one link,
-# <root>/physics -> <source>/engine/physics. Linking a layer adds only its root.
+# Implementation: every layer has its own include root in the build folder, which contains one link,
+# <root>/physics -> <source>/engine/physics. Linking a layer adds only its include root.
 
 function(add_layer name)
     cmake_parse_arguments(LAYER "FAST;SINGLE_FILES" "FOLDER;ROOT_AS" "DEPENDS;LIBRARIES" ${ARGN})
@@ -26,11 +26,11 @@ function(add_layer name)
     file(MAKE_DIRECTORY ${parent})
     file(CREATE_LINK ${folder} ${root}/${LAYER_ROOT_AS} RESULT linked SYMBOLIC)
     if(NOT linked EQUAL 0)
-        # Windows without developer mode: one common root; the rules test still guards the table.
+        # Windows without developer mode: all layers share one include root; only the rules test checks dependencies.
         set(root ${CMAKE_CURRENT_SOURCE_DIR})
     endif()
 
-    # Each header must compile alone: one generated file per header includes nothing else before it.
+    # Each header must compile alone: a generated source file for each header includes only that header.
     foreach(header IN LISTS headers)
         file(RELATIVE_PATH path ${folder} ${header})
         string(REPLACE "/" "_" stem ${path})
@@ -49,8 +49,8 @@ function(add_layer name)
         if(LAYER_FAST AND NOT MSVC)
             target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O3>)
         endif()
-        # Position-independent code may be of a shared library, where another could replace every function: gcc then
-        # inlines none that other files see, even where it is defined.
+        # By default gcc does not inline exported functions in position-independent code, because another library
+        # could replace them at run time.
         if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
             target_compile_options(${name} PRIVATE -fno-semantic-interposition)
         endif()
@@ -63,7 +63,7 @@ function(add_layer name)
     set_target_properties(${name} PROPERTIES OUTPUT_NAME plumb_${name})
     foreach(dependency IN LISTS LAYER_DEPENDS)
         if(NOT TARGET plumb::${dependency})
-            message(FATAL_ERROR "layer ${name} may only depend on layers above it; ${dependency} is not")
+            message(FATAL_ERROR "layer ${name} depends on ${dependency}, which is not defined before it; reorder the layers")
         endif()
         target_link_libraries(${name} ${kind} ${dependency})
     endforeach()
@@ -76,7 +76,7 @@ function(add_layer name)
         set_property(GLOBAL APPEND PROPERTY PLUMB_HEADER_CHECKS ${name}_headers)
     endif()
 
-    # The rules test reads this table: one line per layer, "name folder include-name dep dep ...".
+    # The rules test reads this list: one entry per layer, "name folder include-name dep dep ...".
     list(JOIN LAYER_DEPENDS " " dependencies)
     set_property(GLOBAL APPEND PROPERTY PLUMB_LAYERS "${name} ${folder} ${LAYER_ROOT_AS} ${dependencies}")
 endfunction()

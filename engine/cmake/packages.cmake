@@ -1,4 +1,4 @@
-# The system's packages, each found once. Debian, vcpkg and Homebrew name some of them differently.
+# Finds the packages of the system. Debian, vcpkg and Homebrew use different names for some of them.
 
 find_package(SDL2 CONFIG REQUIRED)
 find_package(SDL2_image CONFIG REQUIRED)
@@ -8,7 +8,7 @@ find_package(ZLIB REQUIRED)
 find_package(EXPAT REQUIRED)
 find_package(PkgConfig QUIET)
 
-# Its CMake files name the shared and the static library apart, and differ between systems.
+# zstd's own CMake files differ between systems and have different targets for the shared and the static library.
 find_path(ZSTD_INCLUDE_DIR NAMES zstd.h REQUIRED)
 find_library(ZSTD_LIBRARY NAMES zstd zstd_static REQUIRED)
 add_library(plumb_zstd INTERFACE)
@@ -25,7 +25,7 @@ find_path(STB_INCLUDE_DIR NAMES stb_image.h PATH_SUFFIXES stb REQUIRED)
 add_library(plumb_stb INTERFACE)
 target_include_directories(plumb_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
 
-# SDL.h pulls in <immintrin.h> through SDL_cpuinfo.h: 0.54 s -> 0.15 s per file without it.
+# SDL.h includes <immintrin.h> through SDL_cpuinfo.h; without it a file compiles in 0.15 s instead of 0.54 s.
 add_library(plumb_sdl INTERFACE)
 target_link_libraries(plumb_sdl INTERFACE SDL2::SDL2 SDL2_image::SDL2_image SDL2_mixer::SDL2_mixer)
 target_compile_definitions(plumb_sdl INTERFACE SDL_MAIN_HANDLED SDL_DISABLE_IMMINTRIN_H)

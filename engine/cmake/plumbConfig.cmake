@@ -1,4 +1,4 @@
-# The physics library stands on nothing but the language; the engine needs the system's packages.
+# The physics library needs only the C++ standard library and threads; the engine also needs these packages.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 if(NOT plumb_FIND_COMPONENTS OR "engine" IN_LIST plumb_FIND_COMPONENTS)

@@ -38,13 +38,13 @@ std::string withoutSpace(std::string_view text) {
     return kept;
 }
 
-/// Without white space and padding.
+/// Decodes digits without white space and padding.
 Result<std::string> decode(std::string_view digits, std::string_view where) {
     const std::size_t rest = digits.size() % 4;
-    if (rest == 1) return brokenText(where, "base64 text of an impossible length");
+    if (rest == 1) return brokenText(where, "the base64 text has an invalid length");
     std::string bytes(digits.size() / 4 * 3 + (rest == 0 ? 0 : rest - 1), '\0');
     std::size_t out = 0;
-    std::uint32_t seen = 0;  // a wrong digit sets its high bits: checked once, after the loop
+    std::uint32_t seen = 0;  // an invalid digit sets its high bits, which are checked after the loop
     for (std::size_t at = 0; at < digits.size(); at += 4) {
         std::uint32_t bits = 0;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -59,8 +59,8 @@ Result<std::string> decode(std::string_view digits, std::string_view where) {
     if (seen < 64) return bytes;
     const auto wrong = std::find_if(digits.begin(), digits.end(), [](char c) { return valueOf(c) == kNone; });
     return brokenText(where, *wrong == '='
-                                 ? std::string{"base64 text goes on after its end"}
-                                 : format("character {} is not base64", wrong - digits.begin() + 1));
+                                 ? std::string{"the base64 text continues after its padding"}
+                                 : format("character {} is not a base64 digit", wrong - digits.begin() + 1));
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 namespace plumb {
 
 /// Decodes base64 (RFC 4648, standard alphabet). White space is skipped, padding is optional.
-/// @error a character outside the alphabet, text after the padding, an impossible length
+/// @error a character outside the alphabet, text after the padding, an invalid length
 Result<std::string> bytesFromBase64(std::string_view text, std::string_view where);
 
-/// With padding, without line breaks.
+/// Encodes bytes as base64, with padding, without line breaks.
 std::string toBase64(std::string_view bytes);
 
 }  // namespace plumb

@@ -11,7 +11,7 @@
 namespace plumb {
 namespace {
 
-// inflateInit2(): the window size of 2^15 bytes that every packer may use, plus 16 for the gzip format.
+// Arguments of inflateInit2(): the maximum window of 2^15 bytes; 16 is added for the gzip format.
 constexpr int kZlibWindow = 15;
 constexpr int kGzipWindow = 15 + 16;
 constexpr std::size_t kFirstBytes = 4096;
@@ -27,7 +27,7 @@ Error tooLarge(std::string_view where, std::size_t limit) {
 /// zlib takes its input through a pointer that is not const, and does not write through it.
 Bytef* input(std::string_view bytes) { return reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())); }
 
-/// Ends the stream however its function is left.
+/// Owns an inflate stream.
 struct Inflater {
     explicit Inflater(int window) { ready = inflateInit2(&stream, window) == Z_OK; }
     ~Inflater() {
@@ -40,11 +40,11 @@ struct Inflater {
     bool ready = false;
 };
 
-/// What inflate() said when it could not go on.
+/// Returns the error of a failed inflate() call.
 Error inflateError(int answer, const z_stream& stream, std::string_view where) {
-    if (answer == Z_NEED_DICT) return broken(where, "zlib data with a preset dictionary is not read");
-    if (answer == Z_BUF_ERROR) return broken(where, "the packed data ends in the middle");
-    if (answer == Z_MEM_ERROR) return broken(where, "there is not enough memory to unpack it");
+    if (answer == Z_NEED_DICT) return broken(where, "zlib data with a preset dictionary is not supported");
+    if (answer == Z_BUF_ERROR) return broken(where, "the packed data is truncated");
+    if (answer == Z_MEM_ERROR) return broken(where, "not enough memory to unpack the data");
     return broken(where,
                   format("the packed data is damaged: {}", stream.msg ? stream.msg : "unknown format"));
 }
@@ -53,11 +53,11 @@ Result<std::string> unpackDeflate(std::string_view packed, int window, std::size
                                   std::string_view where) {
     if (packed.size() > std::numeric_limits<uInt>::max()) return tooLarge(where, limit);
     Inflater inflater{window};
-    if (!inflater.ready) return broken(where, "there is not enough memory to unpack it");
+    if (!inflater.ready) return broken(where, "not enough memory to unpack the data");
     z_stream& stream = inflater.stream;
     stream.next_in = input(packed);
     stream.avail_in = static_cast<uInt>(packed.size());
-    // One byte more than the limit shows that there is more, without unpacking it.
+    // At most one byte beyond the limit is unpacked, to detect data that is too large.
     std::string out;
     for (;;) {
         const std::size_t done = out.size();
@@ -80,7 +80,7 @@ std::string packZlib(std::string_view bytes) {
     std::string packed(size, '\0');
     const int answer = compress(reinterpret_cast<Bytef*>(packed.data()), &size, input(bytes),
                                 static_cast<uLong>(bytes.size()));
-    PLUMB_ASSERT(answer == Z_OK, "compressBound() is room enough for every input");
+    PLUMB_ASSERT(answer == Z_OK, "compressBound() is too small for this input");
     packed.resize(size);
     return packed;
 }
@@ -94,8 +94,8 @@ Result<std::string> unpackGzip(std::string_view packed, std::size_t limit, std::
 }
 
 Result<std::string> unpackZstd(std::string_view packed, std::size_t limit, std::string_view where) {
-    if (packed.empty()) return broken(where, "the packed data ends in the middle");
-    // A frame may give its size in its header: too large a one is refused before memory is taken.
+    if (packed.empty()) return broken(where, "the packed data is truncated");
+    // The header of a frame may contain its size: a frame too large is refused before memory is allocated.
     const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
     const bool isKnown = size != ZSTD_CONTENTSIZE_UNKNOWN && size != ZSTD_CONTENTSIZE_ERROR;
     if (isKnown && size > limit) return tooLarge(where, limit);

@@ -11,11 +11,11 @@ namespace plumb {
 /// Packs bytes as a zlib stream (RFC 1950).
 std::string packZlib(std::string_view bytes);
 
-/// Unpacks a zlib stream and checks its checksum. What follows the stream is ignored.
+/// Unpacks a zlib stream and checks its checksum. Data after the stream is ignored.
 ///
-/// @param limit  bytes that may come out; more is an error, and no memory beyond it is allocated
-/// @param where  the name that stands before every error
-/// @error        cut off, damaged, larger than the limit, a preset dictionary
+/// @param limit  maximum number of unpacked bytes; no memory beyond it is allocated
+/// @param where  name of the data, the prefix of every error
+/// @error        truncated, damaged, larger than the limit, a preset dictionary
 Result<std::string> unpackZlib(std::string_view packed, std::size_t limit, std::string_view where);
 
 /// Unpacks the first member of a gzip file (RFC 1952) and checks its checksum and length.

@@ -11,10 +11,10 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kAttributes = 256;  // of one element
+constexpr std::size_t kAttributes = 256;  // maximum number in one element
 
 /// Builds the tree of elements from the callbacks of expat. No exception may pass through expat, which is C:
-/// the callbacks only append, and a lack of memory ends the program as everywhere.
+/// the callbacks only append, and a lack of memory ends the program, as in the rest of the engine.
 class TreeBuilder {
 public:
     TreeBuilder(XML_Parser parser, std::string_view where) : parser_{parser}, where_{where} {
@@ -52,7 +52,7 @@ private:
     static void onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*,
                           int hasDeclarations) {
         if (hasDeclarations != 0)
-            self(user).fail("a document type with its own declarations", "remove the DOCTYPE");
+            self(user).fail("a DOCTYPE with declarations is not supported", "remove it");
     }
     static void onSkippedEntity(void* user, const XML_Char* name, int) {
         self(user).fail(format("the entity &{}; is unknown", name), "write the character itself");
@@ -61,7 +61,7 @@ private:
     void start(const XML_Char* name, const XML_Char** attributes) {
         if (error_) return;
         if (open_.size() >= static_cast<std::size_t>(limits::kXmlDepth))
-            return fail("elements are nested too deep", "take levels out");
+            return fail("elements are nested too deep", "reduce the nesting");
         if (++elements_ > limits::kXmlElements)
             return fail("too many elements", "split the file, or use csv data");
         // Only the innermost open element gets children, so the addresses of the open ones stay.
@@ -75,7 +75,7 @@ private:
         open_.push_back(&element);
     }
 
-    /// Ends the parse. The first error counts.
+    /// Ends the parse. Only the first error is kept.
     void fail(std::string what, std::string remedy) {
         if (error_) return;
         error_ = Error{format("{}:{}", where_, line()), std::move(what), std::move(remedy)};
@@ -87,7 +87,7 @@ private:
     XML_Parser parser_;
     std::string_view where_;
     XmlElement root_;
-    std::vector<XmlElement*> open_;  ///< from the root to the innermost element
+    std::vector<XmlElement*> open_;  ///< open elements, from the root to the innermost
     std::size_t elements_ = 0;
     std::optional<Error> error_;
 };
@@ -111,7 +111,7 @@ const XmlElement* XmlElement::child(std::string_view element) const {
 Result<XmlElement> parseXml(std::string_view document, std::string_view where) {
     const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser{
         XML_ParserCreate(nullptr), XML_ParserFree};
-    if (!parser) return Error{std::string{where}, "there is not enough memory to read it", "close programs"};
+    if (!parser) return Error{std::string{where}, "not enough memory to read the file", "close programs"};
     return TreeBuilder{parser.get(), where}.build(document);
 }
 

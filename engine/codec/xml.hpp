@@ -31,7 +31,7 @@ struct XmlElement {
 /// Document types are skipped, never expanded; one with declarations is refused.
 ///
 /// @param where  the file's name, prefix of all errors
-/// @error anything that is not well-formed, with its line; too deep, too many elements
+/// @error not well-formed, with the line; nested too deep, too many elements
 Result<XmlElement> parseXml(std::string_view document, std::string_view where);
 
 }  // namespace plumb

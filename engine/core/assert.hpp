@@ -5,7 +5,7 @@ namespace plumb {
 /// Called when a PLUMB_ASSERT fails. The default prints the sentence and aborts.
 using AssertHandler = void (*)(const char* sentence, const char* file, int line);
 
-/// Replaces the handler, so that a test can expect a failed assertion; returns the one before.
+/// Replaces the handler, so that a test can expect a failed assertion; returns the previous one.
 AssertHandler setAssertHandler(AssertHandler handler);
 
 void failAssertion(const char* sentence, const char* file, int line);

@@ -20,7 +20,7 @@ bool cpuHasAvx2() {
 bool cpuHasAvx2() {
     int words[4];
     __cpuid(words, 1);
-    constexpr int kAvxAndItsSwitch = 1 << 28 | 1 << 27;  // OSXSAVE: the system may keep the wide registers
+    constexpr int kAvxAndItsSwitch = 1 << 28 | 1 << 27;  // AVX; OSXSAVE: the system saves wide registers
     if ((words[2] & kAvxAndItsSwitch) != kAvxAndItsSwitch || (_xgetbv(0) & 6) != 6) return false;
     __cpuidex(words, 7, 0);
     return (words[1] & (1 << 5 | 1 << 3)) == (1 << 5 | 1 << 3);

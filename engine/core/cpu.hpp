@@ -12,13 +12,13 @@ enum class SimdWidth : std::uint8_t {
     Neon   ///< Arm, 4 floats
 };
 
-/// The widest that this build and this processor support, unless setSimdWidth() chose another.
+/// Returns the widest set that this build and this processor support, or the one of setSimdWidth().
 SimdWidth simdWidth();
 
 /// Selects a width for objects created from now on; for tests. Returns false if it is not supported.
 bool setSimdWidth(SimdWidth width);
 
-/// Whether this machine supports it.
+/// True if this machine supports it.
 bool hasSimdWidth(SimdWidth width);
 
 }  // namespace plumb

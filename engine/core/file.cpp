@@ -52,19 +52,19 @@ void flushFolder([[maybe_unused]] const Path& folder) {
 #endif
 }
 
-/// The reason why a name from a file must not become a path; empty if it may.
+/// Returns why a name from a file must not become a path; empty if it may.
 std::string whyRefused(std::string_view relative) {
     if (relative.empty()) return "is empty";
     if (relative.size() > 1024) return "is longer than 1024 characters";
     if (!isUtf8(relative)) return "is not UTF-8";
     if (relative.front() == '/') return "is absolute";
     for (const char c : relative) {
-        if (static_cast<unsigned char>(c) < 32 || c == 127) return "has a control character";
-        if (c == '\\') return "has a back slash";
-        if (c == ':') return "has a colon";
+        if (static_cast<unsigned char>(c) < 32 || c == 127) return "contains a control character";
+        if (c == '\\') return "contains a backslash";
+        if (c == ':') return "contains a colon";
     }
     for (const std::string_view part : split(relative, '/')) {
-        if (part == "..") return "climbs out with \"..\"";
+        if (part == "..") return "contains \"..\"";
     }
     return {};
 }
@@ -82,7 +82,7 @@ Result<std::string> readFile(const Path& path, std::size_t limit) {
         return Error{path.generic_string(), "there is no such file", "check the name, or put the file there"};
     }
     if (!fs::is_regular_file(path, failed)) {
-        return Error{path.generic_string(), "expected a file, found something else", "name a file"};
+        return Error{path.generic_string(), "the path is not a regular file", "write the path of a file"};
     }
     const std::uintmax_t size = fs::file_size(path, failed);
     if (failed || size > limit) {
@@ -136,7 +136,7 @@ Result<Path> pathInside(const Path& root, std::string_view relative) {
     const Path realRoot = fs::weakly_canonical(root, failed);
     if (failed) return refuse("has a root that cannot be resolved");
     const Path real = fs::weakly_canonical(realRoot / Path{relative}, failed);
-    if (failed || !isBelow(realRoot, real)) return refuse("leaves the project through a link");
+    if (failed || !isBelow(realRoot, real)) return refuse("leaves the project through a symbolic link");
     return realRoot / Path{relative};
 }
 

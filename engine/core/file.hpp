@@ -13,7 +13,7 @@ namespace plumb {
 
 using Path = std::filesystem::path;
 
-/// The whole file as bytes.
+/// Reads a whole file.
 /// @error missing, not a file, larger than `limit`, unreadable
 Result<std::string> readFile(const Path& path, std::size_t limit = limits::kFileBytes);
 
@@ -23,13 +23,13 @@ Result<Done> writeFile(const Path& path, std::string_view bytes);
 
 /// Every path that comes from a file must pass through this function: joins `relative`
 /// to `root`, and checks that the result stays inside, also through symbolic links.
-/// @error absolute, drive or UNC paths, `..` or links that leave it, backslashes, control characters
+/// @error absolute, drive or UNC paths, `..` or links that leave `root`, backslashes, control characters
 Result<Path> pathInside(const Path& root, std::string_view relative);
 
-/// Files below `folder` with this ending, relative to it with '/', sorted. Does not follow links.
+/// Files below `folder` whose names end with `ending`, relative to it with '/', sorted. Follows no links.
 std::vector<std::string> filesBelow(const Path& folder, std::string_view ending);
 
-/// Changes when the file changes (time and size); 0 if there is no file. For hot reload.
+/// Returns a number that changes with the file's time or size; 0 if there is no file. For hot reload.
 std::uint64_t fileStamp(const Path& path);
 
 }  // namespace plumb

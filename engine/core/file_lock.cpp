@@ -16,7 +16,7 @@
 namespace plumb {
 namespace {
 
-/// -1 if another process holds it, or it cannot be created.
+/// Opens and locks the file. @return -1 if another process holds the lock, or the file cannot be created
 int takeFile(const Path& path) {
 #ifdef _WIN32
     int handle = -1;

@@ -21,7 +21,7 @@ auto guarded(std::string_view where, Read read) -> decltype(read()) {
         return read();
     } catch (const std::exception& thrown) {
         return Error{std::string{where}, std::string{"the reader of this file failed: "} + thrown.what(),
-                     "undo the last change of the file, and report the defect with the file"};
+                     "undo the last change of the file, and report this defect with the file"};
     }
 }
 

@@ -27,7 +27,7 @@ constexpr std::uint64_t mixBits(std::uint64_t word) {
 }
 
 /// Hashes a sequence of values to 64 bits: the hash of a simulation state. Floats are
-/// hashed by value: -0 as 0 and every NaN alike, so that equal states have equal hashes.
+/// hashed by value: -0 as 0 and all NaNs as one value, so that equal states have equal hashes.
 class Hasher {
 public:
     void add(std::uint64_t word) { state_ = mixBits(state_ ^ word) + 0x9e3779b97f4a7c15ull; }

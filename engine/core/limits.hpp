@@ -17,7 +17,7 @@ inline constexpr int kImageSide = 16384;                            ///< px
 inline constexpr std::size_t kImageBytes = std::size_t{512} << 20;  ///< decoded, RGBA
 inline constexpr std::size_t kCompressionRatio = 1000;
 inline constexpr int kTileSide = 16384;                           ///< tiles along one side of a grid
-inline constexpr std::size_t kTiledCells = std::size_t{1} << 26;  ///< of one imported map, over all layers
+inline constexpr std::size_t kTiledCells = std::size_t{1} << 26;  ///< cells in all layers of one imported map
 inline constexpr int kPrefabDepth = 16;                           ///< prefabs inside prefabs
 
 }  // namespace plumb::limits

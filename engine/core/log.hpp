@@ -24,7 +24,7 @@ using LogSink = std::function<void(const LogLine&)>;
 /// @return the previous sink, so that a test or a panel can restore it
 LogSink setLogSink(LogSink sink);
 
-/// Lines below this level are dropped. Note by default.
+/// Drops lines below this level. The default is LogLevel::Note.
 void setLogLevel(LogLevel level);
 
 void writeLog(LogLevel level, std::string_view channel, std::string text);

@@ -41,8 +41,8 @@ Error unknownOption(std::string_view name, std::span<const OptionHelp> options) 
     std::vector<std::string_view> names;
     for (const OptionHelp& option : options) names.push_back(option.name);
     const std::string_view near = closestName(name, names);
-    return {kWhere, format("there is no option \"{}\"", name),
-            near.empty() ? std::string{"--help lists them"} : format("did you mean {}?", near)};
+    return {kWhere, format("unknown option \"{}\"", name),
+            near.empty() ? std::string{"--help lists the options"} : format("did you mean {}?", near)};
 }
 
 Error wrongValue(const OptionHelp& option, const std::string_view* value) {
@@ -50,7 +50,7 @@ Error wrongValue(const OptionHelp& option, const std::string_view* value) {
         option.value.empty() ? std::string{option.name} : format("{} {}", option.name, option.value);
     return {kWhere,
             value == nullptr ? format("{} needs a value", option.name)
-                             : format("{} cannot be \"{}\"", option.name, *value),
+                             : format("invalid value \"{}\" for {}", *value, option.name),
             format("write {}: {}", usage, option.doc)};
 }
 

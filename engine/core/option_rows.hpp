@@ -12,8 +12,8 @@ namespace plumb {
 /// Help on one option of a command line.
 struct OptionHelp {
     std::string_view name;   ///< "--size"
-    std::string_view value;  ///< its value, "WxH"; empty for a switch
-    std::string_view doc;    ///< its purpose, and allowed values
+    std::string_view value;  ///< placeholder of its value, "WxH"; empty for a switch
+    std::string_view doc;    ///< purpose and allowed values
 };
 
 /// A row of a program's option table. All programs parse and list their options in the same way.
@@ -22,12 +22,12 @@ struct OptionRow {
     std::string_view name;
     std::string_view value;
     std::string_view doc;
-    bool (*set)(Options& options, std::string_view value);  ///< false when the value is wrong
+    bool (*set)(Options& options, std::string_view value);  ///< returns false if the value is invalid
 
     [[nodiscard]] OptionHelp help() const { return {name, value, doc}; }
 };
 
-/// The options, one below the other, with their descriptions in a column.
+/// Returns the list of options, one per line, with their descriptions in a second column.
 std::string optionLines(std::span<const OptionHelp> options);
 
 Error unknownOption(std::string_view name, std::span<const OptionHelp> options);
@@ -42,7 +42,7 @@ std::vector<OptionHelp> helpOf(std::span<const OptionRow<Options>> rows) {
 }
 
 /// Reads `--name`, `--name value` and `--name=value`.
-/// @param onWord  receives each word that belongs to no option; returns what is wrong with it
+/// @param onWord  called with each word that does not belong to an option; may return an error
 /// @error an unknown option (the remedy names the closest one), a missing or wrong value
 template <class Options, class OnWord>
 Result<Done> readOptions(std::span<const OptionRow<Options>> rows, std::span<const char* const> words,

@@ -8,15 +8,15 @@
 
 namespace plumb {
 
-/// CPU seconds per named zone, summed until `reset`. A null pointer to one disables measuring.
+/// CPU seconds per named zone, summed until reset(). A null Profile pointer disables measuring.
 class Profile {
 public:
     struct Zone {
-        std::string_view name;  ///< a literal: compared by text
+        std::string_view name;  ///< must be a literal; zones with equal texts are the same
         double seconds = 0.0;
         int calls = 0;
         double rounds = 0.0;       ///< s: wall time of the zone in which threads shared its work
-        std::vector<double> busy;  ///< s: wall time of these in which each thread worked, the caller first
+        std::vector<double> busy;  ///< s: the part of `rounds` in which each thread worked, the caller first
     };
 
     void add(std::string_view name, double seconds);
@@ -25,7 +25,7 @@ public:
     void reset();
     [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
 
-    bool on = true;  ///< false: measures nothing
+    bool on = true;  ///< false disables measuring
 
 private:
     Zone& zoneOf(std::string_view name);

@@ -18,7 +18,7 @@ struct Random {
         return random;
     }
 
-    /// All 32 bits, uniform.
+    /// Returns a uniform 32-bit number.
     constexpr std::uint32_t next() {
         const std::uint64_t old = state;
         state = old * 6364136223846793005ull + kIncrement;

@@ -20,10 +20,10 @@ struct Error {
     }
 };
 
-/// The value of a Result without a value of its own.
+/// The value type of a Result that is only a success or an Error.
 struct Done {};
 
-/// A value, or the Error that explains why there is none. For external data; our own bugs assert.
+/// A value, or the Error that explains why there is none. For external data; bugs of the program assert.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -41,12 +41,12 @@ public:
 
     /// @pre !ok()
     [[nodiscard]] const Error& error() const {
-        PLUMB_ASSERT(!ok(), "a Result that holds a value has no error; ask ok() first");
+        PLUMB_ASSERT(!ok(), "a Result that holds a value has no error; check ok() first");
         return error_;
     }
 
 private:
-    void checked() const { PLUMB_ASSERT(ok(), "a Result without a value was read; ask ok() first"); }
+    void checked() const { PLUMB_ASSERT(ok(), "a Result without a value was read; check ok() first"); }
 
     std::optional<T> value_;
     Error error_;

@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-/// Tells the CPU core that this thread is only waiting.
+/// Hint for the CPU core that this thread is in a spin loop.
 void relaxCore() {
 #if defined(__x86_64__) || defined(_M_X64)
     _mm_pause();
@@ -28,7 +28,7 @@ constexpr int kSpins = 4000;
 constexpr int kYields = 20;
 // Helping a thread that is about to finish its share only makes its cache line move between cores.
 constexpr int kSpinsBeforeHelp = 8;
-constexpr int kMaxParts = 0xffff;  // of a round: counted in 16 bits
+constexpr int kMaxParts = 0xffff;  // per round: counted in 16 bits
 
 /// The parts of a share that are not taken yet, in one word for compare-and-swap:
 /// the round in the high half, then the end and the next part. The round prevents
@@ -56,7 +56,7 @@ struct alignas(64) TaskPool::Share {
     // a thread reads here before it takes a part belongs to that part.
     std::atomic<Call> call{nullptr};
     std::atomic<void*> context{nullptr};
-    std::atomic<int> begin{0};  // of the round: offset of the part's number
+    std::atomic<int> begin{0};  // offset of the round's part numbers
     std::atomic<bool> isAsleep{false};
     std::atomic<bool> stops{false};
     std::atomic<bool> isTimed{false};
@@ -74,7 +74,7 @@ struct alignas(64) TaskPool::Share {
         return left.next >= left.end;
     }
 
-    /// Runs half of the remaining parts, from the front of the own share or from the end of another's:
+    /// Runs half of the remaining parts, from the front of the own share or from the end of another thread's:
     /// so threads rarely collide at this word, and some parts remain for threads that are done early.
     /// @return number of parts
     int runSome(bool own, int thread) {
@@ -161,7 +161,7 @@ void TaskPool::runRound(int begin, int end, Call call, void* context) {
     ++round_;
     const int count = end - begin, helped = std::min(threads_, count);
     done_.store(0, std::memory_order_relaxed);
-    // The caller's own share last: it starts on it at once.
+    // The caller's own share last, because the caller starts with it immediately.
     for (int i = helped; i-- > 0;) {
         Share& share = shares_[static_cast<std::size_t>(i)];
         share.call.store(call, std::memory_order_relaxed);

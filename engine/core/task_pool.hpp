@@ -34,8 +34,8 @@ public:
 
     /// Wall time of all rounds since the pool was created, while `isTimed`.
     struct Times {
-        double rounds = 0.0;       ///< s: of the caller, including waits for the others
-        std::vector<double> busy;  ///< s: of each thread, the caller first
+        double rounds = 0.0;       ///< s: wall time of the caller, including waits for other threads
+        std::vector<double> busy;  ///< s: working time of each thread, the caller first
     };
     [[nodiscard]] Times times() const;
     bool isTimed = false;  ///< costs two clock reads per thread and round
@@ -66,7 +66,7 @@ private:
     std::vector<std::thread> workers_;
     std::uint32_t round_ = 0;
     double rounds_ = 0.0;                   // s: Times::rounds
-    alignas(64) std::atomic<int> done_{0};  // parts of this round
+    alignas(64) std::atomic<int> done_{0};  // number of finished parts of this round
 };
 
 }  // namespace plumb

@@ -45,10 +45,10 @@ std::string format(std::string_view pattern, const Arguments&... arguments) {
 std::string shortestText(float value);
 std::string shortestText(double value);
 
-/// With a fixed number of digits after the point, for people.
+/// Decimal text with a fixed number of digits after the point, for display.
 std::string fixedText(double value, int digits);
 
-/// 16 lower-case hex digits, and the inverse, which accepts exactly 1..16 hex digits.
+/// 16 lower-case hex digits, and the inverse function, which accepts 1..16 hex digits.
 std::string hexText(std::uint64_t value);
 std::optional<std::uint64_t> parseHex(std::string_view text);
 

@@ -10,8 +10,8 @@
 
 namespace plumb {
 
-/// The id of a text: a hash of its characters. So the same text has the same id everywhere,
-/// and a component that holds one stays trivially copyable. 0 is the empty text.
+/// The id of a text: a hash of its characters, so the same text has the same id everywhere,
+/// and a component with a TextId stays trivially copyable. 0 is the empty text.
 struct TextId {
     std::uint64_t value = 0;
 

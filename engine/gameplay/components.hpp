@@ -1,6 +1,6 @@
 #pragma once
 
-// The ready-made parts of games, all of them.
+// Includes every component of the gameplay layer.
 
 #include "gameplay/components/actors/bob.hpp"
 #include "gameplay/components/actors/health.hpp"
@@ -35,7 +35,7 @@
 
 namespace plumb {
 
-/// In the order in which files, the inspector and scripts list them.
+/// All components of the gameplay layer, in the order in which files, the inspector and scripts list them.
 using GameplayComponents =
     TypeList<PlayerController, Health, Respawn, Hazard, Stompable, Patrol, MovingPlatform, Spring,
              Collectible, Checkpoint, Goal, SceneLink, Door, Button, KillPlane, Bob, Spin, Lifetime,

@@ -28,7 +28,7 @@ void appendTime(std::string& out, std::uint64_t ticks) {
     appendNumber(out, seconds % 60, 2);
 }
 
-/// "scenes/03_the_cave.scene.json" as "03_the_cave".
+/// Returns the file name without extensions, e.g. "03_the_cave" for "scenes/03_the_cave.scene.json".
 std::string_view stemOf(std::string_view path) {
     path = path.substr(path.find_last_of('/') + 1);
     return path.substr(0, path.find('.'));
@@ -46,7 +46,7 @@ int healthOfPlayer(const World& world) {
     return 0;
 }
 
-/// @return false when the game knows no such word
+/// @return false if the placeholder is unknown
 bool appendValue(const World& world, const GameProgress& progress, std::string_view word, std::string& out) {
     const auto* own = world.findResource<LabelValues>();
     if (const std::string* text = own != nullptr ? own->find(word) : nullptr) return out.append(*text), true;

@@ -12,28 +12,29 @@ namespace plumb {
 
 class World;
 
-/// What the player has achieved. A resource; it outlives scene changes and is part of snapshots and the hash.
+/// The player's progress. A world resource that survives scene changes and is included in snapshots and hash.
 struct GameProgress {
     static constexpr std::size_t kMostLevels = 64;
 
-    int coins = 0;            ///< in the whole game
-    int coinsTotal = 0;       ///< coins that the levels entered so far hold
-    int levelCoins = 0;       ///< in this level
-    int levelCoinsTotal = 0;  ///< that this level holds
-    int keys = 0;             ///< held now
-    int deaths = 0;
-    std::uint64_t ticks = 0;                       ///< played in levels, 60 a second
-    TextId level;                                  ///< path of the scene that the player is in
-    FixedList<TextId, kMostLevels> levelsReached;  ///< paths of scenes with a player, in order of arrival
-    bool levelFinished = false;                    ///< the goal was touched
-    bool gameFinished = false;                     ///< and nothing but titles follows
+    int coins = 0;                                 ///< coins collected in the whole game
+    int coinsTotal = 0;                            ///< coins that exist in the levels entered so far
+    int levelCoins = 0;                            ///< coins collected in this level
+    int levelCoinsTotal = 0;                       ///< coins that exist in this level
+    int keys = 0;                                  ///< keys that the player has
+    int deaths = 0;                                ///< number of deaths of the player
+    std::uint64_t ticks = 0;                       ///< ticks played in levels, 60 per second
+    TextId level;                                  ///< path of the player's scene
+    FixedList<TextId, kMostLevels> levelsReached;  ///< paths of entered levels, in order of entering
+    bool levelFinished = false;                    ///< the goal of the level was touched
+    bool gameFinished = false;                     ///< the goal of the last level was touched
 
     void addTo(Hasher& hasher) const;
 };
 
-/// Puts what the player has achieved in place of {coins}, {coinsTotal}, {levelCoins}, {levelCoinsTotal},
-/// {keys}, {deaths}, {time} (m:ss), {level} (its number), {levelName} and {health}; other braces stay.
-/// @param out  the filled text; its memory is used again
+/// Replaces placeholders in a text by values: {coins}, {coinsTotal}, {levelCoins}, {levelCoinsTotal}, {keys},
+/// {deaths}, {time} (m:ss), {level} (number of levels entered), {levelName}, {health}, LabelValues and
+/// physics counts. Unknown placeholders are kept.
+/// @param out  receives the text; passing the same string again avoids allocations
 void fillPlaceholders(const World& world, std::string_view text, std::string& out);
 
 }  // namespace plumb

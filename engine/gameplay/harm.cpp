@@ -14,7 +14,7 @@ namespace plumb {
 
 namespace {
 
-/// Death: players wait for their return, others are gone.
+/// Handles the death of an entity: with a Respawn it waits to respawn, otherwise it is destroyed.
 void die(World& world, EntityId entity) {
     playCue(world, entity, &SoundCues::die);
     if (world.has<PlayerController>(entity)) ++world.resource<GameProgress>().deaths;

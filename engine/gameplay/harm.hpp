@@ -5,12 +5,12 @@
 
 namespace plumb {
 
-/// Takes health from an entity, unless it is dead or still safe from the last time.
-/// @param knockback  px/s, its new velocity if it lives on
-/// @return false when it was not hurt
+/// Removes health points from an entity, unless it is dead or invulnerable after earlier damage.
+/// @param knockback  px/s, velocity of the entity if it survives
+/// @return false if it was not damaged
 bool hurt(World& world, EntityId entity, int damage, Vec2 knockback);
 
-/// Takes all of its health, safe or not.
+/// Kills an entity with Health, even if it is invulnerable.
 void kill(World& world, EntityId entity);
 
 }  // namespace plumb

@@ -9,14 +9,14 @@
 
 namespace plumb {
 
-/// What the game puts in place of {words} in labels, beside those that fillPlaceholders knows. Texts that
-/// change belong here: the store of a world's texts keeps each text that a Label ever had. A resource, in
-/// snapshots and in the hash.
+/// Texts with which game code replaces {words} in labels, in addition to the placeholders of
+/// fillPlaceholders(). Use it for changing texts, as a world's text store keeps every text that a Label ever
+/// had. A world resource, included in snapshots and hash.
 struct LabelValues {
-    std::vector<std::pair<std::string, std::string>> values;  ///< by word
+    std::vector<std::pair<std::string, std::string>> values;  ///< word and text, sorted by word
 
     void set(std::string_view word, std::string_view text);
-    /// Null when the game has not set it.
+    /// Returns the text for a word; null if it is not set.
     [[nodiscard]] const std::string* find(std::string_view word) const;
     void addTo(Hasher& hasher) const;
 };

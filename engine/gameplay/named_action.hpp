@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// The action whose name a component holds.
+/// Returns the input action with this name.
 inline Action actionNamed(TextId name) {
     Action action{""};
     action.id = name;

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// The overlay that the Pause action opens. A resource, set from the project when a game starts.
+/// The overlay that the Pause action opens. A world resource, set from the project when a game starts.
 struct PauseScene {
     SceneId path;  ///< empty for none
 };

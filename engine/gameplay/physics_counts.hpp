@@ -10,15 +10,16 @@ namespace plumb {
 
 class World;
 
-/// What the last tick's search for contacts cost. A resource, only to be shown: no hash includes it.
+/// Counters of collision detection in the last tick. A world
+/// resource for display only, not included in the hash.
 struct PhysicsCounts {
     physics::DetectionCounts detection;
 };
 
-/// What a Label says of the physics of the last tick: {bodies}, {contacts}, {joints}, and the phases of
-/// detection: of {pairs} whose grown bounds overlap, {circles}, {boxes} and {axes} are how many were found
-/// apart by their bounding circles, then by their boxes, then by separating axes; {kept} needed no new look,
-/// {touching} touch. Nothing for other words.
+/// Returns the value of a physics placeholder in a Label, for the last tick: "bodies",
+/// "contacts", "joints", "pairs" (with overlapping enlarged bounds), "circles", "boxes",
+/// "axes" (pairs rejected by bounding circles, bounds, separating axes), "kept"
+/// (touching pairs whose points were reused), "touching". nullopt for other words.
 std::optional<std::int64_t> physicsCount(const World& world, std::string_view word);
 
 }  // namespace plumb

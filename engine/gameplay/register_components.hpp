@@ -4,8 +4,8 @@ namespace plumb {
 
 class TypeRegistry;
 
-/// Makes the ready-made parts of games known to files, the inspector and scripts, in the order in which those
-/// list them.
+/// Registers all components of the gameplay layer, in the
+/// order in which files, the inspector and scripts list them.
 void registerGameplayComponents(TypeRegistry& types);
 
 }  // namespace plumb

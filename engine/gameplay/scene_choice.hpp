@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// Asks for what an item of a menu, or a key, stands for.
+/// Requests the scene change of a menu item or a SceneKey.
 inline void choose(SceneRequests& requests, MenuAction action, SceneId scene) {
     switch (action) {
         case MenuAction::Close: requests.close = true; break;

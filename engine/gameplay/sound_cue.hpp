@@ -6,7 +6,8 @@
 
 namespace plumb {
 
-/// Plays one of an entity's sounds: `playCue(world, coin, &SoundCues::collect)`. Silent without SoundCues.
+/// Plays a sound of an entity's SoundCues, e.g. `playCue(world,
+/// coin, &SoundCues::collect)`. Does nothing if it has none.
 inline void playCue(World& world, EntityId entity, SoundId SoundCues::*cue) {
     const auto* cues = world.find<const SoundCues>(entity);
     if (cues == nullptr || (cues->*cue).empty()) return;

@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Calls `visit(trigger, other)` for every overlap of this tick whose trigger has a T and whose other has a
-/// U. What an earlier visit destroyed is left out.
+/// Calls `visit(trigger, other)` for every overlap event of this tick whose trigger entity has a T and whose
+/// other entity has a U. Entities that an earlier visit destroyed are skipped.
 template <class Event, class T, class U, class Visit>
 void forEachTouch(World& world, Visit visit) {
     if (world.count<T>() == 0) return;
@@ -17,10 +17,11 @@ void forEachTouch(World& world, Visit visit) {
     }
 }
 
-/// The box of an entity's collider in the world (px). @pre it has Transform and BoxCollider
+/// Returns the world bounds of an entity's BoxCollider (px),
+/// ignoring rotation. @pre the entity has a BoxCollider
 AABB boxOf(const World& world, EntityId entity);
 
-/// Sets a parameter of an Animator's state machine by name; nothing happens where there is none.
+/// Sets a parameter of an Animator's state machine by name; does nothing if it does not exist.
 void setParameter(World& world, EntityId entity, std::string_view name, float value);
 
 }  // namespace plumb

@@ -11,14 +11,14 @@
 
 namespace plumb {
 
-/// Where something of a layer is drawn, after what the layer adds.
-struct LayerPlace {
-    int order = 0;       ///< the layer's place among all
-    Vec2 offset;         ///< px, to be added to positions; parallax taken into account
-    bool moves = false;  ///< has a parallax of its own
+/// Drawing order and offset that a map layer adds to each entity made from it.
+struct LayerPlacement {
+    int order = 0;       ///< drawing order: index of the layer in the map, the lowest first
+    Vec2 offset;         ///< px, added to positions; includes the correction for parallax
+    bool moves = false;  ///< the layer's parallax factor is not 1
 };
 
-/// Gives every entity an id that is the same at every import: from the names, not by chance.
+/// Computes entity ids from names instead of random numbers, so repeated imports produce the same ids.
 class EntityIds {
 public:
     std::string next(std::string_view key);

@@ -18,16 +18,16 @@ using aseprite::Frame;
 using aseprite::Sheet;
 
 constexpr std::string_view kEnding = ".anim.json";
-constexpr std::size_t kMaxLaidOutBytes = std::size_t{128} << 20;  // of packed frames that are laid out anew
+constexpr std::size_t kMaxLaidOutBytes = std::size_t{128} << 20;  // pixels of the new sheet
 
 struct Cells {
     int width = 0;  ///< px
     int height = 0;
     int columns = 1;
-    std::vector<std::pair<int, int>> places;  ///< column and row, by frame
+    std::vector<std::pair<int, int>> places;  ///< column and row of each frame
 };
 
-/// The frames where they lie, when all are whole cells of one grid that begins in the corner.
+/// Returns the cell of each frame if all frames are full cells of one grid that starts at the image's corner.
 std::optional<Cells> cellsAsTheyLie(const Sheet& sheet) {
     Cells cells;
     cells.width = sheet.frames.front().width;
@@ -59,7 +59,7 @@ Cells newCells(const Sheet& sheet) {
     return cells;
 }
 
-/// One pixel of a frame in the sheet; packers turn frames a quarter clockwise.
+/// Returns the byte offset of a frame's pixel in the sheet. Packers rotate frames by 90 degrees clockwise.
 std::size_t pixelOf(const Frame& frame, const Image& image, int x, int y) {
     const int column =
         static_cast<int>(frame.area.x) + (frame.rotated ? static_cast<int>(frame.area.width) - 1 - y : x);
@@ -71,7 +71,7 @@ std::size_t pixelOf(const Frame& frame, const Image& image, int x, int y) {
                   : image.rgba.size();
 }
 
-/// A frame in its cell; what lies outside of the cell or of the sheet is left out.
+/// Copies a frame to its cell, without the pixels that are outside of the cell or of the sheet.
 void copyFrame(const Frame& frame, const Image& from, Image& to, const Cells& cells, int index) {
     const auto [column, row] = cells.places[static_cast<std::size_t>(index)];
     const int inX = static_cast<int>(frame.trimmed.x);
@@ -99,16 +99,16 @@ Result<std::string> laidOut(const Sheet& sheet, const Cells& cells, const Image&
                               static_cast<std::size_t>(std::max(to.height, 0)) * 4;
     if (bytes == 0 || to.width > limits::kImageSide || to.height > limits::kImageSide ||
         bytes > kMaxLaidOutBytes)
-        return Error{sheet.image,
-                     format("its {} frames of {} x {} px do not fit into one picture", count, cells.width,
-                            cells.height),
-                     "export fewer frames, or smaller ones"};
+        return Error{
+            sheet.image,
+            format("its {} frames of {} x {} px do not fit into one image", count, cells.width, cells.height),
+            "export fewer frames, or smaller ones"};
     to.rgba.resize(bytes);
     for (int i = 0; i < count; ++i) copyFrame(sheet.frames[static_cast<std::size_t>(i)], from, to, cells, i);
     return encodePng(to);
 }
 
-/// What a frame has outside of the sheet's picture is not there.
+/// Reports frames that reach beyond the sheet's image; the pixels outside stay transparent.
 void tellOutside(const Sheet& sheet, ImageSize size, ImportReport& report) {
     const auto isOutside = [size](const Frame& frame) {
         return frame.area.x < 0.0f || frame.area.y < 0.0f ||
@@ -119,7 +119,7 @@ void tellOutside(const Sheet& sheet, ImageSize size, ImportReport& report) {
     if (count == 0) return;
     report.problems.push_back(
         {sheet.image, format("{} frames reach beyond its {} x {} px", count, size.width, size.height),
-         "export the sheet and its .json again together; what lies outside is empty"});
+         "export the sheet and its .json together again; the pixels outside are transparent"});
 }
 
 Json clipJson(const aseprite::Tag& tag, const Sheet& sheet, const Cells& cells, ImportReport& report) {
@@ -138,7 +138,7 @@ Json clipJson(const aseprite::Tag& tag, const Sheet& sheet, const Cells& cells, 
     Json notes = tag.notes;
     if (tag.repeat > 1 || (tag.repeat == 1 && pingPong)) {
         notes["repeat"] = tag.repeat;
-        report.note(format("clip {}: plays for ever; Aseprite repeats it {} times", tag.name, tag.repeat));
+        report.note(format("clip {}: loops forever; Aseprite repeats it {} times", tag.name, tag.repeat));
     }
     if (!notes.empty()) clip["aseprite"] = std::move(notes);
     return clip;
@@ -166,7 +166,7 @@ Json sheetJson(const Sheet& sheet, const Cells& cells, const std::string& image,
 }  // namespace
 
 Result<ImportReport> importAseprite(const Path& file, const Path& animation) {
-    Result<ImportPlace> place = ImportPlace::of(animation, kEnding);
+    Result<ImportTarget> place = ImportTarget::of(animation, kEnding);
     if (!place) return place.error();
     ImportReport report;
     report.from = "Aseprite sheet";
@@ -178,8 +178,8 @@ Result<ImportReport> importAseprite(const Path& file, const Path& animation) {
     const Path picture = file.parent_path() / Path{sheet->image}.filename();
     const Result<std::string> bytes = readFile(picture);
     if (!bytes)
-        return Error{file.filename().string(), format("its picture {} is not there", sheet->image),
-                     "export the picture beside the .json"};
+        return Error{file.filename().string(), format("its image {} was not found", sheet->image),
+                     "export the image to the folder of the .json"};
 
     const Result<ImageSize> size = readImageSize(*bytes, sheet->image);
     if (!size) return size.error();
@@ -197,7 +197,7 @@ Result<ImportReport> importAseprite(const Path& file, const Path& animation) {
         const Result<std::string> png = laidOut(*sheet, cells, *pixels);
         if (!png) return png.error();
         image = stage.add(place->name, ".png", *png);
-        report.note("its frames were packed; they were laid out in cells of one size");
+        report.note("its frames were packed; they were copied to a new sheet with cells of equal size");
     }
     std::vector<ImportedFile> files = stage.takeFiles();
     files.push_back({place->path, writeJson(sheetJson(*sheet, cells, image, report))});

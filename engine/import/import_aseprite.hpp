@@ -6,13 +6,13 @@
 
 namespace plumb {
 
-/// Makes an animation file of a sprite sheet that Aseprite exported: each tag becomes a clip, a sheet without
-/// tags one clip of all frames. Frames that were trimmed, turned or packed are laid out in a new sheet of
-/// equal cells.
+/// Converts a sprite sheet exported by Aseprite to an animation file: each tag becomes a clip; a sheet
+/// without tags becomes one clip of all frames. Frames that were trimmed, rotated or packed are copied to a
+/// new sheet with cells of equal size.
 ///
-/// @param sheet      the .json of the export, hash or array
-/// @param animation  ends in ".anim.json"; see importTiled
-/// @error            no sheet of Aseprite, its picture cannot be read, or nothing can be written
+/// @param sheet      the exported .json file, with frames as a hash or an array
+/// @param animation  path of the file to write, ending in ".anim.json", inside a project folder
+/// @error            not an Aseprite sheet, its image cannot be read, or the files cannot be written
 Result<ImportReport> importAseprite(const Path& sheet, const Path& animation);
 
 }  // namespace plumb

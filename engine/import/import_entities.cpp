@@ -16,10 +16,10 @@ namespace {
 using tiled::Layer;
 using tiled::LayerKind;
 
-/// Tiled moves a layer by the way of the view's middle from the map's origin of parallax, the engine by the
-/// way of the view's corner from the world's origin: the difference is the same everywhere.
-LayerPlace placeOf(const EntityImport& import, const Layer& layer, std::size_t index) {
-    LayerPlace place;
+/// Tiled's parallax is proportional to the distance from the map's parallax origin to the view's center, the
+/// engine's to the distance from the world's origin to the view's corner. They differ by a constant offset.
+LayerPlacement placeOf(const EntityImport& import, const Layer& layer, std::size_t index) {
+    LayerPlacement place;
     place.order = static_cast<int>(std::min<std::size_t>(index, kHighestLayerOrder));
     place.offset = layer.offset;
     place.moves = layer.parallax != Vec2{1.0f, 1.0f};
@@ -28,7 +28,7 @@ LayerPlace placeOf(const EntityImport& import, const Layer& layer, std::size_t i
     return place;
 }
 
-/// A layer without a tile takes the set that fits its cells, so that it can be painted.
+/// Returns a tileset for a layer without tiles, so that it can be painted: preferably one of its cell size.
 std::vector<std::size_t> someTileset(const EntityImport& import) {
     for (std::size_t i = 0; i < import.tilesets.size(); ++i) {
         const tiled::Tileset& original = import.map.tilesets[i];
@@ -57,9 +57,9 @@ std::vector<std::size_t> tilesetsOf(const EntityImport& import, const Layer& lay
         }
     }
     if (unknown > 0) {
-        import.draft.report.problems.push_back({format("layer {}", layer.name),
-                                                format("{} cells name tiles that no tileset has", unknown),
-                                                "add the missing tileset to the map"});
+        import.draft.report.problems.push_back(
+            {format("layer {}", layer.name), format("{} cells contain tiles that are in no tileset", unknown),
+             "add the missing tileset to the map"});
     }
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<std::size_t> tilesetsOf(const EntityImport& import, const Layer& lay
     return places.empty() ? someTileset(import) : places;
 }
 
-/// The cells of one tileset, chunk by chunk; those of the others stay empty.
+/// Builds the grid of those cells of a layer whose tiles are from one tileset; other cells are empty.
 class GridOfTileset {
 public:
     GridOfTileset(const EntityImport& import, const Layer& layer, std::size_t tileset)
@@ -93,14 +93,14 @@ private:
                 const TileCell cell = cellAt(x, y);
                 if (cell == 0) continue;
                 if (chunk == nullptr) {
-                    chunk = TileGrid::filled(cell);  // none is made of empty cells
+                    chunk = TileGrid::filled(cell);  // filled() makes no chunk for an empty cell
                     chunk->cells = {};
                 }
                 chunk->cells[TileGrid::Chunk::slot(x, y)] = cell;
             }
         }
         if (chunk == nullptr) return;
-        // Huge plains share one chunk.
+        // Consecutive equal chunks, as in large uniform areas, share one object.
         if (last_ != nullptr && last_->cells == chunk->cells) chunk = last_;
         last_ = chunk;
         grid_.put(column, row, std::move(chunk));
@@ -113,7 +113,7 @@ private:
         if (gid == 0) return 0;
         const tiled::TileRef tile = import_.map.resolve(gid);
         if (tile.tileset != static_cast<int>(tileset_)) return 0;
-        // Numbers behind the end of a set whose picture is missing are kept as they are.
+        // Without its image a tileset's tile count is unknown (0): all tile numbers are kept.
         const int count = import_.tilesets[tileset_].count;
         if (count == 0 || tile.id < count) return cellOf(tile.id, tile.flags & kTileFlips);
         ++beyond_;
@@ -124,9 +124,9 @@ private:
         const ImportedTileset& tileset = import_.tilesets[tileset_];
         import_.draft.report.problems.push_back(
             {format("layer {}", layer_.name),
-             format("{} cells name tiles beyond the {} of the tileset {}, and were left out", beyond_,
-                    tileset.count, tileset.original->name),
-             "look at the tileset's picture, margin and spacing in Tiled"});
+             format("{} cells contain tile ids beyond the {} tiles of tileset {}; they were left out",
+                    beyond_, tileset.count, tileset.original->name),
+             "check the tileset's image, margin and spacing in Tiled"});
     }
 
     const EntityImport& import_;
@@ -145,7 +145,7 @@ public:
     void collect() {
         for (std::size_t i = 0; i < import_.map.layers.size(); ++i) {
             const Layer& layer = import_.map.layers[i];
-            const LayerPlace place = placeOf(import_, layer, i);
+            const LayerPlacement place = placeOf(import_, layer, i);
             key_ = format("{}{}/{}/{}", import_.key, layer.group, layer.name, layer.id);
             ++draft_.report.layers;
             draft_.nameLayer(place.order, layer.name);
@@ -162,11 +162,11 @@ private:
         draft_.add(format("{}/{}", key_, key), name, std::move(components));
     }
 
-    void addTiles(const Layer& layer, const LayerPlace& place) {
+    void addTiles(const Layer& layer, const LayerPlacement& place) {
         const std::vector<std::size_t> used = tilesetsOf(import_, layer);
         if (used.empty()) {
             draft_.report.note(
-                format("layer {}: empty, and the map has no tileset; there is nothing to show", layer.name));
+                format("layer {}: not imported, because it is empty and the map has no tileset", layer.name));
         }
         for (const std::size_t index : used) {
             const ImportedTileset& tileset = import_.tilesets[index];
@@ -177,7 +177,7 @@ private:
         }
     }
 
-    Json tilesJson(const Layer& layer, const LayerPlace& place, std::size_t index) {
+    Json tilesJson(const Layer& layer, const LayerPlacement& place, std::size_t index) {
         const ImportedTileset& tileset = import_.tilesets[index];
         const Vec2 tileSize{static_cast<float>(import_.map.tileWidth),
                             static_cast<float>(import_.map.tileHeight)};
@@ -196,7 +196,7 @@ private:
         return components;
     }
 
-    void addObjects(const Layer& layer, const LayerPlace& place) {
+    void addObjects(const Layer& layer, const LayerPlacement& place) {
         std::vector<const tiled::Object*> order;
         for (const tiled::Object& object : layer.objects) order.push_back(&object);
         const auto higher = [](const tiled::Object* a, const tiled::Object* b) { return a->y < b->y; };
@@ -215,7 +215,7 @@ private:
         }
     }
 
-    void addImage(const Layer& layer, const LayerPlace& place) {
+    void addImage(const Layer& layer, const LayerPlacement& place) {
         Json components = Json::object();
         components["Transform"] = transformJson(place.offset, 0.0f, {1.0f, 1.0f});
         if (!layer.image.empty()) {

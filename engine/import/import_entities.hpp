@@ -11,22 +11,22 @@
 
 namespace plumb {
 
-/// Orders of drawing above this are the same for the engine.
+/// Highest drawing order the engine distinguishes; higher ones are clamped to it.
 inline constexpr int kHighestLayerOrder = 1000;
 
-/// What the entities of a map need to know of everything else.
+/// Inputs and outputs of the import of a map's entities.
 struct EntityImport {
     const tiled::Map& map;
-    const std::vector<ImportedTileset>& tilesets;  ///< as in the map
+    const std::vector<ImportedTileset>& tilesets;  ///< parallel to map.tilesets
     TileAnimations& animations;
     SceneDraft& draft;
-    std::string key;  ///< tells the map from the others of a world; empty when it is alone
+    std::string key;  ///< prefix of entity keys, distinct for each map of a world; empty for a single map
 };
 
-/// Adds the entities of all layers, in the order of drawing.
+/// Adds the entities of all layers, in drawing order.
 void importEntities(const EntityImport& import);
 
-/// What the camera may show: the map, or for an endless one the box around its tiles.
+/// Returns the area that the camera may show, px: the map, or for an infinite map the box around its tiles.
 Rect boundsOf(const tiled::Map& map);
 
 }  // namespace plumb

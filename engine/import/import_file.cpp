@@ -58,8 +58,8 @@ Result<ImportReport> importOf(ImportKind kind, const Path& file, const Path& to)
         case ImportKind::None: break;
     }
     return Error{
-        file.generic_string(), "this is no file that can be imported",
-        "choose a map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of Aseprite "
+        file.generic_string(), "this kind of file cannot be imported",
+        "select a Tiled map or world (.tmx, .tmj, .world), an LDtk project (.ldtk) or an Aseprite sheet "
         "(.json)"};
 }
 
@@ -91,7 +91,7 @@ Path importTarget(const Path& file, ImportKind kind, const Path& project) {
 Result<ImportReport> importFile(const Path& file, const Path& target, const Path& project) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
-        return Error{file.generic_string(), "there is no such file", "check the path"};
+        return Error{file.generic_string(), "the file does not exist", "check the path"};
     const ImportKind kind = importKindOf(file);
     const Path to = target.empty() ? importTarget(file, kind, project) : target;
     return guarded(file.generic_string(), [&] { return importOf(kind, file, to); });

@@ -10,20 +10,20 @@ namespace plumb {
 
 enum class ImportKind : unsigned char { None, TiledMap, TiledWorld, Ldtk, Aseprite };
 
-/// What kind of foreign file this is, by its ending, and where that says nothing, as for .json, by what is in
-/// it. None when it cannot be imported.
+/// Determines the kind of a file to import by its extension, or by its content if the extension is .json.
+/// Returns None if it cannot be imported.
 ImportKind importKindOf(const Path& file);
 
-/// Whether a file of this name may be one to import; nothing is read.
+/// True if a file may be importable, judged by its name only; the file is not read.
 bool mayBeImported(const Path& file);
 
-/// Where an import of this file goes in a project by default: scenes/NAME.scene.json, or for an
-/// animation assets/NAME.anim.json.
+/// Returns the default path of the imported file in a project: scenes/NAME.scene.json, or for an animation
+/// assets/NAME.anim.json.
 Path importTarget(const Path& file, ImportKind kind, const Path& project);
 
-/// Imports a file of whatever kind it is.
-/// @param target  empty for `importTarget`
-/// @error         unknown kind, unreadable, or nothing can be written
+/// Imports a file of any supported kind.
+/// @param target  path of the file to write; if empty, the result of `importTarget`
+/// @error         unknown kind, the file cannot be read, or the result cannot be written
 Result<ImportReport> importFile(const Path& file, const Path& target, const Path& project);
 
 }  // namespace plumb

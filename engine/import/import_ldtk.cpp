@@ -20,14 +20,14 @@ using ldtk::Level;
 
 constexpr std::string_view kEnding = ".scene.json";
 
-/// A layer of a level with its tiles sorted out.
+/// A layer of a level, its definition, and its tiles sorted into stacks.
 struct LayerPlan {
     const Layer* layer = nullptr;
     const ldtk::LayerKind* kind = nullptr;
     LdtkStacks stacks;
 };
 
-/// Brings one world of a project into a scene.
+/// Imports one world of a project into a scene.
 class WorldImporter {
 public:
     WorldImporter(const ldtk::Project& project, const ldtk::World& world, SceneDraft& draft)
@@ -40,13 +40,13 @@ public:
         for (Json& entity : draft_.entities()) {
             if (entity.contains("properties")) linkEntities(entity["properties"], ids_);
         }
-        draft_.report.leaveOut("LDtk", project_.idle);
+        draft_.report.addEditorKeys("LDtk", project_.editorKeys);
         if (bounds_) draft_.addCamera({bounds_->min.x, bounds_->min.y, bounds_->size().x, bounds_->size().y});
     }
 
 private:
-    /// The levels of a world share their orders of drawing: as many for each layer as the level that stacks
-    /// most tiles in it needs.
+    /// Assigns drawing orders, which all levels of a world share: a layer gets as many as its highest stack
+    /// of tiles in any level needs.
     void planLayers() {
         std::vector<std::size_t> depth;
         for (const Level& level : world_.levels) {
@@ -57,21 +57,21 @@ private:
                 const int count = tileset == nullptr ? 0 : tileset->columns() * tileset->rows();
                 plan.push_back({&*layer, project_.layerKind(layer->kind), stackTiles(*layer, size, count)});
                 if (depth.size() < plan.size()) depth.resize(plan.size());
-                std::size_t& most = depth[plan.size() - 1];
-                most = std::max(most, plan.back().stacks.levels.size());
+                std::size_t& maximum = depth[plan.size() - 1];
+                maximum = std::max(maximum, plan.back().stacks.levels.size());
             }
         }
         int order = 0;
         for (const std::size_t levels : depth) {
             firstOrder_.push_back(std::min(order, kHighestLayerOrder));
-            order += static_cast<int>(levels) + 1;  // one for the values of an IntGrid, below its tiles
+            order += static_cast<int>(levels) + 1;  // + 1: the values of an IntGrid, drawn below its tiles
         }
         if (order > kHighestLayerOrder) {
             draft_.report.problems.push_back(
                 {world_.name,
-                 format("its layers stack tiles {} deep, the engine tells {} orders apart", order,
-                        kHighestLayerOrder),
-                 "some tiles may lie above others that covered them"});
+                 format("its layers and their stacked tiles need {} drawing orders, but the maximum is {}",
+                        order, kHighestLayerOrder),
+                 "reduce the number of layers or stacked tiles; some tiles may be drawn in the wrong order"});
         }
     }
 
@@ -94,7 +94,7 @@ private:
         for (const ldtk::LayerKind& kind : project_.layers) rules += kind.ruleGroups;
         if (rules > 0) {
             draft_.report.note(
-                format("{} groups of rules stay in LDtk; the tiles that they made are here", rules));
+                format("{} auto-layer rule groups were not imported; the tiles they placed were", rules));
         }
     }
 
@@ -109,7 +109,7 @@ private:
         added["ldtk"]["size"] = Json::array({level.width, level.height});
         if (level.depth != 0) {
             added["ldtk"]["depth"] = level.depth;
-            draft_.report.note(format("level {}: it lies at depth {}; all depths are in one scene",
+            draft_.report.note(format("level {}: its world depth is {}; all depths are imported to one scene",
                                       level.name, level.depth));
         }
         if (!oneColor_) draft_.addBackground(level.iid + "/color", area, level.color);
@@ -134,7 +134,7 @@ private:
         sprite["height"] = static_cast<int>(crop.height);
         sprite["source"] = Json::array({crop.x, crop.y, crop.width, crop.height});
         sprite["layer"] = -1;
-        draft_.add(level.iid + "/picture", "background picture", std::move(components));
+        draft_.add(level.iid + "/picture", "background image", std::move(components));
     }
 
     void addLayer(const Level& level, const LayerPlan& plan, int order) {
@@ -154,7 +154,7 @@ private:
             draft_.report.note(format("level {}: its layer {} has no entities", level.name, layer.name));
     }
 
-    /// What all entities of a layer have: its place, and how it moves.
+    /// Returns the components that all entities of a layer have: a Transform at the layer's offset.
     Json placed(const LayerPlan& plan) const {
         Json components = Json::object();
         components["Transform"] = transformJson(plan.layer->offset, 0.0f, {1.0f, 1.0f});
@@ -171,16 +171,17 @@ private:
     void tellParallax(const LayerPlan& plan) {
         if (plan.kind == nullptr || plan.kind->parallax == Vec2{}) return;
         if (plan.kind->scalesWithParallax) {
-            draft_.report.note(format(
-                "layer {}: LDtk also enlarges it by its parallax; here it keeps its size", plan.layer->name));
+            draft_.report.note(
+                format("layer {}: LDtk also scales it by its parallax; the imported layer is not scaled",
+                       plan.layer->name));
         }
         const auto& entities = plan.layer->entities;
         const bool unseen = std::any_of(entities.begin(), entities.end(),
                                         [](const ldtk::Entity& entity) { return !entity.tile; });
         if (unseen)
-            draft_.report.note(format(
-                "layer {}: it moves by its parallax; its entities without a picture stay in their place",
-                plan.layer->name));
+            draft_.report.note(
+                format("layer {}: it has parallax, but its entities without an image do not move with it",
+                       plan.layer->name));
     }
 
     Json tilesJson(const LayerPlan& plan, std::string tileset, const TileGrid& grid, int order,
@@ -195,7 +196,8 @@ private:
         return tiles;
     }
 
-    /// The values of an IntGrid as colored tiles, hidden below the tiles that rules drew over them.
+    /// Adds the values of an IntGrid as colored tiles, drawn below the tiles placed by rules; hidden if LDtk
+    /// does not show them.
     void addValues(const LayerPlan& plan, const std::string& key, int order) {
         const Layer& layer = *plan.layer;
         bool solid = false;
@@ -209,8 +211,8 @@ private:
             const auto at = std::find_if(values.begin(), values.end(),
                                          [&](const auto& known) { return known.value == layer.values[i]; });
             if (at != values.end()) {
-                const auto place = static_cast<int>(i);
-                cells.set(place % layer.columns, place / layer.columns,
+                const auto index = static_cast<int>(i);
+                cells.set(index % layer.columns, index / layer.columns,
                           cellOf(static_cast<int>(at - values.begin())));
                 ++draft_.report.tiles;
             } else {
@@ -221,7 +223,7 @@ private:
             draft_.report.problems.push_back(
                 {format("layer {}", layer.name),
                  format("{} cells have values that the layer does not define", unknown),
-                 "define them in LDtk"});
+                 "define these values in LDtk"});
         }
         Json components = placed(plan);
         components["TileLayer"] = tilesJson(plan, file, cells, order, 1.0);
@@ -230,8 +232,8 @@ private:
         draft_.add(key + "/values", format("{} values", layer.name), std::move(components));
     }
 
-    /// LDtk shows values where no rule draws: not those of a layer with a tileset, nor those that another
-    /// layer draws by its rules. Without the picture of the tiles over them they are all there is to see.
+    /// True if LDtk shows the values of an IntGrid layer: it has no tileset and is not the source of another
+    /// layer's rules. Also true if its tileset's image is missing, since otherwise nothing would be visible.
     bool showsValues(const Layer& layer) {
         const bool drawnByOther =
             std::any_of(project_.layers.begin(), project_.layers.end(),
@@ -283,7 +285,7 @@ private:
         draft_.add(key, format("tile {}", tile.tile), std::move(components));
     }
 
-    /// A layer without a tile, so that it can be painted.
+    /// Adds an empty TileLayer for a layer without tiles, so that it can be painted.
     void addEmpty(const LayerPlan& plan, const std::string& key, int order) {
         const Layer& layer = *plan.layer;
         Json components = placed(plan);
@@ -297,14 +299,14 @@ private:
     const ldtk::World& world_;
     SceneDraft& draft_;
     LdtkTilesets tilesets_;
-    std::vector<std::vector<LayerPlan>> plans_;  // by level
-    std::vector<int> firstOrder_;                // by layer, from the lowest
+    std::vector<std::vector<LayerPlan>> plans_;  // layers of each level, bottom first
+    std::vector<int> firstOrder_;                // lowest drawing order of each layer, bottom first
     LdtkIds ids_;
     std::optional<AABB> bounds_;
     bool oneColor_ = true;
 };
 
-/// The reports of all worlds as one.
+/// Adds the report of a further world to the report of the project.
 void append(ImportReport& all, ImportReport&& next) {
     all.levels += next.levels;
     all.layers += next.layers;
@@ -314,14 +316,14 @@ void append(ImportReport& all, ImportReport&& next) {
     all.images += next.images;
     all.files.insert(all.files.begin(), next.files.begin(), next.files.end());
     for (std::string& note : next.notes) all.note(std::move(note));
-    all.leaveOut(next.editor, next.editorKeys);
+    all.addEditorKeys(next.editor, next.editorKeys);
     all.problems.insert(all.problems.end(), next.problems.begin(), next.problems.end());
-    all.note(format("another world of the project became {}", next.scene));
+    all.note(format("another world of the project was imported as {}", next.scene));
 }
 
-/// Where a further world of a project goes: beside the first one.
-ImportPlace placeOf(const ImportPlace& first, const std::string& world, std::set<std::string>& taken) {
-    ImportPlace place = first;
+/// Returns the path for the scene of a further world of a project, in the folder of the first scene.
+ImportTarget placeOf(const ImportTarget& first, const std::string& world, std::set<std::string>& taken) {
+    ImportTarget place = first;
     const std::string name = format("{}-{}", first.name, plainName(world));
     place.name = name;
     for (int number = 2; !taken.insert(place.name).second; ++number)
@@ -334,7 +336,7 @@ ImportPlace placeOf(const ImportPlace& first, const std::string& world, std::set
 }  // namespace
 
 Result<ImportReport> importLdtk(const Path& file, const Path& scene) {
-    const Result<ImportPlace> place = ImportPlace::of(scene, kEnding);
+    const Result<ImportTarget> place = ImportTarget::of(scene, kEnding);
     if (!place) return place.error();
     std::vector<Error> problems;
     const Result<ldtk::Project> project = loadLdtk(file, problems);
@@ -355,7 +357,7 @@ Result<ImportReport> importLdtk(const Path& file, const Path& scene) {
             all = std::move(*report);
         }
     }
-    if (!all) return Error{file.filename().string(), "the project has no world", "make a level in LDtk"};
+    if (!all) return Error{file.filename().string(), "the project has no world", "add a level in LDtk"};
     // Only now, so that a world that fails leaves no file of the others.
     if (const Result<Done> done = commitImport(place->root, files); !done) return done.error();
     return std::move(*all);

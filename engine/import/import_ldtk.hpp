@@ -6,12 +6,12 @@
 
 namespace plumb {
 
-/// Makes a scene of a project of the LDtk editor: each level below an entity of its own that stands where its
-/// world puts it, tile layers, entities with their fields as properties. A project of several worlds becomes
-/// a scene for each, the others beside the first: `name-World.scene.json`. Importing again keeps the ids.
+/// Converts an LDtk project to a scene with tile layers and entities, whose fields become properties. Each
+/// level is an entity at its position in the world; its content is below it. A project of several worlds
+/// becomes several scenes in one folder: `name-World.scene.json`. Importing again keeps the entity ids.
 ///
-/// @param scene  ends in ".scene.json"; see importTiled
-/// @error        the project cannot be read at all, or nothing can be written
+/// @param scene  path of the file to write, ending in ".scene.json", inside a project folder
+/// @error        the project cannot be read, or the files cannot be written
 Result<ImportReport> importLdtk(const Path& project, const Path& scene);
 
 }  // namespace plumb

@@ -18,7 +18,7 @@ using tiled::Shape;
 Vec2 positionOf(const Object& object) { return {static_cast<float>(object.x), static_cast<float>(object.y)}; }
 float rotationOf(const Object& object) { return radiansFromDegrees(static_cast<float>(object.rotation)); }
 
-/// The point of a tile object that stands on its position (ratio of the size).
+/// Returns the point of a tile object that is at its position, as a ratio of its size.
 Vec2 pivotOf(const std::string& alignment) {
     Vec2 pivot{0.0f, 1.0f};
     if (alignment.empty() || alignment == "unspecified") return pivot;
@@ -40,8 +40,7 @@ SpritePose poseOf(const Object& object, Vec2 size, Vec2 pivot) {
     const bool flipY = object.tile.flags & tiled::kFlipY;
     SpritePose pose{positionOf(object), rotationOf(object), pivot, flipX, flipY};
     if (!(object.tile.flags & tiled::kFlipDiagonal)) return pose;
-    // A diagonal flip is a quarter turn of the mirrored picture: width and height change places, about the
-    // middle.
+    // A diagonal flip is a mirrored image rotated by 90 degrees about its center: width and height swap.
     const Vec2 lying{size.y, size.x};
     const Vec2 middle{(0.5f - pivot.x) * lying.x, (0.5f - pivot.y) * lying.y};
     pose.position += rotated(middle, pose.rotation);
@@ -52,19 +51,20 @@ SpritePose poseOf(const Object& object, Vec2 size, Vec2 pivot) {
     return pose;
 }
 
-/// Sprites have whole sizes: the picture's own. The object's size is in the scale.
+/// Adds a Sprite of the image's size, because sprite sizes are integers, scaled to the object's size.
 void addSprite(Json& components, const EntityImport& import, const tiled::Layer& layer,
-               const LayerPlace& place, const Object& object) {
+               const LayerPlacement& place, const Object& object) {
     const auto index = static_cast<std::size_t>(object.tile.tileset);
     const ImportedTileset& tileset = import.tilesets[index];
     const tiled::Tileset& original = import.map.tilesets[index];
-    const TilePicture picture = tileset.pictureOf(shownTile(original, object.tile.id));
+    const TileRegion picture = tileset.pictureOf(shownTile(original, object.tile.id));
     const bool known = !picture.source.empty();
     if (tileset.count > 0 && object.tile.id >= tileset.count) {
-        import.draft.report.problems.push_back({format("layer {}: object {}", layer.name, object.id),
-                                                format("its tile {} is beyond the {} of the tileset {}",
-                                                       object.tile.id, tileset.count, original.name),
-                                                "choose another tile in Tiled; here it has no picture"});
+        import.draft.report.problems.push_back(
+            {format("layer {}: object {}", layer.name, object.id),
+             format("its tile {} is beyond the {} tiles of tileset {}", object.tile.id, tileset.count,
+                    original.name),
+             "select another tile in Tiled; the imported sprite has no image"});
     }
     const Vec2 source = known ? Vec2{picture.source.width, picture.source.height}
                               : Vec2{static_cast<float>(std::max(original.tileWidth, 1)),
@@ -90,7 +90,8 @@ void addSprite(Json& components, const EntityImport& import, const tiled::Layer&
     if (pose.flipX) sprite["flipX"] = true;
     if (pose.flipY) sprite["flipY"] = true;
     sprite["pivot"] = vec2Json(pose.pivot);
-    const TileAnimations::Made* animation = import.animations.of(tileset, object.tile.id, import.draft.stage);
+    const TileAnimations::StagedAnimation* animation =
+        import.animations.of(tileset, object.tile.id, import.draft.stage);
     const bool moving = animation && !animation->file.empty();
     if (moving) {
         sprite["texture"] = animation->texture;
@@ -101,7 +102,7 @@ void addSprite(Json& components, const EntityImport& import, const tiled::Layer&
     if (place.moves) components["ParallaxLayer"] = parallaxJson(layer);
 }
 
-/// Breaks lines where the engine's own font, whose letters are as wide as high, would leave the box.
+/// Inserts line breaks so that text in the engine's own font, whose glyphs are square, fits the box width.
 std::string wrapped(const tiled::TextStyle& style, double width) {
     const auto letters = static_cast<std::size_t>(std::clamp(width / style.size, 1.0, 1e6));
     if (!style.wrap) return style.text;
@@ -120,7 +121,8 @@ std::string wrapped(const tiled::TextStyle& style, double width) {
     return text;
 }
 
-void addLabel(Json& components, const tiled::Layer& layer, const LayerPlace& place, const Object& object) {
+void addLabel(Json& components, const tiled::Layer& layer, const LayerPlacement& place,
+              const Object& object) {
     const tiled::TextStyle& style = object.text;
     const std::string text = wrapped(style, object.width);
     const auto lines = static_cast<double>(1 + std::count(text.begin(), text.end(), '\n'));
@@ -158,7 +160,7 @@ Json boxJson(const Object& object) {
     return json;
 }
 
-/// The component that holds the outline of an object, and its name; empty when none does.
+/// Returns name and JSON of the collider for an object's outline; empty if no collider can store it.
 std::pair<std::string, Json> colliderOf(const Object& object) {
     const bool sized = object.width > 0.0 && object.height > 0.0;
     Json json = Json::object();
@@ -193,7 +195,7 @@ std::pair<std::string, Json> colliderOf(const Object& object) {
     return {};
 }
 
-/// Areas of levels are most often places that something happens in.
+/// Adds the object's outline as a trigger, because objects in level editors usually mark areas for events.
 void addTrigger(Json& components, const Object& object) {
     auto [name, collider] = colliderOf(object);
     if (name.empty()) return;
@@ -207,7 +209,7 @@ bool isOutlineLost(const tiled::Object& object) {
     return object.points.size() > kMaxOutlineCorners && colliderOf(object).first.empty();
 }
 
-Json objectComponents(const EntityImport& import, const tiled::Layer& layer, const LayerPlace& place,
+Json objectComponents(const EntityImport& import, const tiled::Layer& layer, const LayerPlacement& place,
                       const Object& object) {
     Json components = Json::object();
     if (object.shape == Shape::Tile && !object.tile.empty()) {

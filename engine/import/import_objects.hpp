@@ -5,12 +5,12 @@
 
 namespace plumb {
 
-/// The components of one object: a Sprite for a tile, a Label for a text, a trigger for an area or a line;
-/// the numbers of the original stay as data.
-Json objectComponents(const EntityImport& import, const tiled::Layer& layer, const LayerPlace& place,
+/// Returns the components of a Tiled object: a Sprite for a tile, a Label for a text, otherwise a trigger
+/// collider.
+Json objectComponents(const EntityImport& import, const tiled::Layer& layer, const LayerPlacement& place,
                       const tiled::Object& object);
 
-/// Whether an object has an outline that no component can hold.
+/// True if an object's outline has too many corners for a collider, so that it is not imported.
 bool isOutlineLost(const tiled::Object& object);
 
 }  // namespace plumb

@@ -12,14 +12,15 @@ void ImportReport::note(std::string text) {
     if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(std::move(text));
 }
 
-void ImportReport::leaveOut(std::string_view owner, const std::set<std::string>& keys) {
+void ImportReport::addEditorKeys(std::string_view owner, const std::set<std::string>& keys) {
     editor = owner;
     editorKeys.insert(keys.begin(), keys.end());
 }
 
 std::vector<Error> ImportReport::foldedProblems() const {
     std::vector<Error> folded;
-    std::map<std::pair<std::string, std::string>, std::pair<std::size_t, int>> known;  // place, more places
+    // Key: text and remedy. Value: index in `folded`, and number of further places.
+    std::map<std::pair<std::string, std::string>, std::pair<std::size_t, int>> known;
     for (const Error& problem : problems) {
         const auto [at, isNew] = known.try_emplace({problem.what, problem.remedy}, folded.size(), 0);
         if (isNew) {
@@ -46,7 +47,7 @@ std::string ImportReport::leftOut() const {
     const bool all = editorKeys.size() <= kShown;
     return format("{} {} that only {} needs {} left out: {}{}", editorKeys.size(),
                   editorKeys.size() == 1 ? "key" : "keys", editor, editorKeys.size() == 1 ? "was" : "were",
-                  some, all ? "" : " and the like");
+                  some, all ? "" : " etc.");
 }
 
 std::string ImportReport::summary() const {

@@ -9,36 +9,36 @@
 
 namespace plumb {
 
-/// What an import brought in, what it changed, and what it could not bring.
+/// Result of an import: counts of imported items, conversions, and problems.
 struct ImportReport {
-    std::string from;   ///< what kind of file it was: "Tiled map"
-    std::string scene;  ///< path in its project of what was made; the file to open
-    int levels = 0;     ///< of a world; 0 for a single map
+    std::string from;   ///< kind of the source file: "Tiled map"
+    std::string scene;  ///< path in its project of the scene or animation written, to be opened next
+    int levels = 0;     ///< number of levels of a world; 0 for a single map
     int layers = 0;
-    int tiles = 0;  ///< cells and loose tiles that are not empty
+    int tiles = 0;  ///< number of cells that are not empty, and of tiles off the grid
     int objects = 0;
     int tilesets = 0;
     int images = 0;
-    int clips = 0;                     ///< of an animation
-    std::vector<std::string> files;    ///< written, as paths in the project; the scene is the last
-    std::vector<std::string> notes;    ///< what is there in another form than it was
-    std::vector<Error> problems;       ///< what is not there, or not as it should be
-    std::string editor;                ///< that the file came from: "LDtk"
-    std::set<std::string> editorKeys;  ///< names in the file that mean something only inside that editor
+    int clips = 0;                     ///< number of animation clips
+    std::vector<std::string> files;    ///< paths in the project of the files written; the scene is the last
+    std::vector<std::string> notes;    ///< content that was imported in a different form
+    std::vector<Error> problems;       ///< content that is missing or wrong
+    std::string editor;                ///< the editor that wrote the file: "LDtk"
+    std::set<std::string> editorKeys;  ///< keys in the file that only that editor uses
 
-    /// Adds a note once.
+    /// Adds a note if it is not in the list yet.
     void note(std::string text);
-    /// Adds names of what means something only inside another editor.
-    void leaveOut(std::string_view owner, const std::set<std::string>& keys);
+    /// Records keys that were not imported because only the given editor uses them.
+    void addEditorKeys(std::string_view owner, const std::set<std::string>& keys);
 
-    /// The problems, identical ones of several places merged: "tile 3 and 5 more places".
+    /// Returns the problems, with identical ones at several places merged: "tile 3 and 5 more places".
     [[nodiscard]] std::vector<Error> foldedProblems() const;
-    /// "70 keys that only LDtk needs were left out"; empty when there are none. The keys are many and matter
-    /// to few, so they are no lines of their own.
+    /// Returns "70 keys that only LDtk needs were left out", or "" if there are none. One line for all keys,
+    /// because they are numerous and seldom relevant.
     [[nodiscard]] std::string leftOut() const;
-    /// For people: one line of counts, then one line for each problem and each note.
+    /// Returns the report for the user: a line of counts, then a line for each problem and each note.
     [[nodiscard]] std::string text() const;
-    /// The first line of it.
+    /// Returns the path and the counts of imported items in one line.
     [[nodiscard]] std::string summary() const;
 };
 

@@ -15,7 +15,7 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-/// The ending by what the bytes are, whatever the file was called.
+/// Returns the file extension that fits the content, regardless of the original file's name.
 std::string_view endingOf(std::string_view bytes) {
     if (startsWith(bytes, "\x89PNG")) return ".png";
     if (startsWith(bytes, "\xff\xd8")) return ".jpg";
@@ -52,7 +52,7 @@ std::string plainName(std::string_view wished) {
 
 std::string ImportStage::uniquePath(std::string_view wished, std::string_view ending) {
     const std::string stem = format("{}/{}", folder_, plainName(wished));
-    // Some file systems do not tell Tree.png from tree.png.
+    // On some file systems Tree.png and tree.png are the same file.
     for (int number = 1;; ++number) {
         std::string path = number == 1 ? stem : format("{}-{}", stem, number);
         path += ending;

@@ -15,38 +15,39 @@
 
 namespace plumb {
 
-/// Tiles of another size than their layer's cells have a line each in the file of their tileset. No more of
-/// them are written, so that a small file that claims millions makes no large one.
+/// Maximum number of tiles in a tileset whose size differs from their layer's cells. Each has an entry in the
+/// tileset file, so without a limit a small file that declares millions of tiles would produce a huge one.
 inline constexpr int kMaxLooseTiles = 1 << 15;
 
-/// A name for a file: characters that trouble other systems are replaced.
+/// Returns a file name that is valid on all systems: other characters are replaced by '_'.
 std::string plainName(std::string_view wished);
 
-/// A copied picture. When the original is missing the path stands all the same, so that it can be put there.
+/// A copied image. If the original is missing, the path is assigned nevertheless, so that the user can add
+/// the file later.
 struct StagedImage {
     std::string path;  ///< in the project
-    int width = 0;     ///< px; 0 when it is not known
+    int width = 0;     ///< px; 0 if the image cannot be read
     int height = 0;
 };
 
-/// The files that an import will write, collected before the first is written.
+/// The files that an import will write, collected before the first one is written.
 class ImportStage {
 public:
-    /// @param folder  in the project, for everything but the scene: "assets/cave"
+    /// @param folder  path in the project for all files except the scene: "assets/cave"
     explicit ImportStage(std::string folder) : folder_{std::move(folder)} {}
 
-    /// Takes a file under a name like `wished`.
+    /// Adds a file under the name `wished`, with a number appended if that name is in use.
     /// @return its path in the project
     std::string add(std::string_view wished, std::string_view ending, std::string bytes);
 
-    /// Copies a picture, once however often it is asked for.
-    /// @param keyed  pixels of this color become transparent
+    /// Adds a copy of an image at the first call for it; later calls return the same copy.
+    /// @param keyed  color key: pixels of this color become transparent
     const StagedImage& image(const Path& from, std::optional<Color> keyed);
 
-    /// The pixels of a picture in the stage; empty when it cannot be read. The last one asked for is kept.
+    /// Returns the pixels of an added image; empty if it cannot be decoded. Caches the last image.
     const Image& pixels(std::string_view path);
 
-    /// Gives away the files, in the order they were added.
+    /// Moves the files out, in the order they were added.
     [[nodiscard]] std::vector<ImportedFile> takeFiles() { return std::move(files_); }
 
     [[nodiscard]] std::size_t imageCount() const { return images_.size(); }
@@ -59,7 +60,7 @@ private:
     std::string folder_;
     std::vector<ImportedFile> files_;
     std::set<std::string> taken_;
-    std::map<std::string, StagedImage> images_;  ///< by the original's path and color
+    std::map<std::string, StagedImage> images_;  ///< key: the original's path and color key
     std::string decodedPath_;
     Image decoded_;
 };

@@ -11,16 +11,16 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMostTerrains = 255;  // of a tileset
+constexpr std::size_t kMaxTerrains = 255;  // in a tileset
 
 TerrainMode modeOf(const Json& set) {
-    const std::string type = textOrEmpty(set["type"]);
+    const std::string type = stringOrEmpty(set["type"]);
     if (type == "corner") return TerrainMode::Corners;
     return type == "edge" ? TerrainMode::Edges : TerrainMode::Blob;
 }
 
-/// The neighbours that are of one color, 0 when a later color is among them: the order of the eight numbers
-/// is that of Neighbour's bits.
+/// Returns the mask of neighbours of one color, or 0 if a later color is among them. Tiled's eight Wang ids
+/// have the same order as the bits of Neighbour.
 std::uint8_t maskOf(const Json& ids, int color, TerrainMode mode) {
     std::uint8_t mask = 0;
     for (std::size_t i = 0; i < ids.size() && i < 8; ++i) {
@@ -30,20 +30,20 @@ std::uint8_t maskOf(const Json& ids, int color, TerrainMode mode) {
     return countedMask(mode, mask);
 }
 
-/// "#rrggbb" of "#aarrggbb", which Tiled also writes.
+/// Converts "#aarrggbb", a form that Tiled also writes, to "#rrggbb".
 std::string opaque(const std::string& color) {
     return color.size() == 9 ? format("#{}", color.substr(3)) : color;
 }
 
-/// @param number  of the color, from 1 on
+/// Returns the terrain of one color of a Wang set. @param number  index of the color, 1 for the first
 Json terrainOf(const Json& set, int number) {
     const Json& color = set["colors"][static_cast<std::size_t>(number - 1)];
     const TerrainMode mode = modeOf(set);
-    const std::string name = textOrEmpty(color["name"]);
+    const std::string name = stringOrEmpty(color["name"]);
     Json terrain = Json::object();
     terrain["name"] = name.empty() ? set["name"] : Json(name);
     terrain["mode"] = std::string{terrainModeNames()[static_cast<std::size_t>(mode)]};
-    if (const std::string shown = textOrEmpty(color["color"]); !shown.empty())
+    if (const std::string shown = stringOrEmpty(color["color"]); !shown.empty())
         terrain["color"] = opaque(shown);
     terrain["tiles"] = Json::array();
     for (const Json& tile : set["tiles"]) {
@@ -64,7 +64,7 @@ Json terrainsOf(const tiled::Tileset& tileset) {
     for (const Json& set : tileset.wangSets) {
         for (std::size_t color = 1; color <= set["colors"].size(); ++color) {
             Json terrain = terrainOf(set, static_cast<int>(color));
-            if (terrain["tiles"].empty() || terrains.size() >= kMostTerrains) continue;
+            if (terrain["tiles"].empty() || terrains.size() >= kMaxTerrains) continue;
             terrain["id"] = terrains.size() + 1;
             terrains.push_back(std::move(terrain));
         }

@@ -5,10 +5,10 @@
 
 namespace plumb {
 
-/// Terrains of a tileset file, one for each color of each Wang set. Corner sets become terrains by corners,
-/// edge sets by edges, mixed ones blobs. A tile of several colors belongs to the last of them: where terrains
-/// meet, Autotile lets the higher id decide.
-/// @return a list for the member "terrains"; empty when there are none
+/// Returns the terrains for a tileset file, one for each color of each Wang set. Corner sets become terrains
+/// matched by corners, edge sets by edges, mixed sets blobs. A tile of several colors belongs to the last of
+/// them, because where terrains meet, Autotile uses the terrain of the higher id.
+/// @return JSON array for the member "terrains"; empty if there are none
 Json terrainsOf(const tiled::Tileset& tileset);
 
 }  // namespace plumb

@@ -18,7 +18,7 @@ namespace plumb {
 namespace {
 
 constexpr std::string_view kEnding = ".scene.json";
-constexpr float kFarthest = 1e7f;  // px, of a map in its world
+constexpr float kFarthest = 1e7f;  // px: maximum coordinate and size of a map in its world
 constexpr std::size_t kMaxMaps = 4096;
 
 Json groupsJson(const tiled::Map& map) {
@@ -33,7 +33,7 @@ Json groupsJson(const tiled::Map& map) {
     return groups;
 }
 
-/// What layers say that no component holds.
+/// Returns the fields of Tiled layers that no component can store.
 Json layersJson(const tiled::Map& map) {
     constexpr const char* kKinds[] = {"tiles", "objects", "image"};
     Json layers = Json::array();
@@ -74,7 +74,7 @@ std::string joined(const std::set<std::string>& words) {
     return text;
 }
 
-/// Whether tiles may lie over each other, so that their order is seen.
+/// True if tiles may overlap, so that the render order is visible.
 bool hasLargeTiles(const tiled::Map& map) {
     return std::any_of(map.tilesets.begin(), map.tilesets.end(), [&map](const tiled::Tileset& tileset) {
         const bool larger = tileset.tileWidth > map.tileWidth || tileset.tileHeight > map.tileHeight;
@@ -82,7 +82,7 @@ bool hasLargeTiles(const tiled::Map& map) {
     });
 }
 
-/// What is there, but not as it was in Tiled.
+/// Adds notes about content that was imported in a different form.
 void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tilesets, ImportReport& report) {
     int shapes = 0;
     std::set<std::string> fonts;
@@ -94,7 +94,7 @@ void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tile
     }
     if (shapes > 0) {
         report.note(
-            format("{} shapes have more than {} corners, which no component holds; they are kept under "
+            format("{} shapes have more than {} corners, which no collider supports; they are kept under "
                    "\"tiled\" in the entity",
                    shapes, kMaxOutlineCorners));
     }
@@ -103,7 +103,7 @@ void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tile
     if (map.renderOrder != "right-down" && hasLargeTiles(map)) {
         report.note(
             format("tiles are drawn from the top left to the lower right, not {}: larger ones may "
-                   "cover each other another way",
+                   "overlap in a different order",
                    map.renderOrder));
     }
     for (const ImportedTileset& tileset : tilesets) {
@@ -115,17 +115,17 @@ void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tile
                        "belongs to the later one",
                        tileset.original->name));
     }
-    report.leaveOut("Tiled", map.idle);
+    report.addEditorKeys("Tiled", map.editorKeys);
 }
 
-/// Brings maps into one scene. Tilesets that several maps share are written once.
+/// Imports maps into one scene. Tilesets that several maps share are written once.
 class MapImporter {
 public:
     explicit MapImporter(SceneDraft& draft) : draft_{draft} {}
 
     void add(const tiled::Map& original, const std::string& key) {
         const bool isometric = original.orientation == tiled::Orientation::Isometric;
-        const tiled::Map flat = isometric ? flattened(original, draft_.report) : tiled::Map{};
+        const tiled::Map flat = isometric ? isometricToOrthogonal(original, draft_.report) : tiled::Map{};
         const tiled::Map& map = isometric ? flat : original;
         std::vector<ImportedTileset> tilesets;
         for (const tiled::Tileset& tileset : map.tilesets) tilesets.push_back(tilesetOf(map, tileset));
@@ -164,8 +164,8 @@ struct WorldMap {
     Vec2 position;
 };
 
-/// The maps that a world names; those that it finds by a pattern are reported, since the pattern is for files
-/// that come later.
+/// Reads the list of maps in a .world file. Patterns for map names are reported and ignored, because they
+/// also match files added after the import.
 Result<std::vector<WorldMap>> readWorld(const Path& file, std::vector<Error>& problems) {
     const Result<std::string> text = readFile(file);
     if (!text) return text.error();
@@ -174,7 +174,7 @@ Result<std::vector<WorldMap>> readWorld(const Path& file, std::vector<Error>& pr
     if (!json) return json.error();
     JsonFields fields{*json, where, problems};
     if (fields.text("type", "world") != "world" || fields.find("maps") == nullptr)
-        return Error{where, "this is no world of Tiled", "save it again in Tiled: World, Save World"};
+        return Error{where, "this is not a Tiled world", "save it again in Tiled: World, Save World"};
     static_cast<void>(fields.flag("onlyShowAdjacentMaps", false));
     std::vector<WorldMap> maps;
     for (JsonFields& item : fields.objects("maps", kMaxMaps)) {
@@ -188,8 +188,8 @@ Result<std::vector<WorldMap>> readWorld(const Path& file, std::vector<Error>& pr
         maps.push_back(std::move(map));
     }
     if (fields.find("patterns") != nullptr)
-        fields.warn("patterns", "maps that are found by a pattern were left out",
-                    "add them to the world in Tiled");
+        fields.warn("patterns", "maps that match a pattern were left out",
+                    "add these maps to the world in Tiled");
     fields.warnUnknown();
     return maps;
 }
@@ -197,7 +197,7 @@ Result<std::vector<WorldMap>> readWorld(const Path& file, std::vector<Error>& pr
 }  // namespace
 
 Result<ImportReport> importTiled(const Path& file, const Path& scene) {
-    Result<ImportPlace> place = ImportPlace::of(scene, kEnding);
+    Result<ImportTarget> place = ImportTarget::of(scene, kEnding);
     if (!place) return place.error();
     SceneDraft draft{std::move(*place)};
     draft.report.from = "Tiled map";
@@ -216,7 +216,7 @@ Result<ImportReport> importTiled(const Path& file, const Path& scene) {
 }
 
 Result<ImportReport> importTiledWorld(const Path& file, const Path& scene) {
-    Result<ImportPlace> place = ImportPlace::of(scene, kEnding);
+    Result<ImportTarget> place = ImportTarget::of(scene, kEnding);
     if (!place) return place.error();
     SceneDraft draft{std::move(*place)};
     draft.report.from = "Tiled world";

@@ -6,18 +6,18 @@
 
 namespace plumb {
 
-/// Makes a scene of a map of the Tiled editor, with tilesets and copies of its images below
-/// `assets/<name of the scene>/`. All files are written whole or not at all, the scene last; importing again
-/// replaces them and keeps the ids of the entities.
+/// Converts a Tiled map to a scene, with tilesets and copies of its images below
+/// `assets/<name of the scene>/`. Either all files are written, the scene last, or none; importing again
+/// replaces them and keeps the entity ids.
 ///
-/// @param map    a .tmx or .tmj file, packed with gzip or not
-/// @param scene  ends in ".scene.json" and lies in a project: its folder or one around it holds project.json;
-///               without one, the folder around `scenes` counts as the project
-/// @error        the map cannot be read at all, or nothing can be written
+/// @param map    a .tmx or .tmj file, with or without gzip compression
+/// @param scene  path of the file to write, ending in ".scene.json". Its project is the nearest folder above
+///               it with a project.json; without one, the parent folder of `scenes`
+/// @error        the map cannot be read, or the files cannot be written
 Result<ImportReport> importTiled(const Path& map, const Path& scene);
 
-/// The same for a .world: its maps become one scene, each below an entity of its own that stands where the
-/// world puts it. A map that cannot be read is reported, and the others come in.
+/// Converts a Tiled .world file to one scene. Each map is an entity at the map's position in the world; its
+/// content is below it. Maps that cannot be read are reported; the others are imported.
 Result<ImportReport> importTiledWorld(const Path& world, const Path& scene);
 
 }  // namespace plumb

@@ -17,7 +17,7 @@ struct Grid {
     int count = 0;
 };
 
-/// How many whole tiles fit, as Tiled counts them.
+/// Returns the number of complete tiles in an image's width or height, with Tiled's formula.
 int tilesAlong(int pixels, int tile, int margin, int spacing) {
     return tile > 0 ? std::max((pixels - margin + spacing) / (tile + spacing), 0) : 0;
 }
@@ -42,14 +42,14 @@ Rect cellOfImage(const tiled::Tileset& tileset, const Grid& grid, int id) {
             static_cast<float>(tileset.tileWidth), static_cast<float>(tileset.tileHeight)};
 }
 
-TilePicture pictureOfCollection(const tiled::Tileset& tileset, const tiled::Tile& tile, ImportStage& stage) {
+TileRegion pictureOfCollection(const tiled::Tileset& tileset, const tiled::Tile& tile, ImportStage& stage) {
     const StagedImage& image = stage.image(tileset.folder / tile.image, tile.transparent);
     const auto width = static_cast<float>(image.width > 0 ? image.width : tile.width);
     const auto height = static_cast<float>(image.height > 0 ? image.height : tile.height);
     return {image.path, tile.source.value_or(Rect{0.0f, 0.0f, width, height})};
 }
 
-/// Turns the shapes of a tile into its collision; what one outline cannot hold is reported.
+/// Converts the collision shapes of a tile to one outline; reports shapes that it does not cover.
 void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
                   const tiled::Tileset& tileset) {
     const auto tell = [&](std::string what) {
@@ -64,11 +64,11 @@ void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellS
     }
     json["tiled"]["collision"] = std::move(shapes);
 
-    // The tile stands on the lower left corner of its cell.
+    // The tile is aligned to the lower left corner of its cell.
     const TileOutline outline = outlineOfTile(tile, cellSize, cellSize.y - tileSize.y);
-    if (outline.corners.empty()) return tell("its collision shape is no area inside the cell");
+    if (outline.corners.empty()) return tell("its collision shape has no area inside the cell");
     if (outline.partial) tell("it has several collision shapes; only the largest one collides");
-    if (outline.cut) tell("its collision shape reaches out of the cell; it ends at the cell's border");
+    if (outline.cut) tell("its collision shape reaches out of the cell; it was clipped to the cell");
     const std::vector<Vec2> full{{0, 0}, {cellSize.x, 0}, cellSize, {0, cellSize.y}};
     if (outline.corners == full) {
         json["collision"] = "full";
@@ -77,7 +77,8 @@ void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellS
     for (const Vec2 corner : outline.corners) json["collision"].push_back(vec2Json(corner));
 }
 
-/// @param count  tiles of the set; 0 when its picture is missing, so that it is not known
+/// Reports a tile id or animation frames beyond the end of the tileset.
+/// @param count  number of tiles in the tileset; 0 if unknown because its image is missing
 void tellBeyond(const tiled::Tile& tile, int count, ImportStage& stage, const tiled::Tileset& tileset) {
     if (count == 0) return;
     const auto beyond = std::count_if(tile.animation.begin(), tile.animation.end(),
@@ -86,9 +87,9 @@ void tellBeyond(const tiled::Tile& tile, int count, ImportStage& stage, const ti
     stage.problems.push_back(
         {format("tileset {}: tile {}", tileset.name, tile.id),
          tile.id >= count
-             ? format("it is beyond the {} tiles of the picture", count)
-             : format("{} frames of its animation are beyond the {} tiles of the picture", beyond, count),
-         "look at the picture, the margin and the spacing of the tileset in Tiled"});
+             ? format("it is beyond the {} tiles of the image", count)
+             : format("{} frames of its animation are beyond the {} tiles of the image", beyond, count),
+         "check the tileset's image, margin and spacing in Tiled"});
 }
 
 Json tileJson(const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
@@ -120,7 +121,7 @@ Json tilesetNotes(const tiled::Tileset& tileset) {
     return notes;
 }
 
-Json imageJson(int tile, const TilePicture& picture) {
+Json imageJson(int tile, const TileRegion& picture) {
     Json json = Json::object();
     json["tile"] = tile;
     json["image"] = picture.texture;
@@ -136,7 +137,7 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
         imported.count = std::min(imported.count, Tileset::kMaxTiles);
         for (const tiled::Tile& tile : tileset.tiles) {
             if (tile.id >= imported.count || tile.image.empty()) continue;
-            const TilePicture& picture = imported.pictures[tile.id] =
+            const TileRegion& picture = imported.pictures[tile.id] =
                 pictureOfCollection(tileset, tile, stage);
             json["images"].push_back(imageJson(tile.id, picture));
         }
@@ -154,9 +155,9 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
             imported.count = kMaxLooseTiles;
             stage.problems.push_back(
                 {format("tileset {}", tileset.name),
-                 format("its {} tiles have another size than the map's cells; the first {} came along",
+                 format("its {} tiles differ in size from the map's cells; only the first {} were imported",
                         grid.count, imported.count),
-                 "give the map cells of the size of its tiles, or split the tileset"});
+                 "make the map's cells as large as these tiles, or split the tileset"});
         }
         for (int id = 0; loose && id < imported.count; ++id) {
             json["images"].push_back(imageJson(id, {imported.image.path, cellOfImage(tileset, grid, id)}));
@@ -168,11 +169,11 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
 
 }  // namespace
 
-TilePicture ImportedTileset::pictureOf(int id) const {
+TileRegion ImportedTileset::pictureOf(int id) const {
     if (id < 0 || id >= count) return {};
     if (original->image.empty()) {
         const auto found = pictures.find(id);
-        return found == pictures.end() ? TilePicture{} : found->second;
+        return found == pictures.end() ? TileRegion{} : found->second;
     }
     return {image.path, cellOfImage(*original, gridOf(*original, image), id)};
 }
@@ -193,7 +194,7 @@ ImportedTileset importTileset(const tiled::Map& map, const tiled::Tileset& tiles
         json["offset"] = Json::array({tileset.offsetX, tileset.offsetY});
     const Vec2 cell{static_cast<float>(cellWidth), static_cast<float>(cellHeight)};
     for (const tiled::Tile& tile : tileset.tiles) {
-        const TilePicture picture = imported.pictureOf(tile.id);
+        const TileRegion picture = imported.pictureOf(tile.id);
         tellBeyond(tile, imported.count, stage, tileset);
         const Vec2 size = picture.source.empty() ? cell : Vec2{picture.source.width, picture.source.height};
         Json item = tileJson(tile, size, cell, stage, tileset);

@@ -9,28 +9,28 @@
 
 namespace plumb {
 
-/// Where the picture of one tile is.
-struct TilePicture {
+/// Image and region of one tile.
+struct TileRegion {
     std::string texture;  ///< path in the project
-    Rect source;          ///< px
+    Rect source;          ///< region of the texture, px
 };
 
-/// A tileset of a map and the file that it became.
+/// A tileset of a map and the tileset file made from it.
 struct ImportedTileset {
     std::string path;  ///< in the project
     int count = 0;
-    bool collides = false;  ///< some tile has a shape
+    bool collides = false;  ///< at least one tile has a collision shape
 
     const tiled::Tileset* original = nullptr;
-    StagedImage image;                    ///< of all tiles; empty for a collection
-    std::map<int, TilePicture> pictures;  ///< of a collection, by id
+    StagedImage image;                   ///< image of all tiles; empty for a collection of images
+    std::map<int, TileRegion> pictures;  ///< image of each tile of a collection, by tile id
 
-    /// The picture of a tile; nothing in it when the set has no such tile.
-    [[nodiscard]] TilePicture pictureOf(int id) const;
+    /// Returns the image and region of a tile; empty if the tileset has no such tile.
+    [[nodiscard]] TileRegion pictureOf(int id) const;
 };
 
-/// Writes a tileset and copies its pictures. Tiles of another size than the map's cells keep their size and
-/// stand on the lower left corner of their cell.
+/// Adds a tileset file and copies of its images to the stage. Tiles of another size than the map's cells keep
+/// their size and are aligned to the lower left corner of their cell.
 ImportedTileset importTileset(const tiled::Map& map, const tiled::Tileset& tileset, ImportStage& stage);
 
 }  // namespace plumb

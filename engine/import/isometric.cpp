@@ -13,9 +13,9 @@ using tiled::Object;
 using tiled::Shape;
 
 constexpr int kEllipseCorners = 24;
-constexpr std::size_t kMaxFlatCells = std::size_t{1} << 25;  // of a map, over all layers
+constexpr std::size_t kMaxFlatCells = std::size_t{1} << 25;  // maximum, sum over all layers of a map
 
-/// Where points of the map's own plane come to lie on the screen.
+/// Projects points of the isometric map's plane to screen coordinates, px.
 class Projection {
 public:
     explicit Projection(const tiled::Map& map)
@@ -23,12 +23,12 @@ public:
           height_{static_cast<double>(map.tileHeight)},
           originX_{static_cast<double>(map.height) * width_ * 0.5} {}
 
-    /// @param way  a step instead of a place: the origin does not count
-    [[nodiscard]] Vec2 onScreen(double x, double y, bool way = false) const {
-        // Tiled measures both axes of an isometric map in heights of a tile.
+    /// @param isOffset  (x, y) is a difference of two points, so the origin is not added
+    [[nodiscard]] Vec2 onScreen(double x, double y, bool isOffset = false) const {
+        // In an isometric map, Tiled's unit on both axes is the tile height.
         const double column = x / height_;
         const double row = y / height_;
-        return {static_cast<float>((column - row) * width_ * 0.5 + (way ? 0.0 : originX_)),
+        return {static_cast<float>((column - row) * width_ * 0.5 + (isOffset ? 0.0 : originX_)),
                 static_cast<float>((column + row) * height_ * 0.5)};
     }
 
@@ -38,7 +38,8 @@ private:
     double originX_;
 };
 
-/// The grid of half cells around a layer: four times as many of a square one, very many of a long one.
+/// Returns the number of half cells in the grid around a layer: (width + height - 1)^2, about 4 per cell of a
+/// square layer, many more of a long one.
 std::size_t flatCells(const Layer& layer) {
     const auto side = static_cast<std::size_t>(layer.width + layer.height - 1);
     return layer.cells.empty() ? 0 : side * side;
@@ -51,7 +52,7 @@ void flattenCells(Layer& layer, int mapHeight) {
     old.width = layer.width, old.height = layer.height;
     old.cells = std::move(layer.cells);
     layer.width = layer.height = old.width + old.height - 1;
-    // A tile stands on the lower corner of its diamond: one half cell below the row that it begins in.
+    // A tile's lower edge is at the lower corner of its diamond, one half cell below the diamond's first row.
     layer.x = old.x - (old.y + old.height - 1) + mapHeight - 1;
     layer.y = old.x + old.y + 1;
     layer.cells.assign(static_cast<std::size_t>(layer.width) * static_cast<std::size_t>(layer.height), 0);
@@ -67,7 +68,7 @@ void flattenCells(Layer& layer, int mapHeight) {
     }
 }
 
-/// The outline of an area on the map's plane, from its corner.
+/// Returns the outline of a rectangle, ellipse or capsule in the map's plane, px from the object's position.
 std::vector<Vec2> outlineOf(const Object& object) {
     const auto width = static_cast<float>(object.width);
     const auto height = static_cast<float>(object.height);
@@ -97,7 +98,7 @@ void flattenObject(Object& object, const Projection& projection) {
 
 }  // namespace
 
-tiled::Map flattened(const tiled::Map& map, ImportReport& report) {
+tiled::Map isometricToOrthogonal(const tiled::Map& map, ImportReport& report) {
     tiled::Map flat = map;
     const Projection projection{map};
     std::size_t room = kMaxFlatCells;
@@ -106,7 +107,7 @@ tiled::Map flattened(const tiled::Map& map, ImportReport& report) {
             cells > room || layer.width + layer.height > limits::kTileSide) {
             report.problems.push_back(
                 {format("layer {}", layer.name),
-                 format("its {} x {} cells need a grid of {} half cells, and were left out", layer.width,
+                 format("not imported: its {} x {} cells need a grid of {} half cells, too many", layer.width,
                         layer.height, cells),
                  "make the map smaller, or split it"});
             layer.cells.clear();
@@ -119,8 +120,9 @@ tiled::Map flattened(const tiled::Map& map, ImportReport& report) {
     }
     if (map.tileWidth % 2 != 0 || map.tileHeight % 2 != 0) {
         report.problems.push_back(
-            {"map", format("its cells of {} x {} px have no half of whole px", map.tileWidth, map.tileHeight),
-             "use an even width and height in Tiled; the tiles lie a little too close"});
+            {"map",
+             format("its cells of {} x {} px cannot be halved to whole px", map.tileWidth, map.tileHeight),
+             "use an even tile width and height in Tiled; the imported tiles are slightly too close"});
     }
     flat.tileWidth = std::max(map.tileWidth / 2, 1);
     flat.tileHeight = std::max(map.tileHeight / 2, 1);
@@ -130,8 +132,8 @@ tiled::Map flattened(const tiled::Map& map, ImportReport& report) {
             tileset.objectAlignment = "bottom";
     }
     report.note(
-        "the map is isometric: its tiles stand in a grid of half cells, shapes became the polygons that "
-        "they look like");
+        "the map is isometric: its tiles were put in a grid of half cells; rectangles and ellipses became "
+        "polygons");
     return flat;
 }
 

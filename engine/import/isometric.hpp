@@ -5,9 +5,9 @@
 
 namespace plumb {
 
-/// An isometric map as an orthogonal one that looks the same: its diamonds stand in a grid of cells half as
-/// wide and high, every other of which is empty, so that rows are drawn from the back to the front. Objects
-/// come to stand where Tiled shows them; rectangles and ellipses become the polygons that they look like.
-tiled::Map flattened(const tiled::Map& map, ImportReport& report);
+/// Converts an isometric map to an orthogonal one that looks the same. Its tiles go to every other cell of a
+/// grid of cells half as wide and high, so rows are drawn from back to front. Objects are moved to the
+/// positions where Tiled draws them; rectangles and ellipses become polygons.
+tiled::Map isometricToOrthogonal(const tiled::Map& map, ImportReport& report);
 
 }  // namespace plumb

@@ -13,7 +13,7 @@ namespace {
 
 using ldtk::Fill;
 
-/// The type inside "Array<…>", or the type itself.
+/// Returns the element type of "Array<…>", or the type itself if it is not an array.
 std::string_view itemType(std::string_view type) {
     if (!startsWith(type, "Array<")) return type;
     type.remove_prefix(6);
@@ -42,7 +42,7 @@ Json valueJson(const Json& value, std::string_view type, const ldtk::Project& pr
     if (type == "Tile") {
         Json json = value;
         const Json* member = findMember(value, "tilesetUid");
-        const std::optional<int> uid = member == nullptr ? std::nullopt : wholeOf(*member);
+        const std::optional<int> uid = member == nullptr ? std::nullopt : intOf(*member);
         const ldtk::Tileset* tileset = uid ? project.tileset(*uid) : nullptr;
         if (tileset != nullptr) json["tileset"] = tileset->name;
         return json;
@@ -50,7 +50,7 @@ Json valueJson(const Json& value, std::string_view type, const ldtk::Project& pr
     return value;
 }
 
-/// How large the picture is drawn in its entity's box.
+/// Returns the size at which an image is drawn in its entity's box, px.
 Vec2 pictureSize(Fill fill, Vec2 box, Vec2 picture) {
     const Vec2 ratio{box.x / std::max(picture.x, 1.0f), box.y / std::max(picture.y, 1.0f)};
     switch (fill) {
@@ -65,14 +65,14 @@ Vec2 pictureSize(Fill fill, Vec2 box, Vec2 picture) {
     return box;
 }
 
-/// A picture of the engine is whole or a part; it does not repeat and has no borders.
+/// Reports fill modes that a Sprite does not support: repeated, nine-slice, and clipped to the box.
 void tellFill(const ldtk::EntityKind& kind, ImportReport& report) {
     if (kind.fill == Fill::Repeat || kind.fill == Fill::NineSlice) {
-        report.note(format("entities {}: their picture is stretched; LDtk {} it", kind.name,
+        report.note(format("entities {}: their image is stretched; LDtk {} it", kind.name,
                            kind.fill == Fill::Repeat ? "repeats" : "keeps the borders of"));
     }
     if (kind.fill == Fill::Cover)
-        report.note(format("entities {}: their picture reaches over their box; LDtk cuts it off", kind.name));
+        report.note(format("entities {}: their image extends beyond their box; LDtk clips it", kind.name));
 }
 
 Json spriteJson(const ldtk::Entity& entity, const ldtk::EntityKind* kind, const ldtk::Layer& layer,
@@ -99,7 +99,7 @@ Json spriteJson(const ldtk::Entity& entity, const ldtk::EntityKind* kind, const 
     return sprite;
 }
 
-/// An area that a designer draws is most often a place that something happens in.
+/// Returns a trigger BoxCollider for a resizable entity, because resizable entities usually mark areas.
 Json areaJson(const ldtk::Entity& entity) {
     Json box = Json::object();
     box["width"] = entity.width;
@@ -114,7 +114,7 @@ Json areaJson(const ldtk::Entity& entity) {
 }  // namespace
 
 Json ldtkParallax(const ldtk::LayerKind& kind) {
-    // LDtk counts from the world (0), the engine from the screen (0).
+    // Factor 0 means fixed to the world in LDtk, fixed to the screen in the engine.
     tiled::Layer moving;
     moving.parallax = Vec2{1.0f, 1.0f} - kind.parallax;
     return parallaxJson(moving);

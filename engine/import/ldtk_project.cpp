@@ -7,7 +7,7 @@ namespace {
 
 int stepOf(const Tileset& tileset) { return std::max(tileset.grid + tileset.spacing, 1); }
 
-/// LDtk counts a tile that the picture's edge cuts off.
+/// Returns the number of tiles along an image side. Like LDtk, counts a tile that the image's edge cuts off.
 int tilesAlong(int pixels, const Tileset& tileset) {
     const int step = stepOf(tileset);
     return std::max((pixels - 2 * tileset.padding + step - 1) / step, 1);
@@ -27,7 +27,7 @@ int Tileset::columns() const { return tilesAlong(imageWidth, *this); }
 int Tileset::rows() const { return tilesAlong(imageHeight, *this); }
 
 Rect Tileset::sourceOf(int tile) const {
-    const std::int64_t step = stepOf(*this);  // the number may be any
+    const std::int64_t step = stepOf(*this);  // 64 bit: `tile` can be any value from the file
     return {static_cast<float>(padding + tile % columns() * step),
             static_cast<float>(padding + tile / columns() * step), static_cast<float>(grid),
             static_cast<float>(grid)};

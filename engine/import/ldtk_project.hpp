@@ -12,51 +12,51 @@
 #include "math/vec2.hpp"
 #include "reflect/json.hpp"
 
-/// A project of the LDtk editor as its files say it, before it becomes scenes. Units are px, as in the files.
+/// An LDtk project as read from its files, before conversion to scenes. Units are px, as in the files.
 namespace plumb::ldtk {
 
-/// A part of a tileset's picture.
+/// A region of a tileset's image.
 struct TileRect {
-    int tileset = -1;  ///< uid
+    int tileset = -1;  ///< uid of the tileset
     Rect area;         ///< px
 };
 
 struct Tileset {
     int uid = 0;
     std::string name;
-    std::string image;   ///< relative to the project's folder; empty: LDtk's own icons
+    std::string image;   ///< path relative to the project's folder; empty: LDtk's built-in icons
     int imageWidth = 0;  ///< px
     int imageHeight = 0;
-    int grid = 16;                ///< px, of a tile
+    int grid = 16;                ///< tile size, px
     int spacing = 0;              ///< px between tiles
-    int padding = 0;              ///< px around all
-    Json notes = Json::object();  ///< tags, enum tags and data of tiles, as they stand
+    int padding = 0;              ///< px between the image's edge and the tiles
+    Json notes = Json::object();  ///< tags, enum tags and custom data of tiles, unchanged JSON
 
     [[nodiscard]] int columns() const;
     [[nodiscard]] int rows() const;
-    /// Where a tile is in the picture (px).
+    /// Returns the region of a tile in the image, px.
     [[nodiscard]] Rect sourceOf(int tile) const;
-    /// The tile whose upper left corner is there (px); -1 when none is.
+    /// Returns the tile whose upper left corner is at (x, y), px; -1 if there is none.
     [[nodiscard]] int tileAt(int x, int y) const;
 };
 
 struct IntGridValue {
     int value = 0;
-    std::string name;  ///< empty when it has none
+    std::string name;  ///< may be empty
     Color color;
 };
 
-/// What all layers of one kind share.
+/// An LDtk layer definition, shared by its layers in all levels.
 struct LayerKind {
     int uid = 0;
-    Vec2 parallax;  ///< ratio; 0 moves with the world
+    Vec2 parallax;  ///< ratio; 0: fixed to the world
     bool scalesWithParallax = false;
     int ruleGroups = 0;
-    int source = -1;  ///< uid of the layer of an IntGrid whose values its rules draw; -1 for none
+    int source = -1;  ///< uid of the IntGrid layer that is the input of the auto-layer rules; -1: none
     std::vector<IntGridValue> values;
 };
 
-/// How the picture of an entity fills its box.
+/// Modes in which the image of an entity fills its box.
 enum class Fill : std::uint8_t { None, Stretch, FitInside, Cover, Plain, Repeat, NineSlice };
 
 struct EntityKind {
@@ -64,7 +64,7 @@ struct EntityKind {
     std::string name;
     std::string drawnAs;  ///< "Tile", "Rectangle", "Ellipse" or "Cross"
     Fill fill = Fill::None;
-    double opacity = 1.0;  ///< of the picture
+    double opacity = 1.0;  ///< opacity of the image, 0 to 1
     bool resizable = false;
     Color color;
 };
@@ -72,26 +72,26 @@ struct EntityKind {
 struct Field {
     std::string name;
     std::string type;  ///< "Int", "Array<LocalEnum.Item>", …
-    Json value;        ///< as it stands; null for none
+    Json value;        ///< unchanged JSON; null if not set
 };
 
-/// A tile of a layer, in the order of drawing.
+/// A tile placed in a layer.
 struct Tile {
-    int x = 0;  ///< px in the layer, of the top-left corner
+    int x = 0;  ///< top left corner, px in the layer
     int y = 0;
     int tile = 0;
-    int sourceX = -1;  ///< px in the picture, of its upper left corner; -1 where the file does not say
+    int sourceX = -1;  ///< upper left corner in the tileset's image, px; -1 if not in the file
     int sourceY = -1;
-    std::uint8_t flips = 0;  ///< bit 0: left to right, bit 1: upside down
+    std::uint8_t flips = 0;  ///< bit 0: horizontal flip, bit 1: vertical flip
     float opacity = 1.0f;
 };
 
 struct Entity {
     std::string name;
     std::string iid;
-    int kind = 0;   ///< uid
-    Vec2 position;  ///< px in the layer, of the pivot
-    Vec2 pivot;     ///< ratio
+    int kind = 0;   ///< uid of the entity definition
+    Vec2 position;  ///< position of the pivot, px in the layer
+    Vec2 pivot;     ///< ratio of the size
     int width = 0;  ///< px
     int height = 0;
     std::optional<TileRect> tile;
@@ -104,16 +104,16 @@ struct Layer {
     std::string name;
     std::string type;  ///< "IntGrid", "AutoLayer", "Tiles" or "Entities"
     std::string iid;
-    int kind = 0;  ///< uid
+    int kind = 0;  ///< uid of the layer definition
     int columns = 0;
     int rows = 0;
-    int grid = 16;  ///< px
+    int grid = 16;  ///< cell size, px
     Vec2 offset;    ///< px
     double opacity = 1.0;
     bool visible = true;
-    int tileset = -1;         ///< uid
-    std::vector<int> values;  ///< of an IntGrid, in rows; 0 is empty, and so are those missing at the end
-    std::vector<Tile> tiles;  ///< drawn by rules, then by hand
+    int tileset = -1;         ///< uid of the tileset
+    std::vector<int> values;  ///< IntGrid values, row by row; 0: empty; missing ones at the end are 0
+    std::vector<Tile> tiles;  ///< in drawing order: tiles placed by rules, then those placed by hand
     std::vector<Entity> entities;
 
     [[nodiscard]] std::size_t cellCount() const {
@@ -129,12 +129,12 @@ struct Level {
     int width = 0;  ///< px
     int height = 0;
     Color color;
-    std::string image;  ///< behind everything; empty for none
+    std::string image;  ///< background image; empty: none
     Vec2 imageTopLeft;  ///< px in the level
     Vec2 imageScale{1.0f, 1.0f};
-    Rect imageCrop;  ///< px of the picture
+    Rect imageCrop;  ///< visible region of the image, px
     std::vector<Field> fields;
-    std::vector<Layer> layers;  ///< top first, as in the file
+    std::vector<Layer> layers;  ///< topmost first, as in the file
 };
 
 struct World {
@@ -150,10 +150,10 @@ struct Project {
     std::vector<Tileset> tilesets;
     std::vector<LayerKind> layers;
     std::vector<EntityKind> entities;
-    Json enums = Json::array();     ///< as they stand
-    Json contents = Json::array();  ///< the table of contents, as it stands
+    Json enums = Json::array();     ///< enum definitions, unchanged JSON
+    Json contents = Json::array();  ///< table of contents, unchanged JSON
     std::vector<World> worlds;
-    std::set<std::string> idle;  ///< names of what the file says and only LDtk needs; left out
+    std::set<std::string> editorKeys;  ///< keys in the file that only LDtk uses; not imported
 
     [[nodiscard]] const Tileset* tileset(int uid) const;
     [[nodiscard]] const LayerKind* layerKind(int uid) const;

@@ -7,20 +7,20 @@ namespace plumb {
 namespace {
 
 constexpr int kLoose = -1;
-constexpr std::size_t kCrowded = 1024;  // tiles that one place compares with
+constexpr std::size_t kCrowded = 1024;  // maximum number of tiles stored, and compared with, in one square
 
-/// A tile that lies there already.
+/// A tile that has been assigned to a level.
 struct Laid {
     int x = 0;  ///< px
     int y = 0;
     int level = 0;
-    int cell = kLoose;  ///< its own, when it fits the grid
+    int cell = kLoose;  ///< index of its cell, if it is on the grid
 };
 
-/// A square as large as a tile, so that no tile lies over more than four of them.
-struct Place {
+/// A square of tile size, so that no tile overlaps more than four squares.
+struct Square {
     std::vector<Laid> tiles;
-    int highest = 0;  ///< level of all that lie here
+    int highest = 0;  ///< highest level of all tiles that overlap the square
 };
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// The cell that a tile fills as cells are filled, or none.
+    /// Returns the index of a tile's cell; kLoose if the tile is off the grid or translucent.
     [[nodiscard]] int cellOf(const ldtk::Tile& tile) const {
         const bool fits = tile.opacity == 1.0f && tile.x >= 0 && tile.y >= 0 && tile.x % layer_.grid == 0 &&
                           tile.y % layer_.grid == 0 && tile.tile < tileCount_;
@@ -49,17 +49,17 @@ private:
         return std::abs(a.x - b.x) < tileSize_ && std::abs(a.y - b.y) < tileSize_;
     }
 
-    /// Grids are drawn row by row, so of two tiles that lie over each other in one of them the later cell is
-    /// above. What the file has above must stay above.
+    /// Returns the lowest level for a tile that must be drawn above `below`. It is the level of `below` if
+    /// both are on the grid and the tile's cell is later, because grids are drawn cell by cell, row by row.
     static int levelAbove(const Laid& below, int cell) {
         const bool sameGrid = cell != kLoose && below.cell != kLoose && below.cell < cell;
         return sameGrid ? below.level : below.level + 1;
     }
 
-    [[nodiscard]] int levelAt(const Place& place, const Laid& tile) const {
-        if (place.tiles.size() >= kCrowded) return place.highest + 1;
+    [[nodiscard]] int levelAt(const Square& square, const Laid& tile) const {
+        if (square.tiles.size() >= kCrowded) return square.highest + 1;
         int level = 0;
-        for (const Laid& below : place.tiles) {
+        for (const Laid& below : square.tiles) {
             if (overlap(below, tile)) level = std::max(level, levelAbove(below, tile.cell));
         }
         return level;
@@ -71,19 +71,19 @@ private:
         const int top = floorDiv(tile.y, tileSize_);
         const int right = floorDiv(tile.x + tileSize_ - 1, tileSize_);
         const int bottom = floorDiv(tile.y + tileSize_ - 1, tileSize_);
-        const auto eachPlace = [&](auto&& visit) {
+        const auto eachSquare = [&](auto&& visit) {
             for (int y = top; y <= bottom; ++y) {
-                for (int x = left; x <= right; ++x) visit(places_[{x, y}]);
+                for (int x = left; x <= right; ++x) visit(squares_[{x, y}]);
             }
         };
-        eachPlace([&](const Place& place) { laid.level = std::max(laid.level, levelAt(place, laid)); });
+        eachSquare([&](const Square& square) { laid.level = std::max(laid.level, levelAt(square, laid)); });
         if (laid.level >= kMaxStackedTiles) {
             laid.level = kMaxStackedTiles - 1;
             laid.cell = kLoose;
         }
-        eachPlace([&](Place& place) {
-            place.highest = std::max(place.highest, laid.level);
-            if (place.tiles.size() < kCrowded) place.tiles.push_back(laid);
+        eachSquare([&](Square& square) {
+            square.highest = std::max(square.highest, laid.level);
+            if (square.tiles.size() < kCrowded) square.tiles.push_back(laid);
         });
         put(tile, laid);
     }
@@ -108,7 +108,7 @@ private:
     int tileSize_;
     int tileCount_;
     LdtkStacks result_;
-    std::map<std::pair<int, int>, Place> places_;
+    std::map<std::pair<int, int>, Square> squares_;
 };
 
 }  // namespace

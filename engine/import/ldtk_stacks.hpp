@@ -7,22 +7,23 @@
 
 namespace plumb {
 
-/// The tiles of one layer of LDtk, which may lie over each other and off the grid, as layers of the engine,
-/// which hold one tile a cell: so many grids as tiles are stacked, and the tiles that fit no cell between
-/// them.
+/// The tiles of one LDtk layer, which may overlap and be off the grid, sorted into levels. A level has a grid
+/// with one tile per cell, and a list of tiles off the grid.
 struct LdtkStacks {
     struct Level {
-        TileGrid cells;                        ///< of the whole layer; without a cell when it has no tile
-        std::vector<const ldtk::Tile*> loose;  ///< drawn in the same order as the grid, or above it
-        int count = 0;                         ///< cells that are not empty
+        TileGrid cells;                        ///< grid of the layer's size; 0 x 0 if it has no tile
+        std::vector<const ldtk::Tile*> loose;  ///< tiles off the grid, with the drawing order of `cells`
+        int count = 0;                         ///< number of cells that are not empty
     };
-    std::vector<Level> levels;  ///< in the order of drawing
+    std::vector<Level> levels;  ///< in drawing order
 };
 
-/// Tiles that lie deeper over each other than this lie loose in the highest level, in the file's order.
+/// Maximum number of levels. Tiles stacked higher are added to `loose` of the highest level, in file order.
 inline constexpr int kMaxStackedTiles = 1000;
 
-/// @param tileSize  px of the layer's tiles, which may be larger than its cells
+/// Sorts the tiles of a layer into stacks.
+/// @param tileSize   size of the layer's tiles, px; may be larger than its cells
+/// @param tileCount  number of tiles in the tileset; tiles with a higher id are put in `loose`
 LdtkStacks stackTiles(const ldtk::Layer& layer, int tileSize, int tileCount);
 
 }  // namespace plumb

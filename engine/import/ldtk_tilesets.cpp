@@ -14,7 +14,7 @@
 namespace plumb {
 namespace {
 
-constexpr int kMaxValueSide = 64;  // px of a made-up tile
+constexpr int kMaxValueSide = 64;  // px: maximum side of a tile made for an IntGrid value
 constexpr std::array<std::string_view, 9> kSolidWords{"wall",  "solid", "ground", "dirt",     "stone",
                                                       "block", "rock",  "brick",  "collision"};
 constexpr std::array<std::string_view, 4> kOneWayWords{"one_way", "oneway", "platform", "semisolid"};
@@ -30,14 +30,14 @@ bool hasAny(const std::string& name, const Words& words) {
                        [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
 
-/// LDtk does not say what its values mean; most projects say it by their names.
+/// Returns the collision of an IntGrid value, guessed from its name, because LDtk has no field for it.
 std::string collisionByName(const std::string& name) {
     const std::string lower = lowerCase(name);
     if (hasAny(lower, kOneWayWords)) return "oneWay";
     return hasAny(lower, kSolidWords) ? "full" : "";
 }
 
-/// A row of squares, each with a darker edge, so that values can be distinguished while painting.
+/// Draws a row of squares, one per value, with darker edges that make cells distinguishable.
 Image valuesPicture(const std::vector<ldtk::IntGridValue>& values, int side) {
     Image image;
     image.width = side * static_cast<int>(values.size());
@@ -63,35 +63,35 @@ const Json& listIn(const Json& json, std::string_view key) {
     return list == nullptr ? kNone : *list;
 }
 
-/// Enum tags and data that LDtk has about tiles, as properties of each tile.
+/// Converts LDtk's enum tags and custom data of tiles to properties of each tile.
 Json tilesJson(const ldtk::Tileset& tileset, std::vector<Error>& problems) {
     std::map<int, Json> byTile;
     const auto tell = [&](std::string_view list, const Json& found, std::string_view form) {
         problems.push_back({format("tileset {}: {}", tileset.name, list),
                             format("expected {}, found {}", form, briefText(found)),
-                            "save the project again in LDtk; what is wrong is left out"});
+                            "save the project again in LDtk; this entry was ignored"});
     };
     for (const Json& item : listIn(tileset.notes, "customData")) {
         const Json* id = findMember(item, "tileId");
-        const std::optional<int> tile = id == nullptr ? std::nullopt : wholeOf(*id);
+        const std::optional<int> tile = id == nullptr ? std::nullopt : intOf(*id);
         const std::string* data = findText(item, "data");
         if (tile && data != nullptr) {
             byTile[*tile]["data"] = *data;
         } else {
-            tell("customData", item, "the number of a tile and a text");
+            tell("customData", item, "a tile id and a string");
         }
     }
     for (const Json& tag : listIn(tileset.notes, "enumTags")) {
         const std::string* value = findText(tag, "enumValueId");
         if (value == nullptr || findArray(tag, "tileIds") == nullptr) {
-            tell("enumTags", tag, "the name of a value and a list of tiles");
+            tell("enumTags", tag, "the name of a value and an array of tile ids");
             continue;
         }
         for (const Json& id : listIn(tag, "tileIds")) {
-            if (const std::optional<int> tile = wholeOf(id)) {
+            if (const std::optional<int> tile = intOf(id)) {
                 byTile[*tile]["tags"].push_back(*value);
             } else {
-                tell("enumTags.tileIds", id, "the number of a tile");
+                tell("enumTags.tileIds", id, "a tile id");
             }
         }
     }
@@ -122,8 +122,8 @@ const StagedImage& LdtkTilesets::picture(int uid) {
     if (!isNew || tileset == nullptr) return staged;
     if (tileset->image.empty()) {
         draft_.report.problems.push_back({format("tileset {}", tileset->name),
-                                          "its pictures are LDtk's own icons, which are no file",
-                                          "what uses them shows a colored box; give it a picture of yours"});
+                                          "its image is LDtk's built-in icons, which are not in a file",
+                                          "colored boxes are shown instead; use an image file in LDtk"});
         return staged;
     }
     const std::string lower = lowerCase(tileset->image);
@@ -131,14 +131,14 @@ const StagedImage& LdtkTilesets::picture(int uid) {
         const Path png = (project_.folder / tileset->image).replace_extension(".png");
         std::error_code ignored;
         if (std::filesystem::exists(png, ignored)) {
-            draft_.report.note(format("tileset {}: {} was taken instead of the .aseprite file", tileset->name,
+            draft_.report.note(format("tileset {}: {} was used instead of the .aseprite file", tileset->name,
                                       png.filename().string()));
             return staged = draft_.stage.image(png, {});
         }
         draft_.report.problems.push_back(
             {format("tileset {}", tileset->name),
-             format("{} is a drawing of Aseprite, which games cannot show", tileset->image),
-             "export it as a .png of the same name beside it and import again"});
+             format("{} is an Aseprite file, which the engine cannot read", tileset->image),
+             "export it as a .png of the same name to the same folder and import again"});
         staged.path = format("assets/{}/{}.png", draft_.place.name, tileset->name);
         return staged;
     }
@@ -154,9 +154,10 @@ std::string LdtkTilesets::file(int uid, int grid) {
     const int all = tileset->columns() * tileset->rows();
     const int count = std::min(all, loose ? kMaxLooseTiles : Tileset::kMaxTiles);
     if (count < all) {
-        draft_.report.problems.push_back({format("tileset {}", tileset->name),
-                                          format("the first {} of its {} tiles came along", count, all),
-                                          "split it, or give its tiles the size of the layer's cells"});
+        draft_.report.problems.push_back(
+            {format("tileset {}", tileset->name),
+             format("only the first {} of its {} tiles were imported", count, all),
+             "split it, or make its tiles as large as the layer's cells"});
     }
     Json json = Json::object();
     json["format"] = Tileset::kFormat;
@@ -212,9 +213,10 @@ std::string LdtkTilesets::valuesFile(const ldtk::Layer& layer, const ldtk::Layer
     solid = !solids.empty();
     const std::string file = draft_.stage.add(layer.name + "-values", ".tileset.json", writeJson(json));
     draft_.report.note(
-        solid ? format("layer {}: its values {} are solid, by their names; change that in {}", layer.name,
-                       solids, file)
-              : format("layer {}: none of its values sounds solid; say which is in {}", layer.name, file));
+        solid ? format("layer {}: its values {} were made solid because of their names; change that in {}",
+                       layer.name, solids, file)
+              : format("layer {}: no value's name suggests a solid tile; set the collision in {}", layer.name,
+                       file));
     ++draft_.report.tilesets;
     at->second = {file, solid};
     return file;

@@ -9,21 +9,23 @@
 
 namespace plumb {
 
-/// The tilesets of an LDtk project as files of ours, written when the first layer needs them.
+/// Converts the tilesets of an LDtk project to tileset files, each at the first call for it.
 class LdtkTilesets {
 public:
     LdtkTilesets(const ldtk::Project& project, SceneDraft& draft) : project_{project}, draft_{draft} {}
 
-    /// The file of a tileset for layers of a grid. Tiles that are larger than its cells stand on the upper
-    /// left corner of theirs. Empty for a tileset that the project does not have.
-    /// @param grid  px
+    /// Returns the path of the tileset file for layers with a given cell size. Tiles that are larger than the
+    /// cells are aligned to the upper left corner of their cell. Empty if the project has no such tileset.
+    /// @param grid  cell size, px
     std::string file(int uid, int grid);
 
-    /// The picture of a tileset; its path is empty when there is none, which is reported once.
+    /// Returns the image of a tileset; its path is empty if there is none, which is reported once.
     const StagedImage& picture(int uid);
 
-    /// A set made of the values of an IntGrid, one colored tile each, solid where its name says so.
-    /// @return its file; `solid` says whether some value is
+    /// Makes a tileset with one colored tile for each value of an IntGrid. Tiles are solid if the value's
+    /// name suggests it ("wall", "ground").
+    /// @param solid  set to true if at least one tile is solid
+    /// @return the path of the tileset file
     std::string valuesFile(const ldtk::Layer& layer, const ldtk::LayerKind& kind, bool& solid);
 
 private:
@@ -31,7 +33,8 @@ private:
     SceneDraft& draft_;
     std::map<std::pair<int, int>, std::string> files_;
     std::map<int, StagedImage> pictures_;
-    std::map<int, std::pair<std::string, bool>> values_;  ///< by kind of layer
+    /// Results of valuesFile() (file and `solid`), by uid of the layer definition.
+    std::map<int, std::pair<std::string, bool>> values_;
 };
 
 }  // namespace plumb

@@ -15,10 +15,11 @@
 namespace plumb {
 namespace {
 
-constexpr Vec2 kUsualPicture{1280.0f, 720.0f};  ///< px, of a project that does not say
+constexpr Vec2 kDefaultResolution{1280.0f, 720.0f};  ///< px, if the project file has none
 constexpr int kBehindAll = -1000;
 
-/// The project around a file: the nearest folder with a project.json, else the one around `scenes`.
+/// Returns the project folder of a file: the nearest folder above it with a project.json; without one, the
+/// parent of the folder `scenes`, else the file's own folder.
 Path projectAround(const Path& file) {
     std::error_code ignored;
     const Path folder = file.parent_path();
@@ -29,38 +30,38 @@ Path projectAround(const Path& file) {
     return folder.filename() == "scenes" ? folder.parent_path() : folder;
 }
 
-/// Only what the import needs; what is wrong in a project is for its loader to say.
-Vec2 pictureOf(const Path& project) {
+/// Reads the resolution from project.json, px. Errors are ignored here: loading the project reports them.
+Vec2 resolutionOf(const Path& project) {
     const Result<std::string> text = readFile(project / "project.json");
-    if (!text) return kUsualPicture;
+    if (!text) return kDefaultResolution;
     const Result<Json> json = parseJson(*text, "project.json");
-    if (!json) return kUsualPicture;
+    if (!json) return kDefaultResolution;
     const Json* found = findArray(*json, "resolution");
-    if (found == nullptr || found->size() != 2) return kUsualPicture;
+    if (found == nullptr || found->size() != 2) return kDefaultResolution;
     const std::optional<float> width = floatOf((*found)[0]);
     const std::optional<float> height = floatOf((*found)[1]);
-    return width && height ? Vec2{*width, *height} : kUsualPicture;
+    return width && height ? Vec2{*width, *height} : kDefaultResolution;
 }
 
 }  // namespace
 
-Result<ImportPlace> ImportPlace::of(const Path& file, std::string_view ending) {
+Result<ImportTarget> ImportTarget::of(const Path& file, std::string_view ending) {
     std::error_code ignored;
     const Path whole = std::filesystem::absolute(file, ignored).lexically_normal();
     const std::string name = whole.filename().string();
     if (!endsWith(name, ending) || name.size() == ending.size()) {
-        return Error{file.generic_string(), "the result cannot have this name",
-                     format("end it in {}", ending)};
+        return Error{file.generic_string(), "the file to write has the wrong extension",
+                     format("use a name that ends in {}", ending)};
     }
-    ImportPlace place;
+    ImportTarget place;
     place.root = projectAround(whole);
     place.path = whole.lexically_relative(place.root).generic_string();
     place.name = name.substr(0, name.size() - ending.size());
-    place.picture = pictureOf(place.root);
+    place.picture = resolutionOf(place.root);
     return place;
 }
 
-SceneDraft::SceneDraft(ImportPlace where) : place{std::move(where)}, stage{"assets/" + place.name} {
+SceneDraft::SceneDraft(ImportTarget where) : place{std::move(where)}, stage{"assets/" + place.name} {
     report.scene = place.path;
 }
 

@@ -13,53 +13,54 @@
 
 namespace plumb {
 
-/// Where an import goes: a file of a project and a folder for all that it needs.
-struct ImportPlace {
+/// The file of a project that an import writes.
+struct ImportTarget {
     Path root;         ///< the project's folder
-    std::string path;  ///< of the file, in the project
-    std::string name;  ///< of the file, without ending
-    Vec2 picture;      ///< px of the game's picture
+    std::string path;  ///< path of the file, relative to the project's folder
+    std::string name;  ///< file name without extension
+    Vec2 picture;      ///< the game's resolution, px
 
-    /// @param ending  that the file must have: ".scene.json"
-    /// @error  another ending, or nothing before it
-    static Result<ImportPlace> of(const Path& file, std::string_view ending);
+    /// Finds the project of a file to be written.
+    /// @param ending  required extension of the file: ".scene.json"
+    /// @error  the file has another extension, or its name is only the extension
+    static Result<ImportTarget> of(const Path& file, std::string_view ending);
 };
 
-/// The scene that an import makes, while it is made: entities, the names of the layers, the files beside it.
+/// A scene under construction by an import: entities, names of drawing orders, and files used by the scene.
 class SceneDraft {
 public:
-    explicit SceneDraft(ImportPlace place);
+    explicit SceneDraft(ImportTarget place);
 
-    /// Adds an entity under an id that is the same at every import. @return its id
-    /// @param key  tells it from all others of this import
+    /// Adds an entity with an id computed from `key`, so that it is the same at every import. @return its id
+    /// @param key  distinct for each entity of this import
     std::string add(std::string_view key, const std::string& name, Json components);
-    /// The entity added last.
+    /// Returns the entity added last.
     [[nodiscard]] Json& last() { return entities_.back(); }
-    /// All entities so far.
+    /// Returns all entities added so far.
     [[nodiscard]] Json& entities() { return entities_; }
-    /// An entity at a place, to be the parent of what comes until the matching `close`.
+    /// Adds an entity that is the parent of all entities added until the matching `close`. @return its id
     std::string open(std::string_view key, const std::string& name, Vec2 position);
     void close() { parents_.pop_back(); }
 
-    /// A camera that shows the middle of what is there and does not leave it.
+    /// Adds a camera at the center of `bounds`, limited to them.
     void addCamera(const Rect& bounds);
-    /// A rectangle of one color behind everything.
+    /// Adds a rectangle of one color behind everything.
     void addBackground(std::string_view key, const Rect& area, Color color);
-    /// The name of an order of drawing, for the editor's lists; the first one stays.
+    /// Names a drawing order for the editor's lists; ignored if the order has a name already.
     void nameLayer(int order, std::string_view name);
 
-    /// Adds all files of this import to those to be written, the scene last.
+    /// Appends all files of this import to `files`, the scene last, without writing them.
     Result<ImportReport> finish(std::vector<ImportedFile>& files);
-    /// Does that and writes them. @error nothing could be written
+    /// Writes all files of this import, the scene last. @error the files could not be written
     Result<ImportReport> write();
 
-    ImportPlace place;
+    ImportTarget place;
     ImportStage stage;
     ImportReport report;
-    Json extra = Json::object();  ///< members of the scene beside its entities
+    Json extra = Json::object();  ///< further members of the scene's JSON
 
 private:
-    /// The scene in the one form that saving gives it, so that opening and saving it changes nothing.
+    /// Returns the text that loading and saving the scene produces, so that saving it again changes nothing.
     Result<std::string> savedForm(const Json& json);
 
     EntityIds ids_;

@@ -11,9 +11,9 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMaxStripBytes = std::size_t{64} << 20;  // decoded
+constexpr std::size_t kMaxStripBytes = std::size_t{64} << 20;  // pixels of a strip of frames
 
-/// Copies a part of a picture; what lies outside either picture is left out.
+/// Copies a region of an image to column `left` of another, clipped to both images.
 void copyPixels(const Image& from, const Rect& part, Image& to, int left) {
     const int width = static_cast<int>(part.width);
     const int startX = static_cast<int>(part.x);
@@ -39,7 +39,7 @@ Json framesJson(const tiled::Tile& tile) {
     return frames;
 }
 
-/// @return  empty when the frames are no part of a picture, or too many for one
+/// Returns an image with the frames side by side; empty if a frame has no image or the result is too large.
 Image stripOf(const ImportedTileset& tileset, const tiled::Tile& tile, Rect cell, ImportStage& stage) {
     const Image& first = stage.pixels(tileset.pictureOf(tile.animation.front().tile).texture);
     const int width = std::min(static_cast<int>(cell.width), first.width);
@@ -55,7 +55,7 @@ Image stripOf(const ImportedTileset& tileset, const tiled::Tile& tile, Rect cell
     strip.rgba.resize(bytes);
     int left = 0;
     for (const tiled::Frame& frame : tile.animation) {
-        TilePicture picture = tileset.pictureOf(frame.tile);
+        TileRegion picture = tileset.pictureOf(frame.tile);
         picture.source.width = std::min(picture.source.width, static_cast<float>(width));
         copyPixels(stage.pixels(picture.texture), picture.source, strip, left);
         left += width;
@@ -70,11 +70,12 @@ int shownTile(const tiled::Tileset& tileset, int id) {
     return tile && !tile->animation.empty() ? tile->animation.front().tile : id;
 }
 
-const TileAnimations::Made* TileAnimations::of(const ImportedTileset& tileset, int id, ImportStage& stage) {
+const TileAnimations::StagedAnimation* TileAnimations::of(const ImportedTileset& tileset, int id,
+                                                          ImportStage& stage) {
     const tiled::Tile* tile = tileset.original->find(id);
     if (!tile || tile->animation.empty()) return nullptr;
     const auto [at, isNew] = made_.try_emplace({tileset.original, id});
-    Made& made = at->second;
+    StagedAnimation& made = at->second;
     if (!isNew) return &made;
 
     const Rect cell = tileset.pictureOf(tile->animation.front().tile).source;
@@ -83,7 +84,7 @@ const TileAnimations::Made* TileAnimations::of(const ImportedTileset& tileset, i
     const Result<std::string> png = encodePng(strip);
     if (!png) {
         stage.problems.push_back(
-            {name, "its frames cannot be put into one picture", "check its image and frames"});
+            {name, "its frames cannot be combined in one image", "check its image and frames"});
         return &made;
     }
     made.texture = stage.add(name, ".png", *png);

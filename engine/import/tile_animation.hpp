@@ -8,22 +8,22 @@
 
 namespace plumb {
 
-/// The tile that an animated tile shows at the beginning: itself, or its first frame.
+/// Returns the tile to show for a tile without playing its animation: its first frame, or itself without one.
 int shownTile(const tiled::Tileset& tileset, int id);
 
-/// The animation files of tiles that stand as objects: the frames of each are put side by side in a picture.
+/// Makes animation files for animated tiles used as objects, each with an image of all frames side by side.
 class TileAnimations {
 public:
-    struct Made {
-        std::string file;     ///< path in the project; empty when it could not be made
-        std::string texture;  ///< path of the frames' picture
+    struct StagedAnimation {
+        std::string file;     ///< path of the animation in the project; empty if it could not be made
+        std::string texture;  ///< path of the image with the frames
     };
 
-    /// The animation of a tile; null when the tile is not animated.
-    const Made* of(const ImportedTileset& tileset, int id, ImportStage& stage);
+    /// Returns the animation of a tile, made at the first call for it; null if the tile is not animated.
+    const StagedAnimation* of(const ImportedTileset& tileset, int id, ImportStage& stage);
 
 private:
-    std::map<std::pair<const tiled::Tileset*, int>, Made> made_;
+    std::map<std::pair<const tiled::Tileset*, int>, StagedAnimation> made_;
 };
 
 }  // namespace plumb

@@ -14,8 +14,8 @@ using tiled::Object;
 using tiled::Shape;
 using Corners = std::vector<Vec2>;
 
-constexpr int kRoundCorners = 24;
-constexpr float kSlack = 0.01f;  // px
+constexpr int kRoundCorners = 24;  // corners of an ellipse or capsule
+constexpr float kSlack = 0.01f;    // px
 constexpr std::size_t kMaxBoxes = 32;
 
 float doubleArea(const Corners& corners) {
@@ -27,21 +27,21 @@ float doubleArea(const Corners& corners) {
     return area;
 }
 
-/// A box whose corners are parts of an ellipse.
+/// Returns the outline of a box whose corners are rounded by quarter ellipses.
 Corners roundBox(Vec2 size, Vec2 radius) {
     Corners corners;
     for (int i = 0; i < kRoundCorners; ++i) {
         const float angle = kTau * (static_cast<float>(i) + 0.5f) / static_cast<float>(kRoundCorners);
-        const Vec2 way{cosine(angle), sine(angle)};
-        corners.push_back({(way.x < 0.0f ? radius.x : size.x - radius.x) + way.x * radius.x,
-                           (way.y < 0.0f ? radius.y : size.y - radius.y) + way.y * radius.y});
+        const Vec2 unit{cosine(angle), sine(angle)};
+        corners.push_back({(unit.x < 0.0f ? radius.x : size.x - radius.x) + unit.x * radius.x,
+                           (unit.y < 0.0f ? radius.y : size.y - radius.y) + unit.y * radius.y});
     }
     return corners;
 }
 
-/// Keeps what lies on one side of a line along an axis.
-/// @param axis  member of Vec2
-/// @param sign  1 keeps what is less than `limit`, -1 what is more
+/// Clips a polygon at a vertical or horizontal line.
+/// @param axis  coordinate that is compared with `limit`: &Vec2::x or &Vec2::y
+/// @param sign  1 keeps the part below `limit`, -1 the part above it
 Corners halfOf(const Corners& corners, float Vec2::*axis, float limit, float sign) {
     Corners kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -70,7 +70,7 @@ Corners cutToCell(Corners corners, Vec2 cell) {
     return halfOf(corners, &Vec2::y, cell.y, 1.0f);
 }
 
-/// The outline of boxes that lie side by side or over each other.
+/// Computes the outline of the union of boxes, on a grid of lines through all their edges.
 class BoxOutline {
 public:
     explicit BoxOutline(const std::vector<Corners>& boxes) {
@@ -85,14 +85,14 @@ public:
         for (const Corners& box : boxes) fill(box);
     }
 
-    /// @return nothing when they form no single area, or one with a hole
+    /// @return the outline; empty if the boxes do not form one area, or it has a hole
     std::optional<Corners> trace() {
         collectEdges();
         if (next_.empty()) return {};
         Corners outline;
-        const Place start = next_.begin()->first;
+        const Node start = next_.begin()->first;
         std::size_t steps = 0;
-        for (Place at = start; steps == 0 || at != start; ++steps) {
+        for (Node at = start; steps == 0 || at != start; ++steps) {
             const auto found = next_.find(at);
             if (found == next_.end() || steps > next_.size()) return {};
             outline.push_back({xs_[at.first], ys_[at.second]});
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    using Place = std::pair<std::size_t, std::size_t>;  // a crossing of lines
+    using Node = std::pair<std::size_t, std::size_t>;  // grid point: index in xs_ and in ys_
 
     static std::size_t lineOf(const std::vector<float>& lines, float value) {
         return static_cast<std::size_t>(std::lower_bound(lines.begin(), lines.end(), value) - lines.begin());
@@ -114,13 +114,13 @@ private:
                 filled_[y * xs_.size() + x] = true;
         }
     }
-    /// Beyond the last line nothing is filled, and neither is it before the first.
+    /// True if a grid cell is in a box; false outside of the grid (index -1 wraps around to a large number).
     [[nodiscard]] bool isFilled(std::size_t x, std::size_t y) const {
         return x < xs_.size() && y < ys_.size() && filled_[y * xs_.size() + x];
     }
-    /// The edges between what is filled and what is not, clockwise on screen.
+    /// Collects the edges between filled and empty cells, clockwise on screen.
     void collectEdges() {
-        const auto add = [this](Place from, Place to) { crossing_ |= !next_.emplace(from, to).second; };
+        const auto add = [this](Node from, Node to) { crossing_ |= !next_.emplace(from, to).second; };
         for (std::size_t y = 0; y < ys_.size(); ++y) {
             for (std::size_t x = 0; x < xs_.size(); ++x) {
                 if (!isFilled(x, y)) continue;
@@ -144,9 +144,9 @@ private:
 
     std::vector<float> xs_;
     std::vector<float> ys_;
-    std::vector<bool> filled_;  // between a line and the next, in rows
-    std::map<Place, Place> next_;
-    bool crossing_ = false;  // two corners of the area touch
+    std::vector<bool> filled_;   // grid cells, row by row
+    std::map<Node, Node> next_;  // edges of the outline: start to end
+    bool crossing_ = false;      // two corners of the outline touch
 };
 
 bool isBox(const Object& object) { return object.shape == Shape::Rectangle && object.rotation == 0.0; }
@@ -164,7 +164,7 @@ std::vector<Vec2> outlineOf(const Object& object) {
             return roundBox(size, {radius, radius});
         }
         case Shape::Polyline: {
-            // Some people close their outlines by hand.
+            // A polyline whose ends coincide is a closed outline.
             const bool closed = object.points.size() > 3 && object.points.front() == object.points.back();
             return closed ? Corners{object.points.begin(), object.points.end() - 1} : Corners{};
         }
@@ -182,8 +182,8 @@ TileOutline outlineOfTile(const tiled::Tile& tile, Vec2 cell, float raised) {
     for (const Object& object : tile.collision) {
         Corners corners = outlineOf(object);
         const Vec2 origin{static_cast<float>(object.x), static_cast<float>(object.y) + raised};
-        const float turn = radiansFromDegrees(static_cast<float>(object.rotation));
-        for (Vec2& corner : corners) corner = origin + (turn == 0.0f ? corner : rotated(corner, turn));
+        const float angle = radiansFromDegrees(static_cast<float>(object.rotation));
+        for (Vec2& corner : corners) corner = origin + (angle == 0.0f ? corner : rotated(corner, angle));
         if (doubleArea(corners) < 0.0f) std::reverse(corners.begin(), corners.end());
         if (!isInside(corners, cell)) {
             corners = cutToCell(std::move(corners), cell);

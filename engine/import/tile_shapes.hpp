@@ -8,22 +8,22 @@
 
 namespace plumb {
 
-/// Corners that an outline of the engine may have.
+/// Maximum number of corners of a collider outline.
 inline constexpr std::size_t kMaxOutlineCorners = 64;
 
-/// The outline of an area in px from its object's position, not turned; empty when it has none.
+/// Returns the outline of an object, px from its position, without its rotation; empty if it has no area.
 std::vector<Vec2> outlineOf(const tiled::Object& object);
 
-/// What the shapes of a tile collide as.
+/// Collision outline made from the collision shapes of a tile.
 struct TileOutline {
-    std::vector<Vec2> corners;  ///< px in the cell, clockwise on screen; empty when no shape is an area in it
-    bool cut = false;           ///< something reached out of the cell
-    bool partial = false;       ///< only the largest of several shapes
+    std::vector<Vec2> corners;  ///< px in the cell, clockwise on screen; empty if no shape has an area in it
+    bool cut = false;           ///< at least one shape was clipped to the cell
+    bool partial = false;       ///< the outline is only the largest of several shapes
 };
 
-/// One outline of all shapes of a tile. Boxes that form one area become that area; of other shapes the
-/// largest one is taken.
-/// @param raised  px by which the tile's picture begins below the cell's top; less than 0 for a higher one
+/// Combines the collision shapes of a tile to one outline: the union of boxes if it is one area without
+/// holes, otherwise the largest shape.
+/// @param raised  px from the cell's top down to the top of the tile's image; negative if the image is higher
 TileOutline outlineOfTile(const tiled::Tile& tile, Vec2 cell, float raised);
 
 }  // namespace plumb

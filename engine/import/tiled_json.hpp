@@ -7,11 +7,10 @@
 namespace plumb {
 
 Json vec2Json(Vec2 vector);
-/// "#rrggbb", or "#rrggbbaa" when it is not opaque.
+/// Returns "#rrggbb", or "#rrggbbaa" for a color that is not opaque.
 Json colorJson(Color color);
 
-/// What a scene has no component for is kept as data: the shape and the numbers of an object as Tiled has
-/// them.
+/// Returns the fields of a Tiled object, stored in the scene as data because no component has all of them.
 Json objectJson(const tiled::Object& object);
 
 }  // namespace plumb

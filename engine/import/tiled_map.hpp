@@ -12,23 +12,21 @@
 #include "math/vec2.hpp"
 #include "reflect/json.hpp"
 
-/// A map of the Tiled editor as its files say it, before it becomes a scene. Units are px, degrees and ms, as
-/// in the files.
+/// A Tiled map as read from its files, before conversion to a scene. Units: px, degrees, ms, as in the files.
 namespace plumb::tiled {
 
-/// A cell: the number of a tile over all tilesets of a map, 0 for none, and four bits that say how it is
-/// turned.
+/// Global tile id of a cell, unique over all tilesets of a map, with four flip and rotation bits; 0 is empty.
 using Gid = std::uint32_t;
 
 inline constexpr Gid kFlipX = 0x80000000u;
 inline constexpr Gid kFlipY = 0x40000000u;
 inline constexpr Gid kFlipDiagonal = 0x20000000u;
-inline constexpr Gid kRotateHex = 0x10000000u;  ///< only hexagonal maps mean something by it
+inline constexpr Gid kRotateHex = 0x10000000u;  ///< used only by hexagonal maps
 inline constexpr Gid kFlags = kFlipX | kFlipY | kFlipDiagonal | kRotateHex;
 
-/// A tile of one tileset, or none.
+/// Reference to a tile of one tileset, or to none.
 struct TileRef {
-    int tileset = -1;  ///< place in Map::tilesets
+    int tileset = -1;  ///< index in Map::tilesets
     int id = 0;
     Gid flags = 0;
 
@@ -58,17 +56,17 @@ struct Object {
     std::string name;
     std::string type;  ///< "class" in files of Tiled 1.9
     Shape shape = Shape::Rectangle;
-    double x = 0.0;  ///< px; the origin about which it turns
+    double x = 0.0;  ///< px; (x, y) is also the center of rotation
     double y = 0.0;
     double width = 0.0;
     double height = 0.0;
     double rotation = 0.0;  ///< degrees, clockwise
     double opacity = 1.0;
     bool visible = true;
-    TileRef tile;              ///< of Shape::Tile
-    std::vector<Vec2> points;  ///< px from (x, y), of polygons and polylines
+    TileRef tile;              ///< tile; only for Shape::Tile
+    std::vector<Vec2> points;  ///< corners of polygons and polylines, px from (x, y)
     TextStyle text;
-    std::string templateFile;  ///< as the map names it; empty for none
+    std::string templateFile;  ///< path of its template as written in the map; empty: none
     Json properties = Json::object();
 };
 
@@ -77,63 +75,63 @@ struct Frame {
     int milliseconds = 0;
 };
 
-/// What a tileset says about one of its tiles.
+/// The tileset's data for one of its tiles.
 struct Tile {
     int id = 0;
     std::string type;
-    std::string image;           ///< of its own, relative to the tileset's folder; empty for none
-    std::optional<Rect> source;  ///< px in the image, when it is a part
+    std::string image;           ///< image of this tile only, relative to the tileset's folder; empty: none
+    std::optional<Rect> source;  ///< region of the image, px; without value: the whole image
     std::optional<Color> transparent;
-    int width = 0;  ///< px of the image, as the file says; 0 when it does not
+    int width = 0;  ///< image size, px, according to the file; 0 if the file has none
     int height = 0;
     double probability = 1.0;
     std::vector<Frame> animation;
     std::vector<Object> collision;
     Json properties = Json::object();
-    std::string terrain;  ///< of the terrains before Tiled 1.5; kept as data
+    std::string terrain;  ///< terrain in the format used before Tiled 1.5; kept as data
 };
 
 struct Tileset {
     Gid firstGid = 1;
     std::string name;
     std::string type;
-    Path folder;  ///< to which its images are relative
-    Path file;    ///< of an external one; empty when embedded
+    Path folder;  ///< image paths are relative to this folder
+    Path file;    ///< file of an external tileset; empty for an embedded one
     bool missing = false;
     int tileWidth = 0;  ///< px
     int tileHeight = 0;
     int spacing = 0;
     int margin = 0;
-    int count = 0;    ///< 0 when the file does not say
-    int columns = 0;  ///< 0 when the file does not say
+    int count = 0;    ///< number of tiles; 0 if the file has none
+    int columns = 0;  ///< 0 if the file has none
     int offsetX = 0;  ///< px
     int offsetY = 0;
-    std::string objectAlignment;  ///< empty is bottom-left
+    std::string objectAlignment;  ///< empty: bottom-left
     bool fitsGrid = false;        ///< tiles are stretched to the cell
-    bool keepsAspect = false;     ///< … without changing their proportions
+    bool keepsAspect = false;     ///< with fitsGrid: the aspect ratio is kept
     std::string image;            ///< empty for a collection of images
     std::optional<Color> transparent;
-    int imageWidth = 0;  ///< px, as the file says
+    int imageWidth = 0;  ///< px, according to the file
     int imageHeight = 0;
-    std::vector<Tile> tiles;  ///< by id
+    std::vector<Tile> tiles;  ///< sorted by id; only tiles with data of their own
     Json properties = Json::object();
     Json wangSets = Json::array();  ///< kept as data; ids in the order top, clockwise, top-left
-    Json notes = Json::object();    ///< what only editors use: grid, transformations, terrains
+    Json notes = Json::object();    ///< data that only editors use: grid, transformations, terrains
 
-    /// What the file says about a tile; null when nothing.
+    /// Returns the data of a tile; null if the file has none for it.
     [[nodiscard]] const Tile* find(int id) const;
 };
 
 enum class LayerKind : std::uint8_t { Tiles, Objects, Image };
 enum class Orientation : std::uint8_t { Orthogonal, Isometric };
 
-/// A layer with everything that its groups add already in it.
+/// A layer; offset, opacity, tint, parallax and visibility include those of the groups that contain it.
 struct Layer {
     LayerKind kind = LayerKind::Tiles;
     int id = 0;
     std::string name;
     std::string type;
-    std::string group;  ///< names of the groups around it, outermost first, with '/'; empty for none
+    std::string group;  ///< path of the group that contains it: "outer/inner"; empty: none
     Vec2 offset;        ///< px
     double opacity = 1.0;
     Color tint;
@@ -142,15 +140,15 @@ struct Layer {
     bool locked = false;
     Json properties = Json::object();
 
-    int x = 0;  ///< cells, of the first cell; chunks may begin below zero
+    int x = 0;  ///< column of the first cell; chunks of infinite maps may begin below zero
     int y = 0;
     int width = 0;  ///< cells
     int height = 0;
-    std::vector<Gid> cells;  ///< in rows from the top
+    std::vector<Gid> cells;  ///< row by row from the top
 
-    bool sortByY = true;  ///< objects are drawn by their y, not in their order
-    std::string color;    ///< of the shapes of objects, as the file says; kept as data
-    std::string blend;    ///< empty is the usual one
+    bool sortByY = true;  ///< objects are drawn in the order of y, not of the file
+    std::string color;    ///< color of object shapes in Tiled; kept as data
+    std::string blend;    ///< blend mode; empty: normal
     std::vector<Object> objects;
 
     std::string image;  ///< relative to the map's folder
@@ -159,7 +157,7 @@ struct Layer {
     bool repeatY = false;
 };
 
-/// A group, for what only it carries; its layers know its name.
+/// Data of a group that is not merged into its layers; they refer to it by Layer::group.
 struct Group {
     std::string path;
     int id = 0;
@@ -180,13 +178,13 @@ struct Map {
     Vec2 parallaxOrigin;  ///< px
     std::optional<Color> background;
     Path folder;
-    std::vector<Tileset> tilesets;  ///< those that only templates use come last, with firstGid 0
-    std::vector<Layer> layers;      ///< in the order of drawing
+    std::vector<Tileset> tilesets;  ///< tilesets used only by templates come last, with firstGid 0
+    std::vector<Layer> layers;      ///< in drawing order
     std::vector<Group> groups;
     Json properties = Json::object();
-    std::set<std::string> idle;  ///< names of what the files say and only Tiled needs; left out
+    std::set<std::string> editorKeys;  ///< keys in the files that only Tiled uses; not imported
 
-    /// The tile that a cell names; empty for 0 and for numbers that no tileset has.
+    /// Returns the tile of a cell; empty for 0 and for ids that are in no tileset.
     [[nodiscard]] TileRef resolve(Gid gid) const;
 };
 

@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// Something the player does, whatever key it is on: an id made of its name. Games name more of them in
-/// project.json and in code by `Action{"Dash"}`.
+/// An input action, independent of the keys bound to it; its id is the hash of its name. Games define further
+/// actions in project.json and refer to them in code by `Action{"Dash"}`.
 struct Action {
     TextId id;
 
@@ -24,7 +24,7 @@ inline constexpr Action Action::Confirm{"Confirm"};
 inline constexpr Action Action::Cancel{"Cancel"};
 inline constexpr Action Action::Pause{"Pause"};
 
-/// A direction the player pushes in, -1..1: right and down are positive.
+/// An input axis with values from -1 to 1; right and down are positive. Its id is the hash of its name.
 struct Axis {
     TextId id;
 

@@ -17,7 +17,7 @@ std::vector<Binding> bindingsOf(std::initializer_list<std::string_view> texts) {
     std::vector<Binding> bindings;
     for (const std::string_view text : texts) {
         const std::optional<Binding> binding = bindingFromText(text);
-        PLUMB_ASSERT(binding.has_value(), "a default binding has no such name; see platform/key.cpp");
+        PLUMB_ASSERT(binding.has_value(), "a default binding has an unknown name; see platform/key.cpp");
         bindings.push_back(*binding);
     }
     return bindings;
@@ -31,7 +31,7 @@ int indexOf(const std::vector<Named>& items, TextId id) {
     return -1;
 }
 
-/// The item of that name, new when there is none; null when there are too many.
+/// Returns the item of that name, which is added if it is new; null if the limit is reached.
 template <class Named>
 Named* itemFor(std::vector<Named>& items, std::string_view name, std::size_t limit) {
     if (const int index = indexOf(items, textId(name)); index >= 0)
@@ -44,7 +44,7 @@ Named* itemFor(std::vector<Named>& items, std::string_view name, std::size_t lim
 
 void readBinding(const Json& json, const std::string& where, std::vector<Binding>& bindings,
                  std::vector<Error>& problems) {
-    const std::string text = json.is_string() ? textOrEmpty(json) : briefText(json);
+    const std::string text = json.is_string() ? stringOrEmpty(json) : briefText(json);
     const std::optional<Binding> binding = json.is_string() ? bindingFromText(text) : std::nullopt;
     if (binding) {
         bindings.push_back(*binding);

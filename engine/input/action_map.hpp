@@ -12,7 +12,7 @@
 
 namespace plumb {
 
-/// An action and all that triggers it.
+/// An action and the bindings that trigger it.
 struct ActionBindings {
     std::string name;
     std::vector<Binding> bindings;
@@ -20,7 +20,7 @@ struct ActionBindings {
     friend bool operator==(const ActionBindings&, const ActionBindings&) = default;
 };
 
-/// An axis: keys and buttons to both sides, and sticks.
+/// An axis: keys and buttons for both directions, and sticks.
 struct AxisBindings {
     std::string name;
     std::vector<Binding> negative;
@@ -30,36 +30,37 @@ struct AxisBindings {
     friend bool operator==(const AxisBindings&, const AxisBindings&) = default;
 };
 
-/// Which keys, buttons and sticks mean what: the "input" part of project.json, and the player's own choice.
+/// The bindings of keys, buttons and sticks to actions and axes: the "input" object of project.json, with the
+/// changes of the player.
 struct ActionMap {
     static constexpr std::size_t kMaxActions = 64;
     static constexpr std::size_t kMaxAxes = 32;
-    static constexpr std::size_t kMaxBindings = 16;  ///< of one action or one side
+    static constexpr std::size_t kMaxBindings = 16;  ///< per action, or per list of an axis
 
     std::vector<ActionBindings> actions;
     std::vector<AxisBindings> axes;
-    float deadZone = 0.2f;  ///< ratio of a stick's reach that counts as rest
+    float deadZone = 0.2f;  ///< ratio of a stick's range that counts as centered
 
-    /// What a game has that says nothing: arrows, WASD, space and the first gamepad found.
+    /// The bindings of a game without an "input" object: arrow keys, WASD, space and all gamepads.
     static ActionMap defaults();
 
-    /// Index of an action or an axis; -1 when there is none.
+    /// Index of an action or an axis; -1 if the map does not contain it.
     [[nodiscard]] int find(Action action) const;
     [[nodiscard]] int find(Axis axis) const;
 
-    /// Binds an action anew, as a settings screen does. Adds it when it is new.
+    /// Replaces the bindings of an action, e.g. in a settings screen. Adds the action if it is new.
     void bind(std::string_view action, std::vector<Binding> bindings);
 
     friend bool operator==(const ActionMap&, const ActionMap&) = default;
 };
 
 /// Reads {"actions": {"Jump": ["Space", "Pad A"]}, "axes": {"Horizontal": {"negative": …, "positive": …,
-/// "analog": …}}} on top of the defaults: what it does not name keeps its keys. What is wrong is reported and
-/// left out.
-/// @param where  the place of the object, e.g. "project.json: input"
+/// "analog": …}}} on top of the defaults: actions and lists that it does not contain keep their bindings.
+/// Invalid entries are reported and skipped.
+/// @param where  the location of the object, for messages, e.g. "project.json: input"
 ActionMap actionMapFromJson(const Json& json, std::string_view where, std::vector<Error>& problems);
 
-/// The whole map as JSON; reading it gives the same map.
+/// Returns the whole map as JSON, from which actionMapFromJson() creates the same map.
 Json toJson(const ActionMap& map);
 
 }  // namespace plumb

@@ -27,7 +27,7 @@ std::optional<Binding> padBindingFromText(std::string_view name, std::int8_t pad
     return bindingOf(name.back() == '+' ? BindingKind::PadAxisPlus : BindingKind::PadAxisMinus, *axis, pad);
 }
 
-/// The stick that an axis is part of as a pair of axes; triggers stand alone.
+/// Returns both axes of the stick to which an axis belongs; nothing for triggers.
 std::optional<std::pair<PadAxis, PadAxis>> stickOf(PadAxis axis) {
     if (axis == PadAxis::LeftX || axis == PadAxis::LeftY) return std::pair{PadAxis::LeftX, PadAxis::LeftY};
     if (axis == PadAxis::RightX || axis == PadAxis::RightY)

@@ -21,9 +21,9 @@ void setBit(Word& word, Word& changed, unsigned bit, bool on) {
     word = next;
 }
 
-/// A bit that is as it was given out but changed in between is given out the other way once.
+/// Returns the bits for the next tick: bits that changed and changed back since the last tick are inverted.
 template <class Word>
-Word toTell(Word now, Word changed, Word given) {
+Word bitsToReport(Word now, Word changed, Word given) {
     const auto blips = static_cast<Word>(changed & static_cast<Word>(~(now ^ given)));
     return static_cast<Word>(now ^ blips);
 }
@@ -92,12 +92,12 @@ void DeviceState::releaseAll() {
 InputFrame DeviceState::take() {
     InputFrame frame = now_;
     for (std::size_t i = 0; i < frame.keys.size(); ++i) {
-        frame.keys[i] = toTell(now_.keys[i], changed_.keys[i], given_.keys[i]);
+        frame.keys[i] = bitsToReport(now_.keys[i], changed_.keys[i], given_.keys[i]);
     }
-    frame.mouseButtons = toTell(now_.mouseButtons, changed_.mouseButtons, given_.mouseButtons);
+    frame.mouseButtons = bitsToReport(now_.mouseButtons, changed_.mouseButtons, given_.mouseButtons);
     for (std::size_t i = 0; i < frame.pads.size(); ++i) {
         frame.pads[i].buttons =
-            toTell(now_.pads[i].buttons, changed_.pads[i].buttons, given_.pads[i].buttons);
+            bitsToReport(now_.pads[i].buttons, changed_.pads[i].buttons, given_.pads[i].buttons);
     }
     now_.wheelX = now_.wheelY = 0;
     changed_ = {};

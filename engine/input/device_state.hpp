@@ -5,24 +5,25 @@
 
 namespace plumb {
 
-/// Gathers events between two ticks into the next InputFrame. A press that is shorter than a tick is down for
-/// one tick, a release that is shorter is up for one: neither is lost.
+/// Collects the events between two ticks in the next InputFrame. A press that is shorter than a tick is held
+/// for one tick, and a release that is shorter is released for one tick, so neither is lost.
 class DeviceState {
 public:
     void handle(const Event& event);
 
-    /// What the next tick may know. Wheel turns are given once.
+    /// Returns the input of the next tick. Wheel motion is returned only once.
     InputFrame take();
 
-    /// Lets go of everything, e.g. when the window loses the focus: the release would go to another window.
+    /// Releases all keys, buttons and sticks, e.g. when the window loses the focus and with it the events of
+    /// their release.
     void releaseAll();
 
 private:
     void handlePad(const Event& event);
 
-    InputFrame now_;      // what the devices say
-    InputFrame changed_;  // bits that changed since the last take
-    InputFrame given_;    // what the last tick got
+    InputFrame now_;      // current state of the devices
+    InputFrame changed_;  // bits that changed since the last take()
+    InputFrame given_;    // the last result of take()
 };
 
 }  // namespace plumb

@@ -9,56 +9,56 @@
 
 namespace plumb {
 
-/// What the player does in this tick, in the game's own words.
+/// The input of the current tick, as actions and axes of the game.
 class Input {
 public:
     explicit Input(ActionMap map = ActionMap::defaults());
 
-    /// Goes down, is down, goes up in this tick. An action that the map does not know never does.
+    /// True if the action begins, is held, or ends in this tick; false for actions that are not in the map.
     [[nodiscard]] bool isPressed(Action action) const;
     [[nodiscard]] bool isHeld(Action action) const;
     [[nodiscard]] bool isReleased(Action action) const;
 
-    /// How far it is pushed, -1..1; keys count fully and win over sticks.
+    /// Returns the value of an axis, -1..1. A key or button gives -1 or 1 and overrides sticks.
     [[nodiscard]] float getAxis(Axis axis) const;
 
-    /// Keys and buttons as such, for tools and for text games.
+    /// Direct access to keys and buttons, without bindings, for tools and text games.
     [[nodiscard]] bool isPressed(Key key) const { return frame_.has(key) && !previous_.has(key); }
     [[nodiscard]] bool isHeld(Key key) const { return frame_.has(key); }
     [[nodiscard]] bool isPressed(MouseButton button) const {
         return frame_.has(button) && !previous_.has(button);
     }
     [[nodiscard]] bool isHeld(MouseButton button) const { return frame_.has(button); }
-    [[nodiscard]] Vec2 mouse() const { return frame_.mouse(); }  ///< px of the picture
+    [[nodiscard]] Vec2 mouse() const { return frame_.mouse(); }  ///< px in the game's own resolution
 
-    /// Begins the next tick with what the devices, a replay or the network say.
+    /// Begins the next tick with the input of the devices, a replay or the network.
     void advance(const InputFrame& next);
 
-    /// Puts both frames in place, e.g. after a snapshot was restored.
+    /// Replaces both frames, e.g. after a snapshot was restored.
     void restore(const InputFrame& previous, const InputFrame& current);
 
     [[nodiscard]] const InputFrame& frame() const { return frame_; }
     [[nodiscard]] const InputFrame& previousFrame() const { return previous_; }
 
-    /// What the next tick depends on: which actions were down.
+    /// Hashes the input state on which the next tick depends.
     void addTo(Hasher& hasher) const { previous_.addTo(hasher), frame_.addTo(hasher); }
 
     [[nodiscard]] const ActionMap& map() const { return map_; }
     void setMap(ActionMap map);
 
-    /// Writes "[Input] Jump pressed" to the log. Off at first: a log line allocates.
+    /// Logs pressed actions as "[Input] Jump pressed". Off by default, because a log line allocates memory.
     bool logging = false;
 
 private:
     struct State {
-        std::uint64_t held = 0;  // bits by action
+        std::uint64_t held = 0;  // one bit per action
         std::array<float, ActionMap::kMaxAxes> axes{};
     };
 
     [[nodiscard]] State evaluate(const InputFrame& frame) const;
 
     ActionMap map_;
-    std::vector<std::uint64_t> actionIds_;  // by action of the map
+    std::vector<std::uint64_t> actionIds_;  // one per action of the map
     std::vector<std::uint64_t> axisIds_;
     InputFrame previous_;
     InputFrame frame_;

@@ -14,10 +14,10 @@
 
 namespace plumb {
 
-/// One gamepad for one tick.
+/// The state of one gamepad in one tick.
 struct PadFrame {
-    std::uint16_t buttons = 0;                       ///< bits by PadButton
-    std::array<std::int16_t, kPadAxisCount> axes{};  ///< by PadAxis, -32767..32767, no dead zone applied
+    std::uint16_t buttons = 0;                       ///< one bit per PadButton
+    std::array<std::int16_t, kPadAxisCount> axes{};  ///< by PadAxis, -32767..32767, without dead zone
 
     [[nodiscard]] bool has(PadButton button) const {
         return (buttons >> static_cast<unsigned>(button) & 1) != 0;
@@ -29,16 +29,16 @@ struct PadFrame {
     friend bool operator==(const PadFrame&, const PadFrame&) = default;
 };
 
-/// All that a tick may know of the player's hands: what is held, not what changed. Plain data of a fixed
-/// size, so it can be recorded, replayed and sent; the same frames give the same game.
+/// The complete input of a tick: the held keys and buttons, not the changes. Plain data of a fixed size, so
+/// it can be recorded, replayed and sent; the same frames give the same game.
 struct InputFrame {
-    std::array<std::uint32_t, 4> keys{};  ///< bits by Key
-    std::int16_t mouseX = 0;              ///< px of the game's picture, whatever the window's size
-    std::int16_t mouseY = 0;              ///< px of the game's picture
-    std::int16_t wheelX = 0;              ///< 1/120 notches turned in this tick
-    std::int16_t wheelY = 0;          ///< 1/120 notches turned in this tick, away from the hand is positive
-    std::uint16_t mouseButtons = 0;   ///< bits by MouseButton
-    std::uint16_t connectedPads = 0;  ///< bits by place
+    std::array<std::uint32_t, 4> keys{};  ///< one bit per Key
+    std::int16_t mouseX = 0;              ///< px in the game's own resolution, for any size of the window
+    std::int16_t mouseY = 0;              ///< px in the game's own resolution
+    std::int16_t wheelX = 0;              ///< motion in this tick, 1/120 notches
+    std::int16_t wheelY = 0;          ///< motion in this tick, 1/120 notches; away from the user is positive
+    std::uint16_t mouseButtons = 0;   ///< one bit per MouseButton
+    std::uint16_t connectedPads = 0;  ///< one bit per gamepad
     std::array<PadFrame, kPadCount> pads{};
 
     [[nodiscard]] bool has(Key key) const {
@@ -54,15 +54,15 @@ struct InputFrame {
         keys[bit / 32] = held ? keys[bit / 32] | mask : keys[bit / 32] & ~mask;
     }
     [[nodiscard]] Vec2 mouse() const { return {static_cast<float>(mouseX), static_cast<float>(mouseY)}; }
-    /// @param place  px of the game's picture
-    void setMouse(Vec2 place) {
+    /// @param position  px in the game's own resolution
+    void setMouse(Vec2 position) {
         const auto whole = [](float value) {
-            // NaN is not above anything.
+            // The comparison is false for NaN.
             return static_cast<std::int16_t>(value > -32768.0f ? std::min(std::floor(value), 32767.0f)
                                                                : -32768.0f);
         };
-        mouseX = whole(place.x);
-        mouseY = whole(place.y);
+        mouseX = whole(position.x);
+        mouseY = whole(position.y);
     }
 
     void addTo(Hasher& hasher) const { hasher.addBytes(this, sizeof *this); }
@@ -73,6 +73,6 @@ struct InputFrame {
 static_assert(kKeyCount <= 128, "InputFrame needs another word of keys");
 static_assert(kPadButtonCount <= 16, "PadFrame needs more bits for buttons");
 static_assert(std::is_trivially_copyable_v<InputFrame>);
-static_assert(std::has_unique_object_representations_v<InputFrame>, "it is hashed as bytes: no padding");
+static_assert(std::has_unique_object_representations_v<InputFrame>, "hashed as bytes: no padding");
 
 }  // namespace plumb

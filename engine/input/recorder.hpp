@@ -20,7 +20,7 @@ struct InputRun {
     friend bool operator==(const InputRun&, const InputRun&) = default;
 };
 
-/// The hash of the world after a tick, to find the first one that differs.
+/// The hash of the world after a tick, to find the first tick in which a replay differs.
 struct HashCheck {
     std::uint64_t tick = 0;
     std::uint64_t hash = 0;
@@ -28,36 +28,36 @@ struct HashCheck {
     friend bool operator==(const HashCheck&, const HashCheck&) = default;
 };
 
-/// A played game: where it began, and the input of every tick. Its file `*.replay` is text, one line for each
-/// change.
+/// A recorded game: its initial state and the input of every tick. Its file `*.replay` is text, with one line
+/// for each change of the input.
 struct Replay {
     static constexpr int kFormat = 1;
-    static constexpr std::uint64_t kMaxTicks = std::uint64_t{60} * 3600 * 24;  ///< a day of play
+    static constexpr std::uint64_t kMaxTicks = std::uint64_t{60} * 3600 * 24;  ///< 24 hours at 60 Hz
     static constexpr std::size_t kMaxRuns = std::size_t{1} << 20;
     static constexpr std::size_t kMaxCheckpoints = std::size_t{1} << 20;
     static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-    std::string project;  ///< its name
-    std::string engine;   ///< version that recorded it
+    std::string project;  ///< name of the project
+    std::string engine;   ///< version of the engine that recorded it
     std::string scene;    ///< path of the first scene
     std::uint64_t seed = 0;
     std::vector<InputRun> runs;
-    std::vector<HashCheck> checkpoints;  ///< by tick
+    std::vector<HashCheck> checkpoints;  ///< in ascending order of ticks
 
     [[nodiscard]] std::uint64_t ticks() const;
 
     friend bool operator==(const Replay&, const Replay&) = default;
 };
 
-/// Writes down the input of a running game. Allocates only when the input changes.
+/// Records the input of a running game. Allocates only when the input changes.
 class Recorder {
 public:
-    Replay replay;  ///< its header is the caller's to fill
+    Replay replay;  ///< the caller fills in the header
 
-    /// The input of the next tick. Past the limits of a replay nothing more is recorded.
+    /// Records the input of the next tick. Does nothing beyond the limits of a Replay.
     void record(const InputFrame& frame);
 
-    /// The world's hash after the last recorded tick.
+    /// Records the world's hash after the last recorded tick.
     void check(std::uint64_t hash);
 
     [[nodiscard]] std::uint64_t ticks() const { return ticks_; }
@@ -66,19 +66,19 @@ private:
     std::uint64_t ticks_ = 0;
 };
 
-/// Gives the frames of a replay back, one a tick.
+/// Returns the frames of a replay, one per tick.
 class ReplayPlayer {
 public:
     /// @param replay  must outlive this
     explicit ReplayPlayer(const Replay& replay) : replay_{&replay} {}
 
-    /// The input of the next tick; null at the end.
+    /// Returns the input of the next tick; null at the end.
     const InputFrame* next();
 
-    /// The recorded hash after the tick that `next` gave last; null when there is none.
+    /// The recorded hash after the tick last returned by next(); null if there is none.
     [[nodiscard]] const HashCheck* checkpoint() const;
 
-    [[nodiscard]] std::uint64_t tick() const { return tick_; }  ///< how many were given
+    [[nodiscard]] std::uint64_t tick() const { return tick_; }  ///< number of frames returned by next()
 
 private:
     const Replay* replay_;
@@ -89,7 +89,7 @@ private:
 
 std::string writeReplay(const Replay& replay);
 
-/// @error  not a replay, of a newer format, past a limit, or a line that says nothing; with its number
+/// @error  not a replay, a newer format, an exceeded limit, or an invalid line; with the line number
 Result<Replay> parseReplay(std::string_view text, std::string_view where);
 
 Result<Done> saveReplay(const Replay& replay, const Path& path);

@@ -6,20 +6,20 @@
 #include "core/text.hpp"
 #include "input/recorder.hpp"
 
-// A replay file is text, so that a difference shows what the player did:
+// A replay file is text, so that a diff of two files shows the different input:
 //
 //     plumb-replay 1
 //     project Sky Caves
 //     engine 0.1.0
 //     scene scenes/title.scene.json
 //     seed 000000000000002a
-//     30                        30 ticks of nothing
+//     30                        30 ticks without input
 //     12 +Right                 12 ticks with Right held
-//     1 +Space mouse=120,44     … then Space too, and the mouse elsewhere
+//     1 +Space mouse=120,44     1 tick: Space is pressed too, and the mouse has moved
 //     check 60 9f3c1a77d2e0b154
 //     end 43
 //
-// Each line of ticks names what changed since the one before: +Key -Key, +Mouse.Left, wheel=0,120, +Gamepad1
+// Each line of ticks lists the changes since the previous one: +Key -Key, +Mouse.Left, wheel=0,120, +Gamepad1
 // (connected), +Gamepad1.A, Gamepad1.LeftX=-32767. The seed is in hex.
 
 namespace plumb {
@@ -88,12 +88,12 @@ std::optional<std::int16_t> parseShort(std::string_view text) {
 template <class Word>
 bool setBit(Word& word, unsigned bit, bool on) {
     const auto mask = static_cast<Word>(Word{1} << bit);
-    if (((word & mask) != 0) == on) return false;  // a change that changes nothing is a mistake in the file
+    if (((word & mask) != 0) == on) return false;  // a change to the same value is an error
     word = static_cast<Word>(word ^ mask);
     return true;
 }
 
-/// "Gamepad1" or "Gamepad1.A": the place, and what stands behind the point.
+/// A name such as "Gamepad1" or "Gamepad1.A": the gamepad's index from 0, and the part after the dot.
 struct PadName {
     unsigned place = 0;
     std::string_view part;
@@ -158,7 +158,7 @@ bool readChange(std::string_view word, InputFrame& frame) {
            readValue(word.substr(0, equals), word.substr(equals + 1), frame);
 }
 
-/// Reads line by line; every read function returns what is wrong, or nothing.
+/// Reads a replay line by line. The read functions return an error message, or an empty text for success.
 class ReplayReader {
 public:
     ReplayReader(std::string_view text, std::string_view where) : text_{text}, where_{where} {}
@@ -173,8 +173,8 @@ public:
                 return failure(std::move(problem), "record it again, or correct the line");
             }
         }
-        if (!ended_) return failure("the file is cut off", "record it again");
-        if (!trimmed(text_).empty()) return failure("something follows the end", "remove it");
+        if (!ended_) return failure("the file has no \"end\" line: it is incomplete", "record it again");
+        if (!trimmed(text_).empty()) return failure("there is text after the \"end\" line", "remove it");
         return std::move(replay_);
     }
 
@@ -195,10 +195,10 @@ private:
     std::string readMark() {
         const std::string_view line = takeLine();
         if (!startsWith(line, kMark) || line.size() <= kMark.size() || line[kMark.size()] != ' ') {
-            return "this is no replay";
+            return "the file is not a replay";
         }
         const auto version = parseCount(line.substr(kMark.size() + 1), 1'000'000);
-        if (!version || *version == 0) return "the replay has no format";
+        if (!version || *version == 0) return "the replay has no valid format number";
         if (*version > Replay::kFormat) {
             return format("the replay has format {}, this program reads up to {}", *version, Replay::kFormat);
         }
@@ -206,7 +206,7 @@ private:
     }
 
     std::string readLine(std::string_view line) {
-        if (line.empty()) return "an empty line";
+        if (line.empty()) return "the line is empty";
         if (line.front() >= '0' && line.front() <= '9') return readRun(line);
         const std::size_t space = line.find(' ');
         const std::string_view key = line.substr(0, space);
@@ -218,30 +218,30 @@ private:
         if (key == "seed") return readSeed(value);
         if (key == "check") return readCheckpoint(value);
         if (key == "end") return readEnd(value);
-        return format("nothing is called \"{}\"", key.substr(0, 40));
+        return format("unknown keyword \"{}\"", key.substr(0, 40));
     }
 
     static std::string readHeader(std::string& field, std::string_view value) {
-        if (value.size() > 1024) return "a name longer than 1024 characters";
+        if (value.size() > 1024) return "the name is longer than 1024 characters";
         field = value;
         return {};
     }
 
     std::string readSeed(std::string_view value) {
         const std::optional<std::uint64_t> seed = parseHex(value);
-        if (!seed) return "the seed is no hex number";
+        if (!seed) return "the seed is not a hexadecimal number";
         replay_.seed = *seed;
         return {};
     }
 
     std::string readCheckpoint(std::string_view value) {
         const std::size_t space = value.find(' ');
-        if (space == std::string_view::npos) return "a check needs a tick and a hash";
+        if (space == std::string_view::npos) return "expected a tick and a hash after \"check\"";
         const auto tick = parseCount(value.substr(0, space), Replay::kMaxTicks);
         const auto hash = parseHex(value.substr(space + 1));
-        if (!tick || !hash) return "a check needs a tick and a hash";
+        if (!tick || !hash) return "expected a tick and a hash after \"check\"";
         if (!replay_.checkpoints.empty() && replay_.checkpoints.back().tick >= *tick)
-            return "checks out of order";
+            return "the checks are not in order of their ticks";
         if (replay_.checkpoints.size() == Replay::kMaxCheckpoints) return "too many checks";
         replay_.checkpoints.push_back({*tick, *hash});
         return {};
@@ -250,7 +250,7 @@ private:
     std::string readEnd(std::string_view value) {
         ended_ = true;
         if (parseCount(value, Replay::kMaxTicks) != ticks_)
-            return format("the lines above hold {} ticks", ticks_);
+            return format("expected {}, the number of ticks in the lines above", ticks_);
         return {};
     }
 
@@ -265,7 +265,7 @@ private:
             space = line.find(' ');
             const std::string_view word = line.substr(0, space);
             if (!readChange(word, frame_))
-                return format("\"{}\" is no change of input here", word.substr(0, 40));
+                return format("\"{}\" is not a valid change of the input", word.substr(0, 40));
         }
         ticks_ += *ticks;
         if (!replay_.runs.empty() && replay_.runs.back().frame == frame_) {
@@ -286,7 +286,7 @@ private:
     bool ended_ = false;
 };
 
-/// Names stand on lines of their own, so they may not break them.
+/// Replaces control characters by spaces, because a name must fit on one line.
 std::string oneLine(std::string_view text) {
     std::string line{text.substr(0, 1024)};
     for (char& c : line) {

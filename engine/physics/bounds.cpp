@@ -11,7 +11,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: float coordinates far from the origin are rounded, so bounds must be wider there.
+/// Returns a margin (m) for the rounding of float coordinates far from the origin.
 float roundingAt(const AABB& box) {
     const float far = std::max(std::max(std::fabs(box.min.x), std::fabs(box.max.x)),
                                std::max(std::fabs(box.min.y), std::fabs(box.max.y)));
@@ -28,7 +28,7 @@ Proxies proxiesOf(const World& world) {
     return {world.shapes.bounds, world.shapes.filter, world.shapes.motion};
 }
 
-/// Updates some contacts from their shapes, except those of altered or destroyed shapes, which will end.
+/// Updates contacts for which is() is true, except those of altered or destroyed shapes, which will end.
 template <class Is>
 void refreshThose(World& world, Is&& is) {
     const std::vector<ShapeInfo>& info = world.shapes.info;
@@ -48,7 +48,7 @@ ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     const ShapeInfo& outline = world.shapes.info[shape];
     const BodyInfo& info = world.bodies.info[outline.body];
     if ((outline.flags & kShapeOff) != 0) return ProxyMotion::Gone;
-    // A trigger of a body that is not dynamic pairs with everything: it detects kinematic bodies too.
+    // A trigger of a body that is not dynamic pairs with all shapes: it detects kinematic bodies too.
     if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
     if (info.kind == BodyKind::Static) return ProxyMotion::Static;
     if (info.kind == BodyKind::Kinematic) return ProxyMotion::Kinematic;
@@ -64,7 +64,7 @@ AABB tightBounds(const World& world, std::uint32_t shape) {
 void setBounds(World& world, std::uint32_t shape) {
     ShapeInfo& info = world.shapes.info[shape];
     const AABB tight = tightBounds(world, shape);
-    // A static shape needs no margin: the shapes that approach it have one.
+    // A static shape needs no margin, because the shapes that approach it have one.
     const bool moves = world.bodies.info[info.body].kind != BodyKind::Static;
     info.margin = moves ? marginOf(tight, world.settings) : 0.0f;
     world.shapes.bounds[shape] = grown(tight, info.margin + roundingAt(tight));
@@ -86,7 +86,7 @@ void alter(World& world, std::uint32_t shape) {
 }
 
 void noteChanged(World& world, std::uint32_t shape) {
-    if (world.work.stale()) return;  // it will be rebuilt
+    if (world.work.stale()) return;  // the broad phase will be rebuilt
     Workspace& work = world.work.get();
     if (work.isChanged.size() < world.shapes.size()) work.isChanged.resize(world.shapes.size());
     if (work.isChanged[shape] != 0) return;
@@ -102,11 +102,11 @@ void noteMoved(World& world, std::uint32_t shape) {
 }
 
 void updateBroadPhase(World& world, Workspace& work) {
-    refreshColours(world, work);  // before the flag is reset
+    refreshColours(world, work);  // before takeStale() resets the flag that it reads
     const bool stale = world.work.takeStale();
     work.isChanged.resize(world.shapes.size());
     work.isMoved.resize(world.shapes.size());
-    if (stale) {  // the world was created or overwritten: recompute what follows from it
+    if (stale) {  // the world was created or overwritten: recompute derived data
         work.pairs.clear();
         countSurfaces(world, work);
         forContacts(world, [&](const Contact& c) { work.pairs.add(pairKey(c.shapeA, c.shapeB)); });

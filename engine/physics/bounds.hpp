@@ -10,34 +10,34 @@ constexpr bool contains(const AABB& outer, const AABB& inner) {
 }
 ProxyMotion motionOf(const World& world, std::uint32_t shape);
 
-/// The frame of a body's shapes in float, which is accurate near the origin only.
+/// Returns the frame of a body's shapes in float, which is accurate near the origin only.
 inline Frame frameOf(const BodyPose& pose) {
     return {toVec2(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
 }
 
-/// m: bounding box of the shape in its current pose, without a margin.
+/// Returns the bounding box (m) of the shape in its current pose, without a margin.
 AABB tightBounds(const World& world, std::uint32_t shape);
 
 /// Computes the bounds of a new shape and queues it for the broad phase.
 void setBounds(World& world, std::uint32_t shape);
-/// The same for all shapes of a body that was teleported.
+/// Calls setBounds() for all shapes of a body that was teleported.
 void refreshBounds(World& world, std::uint32_t body);
 
 /// Marks a shape as changed: the next step ends its contacts and finds them again.
 void alter(World& world, std::uint32_t shape);
 
-/// The broad phase has to update its copy of the shape.
+/// Queues an update of the broad phase's copy of the shape.
 void noteChanged(World& world, std::uint32_t shape);
-/// The broad phase has to search for pairs of the shape in the next step.
+/// Makes the broad phase search for pairs of the shape in the next step.
 void noteMoved(World& world, std::uint32_t shape);
 
 /// Updates the broad phase with all changes since the last update; refills the workspace after the world was
-/// overwritten. Steps and queries begin with it. The result of a step does not depend on it.
+/// overwritten. Called first in each step and query. When it is called does not affect the result of a step.
 void updateBroadPhase(World& world, Workspace& work);
 
-/// Updates the properties that contacts copied from the shape.
+/// Updates the shape's properties that its contacts store as copies.
 void refreshContacts(World& world, std::uint32_t shape);
-/// The same for all shapes of a body whose rotation, or ability to rotate, changed.
+/// Calls refreshContacts() for all shapes of a body whose rotation, or ability to rotate, changed.
 void refreshContactsOf(World& world, std::uint32_t body);
 
 }  // namespace plumb::physics

@@ -28,7 +28,7 @@ constexpr Part kDrawnParts[] = {
 
 const Workspace* lastStepOf(const World& world) { return world.work.lastStep(); }
 
-void debugDraw(const World& world, DebugCanvas& canvas, const DebugChoice& choice) {
+void debugDraw(const World& world, DebugCanvas& canvas, const DebugOptions& choice) {
     const Picture picture{world, canvas, choice};
     for (const Part& part : kDrawnParts) {
         if ((choice.parts & part.bit) != 0) part.draw(picture);

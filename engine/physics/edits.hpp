@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-// Parts of creation and destruction that edits of existing objects reuse.
+// Functions shared by the creation, destruction and edits of objects.
 
 template <class Act>
 void forShapesOf(const World& world, std::uint32_t body, Act&& act) {
@@ -12,7 +12,7 @@ void forShapesOf(const World& world, std::uint32_t body, Act&& act) {
         act(s);
 }
 
-/// Calls act(contact) for all contacts, sleeping ones last.
+/// Calls act(contact) for all contacts of the world, sleeping ones last.
 template <class Act>
 void forContacts(const World& world, Act&& act) {
     for (const Contact& contact : world.contacts) act(contact);
@@ -32,35 +32,34 @@ void forJointsOf(const World& world, std::uint32_t body, Act&& act) {
     }
 }
 
-/// Counts a body, without its shapes, as a user of the effects that it needs; a negative `times` removes it.
+/// Adds `times` users to the effects that a body needs, without its shapes; a negative number removes them.
 void countEffectsOfBody(World& world, std::uint32_t body, int times);
 void countEffectsOfShape(World& world, std::uint32_t shape, int times);
 
-/// True if a joint has a dynamic body to move: one of the two; for a mouse joint, body B.
-constexpr bool canHold(JointKind kind, BodyKind a, BodyKind b) {
+/// True if a joint of this kind can act on these bodies: one of them is dynamic; for a mouse joint, body B.
+constexpr bool canActOn(JointKind kind, BodyKind a, BodyKind b) {
     return b == BodyKind::Dynamic || (a == BodyKind::Dynamic && kind != JointKind::Mouse);
 }
 
-/// The bodies that a joint moves, those that are dynamic and that it does not leave alone. If there is only
-/// one, it is B.
+/// The bodies that a joint moves: the dynamic ones, except body A of a mouse joint. If only one, it is `b`.
 struct PushedBodies {
     std::uint32_t a;
     std::uint32_t b;
 };
 PushedBodies pushedBodies(const World& world, const Joint& joint);
 
-/// Removes the color of the joint from its bodies. A joint that stays gets kNoColour and World::newJoints.
+/// Frees the color of the joint. If the joint stays, the caller must set kNoColour and World::newJoints.
 void releaseColour(World& world, std::uint32_t joint);
-/// Joins the islands of the two bodies of a joint, if both are dynamic.
+/// Merges the islands of the two bodies of a joint, if both are dynamic.
 void joinIslandsOf(World& world, const Joint& joint);
 
 inline constexpr float kLightest = 1.0e-12f;  ///< kg: minimum mass of a dynamic body
 
 /// Computes mass, centre of mass, inertia and extent of a body from its shapes. A dynamic body whose shapes
-/// have no mass gets 1 kg and cannot rotate. The shapes stay where they are; the velocity becomes that of the
-/// new centre of mass. Joints and contacts keep their points on the shapes.
+/// have no mass gets 1 kg and cannot rotate. The shapes do not move; the velocity becomes that of the new
+/// centre of mass. Anchors of joints and contact points stay fixed to the shapes.
 void updateMass(World& world, std::uint32_t body);
-/// Moves the center of mass (m, in the frame of the shapes).
+/// Sets the center of mass (m, in the frame of the shapes), without moving the shapes.
 void moveCentre(World& world, std::uint32_t body, Vec2 centre);
 
 }  // namespace plumb::physics

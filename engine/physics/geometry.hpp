@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-/// A vector of doubles, for differences of large moments and for exact products of floats.
+/// A vector of doubles, for differences of large values and for exact products of floats.
 struct Double2 {
     double x = 0.0;
     double y = 0.0;
@@ -19,7 +19,7 @@ constexpr Double2 operator*(Double2 a, double s) { return {a.x * s, a.y * s}; }
 constexpr double dot(Double2 a, Double2 b) { return a.x * b.x + a.y * b.y; }
 constexpr double cross(Double2 a, Double2 b) { return a.x * b.y - a.y * b.x; }
 
-/// A coordinate frame. apply(frame, point) maps a point of the frame to the space around it.
+/// A coordinate frame. apply(frame, point) maps a point from the frame to its parent space.
 struct Frame {
     Vec2 position;
     Rot rotation;
@@ -42,10 +42,10 @@ constexpr Frame operator*(const Frame& a, const Frame& b) {
     return {apply(a, b.position), a.rotation * b.rotation};
 }
 
-/// The mass properties of an outline filled with material, or of a body in the frame of its shapes.
+/// The mass properties of a filled outline, or of a body in the frame of its shapes.
 struct MassProperties {
     float mass = 0.0f;     ///< kg
-    Vec2 centre;           ///< m: the centre of mass; the geometric centre if there is no area
+    Vec2 centre;           ///< m: centre of mass; geometric centre of an outline without area
     float inertia = 0.0f;  ///< kg m2, about the centre of mass; 0: cannot rotate
 };
 
@@ -78,7 +78,7 @@ struct Corner {
 struct Geometry {
     ShapeKind kind = ShapeKind::Box;
     std::uint8_t count = 0;
-    std::uint16_t reserved = 0;  ///< no padding: the hash of a world reads raw memory
+    std::uint16_t reserved = 0;  ///< instead of padding: hashOf() reads raw memory
     std::uint32_t first = 0;
     float radius = 0.0f;
     Vec2 a{};
@@ -89,7 +89,7 @@ struct Geometry {
     friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-inline constexpr int kMaxCorners = 32;  ///< of one polygon; contiguous in Shapes::corners
+inline constexpr int kMaxCorners = 32;  ///< maximum number of corners of a polygon
 
 /// The ghost vertex before a chain segment. Stored in `turn`, which a segment does not need.
 constexpr Vec2 beforeOf(const Geometry& segment) { return {segment.turn.cos, segment.turn.sin}; }
@@ -123,28 +123,28 @@ inline constexpr std::uint32_t kOwnSurfaces = 1u << 28;
 
 /// Material and collision filter of a shape; its outline is a Geometry.
 struct ShapeDefinition {
-    float density = 1.0f;            ///< kg/m2; 0 adds no mass
+    float density = 1.0f;            ///< kg/m2; 0: no mass
     float friction = 0.6f;           ///< Coulomb coefficient; a contact uses the geometric mean of the two
     float bounciness = 0.0f;         ///< coefficient of restitution; a contact uses the larger of the two
     float rollingResistance = 0.0f;  ///< ratio to the radius; a contact uses the larger of the two
-    /// m/s along the surface, as of a conveyor belt: positive moves what touches it along its outward normal
-    /// rotated from x towards y. So with y down what lies on it goes to the right, with y up to the left.
+    /// m/s along the surface, as of a conveyor belt. Positive: in the direction of the outward normal rotated
+    /// from x towards y, so bodies on it move to the right if y points down, and to the left if y points up.
     float surfaceSpeed = 0.0f;
-    std::uint32_t layers = 1;          ///< bits: the layers that it is on
-    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that it collides with; both shapes must agree
-    std::int32_t group = 0;  ///< two shapes of the same group collide always (above 0) or never (below 0)
-    /// A sensor: it reports overlaps at the start of a step, wakes what it overlaps, and exerts no forces.
+    std::uint32_t layers = 1;          ///< bits: layers of the shape
+    std::uint32_t mask = 0xffffffffu;  ///< bits: layers with which it collides; both masks must match
+    std::int32_t group = 0;  ///< shapes of the same group always collide (above 0) or never (below 0)
+    /// A sensor: reports overlaps at the start of a step, wakes the overlapping bodies, exerts no forces.
     bool isTrigger = false;
-    bool oneWay = false;                ///< stops only bodies from the side that `oneWayDirection` points to
+    bool oneWay = false;                ///< stops only bodies that come from the side of `oneWayDirection`
     Vec2 oneWayDirection{0.0f, -1.0f};  ///< outward normal of the solid side, in the body's frame
     bool reportsContacts = true;        ///< its contacts produce events
-    std::uint64_t user = 0;             ///< the owner's own number for it, returned in events
-    /// Shapes with the same number form one surface, also across bodies: events report when a body begins and
-    /// ends to touch the surface, not each seam between its shapes. 0: the shape is on its own; createChain()
-    /// then assigns a number to the chain. Numbers below kOwnSurfaces are the caller's.
+    std::uint64_t user = 0;             ///< user data: a number of the caller, not used by the library
+    /// Shapes with the same number form one surface, also across bodies: events report when a body begins or
+    /// ends to touch the surface, not when it passes from shape to shape. 0: a surface of its own; for 0,
+    /// createChain() assigns a number to the chain. Callers may use numbers below kOwnSurfaces.
     std::uint32_t surface = 0;
-    /// For an inner border, as between two kinds of terrain: a shape that collides with these layers and this
-    /// mask ignores the border, as what lies in front of it stops that shape first. 0: no inner border.
+    /// For an inner border, as between two kinds of terrain: shapes that collide with these layers and this
+    /// mask ignore the border, because the terrain in front of it stops them first. 0: no inner border.
     std::uint32_t frontLayers = 0;
     std::uint32_t frontMask = 0;
 

@@ -1,4 +1,4 @@
-// Source of kernels_*.cpp. It may use only lanes.hpp and plain arrays: see there.
+// Source of kernels_*.cpp. It may use only lanes.hpp (which explains this) and plain arrays.
 
 #include "physics/kernels.hpp"
 
@@ -21,7 +21,7 @@ inline Two8 operator*(Float8 s, Two8 a) { return {s * a.x, s * a.y}; }
 inline Two8 load2(const VecLanes& from) { return {load(from.x), load(from.y)}; }
 inline void store2(VecLanes& to, Two8 a) { store(to.x, a.x), store(to.y, a.y); }
 
-/// 1/x, or 0 for x = 0: the effective mass of a body that cannot move.
+/// Returns 1/x, or 0 for x = 0: the effective mass of a body that cannot move.
 inline Float8 inverseOrZero(Float8 x) {
     const Float8 zero = all(0.0f);
     const Mask8 some = x > zero;
@@ -34,7 +34,7 @@ inline Float8 inverseOrZero(Float8 x) {
 
 // Bodies.
 
-/// 1 for the velocities in rows of a state without rotation.
+/// 1 for the velocities in two rows of BodiesWithoutRotation::velocity, 0 for the displacements.
 alignas(32) constexpr float kIsSpeed[kLanes] = {1.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f};
 
 template <class Bodies>
@@ -53,12 +53,12 @@ void accelerate(const Bodies& bodies, float h, bool first, int begin, int end) {
     }
 }
 
-/// A rotation as the solver keeps it: sine, and cosine - 1, which stays accurate for small angles.
+/// Rotations of eight bodies as sine and cosine - 1, which is accurate for small angles.
 struct Turn8 {
     Float8 sine, versine;
 };
 
-/// A rotation followed by one by `angle`. Series, accurate to 1e-7 below half a radian.
+/// Returns a rotation, rotated further by `angle`. Series, accurate to 1e-7 below half a radian.
 inline Turn8 turnedOn(Turn8 turn, Float8 angle) {
     const Float8 square = angle * angle;
     const Float8 s = angle * (all(1.0f) - square * (all(1.0f / 6.0f) - square * all(1.0f / 120.0f)));
@@ -67,7 +67,7 @@ inline Turn8 turnedOn(Turn8 turn, Float8 angle) {
             turn.versine + (v + turn.versine * v - turn.sine * s)};
 }
 
-/// The same for angles up to 8 rad, in sixteen steps.
+/// Returns a rotation, rotated further by an angle up to 8 rad, in sixteen steps.
 inline Turn8 turnedFar(Turn8 turn, Float8 angle) {
     const Float8 part = clamp(angle, all(-8.0f), all(8.0f)) * all(1.0f / 16.0f);
     for (int i = 0; i < 16; ++i) turn = turnedOn(turn, part);

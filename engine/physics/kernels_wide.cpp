@@ -1,3 +1,3 @@
-// The baseline instruction set of the architecture, even if all else is compiled for more (-march=native).
+// Kernels for the architecture's baseline instruction set, even if other files are compiled for a wider one.
 #define PLUMB_LANES_BASE
 #include "physics/kernels.inl"

@@ -3,9 +3,9 @@
 // SIMD lanes: constraints are packed into blocks of eight, one per lane, and the inner loops work on eight
 // floats at a time. The same source is built once for each instruction set (kernels_*.cpp), each in its own
 // namespace, so that the linker cannot mistake a function of one build for another's. Every operation works
-// per lane and is exact or rounded as IEEE 754 prescribes, so all builds give the same bits. Kernels may use
-// only what is defined here: an inline function of another header would be built for the wider machine too,
-// and the linker might keep that copy.
+// per lane and is exact or rounded as IEEE 754 prescribes, so all builds give the same bits. Kernels may only
+// use functions of this file: the linker might keep the copy of an inline function of another header that was
+// compiled for the wider instruction set.
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ namespace plumb::physics {
 
 inline constexpr int kLanes = 8;
 
-/// What kernels gather and scatter: four floats of a body or contact.
+/// Four floats of a body or contact, the unit that kernels gather and scatter.
 struct alignas(16) Float4 {
     float x = 0.0f;
     float y = 0.0f;
@@ -58,7 +58,7 @@ struct VecLanes {
 
 namespace PLUMB_LANES {
 
-// What each instruction set has: a part of the lanes, in a register, and a mask of as many lanes.
+// For each instruction set: Part is a register with some of the eight lanes, MaskPart a mask for it.
 
 #if defined(PLUMB_LANES_SCALAR)
 
@@ -176,7 +176,7 @@ inline int bits(Mask8 m) {
     return all;
 }
 
-/// A record by its index, or by its offset in bytes, which takes fewer instructions.
+/// Returns a record by its index, or by its offset in bytes, which takes fewer instructions.
 inline const float* rowOf(const Float4* records, std::int32_t index) { return &records[index].x; }
 inline const float* rowOf(const Float4* records, std::uint32_t offset) {
     return reinterpret_cast<const float*>(reinterpret_cast<const char*>(records) + offset);
@@ -186,12 +186,11 @@ inline float* rowOf(Float4* records, std::uint32_t offset) {
     return reinterpret_cast<float*>(reinterpret_cast<char*>(records) + offset);
 }
 
-// Inlined by force: a compiler that sees many calls of gather() and scatter() would make functions of them,
-// and eight registers would go through memory each time.
+// Always inlined: each call that is not inlined would pass eight registers through memory.
 
 #if defined(PLUMB_LANES_AVX2)
 
-/// Transposes four 4 x 4 blocks, in each half of the registers.
+/// Transposes a 4 x 4 block in each half of the registers.
 [[gnu::always_inline]] inline void transpose(Float8 (&rows)[4]) {
     const __m256 a = rows[0].part[0], b = rows[1].part[0], c = rows[2].part[0], d = rows[3].part[0];
     const __m256 ab0 = _mm256_unpacklo_ps(a, b), ab1 = _mm256_unpackhi_ps(a, b);
@@ -223,7 +222,7 @@ inline void storeFour(float* p, Part a) { *reinterpret_cast<PartAt*>(p) = a; }
 
 #endif
 
-/// Loads the records at eight places and transposes them into one register set per member.
+/// Loads the records at eight indices or offsets and transposes them into one Float8 per member.
 template <class Place>
 [[gnu::always_inline]] inline void gather(const Float4* records, const Place* place, Float8 (&out)[4]) {
 #if defined(PLUMB_LANES_SCALAR)
@@ -247,7 +246,7 @@ template <class Place>
 #else
     Float8 rows[4] = {in[0], in[1], in[2], in[3]};
     transpose(rows);
-    // Unrolled, so that the rows stay in registers where few lanes are in use, too.
+    // Unrolled with an early exit, so that the rows stay in registers.
 #pragma GCC unroll 8
     for (int i = 0; i < kLanes; ++i) {
         if (i >= count) return;
@@ -258,7 +257,7 @@ template <class Place>
 
 #if defined(PLUMB_LANES_AVX2)
 
-/// Only x and y of each record.
+/// Loads only x and y of each record.
 [[gnu::always_inline]] inline void gatherTwo(const Float4* records, const std::uint32_t* offset, Float8& x,
                                              Float8& y) {
     const auto pair = [&](int i) {

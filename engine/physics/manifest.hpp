@@ -6,39 +6,38 @@
 
 namespace plumb::physics {
 
-/// A part of the simulation that a scene may not need. Each runs only while something in the scene uses it:
-/// the comments name what counts as a user.
+/// An optional part of the simulation. It runs only while the scene has a user; the comments name the users.
 enum class Effect : std::uint8_t {
     Gravity,        ///< a dynamic body with a gravity scale other than 0
     Rotation,       ///< a dynamic body that can rotate
-    Friction,       ///< a shape with friction
-    Restitution,    ///< a shape with a bounciness
+    Friction,       ///< a shape with friction above 0
+    Restitution,    ///< a shape with bounciness above 0
     Rolling,        ///< a shape with rolling resistance
     Drag,           ///< a body with drag
     Joints,         ///< a joint
     Motors,         ///< a joint with a motor
     Continuous,     ///< a dynamic body, while Settings::continuous
     Sleep,          ///< a body that can sleep, while Settings::sleeping
-    Contacts,       ///< a dynamic body's shape that is not a trigger
+    Contacts,       ///< a shape of a dynamic body that is not a trigger
     Triggers,       ///< a trigger
     ContactEvents,  ///< a shape that reports contacts
     OneWay,         ///< a one-way shape
     Conveyor,       ///< a shape with a surface speed
     Kinematics,     ///< a kinematic body
     Locks,          ///< a body locked along an axis
-    AreaGravity,    ///< the fields, by kind
+    AreaGravity,    ///< a field of this kind; likewise Wind to Explosion
     Wind,
     Buoyancy,
     Attractor,
     Explosion,
-    Springs,     ///< smooth springs, integrated together with the bodies
-    SoftBodies,  ///< position-based soft bodies and cloth
+    Springs,     ///< a field of kind Spring
+    SoftBodies,  ///< a soft body: rope, cloth or jelly
     Count
 };
 
 inline constexpr std::size_t kEffects = static_cast<std::size_t>(Effect::Count);
 
-/// Which effects a scene needs: the number of living users of each.
+/// The effects that a scene needs: number of users of each effect.
 struct Manifest {
     std::array<std::uint32_t, kEffects> callers{};
     std::uint32_t pinnedOn = 0;   ///< bits of effects that run even without users

@@ -7,13 +7,13 @@
 
 namespace plumb::physics {
 
-// Object-oriented interface: bodies that move, colliders that touch, and virtual functions that are
-// called when they do. A Physics owns everything; use its world() for functions without an object here.
+// Object-oriented interface: rigid bodies, colliders, and virtual functions that are called on collisions. A
+// Physics owns all objects; use its world() for features without a class here.
 
 class Collider;
 class Physics;
 
-/// A body that forces and contacts move. Created by Physics::createBody().
+/// A body of a Physics. Created by Physics::createBody().
 class RigidBody {
 public:
     RigidBody(const RigidBody&) = delete;
@@ -26,15 +26,15 @@ public:
     [[nodiscard]] float angularVelocity() const { return angularVelocityOf(world_, id_); }  ///< rad/s
     [[nodiscard]] Vec2 acceleration() const { return driveOf(world_, id_).acceleration; }   ///< m/s2
     [[nodiscard]] float mass() const { return massOf(world_, id_); }                        ///< kg
-    /// N: sum of what was added since the last update, without gravity and contacts.
+    /// N: sum of the forces added since the last update, without gravity and contacts.
     [[nodiscard]] Vec2 netForce() const { return driveOf(world_, id_).force; }
-    /// Transform after dt (s) if nothing is in the way.
+    /// Predicts the transform after dt (s) if the body hits no obstacle.
     [[nodiscard]] Frame predictTransform(float dt) const {
         return physics::predictTransform(world_, id_, dt);
     }
 
-    // Setters refuse values that are not finite, and then change nothing.
-    /// m; teleports, keeps the angle
+    // Setters return an error for values that are not finite, and then change nothing.
+    /// m; teleports the body and keeps its angle
     Result<Done> setPosition(WorldPosition position) { return setPosition(position, angleOf(rotation())); }
     Result<Done> setPosition(WorldPosition position, float angle) {  ///< m, rad
         return physics::setPosition(world_, id_, position, angle);
@@ -61,26 +61,26 @@ private:
 };
 
 struct ColliderSettings {
-    Vec2 centre{};  ///< m, in the frame of its body; without a body relative to `position`
+    Vec2 centre{};  ///< m, in the body's frame; without a body relative to `position`
     float bounciness = 0.0f;
     float friction = 0.6f;
     float density = 1.0f;      ///< kg/m2
     bool isTrigger = false;    ///< reports overlaps and does not collide
-    WorldPosition position{};  ///< m: of a collider without a body
-    float angle = 0.0f;        ///< rad: of a collider without a body
+    WorldPosition position{};  ///< m; only for a collider without a body
+    float angle = 0.0f;        ///< rad; only for a collider without a body
 };
 
-/// A shape that touches others. With a body it moves with that, without one it is static. Derive from its
-/// subclasses to receive collision callbacks, and create it with Physics::create().
+/// A collision shape. It moves with its body; without a body it is static. Derive from its subclasses to
+/// receive collision callbacks, and create it with Physics::create().
 class Collider {
 public:
     virtual ~Collider() = default;
     Collider(const Collider&) = delete;
     Collider& operator=(const Collider&) = delete;
 
-    // Called after the step, for triggers too. Callbacks may create and destroy anything, their own collider
-    // included: a destroyed collider gets no more calls, and stays in memory until the end of the next
-    // update. onCollisionStay() is not called while both are asleep.
+    // Called after the step, for triggers too. Callbacks may create and destroy any objects, including their
+    // own collider: a destroyed collider gets no more calls, and stays in memory until the end of the next
+    // update. onCollisionStay() is not called while both bodies are asleep.
     virtual void onCollisionEnter(Collider* other) { static_cast<void>(other); }
     virtual void onCollisionStay(Collider* other) { static_cast<void>(other); }
     virtual void onCollisionExit(Collider* other) { static_cast<void>(other); }
@@ -100,7 +100,7 @@ private:
     Geometry geometry_;
     ColliderSettings settings_;
     RigidBody* body_ = nullptr;
-    BodyId own_;  // body of a static collider
+    BodyId own_;  // the static body of a collider without a RigidBody
     ShapeId shape_;
     bool destroyed_ = false;
 };
@@ -130,11 +130,11 @@ public:
 
     /// @error a number that is not finite
     Result<RigidBody*> createBody(WorldPosition position, float angle = 0.0f);
-    /// A body of any kind, e.g. a kinematic one, which moves by its velocity alone.
+    /// Creates a body of any kind, e.g. a kinematic body, which moves only by its velocity.
     Result<RigidBody*> createBody(const BodyDefinition& definition);
 
-    /// Creates a collider of a derived class or of the library's, from the arguments of its constructor.
-    /// @param body  with which it moves; null for a static collider
+    /// Creates a collider: CircleCollider, BoxCollider or a class derived from them.
+    /// @param body  body with which it moves; null for a static collider
     /// @error a size that is not positive, a number that is not finite, a body of another Physics
     template <std::derived_from<Collider> Kind, class... Arguments>
     Result<Kind*> create(RigidBody* body,
@@ -146,30 +146,31 @@ public:
         return kind;
     }
 
-    /// The same for classes that are constructed from a size and settings, which may then be a braced list.
+    /// Overload that allows a braced list for the settings.
     template <std::derived_from<Collider> Kind, class Size>
     Result<Kind*> create(RigidBody* body, Size&& size, const ColliderSettings& settings) requires
         std::constructible_from<Kind, Size, const ColliderSettings&> {
         return create<Kind, Size, const ColliderSettings&>(body, std::forward<Size>(size), settings);
     }
 
-    /// Destroys a body with its colliders. What touched them gets onCollisionExit() in the next update.
-    /// Ignores objects of another Physics, or of none.
+    /// Destroys a body with its colliders. Colliders that touched them get onCollisionExit() in the next
+    /// update. Ignores objects that do not belong to this Physics.
     void destroy(RigidBody& body);
     void destroy(Collider& collider);
 
-    /// Advances the world by dt (s), then calls the colliders. Nothing for other dt, or from a callback.
+    /// Advances the world by dt (s), then calls the colliders' callbacks. Does nothing if dt is not positive
+    /// and finite, or when called from a callback.
     /// @param options  threads, profile, filters of contacts
     void update(float dt, const StepOptions& options = {});
 
-    /// True while both touch, as of the last update. Takes constant time.
+    /// True if both touched in the last update. Takes constant time.
     [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const;
 
-    /// The collider of a shape, e.g. of a query's hit; null if it no longer exists.
+    /// Returns the collider of a shape, e.g. of a query's hit; null if it no longer exists.
     [[nodiscard]] Collider* colliderOf(ShapeId shape) const {
         return alive(world_, shape) ? find(shape) : nullptr;
     }
-    /// For everything without an object here: joints, queries, fields, …
+    /// The world, for features without a class here: joints, queries, fields, …
     [[nodiscard]] World& world() { return world_; }
 
 private:
@@ -189,7 +190,7 @@ private:
     std::vector<std::unique_ptr<RigidBody>> bodies_;      // by BodyId::index
     std::vector<std::unique_ptr<Collider>> colliders_;    // by ShapeId::index
     std::vector<std::unique_ptr<Collider>> leaving_;      // destroyed since the last update
-    std::vector<std::unique_ptr<Collider>> gone_;         // destroyed before the current one
+    std::vector<std::unique_ptr<Collider>> gone_;         // destroyed before the current update
     std::vector<std::unique_ptr<RigidBody>> goneBodies_;  // destroyed since the last update
     std::vector<Call> calls_;
     PairSet touching_;

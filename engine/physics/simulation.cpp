@@ -19,12 +19,12 @@ constexpr std::uint32_t kMeeting = any(Effect::Contacts, Effect::Triggers, Effec
 constexpr std::uint32_t kSmooth =
     any(Effect::AreaGravity, Effect::Wind, Effect::Buoyancy, Effect::Attractor, Effect::Springs);
 
-/// Contacts of destroyed shapes and bodies have to end, even when no effect needs contacts any more.
+/// True if contacts of destroyed shapes or bodies must end, even if no effect requires contacts any more.
 bool hasRemains(const StepContext& step) {
     const World& world = step.world;
     return !world.shapes.dying.empty() || !world.bodies.dying.empty() || !world.contacts.empty();
 }
-/// The solver's blocks of former contacts have to be cleared.
+/// True if the solver's blocks of former contacts must be cleared.
 bool hasBlocks(const StepContext& step) {
     return !step.work.two.lanes.empty() || !step.work.fixed.lanes.empty();
 }
@@ -46,7 +46,7 @@ constexpr StageInfo kStages[] = {
     {"fields", kSmooth, applyFields},
     {"prepare constraints", any(Effect::Contacts, Effect::Joints), prepareConstraints, hasBlocks},
     {"solve", 0, solve},
-    {"integrators", kSmooth, integrateFlyers},
+    {"integrators", kSmooth, integrateFreeBodies},
     {"keep energy", any(Effect::Joints, Effect::Contacts), keepEnergy},
     {"finish bodies", 0, finishBodies},
     {"continuous", any(Effect::Continuous), sweepFastBodies},
@@ -56,14 +56,14 @@ constexpr StageInfo kStages[] = {
 
 static_assert(std::size(kStages) <= kMaxStages);
 
-/// True when nothing moves and nothing was added or removed: a step of a resting world then costs nothing.
+/// True if no object moves and none was added or removed: a step of a world at rest costs no time.
 bool nothingToDo(const World& world) {
     return world.awake.empty() && world.moved.empty() && world.contacts.empty() &&
            world.shapes.dying.empty() && world.bodies.dying.empty() &&
            !world.manifest.runs(Effect::Explosion) && !world.manifest.runs(Effect::SoftBodies);
 }
 
-/// Wakes everything if gravity changed (resting bodies may have to move) or if sleeping is switched off.
+/// Wakes all bodies if gravity changed (resting bodies may begin to move) or if sleeping is disabled.
 void wakeForSettings(World& world) {
     const bool gravityChanged = world.steps > 1 && world.gravityOfLastStep != world.settings.gravity;
     if (gravityChanged || !world.settings.sleeping) wakeAll(world);
@@ -74,7 +74,7 @@ std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     std::uint32_t effects = world.manifest.running();
     if (hooks.friction != nullptr) effects |= Manifest::bit(Effect::Friction);
     if (hooks.bounciness != nullptr) effects |= Manifest::bit(Effect::Restitution);
-    // The last shape that needs contacts was destroyed: the contacts that it had still have to end.
+    // After the last shape that requires contacts was destroyed, its contacts must still end.
     constexpr std::uint32_t kEnding = any(Effect::Contacts, Effect::Triggers, Effect::ContactEvents);
     if (!world.shapes.dying.empty() && !world.contacts.empty())
         effects |= kEnding & ~world.manifest.pinnedOff;
@@ -83,7 +83,7 @@ std::uint32_t effectsOf(const World& world, const ContactHooks& hooks) {
     return effects;
 }
 
-/// Measures a stage: the time of this thread, and the time of each thread of the pool in it.
+/// Measures the time of a stage on this thread and on each thread of the pool.
 class StageScope {
 public:
     StageScope(const StepOptions& options, std::string_view name)
@@ -126,7 +126,7 @@ std::uint64_t runsOf(World& world, std::string_view stage) {
     return 0;
 }
 
-// A world at rest returns early from step(), so the counts would be those of the last step with motion.
+// For a world at rest step() returns early, and the stored counts are those of an earlier step.
 DetectionCounts detectionOf(World& world) {
     const Workspace* work = world.work.lastStep();
     return world.awake.empty() || work == nullptr ? DetectionCounts{} : work->counts;
@@ -141,7 +141,7 @@ bool isWorthThreads(const World& world, const StepOptions& options) {
 }
 
 void step(World& world, float dt, const StepOptions& options) {
-    if (world.work.isAsking) return;  // called by a callback
+    if (world.work.isInCallback) return;  // called by a callback
     world.events.clear();
     world.brokenJoints.clear();
     world.strainedJoints.clear();

@@ -10,7 +10,7 @@ struct Softness {
     float impulseScale = 0.0f;
 };
 
-/// Of a spring for a substep of h seconds.
+/// Returns the parameters of a spring for a substep of h seconds.
 inline Softness softness(float hertz, float dampingRatio, float h) {
     if (hertz == 0.0f) return {0.0f, 1.0f, 0.0f};
     constexpr float kTurn = 6.28318530717958647692f;

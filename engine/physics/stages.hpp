@@ -12,19 +12,19 @@ struct StepContext {
     float dt;  ///< s
     TaskPool* pool;
     ContactHooks hooks;
-    std::uint32_t effects;  ///< bits of the effects of this step
+    std::uint32_t effects;  ///< bits of the effects that run in this step
 
-    /// Whether work on so many things is shared among threads in pieces of `grain`, or is one piece.
+    /// True if a loop over `count` elements is divided among threads in pieces of `grain`.
     [[nodiscard]] bool isShared(int count, int grain) const { return pool != nullptr && count > grain; }
     [[nodiscard]] bool runs(Effect effect) const { return (effects & Manifest::bit(effect)) != 0; }
-    /// To be called before the code of an effect that is only a part of a stage: counts its run (runsOf).
+    /// True if the effect runs; counts the run for runsOf(). For effects that are a part of a stage.
     [[nodiscard]] bool starts(Effect effect) const {
         if (!runs(effect)) return false;
         work.effectsRun |= Manifest::bit(effect);
         return true;
     }
-    /// Nothing in the world can rotate, so contacts have one point and no lever arms, and the solver can use
-    /// its reduced kernels. Restitution, rolling resistance and joints exist in the full kernels only.
+    /// True if no body in the world can rotate: contacts have one point and no lever arms, and the solver can
+    /// use its reduced kernels. Only the full kernels support restitution, rolling resistance and joints.
     [[nodiscard]] bool isWithoutRotation() const {
         constexpr auto kTurning = static_cast<std::size_t>(Effect::Rotation);
         return !runs(Effect::Rotation) && !runs(Effect::SoftBodies) &&
@@ -33,18 +33,18 @@ struct StepContext {
     }
 };
 
-/// Calls a callback of the world's owner, during which the world must not be changed.
+/// Calls a callback of StepOptions::hooks, during which the world must not be changed.
 template <class Call>
 auto ask(World& world, Call&& call) {
-    struct Asking {  // ends when the callback throws, too
+    struct Asking {  // resets the flag even if the callback throws
         bool& flag;
         ~Asking() { flag = false; }
     };
-    const Asking asking{world.work.isAsking = true};
+    const Asking asking{world.work.isInCallback = true};
     return call();
 }
 
-/// True if the owner's filter callback allows these two shapes to collide.
+/// True if the callback ContactHooks::filter allows these two shapes to collide.
 inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
     return step.hooks.filter == nullptr || ask(step.world, [&] {
                return step.hooks.filter(step.hooks.context, step.world, idOfShape(step.world, a),
@@ -52,7 +52,7 @@ inline bool mayMeet(const StepContext& step, std::uint32_t a, std::uint32_t b) {
            });
 }
 
-/// True if the owner's callback lets this contact exert forces.
+/// True if the callback ContactHooks::preSolve lets this contact exert forces.
 inline bool mayPush(const StepContext& step, const Contact& contact) {
     const ContactHooks& hooks = step.hooks;
     return hooks.preSolve == nullptr ||
@@ -67,13 +67,13 @@ void forPieces(TaskPool* pool, int count, int grain, Act&& act) {
     if (count == 0) return;
     if (pool == nullptr || count <= grain) return act(0, count, 0);
     const int pieces = piecesOf(count, grain);
-    // Calls a copy: its captures have no address elsewhere, so a single thread keeps them in registers.
+    // Captures by value, so that the compiler can keep the captures of `act` in registers.
     pool->run(pieces, [=](int piece, int) {
         act(piece * grain, piece + 1 < pieces ? (piece + 1) * grain : count, piece);
     });
 }
 
-/// Runs `act(i)` for 0..count-1, in such pieces.
+/// Runs `act(i)` for 0..count-1, divided among threads in pieces of `grain`.
 template <class Act>
 void forEach(TaskPool* pool, std::size_t count, int grain, Act&& act) {
     forPieces(pool, static_cast<int>(count), grain, [&](int begin, int end, int) {
@@ -81,8 +81,8 @@ void forEach(TaskPool* pool, std::size_t count, int grain, Act&& act) {
     });
 }
 
-/// Runs `act(begin, end, found)` for such pieces, each with its own result
-/// object. In the order of the pieces, the results are those of a single thread.
+/// Runs `act(begin, end, found)` for pieces of `grain`, each with its own result object in `all`. In the
+/// order of the pieces, the results are those of a single thread.
 template <class Found, class Act>
 void forPieces(TaskPool* pool, std::size_t count, int grain, std::vector<Found>& all, Act&& act) {
     const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), grain));
@@ -94,7 +94,7 @@ void forPieces(TaskPool* pool, std::size_t count, int grain, std::vector<Found>&
     });
 }
 
-/// The same with lists, which are concatenated to `all`.
+/// Runs `act(begin, end, list)` for pieces of `grain` and concatenates their lists to `all`.
 template <class T, class Act>
 void collect(const StepContext& step, std::size_t count, int grain, std::vector<std::vector<T>>& lists,
              std::vector<T>& all, Act&& act) {
@@ -116,50 +116,50 @@ void collectIf(const StepContext& step, std::size_t count, std::vector<std::uint
             });
 }
 
-/// Calls act(i) for each of these, sequentially.
+/// Calls act(i) sequentially for each i of 0..count-1 for which `is(i)` holds, evaluated on all threads.
 template <class Is, class Act>
-void forThose(const StepContext& step, std::size_t count, Is&& is, Act&& act) {
+void forEachIf(const StepContext& step, std::size_t count, Is&& is, Act&& act) {
     collectIf(step, count, step.work.pieceFound, is);
     for (const std::uint32_t i : step.work.pieceFound) act(i);
 }
 
 // The stages in the order of the step. Each has a file of the same name in stages/.
 
-/// Reads: moved, bounds, filters. Writes: contacts (new ones), work.broadPhase, work.pairs.
+/// Reads: moved, bounds, filters. Writes: contacts (new), work.broadPhase, work.pairs.
 void findPairs(StepContext& step);
 /// Reads: poses, geometry. Writes: contacts (points, flags), sleepers, islands, events (Ended).
 void updateContacts(StepContext& step);
 /// Reads: contacts, one-way directions. Writes: contacts (kPassing, kDisabled), events (Ended).
 void filterContacts(StepContext& step);
-/// Reads: awake joints. Writes: colours of new ones, work.colourMasks.
+/// Reads: awake joints. Writes: colors of new joints, work.colourMasks.
 void colourJoints(StepContext& step);
 /// Reads: fields. Writes: velocities of bodies near an explosion; fields (removes it).
 void explode(StepContext& step);
 /// Reads: fields, rest times. Writes: fields (removes those of destroyed bodies); wakes bodies on springs.
 void prepareFields(StepContext& step);
-/// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that cannot
-/// push a rigid body; contacts of the others for solve(): work.softSurroundings.
+/// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that cannot push a rigid body; for
+/// the other soft bodies their contacts, for solve(): work.softSurroundings.
 void moveSoftBodies(StepContext& step);
 /// Reads: drives, masses, settings, soft contacts. Writes: work.slots, .groups, .velocity and others.
 void gatherBodies(StepContext& step);
 /// Reads: fields, poses, motions, work.slots, work.drive. Writes: work.smooth.
 void applyFields(StepContext& step);
-/// Reads: contacts, joints, masses. Writes: colours, work's blocks.
+/// Reads: contacts, joints, masses. Writes: colors, the constraint blocks in `work`.
 void prepareConstraints(StepContext& step);
-/// Reads and writes: work.velocity, work.deltaPosition, work's blocks, soft bodies. Writes: impulses.
+/// Reads and writes: work.velocity, work.deltaPosition, blocks, soft bodies. Writes: impulses.
 void solve(StepContext& step);
-/// Applies fields to the bodies of a group that contacts or joints hold, before a substep of h seconds that
-/// begins `elapsed` seconds after the step.
+/// Applies fields to the bodies of a group that have contacts or joints, before a substep of h seconds that
+/// begins `elapsed` seconds after the start of the step.
 void driveBodies(StepContext& step, const SolveGroup& group, float h, float elapsed);
-/// After the last substep. Writes: work.smooth.works.
+/// Called after the last substep of a group. Writes: work.smooth.works.
 void finishDriving(StepContext& step, const SolveGroup& group);
-/// Forces and springs of the soft bodies of a group, in a substep of h seconds, before their contacts.
+/// Applies forces and links of the soft bodies of a group in a substep of h seconds, before their contacts.
 void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
-/// Computes velocities from displacements.
+/// Computes velocities of particles from their displacements, at the end of a substep.
 void closeSoft(const StepContext& step, const SoftGroup& group, float h);
 void finishSoft(StepContext& step, const SoftGroup& group, float h);
-/// Reads: fields, work.smooth. Writes: work.velocity, work.deltaPosition of bodies in fields only.
-void integrateFlyers(StepContext& step);
+/// Reads: fields, work.smooth. Writes: work.velocity, work.deltaPosition of bodies in SmoothForces::flyers.
+void integrateFreeBodies(StepContext& step);
 /// Reads: joints, contacts, islands, work.deltaPosition. Writes: work.velocity, energy shares.
 void keepEnergy(StepContext& step);
 /// Reads: work.velocity, work.deltaPosition. Writes: poses, motions, bounds, moved.

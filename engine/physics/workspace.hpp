@@ -11,11 +11,11 @@
 namespace plumb::physics {
 
 /// Constraints of one color share no body, so they can be solved in parallel and in any order. The first
-/// colors are for pairs of dynamic bodies. The last ones are for constraints with a static or kinematic body;
-/// they are solved last, so that support by the ground wins.
+/// colors are for pairs of dynamic bodies, the last ones for constraints with a static or kinematic body.
+/// These are solved last, so that contacts with the ground have the smallest errors.
 inline constexpr int kColours = 32;
 inline constexpr int kFirstFixedColour = 24;
-/// Constraints that found no color: solved sequentially, before all colors.
+/// Color of constraints for which no color was free: solved sequentially, before all colors.
 inline constexpr std::uint8_t kOverflow = 32;
 
 struct BlockRange {
@@ -23,7 +23,7 @@ struct BlockRange {
     std::int32_t end = 0;
 };
 
-/// Blocks of contacts between two dynamic bodies, and of those with a static or kinematic one.
+/// Blocks of contacts between two dynamic bodies (two), and with a static or kinematic body (fixed).
 struct ContactRanges {
     BlockRange two;
     BlockRange fixed;
@@ -40,27 +40,27 @@ struct SolveGroup {
     std::int32_t substeps = 1;
     bool withoutRotation = false;  ///< solved by the reduced kernels; such groups come last
     std::int32_t bodies = 0;
-    std::int32_t begin = 0;  ///< slots, in multiples of eight
+    std::int32_t begin = 0;  ///< range of slots, in multiples of eight
     std::int32_t end = 0;
     std::uint64_t contactColours = 0;    ///< bits of colors that have contacts
     std::uint64_t jointColours = 0;      ///< bits of colors that have joints
-    ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one lane a block, in order
+    ColourBlocks colours[kColours + 1];  ///< the last is kOverflow: one contact or joint per block
 
-    /// Of all colors, which follow each other.
+    /// Returns the blocks of all colors, which are consecutive.
     [[nodiscard]] ContactRanges contacts() const {
         const ContactRanges &first = colours[0].contacts, &last = colours[kColours].contacts;
         return {{first.two.begin, last.two.end}, {first.fixed.begin, last.fixed.end}};
     }
 };
 
-/// Contacts in blocks. Groups with rotation come first.
+/// Blocks of contacts. Groups with rotation come first.
 template <class Block, class BlockWithoutRotation>
 struct ContactStore {
     std::vector<BlockLanes> lanes;
     std::vector<Block> blocks;
-    std::vector<BlockWithoutRotation> blocksWithoutRotation;  ///< instead of `blocks`, by the same index
-    std::vector<BounceBlock> bounces;                         ///< parallel to `blocks`, if something bounces
-    std::vector<RollingBlock> rollings;  ///< parallel to `blocks`, if something resists rolling
+    std::vector<BlockWithoutRotation> blocksWithoutRotation;  ///< used instead of `blocks`, same index
+    std::vector<BounceBlock> bounces;                         ///< parallel to `blocks`, if a shape bounces
+    std::vector<RollingBlock> rollings;  ///< parallel to `blocks`, if a shape has rolling resistance
 
     template <class Bodies>
     auto& blocksOf() {
@@ -72,27 +72,27 @@ struct ContactStore {
     }
 };
 
-/// Assignment of contacts to blocks. It follows from the contact keys and the groups: a contact that is new,
-/// or takes the index of another one, changes its key or comes with other bodies.
+/// Assignment of contacts to blocks, reused while the contact keys and the groups are equal: a new contact at
+/// an index has another key, or its group other bodies.
 struct ContactLayout {
-    std::vector<std::uint16_t> keys;  ///< this and the following: from which it was made
+    std::vector<std::uint16_t> keys;  ///< contact keys for which it was made
     std::vector<std::uint32_t> order;
     std::vector<SolveGroup> groups;
-    bool isCurrent = false;  ///< the lanes still match
+    bool isCurrent = false;  ///< the lanes are up to date
 };
 
-/// The properties of a contact that later stages read to decide whether to skip it.
+/// Properties of a contact by which later stages decide whether to skip it.
 enum ContactKey : std::uint16_t {
-    kKeyColour = 63,  ///< its color, if it pushes
-    kKeyIdle = 63,    ///< as a color: it does not push
+    kKeyColour = 63,  ///< mask: color, if it exerts forces
+    kKeyIdle = 63,    ///< value of the color: it exerts no forces
     kKeyFixed = 64,   ///< A is static or kinematic
-    kKeyBegan = 128   ///< in this step
+    kKeyBegan = 128   ///< the shapes began to touch in this step
 };
 
 inline std::uint16_t keyOf(const Contact& contact) {
     const bool pushes =
         (contact.flags & (kTouching | kTriggered | kDisabled)) == kTouching && contact.colour <= kOverflow;
-    const int idle = pushes ? 0 : kKeyIdle;  // all bits of a color
+    const int idle = pushes ? 0 : kKeyIdle;  // sets all bits of the color
     const int fixed = (contact.flags & kFixedA) != 0 ? kKeyFixed : 0;
     const int began = (contact.flags & kBegan) != 0 ? kKeyBegan : 0;
     return static_cast<std::uint16_t>((contact.colour & kKeyColour) | idle | fixed | began);
@@ -103,38 +103,38 @@ constexpr bool pushes(std::uint16_t key) { return (key & kKeyColour) != kKeyIdle
 /// A slot whose body is locked along x or y.
 struct AxisLock {
     std::uint32_t slot = 0;
-    std::uint8_t flags = 0;  ///< kLockX, kLockY
+    std::uint8_t flags = 0;  ///< bits: kLockX, kLockY
 };
 
 /// Sum of the normal impulses of a contact over the substeps: contact_extras.cpp.
 struct ImpulseSum {
-    const float* points[2];  ///< N s: current impulses in its block; null without a second point
-    float last = 0.0f;       ///< N s: both, when they were last added
+    const float* points[2];  ///< N s: impulses in its block; null without a second point
+    float last = 0.0f;       ///< N s: sum of both when last added
     std::int32_t contact = 0;
 };
 
-/// Number of contacts between a chain and something that touches it (chain_events.cpp).
+/// Number of contacts between a chain and another shape or chain (chain_events.cpp).
 struct ChainTouch {
     PairKey pair = 0;
     std::int32_t count = 0;
 };
 
-/// What happened to one of these contacts in this step.
+/// Event of a contact of a chain in this step.
 struct ChainChange {
     PairKey pair = 0;
     std::uint32_t order = 0;
     ContactEvent event;
 };
 
-/// A contact of a dynamic body with one that is not.
+/// A contact of a dynamic body with a static or kinematic body.
 struct FixedPair {
     std::uint32_t body = 0;
     std::uint32_t contact = 0;
-    std::uint32_t next = kNone;  ///< index in Workspace::fixedPairs: another one of the body
+    std::uint32_t next = kNone;  ///< index in Workspace::fixedPairs: next contact of the body
 };
 
 struct ContactFindings {
-    std::vector<std::uint32_t> changed;  ///< contacts that began, ended, or are gone
+    std::vector<std::uint32_t> changed;  ///< contacts that began, ended or have kGone
     std::vector<FixedPair> fixed;
     DetectionCounts counts;
 
@@ -143,15 +143,15 @@ struct ContactFindings {
 
 struct BodyFindings {
     std::vector<std::uint32_t> left;    ///< shapes that left their bounds
-    std::vector<std::uint32_t> fast;    ///< bodies that may have passed through something
-    std::vector<std::uint32_t> broken;  ///< bodies whose numbers went bad
-    bool sleepy = false;                ///< some body has rested long enough to sleep
+    std::vector<std::uint32_t> fast;    ///< bodies that may have tunneled through a shape
+    std::vector<std::uint32_t> broken;  ///< bodies whose state became non-finite
+    bool sleepy = false;                ///< a body has been at rest for Settings::sleepTime
 
     void clear() { left.clear(), fast.clear(), broken.clear(), sleepy = false; }
 };
 
 struct SweepFindings {
-    std::vector<std::uint32_t> shapes;  ///< near the current one
+    std::vector<std::uint32_t> shapes;  ///< shapes near the current body
     DetectionCounts counts;
 
     void clear() { counts = {}; }
@@ -163,29 +163,29 @@ inline constexpr std::size_t kMaxStages = 24;
 struct SubstepEstimate {
     float lightest = std::numeric_limits<float>::max();  ///< kg
     float heaviest = 0.0f;
-    float lowest = std::numeric_limits<float>::max();  ///< m along gravity
+    float lowest = std::numeric_limits<float>::max();  ///< m: position along gravity
     float highest = -std::numeric_limits<float>::max();
-    float size = 0.0f;  ///< m: sum of its bodies' inscribed radii
+    float size = 0.0f;  ///< m: sum of the inscribed radii of its bodies
     float bodies = 0.0f;
     float joints = 0.0f;
 };
 
-/// An island while its quality is derived from its errors.
+/// Intermediate data of an island while its quality is derived from its errors.
 struct IslandCase {
-    SubstepController controller;  ///< merged from those of its bodies
-    Quality minimum = 0;           ///< minimum that its bodies and joints ask for
-    bool isNew = false;            ///< some bodies have no state yet
+    SubstepController controller;  ///< merged from the controllers of its bodies
+    Quality minimum = 0;           ///< maximum quality set for its bodies and joints
+    bool isNew = false;            ///< true if a body has no controller yet
     float error = 0.0f;            ///< m: largest overlap or joint error
 };
 
-/// What a body adds to the account of its island.
+/// Contribution of a body to the energy account of its island.
 struct EnergySums {
-    float energy = 0.0f;        ///< J, kinetic
-    float work = 0.0f;          ///< J, by forces
-    float gain = 0.0f;          ///< J, not explained by forces
+    float energy = 0.0f;        ///< J: kinetic energy
+    float work = 0.0f;          ///< J: work of forces
+    float gain = 0.0f;          ///< J: gain of energy beyond the work of forces
     float displacement = 0.0f;  ///< kg m2: sum of mass times squared displacement, halved
     float mass = 0.0f;          ///< kg
-    bool isLively = false;      ///< a body can rotate or bounces
+    bool isLively = false;      ///< true if a body can rotate or bounces
     Vec2 momentum;              ///< kg m/s
 };
 
@@ -196,17 +196,17 @@ struct EnergyAccount : EnergySums {
     bool isDriven = false;  ///< a motor, kinematic body or conveyor does work on it
     bool isRooted = false;  ///< connected to or touching a static or kinematic body
     bool isWild = false;    ///< its energy is implausible
-    float credit = 0.0f;    ///< J, as in EnergyShare
+    float credit = 0.0f;    ///< J, sum of EnergyShare::credit
     float peak = 0.0f;      ///< J
-    float excess = 0.0f;    ///< J, to be removed
+    float excess = 0.0f;    ///< J, to remove
     float own = 0.0f;       ///< J, kinetic relative to `middle`
-    float minimum = 0.0f;   ///< J, the part of `own` that is never removed
+    float minimum = 0.0f;   ///< J, minimum of `own` that always remains
     float keep = 1.0f;      ///< factor on velocities relative to `middle`
-    float part = 1.0f;      ///< factor on displacements, likewise
-    Vec2 middle;            ///< m/s
+    float part = 1.0f;      ///< factor on displacements relative to `middle`
+    Vec2 middle;            ///< m/s: mean velocity
 };
 
-/// Boxes that are not the bounds of shapes, as input of a broad phase.
+/// A broad phase for boxes that are not the bounds of shapes.
 struct BoxProxies {
     std::unique_ptr<BroadPhase> search;
     std::vector<AABB> bounds;
@@ -216,35 +216,33 @@ struct BoxProxies {
     [[nodiscard]] Proxies view() const { return {bounds, filters, motions}; }
 };
 
-/// Memory of a step, reused by the next one. Everything in it follows from the world.
+/// Memory of a step, reused by the next step. Its contents can be recomputed from the world.
 struct Workspace {
     std::unique_ptr<BroadPhase> broadPhase;
     BroadPhaseKind broadPhaseKind = BroadPhaseKind::Count;
-    std::vector<std::uint32_t> changedProxies;     ///< since the last update of the broad phase
-    std::vector<std::uint8_t> isChanged;           ///< by shape: is in `changedProxies`
-    std::vector<std::uint8_t> isMoved;             ///< by shape
-    PairSet pairs;                                 ///< of all contacts, awake or asleep
+    std::vector<std::uint32_t> changedProxies;  ///< shapes changed since the last update of the broad phase
+    std::vector<std::uint8_t> isChanged;        ///< by shape: 1 if in `changedProxies`
+    std::vector<std::uint8_t> isMoved;          ///< by shape: 1 if in World::moved
+    PairSet pairs;                              ///< pairs of all contacts, awake or asleep
     std::vector<std::vector<PairKey>> foundPairs;  ///< per piece of work
     std::vector<PairKey> newPairs;
     std::vector<std::uint32_t> colourMasks;  ///< by body: colors of its constraints
 
     std::vector<ChainTouch> chainTouches;  ///< sorted by pair
 
-    // Of the step.
+    // Data of the current step.
     std::vector<ChainChange> chainChanges;
-    std::vector<std::pair<PairKey, float>> approaches;  ///< m/s: of contacts that began
+    std::vector<std::pair<PairKey, float>> approaches;  ///< m/s: approach speeds of contacts that began
     std::vector<ChainTouch> chainScratch;
-    std::vector<std::uint16_t>
-        contactKeys;  ///< by contact: bits of ContactKey, so that few contacts have to be read
+    std::vector<std::uint16_t> contactKeys;        ///< by contact: bits of ContactKey
     std::vector<ContactFindings> contactFindings;  ///< per piece of work
     std::vector<FixedPair> fixedPairs;
-    std::vector<std::uint32_t>
-        firstFixedPair;                       ///< by body: index in `fixedPairs`, if it has one in this step
-    std::vector<std::uint32_t> seamBodies;    ///< those with several fixed pairs
-    std::vector<std::uint32_t> endedAtSeams;  ///< contacts without points that were touching
-    std::vector<std::int32_t> slots;          ///< by body; -1 if it is not solved
-    std::vector<std::uint32_t> bodyOf;        ///< by slot; kNone for idle slots
-    std::vector<Float4> velocity;             ///< by slot, as in SolverBodies
+    std::vector<std::uint32_t> firstFixedPair;  ///< by body: index in `fixedPairs` of its first contact
+    std::vector<std::uint32_t> seamBodies;      ///< bodies with several fixed pairs
+    std::vector<std::uint32_t> endedAtSeams;    ///< contacts that lost their points in correctSeams()
+    std::vector<std::int32_t> slots;            ///< by body: its slot; -1 if it is not solved
+    std::vector<std::uint32_t> bodyOf;          ///< by slot: its body; kNone for idle slots
+    std::vector<Float4> velocity;               ///< by slot, like the following: see SolverBodies
     std::vector<Float4> deltaPosition;
     std::vector<Float4> drive;
     std::vector<Float4> keep;
@@ -254,36 +252,36 @@ struct Workspace {
     std::vector<SolveGroup> groups;
     Strips strips;
     std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
-    ContactLayout layout;               ///< of the lanes, while contacts stay the same
+    ContactLayout layout;               ///< key of the current lanes
     ContactStore<SolverBodies::TwoBlock, BodiesWithoutRotation::TwoBlock> two;
     ContactStore<SolverBodies::FixedBlock, BodiesWithoutRotation::FixedBlock> fixed;
-    std::vector<ImpactPlace> impacts;  ///< of a group: candidates for propagation
-    std::vector<std::uint8_t> hits;    ///< by slot: number of impacts of a body
+    std::vector<ImpactPlace> impacts;  ///< contacts of a group that may propagate impacts
+    std::vector<std::uint8_t> hits;    ///< by slot: number of impacts of the body
     std::vector<AxisLock> locks;
-    std::vector<ImpulseSum> impulseSums;  ///< of the group that is solved
-    std::vector<float> stepImpulses;      ///< N s, by contact: of all substeps, if it causes an event
+    std::vector<ImpulseSum> impulseSums;  ///< sums of the group that is being solved
+    std::vector<float> stepImpulses;      ///< N s, by contact: sum of all substeps, if it has an event
     JointWork joints;
     SoftSurroundings softSurroundings;
     SoftSoftContacts softSoftContacts;
-    SmoothForces smooth;                        ///< if there are fields
-    std::vector<std::uint32_t> searchedFields;  ///< see fieldsNear(), ascending
-    BoxProxies fieldBoxes;                      ///< by index in `searchedFields`: where they act
-    std::vector<std::uint32_t> solveOrder;      ///< awake bodies by group; empty if there is only one group
-    std::vector<std::uint8_t> groupOf;          ///< by body, if there are several groups
-    std::vector<std::uint8_t> needsRotation;    ///< by root, if some islands can be solved without rotation
-    std::vector<std::uint32_t> bodyScratch;     ///< by body
+    SmoothForces smooth;                        ///< used if there are fields
+    std::vector<std::uint32_t> searchedFields;  ///< fields to search in fieldsNear(), ascending
+    BoxProxies fieldBoxes;                      ///< by index in `searchedFields`: bounds of the fields
+    std::vector<std::uint32_t> solveOrder;      ///< awake bodies, sorted by group; empty for a single group
+    std::vector<std::uint8_t> groupOf;          ///< by body: index of its group, if there are several
+    std::vector<std::uint8_t> needsRotation;    ///< by root: 1 if its island needs rotation
+    std::vector<std::uint32_t> bodyScratch;     ///< temporary values by body
     std::vector<BodyFindings> bodyFindings;     ///< per piece of work
-    std::vector<std::uint32_t> fastBodies;      ///< those that may have passed through something in this step
-    bool kinematicsAtRest = false;              ///< some kinematic bodies are not among these
-    std::vector<SweptBody> swept;               ///< these, and what they hit
-    BoxProxies sweptProxies;  ///< by index in `swept`: their paths, if they may hit each other
+    std::vector<std::uint32_t> fastBodies;      ///< bodies that may have tunneled in this step
+    bool kinematicsAtRest = false;              ///< some kinematic bodies are not in fastBodies
+    std::vector<SweptBody> swept;               ///< fast bodies, and bodies that they hit
+    BoxProxies sweptProxies;                    ///< by index in `swept`: bounds of paths that may meet
     std::vector<std::pair<float, std::uint32_t>> dueHits;   ///< heap: fraction of the step, index in `swept`
-    std::vector<Contact> madeHits;                          ///< in the order of the hits
+    std::vector<Contact> madeHits;                          ///< contacts of hits, in the order of the hits
     std::vector<std::pair<PairKey, std::size_t>> hitOrder;  ///< indices in `madeHits`
     std::vector<SweepFindings> sweepFindings;               ///< per piece of work
-    std::vector<std::uint32_t> passedBodies;                ///< that a fast kinematic one may have passed
-    std::vector<std::uint32_t> candidates;                  ///< of the current query
-    bool sleepy = false;                                    ///< some body has rested long enough to sleep
+    std::vector<std::uint32_t> passedBodies;  ///< bodies that a fast kinematic body may have passed
+    std::vector<std::uint32_t> candidates;    ///< result of the broad phase for the current query
+    bool sleepy = false;                      ///< a body has been at rest for sleepTime
     DetectionCounts counts;
     std::array<std::uint64_t, kMaxStages> stageRuns{};   ///< by stage: see runsOf()
     std::uint32_t effectsRun = 0;                        ///< bits of effects whose code ran in this step
@@ -292,16 +290,16 @@ struct Workspace {
     bool rootsKnown = false;                             ///< findRoots() was called in this step
     std::vector<std::uint32_t> roots;                    ///< by body: root of its island
     std::vector<EnergyAccount> accounts;                 ///< by root, for islands with an energy account
-    std::vector<std::uint32_t> openAccounts;             ///< roots of those in use
-    std::vector<std::uint32_t> bookedBodies;             ///< their bodies
+    std::vector<std::uint32_t> openAccounts;             ///< roots of the accounts in use
+    std::vector<std::uint32_t> bookedBodies;             ///< bodies of islands with an account
     std::vector<EnergySums> bookings;                    ///< by index in `bookedBodies`
     std::vector<std::vector<std::uint32_t>> pieceLists;  ///< scratch of collect(), per piece of work
-    std::vector<std::uint32_t> pieceFound;               ///< joined
+    std::vector<std::uint32_t> pieceFound;               ///< concatenated result of collect()
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step
     std::vector<IslandCase> cases;       ///< by root, if there is a tolerance
 };
 
-/// Allocates a color that neither body uses. Pass kNone for a body that is not dynamic.
+/// Allocates a color that neither body uses. Bodies that are not dynamic are passed as kNone.
 std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB);
 void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour);
 

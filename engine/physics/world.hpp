@@ -18,7 +18,7 @@ namespace plumb::physics {
 
 struct Workspace;
 
-/// Position and orientation of a body. Two rows of four floats; the solver reads the second row.
+/// Position and orientation of a body. Two rows of four floats: the solver reads the second row.
 struct alignas(16) BodyPose {
     WorldPosition centre;  ///< m: the centre of mass
     Rot rotation;
@@ -30,18 +30,18 @@ struct alignas(16) BodyPose {
 struct alignas(16) BodyMotion {
     Vec2 velocity;                 ///< m/s, of the centre of mass
     float angularVelocity = 0.0f;  ///< rad/s
-    float restTime = 0.0f;         ///< s: time for which it has hardly moved
+    float restTime = 0.0f;         ///< s: time for which it has been at rest, for falling asleep
 };
 
 /// Mass properties of a body. Four floats, which the solver reads as one row (lanes.hpp).
 struct alignas(16) BodyMass {
     float inverseMass = 0.0f;     ///< 1/kg; 0 for a body that no impulse can move
     float inverseInertia = 0.0f;  ///< 1/(kg m2), about the centre of mass; 0 if no impulse can rotate it
-    float mass = 0.0f;            ///< kg, computed from the shapes or set by the owner
+    float mass = 0.0f;            ///< kg, computed from the shapes or set by setMass()
     float inertia = 0.0f;         ///< kg m2
 };
 
-/// Forces on a body besides contacts, joints and plain gravity. Few bodies have any of it.
+/// Forces on a body except contacts, joints and gravity. Few bodies have any, so they are in a SideTable.
 struct BodyDrive {
     Vec2 force;           ///< N, in the next step only
     Vec2 acceleration;    ///< m/s2, in every step
@@ -58,22 +58,22 @@ struct BodyInfo {
     BodyKind kind = BodyKind::None;
     std::uint8_t flags = 0;  ///< bits of BodyFlag
     Quality quality = kQualityOfWorld;
-    std::uint8_t owned = 0;            ///< bits of BodyOwned
-    std::uint32_t firstShape = kNone;  ///< the others follow by ShapeInfo::next
-    std::uint32_t firstJoint = kNone;  ///< the others follow by Joint::nextA or nextB
+    std::uint8_t owned = 0;            ///< bits of BodyOverride
+    std::uint32_t firstShape = kNone;  ///< first shape; the others follow by ShapeInfo::next
+    std::uint32_t firstJoint = kNone;  ///< first joint; the others follow by Joint::nextA or nextB
     std::uint32_t place = kNone;       ///< index in World::awake, or kNone
     std::uint32_t island = kNone;  ///< parent in the union-find forest of islands; a root is its own parent
     float sleepSpeed = 0.05f;      ///< m/s
-    std::uint32_t drive = kNone;   ///< index in Bodies::drives, or kNone: all defaults
+    std::uint32_t drive = kNone;   ///< index in Bodies::drives, or kNone: default values
     float reach = 0.0f;            ///< m: maximum distance of a point of its shapes from its centre of mass
     float core = 0.0f;             ///< m: radius of a disc around its centre of mass that lies inside a shape
     std::uint64_t user = 0;
 };
 
-enum BodyOwned : std::uint8_t {
-    kSetMass = 1,      ///< BodyMass::mass was set by the owner, not computed from the shapes
-    kSetMassData = 2,  ///< so were the inertia and the center of mass
-    kBodyOff = 4       ///< disabled: neither awake nor in a sleeping island, and its shapes are kShapeOff
+enum BodyOverride : std::uint8_t {
+    kSetMass = 1,      ///< BodyMass::mass was set by a setter, not computed from the shapes
+    kSetMassData = 2,  ///< inertia and center of mass were set by setMassData()
+    kBodyOff = 4       ///< disabled: neither awake nor in a sleeping island; shapes have kShapeOff
 };
 
 enum BodyFlag : std::uint8_t {
@@ -83,33 +83,33 @@ enum BodyFlag : std::uint8_t {
     kLockX = 8,
     kLockY = 16,
     kMoved = 32,         ///< its pose changed in the last step
-    kHasTarget = 64,     ///< kinematic: its velocity leads to the target of moveTo(), for one step
+    kHasTarget = 64,     ///< kinematic: its velocity was set by moveTo(), for one step
     kDropsThrough = 128  ///< one-way shapes do not stop it
 };
 
 enum class SubstepPhase : std::uint8_t {
-    Calm,      ///< its error is within the tolerance
-    Trying,    ///< it took the next lower quality: does the error stay within the tolerance?
-    Strained,  ///< the error exceeds the tolerance: perhaps only an impact, which passes by itself
-    Rising,    ///< it took a higher quality: does the error fall?
-    Resigned   ///< a higher quality did not help, so the lower one was taken again
+    Calm,      ///< error within the tolerance
+    Trying,    ///< quality was lowered by one; watches whether the error stays within the tolerance
+    Strained,  ///< error above the tolerance; waits, as an impact's error decays by itself
+    Rising,    ///< quality was raised; watches whether the error decreases
+    Resigned   ///< a higher quality did not help, so the lower one was restored
 };
 
-/// State of the quality control of an island, used with a tolerance (islands/substep_controller.hpp). Every
-/// body of an island holds the same copy, so that the state survives when the island splits.
+/// State of the quality control of an island, if there is a tolerance (islands/substep_controller.hpp). Every
+/// body of an island has a copy, so that the state is kept when the island splits.
 struct SubstepController {
-    Quality quality = kQualityOfWorld;  ///< of the last step; kQualityOfWorld: never evaluated
-    Quality before = kQualityOfWorld;   ///< before the last change
+    Quality quality = kQualityOfWorld;  ///< in the last step; kQualityOfWorld: not yet evaluated
+    Quality before = kQualityOfWorld;   ///< quality before the last change
     SubstepPhase phase = SubstepPhase::Calm;
-    std::uint8_t patience = 0;  ///< failures of lower and of higher qualities: each doubles the wait
+    std::uint8_t patience = 0;  ///< number of failed changes of the quality: each doubles the wait
     std::uint32_t wait = 0;     ///< steps until the next decision
-    float error = 0.0f;  ///< m: to compare with: maximum while Calm or Trying, else that at the last decision
-    float first = 0.0f;  ///< m: the error that made it rise
+    float error = 0.0f;         ///< m: Calm, Trying: maximum error; else error at the last decision
+    float first = 0.0f;         ///< m: error that caused the quality to be raised
 };
 
-/// A body's share in the energy account of its island, kept where there are joints (stages/keep_energy.cpp).
+/// A body's share in the energy account of its island, if the world has joints (stages/keep_energy.cpp).
 struct EnergyShare {
-    float credit = 0.0f;  ///< J: energy lost recently, which may come back; below 0: energy gained
+    float credit = 0.0f;  ///< J: energy lost recently, which may be regained; negative: energy gained
     float peak = 0.0f;    ///< J: recent maximum of the kinetic energy
 };
 
@@ -121,21 +121,21 @@ struct Bodies {
     std::vector<BodyInfo> info;
     std::vector<SubstepController> substepControllers;  ///< empty without Settings::tolerance
     std::vector<EnergyShare> energies;                  ///< empty without joints
-    SideTable<BodyDrive> drives;                        ///< by BodyInfo::drive
+    SideTable<BodyDrive> drives;                        ///< indexed by BodyInfo::drive
     std::vector<std::uint32_t> free;                    ///< free indices, last freed last
-    std::vector<std::uint32_t> dying;  ///< destroyed; free once the next step has ended their contacts
+    std::vector<std::uint32_t> dying;  ///< destroyed bodies; the next step ends their contacts and frees them
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const BodyDrive& driveOf(std::uint32_t body) const { return drives[info[body].drive]; }
     BodyDrive& ownDriveOf(std::uint32_t body) { return drives.own(info[body].drive); }
 };
 
-/// Properties that most shapes leave at their defaults.
+/// Properties of a shape that mostly have their default values.
 struct ShapeExtras {
     float rollingResistance = 0.0f;
     float surfaceSpeed = 0.0f;  ///< m/s
     Vec2 oneWayDirection;       ///< used with kOneWay
-    /// Of an inner border; see ShapeDefinition::frontLayers.
+    /// For an inner border; see ShapeDefinition::frontLayers.
     std::uint32_t frontLayers = 0;
     std::uint32_t frontMask = 0;
 
@@ -151,10 +151,10 @@ struct ShapeInfo {
     float density = 1.0f;
     float friction = 0.6f;
     float bounciness = 0.0f;
-    float margin = 0.0f;  ///< m: by how much its bounds are enlarged
+    float margin = 0.0f;  ///< m: enlargement of its bounds
     std::uint64_t user = 0;
-    std::uint32_t surface = 0;     ///< see ShapeDefinition::surface; 0: on its own
-    std::uint32_t extras = kNone;  ///< index in Shapes::extras, or kNone: all defaults
+    std::uint32_t surface = 0;     ///< see ShapeDefinition::surface; 0: not part of a surface
+    std::uint32_t extras = kNone;  ///< index in Shapes::extras, or kNone: default values
 };
 
 enum ShapeFlag : std::uint8_t {
@@ -163,7 +163,7 @@ enum ShapeFlag : std::uint8_t {
     kReportsContacts = 4,
     kLeftBounds = 8,  ///< it is in World::moved
     kAltered = 16,    ///< it is in World::altered
-    kShapeOff = 32    ///< of a disabled body: hidden from the broad phase
+    kShapeOff = 32    ///< its body is disabled: hidden from the broad phase
 };
 
 /// The shapes, indexed by ShapeId::index.
@@ -173,11 +173,11 @@ struct Shapes {
     std::vector<Filter> filter;
     std::vector<ProxyMotion> motion;
     std::vector<ShapeInfo> info;
-    SideTable<ShapeExtras> extras;  ///< by ShapeInfo::extras
+    SideTable<ShapeExtras> extras;  ///< indexed by ShapeInfo::extras
     std::vector<std::uint32_t> free;
     std::vector<std::uint32_t> dying;
-    std::vector<Corner> corners;                            ///< of all polygons
-    std::array<std::vector<std::uint32_t>, 6> freeCorners;  ///< by n: freed blocks of 2^n corners
+    std::vector<Corner> corners;                            ///< corners of all polygons
+    std::array<std::vector<std::uint32_t>, 6> freeCorners;  ///< by n: free blocks of 2^n corners
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const ShapeExtras& extrasOf(std::uint32_t shape) const {
@@ -185,7 +185,7 @@ struct Shapes {
     }
 };
 
-/// A joint as the solver reads it; the rest is in its JointDefinition.
+/// The data of a joint that the solver reads; the rest is in its JointDefinition.
 struct Joint {
     std::uint32_t bodyA = kNone;
     std::uint32_t bodyB = kNone;
@@ -196,10 +196,10 @@ struct Joint {
     std::uint8_t colour = kNoColour;
     Quality quality = kQualityOfWorld;
     std::uint32_t generation = 0;
-    Vec2 force;           ///< N on B, of the last substep
-    float torque = 0.0f;  ///< N m on B
-    float rows[6] = {};   ///< N or N m: force of each constraint row, for warm starting; Gear keeps its error
-                          ///< (rad or m) in rows[1]
+    Vec2 force;           ///< N on B, in the last substep
+    float torque = 0.0f;  ///< N m on B, in the last substep
+    float rows[6] = {};  ///< N or N m: force of each constraint row, for warm starting; Gear stores its error
+                         ///< (rad or m) in rows[1]
     std::uint32_t nextA = kNone;  ///< the next joint of body A
     std::uint32_t nextB = kNone;
     std::uint32_t place = kNone;  ///< index in Joints::awake, or kNone
@@ -210,9 +210,9 @@ enum JointFlag : std::uint8_t {
     kDriven = 2,
     kSprung = 4,
     kBreakable = 8,
-    kSoft = 16,  ///< it has its own stiffness (JointDefinition::hertz)
+    kSoft = 16,  ///< JointDefinition::hertz is set
     kKeepsApart = 32,
-    kStretched = 64  ///< the iterative solver had it, so it may have an error: see joint_tree_builder.cpp
+    kStretched = 64  ///< solved iteratively before, so it may have an error: joint_tree_builder.cpp
 };
 
 struct Joints {
@@ -254,9 +254,9 @@ struct SoftTouch {
 struct SoftBody {
     std::vector<SoftParticle> particles;
     std::vector<SoftLink> links;
-    std::vector<std::uint32_t> ring;  ///< particles around the area that is kept; empty for none
+    std::vector<std::uint32_t> ring;  ///< particles around the area to preserve; empty for none
     std::vector<SoftTouch> touches;   ///< sorted by shape, then by particle
-    float area = 0.0f;                ///< m2, at rest; positive or negative as the ring's orientation
+    float area = 0.0f;                ///< m2, at rest; signed by the ring's orientation
     float areaCompliance = 0.0f;
     float radius = 0.0f;   ///< m
     float damping = 0.0f;  ///< 1/s
@@ -270,11 +270,11 @@ struct SoftBody {
 
 /// A sleeping island: linked lists of its bodies (by BodyInfo::island) and its contacts.
 struct SleepingIsland {
-    std::uint32_t firstBody = kNone;     ///< the others follow by Sleepers::nextBody
-    std::uint32_t firstContact = kNone;  ///< the others follow by Sleepers::nextContact
+    std::uint32_t firstBody = kNone;     ///< first body; the others follow by Sleepers::nextBody
+    std::uint32_t firstContact = kNone;  ///< first contact; the others follow by Sleepers::nextContact
 };
 
-/// Everything that sleeps. A step does not visit it.
+/// The sleeping islands, which a step does not process.
 struct Sleepers {
     std::vector<SleepingIsland> islands;
     std::vector<std::uint32_t> freeIslands;
@@ -285,21 +285,21 @@ struct Sleepers {
     std::vector<std::uint32_t> islandOf;  ///< by body index; kNone for an awake body
 };
 
-/// Objects by the index of their ids.
+/// Objects, indexed by Id::index.
 template <class Object>
 struct Slots {
     std::vector<Object> all;
     std::vector<std::uint32_t> free;
 };
 
-/// An overlap that no motion explains, see initial_overlaps.cpp.
+/// An overlap too deep to result from the bodies' motion, see initial_overlaps.cpp.
 struct InitialOverlap {
     PairKey pair = 0;
-    float hidden = 0.0f;  ///< m: the part of it that is still hidden from the solver
+    float hidden = 0.0f;  ///< m: part of the overlap that is hidden from the solver
 };
 
-/// Owns the Workspace of a world. Its contents follow from the world, so a copy of the world does not copy
-/// them, and a world that is overwritten keeps the memory but refills it.
+/// Owns the Workspace of a world, which can be recomputed from the world. So a copy of the world does not
+/// copy it, and a world that is overwritten keeps the memory but refills it.
 class WorkspaceHolder {
 public:
     WorkspaceHolder() = default;
@@ -308,24 +308,24 @@ public:
     WorkspaceHolder(WorkspaceHolder&&) noexcept = default;
     WorkspaceHolder& operator=(WorkspaceHolder&&) noexcept = default;
 
-    /// Created on first use.
+    /// Returns the workspace; creates it on first use.
     Workspace& get();
-    /// Workspace of the last step; null if there was none since the world was created, copied or overwritten.
+    /// Returns the workspace of the last step; null without a step since creation, copying or overwriting.
     [[nodiscard]] const Workspace* lastStep() const {
         return state_ == State::Stepped ? workspace_.get() : nullptr;
     }
-    /// To be called at the end of a step.
+    /// Called at the end of a step.
     void noteStep() {
         if (!stale()) state_ = State::Stepped;
     }
-    /// True once after the world was created or overwritten.
+    /// Returns true once after the world was created or overwritten.
     bool takeStale() { return stale() && (state_ = State::Refilled, true); }
     [[nodiscard]] bool stale() const { return workspace_ == nullptr || state_ == State::Stale; }
-    /// A callback of StepOptions::hooks runs: setters refuse to work. Not so in a copy that it makes.
-    bool isAsking = false;
+    /// A callback of StepOptions::hooks is running: setters return errors. Not copied with the world.
+    bool isInCallback = false;
 
 private:
-    /// A query refills what it needs, such as the broad phase, and leaves the rest as it was.
+    /// Refilled: a query updated the broad phase, but no step has run yet.
     enum class State : unsigned char { Stale, Refilled, Stepped };
 
     struct Delete {
@@ -336,7 +336,7 @@ private:
     State state_ = State::Stale;
 };
 
-/// The whole simulated state as plain data: a copy is a snapshot. It has indices, no addresses.
+/// The whole simulated state as plain data with indices instead of pointers: a copy is a snapshot.
 struct World {
     Settings settings;
     Bodies bodies;
@@ -344,31 +344,31 @@ struct World {
     Joints joints;
     Slots<Field> fields;
     Slots<SoftBody> softBodies;          ///< ropes, cloth and soft bodies
-    std::vector<std::uint32_t> awake;    ///< bodies that may move
-    std::vector<std::uint32_t> moved;    ///< shapes whose pairs have to be searched: those with kLeftBounds
-    std::vector<std::uint32_t> altered;  ///< shapes whose contacts end, and are found anew, in the next step
+    std::vector<std::uint32_t> awake;    ///< awake dynamic and kinematic bodies
+    std::vector<std::uint32_t> moved;    ///< shapes with kLeftBounds, whose pairs must be searched
+    std::vector<std::uint32_t> altered;  ///< shapes whose contacts restart in the next step
     std::vector<Contact> contacts;       ///< contacts with at least one awake body
     Sleepers sleepers;
-    std::vector<InitialOverlap> initialOverlaps;  ///< by pair
+    std::vector<InitialOverlap> initialOverlaps;  ///< sorted by pair
     std::vector<ContactEvent> events;             ///< events of the last step
     std::vector<JointId> brokenJoints;            ///< joints that broke in the last step
-    std::vector<JointId> strainedJoints;  ///< above JointDefinition::reportForce or reportTorque in it
-    std::vector<BodyId> fellAsleep;       ///< since it began
-    std::vector<BodyId> quarantined;      ///< stopped in the last step, because their state became non-finite
-    std::vector<SoftBodyId> quarantinedSoft;  ///< the same, of some of their particles
-    std::uint32_t qualityCallers = 0;         ///< number of bodies and joints with a quality of their own
-    bool newJoints = false;                   ///< some joint has no colour yet
+    std::vector<JointId> strainedJoints;  ///< joints above reportForce or reportTorque in the last step
+    std::vector<BodyId> fellAsleep;       ///< bodies that fell asleep in the last step
+    std::vector<BodyId> quarantined;      ///< bodies stopped in the last step: their state became non-finite
+    std::vector<SoftBodyId> quarantinedSoft;  ///< soft bodies with particles stopped for this reason
+    std::uint32_t qualityCallers = 0;         ///< number of bodies and joints with a quality set
+    bool newJoints = false;                   ///< true if a joint has no color yet
     bool filtersStale = false;                ///< a filter or joint changed: contacts may have become invalid
     bool islandsStale = false;  ///< a contact or joint ended: islands may be larger than necessary
-    float islandsAge = 0.0f;    ///< s: time for which they have been stale
+    float islandsAge = 0.0f;    ///< s: time for which islandsStale has been true
     Manifest manifest;
     Vec2 gravityOfLastStep;  ///< m/s2: a change of Settings::gravity wakes all bodies
     std::uint64_t steps = 0;
     float stepLength = 1.0f / 60.0f;  ///< s: length of the step that the impulses in `contacts` belong to
-    WorkspaceHolder work;             ///< derived from the rest: neither copied nor hashed
+    WorkspaceHolder work;             ///< derived data: neither copied nor hashed
 };
 
-/// True if the id is the latest one given for its index; its object may have been destroyed since.
+/// True if the id is the latest one assigned to its index; its object may have been destroyed since.
 template <class List, class Thing>
 [[nodiscard]] bool isLatest(const List& list, Id<Thing> id) {
     return id.generation != 0 && id.index < list.size() && list[id.index].generation == id.generation;
@@ -397,7 +397,7 @@ template <class List, class Thing>
     return {shape, world.shapes.info[shape].generation};
 }
 
-/// Returns the object's element of a list, or a default value if the object is gone. All getters use it.
+/// Returns the object's element of a list, or a default value for a stale id. All getters use it.
 template <class T, class Thing>
 [[nodiscard]] const T& readOf(const World& world, const std::vector<T>& list, Id<Thing> id) {
     static const T kNeutral{};
@@ -407,12 +407,12 @@ template <class T, class Thing>
 [[nodiscard]] inline bool isDynamic(const World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == BodyKind::Dynamic;
 }
-/// The part of a vector along the axes on which a body is not locked.
+/// Returns a vector without its components along the axes on which a body is locked.
 [[nodiscard]] inline Vec2 unlocked(const World& world, std::uint32_t body, Vec2 v) {
     const std::uint8_t flags = world.bodies.info[body].flags;
     return {(flags & kLockX) != 0 ? 0.0f : v.x, (flags & kLockY) != 0 ? 0.0f : v.y};
 }
-/// True for a body that can be pushed and is awake.
+/// True for an awake dynamic body.
 [[nodiscard]] inline bool isUp(const World& world, std::uint32_t body) {
     return isDynamic(world, body) && world.bodies.info[body].place != kNone;
 }

@@ -14,7 +14,7 @@ namespace plumb {
 namespace {
 
 constexpr int kRate = 44100;   // samples a second
-constexpr int kSamples = 512;  // a buffer: 12 ms of delay
+constexpr int kSamples = 512;  // samples in a buffer: 12 ms of delay
 constexpr int kVoices = 32;
 constexpr float kMaxSeconds = 60.0f;
 
@@ -123,8 +123,8 @@ private:
         music_ = nullptr;
     }
 
-    std::vector<Mix_Chunk*> chunks_;  // by handle; null where one was unloaded
-    std::string musicBytes_;          // must stay, because music is streamed from it
+    std::vector<Mix_Chunk*> chunks_;  // by handle; null for unloaded sounds
+    std::string musicBytes_;          // kept, because music is streamed from it
     Mix_Music* music_ = nullptr;
 };
 
@@ -132,7 +132,7 @@ private:
 
 Result<std::unique_ptr<AudioDevice>> openAudioDevice() {
     const auto failure = [](const char* why) {
-        return Error{"audio", format("no sound device ({})", why), "the game goes on in silence"};
+        return Error{"audio", format("no sound device ({})", why), "the game runs without sound"};
     };
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) return failure(SDL_GetError());
     if (Mix_OpenAudio(kRate, AUDIO_S16SYS, 2, kSamples) != 0) {

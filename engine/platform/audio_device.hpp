@@ -10,7 +10,7 @@ namespace plumb {
 /// An output for sound. An interface, so that tests can record what is played.
 class AudioDevice {
 public:
-    using SoundHandle = int;  ///< a loaded sound of this device, from 0
+    using SoundHandle = int;  ///< index of a loaded sound of this device
     using Voice = int;        ///< a sound that is playing; -1 for none
 
     virtual ~AudioDevice() = default;
@@ -39,10 +39,10 @@ public:
 };
 
 /// Opens the sound output of the machine.
-/// @error there is none, or another program holds it
+/// @error there is no device, or another program uses it
 Result<std::unique_ptr<AudioDevice>> openAudioDevice();
 
-/// What the header of a WAV file states.
+/// The properties of a sound in the header of a WAV file.
 struct WavHeader {
     int channels = 0;
     int rate = 0;  ///< samples a second

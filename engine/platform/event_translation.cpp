@@ -80,7 +80,7 @@ EventTranslation::~EventTranslation() {
     }
 }
 
-std::optional<int> EventTranslation::placeOf(std::int32_t instance) const {
+std::optional<int> EventTranslation::slotOf(std::int32_t instance) const {
     for (int i = 0; i < kPadCount; ++i) {
         const Pad& pad = pads_[static_cast<std::size_t>(i)];
         if (pad.controller != nullptr && pad.instance == instance) return i;
@@ -95,7 +95,7 @@ std::optional<Event> EventTranslation::addPad(int device) {
     const auto free =
         std::find_if(pads_.begin(), pads_.end(), [](const Pad& pad) { return pad.controller == nullptr; });
     // SDL reports a pad that is connected at the start twice.
-    if (placeOf(instance) || free == pads_.end()) {
+    if (slotOf(instance) || free == pads_.end()) {
         SDL_GameControllerClose(controller);
         return std::nullopt;
     }
@@ -108,7 +108,7 @@ std::optional<Event> EventTranslation::addPad(int device) {
 }
 
 std::optional<Event> EventTranslation::removePad(std::int32_t instance) {
-    const std::optional<int> index = placeOf(instance);
+    const std::optional<int> index = slotOf(instance);
     if (!index) return std::nullopt;
     Pad& pad = pads_[static_cast<std::size_t>(*index)];
     SDL_GameControllerClose(static_cast<SDL_GameController*>(pad.controller));
@@ -153,7 +153,7 @@ std::optional<Event> EventTranslation::translate(const SDL_Event& from) {
 }
 
 std::optional<Event> EventTranslation::padButtonEvent(bool down, std::int32_t instance, int button) const {
-    const std::optional<int> index = placeOf(instance);
+    const std::optional<int> index = slotOf(instance);
     if (!index || button < 0 || button >= static_cast<int>(kPadButtonCount)) return std::nullopt;
     Event event{.kind = down ? EventKind::PadDown : EventKind::PadUp};
     event.pad = *index;
@@ -162,7 +162,7 @@ std::optional<Event> EventTranslation::padButtonEvent(bool down, std::int32_t in
 }
 
 std::optional<Event> EventTranslation::padAxisEvent(std::int32_t instance, int axis, float value) const {
-    const std::optional<int> index = placeOf(instance);
+    const std::optional<int> index = slotOf(instance);
     if (!index || axis < 0 || axis >= static_cast<int>(kPadAxisCount)) return std::nullopt;
     Event event{.kind = EventKind::PadAxisMoved};
     event.pad = *index;

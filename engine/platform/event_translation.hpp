@@ -25,7 +25,7 @@ private:
         std::int32_t instance = -1;
     };
 
-    [[nodiscard]] std::optional<int> placeOf(std::int32_t instance) const;
+    [[nodiscard]] std::optional<int> slotOf(std::int32_t instance) const;
     std::optional<Event> addPad(int device);
     std::optional<Event> removePad(std::int32_t instance);
     [[nodiscard]] std::optional<Event> padButtonEvent(bool down, std::int32_t instance, int button) const;

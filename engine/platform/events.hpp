@@ -48,9 +48,9 @@ struct Event {
     Modifiers modifiers;                          ///< KeyDown, KeyUp, MouseDown, MouseUp, MouseWheel
     MouseButton mouseButton = MouseButton::Left;  ///< MouseDown, MouseUp
     std::uint8_t clicks = 1;                      ///< MouseDown: 2 for a double click
-    Vec2 position;                                ///< px in the window; Mouse*. Resized: the new size
-    Vec2 motion;                         ///< px since the last one (MouseMoved), notches (MouseWheel)
-    int pad = 0;                         ///< Pad*: which gamepad, 0..3
+    Vec2 position;                                ///< px in the window: Mouse*; Resized: the new size
+    Vec2 motion;                         ///< MouseMoved: px since the last event; MouseWheel: notches
+    int pad = 0;                         ///< Pad*: index of the gamepad, 0..3
     PadButton padButton = PadButton::A;  ///< PadDown, PadUp
     PadAxis padAxis = PadAxis::LeftX;    ///< PadAxisMoved
     float value = 0.0f;                  ///< PadAxisMoved: -1..1, triggers 0..1

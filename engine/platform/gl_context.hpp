@@ -6,7 +6,7 @@ struct SDL_Window;
 
 namespace plumb {
 
-/// An OpenGL 3.3 core context of one window. Current on its thread during its whole lifetime.
+/// An OpenGL 3.3 core context of one window, current on the thread that created it.
 class GlContext {
 public:
     GlContext() = default;

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// A picture in memory: rows from the top, each pixel red, green, blue, opacity, not premultiplied.
+/// An image in memory: rows from the top, each pixel red, green, blue, opacity, not premultiplied.
 struct Image {
     int width = 0;                   ///< px
     int height = 0;                  ///< px

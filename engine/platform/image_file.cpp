@@ -25,14 +25,14 @@
 namespace plumb {
 namespace {
 
-/// Smaller decoded pictures are never treated as bombs: a blank sheet compresses very well.
+/// Decoded images up to this size are never treated as decompression bombs: blank ones compress very well.
 constexpr std::size_t kHarmlessBytes = std::size_t{64} << 20;
 
 constexpr std::string_view kRemedy = "save it again as PNG";
 
 using Surface = std::unique_ptr<SDL_Surface, decltype(&SDL_FreeSurface)>;
 
-/// Limit on scans: a progressive JPEG may require any number of passes over the whole picture.
+/// Limit on scans: a progressive JPEG may require any number of passes over the whole image.
 constexpr int kMaxScans = 64;
 
 bool hasTooManyScans(std::string_view bytes) {
@@ -74,7 +74,7 @@ Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) 
     if (bytes.empty()) return imageError(where, "the file is empty");
     if (bytes.size() > limits::kFileBytes)
         return imageError(where, "the file is too large", "make it smaller");
-    if (!imageFormatOf(bytes)) return imageError(where, "the file is no PNG, JPEG or BMP image");
+    if (!imageFormatOf(bytes)) return imageError(where, "the file is not a PNG, JPEG or BMP image");
     const std::optional<ImageHeader> header = readImageHeader(bytes);
     if (!header) return imageError(where, "the image has a damaged header");
     const ImageSize size{header->width, header->height};
@@ -82,7 +82,7 @@ Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) 
         return imageError(where,
                           format("the image has {}x{} px, the limit is {} a side", size.width, size.height,
                                  limits::kImageSide),
-                          "make it smaller or cut it into several");
+                          "make it smaller or split it into several images");
     }
     const std::size_t decoded =
         static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 4;
@@ -90,7 +90,7 @@ Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) 
         (decoded > kHarmlessBytes && decoded / bytes.size() > limits::kCompressionRatio)) {
         return imageError(
             where, format("the image would take {} bytes of memory from a file of {}", decoded, bytes.size()),
-            "make it smaller or cut it into several");
+            "make it smaller or split it into several images");
     }
     return size;
 }
@@ -105,9 +105,9 @@ Result<Image> decodeImage(std::string_view bytes, std::string_view where) {
     SDL_RWops* stream = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
     const Surface loaded{load(kind, stream), &SDL_FreeSurface};
     SDL_RWclose(stream);
-    if (!loaded) return imageError(where, format("the image is damaged or cut off ({})", IMG_GetError()));
+    if (!loaded) return imageError(where, format("the image is damaged or truncated ({})", IMG_GetError()));
     if (ImageSize{loaded->w, loaded->h} != *size)
-        return imageError(where, "the image contradicts its header");
+        return imageError(where, "the decoded size differs from the header");
     const Surface converted{SDL_ConvertSurfaceFormat(loaded.get(), SDL_PIXELFORMAT_RGBA32, 0),
                             &SDL_FreeSurface};
     if (!converted) return imageError(where, format("the image could not be converted ({})", SDL_GetError()));
@@ -120,8 +120,8 @@ Result<std::string> encodePng(const Image& image) {
         image.height > limits::kImageSide || image.rgba.size() != expected) {
         return Error{
             "image",
-            format("{}x{} px with {} bytes is no picture", image.width, image.height, image.rgba.size()),
-            "give it width * height * 4 bytes"};
+            format("an image of {}x{} px cannot have {} bytes", image.width, image.height, image.rgba.size()),
+            "pass width * height * 4 bytes"};
     }
     std::string png;
     const auto append = [](void* out, void* data, int size) {

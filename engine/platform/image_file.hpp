@@ -15,18 +15,18 @@ struct ImageSize {
     friend bool operator==(ImageSize, ImageSize) = default;
 };
 
-/// The size that an image file states in its header. Decodes nothing, so it is cheap and safe.
+/// Reads the size from the header of an image file. Decodes nothing, so it is cheap and safe.
 /// @param where  the file's name, for errors
 /// @error empty, not a PNG, JPEG or BMP, larger than the limits, or so large for its number of
 /// bytes that it is a decompression bomb
 Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where);
 
 /// Decodes an image file.
-/// @error as readImageSize, or the file is truncated or damaged
+/// @error those of readImageSize(), or the file is truncated or damaged
 Result<Image> decodeImage(std::string_view bytes, std::string_view where);
 
-/// Encodes a picture as PNG.
-/// @error  an empty picture, or one whose pixels do not match its size
+/// Encodes an image as PNG.
+/// @error  an empty image, or one whose pixels do not match its size
 Result<std::string> encodePng(const Image& image);
 
 }  // namespace plumb

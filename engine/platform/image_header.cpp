@@ -6,8 +6,8 @@
 
 #include "core/text.hpp"
 
-// Our own parser, because the header readers of the usual libraries trust the bytes:
-// fuzzing stb_image's found a write beyond the end of a table within seconds.
+// A parser of the engine's own, because the header readers of common libraries trust their input:
+// fuzzing that of stb_image found a write beyond the end of a table within seconds.
 
 namespace plumb {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::string_view kPng{"\x89PNG\r\n\x1a\n", 8};
 
 std::uint32_t byteAt(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
-/// Integers of the two byte orders; the caller has checked that the bytes exist.
+/// Reads an integer in big- or little-endian order. @pre the bytes exist
 std::uint32_t big(std::string_view bytes, std::size_t at, std::size_t count) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < count; ++i) value = value << 8 | byteAt(bytes, at + i);
@@ -48,7 +48,7 @@ std::optional<ImageHeader> readBmp(std::string_view bytes) {
     return headerOf(ImageFormat::Bmp, little(bytes, 18, 4), height > 0x80000000u ? 0u - height : height);
 }
 
-/// Walks the segments up to the one that states the size.
+/// Skips the segments before the one that contains the size.
 std::optional<ImageHeader> readJpeg(std::string_view bytes) {
     std::size_t at = 2;
     while (at + 4 <= bytes.size()) {

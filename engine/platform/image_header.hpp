@@ -11,10 +11,10 @@ enum class ImageFormat : unsigned char { Png, Jpeg, Bmp };
 struct ImageHeader {
     ImageFormat format = ImageFormat::Png;
     int width = 0;   ///< px
-    int height = 0;  ///< px; as the file states, without any limit
+    int height = 0;  ///< px; as stored in the file, not checked against limits
 };
 
-/// The format of the file by its signature; nothing for all others.
+/// Returns the format of a file by its signature; nothing for other formats.
 std::optional<ImageFormat> imageFormatOf(std::string_view bytes);
 
 /// Reads the size without decoding anything.

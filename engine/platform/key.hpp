@@ -7,9 +7,9 @@
 
 namespace plumb {
 
-// Keys and buttons, with our own numbers. Bindings and replays store these numbers,
-// so new entries are added at the end only, before Count. Names in files and in the
-// editor are those of the enumerators, without the prefix of digits and signs.
+// Keys and buttons, with the engine's own numbers: new entries are added only at the
+// end, before Count. Names in files and in the editor are those of the enumerators,
+// but digit keys have only the digit.
 
 /// A key by its position on a US keyboard, so that WASD has the same position on every layout.
 enum class Key : std::uint8_t {
@@ -45,7 +45,7 @@ inline constexpr std::size_t kPadButtonCount = static_cast<std::size_t>(PadButto
 enum class PadAxis : std::uint8_t { LeftX, LeftY, RightX, RightY, LeftTrigger, RightTrigger, Count };
 inline constexpr std::size_t kPadAxisCount = static_cast<std::size_t>(PadAxis::Count);
 
-/// The name in bindings ("W", "Left", "5", "F11", "LeftShift"), and the inverse; empty or nothing for None.
+/// The name in bindings ("W", "Left", "5", "F11", "LeftShift"), empty for None, and the inverse function.
 std::string_view nameOf(Key key);
 std::string_view nameOf(MouseButton button);
 std::string_view nameOf(PadButton button);

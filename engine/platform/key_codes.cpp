@@ -6,7 +6,7 @@
 namespace plumb {
 namespace {
 
-// Source: USB HID Usage Tables 1.12, page 0x07. Runs with the same order on both sides are one line.
+// Source: USB HID Usage Tables 1.12, page 0x07. A Run is a range with the same order of codes and keys.
 struct Run {
     int usage;
     Key first;

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// Our key for a USB usage code (SDL's scancodes are these); Key::None for keys without a name.
+/// Returns the key of a USB usage code (the same as SDL's scancode); Key::None for keys without a name.
 Key keyFromUsage(int usage);
 
 }  // namespace plumb

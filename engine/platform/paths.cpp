@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-/// A path returned by SDL, which has to be freed; empty if there is none.
+/// Converts and frees a path text from SDL; empty for null.
 Path takePath(char* text) {
     Path path = text != nullptr ? Path{text} : Path{};
     SDL_free(text);

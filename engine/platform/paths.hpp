@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// The folder of the running program; the current folder if the system does not know it.
+/// The folder of the running program; the current folder if that is unknown.
 Path executableFolder();
 
 /// The engine's own assets (fonts, icons), which `engine:` in an asset
@@ -13,8 +13,8 @@ Path executableFolder();
 const Path& engineAssets();
 
 /// The folder of a code-only game, which contains its assets/: the program's
-/// own, that of the project in the source tree, else the current one.
-/// @param program  its name, which is that of the project's folder
+/// folder, the project's in the source tree, or else the current folder.
+/// @param program  name of the program, equal to that of the project's folder
 Path codeGameFolder(const Path& program);
 
 /// The folder for user settings; created if missing. `$XDG_DATA_HOME/plumb` on Linux.

@@ -18,7 +18,7 @@ namespace {
 #if defined(__linux__)
 /// Seconds between the start of the machine and that of this process; below 0 if it is unknown.
 double startedAt() {
-    std::FILE* file = std::fopen("/proc/self/stat", "r");  // its size says 0, so readFile finds nothing
+    std::FILE* file = std::fopen("/proc/self/stat", "r");  // its size is reported as 0, so not readFile()
     if (file == nullptr) return -1.0;
     std::string text(1024, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file));

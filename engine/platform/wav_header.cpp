@@ -22,7 +22,7 @@ Result<WavHeader> readWavHeader(std::string_view bytes, std::string_view where) 
     };
     if (bytes.empty()) return refuse("the file is empty");
     if (bytes.size() < 12 || !startsWith(bytes, "RIFF") || bytes.substr(8, 4) != "WAVE")
-        return refuse("the file is no WAV");
+        return refuse("the file is not a WAV file");
     WavHeader header;
     std::uint32_t bytesPerSecond = 0;
     for (std::size_t at = 12; at + 8 <= bytes.size();) {
@@ -36,16 +36,16 @@ Result<WavHeader> readWavHeader(std::string_view bytes, std::string_view where) 
         } else if (name == "data") {
             if (header.channels < 1 || header.channels > 8 || header.rate < 4000 || header.rate > 192000 ||
                 bytesPerSecond < 1000) {
-                return refuse("the WAV's header has senseless numbers");
+                return refuse("the WAV header has invalid values");
             }
-            if (size > bytes.size() - at) return refuse("the WAV is cut off");
+            if (size > bytes.size() - at) return refuse("the WAV file is truncated");
             header.seconds = static_cast<float>(size) / static_cast<float>(bytesPerSecond);
             return header;
         }
         if (size > bytes.size() - at) break;
         at += size + size % 2;
     }
-    return refuse("the WAV holds no sound");
+    return refuse("the WAV file contains no sound data");
 }
 
 }  // namespace plumb

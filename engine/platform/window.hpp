@@ -40,7 +40,7 @@ enum class MouseShape : unsigned char {
 };
 
 /// A window with an OpenGL 3.3 core context, current on the thread that opened it; also the source of
-/// events. Without a display it renders into memory and reports that: tests and servers need no X.
+/// events. Without a display it renders into memory and logs a note, so servers need no X server.
 class Window {
 public:
     /// @error no video driver, no OpenGL 3.3
@@ -51,20 +51,20 @@ public:
 
     /// Appends the events since the last call to `events`, oldest first.
     void pollEvents(std::vector<Event>& events);
-    /// As pollEvents, but waits up to `seconds` if there are no events yet.
+    /// Like pollEvents(), but waits up to `seconds` if there are no events yet.
     void waitEvents(std::vector<Event>& events, double seconds);
 
     /// Opens gamepads and reports their events from now on. Calling it once is enough.
     void openPads();
 
-    /// Shows the rendered frame. Read pixels before: afterwards they are undefined.
+    /// Shows the rendered frame. Its pixels are undefined afterwards, so read them before.
     void swap();
     void setVsync(bool on);
 
     [[nodiscard]] PixelSize size() const;          ///< in the units of mouse positions
     [[nodiscard]] PixelSize drawableSize() const;  ///< in pixels: larger than size() on dense screens
     [[nodiscard]] bool hasFocus() const;
-    [[nodiscard]] bool hasDisplay() const;  ///< false when it draws into memory only
+    [[nodiscard]] bool hasDisplay() const;  ///< false if it only draws into memory
 
     void setTitle(const std::string& title);
     void setSize(int width, int height);

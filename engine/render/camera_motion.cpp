@@ -25,8 +25,8 @@ Vec2 keptInDeadZone(Vec2 camera, Vec2 followed, Vec2 deadZone) {
 
 Vec2 approached(Vec2 from, Vec2 to, float seconds, float dt) {
     if (seconds <= 0.0f) return to;
-    constexpr float kMaxOfTheWay = 3.0f;  // e^-3 is 5 %
-    return to + (from - to) * exponential(-kMaxOfTheWay * dt / seconds);
+    constexpr float kTimeConstants = 3.0f;  // e^-3 is 5 %
+    return to + (from - to) * exponential(-kTimeConstants * dt / seconds);
 }
 
 Vec2 keptInLimits(Vec2 center, Vec2 size, const Rect& limits) {

@@ -1,4 +1,5 @@
-// Outlines of OpenType: Adobe's Technical Notes 5176 (CFF) and 5177 (Type 2 charstrings).
+// Reads cubic outlines of OpenType fonts.
+// Sources: Adobe's Technical Notes 5176 (CFF) and 5177 (Type 2 charstrings).
 
 #include <algorithm>
 #include <array>
@@ -17,12 +18,12 @@ using Kind = OutlineStep::Kind;
 struct Index {
     FontBytes bytes;
     std::size_t count = 0;
-    std::size_t width = 1;  ///< bytes of an offset
-    std::size_t end = 2;    ///< of the whole list, from its start
+    std::size_t width = 1;  ///< bytes per offset
+    std::size_t end = 2;    ///< bytes from the start to the end of the INDEX
 
-    static Index at(FontBytes cff, std::size_t place) {
+    static Index at(FontBytes cff, std::size_t begin) {
         Index index;
-        index.bytes = cff.slice(place);
+        index.bytes = cff.slice(begin);
         index.count = index.bytes.u16(0);
         if (index.count == 0) return index;
         index.width = std::clamp<std::size_t>(index.bytes.u8(2), 1, 4);
@@ -37,7 +38,7 @@ struct Index {
     }
 
 private:
-    /// Offsets are relative to the byte before the data.
+    /// Base of the offsets: the byte before the data.
     [[nodiscard]] std::size_t dataAt() const { return 2 + (count + 1) * width; }
     [[nodiscard]] std::size_t offset(std::size_t i) const {
         std::size_t value = 0;
@@ -46,7 +47,7 @@ private:
     }
 };
 
-/// The first two operands of an operator in a dictionary; nothing if the operator is missing.
+/// Returns the first two operands of an operator in a dictionary; no value if the operator is missing.
 std::optional<std::array<int, 2>> entryOf(FontBytes dictionary, std::uint32_t wanted) {
     std::array<int, 2> numbers{};
     std::size_t count = 0;
@@ -67,7 +68,7 @@ std::optional<std::array<int, 2>> entryOf(FontBytes dictionary, std::uint32_t wa
             push(cursor.i16());
         } else if (first == 29) {
             push(static_cast<int>(cursor.u32()));
-        } else if (first == 30) {  // a real number: digits of four bits up to fifteen
+        } else if (first == 30) {  // a real number: digits of four bits, ended by 15
             push(0);
             for (std::uint32_t digits = 0; (digits & 15) != 15 && !cursor.ended();) digits = cursor.u8();
         } else if (first >= 32 && first <= 246) {
@@ -81,23 +82,23 @@ std::optional<std::array<int, 2>> entryOf(FontBytes dictionary, std::uint32_t wa
     return std::nullopt;
 }
 
-/// An offset stored in a dictionary; 0 if it is missing.
-std::size_t placeIn(FontBytes dictionary, std::uint32_t wanted) {
-    const int place = entryOf(dictionary, wanted).value_or(std::array<int, 2>{})[0];
-    return place > 0 ? static_cast<std::size_t>(place) : 0;
+/// Returns an offset stored in a dictionary; 0 if it is missing.
+std::size_t offsetIn(FontBytes dictionary, std::uint32_t wanted) {
+    const int offset = entryOf(dictionary, wanted).value_or(std::array<int, 2>{})[0];
+    return offset > 0 ? static_cast<std::size_t>(offset) : 0;
 }
 
-/// The local subroutines of a dictionary.
+/// Returns the local subroutines of a dictionary.
 Index subroutinesOf(FontBytes cff, FontBytes dictionary) {
     constexpr std::uint32_t kPrivate = 18, kSubroutines = 19;
     const std::array<int, 2> found = entryOf(dictionary, kPrivate).value_or(std::array<int, 2>{});
     if (found[0] <= 0 || found[1] <= 0) return {};
     const auto begin = static_cast<std::size_t>(found[1]);
-    const std::size_t offset = placeIn(cff.slice(begin, static_cast<std::size_t>(found[0])), kSubroutines);
+    const std::size_t offset = offsetIn(cff.slice(begin, static_cast<std::size_t>(found[0])), kSubroutines);
     return offset == 0 ? Index{} : Index::at(cff, begin + offset);
 }
 
-/// For fonts with several dictionaries: the index of the one that a glyph uses.
+/// Returns the index of the dictionary of a glyph, for fonts with several dictionaries (FDSelect).
 std::size_t dictionaryOf(FontBytes select, std::size_t glyph) {
     if (select.u8(0) == 0) return select.u8(1 + glyph);
     const std::size_t ranges = select.u8(0) == 3 ? select.u16(1) : 0;
@@ -108,7 +109,7 @@ std::size_t dictionaryOf(FontBytes select, std::size_t glyph) {
     return 0;
 }
 
-/// The data that one glyph needs.
+/// The charstring of a glyph and the subroutines it can call.
 struct Program {
     FontBytes code;
     Index shared;  ///< global subroutines
@@ -122,7 +123,7 @@ std::optional<Program> programOf(FontBytes cff, int glyph) {
     const Index tops = Index::at(cff, topAt);
     const Index texts = Index::at(cff, topAt + tops.end);
     const FontBytes top = tops.item(0);
-    const std::size_t charstrings = placeIn(top, kCharstrings);
+    const std::size_t charstrings = offsetIn(top, kCharstrings);
     const bool isType2 = entryOf(top, kForm).value_or(std::array{2, 0})[0] == 2;
     if (charstrings == 0 || !isType2 || glyph < 0) return std::nullopt;
     const auto letter = static_cast<std::size_t>(glyph);
@@ -130,8 +131,8 @@ std::optional<Program> programOf(FontBytes cff, int glyph) {
     if (letter >= letters.count) return std::nullopt;
     Program program{letters.item(letter), Index::at(cff, topAt + tops.end + texts.end), {}};
     FontBytes dictionary = top;
-    if (const std::size_t list = placeIn(top, kDictionaries)) {
-        const std::size_t select = placeIn(top, kSelect);
+    if (const std::size_t list = offsetIn(top, kDictionaries)) {
+        const std::size_t select = offsetIn(top, kSelect);
         if (select == 0) return std::nullopt;
         dictionary = Index::at(cff, list).item(dictionaryOf(cff.slice(select), letter));
     }
@@ -139,7 +140,7 @@ std::optional<Program> programOf(FontBytes cff, int glyph) {
     return program;
 }
 
-/// Tracks the current point and the bounding box of all points.
+/// Appends steps to an outline; tracks the current point and the bounding box of all points.
 class Pen {
 public:
     explicit Pen(GlyphOutline& outline) : outline_{outline} {}
@@ -195,14 +196,14 @@ public:
     Charstring(const Program& program, GlyphOutline& outline)
         : program_{program}, outline_{outline}, pen_{outline} {}
 
-    /// @return false when it is damaged
+    /// Appends the glyph's outline. @return false if the charstring is damaged
     bool run() { return run(program_.code, 0) && ended_; }
 
 private:
-    static constexpr std::size_t kMaxStack = 48;     // by the specification
-    static constexpr int kMaxCalls = 10;             // nesting, by the specification
-    static constexpr int kMaxOperators = 1 << 16;    // recursive subroutines could run for years
-    static constexpr std::uint32_t kEscape = 0x100;  // operators of two bytes
+    static constexpr std::size_t kMaxStack = 48;     // limit of the specification
+    static constexpr int kMaxCalls = 10;             // nested calls, by the specification
+    static constexpr int kMaxOperators = 1 << 16;    // limits the time of nested calls in damaged files
+    static constexpr std::uint32_t kEscape = 0x100;  // marks operators of two bytes
 
     bool run(FontBytes code, int depth) {
         FontCursor cursor{code};
@@ -264,7 +265,7 @@ private:
 
     void countHints() { hints_ += count_ / 2; }
 
-    /// @return false for an operator with too few operands, or an unknown one
+    /// Executes a drawing or hint operator. @return false if it is unknown or has too few operands
     bool draw(std::uint32_t code) {
         const std::span<const float> s{stack_.data(), count_};
         const std::size_t n = count_;
@@ -293,7 +294,7 @@ private:
     void lines(std::span<const float> s) {
         for (std::size_t i = 0; i + 1 < s.size(); i += 2) pen_.line(s[i], s[i + 1]);
     }
-    /// Lines, alternately along x and y.
+    /// Appends lines, alternately along x and y.
     void straightLines(std::span<const float> s, bool alongX) {
         for (const float length : s) {
             pen_.line(alongX ? length : 0.0f, alongX ? 0.0f : length);
@@ -304,7 +305,8 @@ private:
         for (std::size_t i = 0; i + 5 < s.size(); i += 6)
             pen_.curve(s[i], s[i + 1], s[i + 2], s[i + 3], s[i + 4], s[i + 5]);
     }
-    /// Curves that begin and end along the same axis. An odd operand is the offset of the first one.
+    /// Appends curves that begin and end along the same axis. If the number of operands is odd, the first one
+    /// is the first curve's initial offset along the other axis.
     void parallelCurves(std::span<const float> s, bool alongX) {
         float beside = 0.0f;
         if (s.size() % 2 != 0) beside = s[0], s = s.subspan(1);
@@ -317,7 +319,8 @@ private:
             beside = 0.0f;
         }
     }
-    /// Curves alternately begin along one axis and end along the other. A fifth operand bends the last end.
+    /// Appends curves that begin along one axis and end along the other, alternately. A fifth operand of the
+    /// last curve is the other component of its end.
     void turningCurves(std::span<const float> s, bool alongX) {
         for (std::size_t i = 0; i + 3 < s.size(); i += 4) {
             const float last = s.size() - i == 5 ? s[i + 4] : 0.0f;
@@ -330,7 +333,7 @@ private:
         }
     }
 
-    /// Two curves that are nearly a line; drawn as curves at every size.
+    /// Appends two curves that form a shallow bend ("flex"); drawn as curves at every size.
     bool flex(std::uint32_t code, std::span<const float> s) {
         if (code == 34 && s.size() >= 7) {
             pen_.curve(s[0], 0.0f, s[1], s[2], s[3], 0.0f);

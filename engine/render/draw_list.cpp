@@ -6,8 +6,8 @@ namespace plumb {
 void DrawList::begin(const View& view, TextureGrouping grouping) {
     view_ = view;
     visible_ = visibleBox(view);
-    // Resolution of the y order: 65536 steps over three screens,
-    // because sprites just outside the view may extend into it.
+    // The y order has 65535 steps over three view heights, because
+    // the sortY of a visible sprite may be outside of the view.
     const float height = std::max(visible_.size().y, 1.0f);
     yStart_ = visible_.min.y - height;
     yScale_ = static_cast<float>(kYSteps) / (3.0f * height);
@@ -22,7 +22,7 @@ void DrawList::begin(const View& view, TextureGrouping grouping) {
 }
 
 void DrawList::instance(const SpriteInstance& instance, TextureHandle texture, int layer) {
-    if (!sees(instance.center, instance.half, instance.rotation)) {
+    if (!isInView(instance.center, instance.half, instance.rotation)) {
         ++culled_;
         return;
     }
@@ -31,10 +31,10 @@ void DrawList::instance(const SpriteInstance& instance, TextureHandle texture, i
     instances_.back().slot |= texture.index << kTextureShift;
 }
 
-std::span<SpriteInstance> DrawList::beginRun(std::size_t most) {
+std::span<SpriteInstance> DrawList::beginRun(std::size_t maximum) {
     runStart_ = instances_.size();
-    instances_.resize(runStart_ + most);
-    return {instances_.data() + runStart_, most};
+    instances_.resize(runStart_ + maximum);
+    return {instances_.data() + runStart_, maximum};
 }
 
 void DrawList::endRun(std::size_t count, TextureHandle texture, int layer, float sortY) {

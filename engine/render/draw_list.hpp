@@ -27,17 +27,17 @@ struct SpriteQuad {
     Vec2 half;              ///< px, half of the drawn size
     float rotation = 0.0f;  ///< rad about the center, clockwise on screen
     TextureHandle texture;
-    Rect source;  ///< texels: the part of the texture
+    Rect source;  ///< region of the texture, texels
     Color tint;
-    int layer = 0;           ///< higher is nearer
-    float sortY = kNoSortY;  ///< px, world: within a layer, lower on screen is nearer
+    int layer = 0;           ///< higher layers are drawn on top
+    float sortY = kNoSortY;  ///< px, world: within a layer, larger y is drawn on top
     bool flipX = false;
     bool flipY = false;
-    bool additive = false;  ///< adds light instead of covering
+    bool additive = false;  ///< additive blending instead of alpha blending
 };
 
-/// The center of a quad whose top left corner, before rotation,
-/// is at `origin - pivot * size`, rotated about `origin`.
+/// Returns the center of a quad whose top left corner is at `origin - pivot * size`
+/// before the quad is rotated about `origin`.
 inline Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation) {
     return origin + rotated(scaled(Vec2{0.5f, 0.5f} - pivot, size), rotation);
 }
@@ -46,9 +46,9 @@ inline Vec2 quadCenter(Vec2 origin, Vec2 pivot, Vec2 size, float rotation) {
 struct RetainedSprites {
     InstanceBufferHandle buffer;
     std::size_t count = 0;
-    std::array<TextureHandle, kTextureSlots> textures{};  ///< by the instances' slots
+    std::array<TextureHandle, kTextureSlots> textures{};  ///< indexed by the slots of the instances
     std::size_t textureCount = 1;
-    AABB bounds;  ///< px, before `offset`: for culling
+    AABB bounds;  ///< px, without `offset`; used for culling
     Vec2 offset;  ///< px, world
     Color tint;
     int layer = 0;
@@ -57,33 +57,33 @@ struct RetainedSprites {
 /// Style of lines and shapes.
 struct ShapeStyle {
     Color color;
-    float thickness = 1.0f;  ///< px of the picture, independent of the zoom
+    float thickness = 1.0f;  ///< screen px, independent of the zoom
     int layer = kHighestLayer;
 };
 
-/// Whether sprites with the same layer and y may be reordered to group them by texture.
+/// Order of sprites with the same layer and y.
 enum class TextureGrouping : std::uint8_t {
     Keep,   ///< drawn in the order of insertion
     Group,  ///< grouped 16 textures at a time: for worlds with very many textures
 };
 
-/// What is drawn with one view. Refilled every frame; it keeps its memory, so a steady
-/// frame allocates nothing. Objects outside the view are dropped when they are added.
+/// List of all objects drawn with one view. Refilled every frame; reuses its memory, so a
+/// frame of usual size allocates nothing. Objects outside the view are not added.
 class DrawList {
 public:
-    /// Clears the list; from now on it uses `view`.
+    /// Clears the list and sets the view for the objects added next.
     void begin(const View& view, TextureGrouping grouping = TextureGrouping::Keep);
 
     [[gnu::always_inline]] void sprite(const SpriteQuad& quad);
     void retained(const RetainedSprites& sprites);
-    /// Adds a quad that is already in the device's format; its slot contains flags only.
+    /// Adds a quad that is already in the device's format; its slot must contain flags only.
     void instance(const SpriteInstance& instance, TextureHandle texture, int layer);
 
-    /// Reserves room for `most` quads of one texture and layer, in the device's format, with
-    /// only the flags of each slot set. Fill it front to back, then return it with endRun();
-    /// add nothing else in between. The caller leaves out quads that visible() rejects.
-    [[nodiscard]] std::span<SpriteInstance> beginRun(std::size_t most);
-    /// @param count number of quads that were filled
+    /// Reserves memory for up to `maximum` quads of one texture and layer in the device's format;
+    /// the slot of each must contain flags only. Fill it front to back, then call endRun();
+    /// add nothing else in between. The caller must skip quads outside visible().
+    [[nodiscard]] std::span<SpriteInstance> beginRun(std::size_t maximum);
+    /// Adds the quads written after beginRun(). @param count number of quads that were filled
     void endRun(std::size_t count, TextureHandle texture, int layer, float sortY = kNoSortY);
 
     void line(Vec2 from, Vec2 to, const ShapeStyle& style);
@@ -97,7 +97,7 @@ public:
     void filledPolygon(std::span<const Vec2> corners, Color color, int layer = kHighestLayer);
 
     [[nodiscard]] const View& view() const { return view_; }
-    [[nodiscard]] const AABB& visible() const { return visible_; }  ///< px, world
+    [[nodiscard]] const AABB& visible() const { return visible_; }  ///< bounding box of the view, px, world
     [[nodiscard]] std::size_t spriteCount() const { return instances_.size(); }
     [[nodiscard]] std::size_t culledCount() const { return culled_; }
 
@@ -109,13 +109,13 @@ public:
         std::uint32_t count = 0;  ///< vertices
     };
     struct Run {
-        std::uint32_t first = 0;  ///< of the instances
+        std::uint32_t first = 0;  ///< index of the first instance
         std::uint32_t count = 0;
         TextureHandle texture;
     };
     static Kind kindOf(DrawItem item) { return static_cast<Kind>(item.ref >> kKindShift); }
     static std::size_t indexOf(DrawItem item) { return item.ref & ((1u << kKindShift) - 1u); }
-    /// In the list, an instance's slot holds its flags and, above them, its texture.
+    /// In the list, an instance's slot stores its flags in the low 16 bits and its texture's index above.
     static constexpr std::uint32_t kTextureShift = 16;
     static std::uint32_t textureOf(const SpriteInstance& instance) { return instance.slot >> kTextureShift; }
 
@@ -130,7 +130,7 @@ private:
     static constexpr std::uint32_t kKindShift = 30;
     static constexpr std::uint32_t kYSteps = 65535;
 
-    [[nodiscard]] bool sees(Vec2 center, Vec2 half, float rotation) const;
+    [[nodiscard]] bool isInView(Vec2 center, Vec2 half, float rotation) const;
     [[nodiscard]] std::uint32_t yKey(float y) const;
     [[nodiscard]] std::uint32_t groupOf(TextureHandle texture) const {
         return (texture.index / static_cast<std::uint32_t>(kTextureSlots)) & groupMask_;
@@ -156,10 +156,10 @@ private:
     std::vector<GeometryVertex> vertices_;
 };
 
-inline bool DrawList::sees(Vec2 center, Vec2 half, float rotation) const {
+inline bool DrawList::isInView(Vec2 center, Vec2 half, float rotation) const {
     Vec2 reach{std::abs(half.x), std::abs(half.y)};
     if (rotation != 0.0f) reach.x = reach.y = reach.x + reach.y;
-    // Written so that NaN counts as invisible.
+    // With NaN every comparison is false: invisible.
     return center.x + reach.x > visible_.min.x && center.x - reach.x < visible_.max.x &&
            center.y + reach.y > visible_.min.y && center.y - reach.y < visible_.max.y;
 }
@@ -170,7 +170,7 @@ inline std::uint32_t DrawList::yKey(float y) const {
     return steps > 1.0f ? static_cast<std::uint32_t>(std::min(steps, static_cast<float>(kYSteps))) : 1u;
 }
 
-/// Left, top, right, bottom; flips swap two ends.
+/// Returns left, top, right and bottom of the source in quarter texels; a flip swaps two of them.
 inline std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
     std::array<std::uint16_t, 4> uv{uvFromTexels(quad.source.x), uvFromTexels(quad.source.y),
                                     uvFromTexels(quad.source.x + quad.source.width),
@@ -180,9 +180,9 @@ inline std::array<std::uint16_t, 4> sourceCorners(const SpriteQuad& quad) {
     return uv;
 }
 
-// Inline, so that a quad is made and converted in one piece of code: worlds have 100,000 of them.
+// Inline, so that constructing and converting a quad is optimized together: worlds have 100,000 of them.
 inline void DrawList::sprite(const SpriteQuad& quad) {
-    if (!sees(quad.center, quad.half, quad.rotation)) {
+    if (!isInView(quad.center, quad.half, quad.rotation)) {
         ++culled_;
         return;
     }

@@ -5,14 +5,14 @@
 #include "math/angle.hpp"
 #include "render/draw_list.hpp"
 
-// The shapes of a draw list. Straight strokes become thin sprites of the white pixel, so that they
-// share the draw call of the sprites around them; only filled round and slanted shapes are triangles.
+// Shapes of a draw list. Lines become thin sprites of the white pixel, so that they share the draw
+// call of adjacent sprites; only filled circles and polygons are drawn as triangles.
 namespace plumb {
 namespace {
 
 constexpr int kMaxSegments = 64;
 
-/// Number of segments such that the error stays below a quarter px of the picture.
+/// Returns the number of segments of a circle for an error below a quarter of a screen px.
 int segmentsFor(float radius, float zoom) {
     return std::clamp(8 + static_cast<int>(std::min(radius * zoom, 1000.0f) * 0.5f), 8, kMaxSegments);
 }
@@ -20,8 +20,8 @@ int segmentsFor(float radius, float zoom) {
 std::span<const Vec2> circleCorners(Vec2 center, float radius, int count,
                                     std::array<Vec2, kMaxSegments>& corners) {
     for (int i = 0; i < count; ++i) {
-        const SinCos turn = sinCos(kTau * static_cast<float>(i) / static_cast<float>(count));
-        corners[static_cast<std::size_t>(i)] = center + Vec2{turn.cos, turn.sin} * radius;
+        const SinCos angle = sinCos(kTau * static_cast<float>(i) / static_cast<float>(count));
+        corners[static_cast<std::size_t>(i)] = center + Vec2{angle.cos, angle.sin} * radius;
     }
     return {corners.data(), static_cast<std::size_t>(count)};
 }
@@ -33,8 +33,8 @@ void DrawList::line(Vec2 from, Vec2 to, const ShapeStyle& style) {
     const float half = style.thickness * 0.5f / view_.zoom;
     SpriteQuad quad;
     quad.center = (from + to) * 0.5f;
-    // Before computing its angle, which is the most expensive part.
-    if (!sees(quad.center, {std::abs(along.x) * 0.5f + half, std::abs(along.y) * 0.5f + half}, 0.0f)) {
+    // Culls before the angle is computed, which is the most expensive part.
+    if (!isInView(quad.center, {std::abs(along.x) * 0.5f + half, std::abs(along.y) * 0.5f + half}, 0.0f)) {
         ++culled_;
         return;
     }
@@ -98,7 +98,7 @@ void DrawList::fan(std::span<const Vec2> corners, Color color, int layer) {
     if (corners.size() < 3) return;
     AABB box{corners.front(), corners.front()};
     for (const Vec2 corner : corners) box = merged(box, {corner, corner});
-    if (!sees(box.center(), box.size() * 0.5f, 0.0f)) {
+    if (!isInView(box.center(), box.size() * 0.5f, 0.0f)) {
         ++culled_;
         return;
     }

@@ -10,8 +10,8 @@
 #include "core/text.hpp"
 #include "render/glyph_outline.hpp"
 
-// Only its rasterizer is used, because its readers trust the file. Its assertions can
-// fail by rounding or for damaged outlines, but it never writes outside the picture.
+// Only the rasterizer of stb_truetype is used, because its file readers do not check for damaged
+// files. Its assertions can fail by rounding, but it never writes outside the image.
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
 #define STBTT_assert(condition) static_cast<void>(0)
@@ -23,11 +23,11 @@ namespace {
 constexpr char32_t kCommonLetters = 128;
 constexpr char32_t kFirstShown = 32;
 constexpr std::uint8_t kHalfCovered = 128;
-/// em^2: maximum area of a glyph, about five times the widest ligature of Unicode (12 by 1)
+/// em^2: maximum area of a glyph's image, about five times the widest ligature of Unicode (12 by 1)
 constexpr double kLargestLetter = 64.0;
 constexpr float kFlatness = 0.35f;  // px: maximum distance between a curve and its line segments
 
-/// True if the glyph has edges, none of them slanted or curved. One glyph is representative of the font.
+/// True if the glyph has edges and all of them are horizontal or vertical.
 bool hasOnlyStraightEdges(const GlyphOutline& outline) {
     for (std::size_t i = 1; i < outline.steps.size(); ++i) {
         const OutlineStep& step = outline.steps[i];
@@ -132,8 +132,8 @@ Font::Glyph Font::draw(int glyph, int size) const {
     if (columns <= 0 || rows <= 0 || area > kLargestLetter * size * size) return drawn;
     std::vector<std::uint8_t> coverage(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     std::vector<stbtt_vertex> vertices = verticesOf(outline);
-    stbtt__bitmap picture{columns, rows, columns, coverage.data()};
-    stbtt_Rasterize(&picture, kFlatness, vertices.data(), static_cast<int>(vertices.size()), scale, scale,
+    stbtt__bitmap bitmap{columns, rows, columns, coverage.data()};
+    stbtt_Rasterize(&bitmap, kFlatness, vertices.data(), static_cast<int>(vertices.size()), scale, scale,
                     0.0f, 0.0f, drawn.left, drawn.top, 1, nullptr);
     drawn.image = {columns, rows, {}};
     drawn.image.rgba.reserve(coverage.size() * 4);

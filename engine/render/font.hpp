@@ -10,10 +10,10 @@
 
 namespace plumb {
 
-/// The glyphs of a TrueType or OpenType file. All measures are for a size of 1 px: multiply by the size.
+/// A TrueType or OpenType font. All lengths are for a font size of 1 px: multiply them by the size.
 class Font {
 public:
-    /// @param where  the file, for the error
+    /// @param where  the file's path, for the error
     /// @error        not a font
     static Result<Font> fromBytes(std::string bytes, const std::string& where);
     ~Font();
@@ -23,19 +23,19 @@ public:
     /// A glyph rasterized at one size.
     struct Glyph {
         Image image;   ///< white, opacity is coverage; empty for a space
-        int left = 0;  ///< px from the pen to the picture
-        int top = 0;   ///< px from the base line to the picture, negative is up
+        int left = 0;  ///< px from the pen to the image's left edge
+        int top = 0;   ///< px from the base line to the image's top edge, negative is up
     };
 
     [[nodiscard]] int glyphOf(char32_t codepoint) const;  ///< 0 for characters that the font does not have
     [[nodiscard]] float advance(int glyph) const;
     [[nodiscard]] float kerning(int left, int right) const;
-    [[nodiscard]] float ascent() const;      ///< base line to the top of a line
-    [[nodiscard]] float lineHeight() const;  ///< base line to base line
+    [[nodiscard]] float ascent() const;      ///< distance from the base line up to the top of a line
+    [[nodiscard]] float lineHeight() const;  ///< distance between two base lines
 
-    /// True if all outlines are axis-aligned: drawn without smoothing, at its own size, in large pixels.
+    /// True if all outlines are axis-aligned: such a font is drawn with large pixels, without smoothing.
     [[nodiscard]] bool isPixelFont() const;
-    /// @param size  px
+    /// Rasterizes a glyph. @param size  font size, px
     [[nodiscard]] Glyph draw(int glyph, int size) const;
     /// Unique id of a font; unchanged when it is moved.
     [[nodiscard]] std::uint32_t id() const;

@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// A part of a font file with big-endian numbers at offsets that the file itself contains. Reads
-/// outside of it return 0 and slices are cut at its end, so damaged files cannot cause invalid access.
+/// A part of a font file, which stores big-endian numbers. Reads outside of it return 0 and slices
+/// are clipped to it, so wrong offsets in a damaged file cannot cause invalid memory access.
 class FontBytes {
 public:
     FontBytes() = default;
@@ -32,7 +32,7 @@ private:
     std::string_view bytes_;
 };
 
-/// Reads sequentially.
+/// Reads the numbers of a FontBytes sequentially.
 class FontCursor {
 public:
     explicit FontCursor(FontBytes bytes) : bytes_{bytes} {}

@@ -24,7 +24,7 @@ bool isKnownFormat(std::uint32_t format) {
     return format == 0 || format == 4 || format == 6 || format == 12 || format == 13;
 }
 
-/// The last subtable that is for Unicode and of a form that is known; those for more characters stand later.
+/// Returns the last Unicode subtable of a supported format, because later ones contain more characters.
 FontBytes unicodeTable(FontBytes cmap) {
     FontBytes found;
     const std::size_t count = std::min<std::size_t>(cmap.u16(2), cmap.size() / 8);
@@ -39,7 +39,7 @@ FontBytes unicodeTable(FontBytes cmap) {
     return found;
 }
 
-/// Binary search: the first of `count` sorted items for which isBefore is false.
+/// Binary search. Returns the index of the first of `count` sorted items for which isBefore is false.
 template <class IsBefore>
 std::size_t firstNotBefore(std::size_t count, IsBefore isBefore) {
     std::size_t low = 0;
@@ -55,7 +55,7 @@ std::size_t firstNotBefore(std::size_t count, IsBefore isBefore) {
     return low;
 }
 
-/// Format 4: segments of characters, each with an offset to its glyphs or a list of them.
+/// Reads format 4: ranges of characters, each with an offset from character to glyph or a list of glyphs.
 std::uint32_t glyphInSegments(FontBytes map, std::uint32_t code) {
     const std::size_t segments = map.u16(6) / 2;
     const std::size_t ends = 14;
@@ -72,7 +72,7 @@ std::uint32_t glyphInSegments(FontBytes map, std::uint32_t code) {
     return map.u16(offsets + i * 2 + offset + std::size_t{code - start} * 2);
 }
 
-/// Formats 12 and 13: groups of characters with consecutive glyphs, or with the same glyph.
+/// Reads formats 12 (ranges of characters with consecutive glyphs, `counts`) and 13 (with one glyph for all).
 std::uint32_t glyphInGroups(FontBytes map, std::uint32_t code, bool counts) {
     const std::size_t groups = std::min<std::size_t>(map.u32(12), map.size() / 12);
     const auto group = [](std::size_t i) { return 16 + i * 12; };
@@ -85,7 +85,7 @@ std::uint32_t glyphInGroups(FontBytes map, std::uint32_t code, bool counts) {
 
 // ---- kerning
 
-/// Kerning by the first table of "kern", if it contains horizontal pairs.
+/// Returns the kerning of a pair in the first subtable of "kern", if it contains horizontal pairs; else 0.
 int kernPair(FontBytes kern, std::uint32_t left, std::uint32_t right) {
     if (kern.u16(2) < 1 || kern.u16(8) != 1) return 0;
     const std::size_t pairs = kern.u16(10);
@@ -95,7 +95,7 @@ int kernPair(FontBytes kern, std::uint32_t left, std::uint32_t right) {
     return i < pairs && kern.u32(18 + i * 6) == wanted ? kern.i16(18 + i * 6 + 4) : 0;
 }
 
-/// The index of a glyph in a coverage table; -1 if it is not in it.
+/// Returns the index of a glyph in a coverage table; -1 if it is not in the table.
 int coverageOf(FontBytes table, std::uint32_t glyph) {
     const std::size_t count = table.u16(2);
     if (table.u16(0) == 1) {
@@ -111,7 +111,7 @@ int coverageOf(FontBytes table, std::uint32_t glyph) {
     return static_cast<int>(table.u16(range + 4) + glyph - table.u16(range));
 }
 
-/// The class of a glyph; 0 for glyphs that the table does not contain.
+/// Returns the class of a glyph in a class definition table; 0 for glyphs that are not in the table.
 std::uint32_t classOf(FontBytes table, std::uint32_t glyph) {
     if (table.u16(0) == 1) {
         const std::uint32_t first = table.u16(2);
@@ -125,7 +125,7 @@ std::uint32_t classOf(FontBytes table, std::uint32_t glyph) {
     return inside ? table.u16(4 + i * 6 + 4) : 0;
 }
 
-/// Size of a value record of this format, and the offset of the horizontal advance in it.
+/// Layout of a value record, in bytes: its size, and the offset of the horizontal advance in it.
 struct ValueForm {
     std::size_t size;
     std::size_t advanceAt;
@@ -137,7 +137,7 @@ ValueForm formOf(std::uint32_t bits) {
             static_cast<std::size_t>(std::popcount(bits & (kAdvance - 1))) * 2, (bits & kAdvance) != 0};
 }
 
-/// Pairs that are listed by their first glyph.
+/// Reads the kerning of a pair from a list of pairs for each first glyph. @return false if it is not listed
 bool listedPair(FontBytes table, int covered, std::uint32_t right, int& value) {
     const ValueForm first = formOf(table.u16(4));
     const std::size_t pairSize = 2 + first.size + formOf(table.u16(6)).size;
@@ -151,7 +151,7 @@ bool listedPair(FontBytes table, int covered, std::uint32_t right, int& value) {
     return true;
 }
 
-/// Pairs of glyph classes.
+/// Reads the kerning of a pair from a table of glyph classes. @return false if the table has no such classes
 bool classPair(FontBytes table, std::uint32_t left, std::uint32_t right, int& value) {
     const ValueForm first = formOf(table.u16(4));
     const std::size_t pairSize = first.size + formOf(table.u16(6)).size;
@@ -171,7 +171,7 @@ bool pairIn(FontBytes table, std::uint32_t left, std::uint32_t right, int& value
     return table.u16(0) == 2 && classPair(table, left, right, value);
 }
 
-/// Kerning by the first pair subtable that contains this pair.
+/// Returns the kerning of a pair in the first pair subtable of "GPOS" that contains it; else 0.
 int gposPair(FontBytes gpos, std::uint32_t left, std::uint32_t right) {
     constexpr std::uint32_t kPairs = 2;
     const FontBytes lookups = gpos.slice(gpos.u16(8));
@@ -186,12 +186,12 @@ int gposPair(FontBytes gpos, std::uint32_t left, std::uint32_t right) {
     return 0;
 }
 
-// ---- the table of contents
+// ---- the table directory
 
 class Contents {
 public:
     Contents(std::string_view bytes, std::string_view where) : file_{bytes}, where_{where} {
-        constexpr std::uint32_t kCollection = 0x74746366;  // "ttcf": several fonts, the first is taken
+        constexpr std::uint32_t kCollection = 0x74746366;  // "ttcf": several fonts; the first one is used
         start_ = file_.u32(0) == kCollection ? file_.u32(12) : 0;
     }
 
@@ -199,11 +199,11 @@ public:
     [[nodiscard]] Result<Done> check() const {
         const std::size_t count = file_.u16(start_ + 4);
         if (count == 0 || file_.size() < start_ + kHeader + count * kRecord)
-            return notAFont(where_, "it has no table of contents");
+            return notAFont(where_, "it has no table directory");
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t record = recordOf(i);
             if (std::uint64_t{file_.u32(record + 8)} + file_.u32(record + 12) > file_.size())
-                return notAFont(where_, "a table of it leaves the file");
+                return notAFont(where_, "a table extends beyond the end of the file");
         }
         return Done{};
     }
@@ -246,8 +246,8 @@ Result<FontTables> FontTables::read(std::string_view bytes, std::string_view whe
     constexpr std::size_t kHeadBytes = 54;
     constexpr std::size_t kHheaBytes = 36;
     if (head.size() < kHeadBytes || hhea.size() < kHheaBytes || maxp.size() < 6)
-        return notAFont(where, "its tables \"head\", \"hhea\" and \"maxp\" are not all there");
-    if (tables.cmap.empty()) return notAFont(where, "it has no table of Unicode characters");
+        return notAFont(where, "a table \"head\", \"hhea\" or \"maxp\" is missing or too short");
+    if (tables.cmap.empty()) return notAFont(where, "it has no \"cmap\" table for Unicode characters");
     if ((tables.glyf.empty() || tables.loca.empty()) && tables.cff.empty())
         return notAFont(where, "it has no outlines");
     tables.glyphs = static_cast<int>(maxp.u16(4));
@@ -258,11 +258,11 @@ Result<FontTables> FontTables::read(std::string_view bytes, std::string_view whe
     tables.advances = static_cast<int>(hhea.u16(34));
     tables.longOffsets = head.u16(50) != 0;
     if (tables.unitsPerEm < kMinUnits || tables.unitsPerEm > kMaxUnits) {
-        return notAFont(where, format("its letters have {} units, not {} to {}", tables.unitsPerEm, kMinUnits,
-                                      kMaxUnits));
+        return notAFont(where, format("it has {} units per em, expected {} to {}", tables.unitsPerEm,
+                                      kMinUnits, kMaxUnits));
     }
     if (tables.advances == 0 || tables.hmtx.size() < static_cast<std::size_t>(tables.advances) * 4)
-        return notAFont(where, "the widths of its letters are not all there");
+        return notAFont(where, "its table \"hmtx\" of glyph widths is missing or too short");
     return tables;
 }
 

@@ -1,4 +1,4 @@
-// Outlines of TrueType: "glyf" of the OpenType specification 1.9.
+// Reads quadratic outlines of TrueType fonts. Source: "glyf" table in the OpenType specification 1.9.
 
 #include <algorithm>
 
@@ -9,8 +9,8 @@ namespace {
 
 using Kind = OutlineStep::Kind;
 
-constexpr int kMaxDepth = 8;         // nesting of composite glyphs; fonts use 1 or 2
-constexpr int kMaxComponents = 256;  // of one glyph, including nested ones
+constexpr int kMaxDepth = 8;         // nested composite glyphs; fonts use 1 or 2
+constexpr int kMaxComponents = 256;  // components of one glyph, including nested ones
 
 struct Point {
     int x = 0;
@@ -36,7 +36,7 @@ struct Placing {
     }
 };
 
-/// A closed contour; points off the curve are control points.
+/// Converts a closed contour to outline steps; points that are not on the curve are control points.
 class Contour {
 public:
     explicit Contour(std::vector<OutlineStep>& steps) : steps_{steps} {}
@@ -84,14 +84,14 @@ class GlyfReader {
 public:
     GlyfReader(const FontTables& tables, std::vector<OutlineStep>& steps) : tables_{tables}, steps_{steps} {}
 
-    /// @return false if the offsets of the glyph are outside the tables
+    /// Finds the data of a glyph. @return false if its offsets are outside the tables
     bool find(int glyph, FontBytes& data) const {
         const std::size_t width = tables_.longOffsets ? 4 : 2;
         const std::size_t at = static_cast<std::size_t>(glyph) * width;
         if (glyph < 0 || glyph >= tables_.glyphs || at + 2 * width > tables_.loca.size()) return false;
-        const auto offset = [&](std::size_t place) {
-            return tables_.longOffsets ? std::size_t{tables_.loca.u32(place)}
-                                       : std::size_t{tables_.loca.u16(place)} * 2;
+        const auto offset = [&](std::size_t index) {
+            return tables_.longOffsets ? std::size_t{tables_.loca.u32(index)}
+                                       : std::size_t{tables_.loca.u16(index)} * 2;
         };
         const std::size_t begin = offset(at);
         const std::size_t end = offset(at + width);
@@ -106,7 +106,7 @@ public:
         if (data.empty()) return true;
         FontCursor cursor{data};
         const int contours = cursor.i16();
-        cursor.skip(8);  // the box
+        cursor.skip(8);  // bounding box
         return contours >= 0 ? readPoints(cursor, static_cast<std::size_t>(contours))
                              : depth < kMaxDepth && readComponents(cursor, depth);
     }
@@ -114,7 +114,7 @@ public:
 private:
     bool readPoints(FontCursor& cursor, std::size_t contours) {
         if (contours == 0) return true;
-        std::vector<std::size_t> ends;  // one past the last point of each
+        std::vector<std::size_t> ends;  // index after the last point of each contour
         for (std::size_t i = 0; i < contours; ++i) {
             ends.push_back(std::size_t{cursor.u16()} + 1);
             if (cursor.failed() || (i > 0 && ends[i] < ends[i - 1])) return false;
@@ -122,7 +122,7 @@ private:
         cursor.skip(cursor.u16());  // instructions
         if (cursor.failed() || steps_.size() + ends.back() > GlyphOutline::kMaxSteps) return false;
         std::vector<Point> points(ends.back());
-        if (!readPlaces(cursor, points)) return false;
+        if (!readPositions(cursor, points)) return false;
         std::size_t first = 0;
         for (const std::size_t end : ends) {
             Contour{steps_}.add(points.data() + first, end - first);
@@ -131,7 +131,7 @@ private:
         return true;
     }
 
-    static bool readPlaces(FontCursor& cursor, std::vector<Point>& points) {
+    static bool readPositions(FontCursor& cursor, std::vector<Point>& points) {
         constexpr std::uint32_t kOnCurve = 1, kRepeat = 8;
         std::vector<std::uint32_t> flags;
         flags.reserve(points.size());
@@ -147,8 +147,9 @@ private:
         return !cursor.failed();
     }
 
-    /// @param isByte flag for a distance in one byte
-    /// @param isSame flag for a positive byte, or for a distance of 0
+    /// Reads x or y of all points, stored as distances from the previous point.
+    /// @param isByte flag of points whose distance has one byte
+    /// @param isSame flag of points whose byte is positive or, without a byte, whose distance is 0
     static void readCoordinates(FontCursor& cursor, std::vector<Point>& points,
                                 const std::vector<std::uint32_t>& flags, std::uint32_t isByte,
                                 std::uint32_t isSame, int Point::*coordinate) {
@@ -189,7 +190,7 @@ private:
         Placing placing;
         const int first = (flags & kWords) != 0 ? cursor.i16() : cursor.i8();
         const int second = (flags & kWords) != 0 ? cursor.i16() : cursor.i8();
-        if ((flags & kOffsets) != 0) {  // else point indices: not supported, no offset
+        if ((flags & kOffsets) != 0) {  // otherwise point indices, which are not supported: no offset
             placing.dx = static_cast<float>(first);
             placing.dy = static_cast<float>(second);
         }

@@ -11,12 +11,12 @@ namespace plumb {
 struct OutlineStep {
     enum class Kind : std::uint8_t { Move, Line, Quadratic, Cubic } kind;
     std::int16_t x, y;
-    std::int16_t cx = 0, cy = 0;    ///< the first control point
-    std::int16_t cx1 = 0, cy1 = 0;  ///< the second one of a cubic
+    std::int16_t cx = 0, cy = 0;    ///< first control point of a curve
+    std::int16_t cx1 = 0, cy1 = 0;  ///< second control point of a cubic curve
 };
 
 struct GlyphOutline {
-    /// Real glyphs have fewer; a damaged file may contain any number.
+    /// Maximum number of steps, since a damaged file may contain any number; real glyphs have fewer.
     static constexpr std::size_t kMaxSteps = std::size_t{1} << 16;
 
     std::vector<OutlineStep> steps;
@@ -26,7 +26,7 @@ struct GlyphOutline {
     int top = 0;
 };
 
-/// The outline of a glyph: quadratic curves from "glyf", or cubic ones from "CFF ".
+/// Reads the outline of a glyph: quadratic curves from "glyf", or cubic ones from "CFF ".
 /// @return false if the data is damaged; a glyph without an outline, such as the space, is empty
 bool readOutline(const FontTables& tables, int glyph, GlyphOutline& outline);
 

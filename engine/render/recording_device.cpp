@@ -11,10 +11,10 @@ std::size_t pixelCount(int width, int height) {
 
 }  // namespace
 
-void RecordingDevice::forgetDraws() {
+void RecordingDevice::clearDraws() {
     spriteDraws.clear();
     geometryDraws.clear();
-    showings.clear();
+    showCalls.clear();
 }
 
 TextureHandle RecordingDevice::createTexture(const Image& image, TextureFilter) {
@@ -65,18 +65,18 @@ std::span<SpriteInstance> RecordingDevice::mapInstances(std::size_t count) {
 }
 
 void RecordingDevice::drawSprites(const SpriteBatch& batch) {
-    if (!keepsDraws) return;
+    if (!recordsDraws) return;
     const auto first = buffers_[batch.buffer.index].begin() + static_cast<std::ptrdiff_t>(batch.first);
     spriteDraws.push_back({batch, viewport_, {first, first + static_cast<std::ptrdiff_t>(batch.count)}});
 }
 
 void RecordingDevice::drawGeometry(const GeometryBatch& batch) {
-    if (!keepsDraws) return;
+    if (!recordsDraws) return;
     geometryDraws.push_back({{batch.vertices.begin(), batch.vertices.end()}, viewport_, spriteDraws.size()});
 }
 
 void RecordingDevice::show(TargetHandle source, const Viewport& viewport) {
-    showings.push_back({source, viewport, spriteDraws.size()});
+    showCalls.push_back({source, viewport, spriteDraws.size()});
 }
 
 Image RecordingDevice::readPixels(TargetHandle target) {

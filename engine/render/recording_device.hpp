@@ -6,13 +6,13 @@
 
 namespace plumb {
 
-/// Records the draw calls it receives. Tests and headless runs need no graphics card.
+/// A device that records its draw calls, for tests and headless runs without a graphics card.
 class RecordingDevice final : public RenderDevice {
 public:
     struct SpriteDraw {
         SpriteBatch batch;
         Viewport viewport;
-        std::vector<SpriteInstance> instances;  ///< instances of the batch, in drawing order
+        std::vector<SpriteInstance> instances;  ///< copy of the batch's instances, in drawing order
     };
     struct GeometryDraw {
         std::vector<GeometryVertex> vertices;
@@ -20,7 +20,7 @@ public:
         std::size_t afterSprites = 0;  ///< number of sprite draws before this one
     };
 
-    struct Showing {
+    struct ShowCall {
         TargetHandle source;
         Viewport viewport;
         std::size_t afterSprites = 0;
@@ -28,16 +28,16 @@ public:
 
     std::vector<SpriteDraw> spriteDraws;
     std::vector<GeometryDraw> geometryDraws;
-    std::vector<Showing> showings;
+    std::vector<ShowCall> showCalls;
     std::size_t texturesCreated = 0;
     std::size_t buffersCreated = 0;
-    std::size_t mostTextures = kTextureSlots;  ///< result of batchTextures()
-    bool software = false;                     ///< result of drawsInSoftware()
-    bool keepsDraws = true;                    ///< false: draws are discarded, without using memory
+    std::size_t maxTextures = kTextureSlots;  ///< result of batchTextures()
+    bool software = false;                    ///< result of drawsInSoftware()
+    bool recordsDraws = true;  ///< false: sprite and geometry draws are discarded, to save memory
 
     [[nodiscard]] std::size_t drawCalls() const { return spriteDraws.size() + geometryDraws.size(); }
     /// Removes recorded draws; keeps textures and buffers.
-    void forgetDraws();
+    void clearDraws();
 
     TextureHandle createTexture(const Image& image, TextureFilter filter) override;
     void updateTexture(TextureHandle texture, int x, int y, const Image& image) override;
@@ -57,13 +57,13 @@ public:
     void drawSprites(const SpriteBatch& batch) override;
     void drawGeometry(const GeometryBatch& batch) override;
     void show(TargetHandle source, const Viewport& viewport) override;
-    /// A uniform color: that of the last clear.
+    /// Returns an image filled with the color of the last clear.
     [[nodiscard]] Image readPixels(TargetHandle target) override;
     [[nodiscard]] std::string description() const override { return "recording"; }
-    [[nodiscard]] std::size_t batchTextures() const override { return mostTextures; }
+    [[nodiscard]] std::size_t batchTextures() const override { return maxTextures; }
     [[nodiscard]] bool drawsInSoftware() const override { return software; }
 
-    /// The current content of a texture.
+    /// Returns the current content of a texture.
     [[nodiscard]] const Image& image(TextureHandle texture) const { return textures_[texture.index]; }
 
 private:

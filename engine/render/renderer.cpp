@@ -5,28 +5,28 @@
 namespace plumb {
 namespace {
 
-constexpr float kLargePart = 0.125f;  ///< of the view
+constexpr float kLargePart = 0.125f;  ///< ratio of the view's area above which a sprite counts as large
 
 bool hasSprites(DrawItem item) {
     const DrawList::Kind kind = DrawList::kindOf(item);
     return kind == DrawList::Kind::Sprite || kind == DrawList::Kind::Run;
 }
 
-/// The sprites at the front of `order`, up to the first item of another kind.
+/// Returns the items with sprites at the front of `order`, up to the first item of another kind.
 std::span<const DrawItem> leadingSprites(std::span<const DrawItem> order) {
     std::size_t count = 0;
     while (count < order.size() && hasSprites(order[count])) ++count;
     return order.first(count);
 }
 
-/// The sprites of an item; empty if it has none.
+/// Returns the sprites of an item. @pre hasSprites(item)
 std::span<const SpriteInstance> spritesOf(DrawItem item, const DrawList& list) {
     const std::size_t index = DrawList::indexOf(item);
     if (DrawList::kindOf(item) == DrawList::Kind::Sprite) return list.instances().subspan(index, 1);
     return list.instances().subspan(list.runs()[index].first, list.runs()[index].count);
 }
 
-/// Number of instances of these items.
+/// Returns the number of sprites of the items.
 std::size_t spritesIn(std::span<const DrawItem> order, const DrawList& list) {
     if (order.size() == list.items().size()) return list.spriteCount();
     std::size_t count = 0;
@@ -53,7 +53,7 @@ void Renderer::draw(const DrawList& list, const Viewport& viewport) {
     drawItems(list, order_.sort(list.items()), viewport);
 }
 
-void Renderer::draw(const DrawList& list, const Viewport& viewport, const FarPicture& far) {
+void Renderer::draw(const DrawList& list, const Viewport& viewport, const FarLayersTarget& far) {
     countItems(list, counts_);
     const std::span<const DrawItem> order = order_.sort(list.items());
     const std::uint32_t nearKey = drawKey(far.nearLayer, 0, 0);
@@ -103,17 +103,18 @@ void Renderer::planSprites(const DrawList& list, std::span<const DrawItem> order
     if (sprites > 0) device_.unmapInstances();
 }
 
-/// Writes sprites until there are no more or a texture has no slot. @return the number of items written
+/// Writes sprites to a batch until all are written or no slot is free for a texture.
+/// @return the number of items written
 std::size_t Renderer::fillBatch(const DrawList& list, std::span<const DrawItem> items,
                                 std::span<SpriteInstance> out, SpriteBatch& batch) {
     ++batchNumber_;
-    const std::size_t mostTextures = device_.batchTextures();
+    const std::size_t maxTextures = device_.batchTextures();
     constexpr std::uint32_t kFlags = kSpriteDiagonal | kSpriteAdditive;
-    // Where every slot costs time per pixel, sprites that cover much
-    // of the view are drawn in a batch of their own, with one slot.
-    const bool slotsAreCostly = mostTextures < kTextureSlots;
-    const Vec2 seen = visibleBox(list.view()).size() * 0.5f;
-    const float largeArea = seen.x * seen.y * kLargePart;
+    // Software renderers need time per pixel for every slot: sprites that
+    // cover much of the view are drawn in a separate batch with one slot.
+    const bool slotsAreCostly = maxTextures < kTextureSlots;
+    const Vec2 viewHalf = visibleBox(list.view()).size() * 0.5f;
+    const float largeArea = viewHalf.x * viewHalf.y * kLargePart;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const std::span<const SpriteInstance> sprites = spritesOf(items[i], list);
         const Vec2 half = sprites.front().half;
@@ -123,7 +124,7 @@ std::size_t Renderer::fillBatch(const DrawList& list, std::span<const DrawItem> 
         if (texture >= slots_.size()) slots_.resize(texture + 1);
         Slot& slot = slots_[texture];
         if (slot.batch != batchNumber_) {
-            if (batch.textureCount == mostTextures) return i;
+            if (batch.textureCount == maxTextures) return i;
             slot = {batchNumber_, static_cast<std::uint32_t>(batch.textureCount)};
             batch.textures[batch.textureCount++] = {texture};
         }
@@ -151,7 +152,7 @@ void Renderer::addRetained(const RetainedSprites& sprites, const ViewTransform& 
 void Renderer::addGeometry(const DrawList& list, const DrawList::Triangles& part,
                            const ViewTransform& transform) {
     const std::span<const GeometryVertex> vertices = list.vertices().subspan(part.first, part.count);
-    // Items that are adjacent in memory too share a draw call.
+    // Consecutive items whose vertices are adjacent in memory share a draw call.
     if (!steps_.empty() && steps_.back().kind == DrawList::Kind::Geometry) {
         std::span<const GeometryVertex>& before = steps_.back().geometry.vertices;
         if (before.data() + before.size() == vertices.data()) {

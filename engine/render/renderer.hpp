@@ -13,15 +13,15 @@ namespace plumb {
 /// Statistics of drawing one or more lists.
 struct RenderCounts {
     std::size_t drawCalls = 0;
-    std::size_t sprites = 0;  ///< from lists; retained ones are not counted
+    std::size_t sprites = 0;  ///< number of sprites in the lists, without retained ones
     std::size_t culled = 0;
 };
 
-/// Distant layers, drawn into a smaller target that is then enlarged:
-/// cheaper where every pixel costs time and backdrops cover each other.
-struct FarPicture {
-    Viewport viewport;  ///< all of a target
-    int nearLayer = 0;  ///< this layer and those above it are drawn directly into the window
+/// Target for distant layers, smaller than the viewport and then enlarged to it.
+/// Saves time in software rendering where backdrops overlap.
+struct FarLayersTarget {
+    Viewport viewport;  ///< the whole target
+    int nearLayer = 0;  ///< this layer and higher ones are drawn directly to the window
 };
 
 /// Draws lists on a device: sorts, writes the instances in
@@ -31,8 +31,8 @@ public:
     explicit Renderer(RenderDevice& device) : device_{device} {}
 
     void draw(const DrawList& list, const Viewport& viewport);
-    /// The same, with everything behind `far.nearLayer` drawn into `far` and enlarged to the viewport.
-    void draw(const DrawList& list, const Viewport& viewport, const FarPicture& far);
+    /// Draws a list with all layers below `far.nearLayer` drawn to `far` first and enlarged to the viewport.
+    void draw(const DrawList& list, const Viewport& viewport, const FarLayersTarget& far);
 
     [[nodiscard]] RenderDevice& device() { return device_; }
     [[nodiscard]] const RenderCounts& counts() const { return counts_; }
@@ -57,13 +57,13 @@ private:
     RenderDevice& device_;
     DrawOrder order_;
     std::vector<Step> steps_;
-    /// By texture: the last batch that assigned it a slot,
-    /// and the slot; so no table is cleared between batches.
+    /// The last batch that assigned a slot to a texture, and the slot.
+    /// Because of the batch number, no table must be cleared between batches.
     struct Slot {
         std::uint32_t batch = 0;
         std::uint32_t slot = 0;
     };
-    std::vector<Slot> slots_;
+    std::vector<Slot> slots_;  ///< indexed by texture
     std::uint32_t batchNumber_ = 0;
     RenderCounts counts_;
 };

@@ -12,7 +12,7 @@ public:
     SizedTarget(const SizedTarget&) = delete;
     SizedTarget& operator=(const SizedTarget&) = delete;
 
-    /// The whole target, with this size (px).
+    /// Returns the whole target, created again if its size (px) differs.
     const Viewport& whole(int width, int height) {
         if (whole_.width != width || whole_.height != height) {
             device_.destroyTarget(whole_.target);

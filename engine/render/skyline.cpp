@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// The y of a rectangle whose left edge is that of a step; nothing if it does not fit on the sheet.
+/// Returns the smallest y of a rectangle with the left edge of a step; no value if it is too wide.
 std::optional<int> Skyline::heightAt(std::size_t index, int width) const {
     if (steps_[index].x + width > side_) return std::nullopt;
     int top = 0;
@@ -30,7 +30,7 @@ std::optional<Skyline::Place> Skyline::add(int width, int height) {
     return best;
 }
 
-/// Inserts a step before `index` and removes the parts of the following ones that it covers.
+/// Inserts a step before `index` and removes the covered parts of the following steps.
 void Skyline::raise(std::size_t index, const Step& top) {
     steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(index), top);
     const int end = top.x + top.width;

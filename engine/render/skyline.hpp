@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Packs rectangles onto a square sheet: each goes where its bottom is highest, then furthest left.
-/// Source: J. Jylanki, "A Thousand Ways to Pack the Bin", 2010, section 2.6, skyline bottom-left
+/// Packs rectangles into a square: each is placed at the smallest possible y, then at the smallest x.
+/// Source: J. Jylanki, "A Thousand Ways to Pack the Bin", 2010, section 2.6, skyline bottom-left.
 class Skyline {
 public:
     struct Place {
@@ -16,11 +16,11 @@ public:
 
     explicit Skyline(int side) : side_{side}, steps_{{0, 0, side}} {}
 
-    /// @return its position; nothing if there is no room
+    /// Places a rectangle. @return its position; no value if there is no room
     std::optional<Place> add(int width, int height);
 
 private:
-    /// A horizontal piece of the skyline, above which the sheet is occupied.
+    /// A horizontal segment of the skyline: at smaller y the square is occupied.
     struct Step {
         int x = 0;
         int y = 0;

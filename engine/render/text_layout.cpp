@@ -5,9 +5,9 @@
 namespace plumb {
 namespace {
 
-constexpr char32_t kBroken = 0xfffd;
+constexpr char32_t kReplacement = 0xfffd;
 
-/// Lays out one line after the other in a TextLayout.
+/// Appends characters to a TextLayout and breaks lines.
 class LineBreaker {
 public:
     LineBreaker(const Font& font, const TextShape& shape, TextLayout& layout)
@@ -19,7 +19,7 @@ public:
         const float width = font_.advance(glyph) * shape_.size;
         const float kerning = before_ > 0 ? font_.kerning(before_, glyph) * shape_.size : 0.0f;
         if (letter == U' ') {
-            // A space at the end of a line may extend beyond it: words break after the space.
+            // A space may extend beyond the wrap width, because lines break after it.
             wordStart_ = layout_.glyphs.size();
             widthAtBreak_ = pen_;
             pen_ += kerning + width;
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Moves a word that does not fit to a new line; splits it if it is the only word of its line.
+    /// Moves the last word, which does not fit, to a new line; splits it if it is the only word of its line.
     void breakLine() {
         if (wordPen_ <= 0.0f) {
             if (layout_.glyphs.size() > lineStart_) endLine(layout_.glyphs.size());
@@ -73,7 +73,7 @@ private:
     TextLayout& layout_;
     float baseline_;
     float pen_ = 0.0f;
-    float wordPen_ = 0.0f;  ///< where the last word began; 0 if it is the first of its line
+    float wordPen_ = 0.0f;  ///< x of the last word's start, px; 0 if it is the first word of its line
     float widthAtBreak_ = 0.0f;
     std::size_t lineStart_ = 0;
     std::size_t wordStart_ = 0;
@@ -98,7 +98,7 @@ char32_t takeCodepoint(std::string_view& text) {
         letter = letter << 6 | (byte(i) & 0x3fu);
     }
     text.remove_prefix(whole ? length : 1);
-    return whole ? letter : kBroken;
+    return whole ? letter : kReplacement;
 }
 
 void layOutText(const Font& font, std::string_view text, const TextShape& shape, TextLayout& layout) {

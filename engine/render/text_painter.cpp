@@ -15,14 +15,14 @@ constexpr int kExactSizes = 48;
 constexpr int kSizeStep = 8;
 
 std::uint64_t keyOf(const Font& font, int glyph, int size) {
-    // Never 0, which marks an empty place: ids begin at 1.
+    // Never 0, which marks an unused entry, because font ids begin at 1.
     return std::uint64_t{font.id()} << 40 | static_cast<std::uint64_t>(glyph & 0xffff) << 16 |
            static_cast<std::uint64_t>(size);
 }
 
 Vec2 rounded(Vec2 v) { return {std::floor(v.x + 0.5f), std::floor(v.y + 0.5f)}; }
 
-/// Adds an empty border of one pixel, so that smooth glyphs fade out at positions between pixels.
+/// Adds a transparent border of one pixel, so that edges of glyphs are smooth at positions between pixels.
 Image bordered(const Image& image) {
     Image wide{image.width + 2, image.height + 2, {}};
     wide.rgba.assign(static_cast<std::size_t>(wide.width) * static_cast<std::size_t>(wide.height) * 4, 255);
@@ -37,14 +37,14 @@ Image bordered(const Image& image) {
 
 }  // namespace
 
-/// Pixel fonts are rasterized at their own size and enlarged
-/// with everything else; others at the resolution of the window.
+/// Returns the size at which glyphs are rasterized, px. Pixel fonts are rasterized at their
+/// font size and enlarged like sprites; other fonts at the resolution of the window.
 int TextPainter::drawnSize(const DrawList& list, const Font& font, float size) const {
     const float shown = font.isPixelFont() ? size : size * list.view().zoom * pixelScale_;
     if (!(shown > static_cast<float>(kSmallestSize))) return kSmallestSize;
     if (shown >= static_cast<float>(kLargestSize)) return kLargestSize;
     const int whole = static_cast<int>(std::lround(shown));
-    // A zooming camera passes many sizes: rasterize large glyphs at every eighth size and scale them.
+    // A zooming camera needs many sizes: rasterize large glyphs only at multiples of 8 px and scale them.
     return whole <= kExactSizes ? whole : (whole + kSizeStep - 1) / kSizeStep * kSizeStep;
 }
 
@@ -99,8 +99,8 @@ void TextPainter::drawPass(DrawList& list, const Font& font, Vec2 position, cons
                            Color color) {
     const int size = drawnSize(list, font, style.shape.size);
     const float toWorldPx = style.shape.size / static_cast<float>(size);
-    // The text is aligned to pixels of the window, its glyphs to pixels
-    // of their rasterized size; in between they would be cut or blurred.
+    // Align the text to window pixels and its glyphs to pixels at their
+    // rasterized size, because otherwise they would be clipped or blurred.
     const float grid = std::max(list.view().zoom * pixelScale_, 1.0f);
     const Vec2 start = rounded(position * grid) / grid;
     for (const PlacedGlyph& placed : layout_.glyphs) {

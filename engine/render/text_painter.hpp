@@ -15,33 +15,34 @@ namespace plumb {
 struct TextStyle {
     TextShape shape;
     Color color;
-    Color outline{0, 0, 0, 0};      ///< one px around every glyph; drawn if not transparent
-    Color shadow{0, 0, 0, 0};       ///< drawn if not transparent
+    Color outline{0, 0, 0, 0};  ///< color of a border of one px around every glyph; transparent: no border
+    Color shadow{0, 0, 0, 0};   ///< transparent: no shadow
     Vec2 shadowOffset{1.0f, 1.0f};  ///< px
     int layer = 0;
 };
 
-/// Adds text to draw lists. Glyphs are rasterized once for each size and stay on the graphics card.
+/// Adds text to draw lists. Glyphs are rasterized once per size and cached on the graphics card.
 class TextPainter {
 public:
     explicit TextPainter(RenderDevice& device)
         : pixelLetters_{device, TextureFilter::Nearest}, smoothLetters_{device, TextureFilter::Linear} {}
 
-    /// Window px per px of the picture: fonts other than pixel fonts are rasterized at this resolution.
+    /// Sets the number of window px per screen px, for rasterizing fonts that are not pixel fonts.
     void setPixelScale(float scale) { pixelScale_ = scale; }
 
-    /// @param position  px, world: top left, top middle or top right, by the alignment
-    /// @return          px: the size of the text
+    /// Adds a text to a list.
+    /// @param position  top left, top middle or top right corner, depending on the alignment; px, world
+    /// @return          size of the text, px
     Vec2 draw(DrawList& list, const Font& font, std::string_view text, Vec2 position, const TextStyle& style);
 
-    /// The size that draw() would return (px).
+    /// Returns the size of a text, px, as draw() does.
     Vec2 measure(const Font& font, std::string_view text, const TextShape& shape);
 
 private:
     struct Letter {
-        std::uint64_t key = 0;  ///< font, glyph and size
+        std::uint64_t key = 0;  ///< combination of font, glyph and size; 0: unused
         TextureRegion region;
-        Vec2 offset;  ///< px of the drawn size: pen to top left
+        Vec2 offset;  ///< from the pen to the image's top left, px at the rasterized size
     };
 
     [[nodiscard]] int drawnSize(const DrawList& list, const Font& font, float size) const;
@@ -51,7 +52,7 @@ private:
 
     TextureAtlas pixelLetters_;
     TextureAtlas smoothLetters_;
-    std::vector<Letter> letters_;  ///< open addressing, a power of two, at most half full
+    std::vector<Letter> letters_;  ///< hash table, open addressing: a power of two, at most half full
     std::size_t letterCount_ = 0;
     TextLayout layout_;
     float pixelScale_ = 1.0f;

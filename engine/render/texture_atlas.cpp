@@ -51,7 +51,7 @@ TextureRegion TextureAtlas::addToPage(const Image& image) {
 
 TextureRegion TextureAtlas::addAlone(const Image& image) {
     const TextureHandle texture = device_.createTexture(image, filter_);
-    if (texture == TextureHandle{}) return {{}, 0, 0, 1, 1};  // larger than the card supports
+    if (texture == TextureHandle{}) return {{}, 0, 0, 1, 1};  // the image is larger than the card supports
     ownTextures_.push_back(texture);
     return {texture, 0, 0, image.width, image.height};
 }

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// A picture on the graphics card: a whole texture or a part of one.
+/// An image on the graphics card: a whole texture or a region of one.
 struct TextureRegion {
     TextureHandle texture;
     int x = 0;  ///< texels
@@ -16,8 +16,8 @@ struct TextureRegion {
     int width = 0;
     int height = 0;
 
-    /// A part of the picture, px from its own top left corner, as a sprite source. Clipped
-    /// to the picture, because its surroundings in the texture are other pictures.
+    /// Converts a rectangle of the image, px from its top left corner, to a sprite source in the
+    /// texture. Clipped to the image, because other images may be adjacent in the texture.
     [[nodiscard]] Rect part(const Rect& rect) const;
     [[nodiscard]] Rect whole() const {
         return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(width),
@@ -26,12 +26,12 @@ struct TextureRegion {
     friend bool operator==(const TextureRegion&, const TextureRegion&) = default;
 };
 
-/// Uploads pictures to the graphics card, small ones together on pages, so that sprites share draw
-/// calls. No space is needed between them: the shaders never sample outside a sprite's source.
+/// Uploads images to the graphics card, small ones to shared pages, so that sprites share draw
+/// calls. No space is needed between images: the shaders never sample outside a sprite's source.
 class TextureAtlas {
 public:
     static constexpr int kPageSide = 1024;      ///< texels
-    static constexpr int kLargestShared = 512;  ///< pictures with a longer side get their own texture
+    static constexpr int kLargestShared = 512;  ///< texels; images with a longer side have their own texture
 
     explicit TextureAtlas(RenderDevice& device, TextureFilter filter = TextureFilter::Nearest)
         : device_{device}, filter_{filter} {}
@@ -40,9 +40,9 @@ public:
     TextureAtlas& operator=(const TextureAtlas&) = delete;
 
     TextureRegion add(const Image& image);
-    /// Replaces the pixels; the region stays the same if the size does.
+    /// Replaces the pixels of an image. @return its new region, the same as before if the size is unchanged
     TextureRegion replace(const TextureRegion& region, const Image& image);
-    /// A page is freed when its last picture is removed.
+    /// Removes an image. The space on a page is reused only after the page's last image is removed.
     void remove(const TextureRegion& region);
 
     [[nodiscard]] std::size_t textureCount() const { return pages_.size() + ownTextures_.size(); }

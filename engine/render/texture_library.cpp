@@ -21,7 +21,7 @@ void TextureLibrary::refresh() {
     for (std::size_t i = 0; i < uploaded_.size();) {
         AssetEntry<Uploaded>& entry = uploaded_.at(i);
         const std::uint32_t revision = assets_.revisionOf(AssetKind::Texture, entry.id);
-        if (revision == 0 && entry.value.revision != 0) {  // unloaded: release its region
+        if (revision == 0 && entry.value.revision != 0) {  // the store unloaded it
             forget(TextureId{entry.id});
             continue;
         }

@@ -8,21 +8,21 @@
 
 namespace plumb {
 
-/// The textures of a project on the graphics card: each is uploaded when it is first
-/// drawn, and again when its file changes. Its pixels in main memory are then released.
+/// The textures of a project on the graphics card. Each is uploaded when it is first drawn
+/// and when its file changes; then its pixels in main memory are released.
 class TextureLibrary {
 public:
     TextureLibrary(RenderDevice& device, AssetStore& assets, TextureFilter filter = TextureFilter::Nearest)
         : atlas_{device, filter}, assets_{assets} {}
 
-    /// The region of a picture; the white pixel for an
-    /// empty id, the placeholder for a missing one.
+    /// Returns the region of a texture, uploaded if necessary; the white
+    /// pixel for an empty id, the placeholder for a missing file.
     const TextureRegion& regionOf(TextureId id);
 
-    /// Uploads pictures that changed and removes those that the store
-    /// unloaded. Call once per frame; costs a few ns per picture.
+    /// Uploads textures that changed and removes those that the asset store
+    /// unloaded. Call once per frame; costs a few ns per texture.
     void refresh();
-    /// Removes a picture from the card, e.g. after the store unloaded it.
+    /// Removes a texture from the card, e.g. after the asset store unloaded it.
     void forget(TextureId id);
 
     /// Increases when a region moved: data derived from regions must be rebuilt.
@@ -31,7 +31,7 @@ public:
 private:
     struct Uploaded {
         TextureRegion region;
-        std::uint32_t revision = 0;  ///< of the asset, when it was uploaded
+        std::uint32_t revision = 0;  ///< revision of the uploaded asset
     };
 
     TextureAtlas atlas_;

@@ -10,13 +10,13 @@
 namespace plumb {
 namespace {
 
-constexpr float kSmallestBlock = 1.5f;  ///< px of the picture
+constexpr float kSmallestBlock = 1.5f;  ///< minimum side of a drawn block, screen px
 constexpr int kHighestLevel = 9;
 
 int chunksFor(int tiles, int side) { return (tiles + side - 1) / side; }
 
-/// From far away one tile represents a block with sides of 2^level
-/// tiles, so that there are no more quads than the picture has room for.
+/// Returns the level of detail: one tile represents a block with sides of 2^level
+/// tiles, so that no quad is smaller than kSmallestBlock.
 int levelFor(Vec2 cellSize, float zoom) {
     const float shown = std::min(cellSize.x, cellSize.y) * zoom;
     int level = 0;
@@ -24,8 +24,9 @@ int levelFor(Vec2 cellSize, float zoom) {
     return level;
 }
 
-/// The quad of one tile, or of a block with sides of `span` tiles that it represents. Flips apply in the
-/// order diagonal, horizontal, vertical: after the first, the others act on the other axis of the source.
+/// Returns the quad of a tile, or of the block with sides of `span` tiles that it represents. Flips are
+/// applied in the order diagonal, horizontal, vertical: after a diagonal flip the others act on the other
+/// source axis.
 SpriteInstance tileInstance(int x, int y, int span, TileCell cell, const TileLook& look,
                             const TileSheet& sheet) {
     const bool diagonal = (cell & kTileFlipDiagonal) != 0;
@@ -55,7 +56,7 @@ const TileLook* lookOf(TileCell cell, const TileSheet& sheet) {
     return look.source.empty() ? nullptr : &look;
 }
 
-/// The cells of one chunk, clipped to the grid.
+/// A range of cells of the grid; right and bottom are exclusive.
 struct CellRange {
     int left, top, right, bottom;
 };
@@ -65,7 +66,7 @@ CellRange cellsOf(const TileGrid& grid, int chunkX, int chunkY, int width, int h
             std::min((chunkY + 1) * height, grid.height())};
 }
 
-/// px by which the largest picture reaches out of its cell, turned or not.
+/// Returns by how many px the largest tile extends beyond its cell, in any orientation.
 Vec2 overhangOf(const TileSheet& sheet) {
     Vec2 overhang;
     for (const TileLook& look : sheet.looks) {
@@ -75,30 +76,30 @@ Vec2 overhangOf(const TileSheet& sheet) {
     return overhang;
 }
 
-/// How far the pictures of a layer reach, turned or not.
+/// Directions in which tiles extend beyond their cells, in any orientation.
 struct Reach {
-    bool beside = false;    ///< some lie over the cell beside or above theirs
-    bool slanting = false;  ///< some lie over both, and so over cells of the row above that are not theirs
+    bool beside = false;    ///< some tiles are wider or higher than their cells
+    bool slanting = false;  ///< some are wider and higher, so they overlap the cell diagonally above
 };
 
 Reach reachOf(const TileSheet& sheet) {
-    constexpr float kSlack = 0.01f;  // px, of the scale's rounding
+    constexpr float kSlack = 0.01f;  // px: tolerance for rounding of the scale
     const Vec2 cell = sheet.cellSize + Vec2{kSlack, kSlack};
     Reach reach;
     for (const TileLook& look : sheet.looks) {
         const Vec2 size{look.source.width * sheet.scale.x, look.source.height * sheet.scale.y};
-        for (const Vec2 lying : {size, Vec2{size.y, size.x}}) {
-            reach.beside = reach.beside || lying.x > cell.x || lying.y > cell.y;
-            reach.slanting = reach.slanting || (lying.x > cell.x && lying.y > cell.y);
+        for (const Vec2 flipped : {size, Vec2{size.y, size.x}}) {
+            reach.beside = reach.beside || flipped.x > cell.x || flipped.y > cell.y;
+            reach.slanting = reach.slanting || (flipped.x > cell.x && flipped.y > cell.y);
         }
     }
     return reach;
 }
 
-/// Tiles of a chunk of one row: few draws, and no table of very many chunks where the grid is very wide.
+/// Returns the width of chunks of one row, in tiles: larger for very wide grids, to limit their number.
 int rowSideFor(const TileGrid& grid) { return grid.width() > 4096 ? 1024 : 256; }
 
-/// Calls `visit(column, row)` for the chunks of the grid that a range of cells touches.
+/// Calls `visit(column, row)` for the chunks of the grid that contain cells of the range.
 template <class Visit>
 void eachChunk(const CellRange& range, Visit visit) {
     constexpr int kSide = TileGrid::kChunkSide;
@@ -107,7 +108,7 @@ void eachChunk(const CellRange& range, Visit visit) {
     }
 }
 
-/// The tile that represents a block: its first one that is not empty.
+/// Returns the tile that represents a block: its first non-empty one, or 0.
 TileCell firstTile(const TileGrid& grid, const CellRange& block) {
     for (int row = block.top; row < block.bottom; ++row) {
         for (int column = block.left; column < block.right; ++column) {
@@ -122,7 +123,7 @@ TileCell firstTile(const TileGrid& grid, const CellRange& block) {
     return 0;
 }
 
-/// Changes if a cell of the range may have changed.
+/// Returns a hash that changes if a cell of the range may have changed.
 std::uint64_t stampOf(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
     eachChunk(range, [&](int column, int row) {
@@ -132,7 +133,7 @@ std::uint64_t stampOf(const TileGrid& grid, const CellRange& range) {
     return hasher.value();
 }
 
-/// The same for whole rows of chunks: faster to compute.
+/// Returns a hash that changes if a cell in the range's rows may have changed: faster, but less precise.
 std::uint64_t stampOfRows(const TileGrid& grid, const CellRange& range) {
     Hasher hasher;
     for (int row = range.top / TileGrid::kChunkSide; row * TileGrid::kChunkSide < range.bottom; ++row)
@@ -154,7 +155,7 @@ void TileChunks::release(Chunk& chunk) {
     chunk = {};
 }
 
-/// Starts over if the size of the layer or the look of its tiles changed.
+/// Releases all chunks if the layer's size, the level of detail or the look of its tiles changed.
 void TileChunks::prepare(const TileGrid& grid, const TileSheet& sheet, int level) {
     if (sheet.version != sheetVersion_ || sheet.cellSize != cellSize_ || columns_ == 0) {
         const Reach reach = reachOf(sheet);
@@ -185,8 +186,8 @@ TileChunks::Range TileChunks::visibleChunks(const AABB& visible, const TileGrid&
     if (grid.width() == 0 || grid.height() == 0) return {};
     const Vec2 chunkSize =
         scaled(sheet.cellSize, {static_cast<float>(chunkWidth_), static_cast<float>(chunkHeight_)});
-    const auto index = [](float place, float size, int count) {
-        return std::clamp(floorToInt(place / size), 0, count);
+    const auto index = [](float position, float size, int count) {
+        return std::clamp(floorToInt(position / size), 0, count);
     };
     Range range;
     range.left = index(visible.min.x - overhang_.x, chunkSize.x, columns_);
@@ -216,7 +217,7 @@ void TileChunks::draw(DrawList& list, const TileGrid& grid, const TileSheet& she
     if (kept_ > kMaxKept) dropUnseen();
 }
 
-/// Its parts, each animated tile after those that lie below it.
+/// Draws the parts of a chunk, and each animated tile after the parts below it.
 void TileChunks::drawChunk(DrawList& list, const Chunk& chunk, const TileGrid& grid, const TileSheet& sheet,
                            const TilePlacement& placement) const {
     auto next = chunk.animated.begin();
@@ -230,7 +231,7 @@ void TileChunks::drawChunk(DrawList& list, const Chunk& chunk, const TileGrid& g
     }
 }
 
-/// Most changes affect one chunk: the others find that their own cells are unchanged.
+/// Builds a chunk if its cells changed. The hash of whole rows is compared first, because it is faster.
 void TileChunks::refresh(Chunk& chunk, int chunkX, int chunkY, const TileGrid& grid, const TileSheet& sheet) {
     const CellRange range = cellsOf(grid, chunkX, chunkY, chunkWidth_, chunkHeight_);
     const std::uint64_t rows = stampOfRows(grid, range);
@@ -258,7 +259,8 @@ void TileChunks::build(Chunk& chunk, int chunkX, int chunkY, const TileGrid& gri
     }
     closePart(chunk);
     if (overlaps_) return;
-    for (Animated& tile : chunk.animated) tile.parts = chunk.parts.size();  // one draw for all the others
+    // Without overlaps the order does not matter: animated tiles are drawn last.
+    for (Animated& tile : chunk.animated) tile.parts = chunk.parts.size();
 }
 
 void TileChunks::addBlock(Chunk& chunk, int x, int y, TileCell cell, const TileGrid& grid,
@@ -299,10 +301,10 @@ void TileChunks::closePart(Chunk& chunk) {
     scratch_.clear();
 }
 
-void TileChunks::drawAnimated(DrawList& list, std::uint32_t place, const TileGrid& grid,
+void TileChunks::drawAnimated(DrawList& list, std::uint32_t index, const TileGrid& grid,
                               const TileSheet& sheet, const TilePlacement& placement) {
-    const int x = static_cast<int>(place) % grid.width();
-    const int y = static_cast<int>(place) / grid.width();
+    const int x = static_cast<int>(index) % grid.width();
+    const int y = static_cast<int>(index) / grid.width();
     const TileCell cell = grid.at(x, y);
     const TileLook* look = lookOf(cell, sheet);
     if (look == nullptr) return;
@@ -312,7 +314,7 @@ void TileChunks::drawAnimated(DrawList& list, std::uint32_t place, const TileGri
     list.instance(instance, look->texture, placement.layer);
 }
 
-/// Frees chunks not visible in the last frames. Rare: after much of a very large layer was visible.
+/// Releases chunks not visible in the last two frames. Rare: after much of a very large layer was visible.
 void TileChunks::dropUnseen() {
     for (Chunk& chunk : chunks_) {
         if (chunk.known && chunk.lastSeen + 1 < frame_) release(chunk);

@@ -10,41 +10,40 @@
 
 namespace plumb {
 
-/// The current picture of one tile.
+/// The texture region shown for one tile.
 struct TileLook {
     TextureHandle texture;
-    Rect source;            ///< texels; empty draws nothing
-    bool animated = false;  ///< may change with the next frame
+    Rect source;            ///< texels; empty: the tile is not drawn
+    bool animated = false;  ///< the region may change every frame
 };
 
-/// The pictures of the tiles of a layer.
+/// Texture regions and sizes of the tiles of a layer.
 struct TileSheet {
-    std::span<const TileLook> looks;  ///< by tile
-    Vec2 cellSize{16.0f, 16.0f};  ///< px in the world; larger pictures stand on the cell's lower left corner
-    Vec2 scale{1.0f, 1.0f};       ///< world px per texel
-    Vec2 offset;                  ///< px added to every tile
-    std::uint32_t version = 0;    ///< changes when any look that is not animated changes
+    std::span<const TileLook> looks;  ///< indexed by tile id
+    Vec2 cellSize{16.0f, 16.0f};      ///< px, world; larger tiles are aligned to the cell's lower left corner
+    Vec2 scale{1.0f, 1.0f};           ///< world px per texel
+    Vec2 offset;                      ///< px added to every tile
+    std::uint32_t version = 0;        ///< changes when the look of a tile without animation changes
 };
 
 /// Position and style of a whole layer.
 struct TilePlacement {
-    Vec2 offset;  ///< px, world: the layer's top left corner
+    Vec2 offset;  ///< the layer's top left corner, px, world
     Color tint;
     int layer = 0;
 };
 
-/// Draws a tile layer in chunks of 32x32 tiles that stay on the graphics card. A chunk
+/// Draws a tile layer in chunks of 32x32 tiles that are kept on the graphics card. A chunk
 /// is built when it first becomes visible and rebuilt when one of its tiles changes;
-/// invisible chunks cost nothing, whatever the size of the layer. From far away, where
-/// tiles would be smaller than a pixel, one tile represents a block of them.
+/// invisible chunks cost nothing, so the layer can have any size. When the camera is zoomed
+/// out so far that tiles would be smaller than 1.5 px, one tile represents a block of them.
 ///
-/// Tiles overlap in the order of rows from the top, each row from the left. Where pictures are both
-/// wider and higher than their cells, square chunks would break that order at their borders; such a layer is
-/// drawn by chunks of one row.
+/// Tiles are drawn row by row from the top, each row from the left. With tiles both wider and higher than
+/// their cells, square chunks would break this order at their borders; then chunks have one row.
 class TileChunks {
 public:
     static constexpr int kSide = 32;               ///< tiles
-    static constexpr std::size_t kMaxKept = 4096;  ///< chunks; beyond, the longest unseen go first
+    static constexpr std::size_t kMaxKept = 4096;  ///< chunks; if exceeded, those not visible are released
 
     explicit TileChunks(RenderDevice& device) : device_{device} {}
     ~TileChunks() { forget(); }
@@ -68,20 +67,20 @@ private:
         std::size_t textureCount = 0;
     };
     struct Animated {
-        std::uint32_t cell = 0;  ///< place in the grid
-        std::size_t parts = 0;   ///< of the chunk, that lie below it
+        std::uint32_t cell = 0;  ///< index in the grid: y * width + x
+        std::size_t parts = 0;   ///< number of parts of the chunk drawn before the tile
     };
     struct Chunk {
-        bool known = false;
-        std::uint64_t rowsStamp = 0;  ///< of the rows of the grid's chunks that it shows
-        std::uint64_t stamp = 0;      ///< of the grid's chunks that it shows
-        std::uint64_t lastSeen = 0;
+        bool known = false;           ///< has been built
+        std::uint64_t rowsStamp = 0;  ///< stampOfRows() at the last refresh
+        std::uint64_t stamp = 0;      ///< stampOf() when it was built
+        std::uint64_t lastSeen = 0;   ///< number of the last frame in which it was visible
         AABB bounds;
         std::vector<Part> parts;
         std::vector<Animated> animated;
     };
     struct Range {
-        int left = 0, top = 0, right = 0, bottom = 0;  ///< chunks, the last two excluded
+        int left = 0, top = 0, right = 0, bottom = 0;  ///< chunk indices; right and bottom are exclusive
     };
 
     void prepare(const TileGrid& grid, const TileSheet& sheet, int level);
@@ -101,21 +100,21 @@ private:
 
     RenderDevice& device_;
     std::vector<Chunk> chunks_;
-    int chunkWidth_ = kSide;  ///< tiles of the grid
+    int chunkWidth_ = kSide;  ///< cells of the grid
     int chunkHeight_ = kSide;
-    bool overlaps_ = false;  ///< some pictures reach out of their cells
-    bool byRows_ = false;    ///< some reach out of them in both directions
+    bool overlaps_ = false;  ///< some tiles are larger than their cells
+    bool byRows_ = false;    ///< some tiles are both wider and higher than their cells
     int level_ = 0;          ///< one tile represents a block with sides of 2^level tiles
     int columns_ = 0;
     int rows_ = 0;
     std::uint32_t sheetVersion_ = 0;
     Vec2 cellSize_;
-    Vec2 overhang_;  ///< px by which the largest picture extends beyond its cell
+    Vec2 overhang_;  ///< px by which the largest tile extends beyond its cell
     std::uint64_t frame_ = 0;
     std::size_t built_ = 0;
     std::size_t kept_ = 0;
     std::vector<SpriteInstance> scratch_;
-    Part open_;
+    Part open_;  ///< part under construction; its instances are in scratch_
 };
 
 }  // namespace plumb

@@ -8,11 +8,12 @@
 
 namespace plumb {
 
-/// The looks of the tiles of one tileset on the graphics card, cached between frames.
+/// Cache of the texture regions of a tileset's tiles on the graphics card.
 class TilesetLooks {
 public:
-    /// @param tileSize  px of a cell in the world; {0, 0} takes the tileset's own
-    /// @param seconds   since the scene began: which frame animated tiles show
+    /// Returns the texture regions of all tiles at a time.
+    /// @param tileSize  cell size, px, world; {0, 0}: the tileset's tile size
+    /// @param seconds   time since the scene began, for animated tiles
     /// @return          valid until the next call
     TileSheet sheet(const AssetStore& assets, TextureLibrary& textures, TilesetId id, Vec2 tileSize,
                     double seconds);

@@ -18,16 +18,16 @@ Vec2 toWorld(const View& view, Vec2 screen) {
 AABB visibleBox(const View& view) {
     const Vec2 half = view.size * (0.5f / view.zoom);
     if (view.rotation == 0.0f) return {view.center - half, view.center + half};
-    const SinCos turn = sinCos(view.rotation);
-    const float c = std::abs(turn.cos);
-    const float s = std::abs(turn.sin);
+    const SinCos rotation = sinCos(view.rotation);
+    const float c = std::abs(rotation.cos);
+    const float s = std::abs(rotation.sin);
     const Vec2 reach{c * half.x + s * half.y, s * half.x + c * half.y};
     return {view.center - reach, view.center + reach};
 }
 
 View snappedToPixels(const View& view, float pixelScale) {
     View snapped = view;
-    // The picture's middle may lie between two px: snap its corner, not its center.
+    // Snap the corner instead of the center, which is between two px if the size is odd.
     const float grid = view.zoom * pixelScale;
     const Vec2 half = view.size * (0.5f / view.zoom);
     const Vec2 corner = (view.center - half) * grid;
@@ -36,12 +36,12 @@ View snappedToPixels(const View& view, float pixelScale) {
 }
 
 ViewTransform transformOf(const View& view) {
-    const SinCos turn = sinCos(-view.rotation);
+    const SinCos rotation = sinCos(-view.rotation);
     const float sx = 2.0f * view.zoom / view.size.x;
     const float sy = -2.0f * view.zoom / view.size.y;  // clip space has y up
     ViewTransform transform;
-    transform.x = Vec2{turn.cos, -turn.sin} * sx;
-    transform.y = Vec2{turn.sin, turn.cos} * sy;
+    transform.x = Vec2{rotation.cos, -rotation.sin} * sx;
+    transform.y = Vec2{rotation.sin, rotation.cos} * sy;
     return movedBy(transform, -view.center);
 }
 
@@ -57,9 +57,9 @@ Viewport viewportFor(WindowScale scale, Vec2 picture, PixelSize window) {
     if (scale == WindowScale::Fit) factor.x = factor.y = std::min(factor.x, factor.y);
     if (scale == WindowScale::Fill) factor.x = factor.y = std::max(factor.x, factor.y);
     if (scale == WindowScale::Integer) {
-        const float least = std::min(factor.x, factor.y);
-        // In a window smaller than the picture no whole factor fits: scale down instead of cutting off.
-        factor.x = factor.y = least >= 1.0f ? std::floor(least) : least;
+        const float minimum = std::min(factor.x, factor.y);
+        // In a window smaller than the screen no integer factor fits: scale down instead of cropping.
+        factor.x = factor.y = minimum >= 1.0f ? std::floor(minimum) : minimum;
     }
     Viewport viewport;
     viewport.width = std::max(1, static_cast<int>(std::lround(picture.x * factor.x)));
@@ -69,10 +69,10 @@ Viewport viewportFor(WindowScale scale, Vec2 picture, PixelSize window) {
     return viewport;
 }
 
-Vec2 pictureFromWindow(const Viewport& viewport, Vec2 picture, Vec2 place) {
+Vec2 screenFromWindow(const Viewport& viewport, Vec2 picture, Vec2 position) {
     const Vec2 corner{static_cast<float>(viewport.x), static_cast<float>(viewport.y)};
     const Vec2 size{static_cast<float>(viewport.width), static_cast<float>(viewport.height)};
-    const Vec2 inside = place - corner;
+    const Vec2 inside = position - corner;
     return {inside.x / size.x * picture.x, inside.y / size.y * picture.y};
 }
 

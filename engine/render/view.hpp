@@ -7,42 +7,42 @@
 
 namespace plumb {
 
-/// The visible part of the world. The only place that converts between world and screen.
+/// The visible part of the world. Screen px are px of the game's resolution, before scaling to the window.
 struct View {
     Vec2 center;            ///< px, world
-    Vec2 size{1.0f, 1.0f};  ///< px: the picture before it is scaled to the window
-    float zoom = 1.0f;      ///< picture px per world px
-    float rotation = 0.0f;  ///< rad, of the camera: the world turns the other way
+    Vec2 size{1.0f, 1.0f};  ///< the game's resolution, screen px
+    float zoom = 1.0f;      ///< screen px per world px
+    float rotation = 0.0f;  ///< camera rotation, rad; the world appears rotated in the opposite direction
 
     friend bool operator==(const View&, const View&) = default;
 };
 
-/// World px to picture px, from its top left corner; and the inverse.
+/// Converts world px to screen px, measured from the screen's top left corner, and back.
 Vec2 toScreen(const View& view, Vec2 world);
 Vec2 toWorld(const View& view, Vec2 screen);
 
-/// The bounding box of the visible part of the world.
+/// Returns the bounding box of the visible part of the world, px.
 AABB visibleBox(const View& view);
 
-/// The view, moved so that world px align with window px: pixel art and text stay sharp at whole zooms.
-/// @param pixelScale window px per px of the picture; 1 moves in steps of a picture px
+/// Moves a view so that world px align with window px: pixel art and text stay sharp at integer zooms.
+/// @param pixelScale window px per screen px; 1 aligns to screen px
 View snappedToPixels(const View& view, float pixelScale = 1.0f);
 
 ViewTransform transformOf(const View& view);
-/// The transform for an object drawn at `offset` (px, world), e.g. a parallax layer.
+/// Returns the transform for an object drawn at `offset` (px, world), e.g. a parallax layer.
 ViewTransform movedBy(const ViewTransform& transform, Vec2 offset);
 
-/// How a picture of fixed size is scaled to a window of any size.
+/// Modes in which the screen of fixed resolution is scaled to a window of any size.
 enum class WindowScale : unsigned char {
-    Fit,      ///< as large as fits, bars on two sides
-    Integer,  ///< the largest whole factor that fits: every px the same size
+    Fit,      ///< the largest size that fits, with bars on two sides
+    Integer,  ///< the largest integer factor that fits: all px have the same size
     Stretch,  ///< fills the window, may distort
-    Fill,     ///< fills the window, may cut off two sides
+    Fill,     ///< fills the window, may crop two sides
 };
 
-/// The area of the window for a picture of `picture` px; with Fill it may extend beyond the window.
+/// Returns the area of the window for a screen of `picture` px; with Fill it may extend beyond the window.
 Viewport viewportFor(WindowScale scale, Vec2 picture, PixelSize window);
-/// Converts a position in the window (e.g. of the mouse) to one in the picture.
-Vec2 pictureFromWindow(const Viewport& viewport, Vec2 picture, Vec2 place);
+/// Converts a position in the window, px, e.g. of the mouse, to screen px.
+Vec2 screenFromWindow(const Viewport& viewport, Vec2 picture, Vec2 position);
 
 }  // namespace plumb

@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Where a camera would like to be (px, world): on what it follows and ahead of it; where it is when it
-/// follows nothing. Its limits do not count yet.
+/// Returns the position that a camera moves towards (px, world): the followed entity plus offset and
+/// look-ahead, or `center` if it follows no entity. Does not apply the camera's limits.
 Vec2 cameraTarget(const World& world, const Camera& camera, Vec2 center);
 
 }  // namespace plumb

@@ -6,38 +6,43 @@
 
 namespace plumb {
 
-/// What a collider is made of and what it collides with: the same for all outlines.
+/// Material and collision filter of a collider; the base of all collider components.
 struct ColliderSurface {
-    bool isTrigger = false;            ///< reports contacts, stops nothing
-    bool oneWay = false;               ///< solid only for what comes from above
-    std::uint32_t layers = 1;          ///< bits: what it is
-    std::uint32_t mask = 0xffffffffu;  ///< bits: what it collides with
-    float friction = -1.0f;            ///< 0 is ice; negative takes the RigidBody's, or else 0.6
-    float bounciness = -1.0f;          ///< ratio of the speed that comes back; negative takes the RigidBody's
-    float density = 1.0f;              ///< how much of the body's mass it has, beside its other colliders
-    float surfaceSpeed = 0.0f;         ///< px/s, as a conveyor belt; above 0 what lies on it goes right
+    bool isTrigger = false;            ///< reports overlaps and does not collide
+    bool oneWay = false;               ///< solid only for bodies that come from above
+    std::uint32_t layers = 1;          ///< bits: collision layers of the collider
+    std::uint32_t mask = 0xffffffffu;  ///< bits: layers that the collider collides with
+    float friction = -1.0f;    ///< friction coefficient; negative: the RigidBody's, or 0.6 without one
+    float bounciness = -1.0f;  ///< restitution (ratio of speeds); negative: the RigidBody's, or 0 without one
+    float density = 1.0f;      ///< relative density: distributes the body's mass over its colliders
+    float surfaceSpeed = 0.0f;  ///< px/s, conveyor speed; above 0 moves bodies on top to the right
 };
 
 template <class T>
 void describeSurface(TypeBuilder<T>& type) {
-    type.template field<&T::isTrigger>("isTrigger").doc("Reports contacts, stops nothing.");
-    type.template field<&T::oneWay>("oneWay").doc("Solid only for what comes from above.");
-    type.template field<&T::layers>("layers").layerBits().doc("What it is.");
-    type.template field<&T::mask>("mask").layerBits().doc("What it collides with.");
+    type.template field<&T::isTrigger>("isTrigger").doc("Trigger: reports overlaps and does not collide.");
+    type.template field<&T::oneWay>("oneWay").doc("Solid only for bodies that come from above.");
+    type.template field<&T::layers>("layers").layerBits().doc("Collision layers of this collider.");
+    type.template field<&T::mask>("mask").layerBits().doc(
+        "Collision layers that this collider collides with.");
     type.template field<&T::friction>("friction")
         .unit(Unit::Ratio)
         .range(-1.0f, 10.0f)
-        .doc("0 is ice; negative takes the RigidBody's, or else 0.6.");
+        .doc(
+            "Friction coefficient; 0 is frictionless. Negative: the RigidBody's friction, or 0.6 without a "
+            "RigidBody.");
     type.template field<&T::bounciness>("bounciness")
         .unit(Unit::Ratio)
         .range(-1.0f, 1.0f)
-        .doc("Part of the speed that comes back; negative takes the RigidBody's.");
+        .doc(
+            "Restitution: ratio of the impact speed kept after a bounce. Negative: the RigidBody's "
+            "bounciness.");
     type.template field<&T::density>("density")
         .range(0.0f, 1e6f)
-        .doc("How much of the body's mass it has, beside its other colliders.");
+        .doc("Relative density; distributes the body's mass over its colliders.");
     type.template field<&T::surfaceSpeed>("surfaceSpeed")
         .unit(Unit::PixelsPerSecond)
-        .doc("Along the surface, as a conveyor belt.");
+        .doc("Conveyor speed along the surface, px/s; above 0 moves bodies on top to the right.");
 }
 
 }  // namespace plumb

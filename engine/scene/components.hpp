@@ -1,6 +1,6 @@
 #pragma once
 
-// Every component of a scene, for game code and for files.
+// Includes every component of the scene layer.
 
 #include "reflect/type_list.hpp"
 #include "scene/components/bodies/character_body.hpp"
@@ -54,7 +54,7 @@
 
 namespace plumb {
 
-/// In the order in which files, the inspector and scripts list them.
+/// All components of the scene layer, in the order in which files, the inspector and scripts list them.
 using SceneComponents =
     TypeList<SceneEntity, PrefabInstance, PrefabPart, Name, Transform, Sprite, Animator, TileLayer,
              TileCollider, ParallaxLayer, ParticleEmitter, Label, Camera, RigidBody, StaticBody,

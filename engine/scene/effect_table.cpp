@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kPinNames[] = {"auto", "on", "off"};
 
-/// "torch @9f3c1a77d2e0b154", so that the editor's console leads to it.
+/// Returns e.g. "torch @9f3c1a77d2e0b154", in which the editor's console finds the entity.
 std::string entityText(const World& world, EntityId entity, const SceneEntity& source) {
     const Name* name = world.find<Name>(entity);
     const std::string_view text = name == nullptr ? std::string_view{} : world.texts().find(name->text);
@@ -56,7 +56,7 @@ std::vector<Pin> EffectTable::readPins(const Json& json, std::string_view path,
             for (const EffectRow& known : rows_) names.push_back(known.name);
             const std::string_view near = closestName(key, names);
             tell(key, format("there is no effect \"{}\"", key),
-                 format("it is kept as it stands; {}there are {}",
+                 format("it is kept unchanged; {}effects: {}",
                         near.empty() ? std::string{} : format("did you mean \"{}\"? ", near), allNames()));
             continue;
         }
@@ -69,7 +69,7 @@ std::vector<Pin> EffectTable::readPins(const Json& json, std::string_view path,
         }
         if (!known) {
             tell(key, format("expected \"on\", \"off\" or \"auto\", found {}", foundText(value)),
-                 "it is kept as it stands, and read as \"auto\"");
+                 "it is kept unchanged, and read as \"auto\"");
         }
     }
     return pins;
@@ -97,7 +97,7 @@ void EffectTable::checkNeeds(const World& world, SceneId scene, std::string_view
                  format("it is \"off\", but {}{} {} {}, which needs it", firstText,
                         alone ? std::string{} : format(" and {} more", count - 1), alone ? "has" : "have",
                         caller.type().name),
-                 format("take {} away, or write \"auto\"; the effect stays off", caller.type().name)});
+                 format("remove {}, or write \"auto\"; the effect stays off", caller.type().name)});
         }
     }
 }

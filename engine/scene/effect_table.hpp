@@ -14,36 +14,37 @@
 
 namespace plumb {
 
-/// A kind of component that calls for an effect.
+/// A component type that requests an effect.
 struct EffectCaller {
     const TypeInfo& (*type)();
-    std::size_t (*count)(const World& world);                     ///< how many entities have one; O(1)
-    bool (*calls)(const void* component) = nullptr;               ///< null: every one of them calls
-    [[nodiscard]] std::size_t callers(const World& world) const;  ///< how many call; O(1) where all do
+    std::size_t (*count)(const World& world);        ///< number of entities that have the component; O(1)
+    bool (*calls)(const void* component) = nullptr;  ///< true if the component requests it; null: all do
+    [[nodiscard]] std::size_t callers(
+        const World& world) const;  ///< number of requests; O(1) if `calls` is null
 };
 
-/// One thing that a game can do without, and what calls for it.
+/// An optional feature of the engine, and the components that request it. It runs only while it is requested.
 struct EffectRow {
-    std::string_view name;  ///< as scene files write it: "particles"
-    std::string_view doc;
-    std::span<const EffectCaller> callers;
-    /// Whether anything calls for it, from the sizes of a few pools; null for an effect of the physics, which
-    /// counts its own callers.
-    bool (*calledFor)(const World& world) = nullptr;
-    physics::Effect physics = physics::Effect::Count;  ///< Count for none of the physics
-    /// Components call for it by their defaults, so it is no mistake to pin it off where they are.
+    std::string_view name;                  ///< name in scene files, e.g. "particles"
+    std::string_view doc;                   ///< description, for tooltips
+    std::span<const EffectCaller> callers;  ///< component types that request it
+    /// Returns true if the effect is requested, in O(1); null for
+    /// effects of the physics, which counts its own requests.
+    bool (*isRequired)(const World& world) = nullptr;
+    physics::Effect physics = physics::Effect::Count;  ///< the effect of the physics; Count if it is not one
+    /// Components request it by their default values, so pinning it off while they exist is not reported.
     bool byDefault = false;
-    std::string_view device{};  ///< of the player, opened for it: "audio device"
+    std::string_view device{};  ///< device of the player that is opened for it, e.g. "audio device"
 };
 
-/// A system, and the effect that it runs for.
+/// A system, and the effect for which it runs.
 struct EffectSystem {
     TypeKey key = 0;
     std::string_view name;    ///< S::kName
-    std::string_view effect;  ///< of a row; empty for a system that always runs
+    std::string_view effect;  ///< name of an effect; empty: the system always runs
 };
 
-/// All effects of a program: of the physics, of the systems, of the devices. Never changes.
+/// All effects of a program: of physics, systems and devices. Constant.
 class EffectTable {
 public:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -53,16 +54,18 @@ public:
 
     [[nodiscard]] const std::vector<EffectRow>& rows() const { return rows_; }
     [[nodiscard]] const std::vector<EffectSystem>& systems() const { return systems_; }
-    /// The number of the row, or kNone.
+    /// Returns the index of the effect with this name, or kNone.
     [[nodiscard]] std::size_t find(std::string_view name) const;
 
-    /// What the "effects" of a scene file say, by row. What cannot be read is reported and counts as "auto".
-    /// @param path  of the file, for errors
+    /// Reads the "effects" object of a scene file and returns a pin for each effect. Invalid entries are
+    /// reported and read as "auto".
+    /// @param path      path of the file, for errors
+    /// @param problems  receives the errors; may be null
     [[nodiscard]] std::vector<Pin> readPins(const Json& json, std::string_view path,
                                             std::vector<Error>* problems) const;
 
-    /// Tells of components of a scene that need what is pinned off. One error for each kind of component.
-    /// @param scene  whose entities are looked at
+    /// Reports components of a scene that need an effect that is pinned off: one error per component type.
+    /// @param scene  the scene whose entities are checked
     void checkNeeds(const World& world, SceneId scene, std::string_view path, std::span<const Pin> pins,
                     std::vector<Error>& problems) const;
 
@@ -73,12 +76,12 @@ private:
     std::vector<EffectSystem> systems_;
 };
 
-/// "auto", "on" or "off".
+/// Returns "auto", "on" or "off".
 std::string_view nameOf(Pin pin);
 
-// For rows.
+// Helpers to define rows.
 
-/// Of the components of a kind only those for which this holds.
+/// As a template argument of kCallersOf: only those components T that `Calls` returns true for.
 template <class T, bool (*Calls)(const T& component)>
 struct Some;
 
@@ -105,7 +108,7 @@ constexpr EffectCaller callerOf() {
 template <class... Callers>
 inline constexpr EffectCaller kCallersOf[] = {callerOf<Callers>()...};
 
-/// Whether there is any of these components.
+/// True if any entity has one of these components.
 template <class... T>
 bool isThereAny(const World& world) {
     return ((world.count<T>() != 0) || ...);

@@ -5,7 +5,8 @@
 
 namespace plumb {
 
-/// The random numbers of the simulation. A resource, so that a snapshot repeats them; seeded when a game starts.
+/// Random number generator of the simulation, seeded when a game
+/// starts. A world resource, so that snapshots include its state.
 struct GameRandom {
     Random random;
 

@@ -9,55 +9,59 @@
 
 namespace plumb {
 
-/// What ties an entity's body to another one: the same for all joints.
+/// The bodies, anchors and limits that all joint components have. The joint belongs to this entity's body.
 struct JointLink {
-    EntityId other;           ///< whose body; empty ties it to the world
-    Vec2 anchor;              ///< px from the entity's Transform, turned with it
-    Vec2 otherAnchor;         ///< px from the other's Transform, or in the world
-    bool autoAnchor = true;   ///< the other's anchor is where `anchor` is when the joint is made
-    float breakForce = 0.0f;  ///< kg px/s^2: pulled harder it breaks and is removed; 0 never breaks
-    bool collide = false;     ///< the two bodies still collide
-    int quality = -1;  ///< 2^quality substeps for it and what hangs together with it; -1 is the scene's
+    EntityId other;          ///< entity of the other body; empty: the world
+    Vec2 anchor;             ///< px from the entity's Transform, rotated with it
+    Vec2 otherAnchor;        ///< px from the other entity's Transform, rotated with it, or px in the world
+    bool autoAnchor = true;  ///< ignore `otherAnchor`: use the position of `anchor` when the joint is created
+    float breakForce = 0.0f;  ///< kg px/s^2: a larger force breaks and removes the joint; 0: never
+    bool collide = false;     ///< the two bodies collide with each other
+    int quality = -1;         ///< 2^quality substeps for the joint and its island; -1: the scene's quality
 };
 
 template <class T>
 void describeLink(TypeBuilder<T>& type) {
-    type.template field<&T::other>("other").doc("Whose body; none ties it to the world.");
-    type.template field<&T::anchor>("anchor").unit(Unit::Pixels).doc("From the entity's Transform.");
+    type.template field<&T::other>("other").doc("Entity of the other body; none connects to the world.");
+    type.template field<&T::anchor>("anchor")
+        .unit(Unit::Pixels)
+        .doc("Anchor on this body, px from its Transform.");
     type.template field<&T::otherAnchor>("otherAnchor")
         .unit(Unit::Pixels)
         .shownIf("autoAnchor", 0)
-        .doc("From the other's Transform, or in the world.");
+        .doc("Anchor on the other body, px from its Transform, or px in the world.");
     type.template field<&T::autoAnchor>("autoAnchor")
-        .doc("The other's anchor is where this one is at the start.");
+        .doc("Places the anchor on the other body where this body's anchor is at the start.");
     type.template field<&T::breakForce>("breakForce")
         .range(0.0f, 1e12f)
-        .doc("kg px/s2: pulled harder it breaks; 0 never breaks.");
-    type.template field<&T::collide>("collide").doc("The two bodies still collide.");
+        .doc("Force above which the joint breaks, kg px/s2; 0: never.");
+    type.template field<&T::collide>("collide").doc("The two bodies collide with each other.");
     type.template field<&T::quality>("quality")
         .range(-1.0f, 6.0f)
-        .doc("2^quality substeps for it and what hangs together with it; -1 is the scene's.");
+        .doc(
+            "Quality: 2^quality substeps for this joint and the bodies connected with it; -1: the scene's "
+            "quality.");
 }
 
-/// A spring: how fast it swings, and how soon it comes to rest.
+/// Spring of a joint, by its frequency and damping.
 struct JointStiffness {
-    float hertz = 0.0f;         ///< 1/s; 0 is no spring
-    float dampingRatio = 0.5f;  ///< 1 comes to rest without swinging
+    float hertz = 0.0f;         ///< frequency, Hz; 0: no spring
+    float dampingRatio = 0.5f;  ///< 1: critical damping, no oscillation
 };
 
 template <class T>
 void describeStiffness(TypeBuilder<T>& type) {
     type.template field<&T::hertz>("hertz")
         .range(0.0f, 1000.0f)
-        .doc("1/s: swings of its spring; 0 for none.");
+        .doc("Frequency of the spring, Hz; 0: no spring.");
     type.template field<&T::dampingRatio>("dampingRatio")
         .unit(Unit::Ratio)
         .range(0.0f, 100.0f)
-        .doc("1 comes to rest without swinging.");
+        .doc("Damping ratio of the spring; 1 is critical damping, without oscillation.");
 }
 
-/// An unlimited force is written as 0.
-inline float forceOrEndless(float force, float scale) {
+/// Converts the limit of a component to that of the physics: `force * scale`, or infinity for 0 (unlimited).
+inline float forceLimit(float force, float scale) {
     return force > 0.0f ? force * scale : std::numeric_limits<float>::infinity();
 }
 

@@ -12,22 +12,23 @@
 
 namespace plumb {
 
-/// Where a body of an experiment began.
+/// Initial state of a body in an experiment.
 struct LabStart {
     EntityId entity;
     Transform transform;
     RigidBody body;
 };
 
-/// What the experiment of a scene goes back to. A resource: snapshots and the hash include it.
+/// State of a scene's Experiment: the initial state of its
+/// bodies. A world resource, included in snapshots and hash.
 struct Lab {
-    EntityId experiment;  ///< whose starts these are
+    EntityId experiment;  ///< entity of the Experiment that `starts` belongs to
     std::vector<LabStart> starts;
-    std::uint64_t run = 0;        ///< how often something began anew
-    bool sliderMoved = false;     ///< since the run began
-    bool sliderReleased = false;  ///< in this tick, after it was moved
+    std::uint64_t run = 0;        ///< incremented at every start and restart
+    bool sliderMoved = false;     ///< a slider was moved since the run started
+    bool sliderReleased = false;  ///< a moved slider was released in this tick
 
-    /// The component of an entity as the experiment begins with it; null for what is not remembered.
+    /// Returns the initial value of an entity's component; null if it is not stored.
     [[nodiscard]] const void* startOf(EntityId entity, std::string_view component) const;
     [[nodiscard]] void* startOf(EntityId entity, std::string_view component) {
         return const_cast<void*>(static_cast<const Lab*>(this)->startOf(entity, component));
@@ -36,28 +37,29 @@ struct Lab {
     void addTo(Hasher& hasher) const;
 };
 
-/// A world beside the scene's own. A resource; copied with snapshots, but in no hash: nothing depends on it.
+/// Physics worlds of all ghosts. A world resource; copied with snapshots, but not part of the hash, as the
+/// simulation does not depend on it.
 struct GhostWorlds {
     struct One {
-        EntityId ghost;
-        std::uint64_t made = 0;  ///< from which settings, in which run
+        EntityId ghost;          ///< entity with the Ghost component
+        std::uint64_t made = 0;  ///< hash of the ghost's settings and of the run it was created for
         physics::World world;
     };
-    std::vector<One> all;  ///< in the order of their entities
+    std::vector<One> all;  ///< in order of creation
 
     [[nodiscard]] const One* find(EntityId ghost) const;
 };
 
-/// The past of all plots. A resource as GhostWorlds.
+/// Recorded curves of all plots. A world resource that is, like GhostWorlds, not part of the hash.
 struct PlotPast {
     struct Curve {
         EntityId plot;
-        EntityId source;            ///< a Ghost; empty: the scene itself
-        std::uint64_t run = 0;      ///< that it belongs to
-        double first = 0.0;         ///< the measure when it began
-        bool same = false;          ///< now to the bit what the scene is
-        std::uint64_t ticks = 0;    ///< since it began, all of them
-        std::vector<float> values;  ///< one for each of the last ticks
+        EntityId source;            ///< entity of a Ghost; empty: the scene's own physics
+        std::uint64_t run = 0;      ///< Lab::run that the curve belongs to
+        double first = 0.0;         ///< first value of the measured quantity, before normalization
+        bool same = false;          ///< the ghost's state is bit-identical to the scene's
+        std::uint64_t ticks = 0;    ///< number of ticks since the curve started
+        std::vector<float> values;  ///< one value per tick, most recent last; limited to the plot's time axis
     };
     std::vector<Curve> curves;
 

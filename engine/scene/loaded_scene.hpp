@@ -16,55 +16,56 @@ namespace plumb {
 
 struct PhysicsState;
 
-/// A value in a file that could not be used as it stands. Saving writes it back while the field still holds
-/// what it got instead.
+/// An invalid value of a field in a file. Saving writes it back
+/// as long as the field still has the value that replaced it.
 struct KeptField {
     std::string component;
     std::string key;
     Json raw;
-    Json loaded;  ///< what the field got instead; null when there is no such field
+    Json loaded;  ///< the value that replaced it; null if there is no such field
 };
 
-/// What a file says about one entity that no component holds.
+/// Data of one entity in a file that no component represents; kept for saving.
 struct KeptEntity {
-    std::vector<std::pair<std::string, Json>> keys;        ///< of the entity
-    std::vector<std::pair<std::string, Json>> components;  ///< unknown or broken ones, whole
+    std::vector<std::pair<std::string, Json>> keys;        ///< unknown or invalid keys of the entity
+    std::vector<std::pair<std::string, Json>> components;  ///< unknown or invalid components
     std::vector<KeptField> fields;
-    Json parent;  ///< one that could not be used
+    Json parent;  ///< an invalid parent reference
 };
 
-/// An entity that could not be loaded, as its text stands in the file.
+/// An entity that could not be loaded, kept as its text in the file.
 struct SkippedEntity {
-    int place = 0;  ///< index in the file's list
+    int place = 0;  ///< index in the file's list of entities
     std::string text;
 };
 
-/// What a scene file holds beside entities with known components. Never changed once loaded.
+/// Data of a scene file other than entities with known components; kept for saving. Constant once loaded.
 struct SceneRest {
-    std::vector<std::pair<std::string, Json>> keys;  ///< unknown ones of the file
-    std::map<std::uint64_t, KeptEntity> entities;    ///< by lasting id
-    std::vector<KeptField> layers;                   ///< component: the layer's name
-    std::vector<SkippedEntity> skipped;              ///< by place
+    std::vector<std::pair<std::string, Json>> keys;  ///< keys of the file that the engine does not read
+    std::map<std::uint64_t, KeptEntity> entities;    ///< by stable id
+    std::vector<KeptField> layers;       ///< invalid fields of layers; `component` is the layer's name
+    std::vector<SkippedEntity> skipped;  ///< sorted by place
 };
 
-/// A scene in a world: all of its file but the entities, which are in the world.
+/// A scene in a world: the content of its file except the entities, which are in the world.
 struct LoadedScene {
     SceneId id;
     std::string path;
     Json effects = Json::object();
     std::vector<SceneLayer> layers;
-    Color background{0, 0, 0, 0};  ///< behind everything; nothing is drawn when it is clear
-    bool pauses = false;           ///< an overlay: those below stand still
-    bool takesInput = false;       ///< an overlay: those below hear nothing of the player
-    /// Shared, because snapshots copy resources and these never change.
+    Color background{0, 0, 0, 0};  ///< background color; fully transparent: none is drawn
+    bool pauses = false;           ///< as an overlay it pauses the scenes below
+    bool takesInput = false;       ///< as an overlay it keeps input from the scenes below
+    /// Shared, as it is constant and snapshots copy resources.
     std::shared_ptr<const SceneRest> rest;
-    std::shared_ptr<const PhysicsState> below;  ///< the bodies of what it paused, as they were; else null
+    std::shared_ptr<const PhysicsState> below;  ///< physics state of the scenes it paused; else null
 };
 
-/// The scenes of a world, from the bottom to the top: an overlay is drawn over those before it. A resource.
+/// The scene stack of a world, from bottom to top: an
+/// overlay is drawn over those before it. A world resource.
 struct LoadedScenes {
     std::vector<LoadedScene> scenes;
-    std::uint64_t resumedAt = 0;  ///< the tick in which an overlay was closed: things are where they stood
+    std::uint64_t resumedAt = 0;  ///< tick in which an overlay was closed; no interpolation is drawn then
 
     [[nodiscard]] LoadedScene* find(SceneId id) {
         for (LoadedScene& scene : scenes) {

@@ -7,16 +7,17 @@
 
 namespace plumb {
 
-/// A number of a component, found by its name: a number, a switch (0 or 1), a choice, or a part of a vector.
+/// Access to a field of a component as a float, found by name: a
+/// number, a bool (0 or 1), an enum, or a component of a vector.
 class NumberField {
 public:
-    /// @param path  "mass", "gravity.y"
-    /// @return nothing where there is no such component, field or part, or where it is no number
+    /// @param path  name of the field, e.g. "mass" or "gravity.y"
+    /// @return nullopt if there is no such component or field, or if it is not a number
     static std::optional<NumberField> find(const TypeRegistry& types, std::string_view component,
                                            std::string_view path);
 
     [[nodiscard]] float read(const void* component) const;
-    /// Brought into the field's range; rounded where it is a whole number.
+    /// Writes the value, clamped to the field's range, and rounded for integer fields.
     void write(void* component, float value) const;
 
     [[nodiscard]] const TypeInfo& type() const { return *type_; }
@@ -28,7 +29,7 @@ private:
 
     const TypeInfo* type_;
     const FieldInfo* field_;
-    int part_;  // of a vector
+    int part_;  // 0: x, 1: y of a vector; -1: not a vector
 };
 
 }  // namespace plumb

@@ -23,13 +23,13 @@ constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ull;
 
 std::uint64_t wordOf(EntityId entity) { return std::uint64_t{entity.index} << 32 | entity.generation; }
 
-/// Follows from the lasting id, so that a scene looks the same each time it is played.
+/// Returns a seed from the stable id, so that a scene looks the same each time it is played.
 std::uint64_t seedOf(const World& world, EntityId entity) {
     const auto* scene = world.find<SceneEntity>(entity);
     return mixBits(scene != nullptr && scene->id != 0 ? scene->id : wordOf(entity) ^ kGolden);
 }
 
-/// As many as it can have alive at once, and a few.
+/// Returns the capacity for an emitter: the maximum number of particles alive at once, and a few spare ones.
 std::uint32_t roomFor(const ParticleEmitter& emitter) {
     constexpr double kSpare = 8.0;
     const double life = double{emitter.lifetime} * (1.0 + double{emitter.lifetimeSpread}) + 1.0 / 60.0;
@@ -51,9 +51,9 @@ void resize(Particles& particles, std::size_t places) {
     for (const Column column : kColumns) (particles.*column).resize(places);
 }
 
-/// Gives every stream that is wanted a range as large as its capacity and takes its particles there, in
-/// place: those that go down from the first on, then those that go up from the last on. As the streams keep
-/// their order, no move overwrites what has not moved yet.
+/// Assigns every stream a range of its capacity and moves its particles there, in place: first those that
+/// move down, in ascending order, then those that move up, in descending order. As the order of streams is
+/// kept, no move overwrites particles that have not moved yet.
 void layOut(Particles& particles) {
     std::vector<ParticleStream>& streams = particles.streams;
     std::erase_if(streams, [](const ParticleStream& stream) { return !stream.wanted; });
@@ -80,7 +80,7 @@ void move(Particles& particles, const ParticleStream& stream, const ParticleTrav
     float* const velocityY = particles.velocityY.data() + stream.first;
     float* const progress = particles.progress.data() + stream.first;
     const float* const pace = particles.pace.data() + stream.first;
-    // Arrays one after the other: each loop is one that compilers make wide.
+    // One loop per array, so that compilers vectorize it.
     for (std::uint32_t i = 0; i < stream.count; ++i) {
         x[i] += velocityX[i] * travel.reach + travel.fall.x;
         velocityX[i] = velocityX[i] * travel.keep + travel.pull.x;
@@ -92,9 +92,9 @@ void move(Particles& particles, const ParticleStream& stream, const ParticleTrav
     for (std::uint32_t i = 0; i < stream.count; ++i) progress[i] += pace[i] * dt;
 }
 
-/// Closes the gaps of those that have lived; the others keep their order, so that nothing flickers. Whole
-/// runs of survivors move at once: few die in a tick.
-void bury(Particles& particles, ParticleStream& stream) {
+/// Removes expired particles. The others keep their order, so that drawing does not flicker. Whole runs of
+/// survivors are moved at once, as few particles expire in a tick.
+void removeExpired(Particles& particles, ParticleStream& stream) {
     const float* const progress = particles.progress.data();
     const std::uint32_t end = stream.first + stream.count;
     const auto lives = [progress](std::uint32_t i) { return progress[i] < 1.0f; };
@@ -129,12 +129,12 @@ Vec2 placeIn(const ParticleEmitter& emitter, Random& random) {
     return {};
 }
 
-/// A value with its spread: `value * (1 - spread)` to `value * (1 + spread)`.
+/// Returns a random value from `value * (1 - spread)` to `value * (1 + spread)`.
 float spreadOut(float value, float spread, Random& random) {
     return value * (1.0f + spread * random.between(-1.0f, 1.0f));
 }
 
-/// One more particle, if there is room. @param age  s at the end of the step; may be more than the step
+/// Emits a particle if there is capacity. @param age  s, age at the end of the step; may exceed the step
 void send(Particles& particles, ParticleStream& stream, const EmitterStep& step, float age) {
     const ParticleEmitter& emitter = step.emitter;
     Random random{mixBits(stream.seed + kGolden * stream.born++)};
@@ -176,7 +176,7 @@ void send(Particles& particles, ParticleStream& stream, const EmitterStep& step,
     particles.spin[i] = spin * lifetime;
 }
 
-/// What it would have sent by now if it had always been there.
+/// Emits the particles that an emitter running forever would have alive now.
 void sendPast(Particles& particles, ParticleStream& stream, const EmitterStep& step) {
     const ParticleEmitter& emitter = step.emitter;
     if (!(emitter.rate > 0.0f)) return;
@@ -208,7 +208,7 @@ void sendDue(Particles& particles, ParticleStream& stream, const EmitterStep& st
     stream.owed = due - whole;
     stream.time += step.dt;
     if (!emitter.loop || stream.time < emitter.duration) return;
-    stream.time = std::min(stream.time - emitter.duration, step.dt);  // a duration that was just cut too
+    stream.time = std::min(stream.time - emitter.duration, step.dt);  // `duration` may just have been reduced
     for (int i = 0; i < emitter.burst; ++i) send(particles, stream, step, stream.time);
 }
 
@@ -248,7 +248,7 @@ ParticleTravel ParticleTravel::over(float seconds, Vec2 gravity, float drag) {
     double fall = 0.0;   // (1 - reach) / q
     double keep = 1.0;
     if (q < 0.25) {
-        // Their series: the formulas themselves would lose all digits near 0.
+        // Power series, as the closed formulas lose all precision near 0.
         double term = 1.0;
         for (int n = 1; n <= 9; ++n) {
             reach += term;
@@ -291,7 +291,7 @@ void followEmitters(Particles& particles, const World& world, std::span<const En
         const auto* emitter = world.find<ParticleEmitter>(entity);
         if (emitter == nullptr) continue;
         const std::uint32_t room = roomFor(*emitter);
-        // New ones stand behind the sorted ones until all have been looked at.
+        // New streams are appended after the sorted ones until all emitters were visited.
         const auto end = particles.streams.begin() + static_cast<std::ptrdiff_t>(known);
         const auto at = std::lower_bound(
             particles.streams.begin(), end, entity,
@@ -319,7 +319,7 @@ void followEmitters(Particles& particles, const World& world, std::span<const En
 void stepStream(Particles& particles, ParticleStream& stream, const EmitterStep& step) {
     const Vec2 gravity = gravityIn(step.emitter, step.to, step.gravity);
     move(particles, stream, ParticleTravel::over(step.dt, gravity, step.emitter.drag), step.dt);
-    bury(particles, stream);
+    removeExpired(particles, stream);
     sendDue(particles, stream, step);
 }
 

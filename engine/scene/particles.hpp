@@ -10,33 +10,33 @@
 
 namespace plumb {
 
-/// What one emitter has sent: a range of the arrays of Particles, oldest first, and how far it is.
+/// Particles of one emitter: a range in the arrays of Particles, oldest first, and the emitter's progress.
 struct ParticleStream {
     EntityId emitter;
-    std::uint64_t seed = 0;      ///< of its random numbers, with `born`
-    std::uint32_t born = 0;      ///< since it began
-    float time = 0.0f;           ///< s of this turn
-    float owed = 0.0f;           ///< particles: the part of the next one that is due already
-    bool begun = false;          ///< false: the next tick is its first
-    bool wanted = false;         ///< while streams follow emitters: its emitter is still there
-    std::uint32_t first = 0;     ///< place in the arrays
-    std::uint32_t count = 0;     ///< alive
-    std::uint32_t capacity = 0;  ///< places that are its own
+    std::uint64_t seed = 0;      ///< seed of the random numbers, combined with `born`
+    std::uint32_t born = 0;      ///< number of particles emitted since the emitter was created
+    float time = 0.0f;           ///< s since the start of the emission cycle
+    float owed = 0.0f;           ///< fraction of a particle that is due, carried over to the next step
+    bool begun = false;          ///< false: the next tick starts the first cycle
+    bool wanted = false;         ///< in followEmitters(): its emitter still exists
+    std::uint32_t first = 0;     ///< index of the first particle in the arrays
+    std::uint32_t count = 0;     ///< number of particles alive
+    std::uint32_t capacity = 0;  ///< number of elements reserved in the arrays
 };
 
-/// All particles of a world, in plain arrays. A resource that is there only where a scene has emitters. It is
-/// part of snapshots and of the hash, so the past is shown with the very particles that it had.
+/// All particles of a world, as structure of arrays. A world resource that exists only if a scene has
+/// emitters. It is part of snapshots and of the hash, so a restored state shows the same particles.
 struct Particles {
-    std::vector<ParticleStream> streams;  ///< by entity
-    std::vector<float> x;                 ///< px, in the world or in the emitter
-    std::vector<float> y;                 ///< px
+    std::vector<ParticleStream> streams;  ///< sorted by emitter entity
+    std::vector<float> x;                 ///< px, position in the emitter's particle space
+    std::vector<float> y;                 ///< px, position in the emitter's particle space
     std::vector<float> velocityX;         ///< px/s
     std::vector<float> velocityY;         ///< px/s
-    std::vector<float> progress;          ///< ratio of the life that is over, 0..1
-    std::vector<float> pace;              ///< 1/s: one through the length of the life
-    std::vector<float> size;              ///< ratio of the emitter's
-    std::vector<float> turn;              ///< rad, at birth
-    std::vector<float> spin;              ///< rad in the whole life
+    std::vector<float> progress;          ///< age as a ratio of the lifetime, 0..1
+    std::vector<float> pace;              ///< 1/s: 1 / lifetime
+    std::vector<float> size;              ///< ratio to the emitter's size
+    std::vector<float> turn;              ///< rad, rotation at birth
+    std::vector<float> spin;              ///< rad, rotation over the whole lifetime
 
     [[nodiscard]] ParticleStream* find(EntityId emitter);
     [[nodiscard]] const ParticleStream* find(EntityId emitter) const {
@@ -47,8 +47,8 @@ struct Particles {
     void addTo(Hasher& hasher) const;
 };
 
-/// How far a particle comes in some time under gravity and drag: exact, however long the time is.
-/// Velocity becomes `velocity * keep + pull`, the place moves by `velocity * reach + fall`.
+/// Exact motion of a particle under gravity and drag over any time: the velocity becomes `velocity * keep +
+/// pull`, the position changes by `velocity * reach + fall`.
 struct ParticleTravel {
     float keep = 1.0f;   ///< ratio
     float reach = 0.0f;  ///< s
@@ -60,27 +60,27 @@ struct ParticleTravel {
     static ParticleTravel over(float seconds, Vec2 gravity, float drag);
 };
 
-/// The gravity that particles feel in a world (px/s^2), before the emitter's own part of it.
+/// Returns the gravity for particles of a world (px/s^2), before the emitter's ratio is applied.
 [[nodiscard]] Vec2 particleGravity(const World& world);
-/// Gravity as a stream's own space has it (px/s^2). @param pose  of the emitter
+/// Returns the gravity in the emitter's particle space, times its ratio (px/s^2). @param pose  of the emitter
 [[nodiscard]] Vec2 gravityIn(const ParticleEmitter& emitter, const Pose& pose, Vec2 gravity);
 
-/// Gives every emitter its stream and takes away those of emitters that are gone. Allocates only when
-/// more room is wanted than ever before. @param emitters  all of them, in any order
+/// Creates a stream for every new emitter and removes those of destroyed emitters. Allocates only if more
+/// capacity is needed than ever before. @param emitters  all emitters, in any order
 void followEmitters(Particles& particles, const World& world, std::span<const EntityId> emitters);
 
-/// One emitter in one step.
+/// Input of one step of one emitter.
 struct EmitterStep {
     const ParticleEmitter& emitter;
-    Pose from;     ///< in the world, when the step begins
-    Pose to;       ///< and when it ends
-    Vec2 gravity;  ///< px/s^2 of the scene
-    float dt;      ///< s
+    Pose from;     ///< world pose of the emitter at the start of the step
+    Pose to;       ///< world pose of the emitter at the end of the step
+    Vec2 gravity;  ///< px/s^2, gravity of the scene
+    float dt;      ///< s, length of the step
 };
-/// Moves what a stream has, takes out what has lived, sends what is due.
+/// Moves the particles of a stream, removes expired ones, emits those that are due.
 void stepStream(Particles& particles, ParticleStream& stream, const EmitterStep& step);
 
-/// Sends so many at once, at the end of the step.
+/// Emits `count` particles at once, at the end of the step.
 void burstStream(Particles& particles, ParticleStream& stream, const EmitterStep& step, int count);
 
 }  // namespace plumb

@@ -27,12 +27,12 @@ namespace {
 using physics::Effect;
 using physics::Manifest;
 
-/// What the systems of the seed's sample call for, and what scenes pin. Without any of them all runs that
-/// components call for.
+/// Effects that GravitySystem, MovementSystem and CollisionSystem request and scenes pin. Without these
+/// systems, all effects that components request run.
 struct Calls {
-    bool motion = true;
-    std::uint32_t off = 0;  // bits of effects that do not run
-    std::uint32_t on = 0;   // bits of effects that run though nothing calls for them
+    bool motion = true;     // bodies move; otherwise only velocities change
+    std::uint32_t off = 0;  // bits of physics::Manifest: effects that do not run
+    std::uint32_t on = 0;   // bits of physics::Manifest: effects that run even if not requested
 };
 
 Calls callsOf(World& world) {
@@ -52,7 +52,7 @@ Calls callsOf(World& world) {
     return calls;
 }
 
-/// Gravity alone, for a world in which nothing moves.
+/// Applies gravity to velocities only, for a world with a GravitySystem but no motion.
 void pull(World& world, Vec2 gravity, float dt) {
     for (auto [entity, body] : world.query<RigidBody>()) body.velocity += gravity * (body.gravityScale * dt);
 }
@@ -132,7 +132,7 @@ void stepPhysics(World& world, float dt) {
         publishContacts(world, state);
         publishBroken(world, state);
         removeExploded(world, state);
-        state.mark = world.markChanges();  // what was written here is known
+        state.mark = world.markChanges();  // the writes above are already synchronized
     }
     if (times != nullptr) times->endStep();
 }

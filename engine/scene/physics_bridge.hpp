@@ -5,22 +5,22 @@
 
 namespace plumb {
 
-/// Makes bodies follow their components: creates, changes and destroys what differs. Costs only for what
-/// changed. Kinematic bodies get the velocities that lead where this tick takes them.
-/// Reads: Transform, RigidBody, KinematicBody, StaticBody, CharacterBody, colliders, TileLayer, joints,
-/// fields.
-/// @param dt  s
+/// Synchronizes bodies with their components: creates, changes and destroys bodies.
+/// The cost depends on the number of changes. Kinematic bodies get the velocities that
+/// move them to their poses at the end of this tick. Reads: Transform, RigidBody,
+/// KinematicBody, StaticBody, CharacterBody, colliders, TileLayer, joints, fields.
+/// @param dt  s, length of the tick
 void syncBodies(World& world, float dt);
 
-/// One tick of physics: sync, step, poses and velocities back into the components of bodies that moved,
-/// contact events.
-/// Writes: Transform, RigidBody; removes joints that broke and explosions; emits contact_events.hpp.
+/// Runs one tick of physics: synchronizes bodies, steps, writes poses and velocities of moved bodies back to
+/// their components, emits contact events. Writes: Transform, RigidBody; removes joints that broke and
+/// explosions; emits contact_events.hpp.
 void stepPhysics(World& world, float dt);
 
-/// The body of an entity, or the empty id.
+/// Returns the body of an entity, or the empty id.
 physics::BodyId bodyOf(World& world, EntityId entity);
 
-/// Makes tile colliders anew in the next sync, e.g. after a tileset was changed.
+/// Recreates tile colliders in the next sync, e.g. after a tileset was changed.
 void rebuildTileColliders(World& world);
 
 }  // namespace plumb

@@ -7,12 +7,12 @@
 
 namespace plumb {
 
-/// A sound that begins in this tick. Emitted by the simulation, heard by what plays sounds: the tick tells
-/// a sound that a replayed tick brings again from a new one.
+/// Event: a sound starts in this tick. Emitted by the simulation and read by the sound output, which uses
+/// `tick` to ignore sounds that a repeated tick emits again.
 struct PlaySound {
     SoundId sound;
     float volume = 1.0f;  ///< ratio
-    EntityId source;      ///< what made it, or empty
+    EntityId source;      ///< entity that emits it; may be empty
     std::uint64_t tick = 0;
 };
 

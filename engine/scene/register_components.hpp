@@ -4,7 +4,7 @@ namespace plumb {
 
 class TypeRegistry;
 
-/// Adds every component of this layer, in the order in which files and the inspector list them.
+/// Registers all components of the scene layer, in the order in which files and the inspector list them.
 void registerSceneComponents(TypeRegistry& types);
 
 }  // namespace plumb

@@ -7,29 +7,33 @@
 
 namespace plumb {
 
-/// What all things with one layer number share. A number without an entry is drawn plainly.
+/// Settings of a drawing layer. Layer numbers without an entry have the defaults.
 struct SceneLayer {
     TextId name;
-    int order = 0;              ///< the number that Sprite.layer and its like refer to; higher is in front
-    Vec2 parallax{1.0f, 1.0f};  ///< ratio of the camera's movement; 1 is part of the world, 0 stays on screen
+    int order = 0;              ///< number of the layer, as in Sprite::layer; higher numbers are in front
+    Vec2 parallax{1.0f, 1.0f};  ///< scroll ratio: 1 moves like the world, 0 stays fixed on the screen
     Color tint;
     bool visible = true;
-    bool ySort = false;  ///< lower on screen is in front, within the layer
+    bool ySort = false;  ///< within the layer, sprites lower on the screen are in front
 
     static void describe(TypeBuilder<SceneLayer>& type) {
-        type.name("Layer").doc("What all things with one layer number share.");
+        type.name("Layer").doc("Settings of a drawing layer.");
         type.field<&SceneLayer::name>("name");
-        type.field<&SceneLayer::order>("order").range(-1000.0f, 1000.0f).doc("Higher is in front.");
+        type.field<&SceneLayer::order>("order")
+            .range(-1000.0f, 1000.0f)
+            .doc("Number of the layer; higher numbers are in front.");
         type.field<&SceneLayer::parallax>("parallax")
             .unit(Unit::Ratio)
-            .doc("1 is part of the world, 0 stays.");
-        type.field<&SceneLayer::tint>("tint").doc("Multiplies the colors of all in it.");
+            .doc("Scroll ratio: 1 moves like the world, 0 stays fixed on the screen.");
+        type.field<&SceneLayer::tint>("tint").doc(
+            "Color multiplied with the colors of everything in the layer.");
         type.field<&SceneLayer::visible>("visible");
-        type.field<&SceneLayer::ySort>("ySort").doc("Lower on screen is in front.");
+        type.field<&SceneLayer::ySort>("ySort").doc(
+            "Within the layer, sprites lower on the screen are in front.");
     }
 };
 
-/// The description of a layer, for readers that go by reflection.
+/// Returns the type information of SceneLayer, for reflection.
 const TypeInfo& sceneLayerType();
 
 }  // namespace plumb

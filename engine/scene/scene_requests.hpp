@@ -5,14 +5,14 @@
 
 namespace plumb {
 
-/// What the simulation wants to happen to scenes after this tick. A resource; the owner of the scenes reads
-/// and empties it between ticks.
+/// Scene changes that the simulation requests for the end of this tick. A world resource; the game reads and
+/// clears it between ticks.
 struct SceneRequests {
-    TextId next;           ///< path of the scene to go to, or to lay over the current one; empty for none
-    bool overlay = false;  ///< keep the current scene beneath, paused
-    bool close = false;    ///< take the top overlay away
-    bool reload = false;   ///< load the current scene anew
-    bool quit = false;     ///< end the game
+    TextId next;           ///< path of the scene to change to, or to open as an overlay; empty for none
+    bool overlay = false;  ///< open `next` as an overlay over the current scene
+    bool close = false;    ///< close the top overlay
+    bool reload = false;   ///< reload the current scene
+    bool quit = false;     ///< quit the game
 
     [[nodiscard]] bool empty() const { return next.empty() && !close && !reload && !quit; }
     void addTo(Hasher& hasher) const {

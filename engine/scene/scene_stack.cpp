@@ -26,7 +26,8 @@ std::vector<SceneId> loadedIds(const World& world) {
     return ids;
 }
 
-/// Destroys what code made: entities without a scene, but for the persistent ones and their children.
+/// Destroys those of the entities that code created (without
+/// a scene), except persistent ones and their children.
 void destroyMade(World& world, const std::vector<EntityId>& made) {
     for (const EntityId id : made) {
         if (world.alive(id) && !std::as_const(world).has<SceneEntity>(id) && !persists(world, id))
@@ -39,11 +40,11 @@ void resume(World& world, std::uint32_t by) {
     for (auto [entity, pause] : std::as_const(world).query<const Paused>()) {
         if (pause.by >= by) paused.push_back(entity.id());
     }
-    // From the last to the first, so that none has to move.
+    // From last to first, so that no component is moved in its pool.
     for (auto id = paused.rbegin(); id != paused.rend(); ++id) world.remove<Paused>(*id);
 }
 
-/// Gives the physics back as the lowest of these overlays found it.
+/// Restores the physics that the lowest of these overlays paused.
 void restorePhysics(World& world, const LoadedScenes& loaded, std::size_t from) {
     for (std::size_t i = from; i < loaded.scenes.size(); ++i) {
         if (loaded.scenes[i].below == nullptr) continue;
@@ -80,7 +81,7 @@ Result<LoadReport> loadText(World& world, const SceneContext& context, std::stri
 
 Result<LoadReport> switchScene(World& world, const SceneContext& context, std::string_view path,
                                const std::string* text) {
-    // The new scene comes first: when it cannot be read, the old ones go on.
+    // Load the new scene first: if it cannot be read, the old ones are kept.
     const std::vector<SceneId> before = loadedIds(world);
     const std::vector<EntityId> entities = world.entities();
     const auto leave = [&] {
@@ -100,7 +101,7 @@ Result<LoadReport> switchScene(World& world, const SceneContext& context, std::s
 Result<LoadReport> openOverlay(World& world, const SceneContext& context, std::string_view path) {
     const std::vector<SceneId> before = loadedIds(world);
     if (std::find(before.begin(), before.end(), sceneId(path)) != before.end()) {
-        return Error{std::string{path}, "the scene is open already", "close it before it is opened again"};
+        return Error{std::string{path}, "the scene is already open", "close it before opening it again"};
     }
     const std::vector<EntityId> below = world.entities();
     Result<LoadReport> report = loadSceneFile(world, context, path);
@@ -141,7 +142,7 @@ std::size_t placeOf(const World& world, EntityId entity) {
     }
     std::size_t place = scenes.size();
     if (const auto* paused = world.find<Paused>(entity)) place = std::min<std::size_t>(paused->by, place);
-    // What is not in a scene belongs to the one that was on top, and awake, when it was made.
+    // Entities without a scene belong to the top scene that was not paused when they were created.
     for (std::size_t i = place; i-- > 1;) {
         if (scenes[i].pauses) return i;
     }

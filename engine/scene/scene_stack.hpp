@@ -13,36 +13,35 @@ namespace plumb {
 class Input;
 struct PhysicsState;
 
-// The scenes of a world lie on one another: at the bottom the one that was gone to, over it the overlays that
-// were opened. All their entities are in the one world; LoadedScenes has the order.
+// The scenes of a world form a stack: at the bottom the current scene, above it the open overlays. All their
+// entities are in the same world; LoadedScenes stores the order.
 
-/// Goes to a scene: loads it and takes all others away, with all entities that code made since. Persistent
-/// ones stay, with their children.
-/// @param text  stands for the file, as an editor has it; null: the file is read
-/// @error the file cannot be read; the scenes before are still there, but when it is one of them
+/// Changes to a scene: loads it and unloads all others, with all entities created by code. Persistent
+/// entities and their children are kept.
+/// @param text  content to use instead of the file, e.g. from an editor; null: the file is read
+/// @error the file cannot be read; the previous scenes are kept, unless the scene is one of them
 Result<LoadReport> switchScene(World& world, const SceneContext& context, std::string_view path,
                                const std::string* text = nullptr);
 
-/// Lays a scene over those that are there. Its Overlay component says whether they stand still (as they do
-/// without one) and whether they hear the player.
-/// @error the file cannot be read, or the scene is there already; nothing has changed
+/// Opens a scene as an overlay above the current ones. Its Overlay component controls whether those are
+/// paused and receive input; without one they are paused and receive none.
+/// @error the file cannot be read, or the scene is already open; the world is unchanged
 Result<LoadReport> openOverlay(World& world, const SceneContext& context, std::string_view path);
 
-/// Takes the top overlay away, and what was made while it paused the rest. What it paused goes on exactly as
-/// it was left.
-/// @return false when there is none
+/// Closes the top overlay and destroys the entities created while it paused the scenes below, which resume in
+/// exactly the state they were paused in.
+/// @return false if there is no overlay
 bool closeOverlay(World& world);
 
-/// Where in the stack an entity belongs: to its scene; one that code made, to the top scene that is not
-/// paused.
+/// Returns the index in the scene stack of an entity's scene; entities created by code belong to the
+/// highest pausing overlay that does not pause them, or to the bottom scene.
 std::size_t placeOf(const World& world, EntityId entity);
 
-/// The physics of the scene at the bottom: as it runs, or as it was when overlays paused it. For looking at
-/// it.
+/// Returns the physics of the bottom scene, running or paused by overlays, for display. May be null.
 const PhysicsState* lowestPhysics(const World& world);
 
-/// What an entity hears of the player: nothing while an overlay above it takes the input. Systems that react
-/// to the player ask here, not the Input itself.
+/// Returns the input for an entity: empty while an overlay above it takes the input. Systems that react to
+/// the player must use this function instead of the Input resource.
 const Input& inputFor(World& world, EntityId entity);
 
 }  // namespace plumb

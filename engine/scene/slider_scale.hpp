@@ -9,9 +9,9 @@
 
 namespace plumb {
 
-inline constexpr float kSliderKnob = 9.0f;  ///< px: its radius, and how far beside its track it can be taken
+inline constexpr float kSliderKnob = 9.0f;  ///< px, radius of the knob, and grab distance from the track
 
-/// The number that the knob stands for at a part of its way (ratio, 0..1).
+/// Returns the value at a knob position on the track (ratio, 0..1).
 inline float valueAt(const Slider& slider, float part) {
     float place = slider.min + (slider.max - slider.min) * std::clamp(part, 0.0f, 1.0f);
     if (slider.step > 0.0f)
@@ -19,7 +19,7 @@ inline float valueAt(const Slider& slider, float part) {
     return slider.powers ? exponential(place * 2.302585093f) : place;
 }
 
-/// Where on its way (ratio, 0..1) the knob stands for a number.
+/// Returns the knob position on the track (ratio, 0..1) for a value.
 inline float partOf(const Slider& slider, float value) {
     const float place = slider.powers ? logarithm10(value) : value;
     const float way = slider.max - slider.min;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Every system of a scene, for game code.
+// Includes every system of the scene layer.
 
 #include "scene/drawing/render_system.hpp"
 #include "scene/systems/animation_system.hpp"

@@ -37,7 +37,8 @@ Pose worldPose(const World& world, EntityId entity, float alpha) {
 
 namespace {
 
-/// What was stored last, so that whatever stands still costs nothing. A resource that is no state.
+/// Change marks of the last call, so that entities that do not move cost no time. A world resource, not part
+/// of the simulation state.
 struct StoredTransforms {
     std::uint64_t mark = 0;
     std::uint64_t members = 0;
@@ -60,10 +61,10 @@ void storePreviousTransforms(World& world) {
     StoredTransforms& stored = world.resource<StoredTransforms>();
     const std::uint64_t members = world.memberships<Transform, Paused>();
     if (members != stored.members) {
-        world.each<Transform>(store);  // but for the paused ones
+        world.each<Transform>(store);  // except paused entities, which queries skip
     } else {
         world.eachChangedSince<Transform>(stored.mark, [&world](EntityId entity) {
-            // This is no change of the game's: it is not noted.
+            // const_cast, as this write must not be recorded as a change.
             auto* transform = const_cast<Transform*>(std::as_const(world).find<Transform>(entity));
             if (!isStored(*transform) && !world.has<Paused>(entity)) store(*transform);
         });

@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// Where something is and how it is turned, without its past.
+/// Position, rotation and scale, without the values of the previous tick.
 struct Pose {
     Vec2 position;           ///< px
     float rotation = 0.0f;   ///< rad, clockwise on screen
@@ -16,26 +16,29 @@ struct Pose {
     friend bool operator==(const Pose&, const Pose&) = default;
 };
 
-/// Between the pose one tick ago (alpha 0) and now (alpha 1). Angles take the short way round.
+/// Interpolates between the pose one tick ago (alpha 0) and
+/// now (alpha 1). Rotation takes the shorter direction.
 Pose blended(const Transform& transform, float alpha);
+/// Like blended(), but faster and exact for alpha 1.
 inline Pose interpolated(const Transform& transform, float alpha) {
     if (alpha >= 1.0f) return {transform.position, transform.rotation, transform.scale};
     return blended(transform, alpha);
 }
 
-/// `child`, given in `parent`, as a pose of what `parent` is given in; and back.
+/// Converts `child` from the frame of `parent` to the frame that `parent` is given in.
 inline Pose composed(const Pose& parent, const Pose& child) {
     return {parent.position + rotated(scaled(child.position, parent.scale), parent.rotation),
             parent.rotation + child.rotation, scaled(parent.scale, child.scale)};
 }
+/// Inverse of composed(): converts `child` to the frame of `parent`.
 Pose relativeTo(const Pose& parent, const Pose& child);
 
-/// The entity's pose in the world: its own Transform inside those of its parents.
-/// An entity without Transform takes its parent's.
+/// Returns the world pose of an entity: its Transform combined with those of its ancestors.
+/// An entity without a Transform has the pose of its parent.
 Pose worldPose(const World& world, EntityId entity, float alpha = 1.0f);
 
-/// Makes now the past of every Transform and of every camera's zoom, so that the tick that follows is drawn
-/// from here.
+/// Copies the current pose of every Transform and the zoom of every Camera to their `previous` fields. Call
+/// at the start of a tick; drawing interpolates from there.
 void storePreviousTransforms(World& world);
 
 }  // namespace plumb

@@ -8,12 +8,12 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kWide = 5.0;  // m: half the span of the arch
-constexpr double kSteep =
-    2.0;  // m: a of y = top - a (cosh(x / a) - 1), which hangs as a chain does, upside down
-constexpr double kThick = 0.9;  // m: half
+constexpr double kWide = 5.0;   // half the span of the arch, m
+constexpr double kSteep = 2.0;  // m, a of the inverted catenary y = top - a (cosh(x / a) - 1)
+constexpr double kThick = 0.9;  // half the thickness, m
 
-/// A point of the arch: `along` it from its crown (m), and `out` of its middle line (m).
+/// Returns the point of the arch at arc length `along` from
+/// its crown and distance `out` from its center line, m.
 Vec2 archPoint(double along, double out) {
     const double x = kSteep * std::asinh(along / kSteep);
     const double top = kSteep * (std::cosh(kWide / kSteep) - 1.0);
@@ -63,7 +63,7 @@ void cardHouse(Trial& trial) {
     trial.floor(paper);
     const float sine = std::sin(kLean), cosine = std::cos(kLean);
     const float rise = kHalf * cosine + kThin * sine,
-                reach = kHalf * sine + kThin * cosine;  // of a card's middle
+                reach = kHalf * sine + kThin * cosine;  // center of a leaning card, m
     const float pitch = 4.0f * reach + 0.004f;
     const scenes::Outline card = scenes::box({kThin, kHalf});
     const scenes::Outline roof = scenes::box({0.5f * pitch - 0.0005f, kThin});

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMillimetres = 1000.0;
 
-/// Circles and boxes that fall into a pit this wide (m).
+/// Drops circles and boxes into a pit of a width, m.
 void pour(Trial& trial, int count, int row, float wide) {
     trial.floor();
     for (const float x : {-0.5f * wide, 0.5f * wide}) trial.addFixed(scenes::box({1.0f, 60.0f}), {x, 60.0f});
@@ -27,7 +27,7 @@ void pour(Trial& trial, int count, int row, float wide) {
     }
 }
 
-/// A small scene: stacked crates and a ball that falls on them, around the origin.
+/// Builds a small scene at the origin: stacked crates and a ball that falls on them.
 std::vector<BodyHandle> smallScene(Trial& trial) {
     std::vector<BodyHandle> bodies{trial.addFixed(scenes::box({10.0f, 1.0f}), {0.0f, -1.0f})};
     for (int i = 0; i < 5; ++i)
@@ -55,7 +55,7 @@ void pileOf500(Trial& trial) {
 
 void overlapRecovery(Trial& trial) {
     constexpr int kBase = 4;
-    constexpr float kApart = 0.75f;  // m: of crates 1 m wide
+    constexpr float kApart = 0.75f;  // distance between the centers of crates 1 m wide, m
     trial.floor();
     for (int row = 0; row < kBase; ++row) {
         for (int i = 0; i < kBase - row; ++i) {

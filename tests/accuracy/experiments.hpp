@@ -7,31 +7,33 @@
 
 namespace plumb::accuracy {
 
-/// Properties of a scene, which decide the methods that are run.
+/// Properties of a scene, which determine the methods that are run on it.
 enum Trait : unsigned {
-    kJoints = 1,        ///< joints: with and without trees
-    kSmoothForces = 2,  ///< only fields: all integrators
-    kAnyEngine = 4,     ///< uses only a SceneBuilder: other engines too
-    kNoExactAnswer = 8  ///< compared with the reference solver
+    kJoints = 1,        ///< has joints: run with and without the direct solver for joint trees
+    kSmoothForces = 2,  ///< only smooth forces, no contacts: run with all integrators
+    kAnyEngine = 4,     ///< built with SceneBuilder only: run in other engines too
+    kNoExactAnswer = 8  ///< no exact result: compared with the reference solver
 };
 
-/// A scene with a known result, or one measured in the best engines.
+/// A test scene with error figures and goals. Goals come
+/// from exact results or from the best results of engines.
 struct Experiment {
     std::string_view name;
-    double micros = 0.0;  ///< goal: maximum time of a step; 0 if none is set
-    bool quick = true;    ///< takes a fraction of a second at the default quality
+    double micros = 0.0;  ///< goal: maximum time of a step, µs; 0: no goal
+    bool quick = true;    ///< true if it runs in less than a second at the default quality
     void (*run)(Trial& trial) = nullptr;
-    unsigned traits = 0;  ///< bits of Trait
+    unsigned traits = 0;  ///< bit set of Trait values
     Vec2 gravity{0.0f, -static_cast<float>(kGravity)};
 
     [[nodiscard]] bool has(Trait trait) const { return (traits & trait) != 0; }
 };
 
-/// All: those with exact results, then those with goals, then those for the reference solver.
+/// Returns all experiments: those with exact results, then
+/// those with goals, then those for the reference solver.
 std::span<const Experiment> allExperiments();
 const Experiment* findExperiment(std::string_view name);
 
-// Single bodies with a closed solution: motion_experiments.cpp.
+// Single bodies with a closed-form solution: motion_experiments.cpp.
 void freeFall(Trial& trial);
 void projectile(Trial& trial);
 void incline(Trial& trial);
@@ -41,7 +43,7 @@ void elasticPairs(Trial& trial);
 void newtonsCradle(Trial& trial);
 void obliqueDiscs(Trial& trial);
 
-// Springs, drag and attractors only: smooth_experiments.cpp.
+// Springs, drag and attractors without contacts: smooth_experiments.cpp.
 void drag(Trial& trial);
 void spring05(Trial& trial);
 void spring2(Trial& trial);
@@ -53,24 +55,24 @@ void overdamped(Trial& trial);
 void resonance(Trial& trial);
 void orbit(Trial& trial);
 
-// Pendulums: pendulum_experiments.cpp.
+// Experiments with pendulums: pendulum_experiments.cpp.
 void pendulum(Trial& trial);
 void pendulum90(Trial& trial);
 void pendulum170(Trial& trial);
 void doublePendulum(Trial& trial);
 
-// Impacts: impact_experiments.cpp.
+// Experiments with impacts: impact_experiments.cpp.
 void tenBounces(Trial& trial);
 void bounces09(Trial& trial);
 void bounces05(Trial& trial);
 void bullet(Trial& trial);
 
-// Limits of stability: limit_experiments.cpp.
+// Experiments at stability limits: limit_experiments.cpp.
 void frictionThreshold(Trial& trial);
 void ladder(Trial& trial);
 void stoneArch(Trial& trial);
 
-// Stacks and other bodies at rest: standing_experiments.cpp.
+// Experiments with stacks and other bodies at rest: standing_experiments.cpp.
 void stackOf20(Trial& trial);
 void heavyBox100(Trial& trial);
 void heavyBox1000(Trial& trial);
@@ -83,11 +85,11 @@ void stackOf50(Trial& trial);
 void stackOf100(Trial& trial);
 void farPyramid(Trial& trial);
 
-// Masonry and cards: building_experiments.cpp.
+// Experiments with masonry and cards: building_experiments.cpp.
 void arch(Trial& trial);
 void cardHouse(Trial& trial);
 
-// Heaps and overlaps: crowd_experiments.cpp.
+// Experiments with heaps and overlaps: crowd_experiments.cpp.
 void pileOf500(Trial& trial);
 void overlapRecovery(Trial& trial);
 void crampedCircles(Trial& trial);
@@ -95,7 +97,7 @@ void pit1000(Trial& trial);
 void ragdollPile(Trial& trial);
 void farAway(Trial& trial);
 
-// Joints: joint_experiments.cpp.
+// Experiments with joints: joint_experiments.cpp.
 void chain100(Trial& trial);
 void chain1000(Trial& trial);
 void catenary(Trial& trial);

@@ -33,7 +33,7 @@ DoublePendulum along(const DoublePendulum& s, const DoublePendulum& rate, double
             s.spinB + h * rate.spinB};
 }
 
-/// The x at which an increasing function is 0.
+/// Finds the root of an increasing function by bisection.
 template <class Function>
 double rootOf(double low, double high, Function&& grows) {
     for (int i = 0; i < 200; ++i) {
@@ -87,7 +87,8 @@ std::vector<double> chainAngles(int count, double length, double span) {
     const auto angleOf = [&](int rod, double weight) {
         return std::atan(weight * (rod - 0.5 * (count - 1)));
     };
-    // The larger the ratio of weight to horizontal tension, the shorter the span of the rods.
+    // The span of the rods decreases with the ratio of weight
+    // to horizontal tension, so bisection finds the ratio.
     const double weight = rootOf(0.0, 1.0e3, [&](double w) {
         double reach = 0.0;
         for (int i = 0; i < count; ++i) reach += length * std::cos(angleOf(i, w));
@@ -104,8 +105,8 @@ double catenaryOf(double length, double span) {
 }
 
 double ladderSlips(double friction, double halfLength, double halfThickness) {
-    // Two corners of one side touch the floor and the wall;
-    // its weight acts half a thickness inside of that side.
+    // Two corners of one side of the ladder touch the floor and the
+    // wall; its weight acts half a thickness inside of that side.
     return 2.0 * friction + halfThickness / halfLength;
 }
 

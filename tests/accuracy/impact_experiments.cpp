@@ -10,10 +10,10 @@ namespace {
 
 constexpr Material kElastic{.friction = 0.0f, .bounciness = 1.0f};
 
-/// Bounce heights of a ball that falls 2 m and keeps `kept` of its speed in each bounce.
+/// Measures bounce heights of a ball that falls 2 m and keeps the ratio `kept` of its speed in each bounce.
 void bounceTrain(Trial& trial, double kept, int count, double seconds, double target) {
-    constexpr double kHeight = 2.0;  // m under the ball
-    // The floor needs it too: some engines use the larger of both, some multiply.
+    constexpr double kHeight = 2.0;  // initial height of the ball's lowest point, m
+    // The floor has the same bounciness: some engines use the larger value, some the product.
     const Material material{.friction = 0.0f, .bounciness = static_cast<float>(kept)};
     trial.floor(material);
     const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, 2.5f}, material);
@@ -29,7 +29,7 @@ void bounceTrain(Trial& trial, double kept, int count, double seconds, double ta
         const double error = height / (wanted * kHeight) - 1.0;
         worst = std::fabs(error) > std::fabs(worst) ? error : worst;
     });
-    // A ball that did not come back up that often lost all of its height.
+    // If the ball did not bounce `count` times, it lost all of its height.
     trial.report("height", bounces < count ? 100.0 : std::fabs(worst) * 100.0, "%", target);
     if (kept == 1.0) trial.report("gained", std::max(worst, 0.0) * 100.0, "%", 0.005);
 }
@@ -38,7 +38,7 @@ void bounceTrain(Trial& trial, double kept, int count, double seconds, double ta
 
 void tenBounces(Trial& trial) { bounceTrain(trial, 1.0, 10, 16.0, 0.5); }
 void bounces09(Trial& trial) { bounceTrain(trial, 0.9, 10, 12.0, 1.0); }
-// The fourth bounce would be slower than Settings::bounceSpeed.
+// Three bounces only: the fourth would be slower than Settings::bounceSpeed.
 void bounces05(Trial& trial) { bounceTrain(trial, 0.5, 3, 4.0, 1.0); }
 
 void bullet(Trial& trial) {
@@ -57,7 +57,7 @@ void bullet(Trial& trial) {
     trial.run(kEnd);
     double late = 0.0, passed = 0.0;
     for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
-        // It flies back with the same speed, so its position gives the time of the hit.
+        // A bullet flies back with the same speed, so its position gives the time of the hit.
         const double hit = kEnd + (trial.x(bullets[i]) + kThin + kRadius) / kSpeeds[i];
         late = std::max(late, std::fabs(hit - hitTime(i)));
         if (trial.x(bullets[i]) > 0.0) passed += 1.0;

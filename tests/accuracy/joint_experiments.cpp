@@ -10,9 +10,9 @@ namespace plumb::accuracy {
 namespace {
 
 constexpr double kMillimetres = 1000.0;
-constexpr Material kGhost{.group = -1};  // its bodies never meet
+constexpr Material kGhost{.group = -1};  // bodies of this group do not collide with each other
 
-/// Twenty links that hang from a pin at the origin, and a ball of `ratio` times the mass of a link.
+/// Hangs 20 links from a pin at the origin, and at their end a ball of `ratio` times the mass of a link.
 void hangingChain(Trial& trial, float ratio, double target) {
     BodyHandle last = trial.pin({});
     Vec2 hold;
@@ -30,7 +30,7 @@ void hangingChain(Trial& trial, float ratio, double target) {
     trial.report("", std::hypot(trial.x(ball), trial.y(ball) + 10.5) * kMillimetres, "mm", target);
 }
 
-/// Over the second half of the time, because that is what is visible.
+/// Reports mean and maximum joint errors of the second half of the run, after the motion at the start.
 void reportJoints(Trial& trial, double seconds, double mean, double most) {
     double sum = 0.0, largest = 0.0;
     int count = 0;
@@ -52,9 +52,9 @@ void chain1000(Trial& trial) { hangingChain(trial, 1000.0f, 30.0); }
 
 void catenary(Trial& trial) {
     constexpr int kRods = 40;
-    constexpr double kLength = 0.25, kSpan = 8.0;  // m: of a rod, between the posts
+    constexpr double kLength = 0.25, kSpan = 8.0;  // length of a rod, distance of the posts, m
     const auto link = static_cast<float>(kLength);
-    // It starts as a V of the same length, and drag slows it down until it hangs still.
+    // The chain starts as a V of the same length, and drag slows it down until it hangs still.
     const double steep = std::acos(kSpan / (kRods * kLength));
     BodyHandle last = trial.pin({});
     Vec2 hold;
@@ -90,7 +90,8 @@ void catenary(Trial& trial) {
         y += stepY;
     }
     trial.report("place", place * kMillimetres, "mm", 1.0);
-    trial.report("curve", curve / -low * 100.0, "%", 1.0);  // of its sag; rods are not exactly a rope
+    // Relative to the sag; a chain of rods differs slightly from a rope.
+    trial.report("curve", curve / -low * 100.0, "%", 1.0);
 }
 
 void ballAndChain(Trial& trial) {

@@ -6,20 +6,20 @@
 #include "tests/accuracy/experiments.hpp"
 #include "tests/accuracy/formulas.hpp"
 
-// Stability limits: the same structure slightly on both sides of its limit.
+// Stability limits: a structure is built slightly above and slightly below its limit.
 
 namespace plumb::accuracy {
 
 namespace {
 
-/// A structure that is stable or unstable by so many percent.
+/// A structure at a signed distance from its stability limit, percent.
 struct Candidate {
-    double percent = 0.0;  ///< above 0 it must fail
+    double percent = 0.0;  ///< above 0: must fail, below 0: must stand
     BodyHandle body;
     scenes::Pose start;
 };
 
-/// Percent: the largest distance from the limit with a wrong result.
+/// Returns the largest distance from the limit with a wrong result, percent.
 double worstWrong(Trial& trial, const std::vector<Candidate>& candidates, double seconds, double moved) {
     trial.run(seconds);
     double worst = 0.0;
@@ -32,7 +32,9 @@ double worstWrong(Trial& trial, const std::vector<Candidate>& candidates, double
     return worst;
 }
 
-/// `make` builds one at that distance from its limit, to the right of `x` (m).
+/// Builds a row of candidates, one above and one below the
+/// limit per distance in `percents`, `pitch` meters apart.
+/// @param make builds one candidate from the distance from its limit, percent, and its position x, m
 template <class Make>
 std::vector<Candidate> lineUp(Trial& trial, std::span<const double> percents, double pitch, Make&& make) {
     std::vector<Candidate> all;
@@ -49,7 +51,7 @@ std::vector<Candidate> lineUp(Trial& trial, std::span<const double> percents, do
 
 Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
-/// Stones of equal angle in a half ring of radius 10 m around `x`; returns the top one.
+/// Builds a semicircular arch of 41 equal stones around `x`. @return the top stone
 BodyHandle halfRing(Trial& trial, double x, double thickness, double radius) {
     constexpr int kStones = 41;
     const Material rough{.friction = 2.0f};
@@ -80,7 +82,7 @@ void frictionThreshold(Trial& trial) {
         const double slope = std::atan(kFriction * (1.0 + 0.01 * percent));
         const auto angle = static_cast<float>(-slope);
         trial.addFixed(scenes::box({5.0f, 1.0f}), at(x, 0.0), rough, angle);
-        const double reach = -3.0, up = 1.5;  // m along the slope, and off its middle
+        const double reach = -3.0, up = 1.5;  // offsets along the slope and perpendicular to it, m
         return trial.add(scenes::box({0.5f, 0.5f}),
                          at(x + reach * std::cos(slope) + up * std::sin(slope),
                             -reach * std::sin(slope) + up * std::cos(slope)),
@@ -90,7 +92,7 @@ void frictionThreshold(Trial& trial) {
 }
 
 void ladder(Trial& trial) {
-    constexpr double kFriction = 0.4, kHalf = 2.0, kThin = 0.05;  // m, m
+    constexpr double kFriction = 0.4, kHalf = 2.0, kThin = 0.05;  // ratio, half length, half thickness (m)
     constexpr std::array kPercents{0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
     const Material rough{.friction = static_cast<float>(kFriction)};
     trial.floor(rough);
@@ -98,7 +100,7 @@ void ladder(Trial& trial) {
     const auto candidates = lineUp(trial, kPercents, 8.0, [&](double percent, double x) {
         const double angle = std::atan(1.0 / (limit * (1.0 + 0.01 * percent)));
         trial.addFixed(scenes::box({0.5f, 4.0f}), at(x - 0.5, 4.0), {.friction = 0.0f});
-        // It leans to the left: its upper left and lower corners are those of its lower side.
+        // The ladder leans to the left; its long lower side touches wall and floor.
         const double cosine = std::cos(angle), sine = std::sin(angle);
         return trial.add(scenes::box({static_cast<float>(kHalf), static_cast<float>(kThin)}),
                          at(x + kHalf * cosine + kThin * sine, kHalf * sine + kThin * cosine), rough,

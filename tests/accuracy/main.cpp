@@ -1,6 +1,5 @@
-// Experiments with known results: error and
-// time of each method, compared with the goals.
-// ./plumb accuracy
+// plumb-accuracy, run by ./plumb accuracy: runs experiments with known results and compares the error and
+// time of each method with the goals.
 
 #include <cstdio>
 #include <unistd.h>
@@ -27,12 +26,12 @@ namespace {
 using namespace plumb;
 using namespace plumb::accuracy;
 
-/// Prints the current run, the progress and the remaining time.
-class Teller {
+/// Prints progress: the current run, the number of runs, the remaining time.
+class ProgressPrinter {
 public:
-    explicit Teller(bool loud) : loud_{loud} {}
+    explicit ProgressPrinter(bool loud) : loud_{loud} {}
 
-    void tell(const Progress& progress) {
+    void show(const Progress& progress) {
         if (!loud_) return;
         const double now = wallSeconds();
         const std::string left = timeLeft(now - start_, progress.part);
@@ -51,7 +50,7 @@ public:
     }
 
 private:
-    static constexpr double kPause = 10.0;  // s between two lines of output in a file
+    static constexpr double kPause = 10.0;  // s between two lines if the output is a file
     double start_ = wallSeconds();
     double shown_ = start_;
     bool loud_;
@@ -62,7 +61,8 @@ void printHeader() {
                 "error", "unit", "target", "us/step", "target");
 }
 
-/// The default method at each quality, and the other engines; the rest is in the files.
+/// True for the rows printed in the terminal: the default method
+/// at each quality, and other engines. All rows are in the files.
 bool isPrinted(const Row& row) {
     return row.method.peer != nullptr || (row.method.iterations == 1 && row.method.jointTrees &&
                                           row.method.integrator == Method{}.integrator);
@@ -115,11 +115,12 @@ bool writeAll(const Options& options, const std::vector<Row>& rows, double secon
     return good;
 }
 
-/// The other engines that are installed.
+/// Returns the installed other engines.
 std::vector<scenes::Engine> comparedPeers() {
     std::vector<scenes::Engine> peers;
     for (const scenes::Engine& engine : scenes::peerEngines()) {
-        if (engine.name != "box2d-2.4-unswept") peers.push_back(engine);  // sweeps only cost time here
+        if (engine.name != "box2d-2.4-unswept")
+            peers.push_back(engine);  // a variant without sweeps would only repeat box2d-2.4
     }
     return peers;
 }
@@ -147,16 +148,16 @@ int main(int argc, char** argv) {
     SweepOptions sweepOptions = options.sweep;
     sweepOptions.peers = peers;
     sweepOptions.count = [] { return test::allocations().made; };
-    Teller teller{true};
+    ProgressPrinter printer{true};
     const double start = wallSeconds();
     printHeader();
     const std::vector<Row> rows = sweep(
-        sweepOptions, [&](const Progress& progress) { teller.tell(progress); },
+        sweepOptions, [&](const Progress& progress) { printer.show(progress); },
         [&](std::span<const Row> done) {
-            teller.clear();
+            printer.clear();
             print(done);
         });
-    teller.clear();
+    printer.clear();
     printOrders(rows);
     return writeAll(options, rows, wallSeconds() - start) ? 0 : 1;
 }

@@ -15,7 +15,7 @@ constexpr Material kElastic{.friction = 0.0f, .bounciness = 1.0f};
 void freeFall(Trial& trial) {
     const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, 100.0f});
     trial.run(2.0);
-    // Errors below a tenth of a millimeter are float rounding.
+    // The goal is 0.1 mm because smaller errors are float rounding.
     trial.report("", std::fabs(trial.y(ball) - (100.0 - 0.5 * kGravity * 4.0)) * 1000.0, "mm", 0.1);
 }
 
@@ -47,7 +47,7 @@ void incline(Trial& trial) {
 
 void rollingDisc(Trial& trial) {
     constexpr double kFriction = 0.2;
-    constexpr double kSpeed = 6.0;  // m/s: rolls from t = 1 s on
+    constexpr double kSpeed = 6.0;  // m/s; the disc rolls without sliding from t = 1 s on
     const Material rough{.friction = static_cast<float>(kFriction)};
     trial.floor(rough);
     const BodyHandle disc = trial.add(scenes::circle(0.5f), {-20.0f, 0.5f}, rough);
@@ -60,17 +60,18 @@ void rollingDisc(Trial& trial) {
     trial.report("way", std::fabs(trial.x(disc) + 20.0 - way) / way * 100.0, "%", 0.1);
 }
 
-/// A plank that rocks on a cylinder of 1 m without sliding swings on for ever with the same amplitude.
+/// A plank that rocks on a cylinder of radius 1 m without sliding keeps its amplitude.
 void rockingPlank(Trial& trial) {
-    constexpr double kTilt = 0.2;                 // rad
-    constexpr double kReach = 1.1, kSwung = 0.2;  // m: centre over the cylinder's; rolled off its middle
+    constexpr double kTilt = 0.2;  // rad
+    // Height of the plank's center above the cylinder's axis, and length rolled off its center, m.
+    constexpr double kReach = 1.1, kSwung = 0.2;
     constexpr Material kRough{.friction = 10.0f};
     trial.addFixed(scenes::circle(1.0f), {}, kRough);
     const double sine = std::sin(kTilt), cosine = std::cos(kTilt);
     const Vec2 centre{static_cast<float>(sine * kReach - kSwung * cosine),
                       static_cast<float>(cosine * kReach + kSwung * sine)};
     const BodyHandle plank = trial.add(scenes::box({1.0f, 0.1f}), centre, kRough, static_cast<float>(-kTilt));
-    double tilt = 0.0;  // maximum over the last two seconds, more than a period
+    double tilt = 0.0;  // maximum over the last 2 s, which is more than a period
     trial.run(10.0, [&](double time) {
         if (time > 8.0) tilt = std::max(tilt, std::fabs(trial.angle(plank)));
     });
@@ -130,12 +131,12 @@ void newtonsCradle(Trial& trial) {
 }
 
 void obliqueDiscs(Trial& trial) {
-    const double offset = 0.6;  // m across the way: the normal has a sine of 0.6
+    const double offset = 0.6;  // m, perpendicular to the velocity: the normal has a sine of 0.6
     const BodyHandle a = trial.add(scenes::circle(0.5f), {-3.0f, static_cast<float>(-offset)}, kElastic);
     const BodyHandle b = trial.add(scenes::circle(0.5f), {0.0f, 0.0f}, kElastic);
     trial.setVelocity(a, {4.0f, 0.0f});
     trial.run(2.0);
-    // The components along the normal are exchanged, those across it stay.
+    // Velocity components along the normal are exchanged, tangential components stay.
     const double along = 4.0 * 0.8;
     const Vec2 va = trial.velocity(a), vb = trial.velocity(b);
     const double ax = static_cast<double>(va.x) - (4.0 - along * 0.8),

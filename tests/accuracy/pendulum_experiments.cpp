@@ -9,11 +9,12 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr Material kGhost{.group = -1};           // its bodies never meet
-constexpr double kDisc = 0.1;                     // m: radius of a bob
-constexpr double kInertia = 0.5 * kDisc * kDisc;  // m2: of a disc, for each kilogram
+constexpr Material kGhost{.group = -1};           // bodies of this group do not collide with each other
+constexpr double kDisc = 0.1;                     // radius of a bob, m
+constexpr double kInertia = 0.5 * kDisc * kDisc;  // moment of inertia of a disc per mass, m2
 
-/// A disc at the end of a rigid arm of 1 m that is attached to the origin.
+/// Hangs a disc at the end of a rigid arm of 1 m from the
+/// origin, at an angle `amplitude` (rad) from the vertical.
 BodyHandle hangBob(Trial& trial, double amplitude) {
     const Vec2 place{static_cast<float>(std::sin(amplitude)), static_cast<float>(-std::cos(amplitude))};
     const BodyHandle hook = trial.pin({});
@@ -22,7 +23,7 @@ BodyHandle hangBob(Trial& trial, double amplitude) {
     return bob;
 }
 
-/// Times of passing through the lowest point, interpolated linearly between two steps.
+/// Records the times of passing the lowest point, interpolated linearly between two steps.
 class Passes {
 public:
     void look(double time, double angle) {
@@ -45,7 +46,7 @@ void swingPeriod(Trial& trial, double degrees, double seconds) {
     const BodyHandle bob = hangBob(trial, amplitude);
     Passes passes;
     trial.run(seconds, [&](double time) { passes.look(time, std::atan2(trial.x(bob), -trial.y(bob))); });
-    // A disc on an arm swings like a point slightly further out.
+    // A disc on an arm swings like a point mass on a slightly longer arm.
     const double wanted = pendulumPeriod(amplitude, 1.0 + kInertia, kGravity);
     trial.report("period", std::fabs(passes.period() / wanted - 1.0) * 100.0, "%", 0.1);
 }
@@ -54,7 +55,7 @@ void swingPeriod(Trial& trial, double degrees, double seconds) {
 
 void pendulum(Trial& trial) {
     const BodyHandle bob = hangBob(trial, 0.5 * std::numbers::pi);
-    // Its energy, as a height: over the last second, in which it passes all heights.
+    // Maximum energy loss over the last second, expressed as a height.
     double lost = 0.0;
     trial.run(10.0, [&](double time) {
         if (time < 9.0) return;
@@ -80,13 +81,13 @@ void doublePendulum(Trial& trial) {
     const double x = std::sin(end.angleA) + std::sin(end.angleB);
     const double y = -std::cos(end.angleA) - std::cos(end.angleB);
     trial.report("place", std::hypot(trial.x(lower) - x, trial.y(lower) - y) * 1000.0, "mm", 10.0);
-    double energy = 0.0;  // J: none at the start
+    double energy = 0.0;  // J; the total energy at the start is 0
     for (const BodyHandle body : {upper, lower}) {
         const double spin = trial.spin(body);
         energy += 0.5 * static_cast<double>(lengthSquared(trial.velocity(body))) +
                   0.5 * kInertia * spin * spin + kGravity * trial.y(body);
     }
-    // At the lowest point it would have lost 3 m times its weight.
+    // Relative to the potential energy between start and lowest point: 3 m times the weight.
     trial.report("energy", std::fabs(energy) / (3.0 * kGravity) * 100.0, "%", 0.1);
 }
 

@@ -10,9 +10,10 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kPatience = 8.0;  // s of wall time per scene; most heaps are chaotic and have no answer
+constexpr double kPatience = 8.0;  // s of wall time per scene; most heaps are chaotic and have no solution
 
-/// An answer takes seconds, and all methods for a scene are judged by the same one.
+/// Returns the reference solution of a scene, cached: computing
+/// it takes seconds, and all methods are compared with it.
 const Result<reference::Answer>& answerOf(std::string_view scene, const physics::World& start,
                                           double seconds) {
     static std::map<std::string, Result<reference::Answer>, std::less<>> known;
@@ -35,7 +36,7 @@ std::optional<double> referenceError(std::string_view scene, const physics::Worl
         sum += std::hypot(place.x - body.centre.x, place.y - body.centre.y);
     }
     const double mean = sum / static_cast<double>(answer->bodies.size());
-    // An answer that is not a hundred times as accurate cannot be used.
+    // The reference must be at least a hundred times as accurate as the method.
     if (!answer->canJudge(mean)) return std::nullopt;
     return mean;
 }

@@ -7,12 +7,11 @@
 
 namespace plumb::accuracy {
 
-/// m: mean distance of the moving bodies of a scene without an exact answer from
-/// the result of the reference solver; nothing if that has no answer.
-/// @param scene its name; results may be cached by it, because all runs start alike
-/// @param start as built, before its first step; only its gravity counts, not its
-/// other settings
-/// @param end the same world after `seconds`
+/// Mean distance of the moving bodies from their positions in the reference solution, m; nothing if the
+/// reference solver finds no solution.
+/// @param scene name of the scene, used as cache key: all runs of a scene start alike
+/// @param start the world before its first step; of its settings only gravity is used
+/// @param end   the world after `seconds`
 std::optional<double> referenceError(std::string_view scene, const physics::World& start,
                                      const physics::World& end, double seconds);
 

@@ -11,12 +11,12 @@ namespace plumb::accuracy {
 namespace {
 
 constexpr double kMillimetres = 1000.0;
-constexpr Material kAlone{.mask = 0};  // collides with nothing
+constexpr Material kNoCollision{.mask = 0};  // material without collisions
 
-/// 1 kg, 1 m from a spring's fixed end, with the stiffness for so many hertz.
+/// Adds a mass of 1 kg, 1 m from the fixed end of a spring with this natural frequency.
 BodyHandle hang(Trial& trial, double hertz, double damping) {
     const double omega = 2.0 * std::numbers::pi * hertz;
-    const BodyHandle ball = trial.add(scenes::circle(0.1f), {1.0f, 0.0f}, kAlone);
+    const BodyHandle ball = trial.add(scenes::circle(0.1f), {1.0f, 0.0f}, kNoCollision);
     trial.setMass(ball, 1.0f);
     static_cast<void>(
         physics::createField(trial.world(), {.kind = physics::FieldKind::Spring,
@@ -40,7 +40,7 @@ void undamped(Trial& trial, double hertz) {
 }
 
 void damped(Trial& trial, double damping) {
-    const double omega = 2.0 * std::numbers::pi;  // 1 Hz
+    const double omega = 2.0 * std::numbers::pi;  // rad/s, 1 Hz
     const BodyHandle ball = hang(trial, 1.0, damping);
     double place = 0.0;
     trial.run(5.0, [&](double time) {
@@ -56,7 +56,7 @@ void drag(Trial& trial) {
     const BodyHandle ball = trial.scene().createBody({.velocity = {12.0f, 9.0f}, .drag = 0.8f});
     trial.scene().addShape(ball, scenes::circle(0.5f));
     trial.run(kTime);
-    const double left = (1.0 - std::exp(-kDrag * kTime)) / kDrag;  // s that it flies on at its first speed
+    const double left = (1.0 - std::exp(-kDrag * kTime)) / kDrag;  // s, travelled distance over initial speed
     const double x = trial.x(ball) - 12.0 * left;
     const double y = trial.y(ball) - ((9.0 + kGravity / kDrag) * left - kGravity / kDrag * kTime);
     trial.report("", std::hypot(x, y) * kMillimetres, "mm", 0.1);
@@ -72,16 +72,16 @@ void overdamped(Trial& trial) { damped(trial, 3.0); }
 
 void resonance(Trial& trial) {
     constexpr double kDamping = 0.05, kForce = 1.0, kTime = 40.0,
-                     kLook = 5.0;  // ratio, N, s, s: whole periods
+                     kLook = 5.0;  // damping ratio, N, s, s (whole periods)
     const double omega = 2.0 * std::numbers::pi;
-    const BodyHandle ball = trial.add(scenes::circle(0.1f), {}, kAlone);
+    const BodyHandle ball = trial.add(scenes::circle(0.1f), {}, kNoCollision);
     trial.setMass(ball, 1.0f);
     static_cast<void>(
         physics::createField(trial.world(), {.kind = physics::FieldKind::Spring,
                                              .strength = static_cast<float>(omega * omega),
                                              .damping = static_cast<float>(2.0 * kDamping * omega),
                                              .a = trial.id(ball)}));
-    // A force is constant over a step; that of the step's middle is the best choice.
+    // The force is constant during a step; its value at the middle of the step is the best choice.
     const double half = 0.5 / 60.0;
     trial.drive([&](double time) {
         const auto force = static_cast<float>(kForce * std::cos(omega * (time + half)));
@@ -94,18 +94,20 @@ void resonance(Trial& trial) {
         sine += trial.x(ball) * std::sin(omega * time) * 2.0 / (60.0 * kLook);
     });
     trial.drive({});
-    // Constant over a step, the force is slightly weaker than the smooth one.
+    // A force that is constant during each step has a slightly smaller first harmonic than the smooth force.
     const double held = std::sin(omega * half) / (omega * half);
     const double wanted = held * kForce / (2.0 * kDamping * omega * omega);
     trial.report("swing", std::fabs(std::hypot(cosine, sine) / wanted - 1.0) * 100.0, "%", 1.0);
 }
 
 void orbit(Trial& trial) {
-    constexpr double kTurn = 2.0, kLong = 2.0, kOval = 0.3;  // s, m: half the long way across, ratio
+    constexpr double kTurn = 2.0, kLong = 2.0, kOval = 0.3;  // period (s), semi-major axis (m), eccentricity
     const double pull = 4.0 * std::numbers::pi * std::numbers::pi * kLong * kLong * kLong / (kTurn * kTurn);
     const double near = kLong * (1.0 - kOval), speed = std::sqrt(pull * (1.0 + kOval) / near);
-    const BodyHandle a = trial.add(scenes::circle(0.1f), {static_cast<float>(-0.5 * near), 0.0f}, kAlone);
-    const BodyHandle b = trial.add(scenes::circle(0.1f), {static_cast<float>(0.5 * near), 0.0f}, kAlone);
+    const BodyHandle a =
+        trial.add(scenes::circle(0.1f), {static_cast<float>(-0.5 * near), 0.0f}, kNoCollision);
+    const BodyHandle b =
+        trial.add(scenes::circle(0.1f), {static_cast<float>(0.5 * near), 0.0f}, kNoCollision);
     for (const BodyHandle body : {a, b}) {
         trial.setVelocity(body,
                           {0.0f, static_cast<float>(body.index == b.index ? 0.5 * speed : -0.5 * speed)});

@@ -24,7 +24,7 @@ void heavyBox(Trial& trial, float mass, double target) {
     trial.report("", std::fabs(trial.y(crates.back()) - 2.5) * kMillimetres, "mm", target);
 }
 
-/// Rows of crates, each half a crate further in than the one below.
+/// Builds a pyramid of crates, each row half a crate further in than the row below.
 std::vector<BodyHandle> pileUp(Trial& trial, int base, Vec2 corner, float size, float topDensity = 1.0f) {
     std::vector<BodyHandle> crates;
     for (int row = 0; row < base; ++row) {
@@ -68,12 +68,13 @@ void stackOf20(Trial& trial) {
     const std::vector<BodyHandle> crates = stackUp(trial, 20);
     trial.run(10.0);
     trial.report("", std::fabs(trial.y(crates.back()) - 19.5) * kMillimetres, "mm", 5.0);
-    // Each level carries the weight of those above it.
+    // Each contact must carry the weight of all crates above it.
     double worst = 0.0;
     for (std::size_t level = 1; level < crates.size(); ++level) {
         const auto push = trial.pushBetween(crates[level - 1], crates[level]);
         if (!push) return;
-        const double weight = static_cast<double>(crates.size() - level) * kGravity;  // N: of crates of 1 kg
+        // In newtons; each crate has a mass of 1 kg.
+        const double weight = static_cast<double>(crates.size() - level) * kGravity;
         worst = std::max(worst, std::fabs(*push - weight) / weight);
     }
     trial.report("force", worst * 100.0, "%", 1.0);

@@ -31,12 +31,12 @@ Trial::Trial(const Method& method, Vec2 gravity, CountAllocations count) : metho
 }
 
 physics::World& Trial::world() {
-    PLUMB_ASSERT(plumb_ != nullptr, "the world of another engine was asked for");
+    PLUMB_ASSERT(plumb_ != nullptr, "world() called on a trial of another engine");
     return plumb_->world();
 }
 
 physics::BodyId Trial::id(BodyHandle body) const {
-    PLUMB_ASSERT(plumb_ != nullptr, "a body of another engine was asked for");
+    PLUMB_ASSERT(plumb_ != nullptr, "id() called on a trial of another engine");
     return plumb_->idOf(body);
 }
 
@@ -78,7 +78,7 @@ void Trial::run(double seconds, const std::function<void(double)>& look) {
         spent_.push_back(wallSeconds() - start);
         if (2 * i >= steps && count_ != nullptr) allocated_ += count_() - before, ++countedSteps_;
         time_ = ++steps_ / 60.0;
-        // Some engines never finish a step of a world that fell apart.
+        // Some engines never finish a step of a diverged world.
         if (plumb_ == nullptr && steps_ % 8 == 0 && scenes::isLost(*scene_)) lost_ = true;
         if (lost_) return;
         if (!(fastest() < Metrics::kRest)) moved_ = time_;
@@ -101,13 +101,14 @@ double Trial::fastest() const {
     for (std::uint32_t i = 0; i < scene_->bodies().size(); ++i) {
         if (!scene_->alive({i}) || !scene_->isDynamic({i})) continue;
         const float speed = length(scene_->velocityOf({i}));
-        if (!(speed <= best)) best = speed;  // also NaN
+        if (!(speed <= best)) best = speed;  // negated comparison: NaN counts as the fastest
     }
     return static_cast<double>(best);
 }
 
 std::optional<double> Trial::pushBetween(BodyHandle a, BodyHandle b) {
-    // With automatic quality islands have different substeps, and contacts store the last substep's impulse.
+    // Contacts store the impulse of the last substep; with automatic
+    // quality the number of substeps per island is unknown here.
     if (plumb_ == nullptr || method_.quality == physics::kQualityOfWorld) return std::nullopt;
     const std::uint32_t first = id(a).index, second = id(b).index;
     double impulse = 0.0;

@@ -14,50 +14,49 @@ namespace plumb::accuracy {
 using scenes::BodyHandle;
 using scenes::Material;
 
-inline constexpr double kGravity = 10.0;      ///< m/s2, down
+inline constexpr double kGravity = 10.0;      ///< downward acceleration, m/s2
 inline constexpr float kTick = 1.0f / 60.0f;  ///< s
 inline constexpr double kNoTarget = std::numeric_limits<double>::infinity();
 
-/// One figure of an experiment, and its goal.
+/// A measured error of an experiment, and its goal.
 struct Finding {
-    std::string name;  ///< of the figure, if an experiment has several
+    std::string name;  ///< name of the figure; empty if the experiment has only one
     double error = 0.0;
     std::string unit;
-    double target = 0.0;  ///< maximum error; infinite if there is none
+    double target = 0.0;  ///< maximum error; infinite: no goal
 };
 
-/// How a scene is simulated.
+/// Solver settings, or the engine, used to simulate a scene.
 struct Method {
-    /// kQualityOfWorld: the default, increased automatically for hard islands
+    /// quality; kQualityOfWorld: the default quality, increased automatically for hard islands
     physics::Quality quality = 2;
     int iterations = 1;
-    bool jointTrees = true;  ///< joints that form trees are solved by the direct solver
+    bool jointTrees = true;  ///< true: the direct solver handles joints that form trees
     physics::IntegratorKind integrator = physics::IntegratorKind::SemiImplicitEuler;
-    const scenes::Engine* peer = nullptr;  ///< another engine, with its own defaults
+    const scenes::Engine* peer = nullptr;  ///< another engine with its default settings; null: Plumb
 
     friend bool operator==(const Method&, const Method&) = default;
 };
 
-/// Measured in every experiment. Energy, momentum and contact forces
-/// are figures of those experiments that have goals for them.
+/// Values measured in every experiment. Energy, momentum
+/// and contact forces are figures of single experiments.
 struct Metrics {
-    double maxPenetration = 0.0;   ///< m, at the end
-    double meanPenetration = 0.0;  ///< m, at the end, of the pairs that overlap
-    double jointSeparation = 0.0;  ///< m, at the end, the largest
-    std::optional<double>
-        restTime;  ///< s after which nothing moved faster than kRest; none if it never rested
+    double maxPenetration = 0.0;     ///< deepest penetration at the end, m
+    double meanPenetration = 0.0;    ///< mean penetration of overlapping pairs at the end, m
+    double jointSeparation = 0.0;    ///< largest joint error at the end, m
+    std::optional<double> restTime;  ///< last time at which a body was faster than kRest, s
     double microsPerStep = 0.0;
-    std::optional<double> allocationsPerStep;  ///< of the second half; none if allocations are not counted
+    std::optional<double> allocationsPerStep;  ///< in the second half of the run; none: not counted
 
-    static constexpr double kRest = 0.05;  ///< m/s
+    static constexpr double kRest = 0.05;  ///< speed limit of a body at rest, m/s
 };
 
-/// A world for an experiment with one method, and its results.
+/// One run of an experiment with one method: the scene, and the results.
 class Trial {
 public:
     using CountAllocations = std::size_t (*)();
 
-    /// @param count returns the program's number of allocations; may be null
+    /// @param count returns the number of allocations of the program so far; may be null
     explicit Trial(const Method& method, Vec2 gravity = {0.0f, -static_cast<float>(kGravity)},
                    CountAllocations count = nullptr);
     explicit Trial(physics::Quality quality, Vec2 gravity = {0.0f, -static_cast<float>(kGravity)})
@@ -66,58 +65,59 @@ public:
     [[nodiscard]] scenes::SceneBuilder& scene() { return *scene_; }
     [[nodiscard]] const scenes::SceneBuilder& scene() const { return *scene_; }
     [[nodiscard]] const Method& method() const { return method_; }
-    /// @pre it is not another engine
+    /// The world of Plumb. @pre the method uses no other engine
     [[nodiscard]] physics::World& world();
-    [[nodiscard]] physics::BodyId id(BodyHandle body) const;  ///< @pre as world()
+    [[nodiscard]] physics::BodyId id(BodyHandle body) const;  ///< @pre the method uses no other engine
 
-    BodyHandle floor(const Material& material = {});  ///< 200 m wide, its top at y = 0
+    BodyHandle floor(const Material& material = {});  ///< floor 200 m wide, its top at y = 0
     BodyHandle add(const scenes::Outline& outline, Vec2 centre, const Material& material = {},
                    float angle = 0.0f);
     BodyHandle addFixed(const scenes::Outline& outline, Vec2 centre, const Material& material = {},
                         float angle = 0.0f);
-    BodyHandle pin(Vec2 place);  ///< static, collides with nothing
+    BodyHandle pin(Vec2 place);  ///< static body without collisions
     void setMass(BodyHandle body, float kilograms) { scene_->setMass(body, kilograms); }
     void setVelocity(BodyHandle body, Vec2 velocity) { scene_->setVelocity(body, velocity); }
 
-    /// Called before each step with the time (s) at which it starts.
+    /// Sets a function that is called before each step with the start time of the step, s.
     void drive(std::function<void(double)> push) { push_ = std::move(push); }
-    /// Simulates; `look` is called after each step with the time (s) since the start of the trial.
+    /// Simulates; calls `look` after each step with the time since the start of the trial, s.
     void run(double seconds, const std::function<void(double)>& look = {});
     void report(std::string name, double error, std::string unit, double target);
 
     [[nodiscard]] double x(BodyHandle body) const { return scene_->poseOf(body).x; }
     [[nodiscard]] double y(BodyHandle body) const { return scene_->poseOf(body).y; }
-    [[nodiscard]] double angle(BodyHandle body) const;  ///< rad, -pi..pi
+    [[nodiscard]] double angle(BodyHandle body) const;  ///< angle of a body, rad, -pi..pi
     [[nodiscard]] Vec2 velocity(BodyHandle body) const { return scene_->velocityOf(body); }
     [[nodiscard]] double spin(BodyHandle body) const {
         return static_cast<double>(scene_->spinOf(body));  ///< rad/s
     }
-    [[nodiscard]] double fastest() const;  ///< m/s: of all bodies that move
-    /// N: contact force between two bodies; nothing if the engine does not report it.
+    [[nodiscard]] double fastest() const;  ///< maximum speed of all moving bodies, m/s
+    /// Contact force between two bodies, N; nothing if the engine does not report it.
     [[nodiscard]] std::optional<double> pushBetween(BodyHandle a, BodyHandle b);
     [[nodiscard]] double time() const { return time_; }
-    /// The mean without the slowest of 50 steps: those include other work of the machine.
+    /// Mean time of a step, µs, without the slowest 2 % of
+    /// the steps, which include other work of the machine.
     [[nodiscard]] double microsPerStep() const;
     [[nodiscard]] Metrics metrics() const;
     [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
-    /// The world as built, before its first step; empty for other engines.
+    /// Returns the world before its first step; empty for other engines.
     [[nodiscard]] const std::optional<physics::World>& start() const { return start_; }
 
 private:
     Method method_;
     std::unique_ptr<scenes::SceneBuilder> scene_;
-    scenes::PlumbWorld* plumb_ = nullptr;  ///< the same, unless it is another engine's
+    scenes::PlumbWorld* plumb_ = nullptr;  ///< scene_ if it is Plumb's, else null
     CountAllocations count_ = nullptr;
     std::function<void(double)> push_;
     std::optional<physics::World> start_;
     std::vector<Finding> findings_;
     double time_ = 0.0;
-    double moved_ = 0.0;  ///< s: when a body last moved
+    double moved_ = 0.0;  ///< last time at which a body moved faster than Metrics::kRest, s
     int steps_ = 0;
-    bool lost_ = false;          ///< another engine's world fell apart: simulation stops
-    std::size_t allocated_ = 0;  ///< in the second half of the last run
+    bool lost_ = false;          ///< true if another engine's world diverged; the simulation then stops
+    std::size_t allocated_ = 0;  ///< allocations in the second half of the last run
     int countedSteps_ = 0;
-    std::vector<double> spent_;  ///< s of the clock, of each step
+    std::vector<double> spent_;  ///< wall time of each step, s
 };
 
 }  // namespace plumb::accuracy

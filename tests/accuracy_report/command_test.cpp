@@ -9,7 +9,7 @@
 #include "tests/accuracy/command/threads.hpp"
 #include "tests/accuracy/command/words.hpp"
 
-// What the commands of plumb-accuracy share.
+// Tests of the code shared by the commands of plumb-accuracy.
 
 namespace plumb::accuracy {
 namespace {
@@ -27,7 +27,7 @@ struct Words {
     }
 };
 
-TEST(CommandWords, areFlagsAndWordsWithAValue) {
+TEST(CommandWords, flagsAndOptionsWithAValueAreParsed) {
     EXPECT_TRUE(Words({}).wrong.empty());
     const Words words{{"--threads", "256", "--quick"}};
     EXPECT_EQ(words.wrong, "");
@@ -36,7 +36,7 @@ TEST(CommandWords, areFlagsAndWordsWithAValue) {
     EXPECT_FALSE((Words{{"--threads", "1"}}.quick));
 }
 
-TEST(CommandWords, thatAreWrongAreNamed) {
+TEST(CommandWords, errorsNameTheInvalidOption) {
     for (const std::string_view bad : {"0", "-1", "257", "2.5", "two", ""}) {
         const Words words{{"--threads", bad}};
         EXPECT_NE(words.wrong.find(format("--threads {}: ", bad)), std::string::npos) << words.wrong;
@@ -45,7 +45,7 @@ TEST(CommandWords, thatAreWrongAreNamed) {
     EXPECT_NE((Words{{"--quick", "--threads"}}.wrong.find("'--threads'")), std::string::npos);
 }
 
-TEST(OnThreads, everythingIsDoneOnceAndCounted) {
+TEST(OnThreads, everyIndexRunsOnceAndProgressIsCounted) {
     for (const int threads : {1, 2, 5}) {
         std::vector<std::atomic<int>> done(100);
         std::vector<std::size_t> shown;
@@ -62,7 +62,7 @@ TEST(OnThreads, everythingIsDoneOnceAndCounted) {
     EXPECT_GE(processors(), 1);
 }
 
-TEST(TimeLeft, isInProportionOnceItIsKnown) {
+TEST(TimeLeft, isProportionalToTheRemainingPart) {
     EXPECT_EQ(timeLeft(1.0, 0.5), "");
     EXPECT_EQ(timeLeft(30.0, 0.001), "");
     EXPECT_EQ(timeLeft(30.0, 1.0), "");
@@ -70,7 +70,7 @@ TEST(TimeLeft, isInProportionOnceItIsKnown) {
     EXPECT_EQ(timeLeft(60.0, 0.1), ", about 9 min left");
 }
 
-TEST(TablePage, isCompleteInItself) {
+TEST(TablePage, isSelfContained) {
     const std::string page = tablePage("A & B", "<table></table>");
     EXPECT_NE(page.find("<title>A &amp; B</title>"), std::string::npos);
     EXPECT_NE(page.find("<h1>A &amp; B</h1><table></table></html>"), std::string::npos);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// By Simpson's rule: K(k) of K's own definition.
+/// Complete elliptic integral K(k), computed from its definition with Simpson's rule.
 double ellipticIntegral(double k) {
     constexpr int kParts = 20000;
     const auto at = [&](int i) {
@@ -31,7 +31,7 @@ TEST(Formulas, thePeriodOfAPendulumIsFourTimesTheEllipticIntegral) {
     EXPECT_NEAR(pendulumPeriod(1e-4, 1.0, 10.0), 2.0 * kPi / std::sqrt(10.0), 1e-8);
 }
 
-TEST(Formulas, theDampedSpringObeysItsLaw) {
+TEST(Formulas, theDampedSpringSatisfiesItsDifferentialEquation) {
     constexpr double kOmega = 3.0, kStep = 1e-4;
     for (const double damping : {0.0, 0.2, 1.0, 2.5}) {
         EXPECT_NEAR(springPlace(0.0, kOmega, damping), 1.0, 1e-12);
@@ -47,11 +47,12 @@ TEST(Formulas, theDampedSpringObeysItsLaw) {
     }
 }
 
-TEST(Formulas, theDoublePendulumKeepsItsEnergyAndAShortSwingIsThatOfItsModes) {
+TEST(Formulas, theDoublePendulumConservesEnergyAndHasTheKnownSmallModes) {
     const PendulumForm form{.inertia = 0.005};
     const DoublePendulum wild = swing({2.0, 2.5, 0.0, 0.0}, form, 2.0);
     EXPECT_NEAR(energyOf(wild, form), energyOf({2.0, 2.5, 0.0, 0.0}, form), 1e-9);
-    // Two equal points on strings of one length: omega^2 = (2 - sqrt 2) g / L, the lower by sqrt 2 as far.
+    // Slow mode of two equal point masses on strings of length L: omega^2 = (2 - sqrt 2) g / L, and the angle
+    // of the lower string is sqrt 2 times that of the upper one.
     const double small = 1e-4, omega = std::sqrt((2.0 - std::sqrt(2.0)) * 10.0);
     const DoublePendulum slow = swing({small, std::sqrt(2.0) * small, 0.0, 0.0}, {}, 0.7);
     EXPECT_NEAR(slow.angleA, small * std::cos(0.7 * omega), 1e-10);

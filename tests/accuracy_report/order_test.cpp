@@ -15,7 +15,7 @@ std::vector<Sample> samplesOf(double power, double floor = 0.0) {
     return samples;
 }
 
-TEST(Order, isThePowerOfWhatFallsByOne) {
+TEST(Order, isTheExponentOfAPowerLaw) {
     for (const double power : {0.5, 1.0, 2.0, 4.0}) {
         const Order order = orderOf(samplesOf(power));
         EXPECT_NEAR(order.power, power, 1e-9);
@@ -24,8 +24,8 @@ TEST(Order, isThePowerOfWhatFallsByOne) {
     }
 }
 
-TEST(Order, looksNoFurtherThanTheFloorAndSaysWhereItIs) {
-    const Order order = orderOf(samplesOf(2.0, 0.008));  // reached between 16 and 32
+TEST(Order, isFittedAboveTheFloorAndReportsTheFloor) {
+    const Order order = orderOf(samplesOf(2.0, 0.008));  // the floor is reached between 16 and 32 substeps
     EXPECT_NEAR(order.power, 2.0, 1e-9);
     EXPECT_EQ(order.first, 1.0);
     EXPECT_EQ(order.last, 16.0);
@@ -33,7 +33,7 @@ TEST(Order, looksNoFurtherThanTheFloorAndSaysWhereItIs) {
     EXPECT_EQ(order.floorFrom, 32.0);
 }
 
-TEST(Order, isThatOfTheStraightPartAndNotOfWhatCollapsesBeforeIt) {
+TEST(Order, ignoresASteepStartBeforeTheStraightPart) {
     std::vector<Sample> samples = samplesOf(2.0);
     samples[0].error = 1.0e4;
     const Order order = orderOf(samples);
@@ -43,7 +43,7 @@ TEST(Order, isThatOfTheStraightPartAndNotOfWhatCollapsesBeforeIt) {
     EXPECT_EQ(order.floorFrom, 0.0);
 }
 
-TEST(Order, ofTwoPartsBeforeAFloorIsThatOfTheFirst) {
+TEST(Order, ofTwoStraightPartsBeforeAFloorIsThatOfTheFirst) {
     const std::vector<Sample> samples{{1, 64.0}, {2, 8.0}, {4, 1.0}, {8, 0.5}, {16, 0.25}, {32, 0.25}};
     const Order order = orderOf(samples);
     EXPECT_NEAR(order.power, 3.0, 1e-9);
@@ -51,7 +51,7 @@ TEST(Order, ofTwoPartsBeforeAFloorIsThatOfTheFirst) {
     EXPECT_EQ(order.floor, 0.25);
 }
 
-TEST(Order, leavesOutWhatCameApartAndWhatIsExact) {
+TEST(Order, ignoresInfiniteErrorsAndErrorsOfZero) {
     std::vector<Sample> samples = samplesOf(2.0);
     samples[0].error = std::numeric_limits<double>::infinity();
     samples[6].error = 0.0;
@@ -61,7 +61,7 @@ TEST(Order, leavesOutWhatCameApartAndWhatIsExact) {
     EXPECT_EQ(order.first, 2.0);
 }
 
-TEST(Order, ofWhatDoesNotFallIsAboutZero) {
+TEST(Order, ofConstantErrorsIsAboutZero) {
     const std::vector<Sample> samples{{1, 1.0}, {2, 1.1}, {4, 0.95}, {8, 1.02}, {16, 1.0}};
     const Order order = orderOf(samples);
     EXPECT_NEAR(order.power, 0.0, 0.05);
@@ -69,10 +69,10 @@ TEST(Order, ofWhatDoesNotFallIsAboutZero) {
     EXPECT_EQ(order.floorFrom, 0.0);
 }
 
-TEST(Order, ofOnePointIsNotKnown) { EXPECT_EQ(orderOf(std::vector<Sample>{{1, 1.0}}).points, 0); }
+TEST(Order, ofASinglePointIsUnknown) { EXPECT_EQ(orderOf(std::vector<Sample>{{1, 1.0}}).points, 0); }
 
-TEST(ParetoFront, hasWhatNothingBeatsInBoth) {
-    //                                 slow, exact | beaten by 2 | fast | alike 2, dearer | came apart
+TEST(ParetoFront, containsSamplesNotBeatenInBothEffortAndError) {
+    //                                 slow, exact | worse than 2 | fast | as 2, slower | diverged
     const std::vector<Sample> samples{{9.0, 0.1}, {5.0, 2.0}, {4.0, 1.0},
                                       {1.0, 7.0}, {6.0, 1.0}, {0.5, INFINITY}};
     EXPECT_EQ(paretoFront(samples), (std::vector<std::size_t>{3, 2, 0}));

@@ -17,7 +17,7 @@
 namespace plumb::accuracy {
 namespace {
 
-/// True when every element is closed by its own name, in its order, and no & or < stands alone.
+/// True if all XML elements are closed in the correct order, and every & and < is part of an entity or tag.
 bool isWellFormed(std::string_view xml) {
     static constexpr std::string_view kVoid[] = {"meta", "!DOCTYPE"};
     std::vector<std::string> open;
@@ -46,7 +46,7 @@ bool isWellFormed(std::string_view xml) {
     return open.empty();
 }
 
-/// The cells of a line of CSV.
+/// Splits a line of CSV into cells.
 std::vector<std::string> cellsIn(std::string_view line) {
     std::vector<std::string> cells{""};
     bool quoted = false;
@@ -64,7 +64,7 @@ std::vector<std::string> cellsIn(std::string_view line) {
     return cells;
 }
 
-/// Whether the text is one JSON value and nothing else: objects, arrays, strings, numbers, null.
+/// Checks that a text is a single JSON value of objects, arrays, strings, numbers and null.
 class JsonReader {
 public:
     explicit JsonReader(std::string_view text) : rest_{text} {}
@@ -129,7 +129,7 @@ Row rowOf(std::string scene, int quality, double error, double micros) {
     return row;
 }
 
-/// Among them one with every letter that means something to HTML, CSV or JSON, and one that came apart.
+/// Rows that include special characters of HTML, CSV and JSON, and a diverged simulation.
 std::vector<Row> nastyRows() {
     std::vector<Row> rows;
     for (int quality = 0; quality <= 6; ++quality)
@@ -140,11 +140,11 @@ std::vector<Row> nastyRows() {
     return rows;
 }
 
-TEST(Report, csvHasALineForEachRowWithAsManyCellsAsNames) {
+TEST(Report, csvHasALinePerRowAndACellPerColumn) {
     const std::vector<Row> rows = nastyRows();
     const std::string csv = csvOf(rows);
     std::vector<std::string_view> lines = split(csv, '\n');
-    ASSERT_EQ(lines.size(), rows.size() + 2);  // names, and nothing after the last end of line
+    ASSERT_EQ(lines.size(), rows.size() + 2);  // plus header and the empty text after the last line break
     EXPECT_EQ(lines.back(), "");
     const std::vector<std::string> names = cellsIn(lines[0]);
     EXPECT_EQ(names[0], "scene");
@@ -159,7 +159,7 @@ TEST(Report, csvHasALineForEachRowWithAsManyCellsAsNames) {
               "8");
 }
 
-TEST(Report, jsonIsJsonAndWhatIsNoNumberIsNull) {
+TEST(Report, jsonIsValidAndNonFiniteNumbersAreNull) {
     const std::string json = jsonOf(nastyRows());
     EXPECT_TRUE(JsonReader{json}.all()) << json;
     for (const std::string_view name :
@@ -167,11 +167,11 @@ TEST(Report, jsonIsJsonAndWhatIsNoNumberIsNull) {
         EXPECT_NE(json.find(format("\"{}\": ", name)), std::string::npos) << name;
     EXPECT_NE(json.find("\"error\": null"), std::string::npos);
     EXPECT_EQ(json.find("inf"), std::string::npos);
-    EXPECT_FALSE(JsonReader{"[{\"a\": 1,}]"}.all());  // the reader can say no
+    EXPECT_FALSE(JsonReader{"[{\"a\": 1,}]"}.all());  // checks that JsonReader rejects invalid JSON
     EXPECT_FALSE(JsonReader{"[1, inf]"}.all());
 }
 
-TEST(Report, thePageIsWellFormedEscapedAndCompleteInItself) {
+TEST(Report, thePageIsWellFormedEscapedAndSelfContained) {
     const std::string page = pageOf(nastyRows(), "now & then");
     EXPECT_TRUE(isWellFormed(page));
     EXPECT_NE(page.find("a &lt;b&gt; &amp; &quot;c&quot;"), std::string::npos);
@@ -197,8 +197,8 @@ TEST(Report, aPlotShowsEveryPointTheDefaultTheGoalAndTheFront) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
-// A tower that fell overlaps with nothing: it shall not look like the best buy.
-TEST(Report, aRunThatMissesAnotherGoalIsACrossAndNoBestBuy) {
+// A fallen tower has no overlap, so its error alone would make it a best buy.
+TEST(Report, aRunThatMissesAnotherGoalIsACrossAndNotABestBuy) {
     std::vector<Row> rows = rowsOf(nastyRows(), "stack20");
     const std::string whole = svgOf(chartOf("Stack", rows));
     EXPECT_EQ(whole.find("crosses miss"), std::string::npos);
@@ -211,12 +211,12 @@ TEST(Report, aRunThatMissesAnotherGoalIsACrossAndNoBestBuy) {
     EXPECT_TRUE(isWellFormed(svg));
     EXPECT_NE(svg.find("crosses miss another goal"), std::string::npos);
     EXPECT_NE(svg.find("l8 8m0 -8l-8 8"), std::string::npos);
-    EXPECT_NE(bandOf(svg), bandOf(whole)) << "its first point is left out";
+    EXPECT_NE(bandOf(svg), bandOf(whole)) << "the band must not contain the failed run";
     for (Row& row : rows) row.fails = true;
     EXPECT_EQ(svgOf(chartOf("Stack", rows)).find("best buys"), std::string::npos);
 }
 
-TEST(Report, labelsOfPointsInOnePlaceDoNotLieOnEachOther) {
+TEST(Report, labelsOfPointsAtEqualPositionsDoNotOverlap) {
     std::vector<Row> rows;
     for (int quality = 0; quality <= 3; ++quality) rows.push_back(rowOf("stack20", quality, 1.0, 5.0));
     const std::string svg = svgOf(chartOf("Stack", rows));
@@ -230,7 +230,7 @@ TEST(Report, labelsOfPointsInOnePlaceDoNotLieOnEachOther) {
     EXPECT_EQ(places.size(), 4u);
 }
 
-TEST(Report, theListOfScenesNamesAllAndNothingElse) {
+TEST(Report, theListOfScenesContainsExactlyTheScenes) {
     const std::string_view words[] = {"--list"};
     const auto options = readOptions(words);
     ASSERT_TRUE(options.ok());
@@ -241,7 +241,7 @@ TEST(Report, theListOfScenesNamesAllAndNothingElse) {
     EXPECT_TRUE(list.find("stack20 ") != std::string::npos);
 }
 
-TEST(Report, aPlotOfNothingButFailuresIsStillAPlot) {
+TEST(Report, aPlotOfFailedRunsOnlyIsValid) {
     std::vector<Row> rows{rowOf("x", 0, INFINITY, 1.0), rowOf("x", 1, INFINITY, 2.0)};
     const std::string svg = svgOf(chartOf("x", rows));
     EXPECT_TRUE(isWellFormed(svg));
@@ -249,7 +249,7 @@ TEST(Report, aPlotOfNothingButFailuresIsStillAPlot) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
-TEST(Report, ordersAreThoseOfTheRows) {
+TEST(Report, ordersAreComputedFromTheRows) {
     const std::vector<OrderRow> orders = ordersOf(nastyRows());
     ASSERT_EQ(orders.size(), 2u);
     EXPECT_EQ(orders[0].scene, "stack20");
@@ -257,14 +257,14 @@ TEST(Report, ordersAreThoseOfTheRows) {
     EXPECT_EQ(orders[1].order.points, 0);
 }
 
-TEST(Report, theGuideHasTheMarksAndTheOrders) {
+TEST(Report, theGuideContainsTheGoalsAndTheOrders) {
     const std::string guide = guideOf(nastyRows(), "here");
-    EXPECT_NE(guide.find("0.5 mm @ 9 µs"), std::string::npos) << guide;  // the default
-    EXPECT_NE(guide.find("| 4: 0.5 mm @ 9 µs |"), std::string::npos);    // the fewest within 1 mm
+    EXPECT_NE(guide.find("0.5 mm @ 9 µs"), std::string::npos) << guide;  // result of the default
+    EXPECT_NE(guide.find("| 4: 0.5 mm @ 9 µs |"), std::string::npos);    // fewest substeps within 1 mm
     EXPECT_NE(guide.find("| stack20 | soft step | 2.00 | 2 | 1 to 64 | not met |"), std::string::npos);
 }
 
-TEST(SceneTexts, everySceneHasWordsAndEveryNumberAScene) {
+TEST(SceneTexts, everySceneHasATextAndEveryNumberAScene) {
     std::set<int> numbers;
     for (const std::span<const SceneText> texts : {exactTexts(), hardTexts()}) {
         for (const SceneText& text : texts) {
@@ -297,7 +297,7 @@ SweepOptions quickly() {
     return options;
 }
 
-TEST(Sweep, triesWhatASceneHas) {
+TEST(Sweep, methodsDependOnTheTraitsOfTheScene) {
     const auto hasTrees = [](const Method& method) { return method.jointTrees; };
     const std::vector<Method> joints = methodsOf(*findExperiment("chain100"), {});
     EXPECT_FALSE(std::all_of(joints.begin(), joints.end(), hasTrees));
@@ -310,7 +310,7 @@ TEST(Sweep, triesWhatASceneHas) {
     }
 }
 
-TEST(Sweep, givesARowForEachFigureAndOneOfThemIsTheMainOne) {
+TEST(Sweep, returnsARowPerFigureAndOneMainRow) {
     SweepOptions options = quickly();
     options.scene = "freefall";
     std::size_t reported = 0;
@@ -334,7 +334,7 @@ TEST(Sweep, givesARowForEachFigureAndOneOfThemIsTheMainOne) {
 
 Result<Options> read(std::vector<std::string_view> words) { return readOptions(words); }
 
-TEST(Options, areReadAndBadWordsAnsweredWithWhatIsAllowed) {
+TEST(Options, areParsedAndErrorsListTheAllowedValues) {
     const auto good = read({"--quick", "--scene", "bullet", "--out", "x"});
     ASSERT_TRUE(good.ok());
     EXPECT_TRUE(good->sweep.quick);
@@ -352,7 +352,7 @@ TEST(Options, areReadAndBadWordsAnsweredWithWhatIsAllowed) {
     EXPECT_FALSE(read({"--runs", "0"}).ok());
 }
 
-TEST(Options, handTheRestToTheStabilityMap) {
+TEST(Options, passRemainingArgumentsToTheStabilityMap) {
     const auto options = read({"--stability", "--cells", "7"});
     ASSERT_TRUE(options.ok());
     EXPECT_TRUE(options->stability);

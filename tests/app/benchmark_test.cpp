@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-TEST(Benchmark, theTableHasTheRowsOfTheSeedAndTheRestBelowThem) {
+TEST(Benchmark, theTableBeginsWithTheRowsOfTheSeed) {
     BenchmarkResult result;
     result.entities = 10000;
     result.systemsMs = 2.3;
@@ -43,7 +43,7 @@ TEST(Benchmark, allItsEntitiesMoveAndCollide) {
     EXPECT_EQ(result.frameTimes.frames, 0u);
 }
 
-TEST(FrameTimes, aPercentileIsTheTimeThatSoManyFramesDoNotExceed) {
+TEST(FrameTimes, aPercentileIsTheTimeNotExceededByThatShareOfFrames) {
     std::vector<double> seconds;
     for (int i = 100; i > 0; --i) seconds.push_back(0.001 * i);
     const FrameTimes times = frameTimesOf(seconds);

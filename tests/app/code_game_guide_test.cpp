@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "app/screen.hpp"
-#include "app/system_order.hpp"
+#include "app/game_content.hpp"
 #include "platform/image_file.hpp"
 #include "tests/support/places.hpp"
 
-// The game of docs/code-games.md, word for word, which needs plumb.hpp only; and what code games are
-// promised.
+// The game of docs/code-games.md, verbatim, which needs only plumb.hpp, and tests of the document's
+// statements about code games.
 
 namespace plumb {
 namespace {
@@ -92,7 +92,7 @@ std::string between(const std::string& text, std::string_view begin, std::string
     return text.substr(from, text.find(end, from) - from);
 }
 
-/// The same game with an open door, and its files.
+/// The game of the guide with an open door, and its files.
 class ShownShooter : public testing::Test {
 protected:
     ShownShooter() {
@@ -102,7 +102,7 @@ protected:
         EXPECT_TRUE(writeFile(folder_ / "assets/coin.prefab.json", coin));
         Image spark{128, 128, {}};
         spark.rgba.assign(std::size_t{128} * 128 * 4, 0);
-        for (int y = 32; y < 96; ++y) {  // clear at its borders
+        for (int y = 32; y < 96; ++y) {  // transparent at its borders
             for (int x = 32; x < 96; ++x) {
                 for (int i = 0; i < 4; ++i)
                     spark.rgba[static_cast<std::size_t>((y * 128 + x) * 4 + i)] = i == 1 ? 0 : 255;
@@ -114,7 +114,7 @@ protected:
         game_.assets.logging = false;
         game_.world.resource<PictureSize>().size = {320.0f, 180.0f};
         static_cast<Game&>(game_).onCreate();
-        addAllSystems(game_.world);
+        game_.content.addSystems(game_.world);
     }
     ~ShownShooter() override { std::filesystem::remove_all(folder_); }
 
@@ -130,7 +130,7 @@ protected:
     Shooter game_;
 };
 
-TEST(CodeGameGuide, theGameShownIsThisOne) {
+TEST(CodeGameGuide, theGameInTheGuideEqualsThisOne) {
     const auto guide = readFile(test::sourceFolder() / "docs/code-games.md");
     const auto self = readFile(test::sourceFolder() / "tests/app/code_game_guide_test.cpp");
     ASSERT_TRUE(guide && self);
@@ -138,13 +138,13 @@ TEST(CodeGameGuide, theGameShownIsThisOne) {
               between(*self, "// clang-format off\n", "// clang-format on"));
 }
 
-TEST_F(ShownShooter, itShootsAtWhatTheMouseShowsAndCounts) {
+TEST_F(ShownShooter, itShootsAtTheMousePositionAndCounts) {
     World& world = game_.world;
     EXPECT_EQ(world.count<Coin>(), 5u);
     const Entity hero = game_.find("hero");
     ASSERT_TRUE(hero);
     EXPECT_FALSE(game_.find("missing"));
-    tickGame(game_, InputFrame{});  // rays see what was there when the physics last ran
+    tickGame(game_, InputFrame{});  // rays use the state of the last physics step
     const Entity coin = world.first<Coin>();
     click(coin.get<Transform>().position + Vec2{5.0f, 5.0f});
     EXPECT_EQ(*world.resource<LabelValues>().find("score"), "1");
@@ -157,7 +157,7 @@ TEST_F(ShownShooter, itShootsAtWhatTheMouseShowsAndCounts) {
     EXPECT_EQ(world.count<Bullet>(), 0u) << "its contacts were not heard of";
 }
 
-TEST_F(ShownShooter, textsThatChangeDoNotPileUp) {
+TEST_F(ShownShooter, changedTextsDoNotAccumulate) {
     tickGame(game_, InputFrame{});
     const std::size_t before = game_.world.texts().size();
     for (int i = 0; i < 1000; ++i) {
@@ -167,7 +167,7 @@ TEST_F(ShownShooter, textsThatChangeDoNotPileUp) {
     EXPECT_EQ(game_.world.texts().size(), before);
 }
 
-TEST_F(ShownShooter, aMissingPrefabIsReportedAndNothingIsMade) {
+TEST_F(ShownShooter, aMissingPrefabIsReportedAndNothingIsCreated) {
     const std::size_t before = game_.world.entityCount();
     std::string logged;
     const LogSink sink = setLogSink([&](const LogLine& line) { logged += line.text; });
@@ -177,7 +177,7 @@ TEST_F(ShownShooter, aMissingPrefabIsReportedAndNothingIsMade) {
     EXPECT_EQ(game_.world.entityCount(), before);
 }
 
-/// Looks at the right end of a level of 1000 px, at which its camera's limits stop it.
+/// Points the camera at the right end of a level of 1000 px, where the camera's limits stop it.
 class AtTheLimit : public Game {
 public:
     explicit AtTheLimit(Vec2& seen) : seen_{seen} {}
@@ -198,7 +198,7 @@ private:
     void onLateUpdate(float) override { seen_ = camera_.get<Transform>().position; }
 };
 
-TEST(CodeGameGuide, camerasKnowTheSizeOfThePicture) {
+TEST(CodeGameGuide, cameraLimitsUseTheImageSize) {
     const char* words[] = {"game", "--headless", "--frames", "60"};
     Engine engine("game", 320, 180, 4, words);
     Vec2 seen;
@@ -211,7 +211,7 @@ Color pixelAt(const Image& image, int x, int y) {
     return {at[0], at[1], at[2], at[3]};
 }
 
-TEST_F(ShownShooter, theBackgroundIsDrawnAndAWholePictureIsScaled) {
+TEST_F(ShownShooter, theBackgroundIsDrawnAndAWholeImageIsScaled) {
     game_.world.clear();
     const auto place = [&](float x, const Sprite& sprite) {
         Entity entity = game_.world.createEntity();

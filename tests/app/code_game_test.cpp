@@ -10,7 +10,7 @@
 #include "platform/image_file.hpp"
 #include "tests/support/places.hpp"
 
-// projects/hello-code as a person starts it: its program, with options, from anywhere.
+// Starts the program of projects/hello-code like a user: with options, from any folder.
 
 namespace plumb {
 namespace {
@@ -22,7 +22,7 @@ protected:
     CodeGame() { std::filesystem::create_directories(folder_ / "assets"); }
     ~CodeGame() override { std::filesystem::remove_all(folder_); }
 
-    /// Runs the program in a folder that is not its own. @return its exit code, as the shell has it
+    /// Runs the program in another folder than its own. @return its exit code as reported by the shell
     int run(const std::string& options) {
         const std::string command =
             format("cd '{}' && '{}' {} > output 2>&1", folder_.string(), PLUMB_HELLO_CODE, options);
@@ -31,13 +31,13 @@ protected:
         return WEXITSTATUS(status);
     }
 
-    /// One for each test: they run at the same time.
+    /// A folder of its own for each test, because tests run in parallel.
     Path folder_ = std::filesystem::temp_directory_path() / "plumb_code_game" /
                    testing::UnitTest::GetInstance()->current_test_info()->name();
     std::string output_;
 };
 
-TEST_F(CodeGame, itsPicturesAreFoundFromAnyFolder) {
+TEST_F(CodeGame, itsImagesAreFoundFromAnyFolder) {
     ASSERT_EQ(run("--frames 30 --screenshot game.png --window 400x300"), 0) << output_;
     const Result<std::string> bytes = readFile(folder_ / "game.png");
     ASSERT_TRUE(bytes) << output_;
@@ -45,7 +45,7 @@ TEST_F(CodeGame, itsPicturesAreFoundFromAnyFolder) {
     ASSERT_TRUE(image);
     EXPECT_EQ(image->width, 400);
     EXPECT_EQ(image->height, 300);
-    int magenta = 0;  // what stands in for a missing picture
+    int magenta = 0;  // color of the placeholder for missing images
     int drawn = 0;
     for (std::size_t i = 0; i < image->rgba.size(); i += 4) {
         const auto red = image->rgba[i], green = image->rgba[i + 1], blue = image->rgba[i + 2];
@@ -72,14 +72,14 @@ TEST_F(CodeGame, theOptionsAreThoseOfThePlayer) {
     EXPECT_NE(output_.find("usage: hello-code [options]"), std::string::npos);
 }
 
-TEST_F(CodeGame, whatIsNoOptionIsRefusedWithARemedy) {
+TEST_F(CodeGame, unknownOptionsAreRejectedWithARemedy) {
     EXPECT_EQ(run("--nonsense"), 2);
-    EXPECT_NE(output_.find("there is no option \"--nonsense\""), std::string::npos) << output_;
+    EXPECT_NE(output_.find("unknown option \"--nonsense\""), std::string::npos) << output_;
     EXPECT_EQ(run("--headles"), 2);
     EXPECT_NE(output_.find("did you mean --headless?"), std::string::npos) << output_;
     EXPECT_EQ(run("--scene level1"), 2) << "it has no scenes";
     EXPECT_EQ(run("level1"), 2);
-    EXPECT_NE(output_.find("write --help"), std::string::npos) << output_;
+    EXPECT_NE(output_.find("run with --help"), std::string::npos) << output_;
     EXPECT_EQ(run("--frames many"), 2);
 }
 

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// Ticks in `seconds` of frames that come at `rate`, each up to `jitter` s early or late.
+/// Number of ticks in `seconds` of frames at `rate` Hz, each up to `jitter` s early or late.
 int ticksIn(FramePacer& pacer, double seconds, double rate, float jitter) {
     Random random = Random::seeded(3);
     int ticks = 0;
@@ -20,7 +20,7 @@ int ticksIn(FramePacer& pacer, double seconds, double rate, float jitter) {
     return ticks;
 }
 
-TEST(FramePacer, theGameKeepsToTheClockOnEveryDisplayAlsoOnOneThatSaysAnotherRate) {
+TEST(FramePacer, theGameRunsInRealTimeOnEveryDisplayEvenIfItReportsAWrongRate) {
     for (const double rate : {50.0, 59.94, 60.0, 62.0, 65.0, 75.0, 144.0, 165.0}) {
         for (const double said : {0.0, 60.0, rate}) {
             SCOPED_TRACE(testing::Message() << rate << " Hz, said to be " << said);
@@ -30,7 +30,7 @@ TEST(FramePacer, theGameKeepsToTheClockOnEveryDisplayAlsoOnOneThatSaysAnotherRat
     }
 }
 
-TEST(FramePacer, framesThatNoDisplayWaitsForAreSpacedByTwiceItsRate) {
+TEST(FramePacer, withoutVsyncFramesAreLimitedToTwiceTheDisplayRate) {
     EXPECT_NEAR(FramePacer{60.0}.rest(0.0003), 1.0 / 120.0 - 0.0003, 1e-9);
     EXPECT_NEAR(FramePacer{144.0}.rest(0.0), 1.0 / 288.0, 1e-9);
     EXPECT_NEAR(FramePacer{}.rest(0.0), 1.0 / FramePacer::kUnknownRate, 1e-9);
@@ -38,7 +38,7 @@ TEST(FramePacer, framesThatNoDisplayWaitsForAreSpacedByTwiceItsRate) {
     EXPECT_NEAR(FramePacer{60.0}.rest(-1.0), 1.0 / 120.0, 1e-9) << "a clock that goes back";
 }
 
-TEST(FramePacer, jitterOfTheClockIsNotSeenOnADisplayThatSaysItsRate) {
+TEST(FramePacer, clockJitterIsRemovedIfTheDisplayRateIsKnown) {
     FramePacer pacer{144.0};
     Random random = Random::seeded(5);
     double drawnBefore = 0.0;
@@ -57,7 +57,7 @@ TEST(FramePacer, jitterOfTheClockIsNotSeenOnADisplayThatSaysItsRate) {
     }
 }
 
-TEST(FramePacer, aPauseStopsThePictureWhereItIsAndNothingIsCaughtUpAfterIt) {
+TEST(FramePacer, aPauseFreezesTheImageAndNoTicksAreCaughtUp) {
     FramePacer pacer;
     static_cast<void>(pacer.next(0.1 + 0.4 / 60.0));
     const float alpha = pacer.next(0.0).alpha;

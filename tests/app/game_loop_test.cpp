@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-TEST(Panning, aSoundComesFromWhereItsSourceIsInThePicture) {
+TEST(Panning, soundsArePannedByTheirPositionOnScreen) {
     Game game;
     game.world.resource<PictureSize>().size = {320.0f, 180.0f};
     const auto panAt = [&](float x) {
@@ -32,12 +32,12 @@ TEST(Panning, aSoundComesFromWhereItsSourceIsInThePicture) {
     EXPECT_EQ(panAt(1000.0f), 0.0f);
 }
 
-/// Looks at its own recording while it is made.
+/// A game that reads its own recording while it is written.
 class Recorded : public Game {
 public:
     explicit Recorded(Path file) : file_{std::move(file)} {}
 
-    std::uint64_t found = 0;  ///< ticks in the file, as a killed game would leave it
+    std::uint64_t found = 0;  ///< ticks in the file, the same as if the game were killed now
 
 private:
     void onUpdate(float) override {
@@ -50,7 +50,7 @@ private:
     Path file_;
 };
 
-TEST(Recording, aGameThatIsKilledHasLostTheLastSecondsOnly) {
+TEST(Recording, aKilledGameLosesOnlyTheLastSecondsOfItsRecording) {
     const Path file = std::filesystem::temp_directory_path() / "plumb_recording_test.replay";
     std::filesystem::remove(file);
     PlayerOptions options;
@@ -66,7 +66,7 @@ TEST(Recording, aGameThatIsKilledHasLostTheLastSecondsOnly) {
     std::filesystem::remove(file);
 }
 
-TEST(Recording, aReplayBeginsAsItsGameDid) {
+TEST(Recording, aReplayStartsLikeItsGame) {
     const Path file = std::filesystem::temp_directory_path() / "plumb_recording_begin_test.replay";
     Replay replay;
     replay.scene = "scenes/level2.scene.json";

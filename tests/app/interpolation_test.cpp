@@ -12,9 +12,9 @@ namespace plumb {
 namespace {
 
 constexpr Vec2 kPicture{320.0f, 180.0f};
-constexpr float kFarthest = 24.0f;  ///< px in a tick: nothing in the game is faster
+constexpr float kFarthest = 24.0f;  ///< px per tick; nothing in the game is faster
 
-/// The farthest that anything but the camera is drawn to move between the last two ticks (px).
+/// Maximum displacement drawn between the last two ticks of any entity but the camera, px.
 float farthestStep(const World& world) {
     float farthest = 0.0f;
     for (auto [entity, transform] : world.query<const Transform>(without<Camera>)) {
@@ -23,12 +23,13 @@ float farthestStep(const World& world) {
     return farthest;
 }
 
-/// The camera may hurry after a player that came back elsewhere, but never past half of what it sees.
+/// Displacement of the camera view in a tick, px. The camera may move fast after a respawn, but by less than
+/// half of its view.
 float cameraStep(World& world) {
     return distance(cameraView(world, kPicture, 0.0f).center, cameraView(world, kPicture, 1.0f).center);
 }
 
-TEST(Interpolation, nothingSmearsAcrossTheScreenInPlayInDeathAndFromSceneToScene) {
+TEST(Interpolation, nothingIsInterpolatedAcrossTeleportsAndSceneChanges) {
     Result<Project> project = loadProject(test::sourceFolder() / "projects/platformer");
     ASSERT_TRUE(project.ok());
     SceneGame game{*project, "level1"};
@@ -42,7 +43,8 @@ TEST(Interpolation, nothingSmearsAcrossTheScreenInPlayInDeathAndFromSceneToScene
         if (tick == 250) {
             Entity player = game.world.first<PlayerController, Transform>();
             ASSERT_TRUE(player);
-            teleport(player.get<Transform>(), {300.0f, 5000.0f});  // far below: it dies and comes back
+            // far below the level, so that the player dies and respawns
+            teleport(player.get<Transform>(), {300.0f, 5000.0f});
         }
         if (tick == 600) {
             game.world.resource<SceneRequests>().next = game.world.texts().add("scenes/level3.scene.json");

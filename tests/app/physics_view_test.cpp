@@ -12,9 +12,9 @@
 namespace plumb {
 namespace {
 
-constexpr int kLegendWidth = 150;  ///< px: left of it is the legend
+constexpr int kLegendWidth = 150;  ///< px; the legend is in the columns left of this
 
-/// A pile on a floor beside a pendulum, right of the legend.
+/// Adds a pile of boxes on a floor and a pendulum, all to the right of the legend.
 void fill(World& world) {
     world.addSystem<PhysicsSystem>();
     Entity floor = world.createEntity();
@@ -37,14 +37,14 @@ void fill(World& world) {
     }
 }
 
-/// The scene has none of what the others show.
+/// True if the layer draws something in this scene, which has no triggers, fields, sleeping bodies etc.
 bool drawsHere(const PhysicsLayer& layer) {
     constexpr std::string_view kAbsent[] = {"triggers", "fields", "sleep", "sweeps", "friction", "paths"};
     return layer.ofBodies &&
            std::find(std::begin(kAbsent), std::end(kAbsent), layer.name) == std::end(kAbsent);
 }
 
-/// px of both parts of the window that are not black.
+/// Number of pixels that are not black in both parts of the window.
 struct Seen {
     int legend = 0;
     int scene = 0;
@@ -62,7 +62,7 @@ Seen seen(const Image& image) {
     return found;
 }
 
-TEST(PhysicsView, eachLayerIsSeenWithItsLegendAndNothingWhenItIsOff) {
+TEST(PhysicsView, eachLayerIsDrawnWithItsLegendOnlyIfEnabled) {
     Result<std::unique_ptr<Screen>> opened =
         Screen::open({"test", 400, 440, false, {400.0f, 440.0f}, WindowScale::Fit});
     ASSERT_TRUE(opened) << opened.error().text();
@@ -76,7 +76,7 @@ TEST(PhysicsView, eachLayerIsSeenWithItsLegendAndNothingWhenItIsOff) {
         screen.draw(world, assets, 1.0f, {layer.bit});
         const Seen shown = seen(screen.picture());
         EXPECT_EQ(shown.legend > 20, layer.ofBodies);
-        // What is no picture is written, at the right.
+        // Layers that are not drawn as shapes are written as text at the right.
         if (drawsHere(layer) || !layer.ofBodies) {
             EXPECT_GT(shown.scene, 15);
         }

@@ -32,7 +32,7 @@ std::string between(const std::string& text, std::string_view begin, std::string
     return text.substr(from, text.find(end, from) - from);
 }
 
-TEST(ReadmeComponent, theComponentShownInTheMapIsThisOneAndTakesLessThanTenLines) {
+TEST(ReadmeComponent, theComponentInTheReadmeEqualsThisOneAndHasLessThanTenLines) {
     const auto map = readFile(test::sourceFolder() / "engine/README.md");
     const auto self = readFile(test::sourceFolder() / "tests/app/readme_component_test.cpp");
     ASSERT_TRUE(map.ok() && self.ok());
@@ -42,7 +42,7 @@ TEST(ReadmeComponent, theComponentShownInTheMapIsThisOneAndTakesLessThanTenLines
 
     ASSERT_FALSE(shown.empty());
     EXPECT_EQ(shown, here);
-    constexpr int kRegistration = 2;  // an #include and a name in components.hpp
+    constexpr int kRegistration = 2;  // an #include and an entry in components.hpp
     EXPECT_LT(std::count(shown.begin(), shown.end(), '\n') - 1 /* blank */ + kRegistration, 10);
 }
 

@@ -11,13 +11,13 @@
 namespace plumb {
 namespace {
 
-/// The JSON block of the README that follows a text, with which it has to begin.
+/// Returns the first JSON block after a text of the README.
 std::string blockAfter(const std::string& readme, std::string_view text) {
     const std::size_t begin = readme.find("```json\n", readme.find(text)) + 8;
     return readme.substr(begin, readme.find("```", begin) - begin);
 }
 
-/// The game of the README's five minutes.
+/// The game of the README's five-minute introduction.
 class ReadmeGame : public testing::TestWithParam<Key> {
 protected:
     ReadmeGame() {

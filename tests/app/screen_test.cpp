@@ -16,7 +16,7 @@ constexpr int kHeight = 100;
 struct ScaleCase {
     const char* name;
     WindowScale scale;
-    int left;  ///< px: the first column and row of the window that shows the picture
+    int left;  ///< px; position of the image's upper left corner in the window
     int top;
 };
 
@@ -25,12 +25,12 @@ Color at(const Image& image, int x, int y) {
     return {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2], image.rgba[i + 3]};
 }
 
-TEST(Screen, theMouseIsSaidInPxOfThePicture) {
+TEST(Screen, theMousePositionIsInImagePixels) {
     Result<std::unique_ptr<Screen>> opened =
         Screen::open({"test", kWidth, kHeight, false, {64.0f, 36.0f}, WindowScale::Integer});
     ASSERT_TRUE(opened) << opened.error().text();
     InputFrame frame;
-    frame.mouseX = 36 + 2 * 10;  // the picture begins at 36, 14 and is drawn twice as large
+    frame.mouseX = 36 + 2 * 10;  // the image starts at (36, 14) and is enlarged by 2
     frame.mouseY = 14 + 2 * 20 + 1;
     (*opened)->placeMouse(frame);
     EXPECT_EQ(frame.mouseX, 10);
@@ -40,7 +40,7 @@ TEST(Screen, theMouseIsSaidInPxOfThePicture) {
     EXPECT_EQ(frame.mouse(), (Vec2{-18.0f, -7.0f}));
 }
 
-TEST(Screen, smoothEdgesAreBetweenInsideAndOutside) {
+TEST(Screen, antialiasedEdgesAreBetweenInsideAndOutside) {
     TypeRegistry types;
     registerSceneComponents(types);
     const auto between = [&types](bool smooth) {
@@ -63,7 +63,7 @@ TEST(Screen, smoothEdgesAreBetweenInsideAndOutside) {
     EXPECT_GT(between(true), 40);
 }
 
-TEST(Screen, thePictureIsScaledAsAskedAndWhatIsLeftOfTheWindowIsBlack) {
+TEST(Screen, theImageIsScaledByTheModeAndTheRestOfTheWindowIsBlack) {
     constexpr Color kBlack{0, 0, 0, 255};
     constexpr Color kWhite{255, 255, 255, 255};
     for (const ScaleCase& item : {ScaleCase{"fit", WindowScale::Fit, 11, 0},
@@ -80,7 +80,7 @@ TEST(Screen, thePictureIsScaledAsAskedAndWhatIsLeftOfTheWindowIsBlack) {
         World world{types};
         AssetStore assets;
         Entity entity = world.createEntity();
-        entity.addComponent<Transform>(-10.0f, -10.0f);  // reaches past the picture on every side
+        entity.addComponent<Transform>(-10.0f, -10.0f);  // the sprite extends beyond the image on every side
         entity.addComponent<Sprite>(TextureId{}, 84, 56);
         screen.draw(world, assets, 1.0f);
         const Image image = screen.picture();

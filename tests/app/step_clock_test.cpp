@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-TEST(StepClock, anHourOfFramesAtAnyDisplayRateIsTheSameNumberOfTicks) {
+TEST(StepClock, anHourHasTheSameNumberOfTicksAtAnyDisplayRate) {
     for (const double rate : {24.0, 30.0, 59.94, 60.0, 75.0, 120.0, 144.0, 240.0}) {
         SCOPED_TRACE(rate);
         StepClock clock;
@@ -51,7 +51,7 @@ TEST(StepClock, aLongPauseIsClampedToAQuarterSecond) {
     EXPECT_EQ(clock.advance(1.0 / 60.0).ticks, 1);
 }
 
-TEST(StepClockProperty, alphaStaysBetweenZeroAndOneWhateverTheFramesAre) {
+TEST(StepClockProperty, alphaStaysBetweenZeroAndOneForAnyFrameTimes) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);

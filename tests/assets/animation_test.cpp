@@ -49,7 +49,7 @@ TEST(AnimationSet, everyPropertyIsReadAndWrittenBackByteForByte) {
     EXPECT_EQ(set.findState("none"), -1);
 }
 
-TEST(AnimationSet, theSeedsPlayerHasIdleRunAndJumpOnASheetOfFourCells) {
+TEST(AnimationSet, samplePlayerAnimationsAreIdleRunAndJumpOnASheetOfFourCells) {
     const AnimationSet set = animationSetOf(playerAnimations);
 
     for (const char* name : {"idle", "run", "jump"}) EXPECT_GE(set.findClip(name), 0) << name;
@@ -59,7 +59,7 @@ TEST(AnimationSet, theSeedsPlayerHasIdleRunAndJumpOnASheetOfFourCells) {
     }
 }
 
-TEST(AnimationSet, whatIsWrongInsideIsReportedAndLeftOut) {
+TEST(AnimationSet, invalidPartsAreReportedAndIgnored) {
     const std::string_view wrong[] = {R"({"clips": 1})",
                                       R"({"clips": [{"name": "a", "frames": []}]})",
                                       R"({"clips": [{"frames": [{"cell": [-1, 0]}]}]})",
@@ -81,7 +81,7 @@ TEST(AnimationSet, whatIsWrongInsideIsReportedAndLeftOut) {
     }
 }
 
-TEST(AnimationSet, aTransitionWithAWrongConditionIsLeftOutAsAWhole) {
+TEST(AnimationSet, aTransitionWithAnInvalidConditionIsIgnored) {
     std::string text{kFull};
     text.replace(text.find("\"parameter\": \"speed\""), 20, "\"parameter\": \"speex\"");
     std::vector<Error> problems;
@@ -91,7 +91,7 @@ TEST(AnimationSet, aTransitionWithAWrongConditionIsLeftOutAsAWhole) {
     EXPECT_EQ(problems.size(), 1u);
 }
 
-TEST(AnimationSet, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
+TEST(AnimationSet, randomMutationsNeverCrashAndReadFilesAreWrittenBackUnchanged) {
     Random random = Random::seeded(3);
     for (int i = 0; i < 3000; ++i) {
         const std::string text = test::withWrongBytes(std::string{kFull}, random);

@@ -43,7 +43,7 @@ protected:
     LogSink before_;
 };
 
-TEST_F(AssetStoreTest, loadingTellsTheNameTheSizeAndTheFramesOfASheet) {
+TEST_F(AssetStoreTest, loadingLogsTheNameSizeAndFrameCountOfASheet) {
     assets_.loadTexture("player.png");
     assets_.loadTexture("platform.png");
     assets_.loadTexture("player.png");
@@ -53,7 +53,7 @@ TEST_F(AssetStoreTest, loadingTellsTheNameTheSizeAndTheFramesOfASheet) {
     EXPECT_TRUE(assets_.errors().empty());
 }
 
-TEST_F(AssetStoreTest, thePixelsAreDecodedOnlyWhenAskedFor) {
+TEST_F(AssetStoreTest, pixelsAreDecodedOnlyWhenRequested) {
     const TextureId id = assets_.loadTexture("player.png");
     ASSERT_NE(assets_.find(id), nullptr);
     EXPECT_EQ(assets_.find(id)->width, 128);
@@ -66,7 +66,7 @@ TEST_F(AssetStoreTest, thePixelsAreDecodedOnlyWhenAskedFor) {
     EXPECT_TRUE(assets_.find(id)->image.empty());
 }
 
-TEST_F(AssetStoreTest, aMissingPictureIsAPlaceholderAndAnErrorAndAppearsOnceItIsThere) {
+TEST_F(AssetStoreTest, aMissingImageIsAPlaceholderAndAnErrorUntilItsFileExists) {
     const TextureId id = assets_.loadTexture("assets/later.png");
     EXPECT_EQ(assets_.image(id), placeholderImage());
     EXPECT_TRUE(assets_.isMissing(AssetKind::Texture, id.path));
@@ -82,7 +82,7 @@ TEST_F(AssetStoreTest, aMissingPictureIsAPlaceholderAndAnErrorAndAppearsOnceItIs
     EXPECT_EQ(assets_.image(id).width, 4);
 }
 
-TEST_F(AssetStoreTest, aChangedFileIsReloadedOnceAndABrokenOneKeepsTheOld) {
+TEST_F(AssetStoreTest, aChangedFileIsReloadedOnceAndADamagedOneKeepsTheOldAsset) {
     const TextureId id = assets_.loadTexture("player.png");
     static_cast<void>(assets_.image(id));
     EXPECT_TRUE(assets_.pollChanges().empty());
@@ -103,7 +103,7 @@ TEST_F(AssetStoreTest, aChangedFileIsReloadedOnceAndABrokenOneKeepsTheOld) {
     EXPECT_EQ(assets_.image(id).width, 64);
 }
 
-TEST_F(AssetStoreTest, aBrokenPictureKeepsTheOldAlsoWhenItsPixelsWereDropped) {
+TEST_F(AssetStoreTest, aDamagedImageKeepsTheOldOneEvenIfItsPixelsWereDropped) {
     const TextureId id = assets_.loadTexture("player.png");
     static_cast<void>(assets_.image(id));
     assets_.dropImage(id);
@@ -116,7 +116,7 @@ TEST_F(AssetStoreTest, aBrokenPictureKeepsTheOldAlsoWhenItsPixelsWereDropped) {
     EXPECT_EQ(assets_.revisionOf(AssetKind::Texture, id.path), 1u);
 }
 
-TEST_F(AssetStoreTest, pollingLooksAtNoMoreFilesThanItsBudgetAndReachesAllInTurn) {
+TEST_F(AssetStoreTest, pollingChecksAtMostItsBudgetOfFilesAndReachesAllInTurn) {
     assets_.logging = false;
     for (int i = 0; i < 10; ++i)
         assets_.load(AssetKind::Scene, "scenes/" + std::to_string(i) + ".scene.json");
@@ -132,7 +132,7 @@ TEST_F(AssetStoreTest, pollingLooksAtNoMoreFilesThanItsBudgetAndReachesAllInTurn
     EXPECT_EQ(changed, 10u);
 }
 
-TEST_F(AssetStoreTest, aTilesetBringsItsPictureAndIsReloadedWithIt) {
+TEST_F(AssetStoreTest, aTilesetLoadsAndReloadsItsImage) {
     const TilesetId id = assets_.loadTileset("assets/cave.tileset.json");
     EXPECT_EQ(assets_.tileset(id).tileWidth, 8);
     EXPECT_EQ(assets_.references(AssetKind::Texture, textId("assets/tiles.png")), 1);
@@ -145,7 +145,7 @@ TEST_F(AssetStoreTest, aTilesetBringsItsPictureAndIsReloadedWithIt) {
     EXPECT_EQ(assets_.references(AssetKind::Texture, textId("player.png")), 1);
 }
 
-TEST_F(AssetStoreTest, whatHasNoUsersIsUnloadedAndLoadsAgain) {
+TEST_F(AssetStoreTest, assetsWithoutReferencesAreUnloadedAndLoadAgain) {
     const TilesetId tiles = assets_.loadTileset("assets/cave.tileset.json");
     const TextureId player = assets_.loadTexture("player.png");
     const TextureId made = assets_.addTexture("made", placeholderImage());
@@ -164,7 +164,7 @@ TEST_F(AssetStoreTest, whatHasNoUsersIsUnloadedAndLoadsAgain) {
     EXPECT_NE(assets_.find(player), nullptr);
 }
 
-TEST_F(AssetStoreTest, theEnginesOwnFilesHaveAPrefixAndBareNamesLieInAssetsToo) {
+TEST_F(AssetStoreTest, engineFilesHaveAPrefixAndFileNamesAreAlsoSearchedInAssets) {
     ASSERT_TRUE(writeFile(folder_.path / "engine" / "fonts" / "a.ttf", "font").ok());
 
     const FontId font = assets_.loadFont("engine:fonts/a.ttf");
@@ -230,7 +230,7 @@ TEST_F(AssetStoreTest, everyPathThatLeavesTheProjectIsRefused) {
     EXPECT_FALSE(assets_.isMissing(AssetKind::Texture, assets_.loadTexture("sub/./x.png").path));
 }
 
-TEST_F(AssetStoreTest, brokenFilesOfEveryKindGivePlaceholdersAndErrors) {
+TEST_F(AssetStoreTest, damagedFilesOfEveryKindBecomePlaceholdersAndErrors) {
     assets_.logging = false;
     const std::string broken[] = {"", "{", "[]", "null", "\xff", std::string(1000, '['), R"({"format": 99})"};
     int count = 0;
@@ -248,7 +248,7 @@ TEST_F(AssetStoreTest, brokenFilesOfEveryKindGivePlaceholdersAndErrors) {
     EXPECT_EQ(assets_.errors().size(), 1u);
 }
 
-TEST_F(AssetStoreTest, aPictureThatIsCutOffShowsThePlaceholderOnceItIsDecodedAndRecovers) {
+TEST_F(AssetStoreTest, aTruncatedImageBecomesAPlaceholderWhenDecodedAndRecovers) {
     const std::string png = pngOf(64, 64);
     write("cut.png", png.substr(0, png.size() - 20));
     const TextureId id = assets_.loadTexture("cut.png");
@@ -263,7 +263,7 @@ TEST_F(AssetStoreTest, aPictureThatIsCutOffShowsThePlaceholderOnceItIsDecodedAnd
     EXPECT_EQ(assets_.image(id).width, 64);
 }
 
-TEST_F(AssetStoreTest, aStoreWithoutAProjectHoldsWhatCodeMakes) {
+TEST_F(AssetStoreTest, aStoreWithoutAProjectHoldsAssetsCreatedByCode) {
     AssetStore store;
     const AnimationId id = store.addAnimation("hero", animationSetOf(playerAnimations));
 

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// A set whose tiles 0, 1, 2 ... have the masks of a mode in rising order.
+/// Returns a tileset with one terrain whose tiles 0, 1, 2 ... have the masks of a mode in ascending order.
 Tileset setOf(TerrainMode mode) {
     Tileset set;
     set.count = 100;
@@ -26,13 +26,13 @@ int tileOfMask(const Tileset& set, int mask) {
     return -1;
 }
 
-TEST(Autotiles, eachModeTellsAsManyMasksApartAsItShould) {
+TEST(Autotiles, eachModeHasTheExpectedNumberOfDistinctMasks) {
     EXPECT_EQ(masksOf(TerrainMode::Edges).size(), 16u);
     EXPECT_EQ(masksOf(TerrainMode::Blob).size(), 47u);
     EXPECT_EQ(masksOf(TerrainMode::Corners).size(), 16u);
 }
 
-TEST(Autotiles, aCornerCountsInABlobOnlyBetweenItsSides) {
+TEST(Autotiles, aCornerCountsInABlobOnlyIfBothAdjacentEdgesDo) {
     using N = Neighbour;
     EXPECT_EQ(countedMask(TerrainMode::Blob, N::kUpRight), 0);
     EXPECT_EQ(countedMask(TerrainMode::Blob, N::kUp | N::kUpRight), N::kUp);
@@ -40,7 +40,7 @@ TEST(Autotiles, aCornerCountsInABlobOnlyBetweenItsSides) {
               N::kUp | N::kRight | N::kUpRight);
 }
 
-TEST(Autotiles, aCellTakesTheTileOfItsNeighbours) {
+TEST(Autotiles, aCellGetsTheTileThatMatchesItsNeighbours) {
     const Tileset set = setOf(TerrainMode::Edges);
     const Autotile autotile{set};
     TileGrid terrain{5, 5};
@@ -50,7 +50,7 @@ TEST(Autotiles, aCellTakesTheTileOfItsNeighbours) {
     EXPECT_EQ(autotile.cellAt(terrain, 0, 0), std::nullopt) << "no terrain decides there";
 }
 
-TEST(Autotiles, terrainGoesOnBeyondTheBorderOfTheLayer) {
+TEST(Autotiles, terrainContinuesBeyondTheBorderOfTheLayer) {
     const Tileset set = setOf(TerrainMode::Blob);
     TileGrid terrain{3, 3};
     for (int i = 0; i < 9; ++i) terrain.set(i % 3, i / 3, 1);
@@ -58,7 +58,7 @@ TEST(Autotiles, terrainGoesOnBeyondTheBorderOfTheLayer) {
         EXPECT_EQ(Autotile{set}.cellAt(terrain, i % 3, i / 3), cellOf(tileOfMask(set, Neighbour::kAll)));
 }
 
-TEST(Autotiles, cornersDecideAboutTheFourCellsAroundThem) {
+TEST(Autotiles, aCornerDeterminesTheFourCellsAroundIt) {
     const Tileset set = setOf(TerrainMode::Corners);
     const Autotile autotile{set};
     TileGrid terrain{6, 6};
@@ -70,7 +70,7 @@ TEST(Autotiles, cornersDecideAboutTheFourCellsAroundThem) {
     EXPECT_EQ(autotile.cellAt(terrain, 1, 1), std::nullopt);
 }
 
-TEST(Autotiles, aMaskWithoutATileTakesTheOneMostLikeIt) {
+TEST(Autotiles, aMaskWithoutATileUsesTheMostSimilarMask) {
     Tileset set;
     set.count = 10;
     Terrain terrain;
@@ -82,7 +82,7 @@ TEST(Autotiles, aMaskWithoutATileTakesTheOneMostLikeIt) {
     EXPECT_EQ(Autotile{set}.cellAt(ground, 2, 2), cellOf(4)) << "one side is missing only";
 }
 
-TEST(Autotiles, variantsComeByTheirProbabilityAndStayWhereTheyAre) {
+TEST(Autotiles, variantsFollowTheirProbabilityAndDependOnlyOnThePosition) {
     Tileset set;
     set.count = 10;
     Terrain terrain;
@@ -109,7 +109,7 @@ TEST(Autotiles, variantsComeByTheirProbabilityAndStayWhereTheyAre) {
     EXPECT_EQ(seen[cellOf(2)], 0);
 }
 
-TEST(Autotiles, theTerrainOfAHandMadeMapIsReadFromItsTiles) {
+TEST(Autotiles, terrainIsDeterminedFromTheTilesOfAMap) {
     for (const TerrainMode mode : {TerrainMode::Edges, TerrainMode::Blob, TerrainMode::Corners}) {
         const Tileset set = setOf(mode);
         const Autotile autotile{set};

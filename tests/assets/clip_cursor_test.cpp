@@ -36,19 +36,19 @@ TEST(ClipCursor, aFrameOfATenthOfASecondLastsExactlySixTicksForHours) {
     }
 }
 
-TEST(ClipCursor, framesOfAnyLengthOfMillisecondsStayOnTime) {
-    const Animation clip = clipOf({0.08f, 0.033f, 0.25f});  // 363 ms a turn
+TEST(ClipCursor, framesOfAnyLengthInMillisecondsDoNotDrift) {
+    const Animation clip = clipOf({0.08f, 0.033f, 0.25f});  // one cycle lasts 363 ms
     ClipCursor cursor;
     std::int64_t entered = 0;
     for (int tick = 1; tick <= 500'000; ++tick) {
         entered += static_cast<std::int64_t>(played(clip, cursor, kTick).size());
-        const std::int64_t units = std::int64_t{tick} * 12000;  // of 1/720000 s
+        const std::int64_t units = std::int64_t{tick} * 12000;  // elapsed time, multiples of 1/720000 s
         const std::int64_t rest = units % 261360;
         ASSERT_EQ(entered, units / 261360 * 3 + (rest >= 57600) + (rest >= 57600 + 23760) + 1) << tick;
     }
 }
 
-TEST(ClipCursor, everyFrameBeginsExactlyOnceHoweverTheTimeIsCut) {
+TEST(ClipCursor, everyFrameBeginsExactlyOnceForAnyTimeSteps) {
     const Animation clip = clipOf({0.05f, 0.1f, 0.02f, 0.3f});
     ClipCursor whole;
     std::vector<int> expected;
@@ -60,7 +60,7 @@ TEST(ClipCursor, everyFrameBeginsExactlyOnceHoweverTheTimeIsCut) {
         Random random = Random::seeded(seed);
         ClipCursor cursor;
         std::vector<int> frames;
-        int left = 12500;  // ms
+        int left = 12500;  // remaining time, ms
         while (left > 0) {
             const int step = std::min(left, 1 + static_cast<int>(random.below(200)));
             left -= step;
@@ -72,7 +72,7 @@ TEST(ClipCursor, everyFrameBeginsExactlyOnceHoweverTheTimeIsCut) {
     }
 }
 
-TEST(ClipCursor, aClipThatPlaysOnceStandsOnItsLastFrame) {
+TEST(ClipCursor, aClipOfModeOnceStopsAtItsLastFrame) {
     const Animation clip = clipOf({0.1f, 0.1f, 0.1f}, LoopMode::Once);
     ClipCursor cursor;
 
@@ -83,7 +83,7 @@ TEST(ClipCursor, aClipThatPlaysOnceStandsOnItsLastFrame) {
     EXPECT_EQ(cursor.frame, 2);
 }
 
-TEST(ClipCursor, aPingPongClipTurnsAtBothEndsWithoutRepeatingThem) {
+TEST(ClipCursor, aPingPongClipReversesAtBothEndsWithoutRepeatingThem) {
     const Animation clip = clipOf({0.1f, 0.1f, 0.1f}, LoopMode::PingPong);
     ClipCursor cursor;
 
@@ -107,7 +107,7 @@ TEST(ClipCursor, speedZeroHoldsTheFrameAndNegativeSpeedPlaysBackwards) {
     EXPECT_EQ(played(pingPong, back, -0.1f, 4), (std::vector<int>{0, 1, 2, 1}));
 }
 
-TEST(ClipCursor, goingForthAndBackLeadsToTheStart) {
+TEST(ClipCursor, playingForwardAndBackwardReturnsToTheStart) {
     for (const LoopMode mode : {LoopMode::Loop, LoopMode::PingPong}) {
         for (std::uint64_t seed = 0; seed < 100; ++seed) {
             SCOPED_TRACE(seed);
@@ -124,7 +124,7 @@ TEST(ClipCursor, goingForthAndBackLeadsToTheStart) {
     }
 }
 
-TEST(ClipCursor, hugeAndSenselessTimesEndAtOnce) {
+TEST(ClipCursor, hugeAndInvalidTimesEndImmediately) {
     for (const float seconds : {1e30f, -1e30f, std::nanf(""), INFINITY, -INFINITY, 1e6f}) {
         for (const LoopMode mode : {LoopMode::Loop, LoopMode::Once, LoopMode::PingPong}) {
             const Animation clip = clipOf({0.001f, 0.001f, 0.002f}, mode);
@@ -136,7 +136,7 @@ TEST(ClipCursor, hugeAndSenselessTimesEndAtOnce) {
     }
 }
 
-TEST(ClipCursor, aHugeTimeEndsOnTheFrameThatManySmallOnesReach) {
+TEST(ClipCursor, oneHugeStepEndsAtTheSameFrameAsManySmallSteps) {
     const Animation clip = clipOf({0.1f, 0.2f, 0.3f});
     ClipCursor once;
     ClipCursor often;
@@ -170,7 +170,7 @@ protected:
     std::vector<float> parameters_{0.0f, 0.0f};
 };
 
-TEST_F(StateMachineTest, theFirstTransitionThatHoldsIsTaken) {
+TEST_F(StateMachineTest, theFirstTransitionWhoseConditionsHoldIsPerformed) {
     EXPECT_EQ(advanceStateMachine(set_, 0, parameters_, false), 0);
     parameters_[0] = 6.0f;
     EXPECT_EQ(advanceStateMachine(set_, 0, parameters_, false), 1);
@@ -179,7 +179,7 @@ TEST_F(StateMachineTest, theFirstTransitionThatHoldsIsTaken) {
     EXPECT_EQ(advanceStateMachine(set_, 0, parameters_, false), 2);
 }
 
-TEST_F(StateMachineTest, aTriggerIsUsedUpByTheTransitionItCauses) {
+TEST_F(StateMachineTest, aTriggerIsResetByTheTransitionThatUsesIt) {
     parameters_[1] = 1.0f;
     EXPECT_EQ(advanceStateMachine(set_, 1, parameters_, false), 2);
     EXPECT_EQ(parameters_[1], 0.0f);
@@ -187,7 +187,7 @@ TEST_F(StateMachineTest, aTriggerIsUsedUpByTheTransitionItCauses) {
     EXPECT_EQ(advanceStateMachine(set_, 2, parameters_, true), 0);
 }
 
-TEST_F(StateMachineTest, aTransitionFromAnyStateDoesNotRestartItsOwn) {
+TEST_F(StateMachineTest, aTransitionFromAnyStateDoesNotRestartItsTargetState) {
     parameters_[1] = 1.0f;
     EXPECT_EQ(advanceStateMachine(set_, 2, parameters_, false), 2);
     EXPECT_EQ(parameters_[1], 1.0f);

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-/// Loads every asset file below a project and gives what was logged.
+/// Loads all asset files of a project and returns the errors.
 std::vector<Error> problemsOf(const Path& project) {
     AssetStore assets{project, test::sourceFolder() / "assets"};
     assets.logging = false;

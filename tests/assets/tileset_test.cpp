@@ -71,7 +71,7 @@ TEST(Tileset, tilesLieInRowsBetweenMarginAndSpacing) {
     EXPECT_EQ(tileset.sourceOf(6), (Rect{1 + 2 * 18, 1 + 10, 16, 8}));
 }
 
-TEST(Tileset, anAnimatedTileShowsItsFramesInTurns) {
+TEST(Tileset, anAnimatedTileShowsItsFramesInSequence) {
     std::vector<Error> problems;
     const Tileset tileset = parsed(kFull, problems);
 
@@ -117,7 +117,7 @@ TEST(Tileset, unknownPropertiesAreReportedAndWrittenBack) {
     EXPECT_NE(text.find("\"colums\": 3"), std::string::npos);
 }
 
-TEST(Tileset, whatIsWrongInsideIsReportedAndLeftOut) {
+TEST(Tileset, invalidPartsAreReportedAndIgnored) {
     const std::string_view wrong[] = {R"({"tileSize": [0, 16]})",
                                       R"({"tileSize": "16"})",
                                       R"({"tileSize": [1e30, 1]})",
@@ -150,7 +150,7 @@ TEST(Tileset, whatIsWrongInsideIsReportedAndLeftOut) {
     }
 }
 
-TEST(Tileset, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
+TEST(Tileset, randomMutationsNeverCrashAndReadFilesAreWrittenBackUnchanged) {
     Random random = Random::seeded(2);
     for (int i = 0; i < 3000; ++i) {
         const std::string text = test::withWrongBytes(std::string{kFull}, random);

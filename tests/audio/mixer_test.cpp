@@ -21,7 +21,7 @@ std::string little(std::uint32_t value, int count) {
     return bytes;
 }
 
-/// A WAV of silence: 16 bits, mono, 8000 Hz.
+/// Returns a WAV file of silence: 16 bits, mono, 8000 Hz.
 std::string wavOf(std::uint32_t samples) {
     const std::uint32_t bytes = samples * 2;
     return "RIFF" + little(36 + bytes, 4) + "WAVEfmt " + little(16, 4) + little(1, 2) + little(1, 2) +
@@ -29,7 +29,7 @@ std::string wavOf(std::uint32_t samples) {
            std::string(bytes, '\0');
 }
 
-/// Writes down every call.
+/// An audio device that records every call.
 class ListeningDevice final : public AudioDevice {
 public:
     explicit ListeningDevice(std::vector<std::string>& calls) : calls_{calls} {}
@@ -92,7 +92,7 @@ protected:
     SoundId missing_;
 };
 
-TEST_F(MixerTest, theDeviceIsOpenedByTheFirstSoundAndTheFileIsLoadedOnce) {
+TEST_F(MixerTest, theFirstSoundOpensTheDeviceAndItsFileIsLoadedOnce) {
     Mixer mixer{assets_, listening()};
     mixer.setMasterVolume(0.5f);
     EXPECT_EQ(opened_, 0);
@@ -104,11 +104,11 @@ TEST_F(MixerTest, theDeviceIsOpenedByTheFirstSoundAndTheFileIsLoadedOnce) {
     EXPECT_EQ(calls_, (std::vector<std::string>{"load jump.wav", "play 0 0.25 -1", "play 0 0.5 0 looped"}));
 }
 
-TEST_F(MixerTest, withoutADeviceTheGameIsSilentAndOneWarningSaysSo) {
+TEST_F(MixerTest, withoutADeviceTheGameIsSilentAndLogsOneWarning) {
     int asked = 0;
     Mixer mixer{assets_, [&]() -> Result<std::unique_ptr<AudioDevice>> {
                     ++asked;
-                    return Error{"audio", "no sound device", "the game goes on in silence"};
+                    return Error{"audio", "no sound device", "the game runs without sound"};
                 }};
     for (int i = 0; i < 3; ++i) EXPECT_EQ(mixer.play(jump_), -1);
     mixer.playMusic(jump_);
@@ -127,7 +127,7 @@ TEST_F(MixerTest, aHeadlessMixerNeverOpensADevice) {
     EXPECT_FALSE(mixer.isOpen());
 }
 
-TEST_F(MixerTest, missingAndBrokenSoundsAreSilentAndABrokenOneIsReportedOnce) {
+TEST_F(MixerTest, missingAndDamagedSoundsAreSilentAndADamagedOneIsReportedOnce) {
     Mixer mixer{assets_, listening()};
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(mixer.play(bad_), -1);
@@ -138,7 +138,7 @@ TEST_F(MixerTest, missingAndBrokenSoundsAreSilentAndABrokenOneIsReportedOnce) {
     EXPECT_EQ(log_.size(), 1u);
 }
 
-TEST_F(MixerTest, aSoundThatWasEditedIsLoadedAgain) {
+TEST_F(MixerTest, aChangedSoundFileIsLoadedAgain) {
     Mixer mixer{assets_, listening()};
     mixer.play(jump_);
     ASSERT_TRUE(writeFile(folder_.path / "jump.wav", wavOf(200)).ok());
@@ -160,7 +160,7 @@ TEST_F(MixerTest, groupsAndMasterScaleTheMusicToo) {
                                                 "music volume 0.25", "stop music"}));
 }
 
-TEST_F(MixerTest, aTickThatIsRunAgainPlaysItsSoundsOnce) {
+TEST_F(MixerTest, aTickThatIsRepeatedPlaysItsSoundsOnce) {
     Mixer mixer{assets_, listening()};
     SoundQueue queue;
     const auto runTick = [&](std::uint64_t tick) {
@@ -173,7 +173,7 @@ TEST_F(MixerTest, aTickThatIsRunAgainPlaysItsSoundsOnce) {
     EXPECT_EQ(std::count(calls_.begin(), calls_.end(), "play 0 1 0"), 6);
 }
 
-TEST_F(MixerTest, aNewTimeBeginsFarBackOrWhenReset) {
+TEST_F(MixerTest, soundsPlayAgainAfterALongRewindOrAReset) {
     SoundQueue queue;
     queue.add({5000, jump_});
     queue.add({0, jump_});
@@ -200,7 +200,7 @@ TEST_F(MixerTest, theRealDevicePlaysAndStopsWithTheDummyDriver) {
     EXPECT_EQ(mixer.play(bad_), -1);
 }
 
-TEST(WavHeader, sizeAndLengthAreReadAndBrokenHeadersRefused) {
+TEST(WavHeader, sizeAndLengthAreReadAndInvalidHeadersRejected) {
     const std::string wav = wavOf(8000);
     const Result<WavHeader> header = readWavHeader(wav, "x.wav");
     ASSERT_TRUE(header.ok());

@@ -16,9 +16,9 @@ constexpr double kShortestSample = 100e-6;  // s; shorter samples are affected b
 constexpr std::size_t kMinRounds = 15;
 constexpr std::size_t kMinLongRounds = 3;
 constexpr std::size_t kMaxRounds = 1000000;
-constexpr double kPatience = 3.0;  // s for each contestant; a slower one runs fewer rounds
+constexpr double kPatience = 3.0;  // s per contestant, after which only kMinLongRounds are run
 
-/// Cost of reading the clock, in s.
+/// Returns the time to read the clock, s.
 double clockCost() {
     static const double cost = [] {
         double best = 1.0;
@@ -35,9 +35,9 @@ double clockCost() {
 struct Lane {
     explicit Lane(const Contestant& one) : contestant{one} { calibrate(); }
 
-    /// By wall time: an interruption makes a run longer, so that it
-    /// is never the best. The clock of a thread excludes time that
-    /// it believes was taken away, and sometimes excludes too much.
+    /// Returns the time of one run, s. Uses the wall clock: interruptions only make
+    /// a run longer, so it is not the minimum. The clock of the thread subtracts
+    /// estimated interruptions and sometimes subtracts too much.
     double sample() {
         if (contestant.prepare) contestant.prepare();
         const double start = wallSeconds();
@@ -45,7 +45,8 @@ struct Lane {
         const double seconds = wallSeconds() - start - clockCost();
         return std::max(seconds, 0.0) / repeats;
     }
-    /// Runs that need no preparation are repeated until the resolution of the clock does not matter.
+    /// Sets `repeats` so that a sample is long compared to the resolution of the clock. Runs that need a
+    /// preparation are not repeated.
     void calibrate() {
         const double first = sample();
         if (contestant.prepare || first > kShortestSample) return;

@@ -9,32 +9,32 @@
 
 namespace plumb::bench {
 
-/// What the command line asks for.
+/// Options of the command line.
 struct Options {
-    std::string jsonPath;  ///< empty: no file
-    bool quick = false;    ///< small sizes and few rounds: does it run at all?
-    double seconds = 0.4;  ///< for each contestant of a race
-    std::vector<std::string> rest;
+    std::string jsonPath;           ///< empty: no file
+    bool quick = false;             ///< small sizes and few rounds, only to check that the benchmark runs
+    double seconds = 0.4;           ///< measuring time for each contestant of a race
+    std::vector<std::string> rest;  ///< further arguments
 };
 
-/// One side of a comparison.
+/// One of the alternatives compared in a race.
 struct Contestant {
-    std::function<void()> prepare;  ///< before each run, not timed; may be empty
+    std::function<void()> prepare;  ///< called before each run, not timed; may be empty
     std::function<void()> run;
 };
 
-/// Seconds of one run.
+/// Time of one run, s.
 struct Timing {
     double minimum = 0.0;
     double median = 0.0;
 };
 
-/// Runs the contestants in turn, so that whatever else the machine does meets them all alike.
-/// Only compare what ran in the same race: two races differ by half.
+/// Runs the contestants alternately, so that other work of the machine affects all equally.
+/// Compare only timings of the same race, because those of two races can differ by half.
 std::vector<Timing> race(std::span<const Contestant> contestants, const Options& options);
 
-/// Makes the compiler believe that memory is read and written here. Takes an address, never a value:
-/// handing floats to such a barrier has been seen to change them.
+/// Compiler barrier: prevents that computations with the memory at `address` are optimized away. Takes an
+/// address instead of a value, because passing a float to such a barrier can change its value.
 inline void keep(const void* address) {
 #if defined(__GNUC__)
     asm volatile("" : : "r"(address) : "memory");
@@ -44,23 +44,23 @@ inline void keep(const void* address) {
 #endif
 }
 
-/// One result.
+/// One result of a benchmark.
 struct Row {
     std::string name;
     std::size_t n = 0;
-    double ns = 0.0;       ///< per item, the best round
-    double median = 0.0;   ///< ns per item
-    double limitNs = 0.0;  ///< plain arrays doing the same in the same race; 0 where there is no such thing
-    double target = 0.0;   ///< ns per item on this machine; 0 for none
+    double ns = 0.0;       ///< ns per item, minimum of all rounds
+    double median = 0.0;   ///< ns per item, median of all rounds
+    double limitNs = 0.0;  ///< ns per item with plain arrays, in the same race; 0: not measured
+    double target = 0.0;   ///< ns per item to reach on this machine; 0: none
     [[nodiscard]] bool met() const { return target == 0.0 || ns <= target; }
 };
 
 void printHeader();
 void print(const Row& row);
-/// Writes the rows as JSON: {name, n, ns, median, limitNs, target, met}. @return false when it could not
+/// Writes the rows as JSON: {name, n, ns, median, limitNs, target, met}. @return false if that failed
 bool writeRows(const std::string& path, std::span<const Row> rows);
 
-// The programs of plumb-bench: one file each, one line in main.cpp each. They give back an exit code.
+// The benchmarks of plumb-bench: each has one file and one line in main.cpp, and returns an exit code.
 
 int runBroadphase(const Options& options);
 int runEcs(const Options& options);

@@ -1,4 +1,4 @@
-// Compares the broad phases: which is fastest where, and how cost grows with the number of bodies.
+// Compares the speed of the broad phases for several distributions and numbers of bodies.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ using physics::PairKey;
 using scenes::Measurement;
 
 constexpr auto kKinds = static_cast<std::size_t>(BroadPhaseKind::Count);
-constexpr double kTarget = 1.15;  // exponent: cost ~ n^p
+constexpr double kTarget = 1.15;  // maximum exponent p of cost ~ n^p
 constexpr double kMicroseconds = 1e6;
 constexpr double kNanoseconds = 1e9;
 constexpr std::uint32_t kCrowd = 10000;
@@ -32,14 +32,14 @@ using Costs = std::array<double, kKinds>;  // s per step, by kind
 
 std::string_view nameOf(std::size_t kind) { return physics::nameOf(static_cast<BroadPhaseKind>(kind)); }
 
-/// A broad phase and the best it did in each step.
+/// A broad phase and its minimum time of each step over all rounds.
 struct Runner {
     std::unique_ptr<BroadPhase> phase;
     std::vector<double> best;  ///< s
     std::vector<std::uint32_t> moved;
     std::vector<PairKey> pairs;
 
-    /// What a step of the simulation asks of it.
+    /// Calls the broad phase as a step of the simulation does, and measures its time.
     void run(const scenes::Crowd& crowd, std::size_t step) {
         moved.assign(crowd.moved().begin(), crowd.moved().end());
         pairs.clear();
@@ -62,12 +62,13 @@ public:
         }
         showProgress("");
     }
-    /// The mean over the steps of the best time that each took.
+    /// Returns the mean over all steps of their minimum times.
     [[nodiscard]] Costs costs() const {
         return ofEach(
             [](const auto& best) { return std::accumulate(best.begin(), best.end(), 0.0) / kSteps; });
     }
-    /// The longest of them: where a step now and then puts all in order, it is what a player feels.
+    /// Returns the maximum over all steps of their minimum times: the delay that a player notices if a broad
+    /// phase reorganizes its data only in some steps.
     [[nodiscard]] Costs longest() const {
         return ofEach([](const auto& best) { return *std::max_element(best.begin(), best.end()); });
     }
@@ -108,19 +109,19 @@ void printKinds(const char* title) {
     std::printf("\n");
 }
 
-/// Marks the smallest.
+/// Prints a row of costs and marks the smallest with '*'.
 void printCosts(const std::string& name, const Costs& costs) {
     std::printf("%-26s", name.c_str());
-    const double least = *std::min_element(costs.begin(), costs.end());
+    const double minimum = *std::min_element(costs.begin(), costs.end());
     for (const double cost : costs) {
         const double us = cost * kMicroseconds;
-        std::printf(" %15s%c", fixedText(us, us < 100.0 ? 2 : 0).c_str(), cost == least ? '*' : ' ');
+        std::printf(" %15s%c", fixedText(us, us < 100.0 ? 2 : 0).c_str(), cost == minimum ? '*' : ' ');
     }
     std::printf("\n");
     std::fflush(stdout);
 }
 
-/// Everything that was measured, for the file.
+/// Collects all results for the JSON file and the exit code.
 class Results {
 public:
     void add(std::string_view line, std::uint32_t boxes, const Costs& costs) {
@@ -142,9 +143,10 @@ public:
     void noteExponent(double exponent) { meets_ = meets_ && exponent <= kTarget; }
 
     [[nodiscard]] int finish(const Options& options) const {
-        if (!agrees_) std::printf("BROKEN: not all found the same pairs, or any\n");
+        if (!agrees_) std::printf("BROKEN: the broad phases found different pairs, or none\n");
         if (!meets_)
-            std::printf("MISSED: an exponent of the default above %s\n", fixedText(kTarget, 2).c_str());
+            std::printf("MISSED: the default's cost grows with an exponent above %s\n",
+                        fixedText(kTarget, 2).c_str());
         if (!options.jsonPath.empty() && !writeRows(options.jsonPath, rows_)) return 1;
         return agrees_ ? 0 : 1;
     }
@@ -178,7 +180,7 @@ void raceCrowds(const Options& options, Results& results) {
     for (const auto& [name, costs] : longest) printCosts(name, costs);
 }
 
-/// How the cost of a step of the broad phase alone grows.
+/// Measures how the cost of the broad phases alone grows with the number of boxes.
 void raceSizes(const scenes::CrowdKind& kind, const Options& options, Results& results) {
     if (!wants(options, kind.name)) return;
     std::printf("\n");
@@ -202,12 +204,13 @@ void raceSizes(const scenes::CrowdKind& kind, const Options& options, Results& r
 
 double broadPhaseMs(const Measurement& row) {
     for (const Profile::Zone& zone : row.stages) {
-        if (zone.name == "broad phase") return zone.seconds;  // ms per step by now
+        if (zone.name == "broad phase") return zone.seconds;  // measure() has converted it to ms per step
     }
     return 0.0;
 }
 
-/// How whole steps of a world with the default broad phase grow, and its part in them.
+/// Measures how the cost of complete steps, and of the default broad phase in them, grows with the number of
+/// bodies.
 void measureFalls(const std::string& family, const Options& options, Results& results) {
     if (!wants(options, family)) return;
     const scenes::Engine engine = scenes::plumbEngine();

@@ -10,12 +10,12 @@
 
 namespace plumb::bench {
 
-/// What callgrind counted: one number for each call of the function it looked at, in their order.
+/// Reads the instruction counts of callgrind: one for each call of the measured function, in order.
 class CallgrindCounts {
 public:
     explicit CallgrindCounts(std::filesystem::path folder) : folder_{std::move(folder)} {}
 
-    /// Instructions of the next call; 0 when there was none.
+    /// Returns the number of instructions of the next call; 0 if there is none.
     double next() {
         std::ifstream file{folder_ / ("count." + std::to_string(++dump_))};
         for (std::string word; file >> word;) {
@@ -33,12 +33,11 @@ private:
     int dump_ = 0;
 };
 
-/// Runs a program again as "PROGRAM RUN" under callgrind, which zeroes its counters before and writes
-/// them down after each call of `function`, and hands the counts on.
-/// @param function  of C linkage and not inlined, so that the name is known
-/// @param print     takes CallgrindCounts&, says what they mean, returns an exit code
-/// @return          that code; 77, as for a skipped test, where valgrind is not installed; 1 where it did not
-/// run
+/// Runs "PROGRAM RUN" under callgrind, which resets its counters before and writes them to a file after each
+/// call of `function`.
+/// @param function  must have C linkage and not be inlined, so that callgrind finds its name
+/// @param print     takes CallgrindCounts&, prints the results, returns an exit code
+/// @return          that exit code; 77, as for a skipped test, if valgrind is not installed; 1 if it failed
 template <class Print>
 int countInstructions(const char* program, std::string_view function, bool quick, Print print,
                       const std::string& run = "counted") {
@@ -59,13 +58,13 @@ int countInstructions(const char* program, std::string_view function, bool quick
         CallgrindCounts counts{folder};
         result = print(counts);
     } else {
-        std::printf("callgrind did not run\n");
+        std::printf("callgrind failed\n");
     }
     std::filesystem::remove_all(folder);
     return result;
 }
 
-/// "[WHAT] [--quick]", the words of both benches that count.
+/// Command line "[WHAT] [--quick]" of the benchmarks that count instructions.
 struct CountedWords {
     std::string_view what;
     bool quick = false;

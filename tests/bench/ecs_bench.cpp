@@ -10,7 +10,7 @@
 #include "tests/bench/bench.hpp"
 #include "tests/bench/ecs_table.hpp"
 
-// The lines of engine/ecs against plain arrays that do the same arithmetic in the same race.
+// Compares operations of engine/ecs with plain arrays that do the same arithmetic, in the same race.
 
 namespace plumb::bench {
 
@@ -33,15 +33,15 @@ struct Counter {
     std::uint32_t other = 0;
 };
 template <int N>
-struct Part {};  // only makes component sets differ
+struct Part {};  // used to create many different component sets
 
 constexpr float kDt = 1.0f / 60.0f;
 
-/// What a line does: one run treats `items` items.
+/// The contestants of one row of the table.
 struct Case {
-    Contestant subject;
-    Contestant limit;  ///< may be empty
-    std::size_t items = 0;
+    Contestant subject;     ///< the ECS
+    Contestant limit;       ///< plain arrays; may be empty
+    std::size_t items = 0;  ///< number of items processed in one run
 };
 
 void move(Position& position, const Velocity& velocity) {
@@ -49,7 +49,7 @@ void move(Position& position, const Velocity& velocity) {
     position.y += velocity.y * kDt;
 }
 
-/// Plain arrays.
+/// Components in plain arrays.
 struct Arrays {
     explicit Arrays(std::size_t n) : position(n), velocity(n), acceleration(n) {}
     std::vector<Position> position;
@@ -73,36 +73,36 @@ std::vector<std::uint32_t> shuffled(std::size_t n) {
     return order;
 }
 
-/// The least that a set of things with two properties, found by number, must do: swap the last one into the
-/// gap.
+/// Minimum implementation of a set of entities with two components that are found by entity number: removing
+/// one moves the last one to its index.
 struct PlainSet {
-    explicit PlainSet(std::size_t n) : place(n), owner(n), position(n), velocity(n) {}
+    explicit PlainSet(std::size_t n) : indexOf(n), owner(n), position(n), velocity(n) {}
     void add(std::uint32_t which) {
-        place[which] = count;
+        indexOf[which] = count;
         owner[count] = which;
         position[count] = {};
         velocity[count] = {};
         ++count;
     }
     void remove(std::uint32_t which) {
-        const std::uint32_t gap = place[which];
+        const std::uint32_t gap = indexOf[which];
         const std::uint32_t last = --count;
         const std::uint32_t moved = owner[last];
         owner[gap] = moved;
-        place[moved] = gap;
+        indexOf[moved] = gap;
         position[gap] = position[last];
         velocity[gap] = velocity[last];
     }
     void fill() {
         count = 0;
-        for (std::uint32_t i = 0; i < place.size(); ++i) add(i);
+        for (std::uint32_t i = 0; i < indexOf.size(); ++i) add(i);
     }
     void clear() {
-        std::fill(place.begin(), place.end(), 0u);
+        std::fill(indexOf.begin(), indexOf.end(), 0u);
         count = 0;
     }
-    std::vector<std::uint32_t> place;  ///< of a number in the columns
-    std::vector<std::uint32_t> owner;
+    std::vector<std::uint32_t> indexOf;  ///< index in the columns, by entity number
+    std::vector<std::uint32_t> owner;    ///< entity number, by index in the columns
     std::vector<Position> position;
     std::vector<Velocity> velocity;
     std::uint32_t count = 0;
@@ -394,7 +394,7 @@ Case snapshot(std::size_t n) {
     std::vector<EntityId> ids(n);
     world->createEntities(ids, Position{}, Velocity{});
     auto saved = std::make_shared<Snapshot>();
-    // Of the plain set everything is copied; of the world the place of each component can be worked out.
+    // The plain set is copied completely; a world's snapshot omits data that can be computed again.
     auto plain = std::make_shared<PlainSet>(n);
     auto copy = std::make_shared<PlainSet>(n);
     return {{{}, [world, saved] { world->save(*saved); }},
@@ -412,7 +412,7 @@ struct Line {
 };
 
 constexpr Line kLines[] = {
-    {kTable[kIterateTwo], &iterateTwo},  // first: it says how fast this machine is
+    {kTable[kIterateTwo], &iterateTwo},  // first, because it measures the speed of this machine
     {kTable[kIterateOne], &iterateOne},
     {kTable[kIterateThree], &iterateThree},
     {kTable[kMove], &moveEach},
@@ -453,7 +453,7 @@ Row measure(const Line& line, std::size_t size, const Options& options, double& 
 int runEcs(const Options& options) {
 #if defined(__AVX2__) && defined(__GNUC__)
     if (!__builtin_cpu_supports("avx2")) {
-        std::printf("plumb-bench was built for AVX2, which this machine lacks; build it without -mavx2\n");
+        std::printf("plumb-bench was compiled for AVX2, which this machine lacks; build it without -mavx2\n");
         return 1;
     }
 #endif

@@ -7,14 +7,14 @@ namespace plumb::bench {
 
 inline constexpr std::array<std::size_t, 4> kSizes = {1000, 10000, 100000, 1000000};
 
-/// A line of the table of figures to beat: ns per item per size, measured on one machine. Elsewhere only the
-/// ratio of target to limit counts, both measured in one race; lines whose limit was not measured there scale
-/// with how fast this machine walks two plain arrays. So do the lines that create: their limit, vectors that
-/// grow, measures the allocator, and allocators differ more than machines.
+/// A row of the table of targets: ns per item for each size, measured on a reference machine. On other
+/// machines the target is scaled by the ratio of the limits (the same work with plain arrays) on both. Rows
+/// without a limit are scaled by the time to iterate two plain arrays. Rows that create entities have no
+/// limit, because growing vectors would measure the allocator.
 struct TableLine {
     const char* name;
-    std::array<double, 4> limit;  ///< plain arrays; 0 where it was not measured
-    std::array<double, 4> target;
+    std::array<double, 4> limit;   ///< ns per item of plain arrays, by size; 0: not measured
+    std::array<double, 4> target;  ///< ns per item, by size
 };
 
 enum TableName : std::size_t {

@@ -1,5 +1,5 @@
-// What a frame of the editor costs the processor in a large scene: panels, overlays, the scene's own sprites,
-// and all that is given to a graphics card.
+// CPU time of a frame of the editor with a large scene: panels, overlays, sprites, and submitting all of them
+// to a device that draws nothing.
 
 #include <cstdio>
 #include <functional>
@@ -25,10 +25,10 @@ namespace plumb::bench {
 namespace {
 
 constexpr std::string_view kPath = "scenes/large.scene.json";
-constexpr double kLimit = 8e-3;  // s of a frame
-constexpr float kSide = 2e4f;    // px of the scene
+constexpr double kLimit = 8e-3;  // s: maximum time of a frame
+constexpr float kSide = 2e4f;    // px: side of the scene
 
-/// Every tenth entity has nine below it.
+/// Returns a scene file of `count` entities; every tenth entity is the parent of the next nine.
 std::string sceneOf(std::size_t count) {
     const TypeRegistry types = engineTypes();
     World world{types};
@@ -51,7 +51,7 @@ std::string sceneOf(std::size_t count) {
     return sceneToJson(world, {types}, scene);
 }
 
-/// The frames of one scene, each a row of the table.
+/// Measures frames of one scene; each call of add() makes a row of the table.
 class Frames {
 public:
     Frames(OpenEditor& editor, std::size_t count, const Options& options)
@@ -65,11 +65,11 @@ public:
 
     void add(const std::string& name, const std::function<void()>& run) {
         if (name.find(wanted_) == std::string::npos) return;
-        for (int i = 0; i < 3; ++i) run();  // what is found out once for each change
+        for (int i = 0; i < 3; ++i) run();  // updates caches after a change
         table_.add(format("{} ({} shapes)", name, editor_.drawn().sprites), count_,
                    timesOf(rounds_, &threadSeconds, [&](int) { run(); }), kLimit);
     }
-    /// The mouse over the middle of the scene, a little further with every frame.
+    /// Runs a frame with the mouse near the center of the scene, at a slightly different position every time.
     void moveMouse() {
         step_ = (step_ + 1) % 100;
         const auto at = static_cast<float>(step_);
@@ -81,7 +81,7 @@ private:
     OpenEditor& editor_;
     std::size_t count_;
     int rounds_;
-    std::string wanted_;  // a part of the names of the rows that are run
+    std::string wanted_;  // only rows whose name contains this are run
     TimeTable table_;
     int step_ = 0;
 };
@@ -111,9 +111,9 @@ void addSelections(Frames& frames, OpenEditor& editor) {
     runAction(workspace, "view.all");
     document.selection.set({document.objects()[document.objects().size() / 2]});
     look(frames, editor, "one selected");
-    float way = 0.0f;
+    float offset = 0.0f;
     const auto nudgeOnce = [&] {
-        nudge(workspace.tools(), {way = way > 0.0f ? -1.0f : 1.0f, 0.0f});
+        nudge(workspace.tools(), {offset = offset > 0.0f ? -1.0f : 1.0f, 0.0f});
         frames.moveMouse();
     };
     frames.add("one moved in each frame", nudgeOnce);
@@ -130,14 +130,14 @@ void addSelections(Frames& frames, OpenEditor& editor) {
     document.selection.clear();
 }
 
-/// With the journal: while one edits, and when one saves.
+/// Measures frames with edits while the journal is written, and saving.
 void addSaving(std::vector<Row>& rows, OpenEditor& editor, std::size_t count, const Options& options) {
     editor::Workspace& workspace = editor.workspace();
     workspace.document.selection.set({workspace.document.objects()[count / 2]});
     TimeTable table{"work with the journal running"};
-    float way = 0.0f;
+    float offset = 0.0f;
     const auto edit = [&](int) {
-        nudge(workspace.tools(), {way = way > 0.0f ? -1.0f : 1.0f, 0.0f});
+        nudge(workspace.tools(), {offset = offset > 0.0f ? -1.0f : 1.0f, 0.0f});
         editor.frame();
     };
     table.add("frame in which one is moved", count, pacedTimesOf(3, options.quick ? 10 : 200, edit),

@@ -9,8 +9,8 @@
 #include "physics/simulation.hpp"
 #include "tests/bench/bench.hpp"
 
-// What each way of integrating smooth forces costs per body, beside what it is worth: the worst relative
-// error of the energy of a spring in 10 s.
+// Cost per body of the integrators for smooth forces, and their accuracy: the maximum relative energy error
+// of a spring in 10 s.
 
 namespace plumb::bench {
 
@@ -39,7 +39,7 @@ World makeWorld(IntegratorKind kind, Quality quality) {
     return world;
 }
 
-/// Bodies that one attractor pulls; they do not collide.
+/// Returns a world of bodies that are pulled by one attractor and do not collide.
 World makeSwarm(IntegratorKind kind, Quality quality) {
     World world = makeWorld(kind, quality);
     for (int i = 0; i < kBodies; ++i) {

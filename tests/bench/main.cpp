@@ -13,7 +13,7 @@ struct Program {
     int (*run)(const plumb::bench::Options& options);
 };
 
-/// Every benchmark: one file, one line.
+/// All benchmarks.
 constexpr std::array kPrograms {
     Program{"broadphase", &plumb::bench::runBroadphase}, Program{"ecs", &plumb::bench::runEcs},
         Program{"integrators", &plumb::bench::runIntegrators},
@@ -29,11 +29,11 @@ constexpr std::array kPrograms {
 int usage() {
     std::printf(
         "plumb-bench NAME [LINE] [--json FILE] [--quick] [--seconds S]\n"
-        "plumb-bench physics has options of its own; a wrong one lists them\n"
-        "  LINE         only the lines with this in their name\n"
-        "  --quick      small sizes and few rounds: does it run at all?\n"
-        "  --seconds S  for each side of each line, default 0.4; where other machines share the\n"
-        "               processor, only patience finds the moments in which they rest\nnames:");
+        "plumb-bench physics has other options; an invalid one prints them\n"
+        "  LINE         only rows whose name contains LINE\n"
+        "  --quick      small sizes and few rounds, only to check that the benchmark runs\n"
+        "  --seconds S  measuring time for each side of each row, default 0.4; if the machine has\n"
+        "               other work, longer times give better minimums\nnames:");
     for (const Program& program : kPrograms)
         std::printf(" %.*s", static_cast<int>(program.name.size()), program.name.data());
     std::printf("\n");

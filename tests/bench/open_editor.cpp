@@ -46,7 +46,7 @@ void TemporaryProject::write(std::string_view path, std::string_view text) const
 }
 
 OpenEditor::OpenEditor(const Path& project, std::string_view scene) {
-    device_.keepsDraws = false;
+    device_.recordsDraws = false;
     auto opened = editor::ProjectSession::open(project.string());
     if (!opened) {
         std::fprintf(stderr, "%s\n", opened.error().text().c_str());
@@ -56,7 +56,7 @@ OpenEditor::OpenEditor(const Path& project, std::string_view scene) {
     session_->openFirst(scene);
     workspace().safety.begin();
     picture_ =
-        std::make_unique<editor::ui::ScenePicture>(device_, session_->assets(), TextureFilter::Nearest);
+        std::make_unique<editor::ui::SceneTexture>(device_, session_->assets(), TextureFilter::Nearest);
     window_ = std::make_unique<editor::ui::EditorWindow>(workspace(), log_, picture_.get(),
                                                          engineAssets() / "fonts");
     frames(4);
@@ -78,7 +78,7 @@ void OpenEditor::key(Key key, Modifiers modifiers) {
 void OpenEditor::click(std::string_view widget) {
     const auto* found = window_->widgets().find(widget);
     if (found == nullptr) {
-        std::fprintf(stderr, "there is no %s to click\n", std::string{widget}.c_str());
+        std::fprintf(stderr, "widget %s was not found\n", std::string{widget}.c_str());
         std::exit(1);
     }
     moveTo(found->box.center());
@@ -104,8 +104,9 @@ TimeTable::TimeTable(std::string_view what) {
 
 void TimeTable::add(const std::string& name, std::size_t n, Times times, double target) {
     constexpr double kNanoseconds = 1e9;
-    const double held = times.worst > 0.0 ? times.worst : times.median;
-    rows_.push_back({name, n, held * kNanoseconds, times.median * kNanoseconds, 0.0, target * kNanoseconds});
+    const double judged = times.worst > 0.0 ? times.worst : times.median;
+    rows_.push_back(
+        {name, n, judged * kNanoseconds, times.median * kNanoseconds, 0.0, target * kNanoseconds});
     std::printf("%-60s %9zu %10s %10s %10s  %s\n", name.c_str(), n, milliseconds(times.median).c_str(),
                 milliseconds(times.worst).c_str(), milliseconds(target).c_str(),
                 target == 0.0        ? ""

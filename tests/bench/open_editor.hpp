@@ -16,10 +16,10 @@
 
 namespace plumb::bench {
 
-/// A project in a folder of its own among the temporary ones; gone with this.
+/// A project in a temporary folder, which the destructor removes.
 class TemporaryProject {
 public:
-    /// @param name  of the folder, so that two benchmarks can run at a time
+    /// @param name  name of the folder, distinct for each benchmark so that several can run at the same time
     explicit TemporaryProject(std::string_view name);
     ~TemporaryProject();
     TemporaryProject(const TemporaryProject&) = delete;
@@ -32,8 +32,8 @@ private:
     Path root_;
 };
 
-/// The whole editor with one scene open, as the program makes it: its panels, fonts and pictures, and the
-/// journal. Only the graphics card is left out: a device takes all that is drawn and forgets it.
+/// The complete editor with one open scene: panels, fonts, images and journal. Instead of a graphics card it
+/// uses a device that discards all draw calls.
 class OpenEditor {
 public:
     OpenEditor(const Path& project, std::string_view scene);
@@ -53,30 +53,30 @@ public:
     void release() { frame({{.kind = EventKind::MouseUp, .position = place_}}); }
     void click(std::string_view widget);
     void type(std::string_view text);
-    /// The middle of what the scene is shown in (px of the window).
+    /// Returns the center of the scene's viewport, px in the window.
     [[nodiscard]] Vec2 middle() const;
 
 private:
     editor::LogBook log_;
     RecordingDevice device_;
     std::unique_ptr<editor::ProjectSession> session_;
-    std::unique_ptr<editor::ui::ScenePicture> picture_;
+    std::unique_ptr<editor::ui::SceneTexture> picture_;
     std::unique_ptr<editor::ui::EditorWindow> window_;
     Vec2 place_;
 };
 
-/// What one did again and again, in seconds, for a line of the editor's tables.
+/// Time of a repeated operation, s.
 struct Times {
     double median = 0.0;
-    double worst = 0.0;
+    double worst = 0.0;  ///< maximum; 0: not measured
 };
 
-/// The rows of the editor's tables: milliseconds beside what they may be.
+/// Prints and collects the rows of a table: times and their targets, ms.
 class TimeTable {
 public:
-    /// @param what  stands above the names
+    /// @param what  title of the column of names
     explicit TimeTable(std::string_view what);
-    /// @param target  s, 0: none. The worst is held against it where it was measured, else the median
+    /// @param target  s, 0: none. Compared with the maximum if it was measured, otherwise with the median
     void add(const std::string& name, std::size_t n, Times times, double target);
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
@@ -84,19 +84,20 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Runs it some times. The maximum is not reported: it would include other work of the machine.
-/// @param clock  threadSeconds for what the target calls time of the processor, else wallSeconds
+/// Runs a function several times. The maximum is not reported, because it would include other work of the
+/// machine.
+/// @param clock  threadSeconds if the target is CPU time, else wallSeconds
 Times timesOf(int rounds, double (*clock)(), const std::function<void(int)>& run);
 
 double medianOf(std::vector<double> seconds);
 
-/// Runs passes of frames at the pace of a display, so that work beside them, such
-/// as the journal, gets as much time as it has while a user edits. The reported
-/// maximum is what recurs in every pass: the longest frame of the best pass.
+/// Runs passes of frames at 60 Hz, so that parallel work such as the journal gets
+/// as much time as when a user edits. The reported maximum is the longest frame
+/// of the best pass, without delays that do not recur in every pass.
 Times pacedTimesOf(int passes, int frames, const std::function<void(int)>& run);
 
-/// How long one waits for the editor, for a game in it, and for files that other programs write: in
-/// start_bench.cpp, a part of the benchmark of the editor.
+/// Measures the time to start the editor, to start a game in it, and to reload files changed by other
+/// programs. Part of the benchmark of the editor, in start_bench.cpp.
 std::vector<Row> runStarts(const Options& options);
 
 }  // namespace plumb::bench

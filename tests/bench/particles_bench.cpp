@@ -1,5 +1,5 @@
-// Cost of 100,000 particles per frame: moving and emitting them in a tick, collecting them in a draw
-// list, and submitting that list to a device that draws nothing. The goal is the sum of the first two.
+// Cost of 100,000 particles per frame: moving and emitting them in a tick, collecting them in a draw list,
+// and submitting that list to a device that draws nothing. The target applies to the sum of the first two.
 
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ namespace plumb::bench {
 namespace {
 
 constexpr float kTick = 1.0f / 60.0f;
-constexpr double kTargetNs = 20.0;  ///< per particle, step and collect: 2 ms for 100,000
+constexpr double kTargetNs = 20.0;  ///< ns per particle for step and collect: 2 ms for 100,000
 
 struct Stage {
     TypeRegistry types;
@@ -29,10 +29,10 @@ struct Stage {
     ParticleSystem system;
     DrawList list;
 
-    /// Emitters that keep so many particles alive: as many are removed in each tick as are added.
+    /// Creates emitters that keep the number of particles constant: each tick removes as many as it adds.
     Stage(std::size_t emitters, std::size_t particles) {
         registerSceneComponents(types);
-        device.keepsDraws = false;
+        device.recordsDraws = false;
         for (std::size_t i = 0; i < emitters; ++i) {
             const Entity entity = world.createEntity();
             entity.addComponent<Transform>(640.0f, 360.0f);

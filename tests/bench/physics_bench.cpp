@@ -1,4 +1,4 @@
-// The physics library against itself of yesterday, and against what else is installed.
+// Benchmark of the physics library and of other physics engines that are installed.
 
 #include "tests/bench/bench.hpp"
 #include "tests/bench/physics/contest.hpp"

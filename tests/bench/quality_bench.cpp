@@ -8,10 +8,10 @@
 #include "physics/simulation.hpp"
 #include "tests/bench/bench.hpp"
 
-// What a tolerance buys: one hard island among a hundred easy ones, with the same quality for all and with a
-// tolerance by which each island takes what it needs. Errors are the largest of the last second.
+// Benefit of a tolerance: one hard island among a hundred easy ones, with the same quality for all islands
+// and with a tolerance, which selects the quality of each island. Errors are the maximum of the last second.
 //
-// Instructions, which no other machine disturbs, by valgrind, one dump for each row:
+// To count instructions, which do not depend on other work of the machine, one dump per row:
 //     valgrind --tool=callgrind --zero-before="plumbCountedSteps*" --dump-after="plumbCountedSteps*"
 //     and then: build/release/bin/plumb-bench quality counted tower
 
@@ -27,8 +27,8 @@ using namespace physics;
 
 constexpr float kTick = 1.0f / 60.0f;  // s
 constexpr int kPiles = 100;
-constexpr int kSettling = 480;  // steps
-constexpr int kLooking = 60;
+constexpr int kSettling = 480;  // steps until the islands are at rest
+constexpr int kLooking = 60;    // steps in which errors are measured
 
 struct Hard {
     const char* name;
@@ -57,7 +57,7 @@ BodyId addHeavy(World& world) {
     return *heavy;
 }
 
-/// Hinges in a net, which no tree solves.
+/// Adds bodies connected by hinges to a net; its loops cannot be solved as a tree of joints.
 BodyId addNet(World& world) {
     constexpr int kSide = 8;
     std::vector<BodyId> knots;
@@ -83,13 +83,13 @@ BodyId addNet(World& world) {
 constexpr Hard kHard[] = {
     {"tower of 20", addTower}, {"1000 kg on two crates of 1", addHeavy}, {"net of 64", addNet}};
 
-/// A world whose islands are settled.
+/// A world whose islands have come to rest, and its errors.
 struct Row {
     std::string name;
     World world;
-    float error = 0.0f;  // m
-    std::uint64_t work = 0;
-    bool fell = false;
+    float error = 0.0f;      // m
+    std::uint64_t work = 0;  // per step: (bodies + contacts + joints) * substeps, over all islands
+    bool fell = false;       // the watched body did not stay in place
 
     Row(const Hard& hard, std::string what, Quality quality, float tolerance) : name{std::move(what)} {
         world.settings.gravity = {0.0f, -10.0f};
@@ -128,7 +128,7 @@ std::vector<Row> makeRows(const Hard& hard) {
     return rows;
 }
 
-/// Of the qualities for all, the cheapest that is as exact as a tolerance is.
+/// Compares a tolerance with the cheapest uniform quality that is at least as accurate.
 std::string gainOf(const std::vector<Row>& rows, const std::vector<double>& costs, std::size_t which) {
     std::size_t best = rows.size();
     for (std::size_t i = 0; i <= static_cast<std::size_t>(kMaxQuality); ++i) {
@@ -136,7 +136,7 @@ std::string gainOf(const std::vector<Row>& rows, const std::vector<double>& cost
             (best == rows.size() || costs[i] < costs[best]))
             best = i;
     }
-    if (best == rows.size()) return "more exact than any";
+    if (best == rows.size()) return "more accurate than any uniform quality";
     return format("{} times cheaper than {}", fixedText(costs[best] / costs[which], 2), rows[best].name);
 }
 

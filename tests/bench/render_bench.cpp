@@ -13,11 +13,11 @@ namespace plumb::bench {
 namespace {
 
 constexpr PixelSize kWindow{1280, 720};
-constexpr double kTargetNs = 30.0;  ///< per sprite: 1.5 ms for 50,000
+constexpr double kTargetNs = 30.0;  ///< ns per sprite: 1.5 ms for 50,000
 constexpr std::size_t kMaxDrawCalls = 8;
 
-/// Mesa's no-op driver accepts everything and draws nothing: what remains is the CPU
-/// time of an application with a graphics card. Other drivers ignore the variable.
+/// Selects Mesa's no-op driver, which draws nothing, so that only the CPU time of an application
+/// with a graphics card is measured. Other drivers ignore the variable.
 void askForTheNoopDriver() {
 #if !defined(_WIN32)
     setenv("GALLIUM_NOOP", "true", 0);
@@ -25,7 +25,7 @@ void askForTheNoopDriver() {
 #endif
 }
 
-/// A window, its device and the sprites of one contest.
+/// A window, its device and the sprites to draw.
 class Stage {
 public:
     static std::unique_ptr<Stage> open() {
@@ -47,7 +47,7 @@ public:
         return stage;
     }
 
-    /// Rotated sprites of 32 px on 4 layers, one in eight translucent; neighbours differ in texture.
+    /// Makes rotated sprites of 32 px on 4 layers with random textures, one in eight translucent.
     void fill(std::size_t count, int textures, bool byY) {
         Random random = Random::seeded(1);
         std::vector<TextureRegion> regions;

@@ -1,4 +1,4 @@
-// Cost of recording the last 30 s of a game in the editor.
+// Cost of recording a game in the editor, which keeps the last 30 s for rewinding.
 
 #include <cstdio>
 #include <utility>
@@ -15,14 +15,14 @@ namespace plumb::bench {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0;                                 // s
-constexpr double kMax = 0.1;                                          // of the time of a frame
+constexpr double kMax = 0.1;                                          // maximum cost, ratio of a frame's time
 constexpr std::int64_t kWarmUp = editor::PlayRecording::kTicks + 60;  // until old worlds are discarded
 
 struct Game {
     const char* name;
     const char* project;
     const char* scene;
-    int boxes = 0;  // replaces that of the scene's file
+    int boxes = 0;  // if not 0: a heap of this number of boxes replaces the scene
 };
 constexpr Game kGames[] = {{"platformer", "platformer", "scenes/level2.scene.json"},
                            {"500 at rest", "physics-playground", "scenes/pyramid.scene.json", 500},
@@ -41,7 +41,7 @@ std::unique_ptr<editor::PlaySession> sessionOf(const Game& game) {
 struct Cost {
     double plain = 0.0;
     double recorded = 0.0;
-    double longestPlain = 0.0;  ///< of one tick
+    double longestPlain = 0.0;  ///< maximum of one tick
     double longestRecorded = 0.0;
     std::size_t bytes = 0;
 };
@@ -55,7 +55,7 @@ Cost costOf(const Game& game, std::int64_t ticks) {
         const InputFrame hands = editor::runAndJump(tick);
         double plain = 0.0;
         double recorded = 0.0;
-        // Alternate, because the second run finds less of its world in the caches.
+        // Alternate the order, because the second run finds less of its world in the CPU caches.
         for (const bool records : {tick % 2 == 0, tick % 2 != 0}) {
             const double start = threadSeconds();
             records ? play.step(hands) : straight->tick(hands);
@@ -80,7 +80,7 @@ int runRewind(const Options& options) {
     std::vector<Row> rows;
     for (const Game& game : kGames) {
         if (sessionOf(game) == nullptr) {
-            std::printf("%-12s (the project is not there)\n", game.name);
+            std::printf("%-12s (the project was not found)\n", game.name);
             continue;
         }
         const Cost cost = costOf(game, ticks);

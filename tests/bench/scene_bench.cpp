@@ -1,5 +1,5 @@
-// Loading and saving times of scenes, and a tick in which much is spawned. The goals are seconds on the
-// reference machine.
+// Loading and saving times of scenes, and time of a tick that spawns many bodies. The targets are seconds on
+// the reference machine.
 
 #include <cstdio>
 #include <string>
@@ -61,7 +61,7 @@ void addMap(World& world, SceneId scene, int side) {
     map.addComponent<TileLayer>().cells = world.tiles().add(std::move(grid));
 }
 
-/// Time limit of a scene format (s); 0 for no limit.
+/// Time limits for loading and saving a scene, s; 0: no limit.
 struct Limits {
     double load = 0.0;
     double save = 0.0;
@@ -70,14 +70,13 @@ struct Limits {
 void tell(const Row& row) {
     print(row);
     const auto items = static_cast<double>(row.n);
-    std::printf("    %s s in all", fixedText(row.ns * items / kSecond, 3).c_str());
-    if (row.target > 0.0) std::printf(", at most %s s", fixedText(row.target * items / kSecond, 3).c_str());
+    std::printf("    %s s in total", fixedText(row.ns * items / kSecond, 3).c_str());
+    if (row.target > 0.0) std::printf(", target %s s", fixedText(row.target * items / kSecond, 3).c_str());
     std::printf("\n");
     std::fflush(stdout);
 }
 
-/// The scene in `made`, as the editor writes it and in its binary form: one row each to open it and to save
-/// it, per item.
+/// Measures opening and saving the scene in `made`, in JSON and in binary format: one row each, ns per item.
 void measure(const std::string& name, std::size_t n, Limits limits, World& made, const Stage& stage,
              const Options& options, std::vector<Row>& rows) {
     const std::string text = sceneToJson(made, stage.context, sceneId(kPath));
@@ -110,7 +109,7 @@ void measure(const std::string& name, std::size_t n, Limits limits, World& made,
     }
 }
 
-/// Bodies at rest, and bullets of which all are destroyed and as many created in each tick.
+/// A world of bodies at rest and of bullets; every tick destroys all bullets and creates as many.
 class Barrage {
 public:
     static constexpr std::size_t kResting = 10'000, kBullets = 1'000;

@@ -1,5 +1,5 @@
-// How long one waits for the editor: until it is there, until a game runs, until a file that another program
-// wrote is seen.
+// Waiting times in the editor: until it has started, until a game runs, and until a file changed by another
+// program is reloaded.
 
 #include <algorithm>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace plumb::bench {
 namespace {
 
 constexpr const char* kScene = "scenes/level1.scene.json";
-constexpr double kPatience = 5.0;  // s
+constexpr double kPatience = 5.0;  // s: maximum time to wait for a reload
 
 struct Kind {
     const char* name;
@@ -33,7 +33,8 @@ constexpr Kind kKinds[] = {
     {"scene", AssetKind::Scene, kScene},
 };
 
-/// What the editor says of itself when it is started with a project; below 0 when it says nothing.
+/// Returns the start time that the editor prints when it is started with a project, s; negative if it prints
+/// none.
 double startOf([[maybe_unused]] const Path& project) {
 #if defined(_WIN32)
     return -1.0;
@@ -54,7 +55,7 @@ double startOf([[maybe_unused]] const Path& project) {
 #endif
 }
 
-/// The same file with another content: the scene is compared with what is open.
+/// Returns the scene file with a changed position, because the editor ignores files equal to the open scene.
 std::string changed(const std::string& text, int round) {
     constexpr std::string_view kPosition = "\"position\": [";
     const std::size_t found = text.find(kPosition);
@@ -63,14 +64,14 @@ std::string changed(const std::string& text, int round) {
     return format("{}{}{}", text.substr(0, at), round % 9 + 1, text.substr(at));
 }
 
-/// Another program writes a file: the time until the frame that shows it is made.
+/// Measures the time from writing a file, as another program would, until the frame after its reload.
 Times reloadOf(OpenEditor& editor, const Path& project, const Kind& kind, int rounds) {
     editor::Workspace& workspace = editor.workspace();
     const Result<std::string> bytes = readFile(project / kind.path);
     if (!bytes) return {};
     editor.assets().load(kind.kind, kind.path);
     const auto frame = [&](int) { editor.frame(); };
-    pacedTimesOf(1, 130, frame);  // it looks for new files now and then only
+    pacedTimesOf(1, 130, frame);  // the editor searches for new files only from time to time
     Times times;
     std::vector<double> seconds;
     for (int round = 0; round < rounds; ++round) {
@@ -93,14 +94,14 @@ std::vector<Row> runStarts(const Options& options) {
     const Path game = engineAssets().parent_path() / "projects" / "platformer";
     std::error_code failed;
     if (!std::filesystem::is_directory(game, failed)) {
-        std::printf("(%s is not there: nothing to start)\n", game.string().c_str());
+        std::printf("(%s was not found: start times are not measured)\n", game.string().c_str());
         return {};
     }
     const TemporaryProject project{"start_bench"};
     std::filesystem::copy(
         game, project.root(),
         std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing, failed);
-    TimeTable table{"what one waits for"};
+    TimeTable table{"waiting times"};
     const int rounds = options.quick ? 1 : 9;
     std::vector<double> starts;
     for (int round = 0; round < rounds; ++round) starts.push_back(startOf(project.root()));

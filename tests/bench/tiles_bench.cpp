@@ -1,5 +1,5 @@
-// Editing times on a huge map: with the model alone, and by mouse
-// through complete frames of the window, with the journal running.
+// Editing times of a huge map: with the model alone, and with the mouse
+// in complete frames of the window while the journal is written.
 
 #include <cstdio>
 #include <filesystem>
@@ -32,12 +32,12 @@ constexpr std::string_view kPath = "scenes/huge.scene.json";
 constexpr std::string_view kTileset = "assets/ground.tileset.json";
 constexpr float kTile = 16.0f;         // px
 constexpr double kFrame = 1.0 / 60.0;  // s
-constexpr int kColumns = 8;            // of the tileset
-constexpr int kTerrainTiles = 47;      // of a blob
+constexpr int kColumns = 8;            // columns of the tileset
+constexpr int kTerrainTiles = 47;      // number of masks of a blob terrain
 constexpr int kPlainTiles = 17;
 constexpr int kFollowed = 20;  // edits after which the colliders are counted
 
-/// Ground below a wavy line, with caves: like a level of that size, half empty and half full.
+/// Makes a map whose lower half is ground with round caves, like a real level half empty and half solid.
 TileGrid makeMap(int side) {
     TileGrid grid{side, side};
     const auto ground = TileGrid::filled(cellOf(46));
@@ -62,7 +62,7 @@ TileGrid makeMap(int side) {
     return grid;
 }
 
-/// A blob terrain, and some plain tiles, all of them solid.
+/// Makes a tileset of a blob terrain and some tiles without terrain, all of them solid.
 Tileset makeTileset() {
     Tileset set;
     set.image = "assets/ground.png";
@@ -79,7 +79,7 @@ Tileset makeTileset() {
     for (int id = 0; id < set.count; ++id) {
         Tile& tile = set.tiles.emplace_back();
         tile.id = id;
-        tile.shape = TileShape::Full;  // without a shape there is no collider to wait for
+        tile.shape = TileShape::Full;  // tiles without a shape would have no collider to measure
     }
     return set;
 }
@@ -113,7 +113,7 @@ Vec2 middleOf(int x, int y) {
     return {(static_cast<float>(x) + 0.5f) * kTile, (static_cast<float>(y) + 0.5f) * kTile};
 }
 
-/// A drag with the current tool, without a window.
+/// Drags the current tool from one cell to another, without a window.
 void stroke(editor::Workspace& workspace, CellPlace from, CellPlace to) {
     editor::Pointer pointer{.position = middleOf(from.x, from.y)};
     workspace.tool().press(workspace.tools(), pointer);
@@ -122,7 +122,7 @@ void stroke(editor::Workspace& workspace, CellPlace from, CellPlace to) {
     workspace.tool().release(workspace.tools(), pointer);
 }
 
-/// Number of collider parts of a map whose terrain is in a physics world.
+/// Returns the number of collider edges of all maps in a world.
 std::size_t segmentsOf(World& world) {
     std::size_t count = 0;
     for (const TileTerrain& terrain : world.resource<PhysicsState>().terrains) {
@@ -180,7 +180,7 @@ private:
             putTile(i, 1);
             previewPhysics(world);
             const std::size_t now = segmentsOf(world);
-            if (now <= before) std::printf("THE COLLIDER DID NOT FOLLOW edit %d: %zu edges\n", i, now);
+            if (now <= before) std::printf("THE COLLIDER DID NOT CHANGE after edit %d: %zu edges\n", i, now);
             before = now;
         }
         workspace().startPlaying(true);
@@ -192,10 +192,12 @@ private:
             workspace().stopPlaying();
         }
     }
-    /// A tile in the sky, where it has edges of its own. @param line  of places that are still empty
-    void putTile(int i, int line) {
+    /// Puts a tile in an empty part of the map, so that it adds collider edges.
+    /// @param i    column of the tile
+    /// @param row  row of the tile; use a row that is still empty
+    void putTile(int i, int row) {
         workspace().tiles.stamp.cells = {cellOf(50)};
-        const CellPlace at{side_ / 2 + i * 2, side_ / 4 + line * 2};
+        const CellPlace at{side_ / 2 + i * 2, side_ / 4 + row * 2};
         stroke(workspace(), at, at);
     }
 
@@ -220,8 +222,8 @@ private:
         table_.add("undo of it", cells, timesOf(1, &wallSeconds, [&](int) { workspace().undo.undo(); }), 0.2);
     }
 
-    /// Strokes by the mouse, through the window: four lines of 50 frames in each pass. Every one lies where
-    /// nothing was painted yet, so that every one changes the map.
+    /// Measures frames of painting with the mouse in the window: strokes of 50 frames, each in an area that
+    /// was not painted yet, so that every stroke changes the map.
     void addPainting(const std::string& name, float zoom) {
         workspace().view.show(middleOf(side_ / 2 + 50 * areas_++, side_ / 2), zoom);
         editor_->frames(3);
@@ -290,7 +292,8 @@ private:
                             std::move(grid);
                         const double start = wallSeconds();
                         static_cast<void>(workspace().save().ok());
-                        std::printf("    %s s of it saving\n", fixedText(wallSeconds() - start, 3).c_str());
+                        std::printf("    %s s of this for saving\n",
+                                    fixedText(wallSeconds() - start, 3).c_str());
                     }),
             0.0);
     }
@@ -301,8 +304,8 @@ private:
     int rounds_;
     int frames_;
     std::string wanted_;
-    int areas_ = 0;    // of the map that were painted
-    int strokes_ = 0;  // so far
+    int areas_ = 0;    // number of areas painted so far
+    int strokes_ = 0;  // number of strokes so far
     TimeTable table_{"a huge map"};
     std::unique_ptr<OpenEditor> editor_;
 };

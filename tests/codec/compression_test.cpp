@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kRoom = 1 << 20;
 
-/// 1,200 cells of a map, as the packed texts below hold them.
+/// Returns the 1,200 map cells that the compressed texts below contain.
 std::string expectedCells() {
     std::string bytes;
     std::uint32_t state = 1;
@@ -91,7 +91,7 @@ const Packed kPacked[] = {
      "q2ungR8="},
 };
 
-TEST(UnpackTest, everyPackerGivesTheSameCells) {
+TEST(UnpackTest, everyCompressionFormatYieldsTheSameCells) {
     const std::string expected = expectedCells();
     for (const Packed& packed : kPacked) {
         SCOPED_TRACE(packed.name);
@@ -102,7 +102,7 @@ TEST(UnpackTest, everyPackerGivesTheSameCells) {
     }
 }
 
-TEST(UnpackTest, nothingBeyondTheLimitComesOut) {
+TEST(UnpackTest, outputBeyondTheLimitIsRejected) {
     const std::string expected = expectedCells();
     for (const Packed& packed : kPacked) {
         SCOPED_TRACE(packed.name);
@@ -127,7 +127,7 @@ TEST(UnpackTest, everyTruncationIsAnErrorWithWhereWhatAndRemedy) {
     }
 }
 
-TEST(UnpackTest, mutatedDataNeverCrashesAndNeverOutgrowsItsRoom) {
+TEST(UnpackTest, mutatedDataNeverCrashesAndNeverExceedsTheLimit) {
     for (const Packed& packed : kPacked) {
         SCOPED_TRACE(packed.name);
         const std::string original = *bytesFromBase64(packed.base64, "test");
@@ -140,7 +140,7 @@ TEST(UnpackTest, mutatedDataNeverCrashesAndNeverOutgrowsItsRoom) {
     }
 }
 
-TEST(PackTest, whateverIsPackedComesBack) {
+TEST(PackTest, compressedDataIsRestored) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -159,7 +159,7 @@ TEST(PackTest, whateverIsPackedComesBack) {
     }
 }
 
-TEST(PackTest, repeatedBytesTakeLittle) { EXPECT_LT(packZlib(std::string(65'536, 'x')).size(), 200u); }
+TEST(PackTest, repeatedBytesCompressWell) { EXPECT_LT(packZlib(std::string(65'536, 'x')).size(), 200u); }
 
 TEST(Base64Test, everyLengthReadsBackAndSpacesAreSkipped) {
     std::string bytes;
@@ -175,7 +175,7 @@ TEST(Base64Test, everyLengthReadsBackAndSpacesAreSkipped) {
     EXPECT_EQ(*bytesFromBase64("TWE", "test"), "Ma");
 }
 
-TEST(Base64Test, whatIsNoBase64IsRefused) {
+TEST(Base64Test, textThatIsNotBase64IsRejected) {
     for (const char* text : {"A", "AAAAA", "AA=A", "A===", "!!!!", "AA-_", "====", "QUJD=QUJD"}) {
         EXPECT_FALSE(bytesFromBase64(text, "test").ok()) << text;
     }

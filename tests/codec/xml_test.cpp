@@ -35,7 +35,7 @@ TEST(XmlTest, elementsAttributesTextAndLinesAreRead) {
     EXPECT_EQ(root->child("image"), nullptr);
 }
 
-TEST(XmlTest, lineEndsAreTheSameEverywhereAndSpacesInAttributesToo) {
+TEST(XmlTest, lineEndsAndSpacesInAttributesAreNormalized) {
     const Result<XmlElement> root = parseXml("\xef\xbb\xbf<a b='1\t2\r\n3'>x\r\ny\rz</a>", "test");
 
     ASSERT_TRUE(root.ok()) << root.error().text();
@@ -43,7 +43,7 @@ TEST(XmlTest, lineEndsAreTheSameEverywhereAndSpacesInAttributesToo) {
     EXPECT_EQ(*root->find("b"), "1 2 3");
 }
 
-TEST(XmlTest, whatIsNotWellFormedIsRefusedWithItsLine) {
+TEST(XmlTest, malformedTextIsRejectedWithItsLine) {
     const struct {
         const char* text;
         const char* where;
@@ -76,7 +76,7 @@ TEST(XmlTest, whatIsNotWellFormedIsRefusedWithItsLine) {
     }
 }
 
-TEST(XmlTest, entitiesThatWouldExplodeAreRefusedBeforeTheyCan) {
+TEST(XmlTest, exponentiallyExpandingEntitiesAreRejected) {
     const char* bomb =
         "<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;\">]>\n<lolz>&lol2;</lolz>";
 
@@ -95,7 +95,7 @@ TEST(XmlTest, depthIsLimitedSoThatTheStackIsSafe) {
     EXPECT_FALSE(parseXml(deep, "f").ok());
 }
 
-TEST(XmlTest, everyTruncationAndManyMutationsEndInAnAnswer) {
+TEST(XmlTest, everyTruncationAndManyMutationsAreReadOrRejected) {
     for (std::size_t length = 0; length + 8 < kDocument.size(); ++length) {
         EXPECT_FALSE(parseXml(kDocument.substr(0, length), "f").ok()) << length;
     }

@@ -6,7 +6,7 @@ namespace plumb {
 
 namespace {
 
-TEST(Cpu, whatIsChosenIsUsedAndWhatCannotRunIsRefused) {
+TEST(Cpu, theSelectedInstructionSetIsUsedAndUnsupportedOnesAreRejected) {
     const SimdWidth usual = simdWidth();
     EXPECT_TRUE(hasSimdWidth(usual));
     EXPECT_TRUE(hasSimdWidth(SimdWidth::Scalar));
@@ -18,7 +18,7 @@ TEST(Cpu, whatIsChosenIsUsedAndWhatCannotRunIsRefused) {
     setSimdWidth(usual);
 }
 
-TEST(Cpu, noProcessorIsOfTwoMakers) {
+TEST(Cpu, noProcessorHasBothSse2AndNeon) {
     EXPECT_FALSE(hasSimdWidth(SimdWidth::Neon) && hasSimdWidth(SimdWidth::Sse2));
 }
 

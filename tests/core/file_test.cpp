@@ -15,7 +15,7 @@ protected:
     const Path root_ = folder_.path;
 };
 
-TEST_F(FileTest, whatIsWrittenReadsBackAndNoTemporaryFileStays) {
+TEST_F(FileTest, writtenFilesReadBackAndNoTemporaryFileRemains) {
     const std::string bytes{"a\0b\n", 4};
     ASSERT_TRUE(writeFile(root_ / "new" / "file.bin", bytes).ok());
 
@@ -23,7 +23,7 @@ TEST_F(FileTest, whatIsWrittenReadsBackAndNoTemporaryFileStays) {
     EXPECT_EQ(filesBelow(root_, ""), std::vector<std::string>{"new/file.bin"});
 }
 
-TEST_F(FileTest, aMissingAFolderAndATooLargeFileSayWhatWasFoundAndWhatToDo) {
+TEST_F(FileTest, missingFilesFoldersAndTooLargeFilesAreErrorsWithARemedy) {
     ASSERT_TRUE(writeFile(root_ / "ten", "0123456789").ok());
 
     for (const auto& result :
@@ -36,7 +36,7 @@ TEST_F(FileTest, aMissingAFolderAndATooLargeFileSayWhatWasFoundAndWhatToDo) {
     EXPECT_TRUE(readFile(root_ / "ten", 10).ok());
 }
 
-TEST_F(FileTest, pathsThatLeaveTheProjectAreRefusedAndThoseInsideAreNot) {
+TEST_F(FileTest, pathsOutsideTheProjectAreRejected) {
     std::filesystem::create_symlink("/etc", root_ / "link");
     std::filesystem::create_symlink("inside", root_ / "good");
     for (const char* outside :
@@ -49,7 +49,7 @@ TEST_F(FileTest, pathsThatLeaveTheProjectAreRefusedAndThoseInsideAreNot) {
     }
 }
 
-TEST_F(FileTest, anUnwritablePlaceIsAnErrorAndLeavesNothingBehind) {
+TEST_F(FileTest, anUnwritablePathIsAnErrorAndLeavesNoFile) {
     ASSERT_TRUE(writeFile(root_ / "file", "old").ok());
 
     EXPECT_FALSE(writeFile(root_ / "file" / "below", "new").ok());

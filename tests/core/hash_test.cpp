@@ -25,7 +25,7 @@ std::uint64_t hashOf(const std::vector<unsigned char>& bytes) {
 
 }  // namespace
 
-TEST(LaneHasher, givesTheSameNumberOnEveryMachine) {
+TEST(LaneHasher, hashIsTheSameOnEveryMachine) {
     std::vector<unsigned char> bytes(1000);
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<unsigned char>(i * 7);
     EXPECT_EQ(hashOf(bytes), 6532663947403863856ull);
@@ -64,7 +64,7 @@ TEST(LaneHasher, lengthsOfZerosDiffer) {
     }
 }
 
-TEST(LaneHasher, exchangedBlocksAndPiecesChangeIt) {
+TEST(LaneHasher, swappedBlocksChangeTheHash) {
     std::vector<unsigned char> bytes = randomBytes(512, 9);
     const std::uint64_t before = hashOf(bytes);
     std::vector<unsigned char> exchanged = bytes;
@@ -76,7 +76,7 @@ TEST(LaneHasher, exchangedBlocksAndPiecesChangeIt) {
     EXPECT_NE(pieces.value(), before);
 }
 
-TEST(LaneHasher, singleWordsCountInTheirOrder) {
+TEST(LaneHasher, theOrderOfWordsChangesTheHash) {
     LaneHasher a, b, c;
     a.add(1), a.add(2);
     b.add(2), b.add(1);

@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-TEST(TaskPool, everyPartIsDoneOnceWhateverTheNumberOfThreads) {
+TEST(TaskPool, everyPartIsProcessedOnceForAnyNumberOfThreads) {
     for (const int threads : {1, 2, 4, 16}) {
         TaskPool pool{threads};
         for (int round = 0; round < 2000; ++round) {
@@ -25,7 +25,7 @@ TEST(TaskPool, everyPartIsDoneOnceWhateverTheNumberOfThreads) {
     }
 }
 
-TEST(TaskPool, whatTasksWroteIsThereWhenRunReturns) {
+TEST(TaskPool, writesOfTasksAreVisibleAfterRun) {
     TaskPool pool{3};
     std::vector<int> squares(1000);
     for (int round = 1; round <= 200; ++round) {
@@ -46,13 +46,13 @@ TEST(TaskPool, threadNumbersStayBelowTheNumberOfThreads) {
     EXPECT_FALSE(wrong);
 }
 
-TEST(TaskPool, aThreadThatIsDoneTakesWhatIsLeftToOthers) {
+TEST(TaskPool, anIdleThreadTakesPartsOfOtherThreads) {
     TaskPool pool{2};
     std::atomic<int> done{0};
     std::vector<int> byThread(2);
     pool.run(64, [&](int part, int thread) {
         ++byThread[static_cast<std::size_t>(thread)];
-        // The first part of the caller's share goes on until all others but those of its own claim are done.
+        // The first part of the caller's share waits until all parts are done except those claimed with it.
         for (int spin = 0; part == 0 && spin < 200'000'000 && done.load() < 48; ++spin)
             std::this_thread::yield();
         done.fetch_add(1);
@@ -61,14 +61,14 @@ TEST(TaskPool, aThreadThatIsDoneTakesWhatIsLeftToOthers) {
     EXPECT_GE(byThread[1], 48) << "its own half, and half of the other's";
 }
 
-TEST(TaskPool, moreItemsThanARoundHasParts) {
+TEST(TaskPool, itemsMayOutnumberTheParts) {
     TaskPool pool{3};
     std::vector<std::uint8_t> times(200'000);
     pool.run(200'000, [&](int part, int) { ++times[static_cast<std::size_t>(part)]; });
     EXPECT_EQ(std::count(times.begin(), times.end(), 1), 200'000);
 }
 
-TEST(TaskPool, timesSayWhatEachThreadDid) {
+TEST(TaskPool, timesAreMeasuredPerThread) {
     TaskPool pool{2};
     const auto work = [&] {
         pool.run(8, [](int, int) {

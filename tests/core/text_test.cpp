@@ -21,14 +21,14 @@ TEST(TextProperty, everyFloatReadsBackFromItsShortestTextWithTheSameBits) {
     }
 }
 
-TEST(Text, aNumberWithAnythingElseInItIsNoNumber) {
+TEST(Text, aNumberWithOtherCharactersIsRejected) {
     EXPECT_EQ(parseInt("42"), 42);
     for (const char* wrong : {"", " 42", "42 ", "4x", "--4", "99999999999999999999"}) {
         EXPECT_FALSE(parseInt(wrong).has_value()) << wrong;
     }
 }
 
-TEST(Text, hexReadsBackAndRefusesEverythingElse) {
+TEST(Text, hexNumbersReadBackAndOtherTextIsRejected) {
     EXPECT_EQ(hexText(0xdeadbeef12345678ull), "deadbeef12345678");
     EXPECT_EQ(parseHex("deadbeef12345678"), 0xdeadbeef12345678ull);
     for (const char* wrong : {"", "xyz", "12345678123456781", "-1"}) {
@@ -46,14 +46,14 @@ TEST(Text, wellFormedUtf8IsDistinguishedFromOverlongSurrogateAndTruncatedBytes) 
     }
 }
 
-TEST(Text, aMistypedNameFindsTheNameThatWasMeant) {
+TEST(Text, theClosestNameIsFoundForAMistypedOne) {
     const std::string_view names[] = {"Transform", "Sprite", "Spin"};
     EXPECT_EQ(closestName("Spinn", names), "Spin");
     EXPECT_EQ(closestName("transform", names), "Transform");
     EXPECT_EQ(closestName("Banana", names), "");
 }
 
-TEST(Text, formatFillsPlacesInOrderAndLeavesTheRestAlone) {
+TEST(Text, formatReplacesPlaceholdersInOrder) {
     EXPECT_EQ(format("{}x{} {}", 800, 600, 0.1f), "800x600 0.1");
     EXPECT_EQ(format("{} of {}", 1), "1 of {}");
 }

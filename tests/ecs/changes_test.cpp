@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-TEST(ChangesTest, writesAreSeenAndReadsAreNot) {
+TEST(ChangesTest, writesAreDetectedAndReadsAreNot) {
     World world;
     fillWithMovers(world, 1000);
     const EntityId first{1, 1};
@@ -39,7 +39,7 @@ TEST(ChangesTest, writesAreSeenAndReadsAreNot) {
     EXPECT_TRUE(world.changedSince<Position>(last, mark)) << "the last one moved into the gap";
 }
 
-TEST(ChangesTest, whatIsAddedAndRestoredIsNew) {
+TEST(ChangesTest, addedAndRestoredComponentsCountAsChanged) {
     World world;
     fillWithMovers(world, 10);
     const Snapshot saved = world.save();
@@ -53,7 +53,7 @@ TEST(ChangesTest, whatIsAddedAndRestoredIsNew) {
     EXPECT_TRUE(world.changedSince<Position>(EntityId{1, 1}, mark));
 }
 
-/// The indices near which a component was lost since the mark.
+/// Returns the entity indices near which a component was removed since the mark.
 std::vector<std::uint32_t> lossesSince(const World& world, std::uint64_t mark) {
     std::vector<std::uint32_t> indices;
     world.eachLossSince(mark, [&](EntityId id) { indices.push_back(id.index); });
@@ -64,7 +64,7 @@ bool contains(const std::vector<std::uint32_t>& indices, std::uint32_t index) {
     return std::find(indices.begin(), indices.end(), index) != indices.end();
 }
 
-TEST(ChangesTest, lossesAreSeenNearTheirEntity) {
+TEST(ChangesTest, removalsAreReportedNearTheirEntity) {
     World world;
     fillWithMovers(world, 3000);
     const Snapshot saved = world.save();
@@ -116,7 +116,7 @@ TEST(ClusterTest, keepsEveryComponentWithItsEntity) {
     EXPECT_LE(runs, 2) << "with and without Frozen";
 }
 
-TEST(ClusterTest, smallWorldsTidyThemselves) {
+TEST(ClusterTest, smallWorldsAreClusteredAutomatically) {
     World world;
     fillWithMovers(world, 2000);
     for (std::uint32_t index = 1; index <= 2000; index += 2) world.remove<Velocity>(EntityId{index, 1});
@@ -148,7 +148,7 @@ TEST(ChangesTest, onlyBlocksThatWereWrittenAreVisited) {
     EXPECT_EQ(visited.size(), 1000u);
 }
 
-TEST(ChangesTest, membershipsGrowWithEveryGainAndLoss) {
+TEST(ChangesTest, theMembershipCounterIncreasesWithEveryAddAndRemove) {
     World world;
     fillWithMovers(world, 10);
     std::uint64_t before = world.memberships<Position, Velocity>();

@@ -27,7 +27,7 @@ struct Remembers {
 
 std::string lastSentence;
 
-/// Collects failed assertions instead of aborting.
+/// Stores the message of a failed assertion instead of aborting.
 class SentenceCatcher {
 public:
     SentenceCatcher()
@@ -52,7 +52,7 @@ TEST(EntityTest, componentsAreAddedReadAndRemoved) {
     e.removeComponent<Position>();
     EXPECT_FALSE(e.hasComponent<Position>());
     EXPECT_EQ(e.find<Position>(), nullptr);
-    e.removeComponent<Position>();  // nothing happens
+    e.removeComponent<Position>();  // no effect
     EXPECT_TRUE(e.alive());
 }
 
@@ -68,7 +68,7 @@ TEST(EntityTest, addingAgainReplaces) {
     EXPECT_EQ(world.count<Position>(), 1u);
 }
 
-TEST(EntityTest, constructorsMayAskForTheWorld) {
+TEST(EntityTest, componentConstructorsMayTakeTheWorld) {
     World world;
     world.createEntity();
     Entity e = world.createEntity();
@@ -78,7 +78,7 @@ TEST(EntityTest, constructorsMayAskForTheWorld) {
     EXPECT_EQ(e.addComponent<Velocity>(3.0f, 4.0f).y, 4.0f);  // an aggregate
 }
 
-TEST(EntityTest, theEmptyHandleNamesNoEntity) {
+TEST(EntityTest, theEmptyHandleRefersToNoEntity) {
     World world;
     const Entity none;
     EXPECT_FALSE(none);
@@ -113,7 +113,7 @@ TEST(EntityTest, aStaleHandleNeverRefersToAnotherEntity) {
     EXPECT_EQ(second.get<Position>().x, 2.0f);
 }
 
-TEST(EntityTest, aStaleHandleSaysWhatIsWrong) {
+TEST(EntityTest, usingAStaleHandleFailsWithAClearMessage) {
     World world;
     Entity e = world.createEntity();
     e.addComponent<Position>(5.0f, 5.0f);
@@ -122,14 +122,14 @@ TEST(EntityTest, aStaleHandleSaysWhatIsWrong) {
 
     EXPECT_EQ(e.get<Position>().x, 0.0f) << "a blank component, not that of another entity";
 #if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
-    EXPECT_NE(lastSentence.find("Position was asked of entity 1 (generation 1)"), std::string::npos)
+    EXPECT_NE(lastSentence.find("Position was requested from entity 1 (generation 1)"), std::string::npos)
         << lastSentence;
     EXPECT_NE(lastSentence.find("stale"), std::string::npos) << lastSentence;
 #endif
     EXPECT_EQ(world.count<Position>(), 0u);
 }
 
-TEST(EntityTest, aMissingComponentSaysWhatIsWrong) {
+TEST(EntityTest, accessingAMissingComponentFailsWithAClearMessage) {
     World world;
     Entity e = world.createEntity();
     const SentenceCatcher catcher;
@@ -215,7 +215,7 @@ TEST(EntityTest, aWorldOfTagsOnlyIsClustered) {
     EXPECT_EQ(world.count<Frozen>(), 10u);
 }
 
-TEST(EntityTest, manyAreCreatedAtOnce) {
+TEST(EntityTest, manyEntitiesAreCreatedInOneCall) {
     World world;
     world.createEntity().destroy();
     std::vector<EntityId> ids(1000);
@@ -241,7 +241,7 @@ TEST(EntityTest, clearDestroysAllAndMakesHandlesStale) {
     EXPECT_EQ((world.query<Position, Velocity>().count()), 10u);
 }
 
-TEST(EntityTest, reflectedAccessSeesTheSameComponents) {
+TEST(EntityTest, accessByReflectionReturnsTheSameComponents) {
     World world;
     Entity e = world.createEntity();
     const TypeInfo& type = componentType<Position>().info;
@@ -286,7 +286,7 @@ void expectBytesToSurviveTheRemovalOfOthers() {
     }
 }
 
-TEST(EntityTest, componentsOfEverySizeKeepTheirBytesWhenOthersGo) {
+TEST(EntityTest, componentsOfEverySizeKeepTheirBytesWhenOthersAreRemoved) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
         (expectBytesToSurviveTheRemovalOfOthers<I + 1>(), ...);
     }
@@ -299,7 +299,7 @@ struct Numbered {
     float values[16] = {};
 };
 
-/// Makes one entity with 64 types of components in a process that may reserve 4 GiB, and leaves it.
+/// Creates an entity with 64 component types in a process limited to 4 GiB of address space, and exits.
 template <int... kNumbers>
 [[noreturn]] void liveIn4GiB(std::integer_sequence<int, kNumbers...>) {
     const rlimit limit{std::size_t{4} << 30, std::size_t{4} << 30};
@@ -310,7 +310,7 @@ template <int... kNumbers>
     std::exit(entity.hasComponent<Numbered<63>>() ? 0 : 1);
 }
 
-TEST(EntityTest, aWorldFitsWhereTheAddressesOfAProcessAreLimited) {
+TEST(EntityTest, aWorldWorksWithALimitedAddressSpace) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
     EXPECT_EXIT(liveIn4GiB(std::make_integer_sequence<int, 64>{}), testing::ExitedWithCode(0), "");
 }

@@ -6,16 +6,16 @@
 
 #include "tests/ecs/parts.hpp"
 
-// The state of a world must not depend on which component types were asked for, nor in which order: a program
-// with a window asks for other types than one without.
+// The state of a world must not depend on the component types that were used in queries, or on their order: a
+// program with a window uses other types than one without.
 
 namespace plumb {
 namespace {
 
-constexpr int kTypes = 80;  ///< more than a mask has bits
+constexpr int kTypes = 80;  ///< more than the 64 bits of a component mask
 constexpr int kEntities = 200;
 
-/// One of many types that are only asked for.
+/// One of many component types that no entity has and only queries use.
 template <int N>
 struct Unused {
     int value = N;
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> orderOf(World& world) {
     return order;
 }
 
-TEST(FirstUse, theClusteredOrderIsTheSameWhicheverTypesWereAskedFor) {
+TEST(FirstUse, theClusteredOrderDoesNotDependOnTheTypesUsed) {
     World plain;
     fill(plain);
     plain.cluster();
@@ -97,7 +97,7 @@ TEST(FirstUse, theClusteredOrderIsTheSameWhicheverTypesWereAskedFor) {
     }
 }
 
-TEST(FirstUse, aComponentThatIsGoneLeavesNoTrace) {
+TEST(FirstUse, aRemovedComponentDoesNotAffectTheState) {
     World plain;
     World other;
     askFor<Unused>(other, All{});
@@ -105,7 +105,7 @@ TEST(FirstUse, aComponentThatIsGoneLeavesNoTrace) {
     fill(other);
     for (EntityId id : other.entities()) {
         if (id.index % 3 != 0) continue;
-        other.add<Health>(id);  // its pool comes after the 63rd
+        other.add<Health>(id);  // its pool has an index above 63
         other.remove<Health>(id);
     }
     plain.cluster();
@@ -131,7 +131,7 @@ struct SameName {
     }
 };
 
-TEST(FirstUse, typesOfOneNameAreOrderedByWhatTheyHold) {
+TEST(FirstUse, typesOfTheSameNameAreOrderedByTheirFields) {
     const auto make = [](World& world) {
         for (int i = 0; i < 12; ++i) {
             Entity entity = world.createEntity();

@@ -16,7 +16,7 @@ std::vector<EntityId> listed(World& world, EntityId parent) {
     return children;
 }
 
-TEST(HierarchyTest, childrenStandInOrder) {
+TEST(HierarchyTest, childrenAreInOrder) {
     World world;
     Entity parent = world.createEntity();
     Entity a = world.createEntity();
@@ -56,7 +56,7 @@ TEST(HierarchyTest, destroyingAParentDestroysItsChildren) {
     EXPECT_EQ(listed(world, chain[0]), std::vector<EntityId>{sibling});
 }
 
-TEST(HierarchyTest, circlesAndTheGoneAreRefused) {
+TEST(HierarchyTest, cyclesAndDestroyedParentsAreRejected) {
     World world;
     Entity a = world.createEntity();
     Entity b = world.createEntity();
@@ -74,7 +74,7 @@ TEST(HierarchyTest, circlesAndTheGoneAreRefused) {
     EXPECT_FALSE(parentOf(world, a));
 }
 
-TEST(HierarchyTest, childrenMayBeDestroyedWhileTheyAreListed) {
+TEST(HierarchyTest, childrenMayBeDestroyedDuringIteration) {
     World world;
     Entity parent = world.createEntity();
     for (int i = 0; i < 10; ++i) setParent(world, world.createEntity(), parent);
@@ -86,7 +86,7 @@ TEST(HierarchyTest, childrenMayBeDestroyedWhileTheyAreListed) {
     EXPECT_EQ(childrenOf(world, parent).size(), 5u);
 }
 
-TEST(HierarchyTest, familiesMayBeDestroyedInALoop) {
+TEST(HierarchyTest, hierarchiesMayBeDestroyedInALoop) {
     World world;
     Entity parent = world.createEntity();
     for (int i = 0; i < 10; ++i) {

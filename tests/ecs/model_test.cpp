@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-/// What an entity should have.
+/// The expected components of an entity.
 struct Expected {
     std::optional<float> position;
     std::optional<float> velocity;
@@ -66,7 +66,7 @@ void expectSame(World& world, const Model& model) {
     ASSERT_EQ(seen, thawed);
 }
 
-/// Does one random thing to the world and the same to the model.
+/// Performs the same random operations on a world and on a model of it.
 class Experiment {
 public:
     explicit Experiment(std::uint64_t seed) : random{Random::seeded(seed)} {}
@@ -120,7 +120,7 @@ public:
     std::vector<EntityId> ids;
 };
 
-TEST(ModelTest, propertyAnyHistoryGivesWhatAMapWouldHold) {
+TEST(ModelTest, propertyRandomOperationsMatchAModel) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         World world;
@@ -135,7 +135,7 @@ TEST(ModelTest, propertyAnyHistoryGivesWhatAMapWouldHold) {
     }
 }
 
-TEST(ModelTest, propertyChangesInsideLoopsGiveTheSame) {
+TEST(ModelTest, propertyRandomOperationsInsideLoopsMatchAModel) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         World world;
@@ -145,7 +145,7 @@ TEST(ModelTest, propertyChangesInsideLoopsGiveTheSame) {
             for (auto [entity, position] : world.query<const Position>()) {
                 ASSERT_TRUE(entity.alive());
                 ASSERT_EQ(position.x, *experiment.model.at(entity).position);
-                // Clustering is refused inside loops, so the dice that would ask for it are thrown away.
+                // Clustering is not allowed inside loops, so random numbers that would select it are skipped.
                 Experiment dice = experiment;
                 if (dice.random.below(16) == 15) {
                     experiment.random.below(16);
@@ -164,7 +164,7 @@ TEST(ModelTest, propertyChangesInsideLoopsGiveTheSame) {
     }
 }
 
-TEST(ModelTest, propertyASnapshotBringsEverythingBack) {
+TEST(ModelTest, propertyASnapshotRestoresEverything) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         World world;

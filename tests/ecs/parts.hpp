@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-// Components that the tests of this folder share; some described, some not.
+// Components shared by the tests of this folder, some with reflection and some without.
 
 struct Position {
     float x = 0.0f;
@@ -33,7 +33,7 @@ struct Health {
     int shield = 0;
 };
 
-/// Names a grid of the world, as a tile layer does.
+/// References a tile grid of the world, like TileLayer.
 struct Tiled {
     TilesId cells;
     int layer = 0;
@@ -48,13 +48,13 @@ struct Tiled {
 struct Frozen {};
 struct Player {};
 
-/// One of many types, all alike.
+/// One of many component types with the same members.
 template <int N>
 struct Numbered {
     int value = N;
 };
 
-/// A world with `count` entities that move: position (i, 0), velocity (1, i).
+/// Adds `count` entities with Position (i, 0) and Velocity (1, i) to a world.
 inline void fillWithMovers(World& world, int count) {
     for (int i = 0; i < count; ++i) {
         Entity entity = world.createEntity();

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-TEST(QueryTest, visitsThoseThatHaveAll) {
+TEST(QueryTest, visitsEntitiesWithAllComponents) {
     World world;
     Entity e1 = world.createEntity();
     Entity e2 = world.createEntity();
@@ -29,7 +29,7 @@ TEST(QueryTest, visitsThoseThatHaveAll) {
     EXPECT_EQ(e1.get<Position>().x, 1.0f);
 }
 
-TEST(QueryTest, filtersAndTagsNarrowIt) {
+TEST(QueryTest, filtersAndTagsRestrictAQuery) {
     World world;
     fillWithMovers(world, 100);
     int i = 0;
@@ -51,7 +51,7 @@ TEST(QueryTest, filtersAndTagsNarrowIt) {
     });
 }
 
-TEST(QueryTest, allWaysToLoopVisitTheSame) {
+TEST(QueryTest, allKindsOfLoopsVisitTheSameEntities) {
     World world;
     fillWithMovers(world, 1000);
     std::vector<EntityId> gone;
@@ -121,7 +121,7 @@ TEST(QueryTest, anEntityMayDestroyItselfInTheLoop) {
     EXPECT_EQ((world.query<Position, Velocity>().count()), 500u);
 }
 
-TEST(QueryTest, aDestroyedEntityIsNotVisitedAnyMore) {
+TEST(QueryTest, aDestroyedEntityIsNoLongerVisited) {
     World world;
     fillWithMovers(world, 100);
     std::vector<Entity> all;
@@ -157,14 +157,14 @@ TEST(QueryTest, anEntityThatStopsMatchingIsSkipped) {
         all[3].removeComponent<Velocity>();
         all[4].addComponent<Frozen>();
         all[5].removeComponent<Velocity>();
-        all[5].addComponent<Velocity>();  // another one: this loop has not seen it
+        all[5].addComponent<Velocity>();  // a new component, added after the loop began, so the loop skips it
     }
     EXPECT_EQ(visited, 7);
     EXPECT_TRUE(all[5].hasComponent<Velocity>());
     EXPECT_EQ((world.query<Position, Velocity>().count()), 9u);
 }
 
-TEST(QueryTest, whatIsAddedInTheLoopIsThereAtOnceAndVisitedNextTime) {
+TEST(QueryTest, componentsAddedInALoopExistImmediatelyAndAreVisitedByTheNextLoop) {
     World world;
     fillWithMovers(world, 10);
     int visited = 0;
@@ -178,7 +178,7 @@ TEST(QueryTest, whatIsAddedInTheLoopIsThereAtOnceAndVisitedNextTime) {
     EXPECT_EQ(world.query<Position>().count(), 20u);
 }
 
-TEST(QueryTest, loopsInsideLoopsSeeTheWorldAsItIs) {
+TEST(QueryTest, nestedLoopsSeeTheCurrentWorld) {
     World world;
     fillWithMovers(world, 20);
     int pairs = 0;
@@ -188,7 +188,7 @@ TEST(QueryTest, loopsInsideLoopsSeeTheWorldAsItIs) {
         for (auto [b, positionB] : world.query<Position>()) {
             ++pairs;
             if (b != a) {
-                b.destroy();  // all others go in the first round
+                b.destroy();  // the first iteration destroys all other entities
             }
         }
         EXPECT_EQ(world.query<Position>().count(), 1u);
@@ -199,7 +199,7 @@ TEST(QueryTest, loopsInsideLoopsSeeTheWorldAsItIs) {
     EXPECT_EQ(world.query<Position>().count(), 1u);
 }
 
-TEST(QueryTest, leavingALoopEarlyTidiesUp) {
+TEST(QueryTest, leavingALoopEarlyAppliesItsChanges) {
     World world;
     fillWithMovers(world, 10);
     for (auto [entity, position] : world.query<Position>()) {
@@ -215,7 +215,7 @@ TEST(QueryTest, leavingALoopEarlyTidiesUp) {
     EXPECT_EQ(visited, 5);
 }
 
-TEST(QueryTest, noticesChangesThatKeepTheNumberOfEntities) {
+TEST(QueryTest, detectsChangesThatKeepTheNumberOfEntities) {
     World world;
     std::vector<Entity> entities(8);
     for (Entity& entity : entities) {
@@ -267,7 +267,7 @@ TEST(QueryTest, scatteredEntitiesAreFoundAfterEveryChange) {
     }
 }
 
-TEST(PausedTest, queriesLeaveOutWhatIsPausedUnlessTheyAskForIt) {
+TEST(PausedTest, queriesSkipPausedEntitiesByDefault) {
     World world;
     fillWithMovers(world, 10);
     for (const std::uint32_t index : {3u, 4u, 9u}) world.add<Paused>(EntityId{index, 1});
@@ -287,7 +287,7 @@ TEST(PausedTest, queriesLeaveOutWhatIsPausedUnlessTheyAskForIt) {
     EXPECT_EQ(world.query<const Position>().count(), 8u);
 }
 
-TEST(PausedTest, theOrderStaysWhatItWasWhileSomethingIsPaused) {
+TEST(PausedTest, pausingAnEntityDoesNotChangeTheOrder) {
     World world;
     fillWithMovers(world, 2000);
     for (std::uint32_t i = 1; i < 2000; i += 3) world.add<Paused>(EntityId{i, 1});

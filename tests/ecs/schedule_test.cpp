@@ -57,7 +57,7 @@ TEST(ScheduleTest, systemsRunInTheOrderOfAdding) {
     EXPECT_EQ(world.findSystem<MoveSystem>()->factor, 2.0f);
 }
 
-TEST(ScheduleTest, aTableOfNamesDecidesTheOrder) {
+TEST(ScheduleTest, aListOfNamesDeterminesTheOrder) {
     World world;
     constexpr std::array<std::string_view, 3> kOrder = {"draw", "NoSuchSystem", "MoveSystem"};
     world.addSystem<GravitySystem>();
@@ -86,7 +86,7 @@ TEST(ScheduleTest, commandsAreAppliedAfterEachSystem) {
     EXPECT_EQ(world.entityCount(), 0u);
 }
 
-TEST(CommandBufferTest, appliesInOrderAndSkipsTheGone) {
+TEST(CommandBufferTest, appliesCommandsInOrderAndSkipsDestroyedEntities) {
     World world;
     Entity a = world.createEntity();
     Entity b = world.createEntity();
@@ -112,7 +112,7 @@ struct Hit {
 };
 struct Saved {};
 
-TEST(EventsTest, liveForOneTick) {
+TEST(EventsTest, existForOneTick) {
     World world;
     EXPECT_TRUE(world.events<Hit>().empty());
     world.beginTick();
@@ -128,7 +128,7 @@ TEST(EventsTest, liveForOneTick) {
     EXPECT_EQ(world.tick, 2u);
 }
 
-TEST(ServiceTest, isLentAndReplaced) {
+TEST(ServiceTest, isProvidedAndReplaceable) {
     World world;
     Diary one;
     Diary two;

@@ -26,7 +26,7 @@ std::vector<EntityId> orderOf(World& world) {
     return order;
 }
 
-TEST(SnapshotTest, restoresTheExactOrderAndTheNextIds) {
+TEST(SnapshotTest, restoresTheOrderAndTheNextIds) {
     World world;
     fillWithMovers(world, 100);
     for (const std::uint32_t index : {5u, 50u, 7u}) world.destroy(EntityId{index, 1});
@@ -44,7 +44,7 @@ TEST(SnapshotTest, restoresTheExactOrderAndTheNextIds) {
     EXPECT_EQ(world.createEntity().id(), next);
 }
 
-TEST(SnapshotTest, handlesSurviveAndThoseOfTheFutureAreStale) {
+TEST(SnapshotTest, restoringKeepsOldHandlesAndMakesNewerOnesStale) {
     World world;
     Entity kept = world.createEntity();
     kept.addComponent<Position>(1.0f, 0.0f);
@@ -61,7 +61,7 @@ TEST(SnapshotTest, handlesSurviveAndThoseOfTheFutureAreStale) {
     EXPECT_EQ(late.find<Position>(), nullptr);
 }
 
-TEST(SnapshotTest, bringsBackResourcesTilesAndTick) {
+TEST(SnapshotTest, restoresResourcesTilesAndTick) {
     World world;
     world.resource<Score>().coins = 3;
     const TilesId tiles = world.tiles().add(TileGrid{4, 4});
@@ -87,7 +87,7 @@ TEST(SnapshotTest, bringsBackResourcesTilesAndTick) {
     EXPECT_EQ(world.hash(), hash);
 }
 
-TEST(SnapshotTest, movesIntoAnotherWorld) {
+TEST(SnapshotTest, canBeRestoredInAnotherWorld) {
     World world;
     fillWithMovers(world, 50);
     Entity parent = world.createEntity();
@@ -96,7 +96,7 @@ TEST(SnapshotTest, movesIntoAnotherWorld) {
     const TextId text = world.texts().add("hello");
     const Snapshot saved = world.save();
 
-    World other;  // has used other types in another order
+    World other;  // a world in which other types were used in another order
     other.createEntity().addComponent<Health>();
     other.createEntity().addComponent<Velocity>();
     EXPECT_EQ(other.query<Velocity>(without<Health>).count(), 1u);
@@ -112,7 +112,7 @@ TEST(SnapshotTest, movesIntoAnotherWorld) {
     EXPECT_TRUE(world.alive(child));
 }
 
-TEST(SnapshotTest, oneThatIsFilledAgainIsAsGoodAsNew) {
+TEST(SnapshotTest, aReusedSnapshotEqualsANewOne) {
     World world;
     Snapshot saved;
     for (int round = 0; round < 5; ++round) {
@@ -131,7 +131,7 @@ TEST(SnapshotTest, oneThatIsFilledAgainIsAsGoodAsNew) {
     EXPECT_EQ(world.entityCount(), 0u);
 }
 
-TEST(SnapshotTest, tilesOfTwoFuturesAreNotMixedUp) {
+TEST(SnapshotTest, tilesOfDifferentBranchesAreNotMixedUp) {
     World world;
     const TilesId id = world.tiles().add(TileGrid{2, 2});
     const Snapshot start = world.save();
@@ -149,7 +149,7 @@ TEST(SnapshotTest, tilesOfTwoFuturesAreNotMixedUp) {
     EXPECT_EQ(world.tiles().find(id)->at(0, 0), 0u);
 }
 
-TEST(HashTest, doesNotDependOnHowTheStateCameAbout) {
+TEST(HashTest, dependsOnlyOnTheState) {
     World straight;
     World winding;
     std::vector<Entity> a;
@@ -185,7 +185,7 @@ TEST(HashTest, doesNotDependOnHowTheStateCameAbout) {
     EXPECT_NE(straight.hash(), winding.hash());
 }
 
-TEST(DeterminismTest, theSameActsGiveTheSameOrderAndHash) {
+TEST(DeterminismTest, theSameOperationsYieldTheSameOrderAndHash) {
     int born = 0;
     int gone = 0;
     const auto play = [&](World& world) {

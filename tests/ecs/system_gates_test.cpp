@@ -13,7 +13,7 @@ namespace {
 struct Diary {
     std::string text;
 };
-/// Makes what the next one is for, in its third tick.
+/// Creates, in its third tick, the component that the following system requires.
 struct MakerSystem {
     int ticks = 0;
     void update(World& world, float) {
@@ -82,7 +82,7 @@ TEST_F(SystemGatesTest, pinsOverrideWhatComponentsRequire) {
     EXPECT_EQ(played(1), "mp");
 }
 
-TEST_F(SystemGatesTest, systemsThatComeLaterKeepTheirOwnGates) {
+TEST_F(SystemGatesTest, systemsAddedLaterHaveTheirOwnGates) {
     EXPECT_EQ(played(1), "m");
     world.addSystem<LateSystem>();
     world.addSystem<EndSystem>();
@@ -91,7 +91,7 @@ TEST_F(SystemGatesTest, systemsThatComeLaterKeepTheirOwnGates) {
     EXPECT_EQ(played(3), "emlpemleml") << "what is made in one tick ends in the next";
 }
 
-TEST_F(SystemGatesTest, aWorldThatIsPutBackIsAskedAnew) {
+TEST_F(SystemGatesTest, gatesAreEvaluatedAgainAfterARestore) {
     const Snapshot empty = world.save();
     EXPECT_EQ(played(2), "mmp");
     world.restore(empty);

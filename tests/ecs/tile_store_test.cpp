@@ -17,7 +17,7 @@ Entity addLayer(World& world, int side = 4) {
     return entity;
 }
 
-TEST(TileStore, aGridGoesWithTheEntityThatNamedIt) {
+TEST(TileStore, aGridIsRemovedWithTheEntityThatReferencesIt) {
     World world;
     Entity first = addLayer(world);
     const Entity second = addLayer(world);
@@ -32,7 +32,7 @@ TEST(TileStore, aGridGoesWithTheEntityThatNamedIt) {
     EXPECT_NE(world.tiles().find(second.get<Tiled>().cells), nullptr);
 }
 
-TEST(TileStore, aGridThatTwoNameStaysAsLongAsOneOfThem) {
+TEST(TileStore, aGridWithTwoReferencesStaysUntilBothAreRemoved) {
     World world;
     Entity first = addLayer(world);
     Entity second = world.createEntity();
@@ -45,7 +45,7 @@ TEST(TileStore, aGridThatTwoNameStaysAsLongAsOneOfThem) {
     EXPECT_EQ(world.tiles().size(), 0u);
 }
 
-TEST(TileStore, aNameIsNeverGivenToAnotherGrid) {
+TEST(TileStore, gridIdsAreNeverReused) {
     World world;
     Entity first = addLayer(world);
     const TilesId name = first.get<Tiled>().cells;
@@ -54,7 +54,7 @@ TEST(TileStore, aNameIsNeverGivenToAnotherGrid) {
     EXPECT_NE(addLayer(world).get<Tiled>().cells, name);
 }
 
-/// The grids that components name, each once.
+/// Returns the number of different grids that components reference.
 std::size_t named(const World& world) {
     std::set<std::uint32_t> names;
     for (auto [entity, layer] : world.query<const Tiled>(withPaused)) {
@@ -63,7 +63,7 @@ std::size_t named(const World& world) {
     return names.size();
 }
 
-TEST(TileStoreProperty, asManyGridsLiveAsLayersNameWhateverHappens) {
+TEST(TileStoreProperty, theNumberOfGridsEqualsTheNumberOfReferencedOnes) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -113,7 +113,7 @@ TEST(TileStoreProperty, asManyGridsLiveAsLayersNameWhateverHappens) {
     }
 }
 
-TEST(TileStore, aLargeGridFollowsAnotherByWhatDiffersAndBack) {
+TEST(TileStore, assigningAStoreUpdatesLargeGridsInBothDirections) {
     TileStore store;
     const TilesId id = store.add(TileGrid{2048, 2048});
     TileStore copy = store;
@@ -125,7 +125,7 @@ TEST(TileStore, aLargeGridFollowsAnotherByWhatDiffersAndBack) {
         copy = store;
         ASSERT_EQ(*copy.find(id), *store.find(id)) << round;
         EXPECT_EQ(copy.find(id)->chunk(0, 0), store.find(id)->chunk(0, 0)) << "it is shared";
-        grid->set(round, 2047, 7);  // within the same edit: the copy has a life of its own
+        grid->set(round, 2047, 7);  // within the same edit; must not change the copy
         EXPECT_EQ(copy.find(id)->at(round, 2047), before.at(round, 2047));
         copy = store;
         ASSERT_EQ(copy.find(id)->at(round, 2047), 7u);

@@ -67,7 +67,7 @@ TEST_F(HeadlessTest, everyKindOfFaultIsFoundAndReportedOnce) {
     EXPECT_EQ(found.scenes, 3u);
 }
 
-TEST_F(HeadlessTest, aMissingFileIsReportedWithTheEntityAndTheFieldThatNameIt) {
+TEST_F(HeadlessTest, aMissingFileIsReportedWithTheEntityAndFieldThatReferenceIt) {
     putFile("scenes/odd.scene.json", R"({"format": 1, "effects": {}, "layers": [], "entities": [
         {"id": "0000000000000001", "name": "ball",
          "components": {"Transform": {}, "Sprite": {"texture": "assets/none.png"}}},
@@ -78,16 +78,18 @@ TEST_F(HeadlessTest, aMissingFileIsReportedWithTheEntityAndTheFieldThatNameIt) {
     putFile("assets/set.tileset.json", R"({"format": 1, "image": "assets/tiles.png"})");
     const std::string text = check().text();
     for (const char* line :
-         {"assets/none.png: there is no such file, named by scenes/odd.scene.json: ball (0000000000000001), "
+         {"assets/none.png: there is no such file, referenced by scenes/odd.scene.json: ball "
+          "(0000000000000001), "
           "Sprite.texture and 1 more; ",
-          "assets/owl.png: there is no such file, named by prefabs/owl.prefab.json: owl (0000000000000001), "
+          "assets/owl.png: there is no such file, referenced by prefabs/owl.prefab.json: owl "
+          "(0000000000000001), "
           "Sprite.texture; ",
-          "assets/tiles.png: there is no such file, named by assets/set.tileset.json; "})
+          "assets/tiles.png: there is no such file, referenced by assets/set.tileset.json; "})
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
 }
 
-/// The first bytes of each are good, so that only a reader of the whole file finds the damage.
-TEST_F(HeadlessTest, soundsFontsAndPicturesThatAreGarbageAreReported) {
+/// Only the beginning of each file is valid, so that the damage is found only by decoding the whole file.
+TEST_F(HeadlessTest, damagedSoundsFontsAndImagesAreReported) {
     const Path sources = test::sourceFolder();
     const std::string picture = *readFile(sources / "tests/import/maps/meadow.png");
     const std::string sound = *readFile(sources / "projects/platformer/assets/coin.wav");
@@ -113,7 +115,7 @@ TEST_F(HeadlessTest, soundsFontsAndPicturesThatAreGarbageAreReported) {
     for (const auto& [name, bytes] : bad) EXPECT_NE(found.text().find(name), std::string::npos) << name;
 }
 
-TEST_F(HeadlessTest, anExportedGamePlaysAsTheProjectDoes) {
+TEST_F(HeadlessTest, anExportedGamePlaysLikeTheProject) {
     putFile(".plumb/journal", "secret");
     putFile("notes.txt", "taken along");
     putFile("player", "a program");
@@ -128,7 +130,7 @@ TEST_F(HeadlessTest, anExportedGamePlaysAsTheProjectDoes) {
     EXPECT_EQ(hashAfter(out / "game", 60), hashAfter(root(), 60));
 }
 
-TEST_F(HeadlessTest, anExportIsReplacedAndNothingElseIsWrittenOver) {
+TEST_F(HeadlessTest, anExportReplacesAnEarlierExportButNoOtherFolder) {
     ASSERT_TRUE(exportIt().ok());
     fs::remove(root() / "notes.txt");
     putFile("assets/new.txt", "new");
@@ -147,7 +149,7 @@ TEST_F(HeadlessTest, anExportIsReplacedAndNothingElseIsWrittenOver) {
     EXPECT_FALSE(fs::exists(root() / "out"));
 }
 
-TEST(EditorOptionsTest, whatEndsByItselfIsAsked) {
+TEST(EditorOptionsTest, exportOptionsAreParsedAndListedInTheHelp) {
     const std::vector<const char*> words{"mine", "--export", "to"};
     const auto options = parseEditorOptions(words);
     ASSERT_TRUE(options.ok());
@@ -159,20 +161,21 @@ TEST(EditorOptionsTest, whatEndsByItselfIsAsked) {
     EXPECT_FALSE(parseEditorOptions(cut).ok());
 }
 
-TEST(EditorOptionsTest, whatIsWrongIsAnsweredWithWhatIsRight) {
+TEST(EditorOptionsTest, wrongOptionsAreReportedWithTheExpectedOnes) {
     const auto said = [](const std::vector<const char*>& words) {
         const auto options = parseEditorOptions(words);
         return options.ok() ? std::string{} : options.error().text();
     };
-    EXPECT_EQ(said({"--validat"}),
-              "command line: there is no option \"--validat\"; did you mean --validate?");
-    EXPECT_EQ(said({"--theme", "pink"}),
-              "command line: --theme cannot be \"pink\"; write --theme NAME: dark or light");
+    EXPECT_EQ(said({"--validat"}), "command line: unknown option \"--validat\"; did you mean --validate?");
+    EXPECT_EQ(
+        said({"--theme", "pink"}),
+        "command line: invalid value \"pink\" for --theme; write --theme NAME: color theme, dark or light");
     EXPECT_EQ(said({"--size", "12"}),
-              "command line: --size cannot be \"12\"; write --size WxH: size of the window in px, 320x240 to "
-              "8192x8192, e.g. 1600x900");
-    EXPECT_EQ(said({"--scale"}),
-              "command line: --scale needs a value; write --scale RATIO: size of the interface, 0.75 to 3");
+              "command line: invalid value \"12\" for --size; write --size WxH: window size in px, "
+              "320x240 to 8192x8192, e.g. 1600x900");
+    EXPECT_EQ(
+        said({"--scale"}),
+        "command line: --scale needs a value; write --scale RATIO: scale of the user interface, 0.75 to 3");
     EXPECT_EQ(said({"one", "two"}), "command line: \"two\" is a second project; name one project");
     EXPECT_EQ(said({"one", "--import", "level.tmx", "out.scene.json", "--theme=light"}), "");
 }

@@ -1,4 +1,4 @@
-// The tree of the scene: filter, order, families, several at once, eye and lock.
+// Tests of the scene tree: filter, order, parents and children, multiple selection, visibility and locks.
 
 #include "editor/model/document/scene_tree.hpp"
 
@@ -42,7 +42,7 @@ protected:
 
 using Names = std::vector<std::string>;
 
-TEST_F(SceneTreeTest, childrenStandBelowTheirParentsInTheOrderOfTheFile) {
+TEST_F(SceneTreeTest, childrenAreListedBelowTheirParentsInFileOrder) {
     EXPECT_EQ(rows(), (Names{"camera", "player", " lamp", "crate", "sign", "ground"}));
     tree.setClosed(named("player"), true);
     EXPECT_EQ(rows(), (Names{"camera", "player", "crate", "sign", "ground"}));
@@ -50,7 +50,7 @@ TEST_F(SceneTreeTest, childrenStandBelowTheirParentsInTheOrderOfTheFile) {
     EXPECT_EQ(rows().size(), 6u);
 }
 
-TEST_F(SceneTreeTest, wordsFindNamesAndComponentsAndCOnlyComponents) {
+TEST_F(SceneTreeTest, wordsMatchNamesAndComponentsAndThePrefixCOnlyComponents) {
     EXPECT_EQ(rows("cra"), (Names{"crate"}));
     EXPECT_EQ(rows("boxcollider"), (Names{"player", "crate"}));
     EXPECT_EQ(rows("box cra"), (Names{"crate"})) << "all words";
@@ -75,7 +75,7 @@ TEST_F(SceneTreeTest, followsEveryKindOfChange) {
     changes("edit.undo", {"camera", "player", " lamp", "sign", "crate", "ground"});
 }
 
-TEST_F(SceneTreeTest, aMoveBesideAnotherOneIsOneStepAndUndoneToTheByte) {
+TEST_F(SceneTreeTest, aMoveNextToASiblingIsOneStepAndUndoneByteForByte) {
     Document& document = workspace.document;
     ASSERT_TRUE(moveInTree(document, workspace.undo, {named("sign")}, {{}, named("camera"), true}));
     EXPECT_EQ(rows(), (Names{"camera", "sign", "player", " lamp", "crate", "ground"}));
@@ -91,7 +91,7 @@ TEST_F(SceneTreeTest, aMoveBesideAnotherOneIsOneStepAndUndoneToTheByte) {
     EXPECT_EQ(rows(), (Names{"camera", "sign", "player", " crate", " ground", " lamp"})) << "as saved";
 }
 
-TEST_F(SceneTreeTest, whatStandsThereAlreadyLeavesNoStep) {
+TEST_F(SceneTreeTest, movesWithoutEffectLeaveNoUndoStep) {
     EXPECT_FALSE(
         moveInTree(workspace.document, workspace.undo, {named("crate")}, {{}, named("sign"), false}));
     EXPECT_FALSE(moveInTree(workspace.document, workspace.undo, {named("player")}, {named("lamp")}))
@@ -100,7 +100,7 @@ TEST_F(SceneTreeTest, whatStandsThereAlreadyLeavesNoStep) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-/// Whatever is moved wherever: all stay where they are on screen, none is lost, undo brings back the bytes.
+/// For random moves: entities keep their world position, none is lost, and undo restores the bytes.
 TEST_F(SceneTreeTest, anyMovesKeepThePlaceInTheWorldAndAreUndone) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -141,7 +141,7 @@ TEST_F(SceneTreeTest, anyMovesKeepThePlaceInTheWorldAndAreUndone) {
     }
 }
 
-TEST_F(SceneTreeTest, whatIsKeptAsTextOnlyKeepsItsPlaceInTheFile) {
+TEST_F(SceneTreeTest, unreadableEntitiesKeepTheirPositionInTheFile) {
     constexpr std::string_view kScenePath = "scenes/kept.scene.json";
     putFile(kScenePath, R"({"format": 1, "entities": [
       {"id": "0000000000000001", "name": "a", "components": {"Transform": {}}},
@@ -171,7 +171,7 @@ TEST_F(SceneTreeTest, theMouseGoesThroughWhatIsLockedOrHiddenWithAllBelowIt) {
 
     workspace.document.view.setLocked(named("player"), true);
     EXPECT_TRUE(isLocked(document, named("lamp"))) << "below it";
-    EXPECT_EQ(outOfSight(document), std::vector{document.find(named("crate"))});
+    EXPECT_EQ(hiddenEntities(document), std::vector{document.find(named("crate"))});
     ASSERT_TRUE(runAction(workspace, "edit.selectAll"));
     EXPECT_EQ(document.selection.all(), (std::vector{named("camera"), named("sign"), named("ground")}));
     EXPECT_FALSE(workspace.unsaved()) << "a way of looking";
@@ -201,8 +201,8 @@ TEST_F(SceneTreeTest, whatIsHiddenAndLockedIsRememberedBesideTheProject) {
     EXPECT_FALSE(std::filesystem::exists(file)) << "nothing is left behind";
 }
 
-/// Boxes are kept between frames: they must follow all that writes the world.
-TEST_F(SceneTreeTest, whatLiesUnderTheMouseFollowsEveryWriteOfTheWorld) {
+/// Bounding boxes are cached between frames; every write to the world must update them.
+TEST_F(SceneTreeTest, pickingFollowsEveryWriteToTheWorld) {
     World& world = workspace.document.world;
     const Document& document = workspace.document;
     ASSERT_EQ(pickFirst(document, {216.0f, 80.0f}, 1.0f), named("crate"));
@@ -222,11 +222,11 @@ TEST_F(SceneTreeTest, whatLiesUnderTheMouseFollowsEveryWriteOfTheWorld) {
     EXPECT_EQ(pickFirst(document, {1000.0f, 1000.0f}, 1.0f), named("ground"));
 }
 
-/// A fade or a painted sky before everything: a click is meant for what stands there.
-TEST_F(SceneTreeTest, aSpriteThatFillsThePictureIsGround) {
+/// A fade or painted sky in front of everything: a click selects the entity behind it.
+TEST_F(SceneTreeTest, aSpriteThatFillsTheImageIsPickedLast) {
     Document& document = workspace.document;
     const EntityId lamp = document.find(named("lamp"));
-    document.world.get<Transform>(lamp).position = {-40.0f, -100.0f};  // of the world: 0, 0
+    document.world.get<Transform>(lamp).position = {-40.0f, -100.0f};  // world position (0, 0)
     auto& fade = document.world.add<Sprite>(lamp);
     fade.layer = 10;
     fade.width = static_cast<int>(document.picture.x);
@@ -239,13 +239,13 @@ TEST_F(SceneTreeTest, aSpriteThatFillsThePictureIsGround) {
     EXPECT_EQ(pickInside(document, {{190.0f, 60.0f}, {240.0f, 100.0f}}), std::vector{named("crate")});
 }
 
-// By hand.
+// Tests with simulated mouse and keyboard.
 
 class TreeHands : public SceneTreeTest {
 protected:
     TreeHands() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}
 
-    /// The place in a row: 0 its upper edge, 1 its lower one.
+    /// Position in a row of the tree; `part` is 0 at its upper edge and 1 at its lower one.
     [[nodiscard]] Vec2 inRow(std::string_view name, float part) const {
         const auto* row = window.widgets().find(std::string{"Scene/"} + std::string{name});
         EXPECT_NE(row, nullptr) << name;
@@ -282,14 +282,14 @@ TEST_F(TreeHands, rowsAreDraggedBeforeBehindAndIntoOthers) {
 TEST_F(TreeHands, severalAreDraggedTogether) {
     hands.click("Scene/camera");
     clickWith({.control = true}, "sign");
-    hands.rest(30);  // else it is a double click
+    hands.rest(30);  // so that the clicks are not counted as a double click
     dragRow("sign", "crate", 0.5f);
     EXPECT_EQ(parentOfNamed("sign"), "crate");
     EXPECT_EQ(parentOfNamed("camera"), "crate");
     EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
-TEST_F(TreeHands, shiftSelectsAllBetweenAndControlTheOne) {
+TEST_F(TreeHands, shiftSelectsARangeAndControlTogglesARow) {
     const Selection& selection = workspace.document.selection;
     hands.click("Scene/player");
     clickWith({.shift = true}, "sign");

@@ -8,7 +8,7 @@
 namespace plumb::families {
 namespace {
 
-// The fixed small part of ./plumb accuracy --families: the same seeds in every run.
+// A small part of ./plumb accuracy --families with fixed seeds.
 constexpr int kMembers = 3;
 
 class Families : public testing::TestWithParam<const Family*> {};
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(All, Families, testing::ValuesIn(pointersToFamilies()),
     return name;
 });
 
-/// A block that slides down a slope of 20 degrees without friction: every figure is known.
+/// A block that slides down a slope of 20 degrees without friction, so that its motion is known exactly.
 Blueprint slidingBlock() {
     Blueprint plan;
     plan.seconds = 1.0;
@@ -56,7 +56,7 @@ Blueprint slidingBlock() {
     return plan;
 }
 
-TEST(Stages, placeAndReadBackAsTheBlueprintHasIt) {
+TEST(Stages, resultsAreInBlueprintCoordinatesForEveryPlacement) {
     const Blueprint plan = slidingBlock();
     const Outcome usual = play(plan);
     ASSERT_GT(usual.contacts, 0u);
@@ -74,40 +74,39 @@ TEST(Stages, placeAndReadBackAsTheBlueprintHasIt) {
     }
 }
 
-TEST(Stages, leaveOutWhatIsDropped) {
+TEST(Stages, omitDroppedBodies) {
     const Blueprint plan = slidingBlock();
     const Outcome alone = play(plan, {.dropped = {true}});
     EXPECT_EQ(alone.contacts, 0u);
-    EXPECT_NEAR(alone.ends[1].y, 1.5 * std::cos(0.35) - 5.0, 0.01) << "it falls freely";
+    EXPECT_NEAR(alone.ends[1].y, 1.5 * std::cos(0.35) - 5.0, 0.01)
+        << "without the slope the block is in free fall";
 }
 
-/// One that falls slips off cards of 2 cm, which its contacts are too soft for. With quality 2 all stand.
-TEST(CardHouses, standAtQuality1) {
+/// At quality 1 contacts are too soft for cards 2 cm thick, so a few houses fall; at quality 2 all stand.
+TEST(CardHouses, mostStandAtQuality1) {
     int standing = 0;
     for (std::uint64_t seed = 1; seed <= 100; ++seed)
         standing += play(memberOf(*findFamily("card-house"), seed), {.quality = 1}).reached ? 1 : 0;
     EXPECT_GE(standing, 98);
 }
 
-TEST(Verdicts, callSharesDifferentThatChanceDoesNotExplain) {
+TEST(Verdicts, failOnlyForStatisticallySignificantDifferences) {
     Verdict verdict;
     verdict.relation = findRelation("sleep");
     verdict.members = 100;
     verdict.worse = 3;
-    EXPECT_TRUE(verdict.holds()) << "3 of 3 are a chance of one in eight";
+    EXPECT_TRUE(verdict.holds()) << "3 of 3 happen by chance in one of eight cases";
     verdict.worse = 12;
     EXPECT_FALSE(verdict.holds());
     verdict.better = 9;
     EXPECT_TRUE(verdict.holds());
     verdict.differing = 1;
-    EXPECT_FALSE(verdict.holds()) << "it ends elsewhere";
+    EXPECT_FALSE(verdict.holds()) << "a member has different final positions";
 }
 
-TEST(Shrinking, keepsTheBodiesThatTheFailureNeeds) {
-    // Bits differ between any two runs at different quality: with fewer than two bodies that touch they do
-    // not.
+TEST(Shrinking, returnsNothingForARelationThatHolds) {
     const Family& family = *findFamily("card-house");
-    EXPECT_TRUE(shrink(*findRelation("numbers"), family, 1).empty()) << "it holds";
+    EXPECT_TRUE(shrink(*findRelation("numbers"), family, 1).empty()) << "the relation holds";
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include "assets/clip_cursor.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
 
-/// What is read must be written so that it reads back to the same text, and every clip must play.
+/// Input that is accepted must be written to a text that reads back to the same text, and every clip must
+/// play.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t count) {
     std::vector<plumb::Error> problems;
     const plumb::Result<plumb::AnimationSet> set =

@@ -4,7 +4,7 @@
 #include "reflect/json_text.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
 
-/// What is read must be written so that it reads back to the same text.
+/// Input that is accepted must be written to a text that reads back to the same text.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t count) {
     std::vector<plumb::Error> warnings;
     const plumb::Result<plumb::Json> json =

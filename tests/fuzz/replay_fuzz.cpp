@@ -3,7 +3,7 @@
 #include "input/recorder.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
 
-/// What is read must be written so that it reads back the same.
+/// Input that is accepted must be written to a text that reads back to an equal replay.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t count) {
     const plumb::Result<plumb::Replay> replay = plumb::parseReplay(plumb::test::textOf(bytes, count), "fuzz");
     if (!replay) return 0;

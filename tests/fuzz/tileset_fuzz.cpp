@@ -3,7 +3,7 @@
 #include "assets/tileset.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
 
-/// What is read must be written so that it reads back to the same text.
+/// Input that is accepted must be written to a text that reads back to the same text.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t count) {
     std::vector<plumb::Error> problems;
     const plumb::Result<plumb::Tileset> tileset =

@@ -23,8 +23,8 @@
 
 namespace plumb {
 
-/// A level drawn with characters, 16 px each, and a player in it.
-/// # full, - one-way, / and \ slopes of 45 degrees, l h and H L slopes of half that.
+/// A level built from characters, 16 px each, with a player:
+/// # full, - one-way, / and \ slopes of 45 degrees, l h and H L slopes of half that gradient.
 struct Level {
     static constexpr float kTick = 1.0f / 60.0f;  // s
 
@@ -52,7 +52,7 @@ struct Level {
         makeTiles(rows);
     }
 
-    /// A player 12 x 20 px whose feet are at this point.
+    /// Adds a player of 12 x 20 px whose feet are at this position.
     Entity addPlayer(Vec2 feet) {
         player = world.createEntity();
         player.addComponent<Transform>(feet.x - 6.0f, feet.y - 20.0f);
@@ -80,7 +80,7 @@ struct Level {
         for (int i = 0; i < ticks; ++i) tick();
     }
     void hold(Key key, bool held = true) { frame.set(key, held); }
-    /// Lets the player come to rest on the ground.
+    /// Runs until the player rests on the ground.
     void settle() { run(30); }
 
     [[nodiscard]] Vec2 at() { return player.get<Transform>().position; }

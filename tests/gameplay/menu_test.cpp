@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-/// A menu with three items, made in another order than they are read in.
+/// A menu with three items, created in another order than they are listed.
 struct MenuLevel : Level {
     Entity menu, first, second, third, cursor;
 
@@ -43,7 +43,7 @@ struct MenuLevel : Level {
     SceneRequests requests() { return std::exchange(world.resource<SceneRequests>(), {}); }
 };
 
-TEST(Menu, movesOneItemAPushAndGoesRound) {
+TEST(Menu, movesByOneItemPerPressAndWrapsAround) {
     MenuLevel level;
     level.tick();
     const auto selected = [&level] { return level.menu.get<Menu>().selected; };
@@ -67,7 +67,7 @@ TEST(Menu, movesOneItemAPushAndGoesRound) {
     EXPECT_EQ(selected(), 2);
 }
 
-TEST(Menu, takesWhatConfirmSays) {
+TEST(Menu, activatesTheItemOnConfirm) {
     MenuLevel level;
     level.tick();
     level.press(Key::Enter);

@@ -64,7 +64,7 @@ TEST(Patrol, keepsToItsLimits) {
     }
 }
 
-TEST(Hazard, killsAndThePlayerComesBackAtTheCheckpoint) {
+TEST(Hazard, killsThePlayerWhichRespawnsAtTheCheckpoint) {
     Level level{kFlat};
     level.addPlayer({40, kFloor});
     Entity checkpoint = level.addBox({90, kFloor - 30}, {10, 30}, true);
@@ -87,7 +87,7 @@ TEST(Hazard, killsAndThePlayerComesBackAtTheCheckpoint) {
     EXPECT_EQ(level.world.resource<GameProgress>().deaths, 1) << "one touch, one death";
 }
 
-TEST(Hazard, withMoreHealthItHurtsOnceAndThrowsAway) {
+TEST(Hazard, withMoreHealthItHurtsOnceAndKnocksBack) {
     Level level{kFlat};
     level.addPlayer({100, kFloor});
     level.player.get<Health>().points = level.player.get<Health>().most = 3;
@@ -136,7 +136,7 @@ TEST(Stompable, diesWhenJumpedOnAndHurtsFromTheSide) {
     EXPECT_EQ(side.world.resource<GameProgress>().deaths, 1);
 }
 
-TEST(Spring, throwsUpToTheHeightOfItsSpeed) {
+TEST(Spring, launchesToTheHeightOfItsSpeed) {
     Level level{kFlat};
     Entity spring = level.addBox({92, kFloor - 8}, {16, 8}, true);
     spring.addComponent<Spring>().speed = {0, -420};
@@ -152,7 +152,7 @@ TEST(Spring, throwsUpToTheHeightOfItsSpeed) {
     EXPECT_NEAR(kFloor - 8 - highest, 420.0f * 420.0f / 2.0f / 1800.0f, 6.0f);
 }
 
-TEST(Collectible, letsItsSparksGoWhereItWas) {
+TEST(Collectible, spawnsItsSparksAtItsPosition) {
     Level level{kFlat};
     level.player = level.addPlayer({40, kFloor});
     Entity coin = level.addBox({80, kFloor - 16}, {8, 8}, true);
@@ -172,10 +172,10 @@ TEST(Collectible, letsItsSparksGoWhereItWas) {
     ASSERT_TRUE(level.world.alive(sparks));
     EXPECT_TRUE(sparks.get<ParticleEmitter>().playing);
     EXPECT_EQ(sparks.get<Transform>().position, place);
-    EXPECT_NEAR(sparks.get<Lifetime>().seconds, 0.6f, 0.02f);  // a tick of it is over
+    EXPECT_NEAR(sparks.get<Lifetime>().seconds, 0.6f, 0.02f);  // one tick has passed
 }
 
-TEST(Collectible, isCountedOnceAndGone) {
+TEST(Collectible, isCountedOnceAndRemoved) {
     Level level{kFlat};
     level.player = level.addPlayer({40, kFloor});
     for (int i = 0; i < 5; ++i) {
@@ -233,7 +233,7 @@ TEST(SceneLink, followsConfirmAfterItsDelayAndStartsANewGame) {
     EXPECT_EQ(level.world.resource<GameProgress>().coins, 0);
 }
 
-TEST(SceneLink, aPressIsHeard) {
+TEST(SceneLink, reactsToAPress) {
     Level level{{}};
     Entity title = level.world.createEntity();
     title.addComponent<SceneLink>().scene = {textId("scenes/one.scene.json")};
@@ -376,7 +376,7 @@ TEST(GameProgress, countsLevelsAndTheirCoinsOnce) {
     EXPECT_EQ(progress.ticks, 12u);
 }
 
-TEST(Parts, everyOneIsDescribedWithDocsOnItsFields) {
+TEST(Parts, allComponentsAndFieldsHaveDescriptions) {
     TypeRegistry types;
     registerGameplayComponents(types);
     EXPECT_GE(types.all().size(), 19u);

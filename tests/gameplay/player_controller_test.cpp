@@ -16,7 +16,7 @@ const std::vector<std::string_view> kFlat = {
 };
 constexpr float kFloor = 128.0f;
 
-TEST(PlayerController, landsAndStandsStill) {
+TEST(PlayerController, fallsToTheGroundAndStandsStill) {
     Level level{kFlat};
     level.addPlayer({100, 60});
     level.settle();
@@ -45,7 +45,7 @@ TEST(PlayerController, runsToItsTopSpeedAndStops) {
     EXPECT_EQ(level.velocity().x, 0.0f);
 }
 
-/// The height that the constants of a jump held to its end give, tick by tick.
+/// Height of a fully held jump, computed from the constants tick by tick.
 float heldJumpHeight(const PlayerController& p) {
     float height = 0.0f;
     float speed = p.jumpSpeed;
@@ -72,7 +72,7 @@ TEST(PlayerController, aHeldJumpReachesTheHeightOfItsConstants) {
     EXPECT_TRUE(level.grounded()) << "a held button jumps once";
 }
 
-TEST(PlayerController, lettingGoEarlyJumpsLower) {
+TEST(PlayerController, releasingTheKeyEarlyJumpsLower) {
     float before = 0.0f;
     for (const int held : {1, 3, 6, 9, 12}) {
         Level level{kFlat};
@@ -91,7 +91,7 @@ TEST(PlayerController, lettingGoEarlyJumpsLower) {
     }
 }
 
-/// Ticks after walking off an edge at which a press still jumps.
+/// True if a press this many ticks after walking off an edge still jumps.
 bool jumpsLate(int ticksAfterEdge) {
     Level level{{"                    ", "                    ", "                    ",
                  "########            ", "                    ", "                    ",
@@ -110,7 +110,7 @@ TEST(PlayerController, coyoteTimeIsSixTicks) {
     for (int late = 0; late < 10; ++late) EXPECT_EQ(jumpsLate(late), late < 6) << late;
 }
 
-/// A press this many ticks before landing: does it jump on landing?
+/// True if a press this many ticks before landing jumps on landing.
 bool jumpsOnLanding(int early) {
     int landing = 0;
     for (const bool measure : {true, false}) {
@@ -129,16 +129,16 @@ bool jumpsOnLanding(int early) {
     return false;
 }
 
-TEST(PlayerController, aPressIsRememberedForSixTicks) {
+TEST(PlayerController, aJumpPressIsBufferedForSixTicks) {
     for (int early = 1; early < 10; ++early) EXPECT_EQ(jumpsOnLanding(early), early <= 5) << early;
 }
 
-TEST(PlayerController, aHeadPassesCornersThatItGrazes) {
+TEST(PlayerController, cornerCorrectionMovesTheHeadPastCorners) {
     for (const float miss : {1.0f, 3.0f, 4.0f, 6.0f, 9.0f}) {
         Level level{{"                    ", "                    ", "                    ",
                      "                    ", "     ##             ", "                    ",
                      "                    ", "                    ", "####################"}};
-        level.addPlayer({112 + 6 - miss, kFloor});  // the block ends at 112
+        level.addPlayer({112 + 6 - miss, kFloor});  // the block ends at x = 112
         level.settle();
         level.hold(Key::Space);
         float highest = level.feet();
@@ -150,7 +150,7 @@ TEST(PlayerController, aHeadPassesCornersThatItGrazes) {
     }
 }
 
-TEST(PlayerController, slopesAreWalkedAtOneSpeedWithoutLeavingTheGround) {
+TEST(PlayerController, slopesKeepTheSpeedAndThePlayerGrounded) {
     const std::vector<std::string_view> hills = {
         "                                                  ",
         "          /\\        lh##HL                        ",
@@ -250,7 +250,7 @@ TEST(PlayerController, aJumpKeepsThePlatformsSpeed) {
     platform.addComponent<KinematicBody>();
     MovingPlatform& moving = platform.addComponent<MovingPlatform>();
     moving.way = {600, 0};
-    moving.period = 10.0f;  // 120 px/s
+    moving.period = 10.0f;  // a speed of 120 px/s
     moving.easing = Easing::Linear;
     level.addPlayer({124, 199});
     level.run(20);
@@ -260,7 +260,7 @@ TEST(PlayerController, aJumpKeepsThePlatformsSpeed) {
     EXPECT_NEAR(level.velocity().x, 120.0f, 0.5f);
 }
 
-TEST(PlayerController, wallsStopItAndItStaysOutOfThem) {
+TEST(PlayerController, wallsStopItWithoutOverlap) {
     std::vector<std::string_view> rows(8, "          #");
     rows.back() = "###########";
     Level level{rows};

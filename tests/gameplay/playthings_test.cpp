@@ -15,7 +15,7 @@
 namespace plumb {
 namespace {
 
-/// An empty world with everything that plays with bodies.
+/// An empty world with all systems that let the player act on bodies.
 struct Playroom {
     World world;
     InputFrame frame;
@@ -43,7 +43,7 @@ struct Playroom {
         entity.addComponent<Transform>(place.x, place.y);
         return entity;
     }
-    /// One that floats.
+    /// Adds a ball without gravity.
     Entity ball(Vec2 place, float kilograms = 1.0f) {
         Entity entity = at(place);
         entity.addComponent<RigidBody>(kilograms).gravityScale = 0.0f;
@@ -86,7 +86,7 @@ TEST(PushControl, pushesUpToItsSpeedAndJumpsOnlyFromTheGround) {
     EXPECT_GT(ball.get<RigidBody>().velocity.y, rising) << "it jumped in the air";
 }
 
-TEST(MouseDrag, takesWhatIsUnderItHoldsItAndLetsGo) {
+TEST(MouseDrag, grabsHoldsAndReleasesTheBodyUnderTheMouse) {
     Playroom room;
     Entity near = room.ball({100, 100});
     Entity far = room.ball({200, 100});
@@ -110,7 +110,7 @@ TEST(MouseDrag, takesWhatIsUnderItHoldsItAndLetsGo) {
     EXPECT_TRUE(hand.hasComponent<Hidden>());
 }
 
-TEST(MouseDrag, itsLineReachesFromWhatIsHeldToTheMouse) {
+TEST(MouseDrag, itsLineConnectsTheHeldBodyWithTheMouse) {
     Playroom room;
     Entity ball = room.ball({100, 100});
     Entity line = room.at({0, 0});
@@ -134,7 +134,7 @@ TEST(MouseDrag, itsLineReachesFromWhatIsHeldToTheMouse) {
     EXPECT_EQ(line.get<Transform>().scale.x, 0.0f);
 }
 
-TEST(MouseDrag, forgetsWhatIsGoneAndWhatItMayNotTake) {
+TEST(MouseDrag, releasesDestroyedBodiesAndIgnoresBodiesThatCannotBeDragged) {
     Playroom room;
     Entity ball = room.ball({100, 100});
     Entity hand = room.at({0, 0});
@@ -155,14 +155,14 @@ TEST(MouseDrag, forgetsWhatIsGoneAndWhatItMayNotTake) {
     EXPECT_FALSE(other.hasComponent<MouseJoint>());
 }
 
-/// Where the particles of an entity are (px).
+/// Positions of the particles of a soft body, px.
 std::vector<Vec2> particlesOf(Playroom& room, Entity entity) {
     PhysicsState& state = room.world.resource<PhysicsState>();
     std::vector<Vec2> places;
     for (const SoftLinkage& linkage : state.softBodies) {
         if (!(linkage.entity == entity.id())) continue;
         for (const auto& particle : physics::particlesOf(state.world, linkage.body))
-            places.push_back(placeInPixels(particle.place, state.scale));
+            places.push_back(positionInPixels(particle.place, state.scale));
     }
     return places;
 }
@@ -224,7 +224,7 @@ TEST(MouseDrag, pullsARopeAndAClothWhichKeepTheirLengthAndTheirPins) {
     }
 }
 
-TEST(MouseDrag, leavesWhatIsSoftWhereItIsNotPressed) {
+TEST(MouseDrag, ignoresSoftBodiesThatAreNotUnderTheMouse) {
     Playroom room;
     Entity rope = room.at({100, 20}), jelly = room.at({220, 80});
     rope.addComponent<Rope>().to = {0.0f, 100.0f};
@@ -243,7 +243,7 @@ TEST(MouseDrag, leavesWhatIsSoftWhereItIsNotPressed) {
     }
 }
 
-TEST(Detonator, goesOffAtItsTimeAndWhenItsActionIsPressed) {
+TEST(Detonator, explodesAtItsTimeOrByItsAction) {
     Playroom room;
     Entity ball = room.ball({40, 0});
     Entity charge = room.at({0, 0});
@@ -261,7 +261,7 @@ TEST(Detonator, goesOffAtItsTimeAndWhenItsActionIsPressed) {
     EXPECT_GT(ball.get<RigidBody>().velocity.x, once + 5.0f);
 }
 
-TEST(Portal, takesABodyElsewhereWithOrWithoutItsVelocity) {
+TEST(Portal, teleportsABodyWithOrWithoutItsVelocity) {
     for (const bool keeps : {true, false}) {
         SCOPED_TRACE(keeps);
         Playroom room;

@@ -30,7 +30,7 @@ TEST(Steady, aTickOfAPlayedLevelAllocatesNothing) {
             level.tick();
         }
     };
-    play(6000);  // until every list was as long as this scene ever needs it
+    play(6000);  // until all buffers have reached the size that this scene needs
     const std::size_t before = test::allocations().made;
     play(600);
     EXPECT_EQ(test::allocations().made, before);

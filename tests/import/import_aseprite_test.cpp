@@ -73,7 +73,7 @@ protected:
     ImportReport report_;
 };
 
-TEST_F(ImportAsepriteTest, tagsBecomeClipsInBothForms) {
+TEST_F(ImportAsepriteTest, tagsBecomeClipsForFramesAsHashAndAsArray) {
     for (const std::string& text : {arrayForm(), hashForm()}) {
         const AnimationSet set = import(text);
         EXPECT_EQ(report_.scene, "assets/hero.anim.json");
@@ -91,7 +91,7 @@ TEST_F(ImportAsepriteTest, tagsBecomeClipsInBothForms) {
     }
 }
 
-TEST_F(ImportAsepriteTest, slicesAndColorsStayAsData) {
+TEST_F(ImportAsepriteTest, slicesAndColorsAreKeptAsData) {
     import(arrayForm());
     const Json json = *parseJson(*readFile(project_ / "assets/hero.anim.json"), "test");
     EXPECT_EQ(json["aseprite"]["slices"][0]["name"], "hit");
@@ -99,7 +99,7 @@ TEST_F(ImportAsepriteTest, slicesAndColorsStayAsData) {
     EXPECT_NE(report_.text().find("1 slices are kept"), std::string::npos);
 }
 
-TEST_F(ImportAsepriteTest, trimmedFramesAreLaidOutInCellsOfOneSize) {
+TEST_F(ImportAsepriteTest, trimmedFramesAreCopiedToCellsOfEqualSize) {
     std::string text = "{\"frames\": [{" + frameText(0, 0, 100) + "}, {" + frameText(10, 9, 100, 4, 2) +
                        "}], " + R"("meta": {"image": "hero.png"}})";
     const AnimationSet set = import(text);
@@ -114,14 +114,14 @@ TEST_F(ImportAsepriteTest, trimmedFramesAreLaidOutInCellsOfOneSize) {
     EXPECT_EQ(red(8 + 1, 1), 0);
 }
 
-TEST_F(ImportAsepriteTest, framesOutsideThePictureAreReported) {
+TEST_F(ImportAsepriteTest, framesOutsideTheImageAreReported) {
     import("{\"frames\": [{" + frameText(0, 0, 100) + "}, {" + frameText(12, 0, 100) + "}], " +
            R"("meta": {"image": "hero.png"}})");
     EXPECT_NE(report_.text().find("1 frames reach beyond its 16 x 16 px"), std::string::npos)
         << report_.text();
 }
 
-TEST_F(ImportAsepriteTest, aMissingPictureOrAnotherFileIsRefused) {
+TEST_F(ImportAsepriteTest, aMissingImageOrAnotherKindOfFileIsRejected) {
     ASSERT_TRUE(writeFile(folder_.path / "hero.json", "{\"a\": 1}").ok());
     const Result<ImportReport> other = importFile(folder_.path / "hero.json", {}, project_);
     ASSERT_FALSE(other.ok());

@@ -1,5 +1,5 @@
-// Nothing of a foreign file may vanish without a line in the report: every name and value of the source is
-// looked for in what was written, or in the report.
+// No content of an imported file may be lost without a line in the report: every name and value of the source
+// must occur in the written files or in the report.
 
 #include <functional>
 #include <map>
@@ -27,7 +27,7 @@ std::string unpacked(const Path& file) {
     return bytes ? *bytes : std::string{};
 }
 
-/// What an import wrote, and what it said.
+/// The files and the report of an import.
 class Imported {
 public:
     Imported(const Path& file, const Path& project) {
@@ -49,11 +49,12 @@ public:
         scene = *parseJson(*readFile(project / report.scene), "");
     }
 
-    /// Whether a text of the source came along, as it was or as a line of the report.
+    /// True if a text of the source occurs in the written files or in the report.
     [[nodiscard]] bool has(const std::string& text) const {
         return texts_.count(text) > 0 || said_.find(text) != std::string::npos;
     }
-    /// Cells that are not empty in all layers of the scene that `wanted` takes, and sprites off the grid.
+    /// Returns the number of non-empty cells, and of sprites off the grid, in all entities that `wanted`
+    /// accepts.
     [[nodiscard]] int tiles(const std::function<bool(const Json&)>& wanted) const {
         int count = 0;
         for (const Json& entity : scene["entities"]) {
@@ -96,10 +97,10 @@ private:
 struct XmlCounts {
     int layers = 0;
     int objects = 0;
-    std::vector<std::string> names;  ///< that must be found again
+    std::vector<std::string> names;  ///< must occur in the import's result
 };
 
-/// What stands in a map, read without the importer.
+/// Counts the content of a map, without the importer's code.
 void countXml(const XmlElement& element, XmlCounts& counts, bool inTileset) {
     const bool isLayer =
         element.name == "layer" || element.name == "objectgroup" || element.name == "imagelayer";
@@ -189,8 +190,8 @@ TEST_F(ImportCompletenessTest, aWorldAndMapsInJsonComeInToo) {
     }
 }
 
-/// All texts among the fields of a project of LDtk, and how many of everything there is, without the
-/// importer.
+/// The texts in the fields of an LDtk project and the number of its items, determined without the importer's
+/// code.
 struct LdtkCounts {
     int entities = 0;
     int tiles = 0;

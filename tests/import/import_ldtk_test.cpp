@@ -64,7 +64,7 @@ std::string levelText(const std::string& name, int x, int y, const char* content
         name, name, x, y, content);
 }
 
-/// A project of LDtk in a folder, and the scene that it becomes.
+/// An LDtk project in a temporary folder, and the scene imported from it.
 class ImportLdtkTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -131,7 +131,7 @@ TEST_F(ImportLdtkTest, tilesThatLieOverEachOtherBecomeLayersAndThoseOffTheGridSp
     const Json loose = entity("tile 2")["components"];
     EXPECT_EQ(loose["Transform"]["position"].dump(), "[-8,8]");
     EXPECT_TRUE(loose["Sprite"]["flipX"] == true && loose["Sprite"]["flipY"] == true);
-    EXPECT_GT(loose["Sprite"]["layer"], above["layer"]) << "it lies over both";
+    EXPECT_GT(loose["Sprite"]["layer"], above["layer"]) << "it is drawn above both";
     EXPECT_EQ(entity("tile 0")["components"]["Sprite"]["tint"], "#ffffff20") << "0.25 of the layer's 0.5";
 }
 
@@ -146,10 +146,10 @@ TEST_F(ImportLdtkTest, valuesOfAnIntGridAreTilesThatAreSolidByTheirName) {
     EXPECT_EQ(tileset["tiles"][0]["collision"], "full");
     EXPECT_FALSE(tileset["tiles"][1].contains("collision"));
     EXPECT_EQ(tileset["tiles"][1]["properties"]["value"], 3);
-    EXPECT_TRUE(tells("\"walls\" are solid"));
+    EXPECT_TRUE(tells("\"walls\" were made solid"));
 }
 
-/// LDtk shows the values of an IntGrid where no rule draws them.
+/// LDtk shows the values of an IntGrid only if no auto-layer rules draw them.
 TEST_F(ImportLdtkTest, valuesThatRulesDrawAreHiddenAlsoWhereTheyDrewNothing) {
     constexpr const char* kValues = R"("fieldInstances": [], "layerInstances": [
   {"__identifier": "Ground", "__type": "IntGrid", "__cWid": 4, "__cHei": 1, "__gridSize": 16, "__opacity": 1,
@@ -182,7 +182,7 @@ TEST_F(ImportLdtkTest, fieldsOfAllTypesBecomePropertiesAndReferencesFindTheirEnt
     EXPECT_TRUE(chest["properties"].contains("note"));
     EXPECT_EQ(chest["ldtk"]["tags"].dump(), R"(["loot"])");
     EXPECT_EQ(chest["ldtk"]["tile"]["tileset"], "Icons");
-    EXPECT_TRUE(tells("Icons")) << "LDtk's own icons are no file, which is said";
+    EXPECT_TRUE(tells("Icons")) << "LDtk's built-in icons are not in a file, which must be reported";
     const Json zone = entity("Zone")["components"];
     EXPECT_EQ(zone["BoxCollider"]["isTrigger"], true);
     EXPECT_EQ(zone["BoxCollider"]["width"], 48);
@@ -245,7 +245,7 @@ TEST_F(ImportLdtkTest, unknownKeysAreReportedAndWhatOnlyTheEditorNeedsIsNamed) {
     import(
         format(R"({{}, "worldLayout": "Free", "worlds": [], "nextUid": 4, "portals": [1], "levels": [{}]})",
                kDefinitions, levelText("A", 0, 0)));
-    EXPECT_TRUE(tells("\"portals\" is not known here"));
+    EXPECT_TRUE(tells("the key \"portals\" is unknown"));
     EXPECT_EQ(report_.editorKeys.count("nextUid"), 1u);
     EXPECT_TRUE(tells("1 key that only LDtk needs was left out: nextUid")) << report_.text();
 }
@@ -255,13 +255,13 @@ TEST_F(ImportLdtkTest, aDrawingOfAsepriteIsNamedWithItsRemedyAndItsPngTaken) {
                               levelText("A", 0, 0));
     text.replace(text.find("art.png"), 7, "art.aseprite");
     import(text);
-    EXPECT_FALSE(tells("art.aseprite is a drawing")) << "art.png lies beside it";
+    EXPECT_FALSE(tells("art.aseprite is an Aseprite file")) << "art.png is in the same folder";
     std::filesystem::remove(folder_.path / "art/art.png");
     import(text);
-    EXPECT_TRUE(tells("art.aseprite is a drawing of Aseprite"));
+    EXPECT_TRUE(tells("art.aseprite is an Aseprite file"));
 }
 
-/// LDtk counts a tile that the picture's edge cuts off; the place in the picture is what counts.
+/// LDtk counts tiles that the image's edge cuts off. A tile's position in the image has priority over its id.
 TEST_F(ImportLdtkTest, tilesOfAPictureThatIsNoMultipleOfTheGridLookAsInLdtk) {
     constexpr const char* kTiles = R"("fieldInstances": [], "layerInstances": [
   {"__identifier": "Far", "__type": "Tiles", "__cWid": 4, "__cHei": 2, "__gridSize": 16, "__opacity": 1,
@@ -277,7 +277,8 @@ TEST_F(ImportLdtkTest, tilesOfAPictureThatIsNoMultipleOfTheGridLookAsInLdtk) {
     EXPECT_EQ(far["cells"]["rows"].dump(), R"(["6 5 7 0","0 0 0 0"])");
     const Json tileset = read(project_ / far["tileset"].get<std::string>());
     EXPECT_EQ(tileset["columns"], 5);
-    EXPECT_TRUE(tells("1 tiles have numbers that the tileset Art does not have")) << report_.text();
+    EXPECT_TRUE(tells("1 tiles were left out, because tileset Art has no tiles of these ids"))
+        << report_.text();
 }
 
 TEST_F(ImportLdtkTest, pivotsAndTheParallaxOfEntitiesComeAlong) {
@@ -294,17 +295,17 @@ TEST_F(ImportLdtkTest, pivotsAndTheParallaxOfEntitiesComeAlong) {
     import(text);
     EXPECT_EQ(entity("Chest")["components"]["ParallaxLayer"]["factor"].dump(), "[0.75,1]");
     EXPECT_EQ(entity("Zone")["ldtk"]["pivot"].dump(), "[0.5,1]");
-    EXPECT_TRUE(tells("its entities without a picture stay in their place"));
+    EXPECT_TRUE(tells("its entities without an image do not move with it"));
 }
 
-TEST_F(ImportLdtkTest, areasThatAreNoPartOfAPictureAreReported) {
+TEST_F(ImportLdtkTest, areasOutsideAnImageAreReported) {
     std::string text = format(R"({{}, "worldLayout": "Free", "worlds": [], "levels": [{}]})", kDefinitions,
                               levelText("Cave", 0, 0));
     const std::string_view tile = R"("x": 16, "y": 0, "w": 16, "h": 16})";
     text.replace(text.find(tile), tile.size(), R"("x": 16, "y": 0, "w": 1e30, "h": 16})");
     import(text);
     EXPECT_FALSE(entity("Chest")["components"].contains("Sprite"));
-    EXPECT_TRUE(tells("its area is no part of a picture")) << report_.text();
+    EXPECT_TRUE(tells("its area is not inside an image")) << report_.text();
 }
 
 TEST_F(ImportLdtkTest, aWorldThatFailsLeavesNoFileOfTheOthers) {
@@ -323,7 +324,7 @@ TEST_F(ImportLdtkTest, aWorldThatFailsLeavesNoFileOfTheOthers) {
     EXPECT_TRUE(readFile(project_ / "scenes/level-Un_der.scene.json").ok());
 }
 
-TEST_F(ImportLdtkTest, whatIsNoProjectIsRefused) {
+TEST_F(ImportLdtkTest, filesThatAreNotLdtkProjectsAreRejected) {
     put("bad.ldtk", "{\"levels\": []}");
     EXPECT_FALSE(importLdtk(folder_.path / "art/bad.ldtk", scene_).ok());
     put("bad.ldtk", "[1, 2");

@@ -1,5 +1,5 @@
-// Maps of Tiled as our renderer draws what became of them, beside the pictures that Tiled's own
-// `tmxrasterizer` makes of them.
+// Compares imported Tiled maps, drawn by the engine's renderer, with the images that Tiled's `tmxrasterizer`
+// draws of the maps.
 
 #include <algorithm>
 #include <cstdio>
@@ -27,13 +27,13 @@ namespace plumb {
 namespace {
 
 constexpr Vec2 kPicture{320.0f, 180.0f};
-constexpr int kTolerance = 12;    // of 255, in each channel: filters round in another way
-constexpr double kEnough = 0.99;  // of the pixels that both can draw
-constexpr int kAround = 3;        // px around what Tiled draws in another way: its outlines are wide
+constexpr int kTolerance = 12;    // maximum difference per channel, 0 to 255: filters round differently
+constexpr double kEnough = 0.99;  // minimum ratio of equal pixels outside the mask
+constexpr int kAround = 3;        // px: margin of masked areas, since Tiled's outlines are wide
 
 bool canRasterize() { return std::system("command -v tmxrasterizer > /dev/null 2>&1") == 0; }
 
-/// Tiled's picture of a map; null when it cannot make one.
+/// Draws a map with tmxrasterizer; no value if it fails.
 std::optional<Image> rasterized(const Path& map, const Path& folder) {
     const Path png = folder / "tiled.png";
     const std::string command =
@@ -45,9 +45,10 @@ std::optional<Image> rasterized(const Path& map, const Path& folder) {
     return image ? std::optional{*image} : std::nullopt;
 }
 
-/// A place for tmxrasterizer, which cannot read what Debian packed with gzip: the map and all around it.
+/// Copies the folder of a map and unpacks its files, because tmxrasterizer cannot read files that Debian
+/// compressed with gzip.
 Path unpackedCopy(const Path& map, const Path& folder) {
-    const Path around = map.lexically_normal().parent_path();  // rules lie one folder below their pictures
+    const Path around = map.lexically_normal().parent_path();  // rule maps are one folder below their images
     const std::string copy = (folder / "copy").generic_string();
     const std::string command = format("cp -rL '{}' '{}' && find '{}' -name '*.gz' -exec gunzip -f {} +",
                                        around.parent_path().generic_string(), copy, copy, "{}");
@@ -67,9 +68,9 @@ Image cropped(const Image& whole, int left, int top, int width, int height) {
     return piece;
 }
 
-/// A tile of a tileset that is a part of a picture, as it stands in the file.
+/// A tile of a tileset file that is a region of an image.
 struct PartTile {
-    std::size_t begin = 0;  // of its letters
+    std::size_t begin = 0;  // range of its element in the file's text
     std::size_t end = 0;
     int id = 0, left = 0, top = 0, width = 0, height = 0;  // px
     std::string picture;
@@ -94,7 +95,7 @@ std::optional<PartTile> nextPart(const std::string& text, std::size_t from) {
     return std::nullopt;
 }
 
-/// Cuts it out into a picture of its own. @return  what shall stand there
+/// Writes the tile's region to a separate image. @return the element that replaces the tile's element
 std::string cutPicture(const PartTile& tile, const Path& folder) {
     const std::string picture = format("part-{}.png", tile.id);
     const Image whole = *decodeImage(*readFile(folder / tile.picture), "");
@@ -104,8 +105,8 @@ std::string cutPicture(const PartTile& tile, const Path& folder) {
                   piece.height, picture);
 }
 
-/// Parts of pictures as tiles came with Tiled 1.9; an older rasterizer draws the whole picture for each. So
-/// every part becomes a picture of its own.
+/// Replaces all tiles that are image regions, a feature of Tiled 1.9, by tiles with separate images, because
+/// an older tmxrasterizer draws the whole image for each.
 void cutPictures(const Path& folder) {
     for (const std::string& name : filesBelow(folder, ".tsx")) {
         const Path file = folder / name;
@@ -132,10 +133,10 @@ protected:
         window.reset();
     }
 
-    /// The scene that a map becomes, drawn over black as large as the map.
+    /// Draws the scene imported from a map on black, in the size of the map.
     Image drawn(const tiled::Map& map, const Path& project, const std::string& scene) {
         Json json = *parseJson(*readFile(project / scene), "");
-        json.erase("background");  // tmxrasterizer leaves it out
+        json.erase("background");  // tmxrasterizer does not draw it
         TypeRegistry types;
         registerSceneComponents(types);
         World world{types};
@@ -154,7 +155,7 @@ protected:
         const Viewport viewport{.target = target, .width = width, .height = height};
         SceneView how;
         how.view = {size * 0.5f, size};
-        // Tiled's picture shows layers as they lie when the view's middle is at the origin of parallax.
+        // tmxrasterizer draws layers as if the view's center were at the parallax origin.
         how.parallaxOrigin = kPicture * 0.5f - map.parallaxOrigin;
         device->setViewport(viewport);
         device->clear({0, 0, 0, 255});
@@ -167,7 +168,7 @@ protected:
         return image;
     }
 
-    /// Marks a box of the map as drawn by Tiled in another way.
+    /// Adds a box of the map to the mask of pixels that are not compared.
     static void mask(std::vector<bool>& masked, const tiled::Map& map, double left, double top, double right,
                      double bottom) {
         const int width = map.width * map.tileWidth;
@@ -182,7 +183,8 @@ protected:
         }
     }
 
-    /// tmxrasterizer draws outlines of shapes and names, and marks instead of objects made of templates.
+    /// Returns the mask of pixels that are not compared: tmxrasterizer draws outlines and names of shapes,
+    /// and markers instead of objects made from templates.
     static std::vector<bool> maskOf(const tiled::Map& map) {
         std::vector<bool> masked(static_cast<std::size_t>(map.width * map.tileWidth) *
                                  static_cast<std::size_t>(map.height * map.tileHeight));
@@ -207,7 +209,7 @@ protected:
         return masked;
     }
 
-    /// Part of the pixels outside the mask that look the same.
+    /// Returns the ratio of pixels outside the mask that are equal within the tolerance.
     static double alike(const Image& ours, const Image& theirs, const std::vector<bool>& masked) {
         std::size_t same = 0;
         std::size_t all = 0;
@@ -244,14 +246,14 @@ TEST_F(ImportPixelsTest, orthogonalMapsLookAsTiledDrawsThem) {
         ASSERT_TRUE(writeFile(project / "project.json", "{\"resolution\": [320, 180]}").ok());
         std::vector<Error> ignored;
         const Result<tiled::Map> map = loadTiledMap(file, ignored);
-        // Of an infinite map it draws only what is painted.
+        // Of infinite maps tmxrasterizer draws only the painted area.
         if (!map || map->orientation != tiled::Orientation::Orthogonal || map->infinite) continue;
         const Result<ImportReport> report = importFile(file, {}, project);
         ASSERT_TRUE(report.ok()) << report.error().text();
         const Image ours = drawn(*map, project, report->scene);
         cutPictures(folder.path / "copy");
         const std::optional<Image> theirs = rasterized(file, folder.path);
-        if (!theirs) continue;  // its own examples are newer than its reader at times
+        if (!theirs) continue;  // an example can use a newer format than the installed tmxrasterizer supports
         ASSERT_EQ(ours.width, theirs->width);
         ASSERT_EQ(ours.height, theirs->height);
         const double part = alike(ours, *theirs, maskOf(*map));

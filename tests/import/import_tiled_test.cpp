@@ -34,7 +34,7 @@ constexpr const char* kMap =
   <object id="5" name="sign" x="5" y="6" width="90" height="20"><text pixelsize="10" color="#80ff0000">Hi</text></object>
  </objectgroup></map>)";
 
-/// A project with one map beside it, and the scene that the map becomes.
+/// A project, a map in a folder next to it, and the scene imported from the map.
 class ImportTiledTest : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -60,7 +60,7 @@ protected:
     Path scene_ = project_ / "scenes/level.scene.json";
 };
 
-TEST_F(ImportTiledTest, theReportCountsWhatCameIn) {
+TEST_F(ImportTiledTest, theReportCountsImportedItems) {
     const Result<ImportReport> report = import();
 
     ASSERT_TRUE(report.ok()) << report.error().text();
@@ -69,7 +69,7 @@ TEST_F(ImportTiledTest, theReportCountsWhatCameIn) {
     EXPECT_EQ(report->tiles, 2);
     EXPECT_EQ(report->objects, 5);
     EXPECT_EQ(report->tilesets, 2);
-    EXPECT_EQ(report->images, 2);  // with the colour key and without
+    EXPECT_EQ(report->images, 2);  // one image with the color key and one without
     EXPECT_TRUE(report->problems.empty()) << report->text();
     for (const std::string& file : report->files) EXPECT_TRUE(readFile(project_ / file).ok()) << file;
 }
@@ -100,7 +100,7 @@ TEST_F(ImportTiledTest, tileObjectsStandOnTheirLowerLeftCornerAndKeepTheirProper
     ASSERT_TRUE(import().ok());
 
     const Json crate = entity("crate");
-    // Tiled: (10, 20) + ((middle of the picture - origin) * (1 - parallax)) in x
+    // x of Tiled's position (10, 20) + (center of the view - parallax origin) * (1 - parallax)
     EXPECT_EQ(crate["components"]["Transform"]["position"].dump(), "[40,20]");
     EXPECT_NEAR(crate["components"]["Transform"]["rotation"].get<double>(), 1.5707963, 1e-6);
     EXPECT_EQ(crate["components"]["Transform"]["scale"].dump(), "[2,0.5]");
@@ -165,19 +165,19 @@ TEST_F(ImportTiledTest, wangSetsBecomeTerrainsOneForEachColor) {
     EXPECT_EQ(terrains[0]["color"], "#ff0000");
     EXPECT_EQ(terrains[0]["mode"], "corners");
     EXPECT_EQ(tilesOf(0), (Tiles{{0, N::kCorners}}));
-    // A tile of both colors belongs to the later one, which has no name but the set's.
+    // A tile of both colors belongs to the later one, which has no name, so the set's name is used.
     EXPECT_EQ(terrains[1]["name"], "shore");
     EXPECT_EQ(tilesOf(1), (Tiles{{1, N::kDownRight | N::kDownLeft}}));
     EXPECT_EQ(terrains[2]["mode"], "edges");
     EXPECT_EQ(tilesOf(2), (Tiles{{2, N::kUp | N::kDown}}));
-    // A corner counts only between two sides: the one below right goes.
+    // A corner counts only between two edges, so the one at the lower right is removed.
     EXPECT_EQ(terrains[3]["mode"], "blob");
     EXPECT_EQ(tilesOf(3), (Tiles{{3, N::kUp | N::kUpRight | N::kRight}}));
     EXPECT_EQ(tileset["tiles"][0]["probability"], 0.25f);
 }
 
-/// Tiles that its terrains choose for a map that was painted in Tiled have the masks of those that were
-/// there.
+/// Painting a Tiled map again with its imported terrains selects tiles with the same masks as the original
+/// tiles.
 TEST_F(ImportTiledTest, aMapOfTiledIsPaintedAgainByItsTerrains) {
     const std::vector<Path> maps = test::foreignMaps({"desert.tmx"});
     if (maps.empty()) GTEST_SKIP() << "Tiled's example desert.tmx is not on this machine (Debian: tiled)";
@@ -188,7 +188,7 @@ TEST_F(ImportTiledTest, aMapOfTiledIsPaintedAgainByItsTerrains) {
     const Result<Tileset> tileset = parseTileset(*readFile(project_ / file), file, problems);
     ASSERT_TRUE(tileset.ok()) << tileset.error().text();
     EXPECT_TRUE(problems.empty());
-    std::map<int, std::pair<int, int>> meaning;  // of a tile: its terrain and its mask
+    std::map<int, std::pair<int, int>> meaning;  // terrain and mask of each tile
     for (const Terrain& terrain : tileset->terrains) {
         for (const TerrainTile& tile : terrain.tiles) meaning[tile.tile] = {terrain.id, tile.mask};
     }
@@ -212,7 +212,7 @@ TEST_F(ImportTiledTest, aMapOfTiledIsPaintedAgainByItsTerrains) {
     EXPECT_GT(compared, 1000);
 }
 
-TEST_F(ImportTiledTest, aMissingPictureIsReportedAndTheMapComesInAllTheSame) {
+TEST_F(ImportTiledTest, aMissingImageIsReportedAndTheMapIsImported) {
     std::filesystem::remove(folder_.path / "art/sheet.png");
 
     const Result<ImportReport> report = import();
@@ -293,9 +293,9 @@ TEST_F(ImportTiledTest, unknownNamesAreReportedOnceAndWhatOnlyTiledNeedsIsNamed)
     ASSERT_TRUE(report.ok());
     const std::string text = report->text();
     EXPECT_EQ(report->problems.size(), 3u) << text;
-    EXPECT_NE(text.find("<hologram> is not known"), std::string::npos);
-    EXPECT_NE(text.find("\"glow\" is not known"), std::string::npos);
-    EXPECT_NE(text.find("blended by \"add\""), std::string::npos);
+    EXPECT_NE(text.find("<hologram> is unknown"), std::string::npos);
+    EXPECT_NE(text.find("\"glow\" is unknown"), std::string::npos);
+    EXPECT_NE(text.find("the blend mode \"add\""), std::string::npos);
     EXPECT_NE(text.find("1 key that only Tiled needs was left out: nextlayerid"), std::string::npos) << text;
 }
 
@@ -334,7 +334,7 @@ TEST_F(ImportTiledTest, everyShapeOfAnObjectBecomesATrigger) {
     EXPECT_NE(report->text().find("1 shapes have more than 64 corners"), std::string::npos) << report->text();
 }
 
-TEST_F(ImportTiledTest, whatAClassSaysComesFromTheProjectOfTiled) {
+TEST_F(ImportTiledTest, defaultPropertiesOfClassesAreReadFromTheTiledProject) {
     ASSERT_TRUE(writeFile(folder_.path / "game.tiled-project", R"({"propertyTypes": [
         {"name": "Door", "type": "class", "useAs": ["object"], "members": [
          {"name": "locked", "type": "bool", "value": true}, {"name": "key", "type": "string", "value": "gold"},
@@ -419,15 +419,16 @@ TEST_F(ImportTiledTest, whatIsWrongWithTilesAndPropertiesIsReported) {
     for (const char* line :
          {"the property wet has the type bool and the value \"maybe\"",
           "the property depth has the type int and the value \"deep\"",
-          "the property twice stands there twice", "1 frames of its animation are beyond the 4 tiles",
-          "tile 9: it is beyond the 4 tiles", "the picture has no file", "visible is \"perhaps\"",
-          "1 cells name tiles beyond the 4 of the tileset land", "object 3: its tile 11 is beyond the 4"})
+          "there are two properties named twice", "1 frames of its animation are beyond the 4 tiles",
+          "tile 9: it is beyond the 4 tiles", "the image has no file", "visible is \"perhaps\"",
+          "1 cells contain tile ids beyond the 4 tiles of tileset land",
+          "object 3: its tile 11 is beyond the 4 tiles"})
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
     EXPECT_EQ(read(scene_)["properties"]["wet"], "maybe");
     EXPECT_EQ(read(scene_)["properties"]["twice"], "b");
 }
 
-TEST_F(ImportTiledTest, aNameThatIsNoSceneIsRefused) {
+TEST_F(ImportTiledTest, aTargetThatIsNotASceneFileIsRejected) {
     EXPECT_FALSE(importTiled(folder_.path / "art/level.tmx", project_ / "level.json").ok());
     EXPECT_FALSE(importTiled(folder_.path / "art/none.tmx", scene_).ok());
 }

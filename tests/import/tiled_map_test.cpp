@@ -12,7 +12,7 @@ namespace {
 using tiled::Gid;
 using tiled::Shape;
 
-/// Files that exist only in the test, by name.
+/// A file reader with files in memory, by name.
 class FakeFiles {
 public:
     std::map<std::string, std::string> files;
@@ -38,7 +38,7 @@ std::string mapOf(const std::string& inside, const std::string& attributes = "")
            inside + "</map>";
 }
 
-// 1, 0, 2 flipped left-right / 3 flipped top-bottom, 4 along the diagonal, 5 with all four bits
+// First row: 1, 0, 2 flipped horizontally. Second: 3 flipped vertically, 4 diagonally, 5 with all four bits.
 const std::vector<Gid> kCells{1, 0, 0x80000002u, 0x40000003u, 0x20000004u, 0xf0000005u};
 
 struct Encoding {
@@ -248,7 +248,7 @@ TEST(TiledMapTest, whatIsNeitherOrthogonalNorIsometricIsRefused) {
     }
 }
 
-TEST(TiledMapTest, aSmallFileCannotAskForAHugeGrid) {
+TEST(TiledMapTest, aSmallFileCannotRequireAHugeGrid) {
     FakeFiles fake;
     const Result<tiled::Map> map = fake.load(mapOf(
         "<layer name='a' width='16384' height='16384'><data encoding='base64' compression='zlib'>eJwDAAAAAAE="

@@ -1,4 +1,4 @@
-// Values of a wrong type that once ended the program.
+// Values of a wrong type that crashed earlier versions of the program.
 
 #include <stdexcept>
 #include <string>
@@ -39,7 +39,7 @@ struct WrongTypes : testing::Test {
             "prefabs/lamp.prefab.json", "children": {"0000000000000002": )" +
                part + "}}]}";
     }
-    /// One problem whose text has these words, and the part is there.
+    /// Expects one problem that contains these texts.
     void expectReported(const std::vector<Error>& problems, const char* where, const char* what) {
         ASSERT_EQ(problems.size(), 1u);
         EXPECT_NE(problems[0].where.find(where), std::string::npos) << problems[0].text();
@@ -48,7 +48,7 @@ struct WrongTypes : testing::Test {
     }
 };
 
-TEST_F(WrongTypes, aPartRemovedByANumberStaysAndTheFileKeepsIt) {
+TEST_F(WrongTypes, aPartWhoseRemovedIsANumberStaysAndTheFileKeepsTheValue) {
     const Result<LoadReport> report = loadScene(world, context, kPath, instanceWith(R"({"removed": 5})"));
     ASSERT_TRUE(report);
     expectReported(report->problems, "children.0000000000000002.removed", "found 5");
@@ -56,7 +56,7 @@ TEST_F(WrongTypes, aPartRemovedByANumberStaysAndTheFileKeepsIt) {
     EXPECT_NE(sceneToJson(world, context, sceneId(kPath)).find("\"removed\": 5"), std::string::npos);
 }
 
-TEST_F(WrongTypes, aPartThatIsNotRemovedIsNoErrorAndTheFileKeepsIt) {
+TEST_F(WrongTypes, aPartWhoseRemovedIsFalseIsValidAndTheFileKeepsTheValue) {
     const Result<LoadReport> report = loadScene(world, context, kPath, instanceWith(R"({"removed": false})"));
     ASSERT_TRUE(report);
     EXPECT_TRUE(report->problems.empty());
@@ -64,14 +64,14 @@ TEST_F(WrongTypes, aPartThatIsNotRemovedIsNoErrorAndTheFileKeepsIt) {
     EXPECT_NE(sceneToJson(world, context, sceneId(kPath)).find("\"removed\": false"), std::string::npos);
 }
 
-TEST_F(WrongTypes, anOverrideThatIsNoObjectIsLeftOut) {
+TEST_F(WrongTypes, anOverrideThatIsNotAnObjectIsIgnored) {
     const Result<LoadReport> report = loadScene(world, context, kPath, instanceWith("5"));
     ASSERT_TRUE(report);
     expectReported(report->problems, "children.0000000000000002", "found 5");
     EXPECT_EQ(world.entityCount(), 2u);
 }
 
-TEST_F(WrongTypes, aPrefabInsideAPrefabWithAWrongOverrideIsReadInPart) {
+TEST_F(WrongTypes, aNestedPrefabWithAnInvalidOverrideIsReadPartially) {
     const auto post = [&](const std::string& children) {
         library.add("prefabs/post.prefab.json", R"({"format": 1, "entities": [
             {"id": "20", "components": {"Transform": {}}},
@@ -93,7 +93,7 @@ TEST_F(WrongTypes, aPrefabInsideAPrefabWithAWrongOverrideIsReadInPart) {
     }
 }
 
-TEST_F(WrongTypes, anOldSceneWhoseTransformIsNoObjectLoads) {
+TEST_F(WrongTypes, anOldSceneWhoseTransformIsNotAnObjectLoads) {
     const Result<LoadReport> report = loadScene(world, context, kPath, R"({"format": 0, "effects": {},
         "layers": [], "entities": [{"id": "a1", "position": [3, 4], "components": {"Transform": 5}}]})");
     ASSERT_TRUE(report);
@@ -118,20 +118,20 @@ struct WrongTypesInImports : testing::Test {
     }
 };
 
-TEST_F(WrongTypesInImports, aSheetWithoutAListOfFramesIsRefused) {
+TEST_F(WrongTypesInImports, aSheetWithoutFramesIsRejected) {
     for (const char* frames : {"5", "true", "\"a\"", "null", "[]", "{}"}) {
         std::string text = "{\"frames\": ";
         text.append(frames).append(
             R"(, "meta": {"image": "hero.png", "frameTags": [{"name": "walk", "to": 2}]}})");
-        expectRefused("hero.json", text, "no sheet of Aseprite");
+        expectRefused("hero.json", text, "not an Aseprite sheet");
     }
 }
 
-TEST_F(WrongTypesInImports, aWorldWhoseTypeIsANumberIsNoWorld) {
-    expectRefused("all.json", R"({"maps": [], "type": 5})", "no file that can be imported");
+TEST_F(WrongTypesInImports, aWorldFileWhoseTypeIsANumberIsRejected) {
+    expectRefused("all.json", R"({"maps": [], "type": 5})", "this kind of file cannot be imported");
 }
 
-TEST_F(WrongTypesInImports, chunksThatAreNoListAreLeftOut) {
+TEST_F(WrongTypesInImports, chunksThatAreNotAnArrayAreIgnored) {
     for (const char* chunks : {"5", "{\"data\": [1]}", "\"x\""}) {
         SCOPED_TRACE(chunks);
         std::string text = R"({"type": "map", "orientation": "orthogonal", "width": 1, "height": 1,
@@ -142,7 +142,7 @@ TEST_F(WrongTypesInImports, chunksThatAreNoListAreLeftOut) {
     }
 }
 
-TEST_F(WrongTypesInImports, tagsAndDataOfTilesThatAreNoTextAreReportedAndLeftOut) {
+TEST_F(WrongTypesInImports, tagsAndDataOfTilesThatAreNotStringsAreReportedAndIgnored) {
     std::string text = *readFile(test::sourceFolder() / "tests/import/maps/island.ldtk");
     for (const std::string_view value : {"\"hot\"", "\"Lava\""}) {
         const std::size_t at = text.find(value);
@@ -160,7 +160,7 @@ TEST_F(WrongTypesInImports, tagsAndDataOfTilesThatAreNoTextAreReportedAndLeftOut
     EXPECT_EQ(reported, 2);
 }
 
-TEST(Guarded, anExceptionOfAReaderBecomesAnErrorThatNamesTheFile) {
+TEST(Guarded, anExceptionInAReaderBecomesAnErrorWithTheFileName) {
     const Result<int> read = guarded("a.json", []() -> Result<int> { throw std::runtime_error{"bad type"}; });
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().where, "a.json");

@@ -63,7 +63,7 @@ TEST(DeviceState, shortPressesOfMouseAndGamepadAreNotLostEither) {
     EXPECT_FALSE(second.has(MouseButton::Left));
 }
 
-TEST(DeviceState, theKeyboardsOwnRepetitionIsIgnored) {
+TEST(DeviceState, keyRepeatIsIgnored) {
     DeviceState devices;
     Event repeated = keyEvent(Key::A, true);
     repeated.repeated = true;
@@ -71,7 +71,7 @@ TEST(DeviceState, theKeyboardsOwnRepetitionIsIgnored) {
     EXPECT_FALSE(devices.take().has(Key::A));
 }
 
-TEST(DeviceState, theWheelIsGivenOnceAndAddsUp) {
+TEST(DeviceState, wheelMovementIsSummedAndReportedOnce) {
     DeviceState devices;
     Event wheel{.kind = EventKind::MouseWheel};
     wheel.motion = {0.0f, 1.5f};
@@ -95,7 +95,7 @@ TEST(DeviceState, losingTheFocusReleasesEverything) {
     EXPECT_EQ(frame.connectedPads, 1);
 }
 
-TEST(DeviceState, aGamepadThatIsPulledOutLetsGo) {
+TEST(DeviceState, disconnectingAGamepadReleasesItsButtons) {
     DeviceState devices;
     devices.handle(padEvent(EventKind::PadAdded, 2));
     devices.handle(padEvent(EventKind::PadDown, 2));
@@ -110,7 +110,7 @@ TEST(DeviceState, aGamepadThatIsPulledOutLetsGo) {
     EXPECT_EQ(frame.pads[2], PadFrame{});
 }
 
-TEST(DeviceState, senselessEventsChangeNothing) {
+TEST(DeviceState, invalidEventsChangeNothing) {
     DeviceState devices;
     devices.handle(padEvent(EventKind::PadDown, 99));
     devices.handle(padEvent(EventKind::PadDown, -1));

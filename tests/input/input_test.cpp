@@ -69,7 +69,7 @@ TEST(Input, anAxisIsTheSumOfItsKeysOrTheStick) {
     EXPECT_EQ(input.getAxis(Axis{"Unknown"}), 0.0f);
 }
 
-TEST(Input, theDeadZoneIsRoundAndStretchesWhatIsBeyond) {
+TEST(Input, theDeadZoneIsRoundAndTheRestIsRescaled) {
     Input input;
     for (const float at : {0.0f, 0.1f, 0.19f, -0.19f}) {
         input.advance(stick(at, 0.0f));
@@ -86,7 +86,7 @@ TEST(Input, theDeadZoneIsRoundAndStretchesWhatIsBeyond) {
     }
 }
 
-TEST(Input, theLogTellsEachPressOnceWhenAsked) {
+TEST(Input, theLogContainsEachPressOnceIfEnabled) {
     std::vector<std::string> lines;
     const LogSink before =
         setLogSink([&](const LogLine& line) { lines.push_back("[" + line.channel + "] " + line.text); });
@@ -101,7 +101,7 @@ TEST(Input, theLogTellsEachPressOnceWhenAsked) {
     EXPECT_EQ(lines, std::vector<std::string>{"[Input] Jump pressed"});
 }
 
-TEST(Input, actionsByNameComeFromTheProjectAndTheOthersKeepTheirKeys) {
+TEST(Input, namedActionsUseTheProjectsKeysAndOthersKeepTheirs) {
     std::vector<Error> problems;
     Input input{mapOf(R"({"actions": {"Dash": ["LeftShift", "Pad2 X", "Pad RightTrigger"]}})", problems)};
     EXPECT_TRUE(problems.empty());
@@ -119,7 +119,7 @@ TEST(Input, actionsByNameComeFromTheProjectAndTheOthersKeepTheirKeys) {
     EXPECT_TRUE(input.isHeld(Action{"Dash"}));
 }
 
-TEST(Input, aRestoredInputGoesOnAsIfNothingHadHappened) {
+TEST(Input, aRestoredInputContinuesIdentically) {
     Input a;
     a.advance(holding({Key::Space}));
     Input b;
@@ -156,7 +156,7 @@ TEST(ActionMap, aMapReadsBackFromItsJson) {
     EXPECT_TRUE(problems.empty());
 }
 
-TEST(ActionMap, aWrongBindingIsReportedWithWhatWasMeantAndTheOthersStay) {
+TEST(ActionMap, anInvalidBindingIsReportedWithASuggestionAndOthersAreKept) {
     std::vector<Error> problems;
     const ActionMap map = mapOf(R"({"actions": {"Jump": ["Spce", "W", 7]}})", problems);
 
@@ -166,7 +166,7 @@ TEST(ActionMap, aWrongBindingIsReportedWithWhatWasMeantAndTheOthersStay) {
     EXPECT_EQ(map.actions[static_cast<std::size_t>(map.find(Action::Jump))].bindings.size(), 1u);
 }
 
-TEST(ActionMap, wrongShapesAreReportedAndKeepTheDefaults) {
+TEST(ActionMap, wrongJsonTypesAreReportedAndKeepTheDefaults) {
     for (const char* text :
          {"[]", "7", R"({"actions": []})", R"({"axes": 3})", R"({"deadZone": 5})", R"({"action": {}})",
           R"({"actions": {"Jump": "Space"}})", R"({"axes": {"Horizontal": []}})",
@@ -178,7 +178,7 @@ TEST(ActionMap, wrongShapesAreReportedAndKeepTheDefaults) {
     }
 }
 
-TEST(ActionMap, moreActionsThanTheLimitAreReportedAndLeftOut) {
+TEST(ActionMap, actionsBeyondTheLimitAreReportedAndIgnored) {
     std::string text = R"({"actions": {)";
     for (int i = 0; i < 100; ++i) text += (i == 0 ? "\"a" : ", \"a") + std::to_string(i) + "\": []";
     std::vector<Error> problems;

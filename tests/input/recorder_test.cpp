@@ -58,7 +58,7 @@ TEST(Recorder, aReplayReadsBackTheSameOverRandomInput) {
     }
 }
 
-TEST(Recorder, thePlayerGivesEveryTickItsFrameAndItsCheckpoint) {
+TEST(Recorder, thePlayerReturnsTheFrameAndCheckpointOfEveryTick) {
     Recorder recorder;
     std::vector<InputFrame> frames;
     Random random = Random::seeded(3);
@@ -83,7 +83,7 @@ TEST(Recorder, thePlayerGivesEveryTickItsFrameAndItsCheckpoint) {
     EXPECT_EQ(recorder.ticks(), 500u);
 }
 
-TEST(Recorder, theFileSaysWhatThePlayerDid) {
+TEST(Recorder, theFileListsInputChangesAsText) {
     Recorder recorder;
     recorder.replay.project = "Sky\nCaves";
     recorder.replay.seed = 42;
@@ -101,7 +101,7 @@ TEST(Recorder, theFileSaysWhatThePlayerDid) {
               "30\n12 +Right\n1 -Right mouse=120,0 Gamepad1.LeftX=-32767\nend 43\n");
 }
 
-TEST(Recorder, brokenReplaysAreRefusedWithTheLine) {
+TEST(Recorder, invalidReplaysAreRejectedWithTheLine) {
     const std::string head = "plumb-replay 1\n";
     const std::string broken[] = {"",
                                   "x",
@@ -145,16 +145,17 @@ TEST(Recorder, brokenReplaysAreRefusedWithTheLine) {
     EXPECT_TRUE(parseReplay(head + "5184000 +Right\r\nend 5184000\n", "x").ok());
 }
 
-TEST(Recorder, everyCutOffReplayIsRefused) {
+TEST(Recorder, everyTruncatedReplayIsRejected) {
     const std::string text = writeReplay(randomRecording(7).replay);
     for (std::size_t length = 0; length + 1 < text.size(); length += 11) {
         const Result<Replay> cut = parseReplay(text.substr(0, length), "x");
-        // Cutting digits off the last line may leave another number, which then contradicts the ticks above.
+        // A last line without its last digits may be another valid number, which contradicts the ticks
+        // before.
         ASSERT_FALSE(cut.ok()) << length;
     }
 }
 
-TEST(Recorder, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
+TEST(Recorder, randomMutationsNeverCrashAndReadFilesAreWrittenBackUnchanged) {
     const std::string good = writeReplay(randomRecording(11).replay);
     Random random = Random::seeded(1);
     for (int i = 0; i < 800; ++i) {
@@ -165,7 +166,7 @@ TEST(Recorder, randomMutationsNeverCrashAndWhatIsReadWritesBack) {
     }
 }
 
-TEST(Recorder, aSavedReplayLoadsAndAMissingOneSaysSo) {
+TEST(Recorder, aSavedReplayLoadsAndAMissingOneIsAnError) {
     const test::TemporaryFolder folder;
     const Replay replay = randomRecording(2).replay;
     ASSERT_TRUE(saveReplay(replay, folder.path / "a" / "run.replay").ok());

@@ -1,5 +1,4 @@
-# Installs the engine into an empty folder and builds and runs programs against it that know nothing of the
-# source tree:
+# Installs the engine into an empty folder, and builds and runs programs that use only the installed files:
 #   cmake -D BUILD=… -D SOURCE=… -D WORK=… -D FLAGS=… -P try_install.cmake
 
 function(run)
@@ -26,7 +25,7 @@ run(${WORK}/build/game)
 expect("entities: 2")
 run(${WORK}/build/falling)
 expect("fell 4.0[0-9]* m in 0.9 s")
-# It falls 4.9 m and keeps half of its 9.9 m/s; the step ends up to 1/60 s after that, so up to 0.17 m/s slower.
+# The cube falls 4.9 m and keeps half of its 9.9 m/s. It is read up to 1/60 s after the bounce, so up to 0.17 m/s less.
 expect("bounced with (4.8|4.9) m/s")
 expect("the cube is red\nthe cube is blue")
 expect("pushed the heavy one less")

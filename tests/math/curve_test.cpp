@@ -32,7 +32,7 @@ TEST(Curves, areExactAtTheirKeysAndStayAtTheFirstAndTheLast) {
     }
 }
 
-TEST(Curves, neverSwingBeyondTheKeysBesideAPlaceAndRiseWhereThoseDo) {
+TEST(Curves, stayBetweenAdjacentKeysAndAreMonotoneIfTheKeysAre) {
     Random random = Random::seeded(2);
     for (int i = 0; i < 2000; ++i) {
         const Curve curve = randomCurve(random);
@@ -54,7 +54,7 @@ TEST(Curves, neverSwingBeyondTheKeysBesideAPlaceAndRiseWhereThoseDo) {
     }
 }
 
-TEST(Curves, areStraightWhereTheyAreLinearAndRoundWhereTheyAreSmooth) {
+TEST(Curves, areStraightIfLinearAndRoundIfSmooth) {
     Curve curve = Curve::hump(0.0f, 1.0f);
     curve.shape = CurveShape::Linear;
     EXPECT_FLOAT_EQ(curve.valueAt(0.25f), 0.5f);

@@ -11,7 +11,7 @@
 namespace plumb {
 namespace {
 
-TEST(Logarithm, isThatOfTheLibraryWithinAMillionth) {
+TEST(Logarithm, equalsTheStandardLibraryWithinAMillionth) {
     for (int exponent = -44; exponent <= 38; ++exponent) {
         for (int i = 1; i < 100; ++i) {
             const auto x = static_cast<float>(std::pow(10.0, exponent) * (0.1 * i));
@@ -23,7 +23,7 @@ TEST(Logarithm, isThatOfTheLibraryWithinAMillionth) {
     EXPECT_NEAR(exponential(logarithm10(123.0f) * 2.302585093f), 123.0f, 1e-3f);
 }
 
-TEST(Logarithm, whatHasNoneIsBelowAll) {
+TEST(Logarithm, invalidArgumentsReturnMinus45BelowAllValidResults) {
     for (const float x :
          {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()})
         EXPECT_EQ(logarithm10(x), -45.0f);

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-TEST(TileGrids, holdWhatAPlainArrayWouldHold) {
+TEST(TileGrids, matchAPlainArray) {
     Random random = Random::seeded(7);
     constexpr int kWidth = 70;
     constexpr int kHeight = 45;
@@ -28,7 +28,7 @@ TEST(TileGrids, holdWhatAPlainArrayWouldHold) {
     EXPECT_EQ(grid.at(kWidth, 0), 0u);
 }
 
-TEST(TileGrids, aCopyKeepsItsCellsWhenTheOtherChanges) {
+TEST(TileGrids, aCopyKeepsItsCellsWhenTheOriginalChanges) {
     TileGrid grid{40, 40};
     grid.set(3, 3, 5);
     const TileGrid copy = grid;
@@ -39,7 +39,7 @@ TEST(TileGrids, aCopyKeepsItsCellsWhenTheOtherChanges) {
     EXPECT_EQ(grid.at(3, 3), 6u);
 }
 
-TEST(TileGrids, stampsTellWhichRowOfChunksChanged) {
+TEST(TileGrids, stampsIdentifyChangedRowsOfChunks) {
     TileGrid grid{100, 100};
     const std::uint64_t first = grid.rowStamp(0);
     const std::uint64_t second = grid.rowStamp(1);

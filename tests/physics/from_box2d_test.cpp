@@ -25,7 +25,8 @@
 #include "tests/physics/support/recording_canvas.hpp"
 #include "tests/support/places.hpp"
 
-// The examples of docs/from-box2d.md, word for word between `// doc` and `// end`: the last test compares.
+// The examples of docs/from-box2d.md, verbatim between `// doc` and `// end`; the last test compares them
+// with the file.
 
 namespace plumb::physics {
 namespace {
@@ -190,7 +191,7 @@ TEST(FromBox2d, events) {
         // end
         ASSERT_EQ(inside.size(), 1u);
     }
-    EXPECT_NEAR(hit, 9.4868f, 0.2f);  // sqrt(2 * 10 m/s2 * 4.5 m)
+    EXPECT_NEAR(hit, 9.4868f, 0.2f);  // impact speed, sqrt(2 * 10 m/s2 * 4.5 m)
     EXPECT_EQ(touching.size(), 1u);
 }
 
@@ -356,7 +357,7 @@ TEST(FromBox2d, drawing) {
     EXPECT_TRUE(alive(world, scene.crate));
 }
 
-/// Without indentation.
+/// Returns the text with all indentation removed.
 std::string plain(const std::string& text) {
     std::istringstream lines{text};
     std::string result;

@@ -50,24 +50,24 @@ double worstError(IntegratorKind kind, double hertz, Quality quality = 0) {
     return worst;
 }
 
-// Values of a correct implementation of each scheme with one substep.
+// The expected values are those of a correct implementation of each scheme with one substep.
 
 TEST(Integrators, showTheErrorsOfTheirSchemesOnASlowSpring) {
     EXPECT_NEAR(worstError(IntegratorKind::ExplicitEuler, 0.5), 4.2, 0.05);
     EXPECT_NEAR(worstError(IntegratorKind::SemiImplicitEuler, 0.5), 0.027, 0.001);
     EXPECT_NEAR(worstError(IntegratorKind::Verlet, 0.5), 7.0e-4, 0.2e-4);
-    // 1.7e-7 in exact arithmetic; velocities are stored as floats.
+    // In exact arithmetic it is 1.7e-7; velocities are stored as floats.
     EXPECT_LT(worstError(IntegratorKind::Rk4, 0.5), 2.0e-6);
 }
 
 TEST(Integrators, showTheErrorsOfTheirSchemesOnAStiffSpring) {
-    EXPECT_GT(worstError(IntegratorKind::ExplicitEuler, 10.0), 1.0e3);  // grows to the highest speed allowed
+    EXPECT_GT(worstError(IntegratorKind::ExplicitEuler, 10.0), 1.0e3);  // limited only by Settings::maxSpeed
     EXPECT_NEAR(worstError(IntegratorKind::SemiImplicitEuler, 10.0), 1.1, 0.05);
     EXPECT_NEAR(worstError(IntegratorKind::Verlet, 10.0), 0.27, 0.02);
-    EXPECT_NEAR(worstError(IntegratorKind::Rk4, 10.0), 1.0, 0.02);  // all energy gone
+    EXPECT_NEAR(worstError(IntegratorKind::Rk4, 10.0), 1.0, 0.02);  // all energy is lost
 }
 
-TEST(Integrators, errFourTimesLessWithEachQualityIfTheyAreOfSecondOrder) {
+TEST(Integrators, ofSecondOrderHaveAQuarterOfTheErrorPerQualityLevel) {
     for (Quality quality = 0; quality < 3; ++quality) {
         const double coarse = worstError(IntegratorKind::Verlet, 2.0, quality);
         const double fine = worstError(IntegratorKind::Verlet, 2.0, static_cast<Quality>(quality + 1));
@@ -75,8 +75,8 @@ TEST(Integrators, errFourTimesLessWithEachQualityIfTheyAreOfSecondOrder) {
     }
 }
 
-/// Two bodies of 1 and 3 kg that orbit each other, with a period of 4 s.
-TEST(Integrators, keepAnOrbitOfTwoBodiesForAHundredTurns) {
+/// Two bodies of 1 and 3 kg orbit each other with a period of 4 s.
+TEST(Integrators, keepAnOrbitOfTwoBodiesForAHundredRevolutions) {
     for (const IntegratorKind kind :
          {IntegratorKind::SemiImplicitEuler, IntegratorKind::Verlet, IntegratorKind::Rk4}) {
         SCOPED_TRACE(static_cast<int>(kind));
@@ -116,7 +116,7 @@ TEST(Integrators, keepAnOrbitOfTwoBodiesForAHundredTurns) {
     }
 }
 
-TEST(Integrators, solveDragBesideASteadyForceExactlyEnough) {
+TEST(Integrators, solveDragWithAConstantForceAccurately) {
     for (int kind = 0; kind < 4; ++kind) {
         World world = makeWorld();
         world.settings.integrator = static_cast<IntegratorKind>(kind);
@@ -134,7 +134,7 @@ TEST(Integrators, solveDragBesideASteadyForceExactlyEnough) {
     }
 }
 
-TEST(Integrators, doNotTouchWhatFliesInNoField) {
+TEST(Integrators, doNotAffectFreeFlightWithoutFields) {
     World world = makeWorld();
     world.settings.integrator = IntegratorKind::ExplicitEuler;
     const BodyId falling = addBody(world, BodyKind::Dynamic, {}, circle(0.5f));

@@ -10,7 +10,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Two discs of 1 m that rotate about the point midway between them, `apart` m from each other.
+/// Two joined discs of 1 m, `apart` m from each other, that rotate about their common center.
 struct Pair {
     JointWorld& scene;
     BodyId a, b;
@@ -28,7 +28,7 @@ float fastestOf(const JointWorld& scene, BodyId body) {
     return length(velocityOf(scene.world, body)) + reach * std::fabs(angularVelocityOf(scene.world, body));
 }
 
-TEST(JointLanes, closeWhatIsTornOpenNoFasterThanTheyMay) {
+TEST(JointLanes, closeOpenedJointsWithinTheSpeedLimit) {
     for (const JointKind kind : {JointKind::Revolute, JointKind::Weld}) {
         SCOPED_TRACE(static_cast<int>(kind));
         JointWorld scene;
@@ -53,8 +53,8 @@ TEST(JointLanes, closeWhatIsTornOpenNoFasterThanTheyMay) {
     }
 }
 
-// Shortening a rope does work; the angular momentum L = m r^2 w is conserved.
-TEST(KeepEnergy, leavesTheWorkOfARopeThatIsShortened) {
+// Shortening a rope does work on the system; the angular momentum L = m r^2 w is conserved.
+TEST(KeepEnergy, keepsTheWorkOfShorteningARope) {
     for (const bool direct : {true, false}) {
         for (const bool held : {true, false}) {
             SCOPED_TRACE(testing::Message() << direct << held);
@@ -73,7 +73,7 @@ TEST(KeepEnergy, leavesTheWorkOfARopeThatIsShortened) {
                 ASSERT_TRUE(setVelocity(scene.world, other, {0.0f, -2.0f}).ok());
             }
             for (int i = 0; i < 120; ++i) {
-                rope.length *= 0.99424f;  // to half in two seconds
+                rope.length *= 0.99424f;  // halves the length in two seconds
                 ASSERT_TRUE(setDefinition(scene.world, joint, rope).ok());
                 scene.run(JointWorld::kDt);
             }
@@ -84,7 +84,7 @@ TEST(KeepEnergy, leavesTheWorkOfARopeThatIsShortened) {
     }
 }
 
-TEST(KeepEnergy, hasAccountsOnlyWhereThereAreJoints) {
+TEST(KeepEnergy, tracksEnergyOnlyOfIslandsWithJoints) {
     JointWorld scene;
     const BodyId loose = scene.disc({5.0, 0.0});
     scene.run(0.5f);
@@ -92,12 +92,12 @@ TEST(KeepEnergy, hasAccountsOnlyWhereThereAreJoints) {
     const Pair pair{scene, {0.0, 0.0}, 2.0f};
     scene.run(0.5f);
     EXPECT_EQ(scene.world.bodies.energies[loose.index].peak, 0.0f);
-    // Both fall at 5 m/s, of 1 kg each.
+    // Both discs of 1 kg fall at 5 m/s.
     EXPECT_NEAR(scene.world.bodies.energies[pair.a.index].peak, 12.5f, 0.2f);
     EXPECT_EQ(scene.world.bodies.energies[pair.a.index].peak, scene.world.bodies.energies[pair.b.index].peak);
 }
 
-/// Maximum energy of planks thrown at a wall relative to the start, minus 1; no forces act on them.
+/// Maximum relative energy gain of planks that are thrown at a wall; no forces act on them.
 double mostGainOfThrown(std::uint64_t seed, int& met) {
     Random random = Random::seeded(seed);
     World world;
@@ -130,7 +130,7 @@ double mostGainOfThrown(std::uint64_t seed, int& met) {
     return most / start - 1.0;
 }
 
-TEST(KeepEnergy, contactsGiveNone) {
+TEST(KeepEnergy, contactsAddNoEnergy) {
     int met = 0;
     for (std::uint64_t seed = 0; seed < 2000; ++seed) EXPECT_LE(mostGainOfThrown(seed, met), 0.002) << seed;
     EXPECT_GT(met, 1500);
@@ -157,7 +157,7 @@ TEST(KeepEnergy, isCheckedInIslandsWithoutJointsOnlyAfterAnImpact) {
     EXPECT_GT(velocityOf(scene.world, crate).x, 5.0f) << "and keeps it";
 }
 
-TEST(KeepEnergy, lentByALossComesBackForAWhile) {
+TEST(KeepEnergy, lostEnergyMayReturnForALimitedTime) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const Pair pair{scene, {0.0, 0.0}, 2.0f};
@@ -167,13 +167,13 @@ TEST(KeepEnergy, lentByALossComesBackForAWhile) {
     }
     scene.run(1.0f);
     const float lost = scene.world.bodies.energies[pair.a.index].credit;
-    EXPECT_GT(lost, 10.0f);  // J, of 50
+    EXPECT_GT(lost, 10.0f);  // J, of the initial 50 J
     EXPECT_LT(lost, 50.0f);
     scene.run(10.0f);
     EXPECT_LT(scene.world.bodies.energies[pair.a.index].credit, 1.0f);
 }
 
-TEST(KeepEnergy, letsThroughWhatForcesAndMotorsAndTheirOwnersGive) {
+TEST(KeepEnergy, allowsEnergyFromForcesMotorsAndEdits) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const Pair pushed{scene, {0.0, 0.0}, 2.0f};

@@ -19,7 +19,7 @@ BodyId addBall(World& world, WorldPosition place, BodyKind kind = BodyKind::Dyna
 }
 
 TEST(Measures, energyIsThatOfTheFormulas) {
-    World world;  // gravity 10, y down
+    World world;  // gravity 10 m/s2, y down
     const BodyId ball = addBall(world, {3.0, -4.0});
     ASSERT_TRUE(setMass(world, ball, 2.0f));
     ASSERT_TRUE(setVelocity(world, ball, {3.0f, 4.0f}));
@@ -36,7 +36,7 @@ TEST(Measures, energyIsThatOfTheFormulas) {
     EXPECT_NEAR(energyOf(world), 141.0 + 2.0 * inertia + 0.5 * 2.0 * 3.0 * 25.0, 1e-3);
 }
 
-TEST(Measures, aFallKeepsItsEnergyAndAnExplicitSpringGainsWhatTheTextbookSays) {
+TEST(Measures, freeFallConservesEnergyAndAnExplicitSpringGainsItByTheFormula) {
     World fall;
     addBall(fall, {0.0, -100.0});
     const double before = energyOf(fall);
@@ -58,8 +58,8 @@ TEST(Measures, aFallKeepsItsEnergyAndAnExplicitSpringGainsWhatTheTextbookSays) {
     EXPECT_NEAR(energyOf(spring) / started / gain, 1.0, 1e-3);
 }
 
-TEST(Measures, overlapIsHowDeepTheDeepestWereWhenTheStepBegan) {
-    World world;  // a heavy ball on a light one on the ground: a hard case at quality 0
+TEST(Measures, overlapIsTheMaximumAtTheStartOfTheStep) {
+    World world;  // a heavy ball on a light one on the ground, a hard case for quality 0
     world.settings.quality = 0;
     world.settings.sleeping = false;
     addBall(world, {0.0, 0.0}, BodyKind::Static);
@@ -77,7 +77,7 @@ TEST(Measures, overlapIsHowDeepTheDeepestWereWhenTheStepBegan) {
     EXPECT_NEAR(static_cast<double>(deepestOverlapOf(world)), deepest, 1e-5);
 }
 
-TEST(Measures, distanceIsThatOfTheBodyThatIsFarthestOff) {
+TEST(Measures, distanceIsThatOfTheFarthestBody) {
     World world;
     addBall(world, {0.0, 0.0});
     const BodyId second = addBall(world, {5.0, 0.0});

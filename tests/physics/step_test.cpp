@@ -7,7 +7,7 @@
 namespace plumb::physics {
 namespace {
 
-TEST(Step, freeFallIsExactWhateverTheNumberOfSubsteps) {
+TEST(Step, freeFallIsExactForAnyNumberOfSubsteps) {
     for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
         Playground scene;
         scene.world.settings.quality = quality;
@@ -32,7 +32,7 @@ TEST(Step, freeFallIsExactInEveryDirectionOfGravity) {
     }
 }
 
-TEST(Step, aTimeThatIsNoneChangesNothing) {
+TEST(Step, anInvalidTimeStepChangesNothing) {
     Playground play;
     play.floor();
     play.crate({0.0, 0.5});
@@ -75,7 +75,7 @@ TEST(Step, dragOfAnySizeFollowsItsExponential) {
         const auto expected = [&](float speed, float gravity) {
             return glide * static_cast<double>(speed) + fall * static_cast<double>(gravity);
         };
-        // What is stopped within one substep (up to 1/60 s) may stop at once, 1/14 of its step early.
+        // A body that stops within one substep (up to 1/60 s) may stop up to 1/14 of its step early.
         const double stops = drag > 13.8f * 60.0f ? static_cast<double>(length(velocity)) / k : 0.0;
         const double error = 1.0e-3 + stops;
         EXPECT_NEAR(scene.x(ball), expected(velocity.x, scene.world.settings.gravity.x), error)
@@ -92,13 +92,14 @@ TEST(Step, dragDoesNotSlowKinematicBodies) {
                                                       .angularVelocity = 1.0f,
                                                       .linearDrag = 1.0f,
                                                       .angularDrag = 1.0f});
-    static_cast<void>(*createBody(scene.world, {.linearDrag = 1.0f}));  // so that the drag effect runs
+    // a body with drag makes the drag effect run
+    static_cast<void>(*createBody(scene.world, {.linearDrag = 1.0f}));
     scene.run(60);
     EXPECT_EQ(scene.velocity(platform), (Vec2{1.0f, 0.0f}));
     EXPECT_EQ(angularVelocityOf(scene.world, platform), 1.0f);
 }
 
-TEST(Step, aBodyTurnsByItsAngularVelocityEvenWhenItSpinsFast) {
+TEST(Step, aBodyRotatesByItsAngularVelocityAtAnySpeed) {
     for (const float spin : {1.0f, 10.0f, 100.0f, 1000.0f}) {
         Playground scene;
         scene.world.settings.gravity = {};
@@ -126,7 +127,7 @@ TEST(Step, theForceUnderAStackIsItsWeight) {
     scene.floor();
     for (int i = 0; i < 10; ++i) scene.crate({0.0, 0.5 + i});
     scene.run(600);
-    // N s of a substep, over its length, is a force.
+    // Impulse of a substep divided by its length is a force.
     const float h = kTick / 4.0f;
     float force = 0.0f;
     for (const Contact& contact : scene.world.contacts) {
@@ -135,7 +136,7 @@ TEST(Step, theForceUnderAStackIsItsWeight) {
     EXPECT_NEAR(force, 10 * 10.0f, 1.0f);
 }
 
-TEST(Step, momentumOutlastsEveryCollision) {
+TEST(Step, collisionsConserveMomentum) {
     Playground scene;
     scene.world.settings.gravity = {};
     Vec2 before;
@@ -162,7 +163,7 @@ TEST(Step, momentumOutlastsEveryCollision) {
 
 TEST(Step, aCrateSticksToASlopeUnlessItIsSteeperThanItsFriction) {
     for (const float friction : {0.2f, 0.5f, 0.9f}) {
-        for (const float part : {0.98f, 1.02f}) {  // of the critical angle
+        for (const float part : {0.98f, 1.02f}) {  // fraction of the critical angle
             Playground scene;
             const float angle = std::atan(friction) * part;
             const ShapeDefinition rough{.friction = friction};
@@ -171,7 +172,7 @@ TEST(Step, aCrateSticksToASlopeUnlessItIsSteeperThanItsFriction) {
             const BodyId crate =
                 scene.body(BodyKind::Dynamic, {-1.5 * std::sin(angle), 1.5 * std::cos(angle)}, angle);
             scene.shape(crate, box({0.5f, 0.5f}), rough);
-            // The first second is for the pressure to build up under the crate.
+            // During the first second the contact force builds up.
             scene.run(60);
             const float before = length(scene.velocity(crate));
             scene.run(120);
@@ -183,7 +184,7 @@ TEST(Step, aCrateSticksToASlopeUnlessItIsSteeperThanItsFriction) {
     }
 }
 
-TEST(Step, aBallBouncesToTheHeightThatItsBouncinessSays) {
+TEST(Step, aBallBouncesToTheHeightOfItsBounciness) {
     for (const float bounciness : {0.5f, 0.8f, 1.0f}) {
         Playground scene;
         scene.floor();
@@ -201,8 +202,8 @@ TEST(Step, aBallBouncesToTheHeightThatItsBouncinessSays) {
     }
 }
 
-// Whatever the time of impact within a step, and whatever the overlap at detection.
-TEST(Step, aBounceLosesNoHeightButWhatItsBouncinessTakes) {
+// For any time of impact within a step and any overlap at detection.
+TEST(Step, aBounceLosesOnlyTheHeightOfItsBounciness) {
     for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
         for (const float bounciness : {0.5f, 0.9f, 1.0f}) {
             for (int k = 0; k < 40; ++k) {
@@ -220,7 +221,7 @@ TEST(Step, aBounceLosesNoHeightButWhatItsBouncinessTakes) {
                     if (before < 0.0f && now > 0.0f) {
                         ++bounces;
                         wanted *= static_cast<double>(bounciness * bounciness);
-                        scene.run(5);  // clear of the floor
+                        scene.run(5);  // the ball has left the floor
                         const auto speed = static_cast<double>(scene.velocity(ball).y);
                         ASSERT_NEAR(scene.y(ball) - 0.5 + speed * speed / 20.0, wanted, 2.0e-4 * wanted);
                     }
@@ -231,7 +232,7 @@ TEST(Step, aBounceLosesNoHeightButWhatItsBouncinessTakes) {
     }
 }
 
-TEST(Step, aKinematicBodyCarriesWhatStandsOnIt) {
+TEST(Step, aKinematicBodyCarriesBodies) {
     Playground scene;
     const BodyId lift = scene.body(BodyKind::Kinematic, {0.0, -0.5});
     scene.shape(lift, box({5.0f, 0.5f}));
@@ -244,8 +245,8 @@ TEST(Step, aKinematicBodyCarriesWhatStandsOnIt) {
 }
 
 TEST(Step, noBodyMovesFurtherThanTheMaxSpeedAllows) {
-    // The speed is limited at the end of the step; the substeps
-    // before would move the body thousands of kilometers.
+    // The speed is limited only at the end of the step; without a limit in the substeps the body would move
+    // by thousands of kilometers.
     Playground scene;
     scene.world.settings.quality = 0;
     const BodyId ball = scene.ball({0.0, 0.0});
@@ -263,8 +264,8 @@ TEST(Step, aConveyorCarriesAtItsSpeed) {
     EXPECT_NEAR(std::fabs(scene.velocity(crate).x), 2.0f, 0.01f);
 }
 
-TEST(Step, aPositiveSurfaceSpeedGoesTheWayFromXToYAroundTheShape) {
-    // On each side of a block, pressed against it; either of the two has the belt's speed.
+TEST(Step, aPositiveSurfaceSpeedMovesAroundTheShapeFromXToY) {
+    // The crate is pressed against each side of a block; either the block or the crate has the surface speed.
     for (const Vec2 outward : {Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}, Vec2{-1.0f, 0.0f}, Vec2{0.0f, -1.0f}}) {
         const Vec2 along{-outward.y, outward.x};
         for (const bool movesBelt : {false, true}) {
@@ -275,11 +276,12 @@ TEST(Step, aPositiveSurfaceSpeedGoesTheWayFromXToYAroundTheShape) {
             const BodyId crate = scene.body(BodyKind::Dynamic, WorldPosition{} + 20.5f * outward);
             scene.shape(crate, box({0.5f, 0.5f}), {.surfaceSpeed = movesBelt ? 2.0f : 0.0f});
             scene.run(60);
-            // Its own belt drives the crate the other way: the one below moves the same way around it.
+            // The surface of the crate itself drives it the opposite way around its own outline, which is the
+            // same direction as on a belt below.
             EXPECT_NEAR(dot(scene.velocity(crate), along), 2.0f, 0.01f) << outward.x << " " << outward.y;
         }
     }
-    // With y down, things on a belt go to the right.
+    // With y down, bodies on a belt move to the right.
     World world;
     const BodyId belt = addBody(world, BodyKind::Static, {0.0, 1.0});
     ASSERT_TRUE(createShape(world, belt, box({50.0f, 1.0f}), {.surfaceSpeed = 2.0f}).ok());
@@ -289,7 +291,7 @@ TEST(Step, aPositiveSurfaceSpeedGoesTheWayFromXToYAroundTheShape) {
     EXPECT_NEAR(velocityOf(world, crate).x, 2.0f, 0.01f);
 }
 
-TEST(Step, aPredictionIsWhereFreeFlightLeads) {
+TEST(Step, aPredictionMatchesFreeFlight) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -314,14 +316,14 @@ TEST(Step, aPredictionIsWhereFreeFlightLeads) {
         scene.run(ticks);
         const Vec2 miss = toVec2(centreOf(scene.world, body)) - apply(expected, arm);
         EXPECT_NEAR(length(miss), 0.0f, 1.0e-4f * (length(expected.position) + 10.0f));
-        // Rotation is integrated by the velocity at the end of each substep.
+        // Rotation is integrated with the angular velocity at the end of each substep.
         const float substep = kTick / static_cast<float>(1 << scene.world.settings.quality);
         const float turn = angleOf(between(expected.rotation, rotationOf(scene.world, body)));
         EXPECT_NEAR(turn, 0.0f, 0.55f * substep * std::fabs(definition.angularVelocity) + 1.0e-3f);
     }
 }
 
-TEST(Step, aPredictionKeepsToForcesTorquesAndLocks) {
+TEST(Step, aPredictionIncludesForcesTorquesAndLocks) {
     Playground scene;
     scene.world.settings.gravity = {};
     const BodyId body = scene.crate({0.0, 0.0});

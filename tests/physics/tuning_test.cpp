@@ -9,7 +9,7 @@
 #include "tests/physics/support/golden_scenes.hpp"
 #include "tests/support/tunable.hpp"
 
-// Constants that a build with PLUMB_TUNABLE can change: ./plumb accuracy --tuning.
+// Constants that can be changed in a build with PLUMB_TUNABLE: ./plumb accuracy --tuning.
 
 namespace plumb::physics {
 namespace {
@@ -27,7 +27,7 @@ std::uint64_t hashOfScene(const char* name) {
     return 0;
 }
 
-TEST(Tuning, changesResultsWhereConstantsAreVariables) {
+TEST(Tuning, changesResultsInTunableBuilds) {
     if (tuning::constants == nullptr) GTEST_SKIP() << "the constants of this build are fixed";
     std::set<std::string> names;
     const tuning::Constant* turn = nullptr;

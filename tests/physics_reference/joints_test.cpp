@@ -7,14 +7,15 @@ namespace {
 
 using physics::JointKind;
 
-constexpr physics::ShapeDefinition kGhost{.group = -1};  // its bodies never meet
+// bodies of this group do not collide with each other
+constexpr physics::ShapeDefinition kGhost{.group = -1};
 
 void join(Playground& scene, const physics::JointDefinition& definition) {
     const auto made = physics::createJoint(scene.world, definition);
     ASSERT_TRUE(made.ok()) << made.error().text();
 }
 
-/// The complete elliptic integral of the first kind, by the arithmetic-geometric mean.
+/// Complete elliptic integral of the first kind, by the arithmetic-geometric mean.
 double ellipticK(double k) {
     double a = 1.0, b = std::sqrt(1.0 - k * k);
     for (int i = 0; i < 40; ++i) {
@@ -25,20 +26,20 @@ double ellipticK(double k) {
     return std::numbers::pi / (2.0 * a);
 }
 
-TEST(ReferenceJoints, aPendulumTakesItsPeriod) {
+TEST(ReferenceJoints, aPendulumHasThePeriodOfTheFormula) {
     Playground scene;
     const BodyId pin = scene.body(BodyKind::Static, {}), bob = scene.ball({0.0, -1.0}, 0.125f, kGhost);
     join(scene, {.kind = JointKind::Revolute, .a = pin, .b = bob, .anchorB = {0.0f, 1.0f}});
     const double mass = static_cast<double>(physics::massOf(scene.world, bob));
     const double inertia = static_cast<double>(scene.world.bodies.mass[bob.index].inertia) + mass;
-    const double omega = std::sqrt(10.0 * mass / inertia);  // rad/s, of small swings
-    const float spin = 4.0f;  // rad/s, at the bottom: it swings to about 78 degrees
+    const double omega = std::sqrt(10.0 * mass / inertia);  // rad/s, for small amplitudes
+    const float spin = 4.0f;  // rad/s at the bottom, for an amplitude of about 78 degrees
     ASSERT_TRUE(physics::setVelocity(scene.world, bob, {spin, 0.0f}).ok());
     ASSERT_TRUE(physics::setAngularVelocity(scene.world, bob, spin).ok());
     const double period = 4.0 * ellipticK(static_cast<double>(spin) / (2.0 * omega)) / omega;
     const Answer answer = solved(scene.world, period, {.mostRuns = 9, .wantedError = 4.0e-6});
     const double off = farFrom(of(answer, bob), 0.0, -1.0);
-    EXPECT_LT(off / (static_cast<double>(spin) * period), 1.0e-6);  // of the period
+    EXPECT_LT(off / (static_cast<double>(spin) * period), 1.0e-6);  // relative to the period
     expectHonest(off, answer.error);
     EXPECT_NEAR(answer.order, 2.0, 0.1);
 }
@@ -64,17 +65,17 @@ TEST(ReferenceJoints, aChainCarriesAThousandTimesTheMassOfALink) {
     expectHonest(farFrom(of(answer, ball), 0.0, -10.5), answer.error);
 }
 
-/// Rods that hang between two posts: of each, the slope is that of the forces on its middle, so that the
-/// whole is known, and with many rods it is y = a cosh(x / a).
+/// Rods that hang between two posts. The slope of each rod is that of the force at its center, so the whole
+/// shape is known; with many rods it approaches y = a cosh(x / a).
 TEST(ReferenceJoints, aChainBetweenTwoPostsIsACatenary) {
     constexpr int kRods = 40;
-    constexpr double kLength = 0.25, kPull = 10.0;  // m; N, along x
+    constexpr double kLength = 0.25, kPull = 10.0;  // m; N, horizontal component
     Playground scene;
     const float halfWidth = 0.5f * static_cast<float>(kLength);
     std::vector<BodyId> rods;
     double weight = 0.0, x = 0.0, y = 0.0;
     std::vector<physics::WorldPosition> ends{{0.0, 0.0}};
-    const double one = 10.0 * kLength * 0.125;  // N: of a rod, as high as an eighth of a metre
+    const double one = 10.0 * kLength * 0.125;  // N, weight of a rod with a height of 1/8 m
     std::vector<double> slopes;
     for (int i = 0; i < kRods; ++i) {
         slopes.push_back(std::atan(one * (i - 0.5 * (kRods - 1)) / kPull));
@@ -126,26 +127,26 @@ TEST(ReferenceJoints, aDampedSpringAndAMotorAndASlider) {
     Playground scene;
     const BodyId wall = scene.body(BodyKind::Static, {});
     scene.world.settings.gravity = {0.0f, -10.0f};
-    // A slider at an angle of 3 : 4 : 5.
+    // A slider whose axis is the hypotenuse of a 3-4-5 triangle.
     const BodyId sled = scene.crate({20.0, 0.0}, {0.5f, 0.5f}, kGhost);
     join(scene, {.kind = JointKind::Prismatic,
                  .a = wall,
                  .b = sled,
                  .anchorA = {20.0f, 0.0f},
                  .axis = {4.0f, -3.0f}});
-    // A wheel that a motor of 2 N m turns.
+    // A wheel driven by a motor with at most 2 N m.
     const BodyId wheel = scene.ball({-20.0, 0.0}, 0.5f, kGhost);
     join(scene, {.a = wall,
                  .b = wheel,
                  .anchorA = {-20.0f, 0.0f},
                  .motor = {.on = true, .speed = 1000.0f, .maxForce = 2.0f}});
-    // A rope that is taut after 5 m.
+    // A rope of 1 m, from which a weight hangs.
     const BodyId weight = scene.ball({0.0, -1.0}, 0.5f, kGhost);
     join(scene, {.kind = JointKind::Distance,
                  .a = wall,
                  .b = weight,
                  .limit = {.on = true, .lower = 0.0f, .upper = 1.0f}});
-    // What is welded to a wall stays there.
+    // A crate welded to a wall stays there.
     const BodyId sign = scene.crate({-39.0, 0.0}, {0.5f, 0.5f}, kGhost);
     join(
         scene,

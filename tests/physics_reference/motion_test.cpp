@@ -32,7 +32,7 @@ TEST(ReferenceMotion, dragSlowsByAnExponentialAndTheOrderIsTwo) {
 
 TEST(ReferenceMotion, aCrateSlidesDownAnInclineByCoulombsLaw) {
     Playground scene;
-    const float friction = 0.25f;  // as exact in float as the square root of its square
+    const float friction = 0.25f;  // exactly representable as float, like its square root
     const BodyId slope = scene.body(BodyKind::Static, {}, -0.5f);
     scene.shape(slope, physics::box({100.0f, 1.0f}), {.friction = friction});
     const Rot turn = physics::rotationOf(scene.world, slope);
@@ -41,9 +41,9 @@ TEST(ReferenceMotion, aCrateSlidesDownAnInclineByCoulombsLaw) {
     const BodyId crate = scene.body(BodyKind::Dynamic, {1.5 * sine, 1.5 * cosine}, -0.5f);
     scene.shape(crate, physics::box({0.5f, 0.5f}), {.friction = friction});
     const Answer answer = solved(scene.world, 3.0);
-    const double way = 0.5 * 10.0 * (sine - 0.25 * cosine) * 9.0;
-    const double x = 1.5 * sine + way * cosine, y = 1.5 * cosine - way * sine;
-    EXPECT_LT(farFrom(of(answer, crate), x, y), 1.0e-9 * way);
+    const double distance = 0.5 * 10.0 * (sine - 0.25 * cosine) * 9.0;
+    const double x = 1.5 * sine + distance * cosine, y = 1.5 * cosine - distance * sine;
+    EXPECT_LT(farFrom(of(answer, crate), x, y), 1.0e-9 * distance);
     expectHonest(farFrom(of(answer, crate), x, y), answer.error, 1.0e-8);
 }
 
@@ -57,11 +57,11 @@ TEST(ReferenceMotion, aCrateSticksUpToTheAngleOfFriction) {
         const BodyId crate =
             scene.body(BodyKind::Dynamic, {1.5 * sine, 1.5 * cosine}, static_cast<float>(-angle));
         scene.shape(crate, physics::box({0.5f, 0.5f}), {.friction = 0.5f});
-        const double way = farFrom(of(solved(scene.world, 1.0), crate), 1.5 * sine, 1.5 * cosine);
+        const double distance = farFrom(of(solved(scene.world, 1.0), crate), 1.5 * sine, 1.5 * cosine);
         if (sticks) {
-            EXPECT_LT(way, 1.0e-6);
+            EXPECT_LT(distance, 1.0e-6);
         } else {
-            EXPECT_GT(way, 1.0e-3);
+            EXPECT_GT(distance, 1.0e-3);
         }
     }
 }
@@ -72,11 +72,11 @@ TEST(ReferenceMotion, aDiscThatSlidesRollsAtTwoThirdsOfItsSpeed) {
     const BodyId disc = scene.ball({-20.0, 0.5}, 0.5f, {.friction = 0.25f});
     ASSERT_TRUE(physics::setVelocity(scene.world, disc, {6.0f, 0.0f}).ok());
     const Answer answer = solved(scene.world, 1.5);
-    const double sliding = 6.0 / (3.0 * 0.25 * 10.0);  // s
-    const double way = 6.0 * sliding - 0.5 * 2.5 * sliding * sliding + 4.0 * (1.5 - sliding);
+    const double sliding = 6.0 / (3.0 * 0.25 * 10.0);  // s until the disc rolls
+    const double distance = 6.0 * sliding - 0.5 * 2.5 * sliding * sliding + 4.0 * (1.5 - sliding);
     EXPECT_NEAR(of(answer, disc).velocityX, 4.0, 1.0e-6);
     EXPECT_NEAR(of(answer, disc).angularVelocity, -8.0, 2.0e-6);
-    expectHonest(farFrom(of(answer, disc), -20.0 + way, 0.5), answer.error, 1.0e-6);
+    expectHonest(farFrom(of(answer, disc), -20.0 + distance, 0.5), answer.error, 1.0e-6);
 }
 
 /// A disc that rolls off a cylinder without sliding: (R + r) phi'' = 2/3 g sin(phi), until it lifts off.
@@ -90,7 +90,7 @@ TEST(ReferenceMotion, aDiscRollsOffACylinder) {
     constexpr int kSteps = 20000;
     constexpr double kSeconds = 0.8, kH = kSeconds / kSteps;
     const auto rise = [](double at) { return 20.0 / 3.0 / 1.5 * std::sin(at); };
-    for (int i = 0; i < kSteps; ++i) {  // velocity Verlet, at steps that need no better
+    for (int i = 0; i < kSteps; ++i) {  // velocity Verlet; these steps are short enough
         speed += 0.5 * kH * rise(phi);
         phi += kH * speed;
         speed += 0.5 * kH * rise(phi);
@@ -107,23 +107,24 @@ TEST(ReferenceMotion, anElasticBallBouncesForEver) {
     Playground scene;
     scene.floor(kElastic);
     const BodyId ball = scene.ball({0.0, 2.5}, 0.5f, kElastic);
-    const double fall = std::sqrt(0.4);                     // s from 2 m
-    const double seconds = 2.0 * fall * 7.0 + 0.75 * fall;  // after 7 bounces, between top and ground
+    const double fall = std::sqrt(0.4);  // s, fall from 2 m
+    // after seven bounces, halfway between top and ground in time
+    const double seconds = 2.0 * fall * 7.0 + 0.75 * fall;
     const Answer answer = solved(scene.world, seconds);
     expectHonest(farFrom(of(answer, ball), 0.0, 2.5 - 5.0 * std::pow(0.75 * fall, 2.0)), answer.error,
                  1.0e-7);
 }
 
-TEST(ReferenceMotion, halfOfTheSpeedIsKeptByABounceOfAHalf) {
+TEST(ReferenceMotion, aBouncinessOfAHalfKeepsHalfOfTheSpeed) {
     Playground scene;
     scene.floor();
     const BodyId ball = scene.ball({0.0, 5.5}, 0.5f, {.bounciness = 0.5f});
-    const double seconds = 1.0 + 0.5;  // falls 5 m in 1 s, rises with 5 m/s for 0.5 s
+    const double seconds = 1.0 + 0.5;  // falls 5 m in 1 s, then rises at 5 m/s for 0.5 s
     const Answer answer = solved(scene.world, seconds);
     expectHonest(farFrom(of(answer, ball), 0.0, 0.5 + 1.25), answer.error, 1.0e-7);
 }
 
-TEST(ReferenceMotion, elasticPairsAreAsTheFormulaSays) {
+TEST(ReferenceMotion, elasticPairsFollowTheFormula) {
     struct Pair {
         float massA, massB, speedA, speedB;
     };
@@ -147,7 +148,7 @@ TEST(ReferenceMotion, elasticPairsAreAsTheFormulaSays) {
     }
 }
 
-TEST(ReferenceMotion, asManyBallsLeaveACradleAsCome) {
+TEST(ReferenceMotion, asManyBallsLeaveACradleAsArrive) {
     Playground scene;
     scene.world.settings.gravity = {};
     std::array<BodyId, 5> balls;
@@ -160,13 +161,13 @@ TEST(ReferenceMotion, asManyBallsLeaveACradleAsCome) {
         EXPECT_NEAR(of(answer, balls[i]).velocityX, i < 3 ? 0.0 : 4.0, 1.0e-9) << i;
 }
 
-TEST(ReferenceMotion, obliqueDiscsKeepMomentumAndEnergy) {
+TEST(ReferenceMotion, obliqueCollisionsConserveMomentumAndEnergy) {
     Playground scene;
     scene.world.settings.gravity = {};
     const BodyId one = scene.ball({-3.0, -0.6}, 0.5f, kElastic), two = scene.ball({}, 0.5f, kElastic);
     ASSERT_TRUE(physics::setVelocity(scene.world, one, {4.0f, 0.0f}).ok());
     const Answer answer = solved(scene.world, 2.0);
-    const double along = 4.0 * 0.8, after = 2.0 - (3.0 - 0.8) / 4.0;  // s after they met
+    const double along = 4.0 * 0.8, after = 2.0 - (3.0 - 0.8) / 4.0;  // s after the collision
     const double x = along * 0.8, y = along * 0.6;
     EXPECT_NEAR(of(answer, two).velocityX, x, 1.0e-7);
     EXPECT_NEAR(of(answer, two).velocityY, y, 1.0e-7);
@@ -174,7 +175,7 @@ TEST(ReferenceMotion, obliqueDiscsKeepMomentumAndEnergy) {
     expectHonest(farFrom(of(answer, two), x * after, y * after), answer.error, 1.0e-6);
 }
 
-TEST(ReferenceMotion, nothingPassesAThinWallHoweverFast) {
+TEST(ReferenceMotion, noBodyPassesAThinWallAtAnySpeed) {
     for (const float speed : {10.0f, 100.0f, 1000.0f}) {
         Playground scene;
         scene.world.settings.gravity = {};
@@ -186,7 +187,7 @@ TEST(ReferenceMotion, nothingPassesAThinWallHoweverFast) {
     }
 }
 
-TEST(ReferenceMotion, aScenesPlaceDoesNotMatter) {
+TEST(ReferenceMotion, resultsDoNotDependOnTheOrigin) {
     double ends[2];
     for (const bool isFar : {false, true}) {
         Playground scene;

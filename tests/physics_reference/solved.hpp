@@ -14,7 +14,7 @@ using physics::BodyId;
 using physics::BodyKind;
 using physics::Playground;
 
-/// Solves, and says why not.
+/// Solves a world; the test fails with the error text if that is impossible.
 inline Answer solved(const physics::World& world, double seconds, const Options& options = {}) {
     auto answer = solveReference(world, seconds, options);
     EXPECT_TRUE(answer.ok()) << (answer.ok() ? "" : answer.error().text());
@@ -29,8 +29,8 @@ inline BodyAnswer of(const Answer& answer, BodyId body) {
     return {};
 }
 
-/// The true error is no larger than the stated one, which is no more than a hundred times the true one. What
-/// is exact but for rounding may say so with some nanometres.
+/// Expects that the true error does not exceed the stated one, and that the stated one is at most a hundred
+/// times the true one. For solutions that are exact up to rounding it may be up to `least`.
 inline void expectHonest(double truth, double stated, double least = 1.0e-9) {
     EXPECT_LE(truth, stated);
     EXPECT_LE(stated, std::max(100.0 * truth, least));
@@ -40,7 +40,7 @@ inline double farFrom(const BodyAnswer& body, double x, double y) {
     return std::hypot(body.centre.x - x, body.centre.y - y);
 }
 
-/// The sum of the forces (N) between two bodies along their normals.
+/// Sum of the normal forces between two bodies, N.
 inline double forceBetween(const Answer& answer, BodyId a, BodyId b) {
     double force = 0.0;
     for (const ContactAnswer& contact : answer.contacts) {

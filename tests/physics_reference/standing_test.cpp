@@ -5,7 +5,7 @@
 namespace plumb::reference {
 namespace {
 
-TEST(ReferenceStanding, aStackCarriesWhatIsAboveEachLevel) {
+TEST(ReferenceStanding, eachLevelOfAStackCarriesTheWeightAbove) {
     Playground scene;
     std::vector<BodyId> bodies{scene.floor()};
     for (int i = 0; i < 20; ++i) bodies.push_back(scene.crate({0.0, 0.5 + i}));
@@ -17,7 +17,7 @@ TEST(ReferenceStanding, aStackCarriesWhatIsAboveEachLevel) {
     expectHonest(farFrom(of(answer, bodies.back()), 0.0, 19.5), answer.error);
 }
 
-TEST(ReferenceStanding, aThousandTimesAsHeavyABoxRestsOnTwo) {
+TEST(ReferenceStanding, aBoxOfAThousandTimesTheMassRestsOnTwo) {
     Playground scene;
     const BodyId ground = scene.floor(), low = scene.crate({0.0, 0.5}), middle = scene.crate({0.0, 1.5});
     const BodyId heavy = scene.crate({0.0, 2.5});
@@ -105,7 +105,7 @@ TEST(ReferenceStanding, aBeltCarriesAndAPlatformLifts) {
     EXPECT_NEAR(forceBetween(answer, lift, rider), 10.0, 1.0e-5);
 }
 
-TEST(ReferenceStanding, whatOverlapsIsPartedAtOnceAndWithoutSpeed) {
+TEST(ReferenceStanding, overlapsAreRemovedAtOnceWithoutSpeed) {
     Playground scene;
     scene.floor();
     const BodyId low = scene.crate({0.0, 0.5}), high = scene.crate({0.0, 1.25});

@@ -39,7 +39,7 @@ TEST(Crowd, everyBroadPhaseFindsTheSamePairsInEach) {
     }
 }
 
-TEST(Crowd, movesAsItsNameSays) {
+TEST(Crowd, movesAccordingToItsName) {
     const auto movedIn = [](std::string_view name) {
         for (const CrowdKind& kind : crowdKinds()) {
             if (kind.name != name) continue;

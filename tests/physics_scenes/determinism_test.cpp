@@ -30,8 +30,8 @@ std::uint64_t hashAfter(const Scene& scene, int steps, int threads) {
 
 class Determinism : public testing::TestWithParam<const char*> {};
 
-// Large scenes with all that threads could disturb: islands that merge and fall asleep, joints, bodies that
-// come and go.
+// Large scenes with everything that could depend on threads: islands that merge and fall asleep, joints, and
+// bodies that are added and removed.
 TEST_P(Determinism, aSceneHasTheSameBitsWithAnyNumberOfThreads) {
     constexpr int kSteps = 40;
     const Scene* scene = findScene(GetParam());

@@ -10,7 +10,7 @@
 namespace plumb::scenes {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // m: outlines are written in float
+constexpr double kTolerance = 1e-6;  // m; outlines are stored as floats
 
 Pose at(double x, double y, double angle = 0.0) { return {x, y, std::cos(angle), std::sin(angle)}; }
 
@@ -18,7 +18,7 @@ double overlap(const Outline& a, const Pose& poseA, const Outline& b, const Pose
     return overlapOf(place(a, poseA), place(b, poseB));
 }
 
-TEST(Overlap, aBoxInABoxIsAsDeepAsTheShortestWayOut) {
+TEST(Overlap, theDepthOfABoxInABoxIsItsShortestWayOut) {
     const Outline unit = box({0.5f, 0.5f});
 
     EXPECT_NEAR(overlap(unit, at(0, 0), unit, at(0.9, 0.3)), 0.1, kTolerance);
@@ -35,7 +35,7 @@ TEST(Overlap, roundOutlinesAreMeasuredBetweenTheirCores) {
     EXPECT_NEAR(overlap(ball, at(0, 0), ball, at(0.0, 0.0)), 1.0, kTolerance);
     EXPECT_NEAR(overlap(pill, at(0, 0), ball, at(0.3, 0.7)), 0.05, kTolerance);
     EXPECT_NEAR(overlap(pill, at(0, 0), ball, at(1.6, 0.0)), 0.15, kTolerance);
-    // Over a corner the distance is that to the corner, not to a face.
+    // At a corner the distance to the corner counts, not that to a face.
     EXPECT_NEAR(overlap(rounded, at(0, 0), ball, at(0.9, 0.9)), 0.6 - std::hypot(0.4, 0.4), kTolerance);
     EXPECT_EQ(overlap(rounded, at(0, 0), ball, at(0.95, 0.95)), 0.0);
 }
@@ -49,7 +49,7 @@ TEST(Overlap, capsulesInOneLineAreApartByTheirEnds) {
 
 TEST(Overlap, aChainSegmentIsSolidOnItsLeftOnly) {
     Outline line = segment({-5.0f, 0.0f}, {5.0f, 0.0f});
-    line.kind = OutlineKind::ChainSegment;  // y points up: solid above
+    line.kind = OutlineKind::ChainSegment;  // y points up: it is solid above
     const Outline ball = circle(0.5f);
 
     EXPECT_NEAR(overlap(line, at(0, 0), ball, at(0.0, -0.4)), 0.1, kTolerance);
@@ -57,7 +57,7 @@ TEST(Overlap, aChainSegmentIsSolidOnItsLeftOnly) {
     EXPECT_EQ(overlap(line, at(0, 0), ball, at(0.0, -0.6)), 0.0);
 }
 
-/// A convex outline with some corners on a circle.
+/// Creates a convex outline whose corners are on a circle.
 Outline randomOutline(Random& random) {
     if (random.below(4) == 0) return circle(random.between(0.1f, 0.6f));
     if (random.below(3) == 0)
@@ -72,8 +72,8 @@ Outline randomOutline(Random& random) {
     return polygon(points, random.below(2) == 0 ? 0.0f : 0.1f);
 }
 
-// The definition itself: some move of that length parts them, and no shorter one does.
-TEST(Overlap, isTheShortestMoveThatParts) {
+// By definition: some displacement of this length separates the outlines, and no shorter one does.
+TEST(Overlap, isTheShortestSeparatingDisplacement) {
     constexpr int kDirections = 720;
     int overlapping = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {

@@ -11,7 +11,7 @@
 namespace plumb::scenes {
 namespace {
 
-/// An engine that does nothing: what is built can be counted, and stays where it was put.
+/// An engine without simulation: its objects can be counted and stay at their initial positions.
 class StillWorld final : public SceneBuilder {
 public:
     void moveTo(BodyHandle, Vec2, float, float) override {}
@@ -68,8 +68,8 @@ void play(const Scene& scene, SceneBuilder& world, int steps) {
     for (int step = 0; step < steps && before; ++step) before(world, step);
 }
 
-// The published counts of the ten scenes, for the populations after all their steps.
-TEST(Scenes, theTenHaveTheBodiesShapesAndJointsTheyArePublishedWith) {
+// Published counts of the ten benchmark scenes, after all steps.
+TEST(Scenes, theTenScenesHaveTheirPublishedCounts) {
     const std::map<std::string, Counts> published{{"joint_grid", {10000, 9993, 10000, 19800}},
                                                   {"large_pyramid", {5051, 5050, 5051, 0}},
                                                   {"many_pyramids", {22001, 22000, 22020, 0}},
@@ -90,7 +90,7 @@ TEST(Scenes, theTenHaveTheBodiesShapesAndJointsTheyArePublishedWith) {
     }
 }
 
-TEST(Scenes, allHaveANameOfTheirOwn) {
+TEST(Scenes, namesAreUnique) {
     std::map<std::string, int> names;
     for (const Scene& scene : allScenes()) ++names[scene.name];
 
@@ -98,7 +98,7 @@ TEST(Scenes, allHaveANameOfTheirOwn) {
     EXPECT_GE(names.size(), 30u);
 }
 
-TEST(Scenes, thoseThatScaleHaveAsManyDynamicBodiesAsTheySay) {
+TEST(Scenes, scalableScenesHaveTheStatedNumberOfDynamicBodies) {
     for (const Scene& scene : allScenes()) {
         if (scene.group != SceneGroup::Scaling || scene.size > 10000) continue;
         SCOPED_TRACE(scene.name);
@@ -108,8 +108,9 @@ TEST(Scenes, thoseThatScaleHaveAsManyDynamicBodiesAsTheySay) {
     }
 }
 
-// Stacks start exactly upon each other and grids exactly joined; an error here would be blamed on engines.
-TEST(Scenes, whatIsStackedOrJoinedStartsWithoutError) {
+// Stacks must start exactly in contact and grids exactly joined; otherwise the error of the scene would be
+// attributed to the engines.
+TEST(Scenes, stacksAndJointsStartWithoutError) {
     for (const char* name : {"joint_grid", "large_pyramid", "many_pyramids", "tumbler", "washer", "pile500",
                              "stacks200", "boxes20", "boxes_clustered_1000", "circles_uniform_1000"}) {
         SCOPED_TRACE(name);
@@ -128,10 +129,10 @@ TEST(Scenes, aFallingRagdollIsBuiltWithItsJointsClosed) {
     play(*findScene("rain"), world, 1);
 
     EXPECT_EQ(countsOf(world).hinges, 250u);
-    EXPECT_LE(errorOf(world).maxJointError, 2e-5);  // floats 220 m above the origin
+    EXPECT_LE(errorOf(world).maxJointError, 2e-5);  // tolerance of floats 220 m above the origin
 }
 
-TEST(SceneError, seesAnOverlapAnOpenJointAndANumberThatIsNone) {
+TEST(SceneError, detectsOverlapsOpenJointsAndInvalidNumbers) {
     StillWorld world;
     const BodyHandle a = world.createBody({});
     const BodyHandle b = world.createBody({.position = {0.9f, 0.0f}});
@@ -144,7 +145,7 @@ TEST(SceneError, seesAnOverlapAnOpenJointAndANumberThatIsNone) {
 
     world.addJoint({.a = a, .b = b, .anchorA = {0.5f, 0.0f}, .anchorB = {-0.5f, 0.3f}});
     error = errorOf(world);
-    EXPECT_EQ(error.overlaps, 0u);  // joined bodies may overlap
+    EXPECT_EQ(error.overlaps, 0u);  // overlaps of joined bodies are not counted
     EXPECT_NEAR(error.maxJointError, std::hypot(0.1, 0.3), 1e-6);
     EXPECT_TRUE(error.holds());
 

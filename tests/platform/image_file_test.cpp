@@ -25,14 +25,14 @@ std::string bigEndian(std::uint32_t value) {
     return bytes;
 }
 
-/// A PNG that is only a header stating a size.
+/// Returns a PNG file with only a header that contains the size.
 std::string pngHeader(std::uint32_t width, std::uint32_t height) {
     const std::string signature{"\x89PNG\r\n\x1a\n", 8};
     return signature + bigEndian(13) + "IHDR" + bigEndian(width) + bigEndian(height) +
            std::string{"\x08\x06\0\0\0", 5} + bigEndian(0) + std::string(64, '\0');
 }
 
-TEST(ImageFile, aPictureWrittenAsPngReadsBackTheSame) {
+TEST(ImageFile, anImageWrittenAsPngReadsBackTheSame) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
         const Image image = noise(1 + static_cast<int>(seed) * 3, 40 - static_cast<int>(seed), seed);
@@ -47,13 +47,13 @@ TEST(ImageFile, aPictureWrittenAsPngReadsBackTheSame) {
     }
 }
 
-TEST(ImageFile, aPictureWhosePixelsDoNotMatchItsSizeIsNotWritten) {
+TEST(ImageFile, anImageWhosePixelsDoNotMatchItsSizeIsNotWritten) {
     EXPECT_FALSE(encodePng(Image{}).ok());
     EXPECT_FALSE(encodePng(Image{2, 2, {1, 2, 3}}).ok());
     EXPECT_FALSE(encodePng(Image{-1, -1, {1, 2, 3, 4}}).ok());
 }
 
-TEST(ImageFile, emptyCutOffAndForeignFilesAreRefusedWithAReason) {
+TEST(ImageFile, emptyTruncatedAndUnsupportedFilesAreRejectedWithAReason) {
     const std::string png = *encodePng(noise(16, 16, 1));
     const std::string broken[] = {"",
                                   "x",
@@ -76,7 +76,7 @@ TEST(ImageFile, emptyCutOffAndForeignFilesAreRefusedWithAReason) {
     }
 }
 
-TEST(ImageFile, headersStateTheirSizeWhateverTheirFormat) {
+TEST(ImageFile, theSizeIsReadFromHeadersOfAllFormats) {
     const std::string jpeg{"\xff\xd8\xff\xe0\x00\x04zz\xff\xc0\x00\x11\x08\x00\x20\x00\x40\x03", 18};
     EXPECT_EQ(*readImageSize(jpeg, "x"), (ImageSize{64, 32}));
     std::string bmp = "BM" + std::string(12, '\0') + std::string{"\x28\0\0\0\x07\0\0\0\xf7\xff\xff\xff", 12};
@@ -86,7 +86,7 @@ TEST(ImageFile, headersStateTheirSizeWhateverTheirFormat) {
     }
 }
 
-TEST(ImageFile, sizesAreAcceptedAtTheLimitAndRefusedPastItFromTheHeaderAlone) {
+TEST(ImageFile, sizesBeyondTheLimitAreRejectedByTheHeaderAlone) {
     const auto side = static_cast<std::uint32_t>(limits::kImageSide);
     EXPECT_TRUE(readImageSize(pngHeader(side, 1), "x").ok());
     EXPECT_TRUE(readImageSize(pngHeader(1, side - 1), "x").ok());
@@ -95,7 +95,7 @@ TEST(ImageFile, sizesAreAcceptedAtTheLimitAndRefusedPastItFromTheHeaderAlone) {
     EXPECT_FALSE(readImageSize(pngHeader(0, 1), "x").ok());
 }
 
-TEST(ImageFile, bombsAreRefusedFromTheHeaderAlone) {
+TEST(ImageFile, decompressionBombsAreRejectedByTheHeaderAlone) {
     for (const auto& [width, height] : {std::pair{16384u, 16384u},
                                         {16384u, 8192u},
                                         {8192u, 8192u},
@@ -106,7 +106,7 @@ TEST(ImageFile, bombsAreRefusedFromTheHeaderAlone) {
     }
 }
 
-TEST(ImageFile, aJpegThatPassesOverThePictureForeverIsRefused) {
+TEST(ImageFile, aJpegWithTooManyScansIsRejected) {
     std::string jpeg{"\xff\xd8\xff\xc2\x00\x11\x08\x10\x00\x10\x00\x03\x01\x11\x00\x02\x11\x01\x03\x11\x01",
                      21};
     for (int i = 0; i < 1000; ++i) jpeg += std::string{"\xff\xda\x00\x08\x01\x01\x00\x00\x00\x00", 10};

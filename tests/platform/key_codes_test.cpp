@@ -18,7 +18,7 @@ TEST(KeyCodes, everyKeyHasExactlyOneUsage) {
     EXPECT_EQ(seen.size(), kKeyCount - 1);
 }
 
-TEST(KeyCodes, usagesMeanTheKeysOfTheUsbTables) {
+TEST(KeyCodes, usagesMatchTheUsbTables) {
     EXPECT_EQ(keyFromUsage(4), Key::A);
     EXPECT_EQ(keyFromUsage(29), Key::Z);
     EXPECT_EQ(keyFromUsage(30), Key::Digit1);

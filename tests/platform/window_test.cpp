@@ -7,8 +7,9 @@
 namespace plumb {
 namespace {
 
-TEST(Window, opensWithoutADisplayAndSaysSo) {
-    const Result<std::unique_ptr<Window>> opened = Window::open({.width = 320, .height = 180, .hidden = true});
+TEST(Window, opensWithoutADisplayAndReportsIt) {
+    const Result<std::unique_ptr<Window>> opened =
+        Window::open({.width = 320, .height = 180, .hidden = true});
     ASSERT_TRUE(opened) << opened.error().text();
     const Window& window = **opened;
     EXPECT_EQ(window.size(), (PixelSize{320, 180}));

@@ -60,7 +60,7 @@ struct CurveJson : testing::Test {
     }
 };
 
-TEST_F(CurveJson, aCurveStandsOnOneLineAndComesBackToTheLastBit) {
+TEST_F(CurveJson, aCurveIsWrittenOnOneLineAndReadsBackBitIdentical) {
     constexpr std::string_view kText = R"(["linear", [0, 0.1], [0.33333334, 1e-07], [1, 2]])";
     ASSERT_TRUE(read(kText).ok());
     EXPECT_EQ(fade.curve.shape, CurveShape::Linear);
@@ -70,7 +70,7 @@ TEST_F(CurveJson, aCurveStandsOnOneLineAndComesBackToTheLastBit) {
     EXPECT_TRUE(context.warnings.empty());
 }
 
-TEST_F(CurveJson, isKnownAmongListsOfPairs) {
+TEST_F(CurveJson, isDistinguishedFromListsOfPairs) {
     EXPECT_TRUE(isCurve(field()));
     EXPECT_FALSE(isCurve(*types.of<Fade>().find("corners"))) << "as many pairs, and no curve";
     Fade other;
@@ -78,19 +78,19 @@ TEST_F(CurveJson, isKnownAmongListsOfPairs) {
     EXPECT_FALSE(fieldsEqual(field(), &fade, &other)) << "the shape is part of it";
 }
 
-TEST_F(CurveJson, whatIsWrongIsSaidWithItsKey) {
+TEST_F(CurveJson, invalidKeysAreReportedWithTheirIndex) {
     EXPECT_NE(problem("3").find("expected a curve, found 3"), std::string::npos);
     EXPECT_NE(problem(R"(["round", [0, 1]])").find(R"("smooth" or "linear", found "round")"),
               std::string::npos);
     EXPECT_NE(problem(R"(["smooth"])").find("at least one key"), std::string::npos);
-    EXPECT_NE(problem(R"(["smooth", [0, 1], [0.5]])").find("key 1 is no pair"), std::string::npos);
-    EXPECT_NE(problem(R"(["smooth", [0, 1], [1.5, 1]])").find("key 1 lies at 1.5, outside 0 to 1"),
+    EXPECT_NE(problem(R"(["smooth", [0, 1], [0.5]])").find("key 1 is not a pair"), std::string::npos);
+    EXPECT_NE(problem(R"(["smooth", [0, 1], [1.5, 1]])").find("key 1 is at 1.5, outside 0 to 1"),
               std::string::npos);
-    EXPECT_NE(problem(R"(["smooth", [0.5, 1], [0.2, 1]])").find("key 1 lies at 0.2, not after"),
+    EXPECT_NE(problem(R"(["smooth", [0.5, 1], [0.2, 1]])").find("key 1 is at 0.2, which is not after"),
               std::string::npos);
     EXPECT_NE(problem(R"(["smooth", [0.5, 1], [0.5, 1]])").find("not after"), std::string::npos);
     EXPECT_NE(problem(R"(["smooth",[0,0],[0.1,0],[0.2,0],[0.3,0],[0.4,0],[0.5,0],[0.6,0],[0.7,0],[0.8,0]])")
-                  .find("9 keys, there is room for 8"),
+                  .find("9 keys, the limit is 8"),
               std::string::npos);
 }
 

@@ -91,7 +91,7 @@ struct FieldJson : testing::Test {
     Json write(std::string_view field) { return fieldToJson(*type.find(field), &sample, context); }
 };
 
-TEST_F(FieldJson, aWrongValueNamesTheFieldWhatWasFoundAndWhatToWrite) {
+TEST_F(FieldJson, aWrongValueIsReportedWithFieldFoundValueAndRemedy) {
     const auto result = read("rate", "fast");
 
     ASSERT_FALSE(result);
@@ -100,7 +100,7 @@ TEST_F(FieldJson, aWrongValueNamesTheFieldWhatWasFoundAndWhatToWrite) {
     EXPECT_EQ(sample.rate, 1.5f);
 }
 
-TEST_F(FieldJson, aNumberPastItsRangeIsClampedAndReported) {
+TEST_F(FieldJson, aNumberOutsideItsRangeIsClampedAndReported) {
     ASSERT_TRUE(read("rate", 100));
     ASSERT_TRUE(read("count", -1000));
 
@@ -111,7 +111,7 @@ TEST_F(FieldJson, aNumberPastItsRangeIsClampedAndReported) {
               "rate: 100 is outside -20 to 20; using 20; write a value inside the range");
 }
 
-TEST_F(FieldJson, whatIsNotFiniteIsRefused) {
+TEST_F(FieldJson, nonFiniteNumbersAreRejected) {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
         EXPECT_FALSE(read("rate", bad));
@@ -122,7 +122,7 @@ TEST_F(FieldJson, whatIsNotFiniteIsRefused) {
     EXPECT_EQ(sample.place, Vec2{});
 }
 
-TEST_F(FieldJson, aMistypedNameIsAnsweredWithTheNearestOne) {
+TEST_F(FieldJson, aMistypedNameIsReportedWithTheClosestOne) {
     const auto result = read("mood", "angri");
 
     ASSERT_FALSE(result);
@@ -139,7 +139,7 @@ TEST_F(FieldJson, aPathThatLeavesTheProjectIsRefused) {
     EXPECT_TRUE(read("picture", "assets/a..b.png"));
 }
 
-TEST_F(FieldJson, entitiesAreWrittenByTheirLastingIds) {
+TEST_F(FieldJson, entitiesAreWrittenByTheirStableIds) {
     ASSERT_TRUE(read("target", "ab"));
     EXPECT_EQ(sample.target, (EntityId{7, 1}));
     EXPECT_EQ(write("target"), "00000000000000ab");
@@ -165,7 +165,7 @@ TEST_F(FieldJson, colorsReadInBothFormsAndAreWrittenInOne) {
     EXPECT_FALSE(read("tint", "#12345"));
 }
 
-TEST_F(FieldJson, aListTakesWhatFitsAndTellsOfTheRest) {
+TEST_F(FieldJson, aListReadsValidItemsAndReportsOthers) {
     ASSERT_TRUE(read("numbers", Json::array({1, 2, 3, 4})));
     EXPECT_EQ(sample.numbers.size(), 3u);
     EXPECT_EQ(context.warnings.size(), 1u);
@@ -173,7 +173,7 @@ TEST_F(FieldJson, aListTakesWhatFitsAndTellsOfTheRest) {
     EXPECT_EQ(sample.numbers.size(), 3u);
 }
 
-TEST_F(FieldJson, aComponentHoldsOnlyWhatDiffersFromItsDefaults) {
+TEST_F(FieldJson, onlyFieldsThatDifferFromTheDefaultsAreWritten) {
     sample.count = 5;
     sample.hidden = 9;
     const Sample defaults;
@@ -195,7 +195,7 @@ TEST_F(FieldJson, oldNamesStillLoadAndUnknownOnesAreReported) {
     EXPECT_EQ(problems[1].key, "hidden");
 }
 
-TEST_F(FieldJson, everyKindAnswersEveryKindOfValueWithoutChangingOnError) {
+TEST_F(FieldJson, everyFieldKindRejectsWrongValuesWithoutChanging) {
     const Json values[] = {nullptr,
                            true,
                            -1,
@@ -220,7 +220,7 @@ TEST_F(FieldJson, everyKindAnswersEveryKindOfValueWithoutChangingOnError) {
     }
 }
 
-TEST_F(FieldJson, propertyWhateverWasWrittenReadsBackToTheSameBits) {
+TEST_F(FieldJson, propertyWrittenValuesReadBackBitIdentical) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);

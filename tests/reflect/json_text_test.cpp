@@ -47,7 +47,7 @@ TEST(JsonText, theErrorNamesLineColumnWhatWasExpectedAndARemedy) {
 
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.error().where, "levels/cave.json:3:3");
-    EXPECT_EQ(result.error().what, "expected \",\" or \"}\", found a text");
+    EXPECT_EQ(result.error().what, "expected \",\" or \"}\", found a string");
     EXPECT_FALSE(result.error().remedy.empty());
 }
 
@@ -71,13 +71,14 @@ TEST(JsonText, anUnclosedBracketIsReportedWhereItOpens) {
         EXPECT_EQ(result.error().where, one.where) << one.text;
         EXPECT_NE(result.error().what.find(one.what), std::string::npos) << result.error().what;
     }
-    // Here a comma is as likely: the place stays, and what is open is named.
+    // A missing comma is as likely: the error has the position of the unexpected text, the remedy names the
+    // bracket.
     const Result<Json> result = parseJson("{\n  \"a\": {\n    \"b\": 1\n  \"c\": 2\n}", "x");
     EXPECT_EQ(result.error().where, "x:4:3");
-    EXPECT_EQ(result.error().remedy, "put a comma between properties; the \"{\" of line 2 is open");
+    EXPECT_EQ(result.error().remedy, "put a comma between properties; the \"{\" of line 2 is not closed yet");
 }
 
-TEST(JsonText, brokenTextsAreRefusedWithWhereWhatAndRemedy) {
+TEST(JsonText, invalidTextsAreRejectedWithPlaceTextAndRemedy) {
     const std::string_view broken[] = {"",
                                        " ",
                                        "{",
@@ -137,7 +138,7 @@ TEST(JsonText, brokenTextsAreRefusedWithWhereWhatAndRemedy) {
     EXPECT_FALSE(parseJson(std::string_view{"[\0]", 3}, "x").ok());
 }
 
-TEST(JsonText, depthIsAcceptedAtTheLimitAndRefusedPastIt) {
+TEST(JsonText, depthIsAcceptedAtTheLimitAndRejectedBeyond) {
     const auto nested = [](int depth) {
         return std::string(static_cast<std::size_t>(depth), '[') +
                std::string(static_cast<std::size_t>(depth), ']');
@@ -148,7 +149,7 @@ TEST(JsonText, depthIsAcceptedAtTheLimitAndRefusedPastIt) {
     EXPECT_FALSE(parseJson(std::string(1000000, '['), "x").ok());
 }
 
-TEST(JsonText, textsBytesAndValuesAreAcceptedAtTheirLimitAndRefusedPastIt) {
+TEST(JsonText, stringsBytesAndValuesAreAcceptedAtTheirLimitAndRejectedBeyond) {
     const auto text = [](std::size_t length) { return '"' + std::string(length, 'a') + '"'; };
     for (const std::size_t below : {std::size_t{1}, std::size_t{0}}) {
         EXPECT_TRUE(parseJson(text(limits::kTextBytes - below), "x").ok());
@@ -159,7 +160,7 @@ TEST(JsonText, textsBytesAndValuesAreAcceptedAtTheirLimitAndRefusedPastIt) {
     EXPECT_FALSE(parseJson("[1,2]", "x", nullptr, JsonLimits{.values = 2}).ok());
 }
 
-TEST(JsonText, aRepeatedKeyIsAnErrorOrWithAListAWarningWhoseLastValueCounts) {
+TEST(JsonText, aRepeatedKeyIsAnErrorOrAWarningIfProblemsAreCollected) {
     EXPECT_FALSE(parseJson(R"({"a": 1, "a": 2})", "x").ok());
 
     std::vector<Error> warnings;
@@ -182,7 +183,7 @@ TEST(JsonText, aRepeatedKeyIsAlsoFoundInALargeObject) {
     EXPECT_EQ(warnings.size(), 3u);
 }
 
-TEST(JsonText, theHouseFormatPutsOnePropertyALineAndNumbersInline) {
+TEST(JsonText, theFileFormatHasOnePropertyPerLineAndNumbersInline) {
     const Json json = parsed(
         R"({"format":1,"position":[10,20.5],"names":["Space","Pad A"],"empty":{},"none":[],"points":[[0,0],[8,-8]],"list":[{"a":1}],"rows":["1 2 3 4 5 6 7 8 9","1 2 3"]})");
 
@@ -206,7 +207,7 @@ TEST(JsonText, theHouseFormatPutsOnePropertyALineAndNumbersInline) {
 )");
 }
 
-TEST(JsonText, anArrayThatIsTooWideForALineTakesOneLineAnItem) {
+TEST(JsonText, aTooWideArrayHasOneItemPerLine) {
     Json json = Json::object();
     for (int i = 0; i < 40; ++i) json["wide"].push_back(100 + i);
 
@@ -216,7 +217,7 @@ TEST(JsonText, anArrayThatIsTooWideForALineTakesOneLineAnItem) {
     EXPECT_EQ(writeJson(parsed(text)), text);
 }
 
-TEST(JsonText, theCompactFormatPutsWhateverFitsOnOneLine) {
+TEST(JsonText, theCompactFormatPutsEverythingThatFitsOnOneLine) {
     const Json json =
         parsed(R"({"a": {"b": [1, {"c": "x"}], "d": {}}, "list": ["a long text that stands here", 2]})");
     EXPECT_EQ(writeCompactJson(json), R"({
@@ -275,7 +276,7 @@ Json randomJson(Random& random, int depth) {
     }
 }
 
-TEST(JsonText, whatIsWrittenReadsBackTheSameOverRandomValues) {
+TEST(JsonText, randomValuesReadBackUnchanged) {
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);

@@ -15,7 +15,7 @@ TEST(DrawOrder, sortsAsAStableSortWould) {
         SCOPED_TRACE(seed);
         Random random{seed};
         std::vector<DrawItem> items(static_cast<std::size_t>(random.below(3000)));
-        // Few values for each part of the key: ties must be common.
+        // Few different values for each part of the key, so that many keys are equal.
         for (std::uint32_t i = 0; i < items.size(); ++i) {
             items[i] = {drawKey(static_cast<int>(random.below(7)) - 3, random.below(40), random.below(3)), i};
         }
@@ -31,13 +31,13 @@ TEST(DrawOrder, keysOrderByLayerThenYThenGroup) {
     EXPECT_LT(drawKey(0, 5, 3), drawKey(0, 5, 4));
 }
 
-TEST(DrawOrder, layersOutOfRangeCountAsTheNearest) {
+TEST(DrawOrder, layersOutOfRangeAreClamped) {
     EXPECT_EQ(drawKey(-1000000, 0, 0), drawKey(kLowestLayer, 0, 0));
     EXPECT_EQ(drawKey(1000000, 0, 0), drawKey(kHighestLayer, 0, 0));
     EXPECT_LT(drawKey(kLowestLayer, 0, 0), drawKey(kHighestLayer, 0, 0));
 }
 
-TEST(DrawOrder, nothingSortsToNothing) {
+TEST(DrawOrder, sortingAnEmptyListReturnsAnEmptyList) {
     DrawOrder order;
     EXPECT_TRUE(order.sort({}).empty());
 }

@@ -1,4 +1,4 @@
-// Damaged fonts are refused, or draw what they have. PLUMB_FONT_MUTATIONS says how many are tried.
+// Damaged fonts are rejected or drawn without a crash. PLUMB_FONT_MUTATIONS sets the number of fonts to test.
 
 #include <cmath>
 #include <cstdlib>
@@ -60,7 +60,7 @@ void expectDrawnOrRefused(std::string bytes) {
         static_cast<void>(font->draw(font->glyphOf(letter), 48));
 }
 
-/// Where a table of the font lies in its file.
+/// Returns the offset of a table in a font file.
 std::size_t placeOf(const std::string& font, std::string_view table) {
     const std::size_t record = font.find(table);
     const auto byte = [&](std::size_t i) {
@@ -69,15 +69,15 @@ std::size_t placeOf(const std::string& font, std::string_view table) {
     return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
 }
 
-TEST(FontMutations, propertyADamagedFontIsRefusedOrDrawn) {
+TEST(FontMutations, propertyADamagedFontIsRejectedOrDrawn) {
     const std::vector<std::string> fonts = allFonts();
     ASSERT_GE(fonts.size(), 7u);
     for (std::uint64_t seed = 1; seed <= mutationCount(); ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
         std::string bytes = fonts[seed % fonts.size()];
-        // Half of them at the start, where the table of contents and the small tables lie that lead to the
-        // others.
+        // Half of the damage is at the start, which contains the table directory and the small tables that
+        // refer to the others.
         constexpr std::size_t kStart = 1024;
         if (random.below(2) == 0) {
             bytes = test::withWrongBytes(bytes.substr(0, kStart), random, 8) + bytes.substr(kStart);
@@ -89,7 +89,7 @@ TEST(FontMutations, propertyADamagedFontIsRefusedOrDrawn) {
     }
 }
 
-TEST(FontMutations, everyByteOfTheTableOfContentsMayBeWrong) {
+TEST(FontMutations, everyByteOfTheTableDirectoryMayBeWrong) {
     const std::string font = bytesOf(kWickwood);
     constexpr std::size_t kContents = 12 + 16 * 14;
     for (std::size_t at = 0; at < kContents; ++at) {
@@ -102,10 +102,10 @@ TEST(FontMutations, everyByteOfTheTableOfContentsMayBeWrong) {
     }
 }
 
-TEST(FontMutations, aLetterThatIsAPartOfItselfIsRefused) {
+TEST(FontMutations, aGlyphThatContainsItselfIsRejected) {
     std::string font = bytesOf(kWickwood);
     const int glyph = Font::fromBytes(font, "whole.ttf")->glyphOf(U'A');
-    // The A becomes the first letter of the table, and that one consists of the A.
+    // Make the glyph of A the first glyph of "glyf", and make that glyph a composite of A.
     const std::size_t glyf = placeOf(font, "glyf");
     const std::size_t loca = placeOf(font, "loca");
     const bool isLong = font[placeOf(font, "head") + 51] != 0;
@@ -121,13 +121,13 @@ TEST(FontMutations, aLetterThatIsAPartOfItselfIsRefused) {
     EXPECT_NE(read.error().what.find("damaged"), std::string::npos) << read.error().text();
 }
 
-TEST(FontMutations, aLetterOfGreatSizeIsNotDrawn) {
+TEST(FontMutations, aHugeGlyphIsNotDrawn) {
     std::string font = bytesOf(kWickwood);
     const Result<Font> whole = Font::fromBytes(font, "whole.ttf");
     const Font::Glyph letter = whole->draw(whole->glyphOf(U'A'), 160);
     EXPECT_FALSE(letter.image.empty());
     const std::size_t head = placeOf(font, "head");
-    font[head + 18] = 0, font[head + 19] = 16;  // units per em: every letter is 64 times as large
+    font[head + 18] = 0, font[head + 19] = 16;  // 16 units per em make every letter 64 times as large
     const Result<Font> huge = Font::fromBytes(font, "huge.ttf");
     ASSERT_TRUE(huge);
     EXPECT_TRUE(huge->draw(huge->glyphOf(U'A'), 160).image.empty());

@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth = 64;
 constexpr int kHeight = 48;
 
-/// A device in a hidden window; made once, because creating a context takes longer than all the tests.
+/// A device in a hidden window, created once, because that takes longer than all tests together.
 class GlDeviceTest : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -51,7 +51,7 @@ protected:
         EXPECT_NEAR(seen.b, expected.b, 2);
     }
 
-    /// 4x2 texels, each of its own color: r counts columns, g counts rows.
+    /// Returns an image of 4x2 texels of different colors: r depends on the column, g on the row.
     static Image chart() {
         Image image{4, 2, {}};
         for (int y = 0; y < 2; ++y) {
@@ -73,7 +73,7 @@ protected:
     const View view{.center = {kWidth * 0.5f, kHeight * 0.5f}, .size = {kWidth, kHeight}};
 };
 
-TEST_F(GlDeviceTest, clearsToTheColorAskedFor) {
+TEST_F(GlDeviceTest, clearsToTheGivenColor) {
     list.begin(view);
     const Image image = picture();
     ASSERT_EQ(image.width, kWidth);
@@ -81,7 +81,7 @@ TEST_F(GlDeviceTest, clearsToTheColorAskedFor) {
     expectNear(at(image, 0, 0), {10, 20, 30, 255});
 }
 
-TEST_F(GlDeviceTest, drawsEveryTexelWhereItBelongsInWindowsAndInTargets) {
+TEST_F(GlDeviceTest, drawsEveryTexelAtItsPositionInWindowsAndTargets) {
     const TextureHandle texture = device->createTexture(chart(), TextureFilter::Nearest);
     list.begin(view);
     list.sprite({.center = {18.0f, 14.0f},
@@ -106,7 +106,7 @@ TEST_F(GlDeviceTest, drawsEveryTexelWhereItBelongsInWindowsAndInTargets) {
     device->destroyTexture(texture);
 }
 
-TEST_F(GlDeviceTest, flipsAndDiagonalFlipTurnTheSource) {
+TEST_F(GlDeviceTest, flipsMirrorTheSourceAndDiagonalFlipsTransposeIt) {
     const TextureHandle texture = device->createTexture(chart(), TextureFilter::Nearest);
     SpriteQuad quad{
         .center = {8.0f, 4.0f}, .half = {8.0f, 4.0f}, .texture = texture, .source = {0.0f, 0.0f, 4.0f, 2.0f}};
@@ -133,7 +133,7 @@ TEST_F(GlDeviceTest, flipsAndDiagonalFlipTurnTheSource) {
     device->destroyTexture(texture);
 }
 
-TEST_F(GlDeviceTest, neighboursInATextureNeverShowAtAnyZoomOrTurn) {
+TEST_F(GlDeviceTest, adjacentTexelsNeverBleedAtAnyZoomOrRotation) {
     // One green 4x4 cell in a red sheet.
     Image sheet{16, 16, {}};
     for (int y = 0; y < 16; ++y) {
@@ -182,7 +182,7 @@ TEST_F(GlDeviceTest, everyTextureSlotShowsItsOwnTexture) {
     for (const TextureHandle texture : textures) device->destroyTexture(texture);
 }
 
-TEST_F(GlDeviceTest, opacityTintAndAddedLightMixAsTheyShould) {
+TEST_F(GlDeviceTest, opacityTintAndAdditiveBlendingAreCorrect) {
     list.begin(view);
     list.filledRect({{0.0f, 0.0f}, {16.0f, 16.0f}}, {200, 100, 0, 128});
     SpriteQuad light{.center = {40.0f, 8.0f},
@@ -199,7 +199,7 @@ TEST_F(GlDeviceTest, opacityTintAndAddedLightMixAsTheyShould) {
     expectNear(at(image, 33, 36), {10, 20, 30, 255});
 }
 
-TEST_F(GlDeviceTest, aFaintAreaIsOfOneColourHoweverLargeItIs) {
+TEST_F(GlDeviceTest, aTranslucentAreaHasAUniformColorAtAnySize) {
     constexpr int kWide = 320;
     const TargetHandle target = device->createTarget(kWide, kWide);
     const Viewport viewport{.target = target, .width = kWide, .height = kWide};
@@ -218,7 +218,7 @@ TEST_F(GlDeviceTest, aFaintAreaIsOfOneColourHoweverLargeItIs) {
     device->destroyTarget(target);
 }
 
-TEST_F(GlDeviceTest, aTargetIsShownEnlargedInWindowsAndInTargetsAndReplacesWhatWasThere) {
+TEST_F(GlDeviceTest, aTargetIsShownEnlargedInWindowsAndTargetsWithoutBlending) {
     const TextureHandle texture = device->createTexture(chart(), TextureFilter::Nearest);
     const TargetHandle small = device->createTarget(8, 6);
     list.begin({.center = {4.0f, 3.0f}, .size = {8.0f, 6.0f}});
@@ -256,7 +256,7 @@ TEST_F(GlDeviceTest, aTargetIsShownEnlargedInWindowsAndInTargetsAndReplacesWhatW
     device->destroyTexture(texture);
 }
 
-TEST_F(GlDeviceTest, anUpdatedTextureShowsItsNewPart) {
+TEST_F(GlDeviceTest, anUpdatedTextureShowsTheNewRegion) {
     const TextureHandle texture = device->createTexture(chart(), TextureFilter::Nearest);
     device->updateTexture(texture, 2, 1, {1, 1, {255, 255, 0, 255}});
     list.begin(view);

@@ -32,7 +32,7 @@ protected:
     void SetUp() override { list.begin(kView); }
 
     std::vector<SpriteInstance> drawn() {
-        device.forgetDraws();
+        device.clearDraws();
         renderer.draw(list, kWindow);
         std::vector<SpriteInstance> all;
         for (const RecordingDevice::SpriteDraw& draw : device.spriteDraws) {
@@ -46,7 +46,7 @@ protected:
     DrawList list;
 };
 
-TEST_F(RendererTest, lowerLayersAreDrawnFirstAndEqualOnesInTheOrderTheyCame) {
+TEST_F(RendererTest, lowerLayersAreDrawnFirstAndEqualOnesInTheOrderOfInsertion) {
     for (const int layer : {5, -3, 5, 0, -3}) {
         SpriteQuad quad = quadAt({100.0f + static_cast<float>(list.spriteCount()), 50.0f});
         quad.layer = layer;
@@ -58,7 +58,7 @@ TEST_F(RendererTest, lowerLayersAreDrawnFirstAndEqualOnesInTheOrderTheyCame) {
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(order[i].center.x, expected[i]);
 }
 
-TEST_F(RendererTest, withinALayerLowerOnScreenIsNearer) {
+TEST_F(RendererTest, withinALayerLargerYIsDrawnOnTop) {
     for (const float y : {80.0f, 20.0f, 50.0f, -40.0f, 200.0f}) {
         SpriteQuad quad = quadAt({50.0f, 90.0f});
         quad.half = {200.0f, 200.0f};
@@ -71,7 +71,7 @@ TEST_F(RendererTest, withinALayerLowerOnScreenIsNearer) {
     for (std::size_t i = 1; i < order.size(); ++i) EXPECT_LT(order[i - 1].rotation, order[i].rotation);
 }
 
-TEST_F(RendererTest, aRunIsDrawnInItsLayerAndSharesTheBatchOfTheSpritesAroundIt) {
+TEST_F(RendererTest, aRunIsDrawnInItsLayerAndSharesTheBatchOfAdjacentSprites) {
     const std::vector<TextureHandle> textures = makeTextures(device, 2);
     const auto addRun = [&](int layer, float from, std::size_t count) {
         const std::span<SpriteInstance> room = list.beginRun(count + 5);
@@ -112,9 +112,9 @@ TEST_F(RendererTest, sixteenInterleavedTexturesAreOneDrawCall) {
     EXPECT_EQ(device.spriteDraws.front().batch.textureCount, 16u);
 }
 
-TEST_F(RendererTest, aDeviceMayAskForFewerTexturesInABatch) {
+TEST_F(RendererTest, aDeviceMayLimitTheTexturesPerBatch) {
     const std::vector<TextureHandle> textures = makeTextures(device, 16);
-    device.mostTextures = 4;
+    device.maxTextures = 4;
     for (int i = 0; i < 16; ++i) list.sprite(quadAt({100.0f, 90.0f}, textures[static_cast<std::size_t>(i)]));
     EXPECT_EQ(drawn().size(), 16u);
     EXPECT_EQ(device.drawCalls(), 4u);
@@ -147,7 +147,7 @@ TEST_F(RendererTest, everyInstanceKeepsTheTextureItWasAddedWith) {
     }
 }
 
-TEST_F(RendererTest, whatTheViewCannotSeeIsDropped) {
+TEST_F(RendererTest, objectsOutsideTheViewAreCulled) {
     list.sprite(quadAt({-5.0f, 90.0f}));
     list.sprite(quadAt({-3.0f, 90.0f}));
     list.sprite(quadAt({160.0f, 185.0f}));
@@ -157,7 +157,7 @@ TEST_F(RendererTest, whatTheViewCannotSeeIsDropped) {
     EXPECT_EQ(list.culledCount(), 4u);
 }
 
-TEST_F(RendererTest, whatReachesIntoTheViewIsNeverDropped) {
+TEST_F(RendererTest, objectsThatReachIntoTheViewAreNeverCulled) {
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         Random random{seed};
         const View view{.center = {random.between(-50.0f, 50.0f), random.between(-50.0f, 50.0f)},
@@ -165,7 +165,7 @@ TEST_F(RendererTest, whatReachesIntoTheViewIsNeverDropped) {
                         .zoom = random.between(0.3f, 4.0f),
                         .rotation = random.between(-4.0f, 4.0f)};
         list.begin(view);
-        // A sprite with one corner exactly at a place on the screen.
+        // A sprite with one corner exactly at a position on the screen.
         const Vec2 seen = toWorld(view, {random.between(1.0f, 319.0f), random.between(1.0f, 179.0f)});
         SpriteQuad quad = quadAt({});
         quad.half = {random.between(1.0f, 60.0f), random.between(1.0f, 60.0f)};
@@ -179,7 +179,7 @@ TEST_F(RendererTest, whatReachesIntoTheViewIsNeverDropped) {
     }
 }
 
-TEST_F(RendererTest, aFlipExchangesTheEndsOfTheSource) {
+TEST_F(RendererTest, aFlipSwapsTwoEdgesOfTheSource) {
     SpriteQuad quad = quadAt({50.0f, 50.0f});
     quad.source = {3.0f, 5.0f, 8.0f, 16.0f};
     quad.flipX = true;
@@ -192,7 +192,7 @@ TEST_F(RendererTest, aFlipExchangesTheEndsOfTheSource) {
     EXPECT_EQ(order[1].uv, (std::array<std::uint16_t, 4>{12, 84, 44, 20}));
 }
 
-TEST_F(RendererTest, retainedSpritesAndShapesKeepTheirPlaceAmongTheLayers) {
+TEST_F(RendererTest, retainedSpritesAndShapesAreDrawnInTheirLayer) {
     const std::array<SpriteInstance, 2> tiles{};
     RetainedSprites chunk;
     chunk.buffer = device.createInstances(tiles);
@@ -220,7 +220,7 @@ TEST_F(RendererTest, retainedSpritesAndShapesKeepTheirPlaceAmongTheLayers) {
     EXPECT_EQ(list.culledCount(), 1u);
 }
 
-TEST_F(RendererTest, outlinesShareTheCallOfTheSpritesAndFilledShapesShareOne) {
+TEST_F(RendererTest, outlinesShareTheDrawCallOfSpritesAndFilledShapesShareAnother) {
     list.sprite(quadAt({50.0f, 50.0f}));
     list.line({0.0f, 0.0f}, {100.0f, 100.0f}, {});
     list.rect({{10.0f, 10.0f}, {50.0f, 40.0f}}, {});
@@ -232,7 +232,7 @@ TEST_F(RendererTest, outlinesShareTheCallOfTheSpritesAndFilledShapesShareOne) {
     EXPECT_EQ(device.geometryDraws.size(), 1u);
 }
 
-TEST_F(RendererTest, whatLiesFarBackIsDrawnIntoItsOwnPictureAndEnlargedBehindTheRest) {
+TEST_F(RendererTest, distantLayersAreDrawnToASmallTargetAndEnlargedBehindTheOthers) {
     for (const int layer : {7, -80, 0, -100, -80}) {
         SpriteQuad quad = quadAt({100.0f + static_cast<float>(list.spriteCount()), 50.0f});
         quad.layer = layer;
@@ -251,15 +251,15 @@ TEST_F(RendererTest, whatLiesFarBackIsDrawnIntoItsOwnPictureAndEnlargedBehindThe
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_EQ(device.spriteDraws[i / 3].instances[i % 3].center.x, expected[i]);
     }
-    ASSERT_EQ(device.showings.size(), 1u);
-    EXPECT_EQ(device.showings.front().source, small.target);
-    EXPECT_EQ(device.showings.front().viewport, window);
-    EXPECT_EQ(device.showings.front().afterSprites, 1u);
+    ASSERT_EQ(device.showCalls.size(), 1u);
+    EXPECT_EQ(device.showCalls.front().source, small.target);
+    EXPECT_EQ(device.showCalls.front().viewport, window);
+    EXPECT_EQ(device.showCalls.front().afterSprites, 1u);
     EXPECT_EQ(renderer.counts().drawCalls, 3u);
 
-    device.forgetDraws();
+    device.clearDraws();
     renderer.draw(list, window, {small, -200});
-    EXPECT_TRUE(device.showings.empty()) << "nothing lies behind";
+    EXPECT_TRUE(device.showCalls.empty()) << "nothing lies behind";
     EXPECT_EQ(device.spriteDraws.size(), 1u);
 }
 

@@ -26,7 +26,7 @@ std::u32string decoded(std::string_view text) {
 
 class TextTest : public testing::Test {
 protected:
-    Font font = loadFont("press_start_2p.ttf");  // every letter is 8 px wide at 8 px
+    Font font = loadFont("press_start_2p.ttf");  // at size 8 px every letter is 8 px wide
     TextLayout layout;
 
     void layOut(std::string_view text, const TextShape& shape) { layOutText(font, text, shape, layout); }
@@ -37,7 +37,7 @@ protected:
     }
 };
 
-TEST_F(TextTest, lettersStandSideBySideOnTheBaseLine) {
+TEST_F(TextTest, glyphsAreSideBySideOnTheBaseLine) {
     layOut("abc", {});
     const float base = font.ascent() * 8.0f;
     EXPECT_EQ(pens(), (std::vector<Vec2>{{0.0f, base}, {8.0f, base}, {16.0f, base}}));
@@ -45,15 +45,15 @@ TEST_F(TextTest, lettersStandSideBySideOnTheBaseLine) {
     EXPECT_EQ(layout.lines, 1);
 }
 
-TEST_F(TextTest, linesBreakBetweenWordsAndTheSpaceHangsOver) {
+TEST_F(TextTest, linesBreakBetweenWordsAndTheSpaceMayExtendBeyond) {
     layOut("one two three", {.wrapWidth = 60.0f});
     EXPECT_EQ(layout.lines, 2);
     EXPECT_EQ(layout.size.x, 56.0f);
-    EXPECT_EQ(layout.glyphs[6].pen.x, 0.0f);  // the t of three
+    EXPECT_EQ(layout.glyphs[6].pen.x, 0.0f);  // the t of "three"
     EXPECT_GT(layout.glyphs[6].pen.y, layout.glyphs[5].pen.y);
 }
 
-TEST_F(TextTest, aWordLongerThanALineIsCut) {
+TEST_F(TextTest, aWordLongerThanALineIsSplit) {
     layOut("abcdefghij", {.wrapWidth = 32.0f});
     EXPECT_EQ(layout.lines, 3);
     EXPECT_EQ(layout.glyphs[4].pen.x, 0.0f);
@@ -61,7 +61,7 @@ TEST_F(TextTest, aWordLongerThanALineIsCut) {
     EXPECT_EQ(layout.lines, 1);
 }
 
-TEST_F(TextTest, noLineIsWiderThanTheWrapWidthUnlessALetterIs) {
+TEST_F(TextTest, noLineIsWiderThanTheWrapWidthUnlessAGlyphIs) {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(seed);
         Random random{seed};
@@ -91,7 +91,7 @@ TEST_F(TextTest, aligningMovesEachLineByItsOwnWidth) {
     EXPECT_EQ(layout.glyphs[4].pen.x, -16.0f);
 }
 
-TEST_F(TextTest, emptyLinesTakeRoom) {
+TEST_F(TextTest, emptyLinesHaveTheLineHeight) {
     layOut("a\n\nb", {});
     EXPECT_EQ(layout.lines, 3);
     EXPECT_EQ(layout.glyphs[1].pen.x, 0.0f);
@@ -100,14 +100,14 @@ TEST_F(TextTest, emptyLinesTakeRoom) {
     EXPECT_EQ(layout.size, (Vec2{}));
 }
 
-TEST(Utf8, readsCharactersAndMarksBrokenBytes) {
+TEST(Utf8, readsCharactersAndReplacesInvalidBytes) {
     EXPECT_EQ(decoded("a\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80z"), U"a\u00e4\u20ac\U0001f600z");
     EXPECT_EQ(decoded("\xff\x61"), U"\ufffd\u0061");
     EXPECT_EQ(decoded("\xe2\x82"), U"\ufffd\ufffd");
     EXPECT_EQ(decoded("\xc0\x80"), U"\ufffd\ufffd");
 }
 
-TEST(Font, knowsPixelFontsByTheirOutlines) {
+TEST(Font, detectsPixelFontsByTheirOutlines) {
     EXPECT_TRUE(loadFont("press_start_2p.ttf").isPixelFont());
     EXPECT_TRUE(loadFont("silkscreen.ttf").isPixelFont());
     EXPECT_TRUE(loadFont("tiny5.ttf").isPixelFont());
@@ -115,7 +115,7 @@ TEST(Font, knowsPixelFontsByTheirOutlines) {
     EXPECT_FALSE(loadFont("b612_mono.otf").isPixelFont());
 }
 
-TEST(Font, pixelLettersHaveNoHalfTones) {
+TEST(Font, glyphsOfPixelFontsHaveNoPartialCoverage) {
     const Font font = loadFont("press_start_2p.ttf");
     const Font::Glyph glyph = font.draw(font.glyphOf(U'A'), 8);
     ASSERT_GE(glyph.image.width, 7);
@@ -125,7 +125,7 @@ TEST(Font, pixelLettersHaveNoHalfTones) {
     }
 }
 
-TEST(Font, whatIsNoFontIsRefused) {
+TEST(Font, filesThatAreNotFontsAreRejected) {
     EXPECT_FALSE(Font::fromBytes("", "a.ttf"));
     EXPECT_FALSE(Font::fromBytes("not a font at all", "a.ttf"));
     Result<std::string> bytes = readFile(engineAssets() / "fonts" / "silkscreen.ttf");
@@ -133,14 +133,14 @@ TEST(Font, whatIsNoFontIsRefused) {
     EXPECT_FALSE(Font::fromBytes(bytes->substr(0, 5000), "a.ttf"));
 }
 
-TEST(TextPainter, drawsALetterOnceAndSharesOneTexture) {
+TEST(TextPainter, rasterizesAGlyphOnceAndSharesOneTexture) {
     RecordingDevice device;
     Renderer renderer{device};
     TextPainter painter{device};
     const Font font = loadFont("silkscreen.ttf");
     DrawList list;
     for (int frame = 0; frame < 3; ++frame) {
-        device.forgetDraws();
+        device.clearDraws();
         list.begin({.center = {160.0f, 90.0f}, .size = {320.0f, 180.0f}});
         painter.draw(list, font, "SCORE 000123", {10.0f, 10.0f}, {});
         painter.draw(list, font, "SCORE", {10.0f, 40.0f}, {.shadow = {0, 0, 0, 255}});
@@ -151,7 +151,7 @@ TEST(TextPainter, drawsALetterOnceAndSharesOneTexture) {
     }
 }
 
-TEST(TextPainter, pixelLettersLieOnWholePixelsAtTheirOwnSize) {
+TEST(TextPainter, glyphsOfPixelFontsAreAlignedToPixelsAtTheirOwnSize) {
     RecordingDevice device;
     TextPainter painter{device};
     const Font font = loadFont("press_start_2p.ttf");

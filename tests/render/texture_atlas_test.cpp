@@ -12,7 +12,7 @@ Image filled(int width, int height, std::uint8_t value) {
     return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4), value)};
 }
 
-TEST(Skyline, nothingOverlapsAndNothingLeavesTheSheet) {
+TEST(Skyline, rectanglesDoNotOverlapAndStayInsideTheSquare) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
         Random random{seed};
@@ -38,14 +38,14 @@ TEST(Skyline, nothingOverlapsAndNothingLeavesTheSheet) {
     }
 }
 
-TEST(Skyline, aSheetTakesOnePieceOfItsOwnSizeAndNoMore) {
+TEST(Skyline, aSquareHoldsExactlyOneRectangleOfItsSize) {
     Skyline skyline{64};
     EXPECT_FALSE(skyline.add(65, 1));
     EXPECT_TRUE(skyline.add(64, 64));
     EXPECT_FALSE(skyline.add(1, 1));
 }
 
-TEST(TextureAtlas, smallPicturesShareATextureAndKeepTheirPixels) {
+TEST(TextureAtlas, smallImagesShareATextureAndKeepTheirPixels) {
     RecordingDevice device;
     TextureAtlas atlas{device};
     std::vector<TextureRegion> regions;
@@ -63,7 +63,7 @@ TEST(TextureAtlas, smallPicturesShareATextureAndKeepTheirPixels) {
     }
 }
 
-TEST(TextureAtlas, largePicturesGetATextureOfTheirOwnAndGiveItBack) {
+TEST(TextureAtlas, largeImagesHaveTheirOwnTextureUntilRemoved) {
     RecordingDevice device;
     TextureAtlas atlas{device};
     const TextureRegion region = atlas.add(filled(600, 20, 1));
@@ -73,7 +73,7 @@ TEST(TextureAtlas, largePicturesGetATextureOfTheirOwnAndGiveItBack) {
     EXPECT_EQ(atlas.textureCount(), 0u);
 }
 
-TEST(TextureAtlas, newPixelsOfTheSameSizeStayInPlace) {
+TEST(TextureAtlas, newPixelsOfTheSameSizeKeepTheRegion) {
     RecordingDevice device;
     TextureAtlas atlas{device};
     const TextureRegion region = atlas.add(filled(16, 16, 1));
@@ -83,7 +83,7 @@ TEST(TextureAtlas, newPixelsOfTheSameSizeStayInPlace) {
     EXPECT_EQ(grown.width, 32);
 }
 
-TEST(TextureAtlas, anEmptiedPageIsUsedAgain) {
+TEST(TextureAtlas, anEmptyPageIsReused) {
     RecordingDevice device;
     TextureAtlas atlas{device};
     for (int round = 0; round < 20; ++round) {
@@ -94,7 +94,7 @@ TEST(TextureAtlas, anEmptiedPageIsUsedAgain) {
     EXPECT_EQ(atlas.textureCount(), 1u);
 }
 
-TEST(TextureAtlas, anEmptyPictureIsTheWhitePixel) {
+TEST(TextureAtlas, anEmptyImageIsTheWhitePixel) {
     RecordingDevice device;
     TextureAtlas atlas{device};
     EXPECT_EQ(atlas.add({}).texture, TextureHandle{});

@@ -26,7 +26,7 @@ protected:
     TextureLibrary textures{device, assets};
 };
 
-TEST_F(TextureLibraryTest, aPictureGoesToTheCardOnce) {
+TEST_F(TextureLibraryTest, aTextureIsUploadedOnce) {
     const TextureId id = assets.addTexture("a", filled(16, 8, 7));
     const TextureRegion first = textures.regionOf(id);
     EXPECT_EQ(first.width, 16);
@@ -35,12 +35,12 @@ TEST_F(TextureLibraryTest, aPictureGoesToTheCardOnce) {
     EXPECT_EQ(device.texturesCreated, 1u);
 }
 
-TEST_F(TextureLibraryTest, noTextureIsTheWhitePixelAndAMissingOneIsSeen) {
+TEST_F(TextureLibraryTest, anEmptyIdIsTheWhitePixelAndAMissingTextureThePlaceholder) {
     EXPECT_EQ(textures.regionOf({}).texture, TextureHandle{});
     EXPECT_NE(textures.regionOf(assets.loadTexture("nowhere.png")).texture, TextureHandle{});
 }
 
-TEST_F(TextureLibraryTest, aChangedPictureIsBroughtAgain) {
+TEST_F(TextureLibraryTest, aChangedTextureIsUploadedAgain) {
     const TextureId id = assets.addTexture("a", filled(16, 16, 1));
     const TextureRegion before = textures.regionOf(id);
     const std::uint32_t version = textures.version();
@@ -57,7 +57,7 @@ TEST_F(TextureLibraryTest, aChangedPictureIsBroughtAgain) {
     EXPECT_NE(textures.version(), version) << "what was made of the old region must be made anew";
 }
 
-TEST_F(TextureLibraryTest, aPictureThatTheStoreUnloadedLeavesItsPlaceToOthers) {
+TEST_F(TextureLibraryTest, theRegionOfAnUnloadedTextureIsReused) {
     const TextureId gone = assets.loadTexture("nowhere.png");
     const TextureRegion place = textures.regionOf(gone);
     const std::uint32_t version = textures.version();
@@ -71,7 +71,7 @@ TEST_F(TextureLibraryTest, aPictureThatTheStoreUnloadedLeavesItsPlaceToOthers) {
     EXPECT_EQ(device.texturesCreated, 1u);
 }
 
-TEST_F(TextureLibraryTest, aPartOutsideThePictureIsCutOff) {
+TEST_F(TextureLibraryTest, aSourceOutsideTheImageIsClipped) {
     const TextureRegion region{TextureHandle{1}, 100, 200, 32, 16};
     EXPECT_EQ(region.part({8.0f, 0.0f, 8.0f, 16.0f}), (Rect{108.0f, 200.0f, 8.0f, 16.0f}));
     EXPECT_EQ(region.part({24.0f, -4.0f, 16.0f, 16.0f}), (Rect{124.0f, 200.0f, 8.0f, 12.0f}));
@@ -100,7 +100,7 @@ protected:
     TilesetId id;
 };
 
-TEST_F(TilesetLooksTest, tilesLieInRowsOfThePicture) {
+TEST_F(TilesetLooksTest, tilesAreArrangedInRowsOfTheImage) {
     const TileSheet sheet = sheetAt(0.0);
     ASSERT_EQ(sheet.looks.size(), 8u);
     const TextureRegion region = textures.regionOf(assets.find(id)->texture);
@@ -118,7 +118,7 @@ TEST_F(TilesetLooksTest, animatedTilesShowTheFrameOfTheMoment) {
     EXPECT_NE(first.source, later.looks[2].source);
 }
 
-TEST_F(TilesetLooksTest, theVersionGrowsOnlyWhenSomethingElseThanTimeChanged) {
+TEST_F(TilesetLooksTest, theVersionChangesOnlyIfMoreThanTheTimeChanged) {
     const std::uint32_t version = sheetAt(0.0).version;
     EXPECT_EQ(sheetAt(3.0).version, version);
     assets.addTexture("tiles", filled(128, 32, 1));

@@ -22,7 +22,7 @@ protected:
     }
 
     void draw() {
-        device.forgetDraws();
+        device.clearDraws();
         list.begin(view);
         chunks.draw(list, grid, sheet, placement);
         renderer.draw(list, {.width = 320, .height = 180});
@@ -44,7 +44,7 @@ protected:
     View view{.center = {800.0f, 800.0f}, .size = {320.0f, 180.0f}};
 };
 
-TEST_F(TileChunksTest, onlyChunksInViewAreMadeAndOnlyOnce) {
+TEST_F(TileChunksTest, onlyVisibleChunksAreBuiltAndOnlyOnce) {
     view.center = {256.0f, 256.0f};
     for (int i = 0; i < 5; ++i) draw();
     EXPECT_EQ(chunks.builtCount(), 1u);
@@ -56,7 +56,7 @@ TEST_F(TileChunksTest, onlyChunksInViewAreMadeAndOnlyOnce) {
     EXPECT_EQ(device.drawCalls(), 4u);
 }
 
-TEST_F(TileChunksTest, aChangedTileRemakesItsOwnChunkAndNoOther) {
+TEST_F(TileChunksTest, aChangedTileRebuildsOnlyItsChunk) {
     view.center = {512.0f, 512.0f};
     draw();
     ASSERT_EQ(chunks.builtCount(), 4u);
@@ -90,13 +90,14 @@ TEST_F(TileChunksTest, everyTileIsDrawnExactlyOnceAtItsCell) {
     }
 }
 
-/// Where tiles lie over each other, the later one of two is above: rows from the top, each from the left.
-/// @return how many lie wrong
+/// Counts pairs of overlapping tiles that are drawn in the wrong order. Correct is the order of cells: row by
+/// row from the top, each row from the left.
 int wronglyOverlapping(const RecordingDevice& device, float cell) {
     std::vector<SpriteInstance> drawn;
     for (const RecordingDevice::SpriteDraw& draw : device.spriteDraws)
         drawn.insert(drawn.end(), draw.instances.begin(), draw.instances.end());
-    const auto placeOf = [&](const SpriteInstance& tile) {  // of its lower left corner, in the order of cells
+    // Returns a number that increases in the order of cells, from the tile's lower left corner.
+    const auto placeOf = [&](const SpriteInstance& tile) {
         const float row = (tile.center.y + tile.half.y) / cell;
         return static_cast<int>(row) * 10000 + static_cast<int>((tile.center.x - tile.half.x) / cell);
     };
@@ -129,7 +130,7 @@ TEST_F(TileChunksTest, largeTilesLieOverEachOtherInTheOrderOfTheirCells) {
     }
 }
 
-/// As isometric maps are: cells of half a tile.
+/// Isometric maps are imported with cells of half the tile size.
 TEST_F(TileChunksTest, tilesInAGridOfHalfCellsLieOverEachOtherInTheOrderOfTheirRows) {
     for (TileLook& look : looks) look.source = {0.0f, 0.0f, 32.0f, 24.0f};
     sheet.cellSize = {16.0f, 8.0f};
@@ -140,7 +141,7 @@ TEST_F(TileChunksTest, tilesInAGridOfHalfCellsLieOverEachOtherInTheOrderOfTheirR
     EXPECT_EQ(wronglyOverlapping(device, 8.0f), 0);
 }
 
-TEST_F(TileChunksTest, movingTheLayerMakesNothingAnew) {
+TEST_F(TileChunksTest, movingTheLayerRebuildsNothing) {
     view.center = {256.0f, 256.0f};
     draw();
     placement.offset = {3.0f, -2.0f};
@@ -179,7 +180,7 @@ TEST_F(TileChunksTest, flipsAreAppliedDiagonalFirst) {
     EXPECT_NE(tiles[2].slot & kSpriteDiagonal, 0u);
 }
 
-TEST_F(TileChunksTest, tilesOfManyPicturesAreSplitBySixteenTextures) {
+TEST_F(TileChunksTest, tilesOfManyImagesAreSplitIntoBatchesOfSixteenTextures) {
     looks.clear();
     for (std::uint32_t i = 0; i < 40; ++i)
         looks.push_back({TextureHandle{i + 1}, {0.0f, 0.0f, 16.0f, 16.0f}});
@@ -198,7 +199,7 @@ TEST_F(TileChunksTest, picturesLargerThanACellStandOnItAndStaySeen) {
     looks[0].source = {0.0f, 0.0f, 16.0f, 64.0f};
     sheet.version = 1;
     grid = TileGrid{1, 100};
-    grid.set(0, 33, cellOf(0));  // reaches up to row 30, into the chunk above
+    grid.set(0, 33, cellOf(0));  // the tile extends up to row 30, into the chunk above
     view.center = {8.0f, 490.0f};
     view.size = {16.0f, 16.0f};
     draw();
@@ -207,7 +208,7 @@ TEST_F(TileChunksTest, picturesLargerThanACellStandOnItAndStaySeen) {
     EXPECT_EQ(tile.center.y + tile.half.y, 34.0f * 16.0f);
 }
 
-TEST_F(TileChunksTest, fromFarAwayAHugeLayerIsNoMoreQuadsThanThePictureHasRoomFor) {
+TEST_F(TileChunksTest, aHugeLayerZoomedOutNeedsFewQuads) {
     std::vector<TileCell> cells(2048 * 2048, cellOf(1));
     grid.replaceCells(2048, 2048, std::move(cells));
     view.center = {2048.0f * 8.0f, 2048.0f * 8.0f};
@@ -216,7 +217,7 @@ TEST_F(TileChunksTest, fromFarAwayAHugeLayerIsNoMoreQuadsThanThePictureHasRoomFo
     EXPECT_LE(tilesDrawn(), 180u * 180u);
     EXPECT_GE(tilesDrawn(), 60u * 60u);
     EXPECT_LE(device.drawCalls(), 25u);
-    // Together the blocks cover the layer.
+    // All blocks together cover the layer.
     double area = 0.0;
     for (const RecordingDevice::SpriteDraw& shown : device.spriteDraws) {
         for (const SpriteInstance& tile : shown.instances)
@@ -225,7 +226,7 @@ TEST_F(TileChunksTest, fromFarAwayAHugeLayerIsNoMoreQuadsThanThePictureHasRoomFo
     EXPECT_EQ(area, 2048.0 * 2048.0 * 256.0);
 }
 
-TEST_F(TileChunksTest, theChunksGiveTheirMemoryBack) {
+TEST_F(TileChunksTest, chunksReleaseTheirMemory) {
     view.zoom = 0.1f;
     draw();
     EXPECT_EQ(chunks.keptCount(), 16u);

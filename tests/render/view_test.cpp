@@ -32,12 +32,12 @@ TEST(View, worldAndScreenAreInversesAndAgreeWithTheTransform) {
     }
 }
 
-TEST(View, theMiddleOfTheScreenIsTheCenter) {
+TEST(View, theViewsCenterIsInTheMiddleOfTheScreen) {
     const View view{.center = {30.0f, -7.0f}, .size = {320.0f, 180.0f}, .zoom = 2.0f, .rotation = 1.0f};
     EXPECT_EQ(toScreen(view, view.center), (Vec2{160.0f, 90.0f}));
 }
 
-TEST(View, snappingPutsWholeWorldPixelsOnWholePicturePixels) {
+TEST(View, snappingAlignsWorldPixelsToScreenPixels) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         Random random{seed};
         View view{.center = {random.between(-90.0f, 90.0f), random.between(-90.0f, 90.0f)},
@@ -56,7 +56,7 @@ struct ScaleCase {
     Viewport expected;
 };
 
-TEST(WindowScale, putsThePictureWhereItSays) {
+TEST(WindowScale, everyModeComputesTheExpectedViewport) {
     const Vec2 picture{320.0f, 180.0f};
     const std::array cases{
         ScaleCase{WindowScale::Fit, {1280, 720}, {.x = 0, .y = 0, .width = 1280, .height = 720}},
@@ -73,13 +73,13 @@ TEST(WindowScale, putsThePictureWhereItSays) {
     EXPECT_EQ(viewportFor(WindowScale::Integer, picture, {0, 0}).width, 1);
 }
 
-TEST(WindowScale, theMouseFindsThePictureUnderIt) {
+TEST(WindowScale, windowPositionsAreConvertedToScreenPositions) {
     const Viewport viewport = viewportFor(WindowScale::Integer, {320.0f, 180.0f}, {1000, 720});
-    EXPECT_EQ(pictureFromWindow(viewport, {320.0f, 180.0f}, {20.0f, 90.0f}), (Vec2{0.0f, 0.0f}));
-    EXPECT_EQ(pictureFromWindow(viewport, {320.0f, 180.0f}, {500.0f, 360.0f}), (Vec2{160.0f, 90.0f}));
+    EXPECT_EQ(screenFromWindow(viewport, {320.0f, 180.0f}, {20.0f, 90.0f}), (Vec2{0.0f, 0.0f}));
+    EXPECT_EQ(screenFromWindow(viewport, {320.0f, 180.0f}, {500.0f, 360.0f}), (Vec2{160.0f, 90.0f}));
 }
 
-TEST(CameraMotion, theDeadZoneHoldsTheCameraUntilItIsLeft) {
+TEST(CameraMotion, theCameraMovesOnlyIfTheTargetLeavesTheDeadZone) {
     EXPECT_EQ(keptInDeadZone({0.0f, 0.0f}, {9.0f, -9.0f}, {20.0f, 20.0f}), (Vec2{0.0f, 0.0f}));
     EXPECT_EQ(keptInDeadZone({0.0f, 0.0f}, {15.0f, -30.0f}, {20.0f, 20.0f}), (Vec2{5.0f, -20.0f}));
     EXPECT_EQ(keptInDeadZone({0.0f, 0.0f}, {15.0f, -30.0f}, {}), (Vec2{15.0f, -30.0f}));

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Plays the projects' replays with the player as every installed compiler builds it, without a window and drawn into
-# memory, and wants one hash of each; and the golden scenes of the physics library, one hash each. The physics library,
-# which needs no package, is also built for other processors and systems, where their compilers are, and run in qemu
-# and wine.
-#   compare_compilers.sh [BUILD-FOLDER]    the folder keeps the builds for the next time
+# Builds the player with every installed compiler and plays the projects' replays headless and rendered to memory; each
+# replay must have one hash in all builds, and so must each golden scene of the physics library. The physics library,
+# which needs no package, is also built for other processors and systems if their compilers are installed, and run in
+# qemu and wine.
+#   compare_compilers.sh [BUILD-FOLDER]    the folder keeps the builds for later runs
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${1:-$root/build/compilers}
@@ -25,7 +25,7 @@ clang-O3    clang++  -DNDEBUG -O3
 gcc-native  g++      -O3 -march=native
 '
 
-# name, CMake's names of the system and the processor, what runs its programs here, compiler, flags
+# name, CMake's names of the system and the processor, emulator that runs its programs here, compiler, flags
 elsewhere='
 arm-gcc     Linux    aarch64  qemu-aarch64-static  aarch64-linux-gnu-g++         -O3 -DNDEBUG
 arm-clang   Linux    aarch64  qemu-aarch64-static  clang++                       --target=aarch64-linux-gnu -O3 -DNDEBUG
@@ -50,7 +50,7 @@ build_player() { # NAME COMPILER FLAGS
         build_targets "$1" plumb-player plumb-physics-hashes
 }
 
-# Whether a program can be built for there, and runs here.
+# True if a program can be built for that system and runs here.
 can_go() { # NAME RUNNER COMPILER FLAGS
     # shellcheck disable=SC2086
     echo '#include <vector>
@@ -64,12 +64,12 @@ build_physics() { # NAME SYSTEM PROCESSOR COMPILER FLAGS
         -DCMAKE_BUILD_TYPE=Release -DPLUMB_PHYSICS_ALONE=ON && build_targets "$1" plumb-physics-hashes
 }
 
-# The replay also holds the hash of every 300th tick: the player stops at the first that differs.
+# The replay also contains the hash of every 300th tick: the player stops at the first difference.
 play_replay() { # NAME
     "$build/$1/bin/plumb-player" "$root/projects/platformer" --headless --hash --replay "$replay" | sed -n 's/^hash: //p'
 }
 
-# Every project's replay, without a window and drawn into memory with the physics over it: the same hash.
+# Every project's replay, headless and rendered to memory with the physics view: the hashes must be equal.
 play_projects() { # NAME
     local project file wanted hash failed=0
     while read -r project file; do
@@ -90,8 +90,8 @@ play_projects() { # NAME
 compare_physics() { # NAME RUNNER...
     local program hashes
     program=$(find "$build/$1/bin" -name 'plumb-physics-hashes*' 2>/dev/null || true)
-    [ -n "$program" ] || return 0  # the build has said so
-    # They take seconds; a foreign system may hang as it starts.
+    [ -n "$program" ] || return 0  # the build has reported the error
+    # They take seconds, but an emulated system may hang at start.
     hashes=$(timeout 600 "${@:2}" "$program" 2>"$build/$1.log" </dev/null | tr -d '\r') || { tail -n 10 "$build/$1.log"; hashes+=" (ended early)"; }
     diff <(echo "$hashes") "$root/tests/replay/physics.golden" && return 0
     echo "$1: scenes of the physics library differ"

@@ -1,7 +1,7 @@
-// Prints a hash of the functions of math/portable.hpp and one of each golden scene:
-// ./plumb test --compilers compares the output of builds with all compilers, ./plumb
-// test --record writes it to physics.golden. Every instruction set that runs here, and
-// multiple threads, must give the same hash; one that differs gets a line of its own.
+// Prints a hash of the functions of math/portable.hpp and one for each golden scene. ./plumb test --compilers
+// compares the output of builds with all compilers; ./plumb test --record writes it to physics.golden. Every
+// available instruction set and multiple threads must give the same hash; a different one is printed on a
+// line of its own.
 
 #include <bit>
 #include <cstdio>
@@ -63,7 +63,7 @@ std::uint64_t hashOfFunctions() {
         const float near = random.between(-10.0f, 10.0f), wide = random.between(-1.0e5f, 1.0e5f);
         addFunctionsOf(hasher, near, wide);
         addFunctionsOf(hasher, wide, near);
-        addFunctionsOf(hasher, std::bit_cast<float>(random.next()), near);  // of any size, NaN too
+        addFunctionsOf(hasher, std::bit_cast<float>(random.next()), near);  // any bit pattern, including NaN
     }
     return hasher.value();
 }
@@ -77,7 +77,7 @@ std::uint64_t hashAfterAll(const physics::test::GoldenScene& scene, TaskPool* po
     return hashOf(world);
 }
 
-/// Whether all ways give the same.
+/// Prints the hash of a scene. @return true if all instruction sets and multiple threads give the same hash
 bool printScene(const physics::test::GoldenScene& scene, TaskPool& pool) {
     const SimdWidth widest = simdWidth();
     const std::uint64_t hash = hashAfterAll(scene);

@@ -1,11 +1,11 @@
-// Plays projects/platformer from the title to the end screen by itself and writes the replay that the test
-// plays again. Run it after a change of the levels or of how the player moves:
+// Plays projects/platformer automatically from the title to the end screen and writes the replay that
+// PlatformerReplay plays. Must be run after changes of the levels or of the player's motion:
 //
 //   ninja -C build/release solve_platformer && build/release/bin/solve_platformer
 //   tests/replay/platformer.replay
 //
-// How: best-first search over short bursts of input, each tried from a snapshot of the world; what is near
-// the goal along free tiles comes first. Snapshots make it cheap: nothing is played twice.
+// Method: best-first search over short bursts of input, each tried from a snapshot of the world. States with
+// a short path to the goal along free tiles are tried first. Due to the snapshots nothing is played twice.
 
 #include <cstdio>
 #include <deque>
@@ -28,7 +28,7 @@
 namespace plumb {
 namespace {
 
-/// One burst: which way, for how long, and how long jump is held in it.
+/// A burst of input: direction, duration, and number of ticks in which jump is held.
 struct Burst {
     int direction = 0;
     int ticks = 0;
@@ -46,7 +46,7 @@ InputFrame frameOf(const Burst& burst, int tick) {
     return frame;
 }
 
-/// Steps from every free tile to the goal, through free tiles in all directions.
+/// Number of steps from every free tile to the goal along free tiles, including diagonals.
 class Distances {
 public:
     explicit Distances(World& world) {
@@ -120,7 +120,7 @@ struct Node {
 
 Entity playerOf(World& world) { return world.first<const PlayerController>(); }
 
-/// The bursts that bring the player to the goal of the level that is loaded; empty when none were found.
+/// Returns the bursts that bring the player to the goal of the loaded level; empty if none were found.
 std::vector<Burst> solveLevel(SceneGame& game) {
     World& world = game.world;
     const Distances distances{world};
@@ -179,7 +179,7 @@ std::vector<Burst> solveLevel(SceneGame& game) {
     return {};
 }
 
-/// Plays frames for good: into the game and into the replay.
+/// Plays frames in the game and appends them to the replay.
 class Player {
 public:
     Player(SceneGame& game, Recorder& recorder) : game_{game}, recorder_{recorder} {}

@@ -9,7 +9,7 @@ set(denied
     "(\\.|->)value\\(\"|findMember, findText or JsonFields"
     "(\\.|->)at\\(\"|findMember, findText or JsonFields"
     "get_ref<|jsonText or findText"
-    "(\\.|->)get<std::string>|jsonText or textOrEmpty"
+    "(\\.|->)get<std::string>|jsonText or stringOrEmpty"
     "\\.dump\\(\\)|compactText: dump throws for a text that is not UTF-8"
 )
 

@@ -17,8 +17,8 @@
 #include "scene/systems/physics_system.hpp"
 #include "scene/world_transform.hpp"
 
-// Bodies come and go with components. What a change costs grows with the change, not with the world, and what
-// comes of it does not depend on what else has looked at the world.
+// Bodies are created and destroyed with components. The cost of a change is proportional to the change, not
+// to the world, and the result does not depend on other code that reads the world.
 
 namespace plumb {
 namespace {
@@ -49,7 +49,8 @@ EntityId shoot(World& world, float x) {
     return bullet;
 }
 
-/// Entities that a spawn and a destruction make the bridge compare, beside so many bodies at rest.
+/// Number of entities compared by the bridge for one spawn and one destruction, next to `resting` bodies at
+/// rest.
 std::uint64_t visitsOfOneBullet(int resting) {
     World world;
     world.addSystem<PhysicsSystem>();
@@ -68,8 +69,8 @@ std::uint64_t visitsOfOneBullet(int resting) {
     return state.visits - before;
 }
 
-TEST(BodyMembers, aSpawnVisitsNoMoreOfALargeWorld) {
-    // Changes are noted per block of 256 components: one block of each type that the bullet has.
+TEST(BodyMembers, theCostOfASpawnDoesNotGrowWithTheWorld) {
+    // Changes are recorded per block of 256 components: one block for each component type of the bullet.
     constexpr std::uint64_t kBlock = 1u << kStampShift, kTypes = 3, kTicks = 2;
     const std::uint64_t small = visitsOfOneBullet(1000), large = visitsOfOneBullet(16'000);
     EXPECT_GT(small, 0u);
@@ -77,7 +78,7 @@ TEST(BodyMembers, aSpawnVisitsNoMoreOfALargeWorld) {
     EXPECT_LE(large, kBlock * (kTypes + 1) * kTicks);
 }
 
-/// Does random things to a world that change which entities have bodies.
+/// Applies random changes to a world that affect which entities have bodies.
 class Changes {
 public:
     Changes(World& world, std::uint64_t seed) : world_{world}, random_{Random::seeded(seed)} {}
@@ -142,7 +143,7 @@ std::uint32_t shapesOf(const World& world, EntityId id) {
     return std::uint32_t{world.has<BoxCollider>(id)} + std::uint32_t{world.has<CircleCollider>(id)};
 }
 
-/// Compares all bodies with all entities, which the bridge itself does not.
+/// Compares all bodies with all entities, which the bridge itself does not do.
 void expectBodiesOf(const World& world, const PhysicsState& state) {
     std::size_t bodies = 0;
     std::vector<std::uint32_t> carried, driven;
@@ -172,7 +173,7 @@ void expectBodiesOf(const World& world, const PhysicsState& state) {
     EXPECT_EQ(static_cast<std::size_t>(linked), bodies);
 }
 
-TEST(BodyMembers, randomChangesLeaveTheBodiesThatTheComponentsAskFor) {
+TEST(BodyMembers, afterRandomChangesBodiesMatchTheComponents) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
         World world;
@@ -187,14 +188,14 @@ TEST(BodyMembers, randomChangesLeaveTheBodiesThatTheComponentsAskFor) {
     }
 }
 
-/// Writes to everything without changing it, as a tool does that asks for components without `const`.
+/// Requests write access to all components without changing them, like a tool that queries without `const`.
 void touchAll(World& world) {
     for (auto [entity, transform] : world.query<Transform>()) static_cast<void>(transform.position);
     for (auto [entity, body] : world.query<RigidBody>()) static_cast<void>(body.mass);
     for (auto [entity, box] : world.query<BoxCollider>()) static_cast<void>(box.width);
 }
 
-TEST(BodyMembers, onlookersChangeNoBit) {
+TEST(BodyMembers, observersChangeNoBit) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
         World alone, watched;
@@ -212,7 +213,7 @@ TEST(BodyMembers, onlookersChangeNoBit) {
     }
 }
 
-TEST(BodyMembers, aJointWaitsForItsOtherBody) {
+TEST(BodyMembers, aJointIsCreatedOnceItsOtherBodyExists) {
     World world;
     world.addSystem<PhysicsSystem>();
     addResting(world, 2);

@@ -18,21 +18,21 @@ namespace {
 
 constexpr const char* kPath = "scenes/broken.scene.json";
 
-/// One broken file: what is wrong with it, and what must be said about it.
+/// A broken scene file and the error that must be reported for it.
 struct Case {
     const char* name;
     std::string text;
-    const char* where;       ///< in the error's place
-    const char* what;        ///< in the error's sentence
-    int loaded;              ///< entities; -1 when the file cannot be loaded at all
-    const char* stays = "";  ///< what saving must write back
+    const char* where;       ///< expected location in the error
+    const char* what;        ///< expected text in the error
+    int loaded;              ///< number of entities that load; -1 if the file cannot be loaded at all
+    const char* stays = "";  ///< text that saving must preserve
 };
 
 std::string scene(const std::string& entities, const std::string& head = "") {
     return "{\"format\": 1, \"effects\": {}, \"layers\": [], " + head + "\"entities\": [" + entities + "]}";
 }
 
-/// A good entity before and behind the broken one: both must load.
+/// Puts the entity between two valid ones, which must load.
 std::string among(const std::string& entity) {
     return scene(R"({"id": "a1", "name": "first", "components": {"Transform": {"position": [1, 2]}}}, )" +
                  entity + R"(, {"id": "a3", "name": "last", "components": {"Transform": {}}})");
@@ -73,10 +73,10 @@ std::vector<Case> wholeFileCases() {
         {"newer format", R"({"format": 2, "entities": []})", ": format", "expected 0 to 1, found 2", -1},
         {"format of a wrong kind", R"({"format": "one", "entities": []})", ": format", "found \"one\"", -1},
         {"negative format", R"({"format": -1, "entities": []})", ": format", "found -1", -1},
-        {"a key twice", R"({"format": 1, "format": 1, "entities": []})", "broken.scene.json", "stands twice",
+        {"a key twice", R"({"format": 1, "format": 1, "entities": []})", "broken.scene.json", "appears twice",
          -1},
         {"entities of a wrong kind", R"({"format": 1, "entities": {}})", "broken.scene.json",
-         "entities is no list", -1},
+         "is not a JSON array", -1},
         {"format missing", R"({"entities": []})", "format", "the key is missing", 0},
         {"entities missing", R"({"format": 1})", "entities", "the key is missing", 0},
         {"unknown key", scene("", R"("weather": "rain", )"), "weather", "no such key", 0,
@@ -105,7 +105,7 @@ std::vector<Case> entityCases() {
         {"NaN as a word", among(R"({"id": "a2", "components": {"Transform": {"rotation": NaN}}})"),
          ":1:", "expected a value", 2, "NaN"},
         {"a number too large", among(R"({"id": "a2", "components": {"Transform": {"rotation": 1e999}}})"),
-         ":1:", "no double", 2, "1e999"},
+         ":1:", "too large for a double", 2, "1e999"},
         {"bad UTF-8", among("{\"id\": \"a2\", \"name\": \"\xc3\x28\"}"), ":1:", "UTF-8", 2, "\xc3\x28"},
         {"a bad escape", among(R"({"id": "a2", "name": "\q"})"), ":1:", "expected an escape", 2, R"(\q)"},
         {"no id", among(R"({"name": "nothing"})"), "entities[1]", "has no id", 3, "\"name\": \"nothing\""},
@@ -116,11 +116,11 @@ std::vector<Case> entityCases() {
          "{\"id\": \"0\"}"},
         {"a duplicate id", among(R"({"id": "a1", "name": "twin"})"), "entities[1].id",
          "another entity has the id", 2, "\"twin\""},
-        {"a key twice", among(R"({"id": "a2", "name": "x", "name": "y"})"), ":1:", "stands twice", 2,
+        {"a key twice", among(R"({"id": "a2", "name": "x", "name": "y"})"), ":1:", "appears twice", 2,
          R"("name": "x", "name": "y")"},
         {"unknown key", among(R"({"id": "a2", "colour": "red"})"), "entities[1].colour", "no such key", 3,
          "\"colour\": \"red\""},
-        {"name of a wrong kind", among(R"({"id": "a2", "name": 7})"), "entities[1].name", "expected a text",
+        {"name of a wrong kind", among(R"({"id": "a2", "name": 7})"), "entities[1].name", "expected a string",
          3, "\"name\": 7"},
         {"components of a wrong kind", among(R"({"id": "a2", "components": []})"), "entities[1].components",
          "expected an object", 3, "\"components\": []"},
@@ -128,11 +128,11 @@ std::vector<Case> entityCases() {
          "no entity has the id", 3, "\"parent\": \"ff\""},
         {"parent of a wrong kind", among(R"({"id": "a2", "parent": 12})"), "entities[1].parent",
          "no entity has the id 12", 3, "\"parent\": 12"},
-        {"itself as parent", among(R"({"id": "a2", "parent": "a2"})"), "entities[1].parent", "inside itself",
+        {"itself as parent", among(R"({"id": "a2", "parent": "a2"})"), "entities[1].parent", "form a cycle",
          3, "\"parent\": \"a2\""},
         {"a circle of parents",
          scene(R"({"id": "a1", "parent": "a2"}, {"id": "a2", "parent": "a3"}, {"id": "a3", "parent": "a1"})"),
-         "entities[2].parent", "inside itself", 3, "\"parent\": \"a1\""},
+         "entities[2].parent", "form a cycle", 3, "\"parent\": \"a1\""},
         {"unknown component", withComponent(R"("Spinn": {"rate": 2})"), "entities[1].Spinn",
          "no component \"Spinn\"", 3, "\"rate\": 2"},
         {"a component of the file", withComponent(R"("SceneEntity": {"id": 4})"), "entities[1].SceneEntity",
@@ -144,9 +144,9 @@ std::vector<Case> entityCases() {
         {"prefab of a wrong kind", among(R"({"id": "a2", "prefab": 5})"), "entities[1].prefab",
          "expected the path", 2, "\"prefab\": 5"},
         {"a prefab that holds itself", among(R"({"id": "a2", "prefab": "prefabs/loop.prefab.json"})"),
-         "entities[1].prefab", "inside itself", 2, "loop.prefab.json"},
+         "entities[1].prefab", "contains itself", 2, "loop.prefab.json"},
         {"two prefabs in a circle", among(R"({"id": "a2", "prefab": "prefabs/ping.prefab.json"})"),
-         "entities[1].prefab", "inside itself", 2, "ping.prefab.json"},
+         "entities[1].prefab", "contains itself", 2, "ping.prefab.json"},
         {"an empty prefab", among(R"({"id": "a2", "prefab": "prefabs/empty.prefab.json"})"),
          "entities[1].prefab", "at least one entity", 2, "empty.prefab.json"},
         {"a broken prefab", among(R"({"id": "a2", "prefab": "prefabs/broken.prefab.json"})"),
@@ -154,7 +154,7 @@ std::vector<Case> entityCases() {
         {"a newer prefab", among(R"({"id": "a2", "prefab": "prefabs/newer.prefab.json"})"),
          "entities[1].prefab", "found 9", 2, "newer.prefab.json"},
         {"a prefab with a bad part", among(R"({"id": "a2", "prefab": "prefabs/part.prefab.json"})"),
-         "part.prefab.json: entities[1].id", "expected the id", 3, "part.prefab.json"},
+         "part.prefab.json: entities[1].id", "the id is missing", 3, "part.prefab.json"},
         {"overrides of no part",
          among(R"({"id": "a2", "prefab": "prefabs/coin.prefab.json", "children": {"77": {"name": "x"}}})"),
          "entities[1].children.77", "no such part", 3, "\"77\""},
@@ -228,7 +228,7 @@ std::vector<Case> fieldCases() {
          "TileLayer.cells.width", "found -1", 3, "-1"},
         {"tiles past the memory",
          withComponent(R"("TileLayer": {"cells": {"width": 16384, "height": 16384, "rows": []}})"),
-         "TileLayer.cells.width", "tiles are more than", 3, "16384"},
+         "TileLayer.cells.width", "tiles exceed the limit", 3, "16384"},
         {"damaged base64",
          withComponent(R"("TileLayer": {"cells": {"width": 2, "height": 2, "base64": ["!!!!"]}})"),
          "TileLayer.cells.base64[0]", "damaged", 3, "!!!!"},
@@ -285,7 +285,8 @@ struct BrokenScenes : testing::Test {
         if (broken.loaded >= 0) checkNothingIsLost(world, broken);
     }
 
-    /// Saving writes back what was broken; the saved file says the same when it is read again.
+    /// Expects that saving preserves the broken text and that the saved file reports the same when it is
+    /// loaded.
     void checkNothingIsLost(World& world, const Case& broken) {
         const std::string saved = sceneToJson(world, context, sceneId(kPath));
         EXPECT_NE(saved.find(broken.stays), std::string::npos) << saved;
@@ -297,7 +298,7 @@ struct BrokenScenes : testing::Test {
     }
 };
 
-TEST_F(BrokenScenes, aFileThatIsNoSceneIsOneErrorAndChangesNothing) {
+TEST_F(BrokenScenes, anInvalidSceneFileIsOneErrorAndChangesNothing) {
     for (const Case& broken : wholeFileCases()) check(broken);
 }
 
@@ -309,11 +310,11 @@ TEST_F(BrokenScenes, aBrokenFieldIsOneErrorAndKeepsItsDefault) {
     for (const Case& broken : fieldCases()) check(broken);
 }
 
-TEST_F(BrokenScenes, thereAreAtLeastSixtyOfThem) {
+TEST_F(BrokenScenes, thereAreAtLeastSixtyCases) {
     EXPECT_GE(wholeFileCases().size() + entityCases().size() + fieldCases().size(), 60u);
 }
 
-TEST_F(BrokenScenes, aValueThatWasMendedByHandReplacesTheBrokenOne) {
+TEST_F(BrokenScenes, aRepairedValueReplacesTheBrokenOne) {
     World world{types};
     ASSERT_TRUE(loadScene(world, context, kPath, withComponent(R"("Transform": {"rotation": "fast"})")));
     for (auto [entity, transform] : world.query<Transform>()) transform.rotation = 0.5f;
@@ -322,7 +323,7 @@ TEST_F(BrokenScenes, aValueThatWasMendedByHandReplacesTheBrokenOne) {
     EXPECT_EQ(saved.find("fast"), std::string::npos);
 }
 
-TEST_F(BrokenScenes, aSkippedEntityKeepsItsTextAndItsPlace) {
+TEST_F(BrokenScenes, aSkippedEntityKeepsItsTextAndPosition) {
     const std::string broken = "{\n      \"id\": \"a2\",\n      \"x\": NaN\n    }";
     World world{types};
     ASSERT_TRUE(loadScene(world, context, kPath, among(broken)));
@@ -334,7 +335,7 @@ TEST_F(BrokenScenes, aSkippedEntityKeepsItsTextAndItsPlace) {
     EXPECT_GT(saved.find("\"last\""), at);
 }
 
-TEST_F(BrokenScenes, anOlderFormatIsBroughtUpToDate) {
+TEST_F(BrokenScenes, anOlderFormatIsUpgraded) {
     World world{types};
     const auto report =
         loadScene(world, context, kPath,

@@ -25,7 +25,7 @@ namespace {
 constexpr Vec2 kPicture{320.0f, 180.0f};
 constexpr float kDt = 1.0f / 60.0f;
 
-/// A world and what a device without pixels draws of it.
+/// A world and a device that records draw calls instead of rendering.
 struct DrawScene : testing::Test {
     TypeRegistry types;
     World world{types};
@@ -59,7 +59,7 @@ struct DrawScene : testing::Test {
         camera.addComponent<Camera>();
         return camera;
     }
-    /// One tick in which `change` is all that happens.
+    /// Runs one tick in which only `change` modifies the world.
     template <class Change>
     void tick(Change change) {
         storePreviousTransforms(world);
@@ -67,10 +67,10 @@ struct DrawScene : testing::Test {
         CameraSystem{}.update(world, kDt);
     }
     void draw(float alpha, int factor = 4) {
-        device.forgetDraws();
+        device.clearDraws();
         renderer.draw(world, kPicture, alpha, {.width = 320 * factor, .height = 180 * factor});
     }
-    /// The last sprite that was drawn, in px of the picture from its top left.
+    /// Returns the last drawn sprite, with its position in px from the upper left corner of the image.
     SpriteInstance drawn(float alpha) {
         draw(alpha);
         SpriteInstance sprite = device.spriteDraws.back().instances.back();
@@ -100,7 +100,7 @@ TEST_F(DrawScene, positionRotationAndScaleAreDrawnBetweenTheLastTwoTicks) {
     }
 }
 
-TEST_F(DrawScene, aTurnIsDrawnTheShortWayRound) {
+TEST_F(DrawScene, rotationIsInterpolatedTheShortWay) {
     Entity entity = addSprite({100.0f, 50.0f});
     entity.get<Transform>().rotation = 3.0f;
     tick([&] { entity.get<Transform>().rotation = -3.0f; });
@@ -119,7 +119,7 @@ TEST_F(DrawScene, aChildFollowsItsParentBetweenTicks) {
     EXPECT_NEAR(center.y, 50.0f + 20.0f * std::sqrt(0.5f), 1e-2f);
 }
 
-TEST_F(DrawScene, whateverReachesIntoTheViewIsDrawn) {
+TEST_F(DrawScene, everySpriteThatOverlapsTheViewIsDrawn) {
     Random random = Random::seeded(4);
     const auto around = [&](float far) { return Vec2{random.between(-far, far), random.between(-far, far)}; };
     Entity parent;
@@ -153,7 +153,7 @@ TEST_F(DrawScene, whateverReachesIntoTheViewIsDrawn) {
     EXPECT_LT(seen.instances().size(), 2900u);
 }
 
-TEST_F(DrawScene, theCameraIsDrawnBetweenTicksInPlaceAndZoom) {
+TEST_F(DrawScene, positionAndZoomOfTheCameraAreInterpolated) {
     addSprite({160.0f, 90.0f});
     Entity camera = addCamera({160.0f, 90.0f});
     tick([] {});
@@ -167,7 +167,7 @@ TEST_F(DrawScene, theCameraIsDrawnBetweenTicksInPlaceAndZoom) {
     EXPECT_NEAR(drawn(0.5f).center.x, 160.0f + 2.0f * 20.0f, 0.2f);
 }
 
-TEST_F(DrawScene, aSpriteOfConstantSpeedTakesEvenStepsAt144FramesASecond) {
+TEST_F(DrawScene, aSpriteOfConstantSpeedMovesEvenlyAt144FramesPerSecond) {
     Entity entity = addSprite({20.0f, 50.0f});
     const auto step = [&] { entity.get<Transform>().position.x += 2.0f; };
     double time = 0.0;
@@ -187,7 +187,7 @@ TEST_F(DrawScene, aSpriteOfConstantSpeedTakesEvenStepsAt144FramesASecond) {
     }
 }
 
-TEST_F(DrawScene, aLabelsOutlineLiesOnePixelAroundEveryLetter) {
+TEST_F(DrawScene, theOutlineOfALabelIsOnePixelWide) {
     Entity entity = world.createEntity();
     entity.addComponent<Transform>(100.0f, 50.0f);
     Label& label = entity.addComponent<Label>();
@@ -210,13 +210,13 @@ TEST_F(DrawScene, aLabelsOutlineLiesOnePixelAroundEveryLetter) {
     EXPECT_EQ(outlined.back().center, plain[0].center);
 }
 
-TEST_F(DrawScene, aTeleportIsNeverDrawnOnTheWay) {
+TEST_F(DrawScene, aTeleportIsNotInterpolated) {
     Entity entity = addSprite({20.0f, 50.0f});
     tick([&] { teleport(entity.get<Transform>(), {300.0f, 150.0f}); });
     for (const float alpha : {0.0f, 0.3f, 0.9f, 1.0f}) EXPECT_EQ(drawn(alpha).center, (Vec2{300.0f, 150.0f}));
 }
 
-TEST_F(DrawScene, aCameraThatIsThrownFartherThanItSeesCutsInsteadOfSweeping) {
+TEST_F(DrawScene, aCameraThatMovesFartherThanItsViewIsNotInterpolated) {
     Entity hero = addSprite({160.0f, 90.0f});
     Entity camera = addCamera({160.0f, 90.0f});
     camera.get<Camera>().follow = hero;
@@ -229,7 +229,7 @@ TEST_F(DrawScene, aCameraThatIsThrownFartherThanItSeesCutsInsteadOfSweeping) {
     }
 }
 
-TEST_F(DrawScene, aSceneIsDrawnFromItsCamerasTargetBeforeItsFirstTick) {
+TEST_F(DrawScene, theFirstFrameShowsTheTargetOfTheCamera) {
     Entity hero = addSprite({1000.0f, 400.0f});
     Entity camera = addCamera({});
     camera.get<Camera>().follow = hero;
@@ -241,54 +241,54 @@ TEST_F(DrawScene, aSceneIsDrawnFromItsCamerasTargetBeforeItsFirstTick) {
     EXPECT_EQ(cameraView(world, kPicture, 0.5f).center, early);
 }
 
-TEST_F(DrawScene, inSoftwareTheBackdropsAreDrawnSmallAndEnlargedOnce) {
+TEST_F(DrawScene, softwareRenderingDrawsBackdropsSmallAndEnlargesThemOnce) {
     addBackdrop({0.0f, 0.0f}, -100);
     addBackdrop({0.3f, 0.0f}, -90);
     addSprite({100.0f, 50.0f}, 5);
     draw(1.0f);
-    EXPECT_TRUE(device.showings.empty()) << "a graphics card draws everything at the window's pixels";
+    EXPECT_TRUE(device.showCalls.empty()) << "a graphics card draws everything at the window's pixels";
 
     device.software = true;
     draw(1.0f);
-    ASSERT_EQ(device.showings.size(), 1u);
-    EXPECT_EQ(device.textureSize(device.targetTexture(device.showings.front().source)),
+    ASSERT_EQ(device.showCalls.size(), 1u);
+    EXPECT_EQ(device.textureSize(device.targetTexture(device.showCalls.front().source)),
               (PixelSize{320, 180}));
-    EXPECT_EQ(device.showings.front().viewport.width, 1280);
+    EXPECT_EQ(device.showCalls.front().viewport.width, 1280);
     for (const auto& sprites : device.spriteDraws) {
         const bool backdrop = sprites.instances.front().half.x > 100.0f;
         EXPECT_EQ(sprites.viewport.width, backdrop ? 320 : 1280);
     }
 
     draw(1.0f, 1);
-    EXPECT_TRUE(device.showings.empty()) << "nothing is enlarged";
+    EXPECT_TRUE(device.showCalls.empty()) << "nothing is enlarged";
     addBackdrop({0.5f, 0.5f}, -95).get<Transform>().rotation = 0.1f;
     draw(1.0f);
-    ASSERT_EQ(device.showings.size(), 1u);
+    ASSERT_EQ(device.showCalls.size(), 1u);
     EXPECT_EQ(device.spriteDraws.front().viewport.width, 320);
     EXPECT_EQ(device.spriteDraws.front().instances.size(), 1u)
         << "from the turned one on all is drawn finely";
 }
 
-TEST_F(DrawScene, inSoftwareALargeWindowIsDrawnAtThreePixelsForEachOfThePictureAndEnlarged) {
+TEST_F(DrawScene, softwareRenderingUsesAtMostTripleResolution) {
     addBackdrop({0.0f, 0.0f}, -100);
     addSprite({100.0f, 50.0f}, 5);
     device.software = true;
     for (const auto& [factor, drawn] : {std::pair{6, 3}, {8, 4}, {9, 3}, {12, 3}}) {
         SCOPED_TRACE(factor);
         draw(1.0f, factor);
-        ASSERT_EQ(device.showings.size(), 2u);
-        EXPECT_EQ(device.showings.front().viewport.width, 320 * drawn);
-        EXPECT_EQ(device.showings.back().viewport.width, 320 * factor);
-        EXPECT_EQ(device.showings.back().source, device.showings.front().viewport.target);
+        ASSERT_EQ(device.showCalls.size(), 2u);
+        EXPECT_EQ(device.showCalls.front().viewport.width, 320 * drawn);
+        EXPECT_EQ(device.showCalls.back().viewport.width, 320 * factor);
+        EXPECT_EQ(device.showCalls.back().source, device.showCalls.front().viewport.target);
         EXPECT_EQ(device.spriteDraws.back().viewport.width, 320 * drawn);
     }
     for (const int factor : {2, 3, 4, 5, 7}) {
         draw(1.0f, factor);
-        EXPECT_EQ(device.showings.size(), 1u) << factor;
+        EXPECT_EQ(device.showCalls.size(), 1u) << factor;
     }
 }
 
-TEST_F(DrawScene, backdropsLieOnWholePixelsWhereverTheCameraIs) {
+TEST_F(DrawScene, backdropsAreAlignedToPixelsForAnyCamera) {
     addBackdrop({0.37f, 0.21f}, -90);
     Entity camera = addCamera({160.0f, 90.0f});
     for (const bool software : {false, true}) {

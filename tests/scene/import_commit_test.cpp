@@ -1,4 +1,4 @@
-// The files of an import take their places all together or not at all, also when the program is killed.
+// The files of an import are replaced all together or not at all, even if the program is killed.
 
 #include "scene/files/import_commit.hpp"
 
@@ -25,7 +25,7 @@ struct ImportCommit : testing::Test {
             files.push_back({"assets/level/" + std::to_string(i) + ".txt", content});
         return files;
     }
-    /// What all files have in them, "none" where there are none, "mixed" where they differ.
+    /// Returns the common content of all files, "none" if there are no files, "mixed" if they differ.
     [[nodiscard]] std::string content() const {
         std::string all = "none";
         const std::vector<std::string> files = filesBelow(root / "assets", "");
@@ -37,7 +37,7 @@ struct ImportCommit : testing::Test {
     }
 };
 
-TEST_F(ImportCommit, allFilesAreThereAndNothingBesideThem) {
+TEST_F(ImportCommit, allFilesAreWrittenAndNoTemporaryOnesRemain) {
     ASSERT_TRUE(commitImport(root, filesOf("one")).ok());
     EXPECT_EQ(content(), "one");
     ASSERT_TRUE(commitImport(root, filesOf("two")).ok());
@@ -45,7 +45,7 @@ TEST_F(ImportCommit, allFilesAreThereAndNothingBesideThem) {
     EXPECT_FALSE(std::filesystem::exists(root / ".plumb"));
 }
 
-TEST_F(ImportCommit, aFileThatCannotTakeItsPlaceLeavesAllAsItWas) {
+TEST_F(ImportCommit, aFileThatCannotBeReplacedRevertsTheImport) {
     ASSERT_TRUE(commitImport(root, filesOf("one")).ok());
     for (const char* wrong : {"assets/level", "../outside.txt", "assets/level/3.txt/below.txt"}) {
         SCOPED_TRACE(wrong);
@@ -60,8 +60,8 @@ TEST_F(ImportCommit, aFileThatCannotTakeItsPlaceLeavesAllAsItWas) {
 }
 
 #ifdef __unix__
-/// The child imports all the time; it is killed at another moment each time.
-TEST_F(ImportCommit, aKilledImportIsFinishedOrWasNever) {
+/// A child process imports in a loop and is killed at a different moment in each round.
+TEST_F(ImportCommit, aKilledImportIsCompletedOrReverted) {
     ASSERT_TRUE(commitImport(root, filesOf("0")).ok());
     int finished = 0;
     for (int round = 0; round < 40; ++round) {

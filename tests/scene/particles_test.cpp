@@ -22,7 +22,7 @@ namespace {
 
 constexpr float kDt = 1.0f / 60.0f;
 
-/// One that sends the same particle again and again: no spread anywhere.
+/// An emitter without random spread: all particles are equal.
 ParticleEmitter plain() {
     ParticleEmitter emitter;
     emitter.lifetimeSpread = emitter.spread = emitter.speedSpread = emitter.sizeSpread = 0.0f;
@@ -31,7 +31,7 @@ ParticleEmitter plain() {
     return emitter;
 }
 
-/// A single particle at the first tick, and no more.
+/// An emitter that emits a single particle at the first tick.
 ParticleEmitter single() {
     ParticleEmitter emitter = plain();
     emitter.rate = 0.0f;
@@ -68,7 +68,7 @@ struct ParticleScene : testing::Test {
     [[nodiscard]] Vec2 place(std::size_t i = 0) { return {particles().x[i], particles().y[i]}; }
 };
 
-TEST_F(ParticleScene, withoutAnEmitterNothingIsMadeAndNoBitMoves) {
+TEST_F(ParticleScene, withoutAnEmitterNothingIsCreatedAndNoBitChanges) {
     World without{types};
     for (World* each : {&world, &without}) each->createEntity().addComponent<Transform>();
     run(world, 10);
@@ -85,7 +85,7 @@ TEST_F(ParticleScene, withoutAnEmitterNothingIsMadeAndNoBitMoves) {
     EXPECT_TRUE(particles().streams.empty());
 }
 
-TEST_F(ParticleScene, asManyAreAliveAsComeInOneLife) {
+TEST_F(ParticleScene, theNumberAliveIsRateTimesLifetime) {
     ParticleEmitter emitter = plain();
     emitter.rate = 200.0f;
     emitter.lifetime = 1.5f;
@@ -102,7 +102,7 @@ TEST_F(ParticleScene, asManyAreAliveAsComeInOneLife) {
     }
 }
 
-TEST_F(ParticleScene, aParticleFliesTheParabolaToTheDigit) {
+TEST_F(ParticleScene, aParticleFollowsTheExactParabola) {
     world.createEntity().addComponent<ScenePhysics>().gravity = {20.0f, 600.0f};
     ParticleEmitter emitter = single();
     emitter.direction = radiansFromDegrees(-60.0f);
@@ -117,7 +117,7 @@ TEST_F(ParticleScene, aParticleFliesTheParabolaToTheDigit) {
     }
 }
 
-TEST_F(ParticleScene, dragSlowsAsItsFormulaSays) {
+TEST_F(ParticleScene, dragFollowsItsFormula) {
     for (const double drag : {0.001, 0.5, 3.0, 40.0}) {
         SCOPED_TRACE(drag);
         ParticleEmitter emitter = single();
@@ -135,7 +135,7 @@ TEST_F(ParticleScene, dragSlowsAsItsFormulaSays) {
     }
 }
 
-TEST_F(ParticleScene, thoseOfTheWorldStayBehindAndLocalOnesGoAlong) {
+TEST_F(ParticleScene, worldSpaceParticlesStayAndLocalOnesMoveWithTheEmitter) {
     ParticleEmitter emitter = single();
     emitter.speed = emitter.gravity = 0.0f;
     const Entity world0 = add(emitter, {});
@@ -166,7 +166,7 @@ TEST_F(ParticleScene, aMovingEmitterLeavesNoGapsBetweenTicks) {
         EXPECT_NEAR(particles().x[i] - particles().x[i - 1], 10.0f, 0.1f) << i;
 }
 
-TEST_F(ParticleScene, beginInsideTheirArea) {
+TEST_F(ParticleScene, particlesStartInsideTheEmissionShape) {
     ParticleEmitter emitter = plain();
     emitter.rate = 6000.0f;
     emitter.speed = emitter.gravity = 0.0f;
@@ -195,7 +195,7 @@ TEST_F(ParticleScene, beginInsideTheirArea) {
     EXPECT_GT(far, 29.0f);
 }
 
-TEST_F(ParticleScene, burstsComeAtOnceAndWithEachTurnAndPlayingBeginsAnew) {
+TEST_F(ParticleScene, burstsOccurAtTheStartOfEachCycleAndAfterRestarting) {
     ParticleEmitter emitter = plain();
     emitter.rate = 0.0f;
     emitter.burst = 50;
@@ -220,7 +220,7 @@ TEST_F(ParticleScene, burstsComeAtOnceAndWithEachTurnAndPlayingBeginsAnew) {
     EXPECT_EQ(particles().find(once)->count, 50u);
 }
 
-TEST_F(ParticleScene, thereAreNeverMoreThanTheMaximum) {
+TEST_F(ParticleScene, theNumberOfParticlesIsLimited) {
     ParticleEmitter emitter = plain();
     emitter.rate = 5000.0f;
     emitter.burst = 700;
@@ -238,7 +238,7 @@ TEST_F(ParticleScene, thereAreNeverMoreThanTheMaximum) {
     EXPECT_EQ(particles().alive(), 900u) << "it gets the room that it wants";
 }
 
-TEST_F(ParticleScene, onePrewarmedIsFullFromTheFirstTick) {
+TEST_F(ParticleScene, aPrewarmedEmitterIsFullFromTheFirstTick) {
     ParticleEmitter emitter = plain();
     emitter.rate = 100.0f;
     emitter.lifetime = 2.0f;
@@ -253,7 +253,7 @@ TEST_F(ParticleScene, onePrewarmedIsFullFromTheFirstTick) {
     EXPECT_NEAR(particles().find(warm)->count, 200.0, 3.0);
 }
 
-TEST_F(ParticleScene, aSnapshotBringsBackEveryBitAlsoInAnotherWorld) {
+TEST_F(ParticleScene, aSnapshotRestoresEveryBitAlsoInAnotherWorld) {
     ParticleEmitter emitter;
     emitter.rate = 300.0f;
     emitter.burst = 20;
@@ -279,7 +279,7 @@ TEST_F(ParticleScene, aSnapshotBringsBackEveryBitAlsoInAnotherWorld) {
     EXPECT_EQ(other.hash(), later);
 }
 
-TEST_F(ParticleScene, whichParticlesComeFollowsFromTheLastingId) {
+TEST_F(ParticleScene, particlesDependOnlyOnThePersistentId) {
     const auto hashOf = [&](std::uint64_t id, int others) {
         World one{types};
         one.addSystem<ParticleSystem>();
@@ -299,7 +299,7 @@ TEST_F(ParticleScene, whichParticlesComeFollowsFromTheLastingId) {
     EXPECT_NE(hashOf(77, 0), hashOf(78, 0));
 }
 
-TEST_F(ParticleScene, emittersThatComeAndGoLeaveTheParticlesOfTheOthersAlone) {
+TEST_F(ParticleScene, addingAndRemovingEmittersDoesNotAffectOthers) {
     Random random{7};
     std::vector<Entity> emitters;
     const auto& particles = world.resource<Particles>();
@@ -344,7 +344,7 @@ TEST_F(ParticleScene, emittersThatComeAndGoLeaveTheParticlesOfTheOthersAlone) {
     EXPECT_GT(compared, 1000u);
 }
 
-TEST_F(ParticleScene, onlyMoreRoomThanEverAllocates) {
+TEST_F(ParticleScene, allocatesOnlyForANewMaximumOfParticles) {
     std::vector<Entity> emitters;
     for (int i = 0; i < 10; ++i) emitters.push_back(add(plain()));
     run(world, 30);
@@ -370,7 +370,7 @@ TEST_F(ParticleScene, aSteadyTickAllocatesNothing) {
     EXPECT_EQ(test::allocations().made, before);
 }
 
-/// What is drawn of a scene with emitters.
+/// Draws a scene with emitters and inspects the draw list.
 struct ParticlePictures : ParticleScene {
     AssetStore assets{{}, test::sourceFolder() / "assets"};
     RecordingDevice device;
@@ -386,7 +386,7 @@ struct ParticlePictures : ParticleScene {
     }
 };
 
-TEST_F(ParticlePictures, betweenTicksTheyAreWhereTheParabolaIs) {
+TEST_F(ParticlePictures, particlesAreInterpolatedAlongTheParabola) {
     ParticleEmitter emitter = single();
     emitter.speed = 400.0f;
     add(emitter);
@@ -424,7 +424,7 @@ TEST_F(ParticlePictures, curvesAndColorsFollowTheLife) {
     EXPECT_TRUE(list.instances().empty()) << "its life is over";
 }
 
-TEST_F(ParticlePictures, localOnesAreTurnedMovedAndScaledWithTheirEmitter) {
+TEST_F(ParticlePictures, localParticlesAreTransformedWithTheirEmitter) {
     ParticleEmitter emitter = single();
     emitter.space = ParticleSpace::Local;
     emitter.gravity = 0.0f;
@@ -442,7 +442,7 @@ TEST_F(ParticlePictures, localOnesAreTurnedMovedAndScaledWithTheirEmitter) {
     EXPECT_NEAR(list.instances()[0].rotation, radiansFromDegrees(90.0f), 1e-5f);
 }
 
-TEST_F(ParticlePictures, allOfOnePictureAreOneDrawCall) {
+TEST_F(ParticlePictures, particlesWithOneTextureAreOneDrawCall) {
     ParticleEmitter emitter;
     emitter.rate = 400.0f;
     for (int i = 0; i < 5; ++i) add(emitter, {static_cast<float>(i) * 30.0f, 0.0f});
@@ -456,7 +456,7 @@ TEST_F(ParticlePictures, allOfOnePictureAreOneDrawCall) {
     EXPECT_EQ(device.spriteDraws[0].instances[3].center, list.instances()[3].center);
 }
 
-TEST_F(ParticlePictures, whatIsOutOfSightIsLeftOut) {
+TEST_F(ParticlePictures, invisibleParticlesAreNotDrawn) {
     ParticleEmitter emitter = plain();
     emitter.speed = emitter.gravity = 0.0f;
     add(emitter, {100.0f, 50.0f});

@@ -50,7 +50,7 @@ Entity ground(World& world, Vec2 at, float width, float height) {
     return entity;
 }
 
-TEST(PhysicsBridge, aBodyFallsAndLandsByItself) {
+TEST(PhysicsBridge, aBodyFallsOntoTheGround) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {100, 0});
@@ -74,7 +74,7 @@ TEST(PhysicsBridge, theThreeSystemsOfTheSampleAreOneStep) {
     EXPECT_TRUE(ball.get<RigidBody>().grounded);
 }
 
-TEST(PhysicsBridge, whatIsNotCalledForDoesNotHappen) {
+TEST(PhysicsBridge, effectsThatAreNotRequiredDoNotRun) {
     World world;
     world.addSystem<MovementSystem>();
     const Entity ball = falling(world, {100, 0});
@@ -86,7 +86,7 @@ TEST(PhysicsBridge, whatIsNotCalledForDoesNotHappen) {
     EXPECT_TRUE(world.resource<PhysicsState>().world.contacts.empty());
 }
 
-TEST(PhysicsBridge, pixelsComeBackBitForBit) {
+TEST(PhysicsBridge, pixelPositionsAreConvertedExactly) {
     World world;
     world.addSystem<PhysicsSystem>();
     Random random = Random::seeded(4);
@@ -102,7 +102,7 @@ TEST(PhysicsBridge, pixelsComeBackBitForBit) {
     for (const auto& [entity, at] : still) EXPECT_EQ(entity.get<Transform>().position, at);
 }
 
-TEST(PhysicsBridge, bodiesComeAndGoWithTheirComponents) {
+TEST(PhysicsBridge, bodiesAreCreatedAndDestroyedWithTheirComponents) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {0, 0});
@@ -118,7 +118,7 @@ TEST(PhysicsBridge, bodiesComeAndGoWithTheirComponents) {
     EXPECT_EQ(physics::bodyCount(world.resource<PhysicsState>().world), 0u);
 }
 
-TEST(PhysicsBridge, aColliderWithoutAnyBodyIsGround) {
+TEST(PhysicsBridge, aColliderWithoutABodyIsStatic) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {0, 0});
@@ -147,7 +147,7 @@ TEST(PhysicsBridge, contactsBeginOnceStayAndEnd) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {0, 0});
-    ball.get<RigidBody>().canSleep = false;  // at rest, no event is repeated
+    ball.get<RigidBody>().canSleep = false;  // a sleeping body repeats no events
     const Entity floor = ground(world, {-50, 20}, 100, 10);
     int began = 0;
     int stayed = 0;
@@ -169,7 +169,7 @@ TEST(PhysicsBridge, contactsBeginOnceStayAndEnd) {
     EXPECT_EQ(world.events<ContactEnded>().size(), 1u);
 }
 
-TEST(PhysicsBridge, triggersTellWhatEntersAndLeaves) {
+TEST(PhysicsBridge, triggersReportEnterAndExit) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity ball = falling(world, {0, 0});
@@ -191,7 +191,7 @@ TEST(PhysicsBridge, triggersTellWhatEntersAndLeaves) {
     EXPECT_EQ(left, 1);
 }
 
-TEST(PhysicsBridge, destroyingWhatIsTouchedInsideTheLoopIsSafe) {
+TEST(PhysicsBridge, destroyingTouchedEntitiesInTheEventLoopIsSafe) {
     World world;
     world.addSystem<PhysicsSystem>();
     for (int i = 0; i < 50; ++i) falling(world, {static_cast<float>(i) * 12.0f, 0});
@@ -221,10 +221,10 @@ TEST(PhysicsBridge, childrenCollideWhereTheyAreInTheWorld) {
     EXPECT_NEAR(ball.get<Transform>().position.y, 110.0f, 0.1f);
 }
 
-/// Where the entity's body is, px.
+/// Position of the entity's body, px.
 Vec2 bodyPlace(World& world, Entity entity) {
     const auto& state = world.resource<PhysicsState>();
-    return placeInPixels(physics::positionOf(state.world, bodyOf(state, entity.id())), state.scale);
+    return positionInPixels(physics::positionOf(state.world, bodyOf(state, entity.id())), state.scale);
 }
 
 void expectWhereItIs(World& world, Entity entity) {
@@ -233,9 +233,9 @@ void expectWhereItIs(World& world, Entity entity) {
     EXPECT_NEAR(bodyPlace(world, entity).y, place.y, 0.01f);
 }
 
-// Of a thousand that have a parent, those below what moves are found, however deep; and all, when it is
-// above all of them.
-TEST(PhysicsBridge, bodiesGoWithWhateverIsAboveThem) {
+// Of a thousand entities with parents, exactly the descendants of a moved entity are updated, at any depth;
+// all of them if it is the ancestor of all.
+TEST(PhysicsBridge, bodiesMoveWithAnyAncestor) {
     World world;
     world.addSystem<PhysicsSystem>();
     const auto place = [&](Entity parent, Vec2 at) {
@@ -266,7 +266,7 @@ TEST(PhysicsBridge, bodiesGoWithWhateverIsAboveThem) {
     for (const Entity hand : hands) expectWhereItIs(world, hand);
 }
 
-TEST(PhysicsBridge, bodiesGoWithABodyThatFalls) {
+TEST(PhysicsBridge, bodiesMoveWithAFallingParent) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity body = falling(world, {0, 0});
@@ -306,7 +306,7 @@ TEST(PhysicsBridge, tileLayersAreSolidAndFollowChanges) {
     EXPECT_GT(ball.get<Transform>().position.y, 60.0f);
 }
 
-TEST(PhysicsBridge, aSnapshotRepeatsWhatFollowed) {
+TEST(PhysicsBridge, aSnapshotReplaysEqually) {
     World world;
     world.addSystem<PhysicsSystem>();
     Random random = Random::seeded(9);
@@ -326,7 +326,7 @@ TEST(PhysicsBridge, aSnapshotRepeatsWhatFollowed) {
     }
 }
 
-TEST(PhysicsBridge, badNumbersAreReportedOnceAndStopNothing) {
+TEST(PhysicsBridge, invalidNumbersAreReportedOnceAndStopNothing) {
     std::vector<LogLine> lines;
     const LogSink before = setLogSink([&](const LogLine& line) { lines.push_back(line); });
     World world;
@@ -347,7 +347,7 @@ TEST(PhysicsBridge, badNumbersAreReportedOnceAndStopNothing) {
     EXPECT_TRUE(born.alive());
 }
 
-TEST(PhysicsBridge, queriesSpeakInPixels) {
+TEST(PhysicsBridge, queriesUsePixels) {
     World world;
     world.addSystem<PhysicsSystem>();
     const Entity wall = ground(world, {100, -50}, 20, 100);

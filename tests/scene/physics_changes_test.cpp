@@ -29,14 +29,14 @@ TEST(PhysicsChanges, aColliderThatGrowsPushesItsBodyUp) {
     EXPECT_NEAR(Scene::place(ball).y, 60.0f, 0.4f);
 }
 
-TEST(PhysicsChanges, bodiesChangeTheirKindInPlay) {
+TEST(PhysicsChanges, bodiesCanChangeTheirKindAtRunTime) {
     Scene scene;
     scene.floor({-500, 100}, {1000, 20});
     Entity crate = scene.crate({0, 0});
     scene.run(5);
     const float fallen = Scene::place(crate).y;
     EXPECT_GT(fallen, 1.0f);
-    crate.removeComponent<RigidBody>();  // ground now
+    crate.removeComponent<RigidBody>();  // now a static body
     scene.run(60);
     EXPECT_EQ(Scene::place(crate).y, fallen);
     crate.addComponent<KinematicBody>().velocity = {60, 0};
@@ -71,7 +71,7 @@ TEST(PhysicsChanges, touchedEntitiesMayBeDestroyedInsideTheLoopOverContacts) {
     EXPECT_EQ(scene.world.count<CircleCollider>(), 0u);
 }
 
-TEST(PhysicsChanges, layersChangeInPlay) {
+TEST(PhysicsChanges, layersCanChangeAtRunTime) {
     Scene scene;
     const Entity floor = scene.floor({-500, 100}, {1000, 20});
     const Entity crate = scene.crate({0, 60});
@@ -117,7 +117,7 @@ TEST(PhysicsChanges, aSpringKeepsItsLengthWhenItGetsStiffer) {
     EXPECT_NEAR(Scene::place(load).y, 100.0f, 1.0f);
 }
 
-TEST(PhysicsChanges, ropesGoAndComeWithTheirEnds) {
+TEST(PhysicsChanges, ropesAreRemovedAndRestoredWithTheirEnds) {
     Scene scene;
     Entity hook = scene.floor({-2, -2}, {4, 4});
     const Entity load = scene.ball({0, 50});
@@ -136,7 +136,7 @@ TEST(PhysicsChanges, ropesGoAndComeWithTheirEnds) {
     EXPECT_NEAR(length(Scene::place(load) - Scene::place(hook)), 60.0f, 2.0f);
 }
 
-TEST(PhysicsChanges, qualityIsOfTheSceneTheBodyOrTheJoint) {
+TEST(PhysicsChanges, qualityIsSetByTheSceneTheBodyOrTheJoint) {
     Scene scene;
     auto& rules = scene.world.createEntity().addComponent<ScenePhysics>();
     rules.quality = 4;
@@ -153,7 +153,7 @@ TEST(PhysicsChanges, qualityIsOfTheSceneTheBodyOrTheJoint) {
     EXPECT_EQ(scene.state().world.qualityCallers, 2u);
 }
 
-TEST(PhysicsChanges, whatASceneDoesNotHaveDoesNotRun) {
+TEST(PhysicsChanges, unusedEffectsDoNotRun) {
     Scene scene;
     scene.floor({-500, 100}, {1000, 20});
     Entity crate = scene.crate({0, 60});
@@ -175,7 +175,7 @@ TEST(PhysicsChanges, whatASceneDoesNotHaveDoesNotRun) {
     EXPECT_FALSE(manifest.runs(physics::Effect::AreaGravity));
 }
 
-/// A mobile, a wheel on a spring and a magnet: everything that names another entity.
+/// Adds a hanging mobile, a wheel on a spring and a magnet: all components that reference another entity.
 void hang(Scene& scene) {
     const Entity hook = scene.floor({-2, -2}, {4, 4});
     Entity first = scene.ball({0, 50});
@@ -187,7 +187,7 @@ void hang(Scene& scene) {
     scene.at({200, 0}).addComponent<Attractor>().distance = 100.0f;
 }
 
-TEST(PhysicsChanges, jointsNameTheSameBodiesAfterSavingAndLoading) {
+TEST(PhysicsChanges, jointsReferenceTheSameBodiesAfterSavingAndLoading) {
     TypeRegistry types;
     registerSceneComponents(types);
     const SceneContext context{types, nullptr};
@@ -238,13 +238,13 @@ TEST(PhysicsChanges, aSteadyTickAllocatesNothing) {
             scene.run(1);
         }
     };
-    play(1800);  // until every list was as long as this scene ever needs it
+    play(1800);  // until all buffers have reached the size that this scene needs
     const std::size_t before = test::allocations().made;
     play(240);
     EXPECT_EQ(test::allocations().made, before);
 }
 
-TEST(PhysicsChanges, whatWasNotChangedIsNotLookedAt) {
+TEST(PhysicsChanges, unchangedComponentsAreNotVisited) {
     Scene scene;
     scene.floor({-500, 100}, {1000, 20});
     for (int i = 0; i < 20; ++i) scene.crate({20.0f * static_cast<float>(i), 50});

@@ -13,7 +13,7 @@ namespace {
 
 using Scene = PhysicsScene;
 
-TEST(PhysicsComponents, aBoxOnItsEdgeTurnsOntoItsSide) {
+TEST(PhysicsComponents, aBoxOnItsEdgeTipsOntoItsSide) {
     Scene scene;
     scene.floor({-500, 100}, {1000, 20});
     Entity box = scene.at({0, 0});
@@ -39,7 +39,7 @@ TEST(PhysicsComponents, fixedRotationKeepsTheAngleToTheBit) {
 TEST(PhysicsComponents, eachColliderRestsOnTheFloorAtItsSize) {
     Scene scene;
     scene.floor({-500, 100}, {2000, 20});
-    std::vector<std::pair<Entity, float>> expected;  // its place above the floor
+    std::vector<std::pair<Entity, float>> expected;  // height of the entity's origin above the floor
     const auto body = [&](float x, float height) {
         Entity entity = scene.at({x, 40});
         entity.addComponent<RigidBody>().fixedRotation = true;
@@ -50,7 +50,7 @@ TEST(PhysicsComponents, eachColliderRestsOnTheFloorAtItsSize) {
     body(100, 12).addComponent<CircleCollider>(12.0f);
     body(200, 30).addComponent<CapsuleCollider>(12.0f, 30.0f);
     body(300, 12).addComponent<CapsuleCollider>(30.0f, 12.0f);
-    auto& arrow = body(400, 20).addComponent<PolygonCollider>();  // bends inwards
+    auto& arrow = body(400, 20).addComponent<PolygonCollider>();  // a concave polygon
     for (const Vec2 point : {Vec2{0, 0}, {20, 20}, {0, 10}, {-20, 20}}) arrow.points.push(point);
     auto& rounded = body(500, 24).addComponent<PolygonCollider>();
     for (const Vec2 point : {Vec2{-10, 0}, {10, 0}, {10, 20}, {-10, 20}}) rounded.points.push(point);
@@ -89,7 +89,7 @@ TEST(PhysicsComponents, collidersOfOneEntityAreOneBody) {
     EXPECT_NEAR(physics::massOf(scene.state().world, bodyOf(scene.world, hammer.id())), 3.0f, 1e-5f);
 }
 
-TEST(PhysicsComponents, aMassThatIsNoneIsRefusedAndPutBack) {
+TEST(PhysicsComponents, anInvalidMassIsRejectedAndReset) {
     std::vector<LogLine> lines;
     const LogSink before = setLogSink([&](const LogLine& line) { lines.push_back(line); });
     Scene scene;
@@ -109,7 +109,7 @@ TEST(PhysicsComponents, aMassThatIsNoneIsRefusedAndPutBack) {
     EXPECT_EQ(lines.size(), 2u);
 }
 
-TEST(PhysicsComponents, aTriggerNoticesWhatIsMovedThroughIt) {
+TEST(PhysicsComponents, aTriggerReportsBodiesMovedThroughIt) {
     Scene scene;
     Entity zone = scene.floor({100, -50}, {40, 100});
     zone.get<BoxCollider>().isTrigger = true;
@@ -133,7 +133,7 @@ TEST(PhysicsComponents, aTriggerNoticesWhatIsMovedThroughIt) {
 TEST(PhysicsComponents, aCharacterWalksUpStepsPushesAndIsStoppedByWalls) {
     Scene scene;
     scene.floor({-500, 100}, {1000, 20});
-    scene.floor({60, 94}, {200, 10});  // a step
+    scene.floor({60, 94}, {200, 10});  // a step that can be climbed
     scene.floor({240, 0}, {20, 100});  // a wall
     Entity crate = scene.floor({120, 74}, {20, 20});
     crate.addComponent<RigidBody>();
@@ -161,7 +161,7 @@ TEST(PhysicsComponents, aPendulumSwingsAroundItsHinge) {
     Scene scene;
     const Entity bob = scene.ball({100, 0});
     auto& hinge = bob.addComponent<RevoluteJoint>();
-    hinge.anchor = {-100, 0};  // the hinge is at the origin
+    hinge.anchor = {-100, 0};  // so that the hinge is at the origin
     float lowest = 0.0f;
     for (int i = 0; i < 120; ++i) {
         scene.run(1);
@@ -171,7 +171,7 @@ TEST(PhysicsComponents, aPendulumSwingsAroundItsHinge) {
     EXPECT_GT(lowest, 95.0f);
 }
 
-TEST(PhysicsComponents, aRopeTiesTwoEntitiesAndBreaks) {
+TEST(PhysicsComponents, aRopeConnectsTwoEntitiesAndBreaks) {
     Scene scene;
     Entity hook = scene.at({0, 0});
     hook.addComponent<StaticBody>();
@@ -183,7 +183,7 @@ TEST(PhysicsComponents, aRopeTiesTwoEntitiesAndBreaks) {
     rope.rope = true;
     scene.run(180);
     EXPECT_NEAR(Scene::place(load).y, 100.0f, 1.0f);
-    load.get<DistanceJoint>().breakForce = 500.0f;  // it weighs 980
+    load.get<DistanceJoint>().breakForce = 500.0f;  // less than the weight of 980
     int broke = 0;
     for (int i = 0; i < 30; ++i) {
         scene.run(1);
@@ -194,7 +194,7 @@ TEST(PhysicsComponents, aRopeTiesTwoEntitiesAndBreaks) {
     EXPECT_GT(Scene::place(load).y, 150.0f);
 }
 
-TEST(PhysicsComponents, aMotorTurnsAWheelAndItsSpeedMayChange) {
+TEST(PhysicsComponents, aMotorRotatesAWheelAndItsSpeedCanChange) {
     Scene scene;
     const Entity wheel = scene.ball({0, 0}, 20);
     auto& hinge = wheel.addComponent<RevoluteJoint>();
@@ -208,7 +208,7 @@ TEST(PhysicsComponents, aMotorTurnsAWheelAndItsSpeedMayChange) {
     EXPECT_NEAR(length(Scene::place(wheel)), 0.0f, 0.1f);
 }
 
-TEST(PhysicsComponents, fieldsActWhereTheyAre) {
+TEST(PhysicsComponents, fieldsActInTheirRegion) {
     Scene scene;
     Entity lift = scene.floor({-50, -500}, {100, 1000});
     lift.get<BoxCollider>().isTrigger = true;
@@ -222,7 +222,7 @@ TEST(PhysicsComponents, fieldsActWhereTheyAre) {
     EXPECT_NEAR(outside.get<RigidBody>().velocity.y, 490.0f, 5.0f);
 }
 
-TEST(PhysicsComponents, anExplosionPushesOnceAndIsGone) {
+TEST(PhysicsComponents, anExplosionPushesOnceAndIsRemoved) {
     Scene scene;
     scene.world.resource<PhysicsSettings>().gravity = {};
     const Entity left = scene.ball({-40, 0});

@@ -26,7 +26,7 @@ void run(World& world, int ticks) {
     }
 }
 
-/// Of everything something: boxes that fall on a floor, a lift, a trigger, a pendulum.
+/// Adds objects for every layer: boxes that fall on a floor, a lift, a trigger, a pendulum.
 void fill(World& world) {
     world.addSystem<PhysicsSystem>();
     Entity floor = world.createEntity();
@@ -56,7 +56,7 @@ void fill(World& world) {
     wind.addComponent<WindField>().velocity = {100.0f, 0.0f};
 }
 
-/// Something so fast that it is swept.
+/// Adds a body that is fast enough to be swept.
 void shoot(World& world) {
     Entity shot = world.createEntity();
     shot.addComponent<Transform>(150.0f, 290.0f);
@@ -84,7 +84,7 @@ const PhysicsLayer& layerNamed(std::string_view name) {
     return *std::find_if(layers.begin(), layers.end(), [&](const auto& layer) { return layer.name == name; });
 }
 
-/// px: around all that was drawn.
+/// Bounding box of everything drawn, px.
 AABB boundsOf(const DrawList& list) {
     AABB box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
     for (const GeometryVertex& vertex : list.vertices())
@@ -102,7 +102,7 @@ TEST(PhysicsDrawing, eachLayerDrawsWhatItIsForAndNothingIsDrawnWhenAllAreOff) {
     for (const PhysicsLayer& layer : physicsLayers()) {
         SCOPED_TRACE(layer.name);
         const DrawList list = drawn(world, {layer.bit});
-        EXPECT_EQ(list.items().size() > 0, layer.ofBodies);  // the others are written in a panel
+        EXPECT_EQ(list.items().size() > 0, layer.ofBodies);  // the other layers are written in a panel
         for (const PhysicsColor& row : physicsColors()) {
             const bool comesLater =
                 row.label == "asleep" || row.label == "island" || row.label == "near sleep";
@@ -119,7 +119,7 @@ TEST(PhysicsDrawing, everyLayerOfBodiesHasARowInTheLegend) {
     for (const PhysicsLayer& layer : physicsLayers()) EXPECT_EQ((explained & layer.bit) != 0, layer.ofBodies);
 }
 
-TEST(PhysicsDrawing, whatComesToRestChangesItsColour) {
+TEST(PhysicsDrawing, sleepingBodiesChangeTheirColour) {
     World world;
     fill(world);
     const PhysicsLayer& shapes = physicsLayers().front();
@@ -131,7 +131,7 @@ TEST(PhysicsDrawing, whatComesToRestChangesItsColour) {
     EXPECT_TRUE(hasColor(drawn(world, {shapes.bit}), asleep->color));
 }
 
-TEST(PhysicsDrawing, shapesAreDrawnWhereTheCollidersAreThroughAnyView) {
+TEST(PhysicsDrawing, shapesMatchTheCollidersInAnyView) {
     World world;
     Entity floor = world.createEntity();
     floor.addComponent<Transform>(100.0f, 300.0f);
@@ -147,7 +147,7 @@ TEST(PhysicsDrawing, shapesAreDrawnWhereTheCollidersAreThroughAnyView) {
     }
 }
 
-TEST(PhysicsDrawing, thePreviewFollowsWhatWasEdited) {
+TEST(PhysicsDrawing, thePreviewFollowsEdits) {
     World world;
     Entity crate = world.createEntity();
     crate.addComponent<Transform>(100.0f, 100.0f);
@@ -167,7 +167,7 @@ TEST(PhysicsDrawing, thePreviewFollowsWhatWasEdited) {
     EXPECT_EQ(left(), 1e9f);
 }
 
-TEST(PhysicsDrawing, whatIsDrawnDoesTheSame) {
+TEST(PhysicsDrawing, drawingDoesNotChangeTheSimulation) {
     World watched, alone;
     fill(watched), fill(alone);
     AssetStore assets{{}, test::sourceFolder() / "assets"};
@@ -182,7 +182,7 @@ TEST(PhysicsDrawing, whatIsDrawnDoesTheSame) {
         ASSERT_EQ(watched.hash(), alone.hash()) << i;
     }
     EXPECT_GT(device.spriteDraws.size(), 0u);
-    device.forgetDraws();
+    device.clearDraws();
     renderer.drawPhysics(watched, {}, {.view = {kPicture * 0.5f, kPicture}}, {.width = 640, .height = 360});
     EXPECT_EQ(device.spriteDraws.size(), 0u);
 }
@@ -201,7 +201,7 @@ TEST(PhysicsDrawing, layersAreNamedInLists) {
     EXPECT_EQ(wrong.error().remedy, "did you mean \"joints\"?");
 }
 
-TEST(PhysicsDrawing, aLayerThatIsChosenIsShownAtOnce) {
+TEST(PhysicsDrawing, anEnabledLayerIsShownAtOnce) {
     PhysicsView view;
     EXPECT_EQ(view.shown().any(), 0u);
     const PhysicsLayer& shapes = physicsLayers().front();
@@ -215,7 +215,7 @@ TEST(PhysicsDrawing, aLayerThatIsChosenIsShownAtOnce) {
     EXPECT_EQ(view.shown().any(), physicsLayers().back().bit);
 }
 
-TEST(PhysicsDrawing, aLayerIsOfAllOrOfTheSelectedOrOff) {
+TEST(PhysicsDrawing, aLayerIsShownForAllOrSelectedEntitiesOrOff) {
     PhysicsView view;
     for (const PhysicsLayer& layer : physicsLayers()) {
         for (const PhysicsReach reach : {PhysicsReach::Selected, PhysicsReach::All, PhysicsReach::Off}) {
@@ -227,7 +227,7 @@ TEST(PhysicsDrawing, aLayerIsOfAllOrOfTheSelectedOrOff) {
     }
 }
 
-TEST(PhysicsDrawing, keysToggleTheViewAndEveryLayerOfItButNoneWhileItIsHidden) {
+TEST(PhysicsDrawing, keysToggleTheViewAndItsLayersWhileItIsVisible) {
     PhysicsView view;
     const unsigned first = view.layers;
     const auto press = [&](Key key, bool control, bool shift) {
@@ -252,7 +252,7 @@ TEST(PhysicsDrawing, keysToggleTheViewAndEveryLayerOfItButNoneWhileItIsHidden) {
     EXPECT_EQ(view.shown().any(), 0u);
 }
 
-TEST(PhysicsDrawing, onlyWhatIsSelectedIsDrawn) {
+TEST(PhysicsDrawing, onlySelectedEntitiesAreDrawn) {
     World world;
     fill(world);
     Entity crate = world.createEntity();
@@ -297,7 +297,7 @@ DrawList drawnFrom(World& world, Vec2 center, float zoom) {
     return list;
 }
 
-TEST(PhysicsDrawing, whatIsOutOfSightCostsNothingAndWhatReachesInIsThere) {
+TEST(PhysicsDrawing, onlyShapesThatOverlapTheViewAreDrawn) {
     World world;
     for (int i = 0; i < 50; ++i) {
         Entity box = world.createEntity();
@@ -309,12 +309,12 @@ TEST(PhysicsDrawing, whatIsOutOfSightCostsNothingAndWhatReachesInIsThere) {
     EXPECT_LT(drawnFrom(world, between, 1.0f).culledCount(), 40u) << "few of them come as far as the list";
     EXPECT_GT(drawnFrom(world, between, 1.0f).items().size(), 20u);
     EXPECT_EQ(drawnFrom(world, {1050.0f, 900.0f}, 1.0f).items().size(), 0u);
-    // The view's border goes through a box.
+    // The border of the view crosses a box.
     const float half = kPicture.x * 0.5f;
     EXPECT_GT(drawnFrom(world, {-half + 15.0f, 0.0f}, 1.0f).items().size(), 0u);
 }
 
-TEST(PhysicsDrawing, whatIsSmallerThanItsLinesIsADotOfItsColour) {
+TEST(PhysicsDrawing, shapesSmallerThanTheirLinesAreDots) {
     World world;
     Entity box = world.createEntity();
     box.addComponent<Transform>(0.0f, 0.0f);
@@ -328,7 +328,7 @@ TEST(PhysicsDrawing, whatIsSmallerThanItsLinesIsADotOfItsColour) {
     EXPECT_LE(far.instances()[0].half.x, 40.0f);
 }
 
-TEST(PhysicsDrawing, linesAreAsWideOnTheScreenAtAnyZoom) {
+TEST(PhysicsDrawing, linesHaveTheSameWidthOnScreenAtAnyZoom) {
     World world;
     fill(world);
     run(world, 1);
@@ -344,7 +344,7 @@ TEST(PhysicsDrawing, linesAreAsWideOnTheScreenAtAnyZoom) {
     }
 }
 
-TEST(PhysicsDrawing, theTimesAreOfAllStagesThatRanWhileTheyWereShown) {
+TEST(PhysicsDrawing, timesIncludeAllStagesThatRan) {
     World world;
     PhysicsTimes times;
     fill(world);
@@ -375,7 +375,7 @@ TEST(PhysicsDrawing, theTimesAreOfAllStagesThatRanWhileTheyWereShown) {
     EXPECT_EQ(times.rows().front().milliseconds, before) << "nothing is measured while it is not shown";
 }
 
-TEST(PhysicsDrawing, legendAndNumbersAreOnTheScreenAndNotOnEachOther) {
+TEST(PhysicsDrawing, legendAndNumbersAreVisibleAndDoNotOverlap) {
     World world;
     fill(world);
     run(world, 10);

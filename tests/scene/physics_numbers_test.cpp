@@ -36,7 +36,7 @@ constexpr std::string_view kPhysicsComponents[] = {
     "WindField",      "BuoyancyField",   "Attractor",       "Explosion",
 };
 
-/// Where the numbers of a field lie, by bytes from its address.
+/// Location of a number in a field, as an offset in bytes from the field's address.
 struct Number {
     const FieldInfo* field = nullptr;
     std::size_t offset = 0;
@@ -56,16 +56,15 @@ std::vector<Number> numbersOf(const TypeInfo& type) {
     return numbers;
 }
 
-/// Fields in which a number that is none means something: no limit, the RigidBody's own, as round as it gets,
-/// or the scale along the other axis.
+/// True for fields in which an invalid number has a meaning: no limit, the value of the RigidBody, maximum
+/// rounding, or the scale of the other axis.
 bool hasAnswer(std::string_view field) {
     constexpr std::string_view kFields[] = {"breakForce", "maxForce", "maxTorque", "friction",
                                             "bounciness", "rounding", "scale",     "tolerance"};
     return std::find(std::begin(kFields), std::end(kFields), field) != std::end(kFields);
 }
 
-/// An entity with the component in question, good but for one number, and a crate that has nothing to
-/// do with it.
+/// An entity with a component that is valid except for one number, and a crate that is independent of it.
 class Case {
 public:
     Case(const TypeInfo& type, const Number& number) : type_{type}, number_{number} {
@@ -87,7 +86,7 @@ public:
             *static_cast<EntityId*>(other->in(scene_.world.find(type, hero_.id()))) = other_.id();
         if (const FieldInfo* points = type.find("points")) {
             void* object = scene_.world.find(type, hero_.id());
-            *points->listCount(points->in(object)) = 3;
+            points->countOf(points->in(object)) = 3;
             const Vec2 corners[] = {{0, 0}, {20, 0}, {10, 20}};
             std::memcpy(points->in(object), corners, sizeof corners);
         }
@@ -99,7 +98,7 @@ public:
 
     void spoil(float value) {
         void* object = scene_.world.find(type_, hero_.id());
-        if (object == nullptr) return;  // an explosion is over
+        if (object == nullptr) return;  // the explosion has removed itself
         char* memory = static_cast<char*>(number_.field->in(object)) + number_.offset;
         if (number_.whole) {
             const auto number = static_cast<std::int64_t>(
@@ -111,7 +110,7 @@ public:
     }
     void run(int ticks) { scene_.run(ticks); }
 
-    /// What was written is no number that a body, a shape or a joint could work with.
+    /// True if the number is finite now or its component has removed itself.
     [[nodiscard]] bool isMended() {
         void* object = scene_.world.find(type_, hero_.id());
         if (object == nullptr) return true;
@@ -149,7 +148,7 @@ private:
     Entity bystander_;
 };
 
-TEST(PhysicsNumbers, badOnesInAnyFieldAreReportedOrHaveAnAnswer) {
+TEST(PhysicsNumbers, invalidNumbersInAnyFieldAreReportedOrHaveAMeaning) {
     TypeRegistry types;
     registerSceneComponents(types);
     std::size_t warnings = 0;
@@ -178,7 +177,7 @@ TEST(PhysicsNumbers, badOnesInAnyFieldAreReportedOrHaveAnAnswer) {
     setLogSink(before);
 }
 
-TEST(PhysicsNumbers, aScaleThatMakesNoSenseIsTheUsualOne) {
+TEST(PhysicsNumbers, anInvalidScaleIsReplacedByTheDefault) {
     for (const float pixels : kBad) {
         if (pixels == 1e9f) continue;
         PhysicsScene scene;
@@ -189,7 +188,7 @@ TEST(PhysicsNumbers, aScaleThatMakesNoSenseIsTheUsualOne) {
     }
 }
 
-TEST(PhysicsNumbers, anEntityThatGetsAGoodPlaceGetsABody) {
+TEST(PhysicsNumbers, anEntityGetsABodyOnceItsPositionIsValid) {
     const LogSink before = setLogSink([](const LogLine&) {});
     PhysicsScene scene;
     const Entity ball = scene.ball({0, 0});

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// A world with physics in it, and short ways to fill it.
+/// A world with physics and helpers to fill it.
 struct PhysicsScene {
     static constexpr float kTick = 1.0f / 60.0f;  ///< s
 
@@ -38,7 +38,7 @@ struct PhysicsScene {
         entity.addComponent<CircleCollider>(radius);
         return entity;
     }
-    /// @param place  of its corner
+    /// @param place  position of its upper left corner
     Entity crate(Vec2 place, float size = 16.0f) {
         Entity entity = at(place);
         entity.addComponent<RigidBody>();

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// Balls that fly apart from each other.
+/// Creates a world of separate balls that do not touch.
 physics::World ballsOf(int count) {
     physics::World world;
     for (int i = 0; i < count; ++i) {
@@ -18,7 +18,7 @@ physics::World ballsOf(int count) {
     return world;
 }
 
-TEST(PhysicsThreads, areStartedForWorldsThatAreWorthThemOnly) {
+TEST(PhysicsThreads, areStartedOnlyForLargeWorlds) {
     PhysicsThreads threads{3};
     EXPECT_EQ(threads.of(ballsOf(10)), nullptr);
     TaskPool* pool = threads.of(ballsOf(4200));
@@ -30,7 +30,7 @@ TEST(PhysicsThreads, areStartedForWorldsThatAreWorthThemOnly) {
 
 TEST(PhysicsThreads, oneThreadIsTheCallers) { EXPECT_EQ(PhysicsThreads{1}.of(ballsOf(4200)), nullptr); }
 
-TEST(PhysicsThreads, areAsManyAsTheMachineHasUnlessSaidOtherwise) {
+TEST(PhysicsThreads, areAsManyAsTheMachineHasByDefault) {
     PhysicsThreads threads;
     EXPECT_GE(threads.threads(), 1);
     EXPECT_LE(threads.threads(), 8);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kPath = "scenes/level.scene.json";
 
-/// A lamp with a bulb that looks back at it; a post that holds two lamps, one of them smaller.
+/// Two prefabs: a lamp with a bulb that references it, and a post with two lamps, one of them smaller.
 struct Prefabs : testing::Test {
     TypeRegistry types;
     PrefabLibrary library{types};
@@ -61,7 +61,7 @@ constexpr const char* kPlainLamp = R"(    {
       }
     })";
 
-TEST_F(Prefabs, anInstanceIsTheWholePrefabAndSavesNothingOfItButItsPlace) {
+TEST_F(Prefabs, anInstanceHasAllPartsAndSavesOnlyItsPosition) {
     load(sceneOf(R"(    {
       "id": "00000000000000a1",
       "prefab": "prefabs/lamp.prefab.json"
@@ -173,7 +173,7 @@ TEST_F(Prefabs, twoInstancesHaveDifferentPartsWithLastingIds) {
     EXPECT_TRUE(findById(world, combinedId(0xa2, 0x11)));
 }
 
-TEST_F(Prefabs, aChangeOfThePrefabReachesEveryInstanceThatDoesNotOverrideIt) {
+TEST_F(Prefabs, changesOfAPrefabAffectAllInstancesWithoutAnOverride) {
     load(sceneOf(kPlainLamp));
     findById(world, 0xa1).get<Sprite>().width = 10;
     const std::string text = saved();

@@ -19,8 +19,8 @@
 namespace plumb {
 namespace {
 
-/// A project with two scenes: `one` shows a.png and both.png, `two` shows b.png and both.png, and its map a
-/// tileset with a picture of its own.
+/// A project with two scenes: `one` uses a.png and both.png; `two` uses b.png, both.png and a map whose
+/// tileset has an image of its own.
 class SceneAssetsTest : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -54,7 +54,7 @@ protected:
         }
         return text.append("]}");
     }
-    /// One scene in place of the other, as games do it: the new one comes first.
+    /// Replaces one scene by another like games do: the new scene is loaded before the old one is unloaded.
     void go(const std::string& to, const std::string& from) {
         ASSERT_TRUE(loadSceneFile(world_, context_, to).ok());
         if (!from.empty()) unloadScene(world_, sceneId(from));
@@ -77,7 +77,7 @@ protected:
 constexpr const char* kOne = "scenes/one.scene.json";
 constexpr const char* kTwo = "scenes/two.scene.json";
 
-TEST_F(SceneAssetsTest, whatASceneNamesIsHeldAndLetGoWithIt) {
+TEST_F(SceneAssetsTest, assetsOfASceneAreHeldAndReleasedWithIt) {
     go(kOne, "");
     EXPECT_TRUE(isLoaded("a.png") && isLoaded("both.png"));
     EXPECT_EQ(assets_.references(AssetKind::Texture, textId("assets/a.png")), 1);
@@ -92,7 +92,7 @@ TEST_F(SceneAssetsTest, whatASceneNamesIsHeldAndLetGoWithIt) {
     EXPECT_EQ(assets_.size(), 0u);
 }
 
-TEST_F(SceneAssetsTest, aHundredSwitchesReadWhatIsSharedOnceAndEndWithWhatIsInUse) {
+TEST_F(SceneAssetsTest, sharedAssetsAreReadOnceInAHundredSwitches) {
     go(kOne, "");
     const std::size_t size = assets_.size();
     const std::size_t bytes = assets_.byteCount();
@@ -105,12 +105,13 @@ TEST_F(SceneAssetsTest, aHundredSwitchesReadWhatIsSharedOnceAndEndWithWhatIsInUs
         ASSERT_EQ(assets_.byteCount(), bytes) << i;
     }
 
-    // A round reads b.png, the tileset, its picture and the file of two, then a.png and the file of one.
+    // A round of both switches reads six files: two.scene, b.png, the tileset and its image, then one.scene
+    // and a.png.
     EXPECT_EQ(assets_.loadCount() - loads, 50u * 6u);
     EXPECT_EQ(assets_.revisionOf(AssetKind::Texture, textId("assets/both.png")), 1u);
 }
 
-TEST_F(SceneAssetsTest, persistentEntitiesAndThoseOfTheGameKeepTheirs) {
+TEST_F(SceneAssetsTest, persistentAndSpawnedEntitiesKeepTheirAssets) {
     go(kOne, "");
     Entity own = world_.createEntity();
     own.addComponent<Sprite>().texture = {world_.texts().add("assets/kept.png")};
@@ -127,7 +128,7 @@ TEST_F(SceneAssetsTest, persistentEntitiesAndThoseOfTheGameKeepTheirs) {
     EXPECT_FALSE(isLoaded("kept.png"));
 }
 
-TEST_F(SceneAssetsTest, whatIsMissingIsReportedOncePerStayAndComesWithItsFile) {
+TEST_F(SceneAssetsTest, missingAssetsAreReportedOnceAndLoadedWhenTheFileAppears) {
     write("scenes/two.scene.json", scene({sprite("nowhere")}));
     go(kTwo, "");
     EXPECT_EQ(assets_.errors().size(), 1u);
@@ -136,7 +137,7 @@ TEST_F(SceneAssetsTest, whatIsMissingIsReportedOncePerStayAndComesWithItsFile) {
     EXPECT_TRUE(assets_.isMissing(AssetKind::Texture, textId("assets/nowhere.png")));
 }
 
-TEST_F(SceneAssetsTest, anAssetThatComesBackHasAnotherRevision) {
+TEST_F(SceneAssetsTest, aReloadedAssetHasANewRevision) {
     go(kOne, "");
     const std::uint32_t before = assets_.revisionOf(AssetKind::Texture, textId("assets/a.png"));
     go(kTwo, kOne);

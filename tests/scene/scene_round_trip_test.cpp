@@ -20,8 +20,8 @@ struct SceneRoundTrip : testing::Test {
     SceneRoundTrip() { registerSceneComponents(types); }
 };
 
-/// How many worlds the property test tries; PLUMB_WORLDS says another number. Debug builds are slow and
-/// take fewer.
+/// Number of random worlds in the property test: the environment variable PLUMB_WORLDS if set. Debug builds
+/// are slow and use fewer.
 std::uint64_t worldCount() {
 #if defined(NDEBUG)
     constexpr std::uint64_t kUsual = 10000;

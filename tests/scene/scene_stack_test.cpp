@@ -38,7 +38,7 @@ constexpr const char* kMenu = "scenes/menu.scene.json";
 constexpr const char* kHud = "scenes/hud.scene.json";
 constexpr std::uint64_t kCrate = 0x11, kFloor = 0x12, kKept = 0x13, kButton = 0x21, kLamp = 0x31;
 
-/// A level where a crate falls and bounces on a floor, a menu that pauses, and a strip that does not.
+/// A level in which a crate bounces on a floor, a menu overlay that pauses it, and an overlay that does not.
 class SceneStackTest : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -78,7 +78,7 @@ protected:
     }
     Entity entity(std::uint64_t id) { return world_.entity(WorldFieldContext{world_}.entity(id)); }
     Vec2 at(std::uint64_t id) { return entity(id).get<Transform>().position; }
-    /// The hash of all but the time.
+    /// Hash of the world without its tick count.
     std::uint64_t state() {
         const std::uint64_t tick = std::exchange(world_.tick, 0);
         const std::uint64_t hash = world_.hash();
@@ -92,7 +92,7 @@ protected:
     SceneContext context_{types_, nullptr, folder_.path};
 };
 
-TEST_F(SceneStackTest, anOverlayPausesWhatIsBelowAndRunsItself) {
+TEST_F(SceneStackTest, anOverlayPausesTheScenesBelowAndRunsItself) {
     tick(20);
     const Vec2 crate = at(kCrate);
     ASSERT_GT(crate.y, 11.0f);
@@ -109,7 +109,7 @@ TEST_F(SceneStackTest, anOverlayPausesWhatIsBelowAndRunsItself) {
     EXPECT_FALSE(closeOverlay(world_)) << "the bottom scene is no overlay";
 }
 
-TEST_F(SceneStackTest, whatComesBackIsBitForBitWhatWasLeftAtAnyMoment) {
+TEST_F(SceneStackTest, closingAnOverlayRestoresTheSceneBitForBit) {
     std::vector<std::uint64_t> undisturbed;
     Snapshot start = world_.save();
     for (int i = 0; i < 200; ++i) tick(), undisturbed.push_back(state());
@@ -122,7 +122,7 @@ TEST_F(SceneStackTest, whatComesBackIsBitForBitWhatWasLeftAtAnyMoment) {
         ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
         EXPECT_NE(state(), undisturbed[static_cast<std::size_t>(i)]);
         tick(i % 5);
-        world_.createEntity().addComponent<Transform>();  // made by code while the menu is open
+        world_.createEntity().addComponent<Transform>();  // an entity created by code while the menu is open
         if (i % 3 == 0) {
             ASSERT_TRUE(openOverlay(world_, context_, kHud).ok());
             tick(2);
@@ -133,7 +133,7 @@ TEST_F(SceneStackTest, whatComesBackIsBitForBitWhatWasLeftAtAnyMoment) {
     }
 }
 
-TEST_F(SceneStackTest, overlaysOverOverlaysEndInTurn) {
+TEST_F(SceneStackTest, nestedOverlaysAreClosedOneByOne) {
     write("scenes/second.scene.json", {R"("id": "41", "components": {"Transform": {}, "RigidBody": {}})"});
     ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
     tick(5);
@@ -150,7 +150,7 @@ TEST_F(SceneStackTest, overlaysOverOverlaysEndInTurn) {
     EXPECT_EQ(world_.count<Paused>(), 0u);
 }
 
-TEST_F(SceneStackTest, anOverlayMayLetWhatIsBelowGoOnAndHear) {
+TEST_F(SceneStackTest, anOverlayMayLetTheScenesBelowRunWithInput) {
     ASSERT_TRUE(openOverlay(world_, context_, kHud).ok());
     const Vec2 crate = at(kCrate);
     tick(10);
@@ -162,7 +162,7 @@ TEST_F(SceneStackTest, anOverlayMayLetWhatIsBelowGoOnAndHear) {
     EXPECT_TRUE(inputFor(world_, entity(kLamp)).isPressed(Action::Jump));
 }
 
-TEST_F(SceneStackTest, theInputGoesToTheTop) {
+TEST_F(SceneStackTest, theTopmostSceneGetsTheInput) {
     write(kHud, {R"("id": "31", "components": {"Transform": {}, "Overlay": {"pauses": false}})"});
     ASSERT_TRUE(openOverlay(world_, context_, kHud).ok());
     InputFrame frame;
@@ -186,7 +186,7 @@ TEST_F(SceneStackTest, anOverlayThatCannotBeReadChangesNothing) {
     }
 }
 
-TEST_F(SceneStackTest, goingElsewhereTakesTheWholeStackAndKeepsThePersistent) {
+TEST_F(SceneStackTest, changingTheSceneRemovesTheStackButKeepsPersistentEntities) {
     write("scenes/title.scene.json", {R"("id": "51", "components": {"Transform": {}})"});
     tick(10);
     ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
@@ -214,7 +214,7 @@ TEST_F(SceneStackTest, aPersistentEntityOfAnOverlayStaysWhenItCloses) {
     EXPECT_GT(at(kButton).y, button.y);
 }
 
-TEST_F(SceneStackTest, aSnapshotHoldsTheStack) {
+TEST_F(SceneStackTest, aSnapshotContainsTheStack) {
     tick(10);
     const std::uint64_t left = state();
     ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
@@ -237,7 +237,7 @@ TEST_F(SceneStackTest, savingWhileAnOverlayIsOpenWritesAllOfTheSceneBelow) {
     EXPECT_EQ(sceneToJson(world_, context_, sceneId(kLevel)), before);
 }
 
-TEST_F(SceneStackTest, overlaysAreDrawnOverThoseBelowEachByItsOwnCamera) {
+TEST_F(SceneStackTest, overlaysAreDrawnOnTopEachWithItsOwnCamera) {
     ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
     EXPECT_EQ(cameraView(world_, {320, 180}, 1.0f, 0).center, (Vec2{160, 90}));
     EXPECT_EQ(cameraView(world_, {320, 180}, 1.0f, 1).center, (Vec2{10, 10}));
@@ -247,13 +247,13 @@ TEST_F(SceneStackTest, overlaysAreDrawnOverThoseBelowEachByItsOwnCamera) {
     SceneRenderer renderer{device, assets};
     renderer.draw(world_, {320, 180}, 1.0f, {TargetHandle{}, 0, 0, 320, 180});
 
-    // The crate has the highest layer and the button the lowest, yet the button comes last.
+    // The crate has the highest layer and the button the lowest, but the button's scene is drawn on top.
     ASSERT_EQ(device.spriteDraws.size(), 2u);
     EXPECT_EQ(device.spriteDraws[0].instances.size(), 2u);
     EXPECT_EQ(device.spriteDraws[1].instances.size(), 1u);
 }
 
-TEST_F(SceneStackTest, whatIsSoftIsSeenAsItLayWhileAMenuPausesIt) {
+TEST_F(SceneStackTest, pausedSoftBodiesAreStillDrawn) {
     write("scenes/soft.scene.json",
           {R"("id": "41", "components": {"Transform": {"position": [50, 10]}, "Jelly": {"radius": 20}})",
            R"("id": "42", "components": {"Transform": {"position": [160, 90]}, "Camera": {}})"});

@@ -40,7 +40,7 @@ struct Soft {
         for (const SoftLinkage& linkage : state.softBodies) {
             if (!(linkage.entity == entity.id()) || !physics::alive(state.world, linkage.body)) continue;
             for (const auto& particle : physics::particlesOf(state.world, linkage.body))
-                places.push_back(placeInPixels(particle.place, state.scale));
+                places.push_back(positionInPixels(particle.place, state.scale));
         }
         return places;
     }
@@ -63,7 +63,7 @@ TEST(SoftComponents, aRopeHangsFromItsStartAndKeepsItsLength) {
     EXPECT_GT(now.back().y, 150.0f) << "it does not hang";
 }
 
-TEST(SoftComponents, aClothStaysAtItsPinsWhicheverTheyAre) {
+TEST(SoftComponents, aClothStaysAtAnyOfItsPins) {
     for (const auto& [pins, held] :
          {std::pair{ClothPins::None, 0u}, {ClothPins::TopCorners, 2u}, {ClothPins::TopEdge, 8u}}) {
         Soft scene;
@@ -103,7 +103,7 @@ TEST(SoftComponents, aJellyFallsRestsOnTheGroundAndKeepsItsArea) {
     for (const Vec2 place : scene.particles(entity)) EXPECT_LT(place.y, 201.0f);
 }
 
-TEST(SoftComponents, oneThatChangesIsMadeAnewAndOneThatGoesIsGone) {
+TEST(SoftComponents, changedSoftBodiesAreRecreatedAndRemovedOnesDestroyed) {
     Soft scene;
     Entity entity = scene.at({0, 0});
     entity.addComponent<Rope>();
@@ -120,7 +120,7 @@ TEST(SoftComponents, oneThatChangesIsMadeAnewAndOneThatGoesIsGone) {
     EXPECT_EQ(scene.bodies(), 0u);
 }
 
-TEST(SoftComponents, badNumbersAreRefusedAndBreakNothing) {
+TEST(SoftComponents, invalidNumbersAreRejected) {
     Soft scene;
     Entity entity = scene.at({0, 0});
     entity.addComponent<Jelly>().radius = std::numeric_limits<float>::quiet_NaN();

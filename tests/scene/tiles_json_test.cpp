@@ -39,7 +39,7 @@ TEST(TilesJson, aChangedTileChangesOneLine) {
     EXPECT_EQ(changed, 1);
 }
 
-/// The checksum at the end of a zlib stream (RFC 1950, Adler-32), highest byte first.
+/// Returns the checksum at the end of a zlib stream (RFC 1950, Adler-32), highest byte first.
 std::string checksumOf(const std::string& bytes) {
     std::uint32_t a = 1, b = 0;
     for (const char byte : bytes) {
@@ -51,7 +51,7 @@ std::string checksumOf(const std::string& bytes) {
     return sum;
 }
 
-/// The line of a block as a packer writes it that only copies.
+/// Returns the text of a block as written by a zlib packer that only stores bytes.
 std::string packedByOthers(const TileGrid& grid, int side) {
     std::string bytes;
     for (int y = 0; y < side; ++y) {
@@ -73,7 +73,7 @@ std::string packedByOthers(const TileGrid& grid, int side) {
     return "0 0 " + toBase64(packed + checksumOf(bytes));
 }
 
-TEST(TilesJson, aLineOfAnotherPackerStaysAsItIsUntilItsTilesChange) {
+TEST(TilesJson, aBlockOfAnotherPackerIsKeptUntilItsTilesChange) {
     TileGrid grid{300, 300};
     for (int i = 0; i < 300; ++i) grid.set(i, i, cellOf(i));
     Json json = tilesToJson(grid);
@@ -93,7 +93,7 @@ TEST(TilesJson, aLineOfAnotherPackerStaysAsItIsUntilItsTilesChange) {
     EXPECT_EQ(tilesFromJson(tilesToJson(read->grid))->grid, grid);
 }
 
-TEST(TilesJson, emptyAndPlainPartsOfAHugeMapTakeAlmostNothing) {
+TEST(TilesJson, emptyAndUniformPartsOfAHugeMapAreSmall) {
     TileGrid grid{16384, 16384};
     const auto plain = TileGrid::filled(7);
     for (int row = 256; row < grid.chunkRows(); ++row) {
@@ -108,7 +108,7 @@ TEST(TilesJson, emptyAndPlainPartsOfAHugeMapTakeAlmostNothing) {
     EXPECT_EQ(read->grid.at(16383, 16383), 7u);
 }
 
-TEST(TilesJson, damagedBlocksAreReportedWithTheirPlace) {
+TEST(TilesJson, damagedBlocksAreReportedWithTheirPosition) {
     for (const char* text :
          {"0 0", "9 0 =1", "0 -1 =1", "0 0 =", "0 0 =1 2", "0 0 eNrtnoise", "x 0 =1", ""}) {
         Json json = Json::object();

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
 
-# Runs the sample game for a moment and looks for the lines that the seed shows, in its order.
+# Runs the sample game briefly and expects the log lines that the seed shows, in their order.
 #
 #   cmake -D PROGRAM=seed_sample -P check_log.cmake
 

@@ -13,7 +13,7 @@ namespace {
 
 const Outline kCrate = scenes::box({0.5f, 0.5f});
 
-TEST(StabilityLab, aCrateThatRestsIsExact) {
+TEST(StabilityLab, aCrateAtRestIsExact) {
     Lab lab{{}, {}};
     lab.floor();
     lab.add(kCrate, {0.0f, 0.5f});
@@ -21,14 +21,14 @@ TEST(StabilityLab, aCrateThatRestsIsExact) {
     EXPECT_EQ(scoreOf(lab.figures()), Score::Exact) << reasonOf(lab.figures());
 }
 
-TEST(StabilityLab, seesHowDeepThingsAreInEachOther) {
+TEST(StabilityLab, measuresPenetration) {
     Lab lab{{.gravity = 0.0}, {.size = 2.0, .rests = false}};
     lab.add(kCrate, {0.0f, 0.0f});
     lab.add(kCrate, {0.7f, 0.1f});
-    EXPECT_NEAR(lab.figures().penetration, 0.15, 1e-6);  // 0.3 m of a size of 2
+    EXPECT_NEAR(lab.figures().penetration, 0.15, 1e-6);  // overlap 0.3 m, size 2 m
 }
 
-TEST(StabilityLab, seesHowFarJointsAreOpen) {
+TEST(StabilityLab, measuresJointErrors) {
     Lab lab{{.gravity = 0.0}, {.size = 0.5, .rests = false}};
     const BodyHandle hook = lab.addFixed(scenes::circle(0.05f), {}, {.group = -1});
     const BodyHandle link = lab.add(kCrate, {1.0f, 0.0f}, {.group = -1});
@@ -36,27 +36,28 @@ TEST(StabilityLab, seesHowFarJointsAreOpen) {
     EXPECT_NEAR(lab.figures().joints, 0.2, 1e-6);
 }
 
-TEST(StabilityLab, countsBodiesThatLeftOrSank) {
+TEST(StabilityLab, measuresDisplacementFromTheInitialPosition) {
     Lab lab{{.gravity = 10.0}, {.size = 1.0, .extent = 100.0}};
     const BodyHandle ball = lab.add(scenes::circle(0.5f), {0.0f, 0.0f});
     lab.setVelocity(ball, {1.0f, 0.0f});
     lab.run(1.0);
-    EXPECT_NEAR(lab.figures().off, 1.0, 1e-3);  // 1 m aside by the size; 5 m down by the extent is less
+    // 1 m sideways / size 1 m; 5 m down / extent 100 m is less.
+    EXPECT_NEAR(lab.figures().off, 1.0, 1e-3);
     EXPECT_NEAR(lab.figures().residual, std::sqrt(101.0) / std::sqrt(10.0), 1e-3);
 }
 
-TEST(StabilityLab, seesEnergyThatComesFromNowhere) {
+TEST(StabilityLab, measuresEnergyGain) {
     Lab lab{{.gravity = 10.0}, {.rests = false}};
     const BodyHandle ball = lab.add(scenes::circle(0.5f), {0.0f, 10.0f});
     lab.run(0.5);
-    EXPECT_NEAR(lab.figures().energyGain, 0.0, 1e-6) << "a fall gains nothing";
-    lab.setVelocity(ball, {0.0f, -10.0f});  // 5 m/s are its own
+    EXPECT_NEAR(lab.figures().energyGain, 0.0, 1e-6) << "a fall gains no energy";
+    lab.setVelocity(ball, {0.0f, -10.0f});  // of which 5 m/s come from the fall
     lab.run(0.1);
     EXPECT_NEAR(lab.figures().energyGain, 0.5 * (100.0 - 25.0) / 100.0, 1e-3);
     EXPECT_EQ(scoreOf(lab.figures()), Score::BlowsUp);
 }
 
-TEST(StabilityLab, whatIsDrivenMayGainEnergyButNotSpeed) {
+TEST(StabilityLab, drivenScenesMayGainEnergyButNotExcessSpeed) {
     Lab lab{{.gravity = 0.0}, {.mostSpeed = 2.0, .driven = true, .rests = false}};
     const BodyHandle ball = lab.add(scenes::circle(0.5f), {});
     lab.setVelocity(ball, {1.0f, 0.0f});
@@ -67,14 +68,14 @@ TEST(StabilityLab, whatIsDrivenMayGainEnergyButNotSpeed) {
     EXPECT_NEAR(lab.figures().speeding, 2.5, 1e-3);
 }
 
-TEST(StabilityLab, aFallExplainsItsSpeed) {
+TEST(StabilityLab, speedGainedByFallingIsNotCounted) {
     Lab lab{{.gravity = 10.0}, {.mostSpeed = 1.0, .rests = false}};
     lab.add(scenes::circle(0.5f), {});
     lab.run(2.0);
-    EXPECT_LT(lab.figures().speeding, 0.1);  // of 20 m/s: rounding
+    EXPECT_LT(lab.figures().speeding, 0.1);  // not 0 because of rounding at 20 m/s
 }
 
-TEST(StabilityLab, energyOfWhatOverlapsCountsFromWhenItIsApart) {
+TEST(StabilityLab, energyOfOverlappingBodiesIsMeasuredAfterTheirSeparation) {
     Lab lab{{.gravity = 0.0}, {.rests = false, .overlapped = true}};
     lab.add(kCrate, {0.0f, 0.0f});
     const BodyHandle other = lab.add(kCrate, {0.8f, 0.0f});
@@ -83,13 +84,13 @@ TEST(StabilityLab, energyOfWhatOverlapsCountsFromWhenItIsApart) {
     EXPECT_LE(lab.figures().energyGain, 0.01);
 }
 
-TEST(StabilityLab, bodiesThatAreRefusedAreNoPass) {
+TEST(StabilityLab, rejectedBodiesCountAsBlowUp) {
     Lab lab{{}, {}};
     lab.add(scenes::circle(1.0e-9f), {});
     EXPECT_EQ(scoreOf(lab.figures()), Score::BlowsUp);
 }
 
-TEST(StabilityLab, farAwayIsReallyFarAway) {
+TEST(StabilityLab, theOriginOffsetsTheWholeScene) {
     Lab lab{{.origin = 1.0e6}, {}};
     const BodyHandle crate = lab.add(kCrate, {0.25f, 0.5f});
     EXPECT_EQ(physics::centreOf(lab.world(), lab.idOf(crate)).x, 1.0e6 + 0.25);

@@ -24,14 +24,14 @@ const std::vector<PlayedMap>& quickMaps() {
     return maps;
 }
 
-/// What the cells of a row reached, in the signs of score.hpp.
+/// Minimum scores of the cells of a row, as the signs of score.hpp.
 struct Floor {
     std::string map;
     std::string row;
     std::string signs;
 };
 
-/// A label without its unit, since floors are words.
+/// Returns a label without its unit, as in floors.txt.
 std::string wordOf(const std::string& label) { return label.substr(0, label.find(' ')); }
 
 std::vector<Floor> readFloors() {
@@ -53,12 +53,12 @@ const Floor* findFloor(const std::vector<Floor>& floors, std::string_view map, c
     return nullptr;
 }
 
-/// A made-up map of two rows and three columns that was not played.
+/// Returns invented results of a map with two rows and three columns.
 PlayedMap madeUp() {
     static constexpr std::array<double, 3> kRows{0, 2, -1}, kColumns{1, 1e3, 1e6};
     static const Map map{.name = "made_up",
                          .title = "Made up",
-                         .scene = "Nothing is built.",
+                         .scene = "No scene is built.",
                          .rows = {"quality", Label::Quality, kRows},
                          .columns = {"load", Label::Plain, kColumns}};
     PlayedMap played{&map, {1, 2}, {}};
@@ -72,7 +72,7 @@ std::size_t countOf(const std::string& text, std::string_view part) {
     return count;
 }
 
-TEST(StabilityMap, noCellIsWorseThanItWas) {
+TEST(StabilityMap, noCellIsWorseThanItsFloor) {
     const std::vector<Floor> floors = readFloors();
     std::size_t rows = 0;
     for (const PlayedMap& map : quickMaps()) {
@@ -87,10 +87,10 @@ TEST(StabilityMap, noCellIsWorseThanItWas) {
             }
         }
     }
-    EXPECT_EQ(rows, floors.size()) << "a floor belongs to no row";
+    EXPECT_EQ(rows, floors.size()) << "floors.txt contains a row that does not exist";
 }
 
-// All 1,140 cells, not the quick ones alone: wrong they may be, wild never.
+// Runs all 1,140 cells, not only the quick rows. Wrong results are allowed here, blow-ups are not.
 TEST(StabilityMap, noCellBlowsUp) {
     std::size_t cells = 0;
     for (const PlayedMap& map : play({.threads = 2})) {
@@ -105,7 +105,7 @@ TEST(StabilityMap, noCellBlowsUp) {
     EXPECT_GT(cells, 1000u);
 }
 
-TEST(StabilityMap, mapsHaveNamesOfTheirOwnAndAnEasiestColumn) {
+TEST(StabilityMap, mapsHaveUniqueNamesAndAnEasiestColumn) {
     std::set<std::string_view> names;
     for (const Map& map : allMaps()) {
         EXPECT_TRUE(names.insert(map.name).second) << map.name;
@@ -118,7 +118,7 @@ TEST(StabilityMap, mapsHaveNamesOfTheirOwnAndAnEasiestColumn) {
     }
 }
 
-TEST(StabilityMap, threadsChangeNothing) {
+TEST(StabilityMap, resultsDoNotDependOnTheNumberOfThreads) {
     const auto one = play({.quick = true, .map = "stack_step", .threads = 1});
     const auto three = play({.quick = true, .map = "stack_step", .threads = 3});
     ASSERT_EQ(one.size(), 1u);
@@ -137,7 +137,7 @@ TEST(StabilityMap, progressCountsUpToAllCells) {
     EXPECT_EQ(of, maps[0].cells.size());
 }
 
-TEST(StabilityReport, saysHowFarARowHolds) {
+TEST(StabilityReport, givesTheRangeInWhichARowHolds) {
     const PlayedMap map = madeUp();
     EXPECT_EQ(map.holds(0, Score::Soft), "to 1000");
     EXPECT_EQ(map.holds(0, Score::Exact), "to 1");
@@ -147,7 +147,7 @@ TEST(StabilityReport, saysHowFarARowHolds) {
     EXPECT_EQ(map.columnLabel(2), "10⁶");
 }
 
-TEST(StabilityReport, labelsSayWhatTheyCount) {
+TEST(StabilityReport, labelsContainTheirUnits) {
     EXPECT_EQ(labelOf(Label::Step, 1.0 / 240.0), "1/240 s");
     EXPECT_EQ(labelOf(Label::Times, 0.1), "×0.1");
     EXPECT_EQ(labelOf(Label::Percent, 0.05), "5 %");
@@ -155,7 +155,7 @@ TEST(StabilityReport, labelsSayWhatTheyCount) {
     EXPECT_EQ(labelOf(Label::Quality, -1.0), "auto");
 }
 
-TEST(StabilityReport, hasEveryCellInEveryForm) {
+TEST(StabilityReport, everyFormatContainsEveryCell) {
     const std::vector<PlayedMap> maps{madeUp()};
     EXPECT_EQ(countOf(csvOf(maps), "\n"), 7u);
     EXPECT_EQ(countOf(csvOf(maps), "made_up,"), 6u);
@@ -168,7 +168,7 @@ TEST(StabilityReport, hasEveryCellInEveryForm) {
     EXPECT_EQ(countsOf(maps), (Counts{1, 1, 1, 1, 2}));
 }
 
-TEST(StabilityReport, thePageNeedsNothingFromOutside) {
+TEST(StabilityReport, thePageIsSelfContained) {
     const std::string page = pageOf({{madeUp()}});
     EXPECT_EQ(countOf(page, "http"), countOf(page, "http://www.w3.org/2000/svg"));
     EXPECT_EQ(countOf(page, "src="), 0u);
@@ -183,7 +183,7 @@ TEST(StabilityReport, badCellsAreListed) {
     EXPECT_NE(text.find("(stability/made_up.svg)"), std::string::npos);
 }
 
-TEST(StabilityCommand, writesItsFilesAndRefusesWhatItDoesNotKnow) {
+TEST(StabilityCommand, writesItsFilesAndRejectsInvalidArguments) {
     const std::string out = (std::filesystem::temp_directory_path() / "plumb_stability_test").string();
     std::filesystem::remove_all(out);
     const std::vector<std::string_view> words{"--quick", "--map", "chain", "--out", out, "--docs", out};

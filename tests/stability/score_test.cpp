@@ -13,7 +13,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// All figures that are errors, each on its own.
+/// All figures that are errors.
 constexpr std::array<double Figures::*, 4> kErrors{&Figures::penetration, &Figures::joints, &Figures::off,
                                                    &Figures::residual};
 
@@ -23,7 +23,7 @@ Score scoreOfError(double Figures::*figure, double value) {
     return scoreOf(figures);
 }
 
-TEST(StabilityScore, goesByTheLargestErrorWhicheverItIs) {
+TEST(StabilityScore, isDeterminedByTheLargestError) {
     for (double Figures::*const figure : kErrors) {
         EXPECT_EQ(scoreOfError(figure, 0.0), Score::Exact);
         EXPECT_EQ(scoreOfError(figure, 0.001), Score::Exact);
@@ -37,7 +37,7 @@ TEST(StabilityScore, goesByTheLargestErrorWhicheverItIs) {
     EXPECT_EQ(scoreOf(Figures{.penetration = 0.0005, .residual = 0.05}), Score::Soft);
 }
 
-TEST(StabilityScore, whatHasBadNumbersOrGainsEnergyOrIsTooFastBlowsUp) {
+TEST(StabilityScore, nonFiniteNumbersEnergyGainAndExcessSpeedBlowUp) {
     for (double Figures::*const figure : kErrors) {
         EXPECT_EQ(scoreOfError(figure, kNan), Score::BlowsUp);
         EXPECT_EQ(scoreOfError(figure, kInf), Score::BlowsUp);
@@ -52,17 +52,17 @@ TEST(StabilityScore, whatHasBadNumbersOrGainsEnergyOrIsTooFastBlowsUp) {
     EXPECT_EQ(scoreOf(Figures{.speeding = kNan}), Score::BlowsUp);
 }
 
-TEST(StabilityScore, saysWhichFigureDecided) {
+TEST(StabilityScore, namesTheDecisiveFigure) {
     EXPECT_EQ(reasonOf(Figures{.penetration = 0.05}), "overlap of 5.0 %");
     EXPECT_EQ(reasonOf(Figures{.joints = 0.005}), "joints open by 0.500 %");
     EXPECT_EQ(reasonOf(Figures{.penetration = 0.1, .off = 0.5}), "off by 50 %");
-    EXPECT_EQ(reasonOf(Figures{.residual = 0.25}), "moves at 25 % of a fall");
+    EXPECT_EQ(reasonOf(Figures{.residual = 0.25}), "residual speed of 25 % of a fall");
     EXPECT_EQ(reasonOf(Figures{.off = 3.0, .energyGain = 0.7}), "energy grew by 70 %");
-    EXPECT_EQ(reasonOf(Figures{.speeding = 2.5}), "2.5 times as fast as anything explains");
-    EXPECT_EQ(reasonOf(Figures{.off = kNan}), "numbers went bad");
+    EXPECT_EQ(reasonOf(Figures{.speeding = 2.5}), "2.5 times the maximum expected speed");
+    EXPECT_EQ(reasonOf(Figures{.off = kNan}), "a number is not finite");
 }
 
-TEST(StabilityScore, everyScoreHasASignAndAColourOfItsOwn) {
+TEST(StabilityScore, everyScoreHasAUniqueSignAndColour) {
     std::set<char> signs;
     std::set<std::string_view> fills;
     for (int i = 0; i < static_cast<int>(Score::Count); ++i) {
@@ -77,7 +77,7 @@ TEST(StabilityScore, everyScoreHasASignAndAColourOfItsOwn) {
     EXPECT_EQ(scoreOf('?'), Score::BlowsUp);
 }
 
-TEST(StabilityScore, aReachIsWithoutABreakAroundTheEasiest) {
+TEST(StabilityScore, aRangeIsContiguousAroundTheEasiestColumn) {
     constexpr Score X = Score::BlowsUp, W = Score::Wrong, S = Score::Soft, E = Score::Exact;
     const std::array<Score, 6> row{E, S, W, E, X, E};
     EXPECT_EQ(reachOf(row, 0, S), (Reach{0, 2}));

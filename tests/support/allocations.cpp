@@ -6,7 +6,7 @@
 
 namespace {
 
-// Audio devices allocate on threads of their own.
+// Atomic, because audio devices allocate in their own threads.
 std::atomic<std::size_t> made{0};
 std::atomic<std::size_t> freed{0};
 
@@ -34,8 +34,8 @@ void release(void* memory) noexcept {
 
 }  // namespace
 
-// The whole family except nothrow with alignment, which is never called:
-// otherwise a sanitizer's own members of it would be mixed with ours.
+// Replaces all operators new and delete except nothrow with alignment, which is never called. If only
+// some were replaced, a sanitizer's operators would be mixed with these.
 void* operator new(std::size_t size) { return allocateOrThrow(size); }
 void* operator new[](std::size_t size) { return allocateOrThrow(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }

@@ -4,7 +4,8 @@
 
 namespace plumb::test {
 
-/// What the program asked operator new for since it began. Programs that use it compile allocations.cpp too.
+/// Number of memory blocks allocated and freed by operators new and delete since the program began. Programs
+/// that use it must also compile allocations.cpp.
 struct Allocations {
     std::size_t made = 0;
     std::size_t freed = 0;

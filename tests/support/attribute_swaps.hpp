@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/text.hpp"
 #include "codec/xml.hpp"
+#include "core/text.hpp"
 #include "tests/support/type_swaps.hpp"
 
 namespace plumb::test {
 
-/// All files that differ from a good one of XML in a single attribute, or in the text of a single element.
+/// All variants of a valid XML file that differ from it in one attribute or in the text of one element.
 class AttributeSwaps {
 public:
     explicit AttributeSwaps(std::string_view text) : text_{text} {
@@ -23,7 +23,7 @@ public:
     AttributeSwaps(AttributeSwaps&&) = delete;
 
     [[nodiscard]] std::size_t count() const { return values_.size() * kStrangers.size(); }
-    /// "object width at 812 = nan"
+    /// Returns a description of the change: "object width at 812 = nan".
     [[nodiscard]] std::string name(std::size_t index) const {
         const Value& value = values_[index / kStrangers.size()];
         return format("{} at {} = {}", value.name, value.begin,
@@ -49,7 +49,7 @@ private:
         return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '/' || c == '>';
     }
 
-    /// The values of one tag, and the text behind it.
+    /// Collects the attribute values of a tag, and the text after it.
     void collect(std::size_t tag) {
         if (tag + 1 >= text_.size() || text_[tag + 1] == '/' || text_[tag + 1] == '!') return;
         std::size_t at = tag + 1;

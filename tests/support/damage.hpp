@@ -10,18 +10,17 @@
 
 namespace plumb::test {
 
-/// Some bytes of the text are others now, as after a bad disk.
-/// @param most  how many are replaced at the most; at least one is
-inline std::string withWrongBytes(std::string bytes, Random& random, std::uint32_t most = 3) {
+/// Replaces some bytes by random ones, as a defective disk does.
+/// @param maximum  maximum number of replaced bytes; the minimum is one
+inline std::string withWrongBytes(std::string bytes, Random& random, std::uint32_t maximum = 3) {
     if (bytes.empty()) return bytes;
-    for (std::uint32_t n = 1 + random.below(most); n > 0; --n) {
+    for (std::uint32_t n = 1 + random.below(maximum); n > 0; --n) {
         bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<char>(random.below(256));
     }
     return bytes;
 }
 
-/// Damages a file of JSON as disks, editors and people do: bytes change, parts vanish, come twice, or are
-/// replaced by what does not belong there.
+/// Damages a JSON file as disks, editors and users do: changes bytes, and removes, repeats or replaces parts.
 inline std::string damaged(std::string bytes, Random& random) {
     static constexpr std::array<std::string_view, 21> kTokens{"{",
                                                               "}",

@@ -9,8 +9,8 @@
 
 namespace plumb::test {
 
-/// Maps of other editors: small ones of our own and, where this machine has them, those made
-/// outside of this project: beside the repository, and those of Debian's package `tiled`.
+/// Returns maps of other editors: small ones of this repository and, if they exist on this machine, those in
+/// the folder next to the repository and the examples of Debian's package `tiled`.
 inline std::vector<Path> foreignMaps(std::initializer_list<std::string_view> endings) {
     std::vector<Path> maps;
     for (const Path& folder :

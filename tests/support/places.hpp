@@ -4,8 +4,8 @@
 
 namespace plumb::test {
 
-/// The checkout that the tests were built from. Known when a program is linked, so that the objects of all
-/// tests are the same in every checkout, and a cache of compiled files serves them all.
+/// Returns the root folder of the source tree that the tests were built from. It is set at link time, so that
+/// object files are identical in every checkout and can be shared by a compiler cache.
 std::filesystem::path sourceFolder();
 
 }  // namespace plumb::test

@@ -17,7 +17,7 @@
 
 namespace plumb {
 
-/// Gives a field any value that a file can hold, through reflection only.
+/// Sets a field to a random value that a file can store, through reflection only.
 class RandomValues {
 public:
     RandomValues(World& world, Random& random, const std::vector<EntityId>& entities)
@@ -108,7 +108,7 @@ private:
             case FieldKind::List: {
                 if (isCurve(field)) return put(value, curve(field));
                 const auto count = random_.below(static_cast<std::uint32_t>(field.capacity) + 1);
-                *field.listCount(value) = count;
+                field.countOf(value) = count;
                 for (std::uint32_t i = 0; i < count; ++i) {
                     fillValue(field, field.element, static_cast<char*>(value) + i * field.elementSize,
                               field.elementSize);
@@ -123,8 +123,8 @@ private:
     const std::vector<EntityId>& entities_;
 };
 
-/// A scene in the world whose entities have random components with random values.
-/// @param all  the first entity has every component there is
+/// Adds a scene whose entities have random components with random values.
+/// @param all  the first entity has all component types
 inline SceneId addRandomScene(World& world, const TypeRegistry& types, std::uint64_t seed,
                               std::uint32_t count, bool all) {
     Random random = Random::seeded(seed);

@@ -22,16 +22,16 @@ inline constexpr bool kSanitized = false;
 inline constexpr bool kSanitized = false;
 #endif
 
-/// What reading one small file may take, whatever stands in it: time of the processor, which does not grow
-/// when other programs run, and memory. Where the system does not say how much memory a process had at its
-/// peak, and under sanitizers, which keep memory that was given back, only the time is looked at.
+/// Checks that reading a small file with any content does not exceed limits of CPU time, which does not
+/// depend on other programs, and of memory. Only the time is checked if the system does not report the peak
+/// memory of a process, and with sanitizers, which keep freed memory.
 class ReaderCost {
 public:
     static constexpr std::clock_t kMaxMilliseconds = kSanitized ? 20000 : 2000;
     static constexpr std::int64_t kMaxBytes = std::int64_t{512} << 20;
 
     ReaderCost() {
-        std::ofstream{"/proc/self/clear_refs"} << "5";  // the peak begins anew
+        std::ofstream{"/proc/self/clear_refs"} << "5";  // resets the peak memory
         before_ = bytesOf("VmRSS:");
     }
 
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    /// A line of /proc/self/status, which counts in KiB; 0 where there is none.
+    /// Returns a value of /proc/self/status, converted from KiB to bytes; 0 if there is none.
     static std::int64_t bytesOf(const std::string& name) {
         std::ifstream status{"/proc/self/status"};
         for (std::string line; std::getline(status, line);) {

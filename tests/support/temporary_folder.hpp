@@ -7,7 +7,7 @@
 
 namespace plumb::test {
 
-/// A folder of its own for one test, removed with everything in it at the end.
+/// A temporary folder for one test; the destructor removes it with its content.
 class TemporaryFolder {
 public:
     explicit TemporaryFolder(const std::filesystem::path& where = std::filesystem::temp_directory_path()) {
@@ -25,7 +25,7 @@ public:
     std::filesystem::path path;
 };
 
-/// Where writing a file waits for no disk, for tests that write thousands.
+/// Returns a folder in memory if there is one, for tests that write thousands of files.
 inline std::filesystem::path memoryFolder() {
     const std::filesystem::path memory = "/dev/shm";
     std::error_code failed;

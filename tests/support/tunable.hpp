@@ -1,17 +1,17 @@
 #pragma once
 
-// Included before everything else in a build with PLUMB_TUNABLE: there the constants of physics/tuning.hpp
-// are variables that list themselves here. In other builds the list is empty.
+// Included first in every file of a build with PLUMB_TUNABLE, in which the constants of physics/tuning.hpp
+// are variables that register themselves in a list. In other builds the list is empty.
 
 namespace plumb::tuning {
 
-/// One constant. Numbers of all types are doubles here.
+/// A registered constant; values of all types are stored as double.
 struct Constant {
     const char* name = nullptr;
     const char* unit = nullptr;
     const char* derivation = nullptr;
-    int line = 0;        ///< of the table
-    double value = 0.0;  ///< as in the table
+    int line = 0;        ///< line in physics/tuning.hpp
+    double value = 0.0;  ///< value in physics/tuning.hpp
     void* place = nullptr;
     void (*assign)(void* at, double to) = nullptr;
     const Constant* next = nullptr;
@@ -19,7 +19,7 @@ struct Constant {
     void set(double to) const { assign(place, to); }
 };
 
-/// The last one that was listed; in no particular order.
+/// Head of the linked list of registered constants, in no particular order.
 inline const Constant* constants = nullptr;
 
 template <class T>

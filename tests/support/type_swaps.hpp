@@ -17,7 +17,7 @@
 
 namespace plumb::test {
 
-/// All files that differ from a good one in a single value, which has another type.
+/// All variants of a valid JSON file that differ from it in one value, which has another type.
 class TypeSwaps {
 public:
     explicit TypeSwaps(std::string_view text) {
@@ -31,7 +31,7 @@ public:
     TypeSwaps(TypeSwaps&&) = delete;
 
     [[nodiscard]] std::size_t count() const { return values_.size() * kStrangers.size(); }
-    /// "entities[3].id = [7]"
+    /// Returns a description of the change: "entities[3].id = [7]".
     [[nodiscard]] std::string name(std::size_t index) const {
         return format("{} = {}", values_[index / kStrangers.size()].where,
                       std::string{kStrangers[index % kStrangers.size()]});
@@ -45,8 +45,9 @@ public:
     }
 
 private:
-    /// Every type; lists and objects with and without members; numbers below zero, numbers that no int or
-    /// float can hold, and one that is within most limits but makes much of little.
+    /// Replacement values of every type: arrays and objects with and without members, negative numbers,
+    /// numbers too large for int or float, and one that is within most limits but would create a large
+    /// result.
     static constexpr std::array<std::string_view, 13> kStrangers{
         "null",  "true", "7",   "-7", "16384",     "99999999999999999999", "1e300", "-1e300",
         "\"x\"", "[]",   "[7]", "{}", "{\"x\": 7}"};
@@ -70,7 +71,8 @@ private:
     std::vector<Value> values_;
 };
 
-/// How many files of each kind are read; PLUMB_TYPE_SWAPS says so, and 0 means all that there are.
+/// Returns the maximum number of files to test: the value of PLUMB_TYPE_SWAPS, where 0 means all, else
+/// `usual`.
 inline std::size_t typeSwapLimit(std::size_t usual) {
     const char* wanted = std::getenv("PLUMB_TYPE_SWAPS");
     if (wanted == nullptr) return usual;
@@ -78,14 +80,14 @@ inline std::size_t typeSwapLimit(std::size_t usual) {
     return limit == 0 ? ~std::size_t{0} : limit;
 }
 
-/// The place of the `index`th of `wanted` that are spread over `all`.
+/// Returns the position, among `all` items, of item `index` of `wanted` evenly spread items.
 inline std::size_t placeOf(std::size_t index, std::size_t wanted, std::size_t all) {
     return wanted == all ? index : index * all / wanted;
 }
 
-/// Reads swapped files, spread evenly over all there are of these samples: `read(sample, text)`. None of them
-/// may take much time or memory.
-/// @param usual  how many where the environment says nothing
+/// Calls `read(sample, text)` for modified files, evenly spread over all variants of the samples, and checks
+/// that none takes too much time or memory.
+/// @param usual  number of files if PLUMB_TYPE_SWAPS is not set
 template <class Swaps, class Read>
 void eachSwap(const std::vector<std::string>& samples, std::size_t usual, Read read) {
     std::size_t all = 0;
@@ -93,7 +95,7 @@ void eachSwap(const std::vector<std::string>& samples, std::size_t usual, Read r
     ASSERT_GT(all, 0u);
     const std::size_t wanted = std::min(typeSwapLimit(usual), all);
     const ReaderCost cost;
-    std::size_t first = 0;  // of this sample, counted through all
+    std::size_t first = 0;  // index of this sample's first variant among all variants
     std::size_t next = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         Swaps swaps{samples[i]};
@@ -109,13 +111,13 @@ void eachSwap(const std::vector<std::string>& samples, std::size_t usual, Read r
     testing::Test::RecordProperty("files", std::to_string(wanted));
 }
 
-/// The same of files of JSON.
+/// Calls eachSwap() for JSON files.
 template <class Read>
 void eachTypeSwap(const std::vector<std::string>& samples, std::size_t usual, Read read) {
     eachSwap<TypeSwaps>(samples, usual, read);
 }
 
-/// A refusal says where, what and what to do, and none of it was left to the last line of defense.
+/// Expects an error with place, text and remedy that a reader created itself, not one made from an exception.
 inline void expectReportedWell(const Error& error) {
     EXPECT_FALSE(error.where.empty()) << error.text();
     EXPECT_FALSE(error.what.empty()) << error.text();

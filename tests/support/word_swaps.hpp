@@ -9,7 +9,7 @@
 
 namespace plumb::test {
 
-/// All files that differ from a good one, of lines of words, in a single word.
+/// All variants of a valid text file that differ from it in one word.
 class WordSwaps {
 public:
     explicit WordSwaps(std::string_view text) : text_{text} {

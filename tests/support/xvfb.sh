@@ -1,5 +1,5 @@
-# Sourced by tests that need a real window: starts an X server of their own and points SDL at it.
-# It ends with the test, and so does the program whose process id the test puts into $program.
+# Sourced by tests that need a real window: starts a separate X server and configures SDL to use it.
+# The server and the program whose process id the test stores in $program are stopped at the end of the test.
 #   work=FOLDER; . xvfb.sh
 command -v Xvfb > /dev/null && command -v xdotool > /dev/null || { echo "Xvfb or xdotool is missing: skipped"; exit 77; }
 display=$work/display

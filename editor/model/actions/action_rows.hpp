@@ -3,8 +3,8 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/workspace.hpp"
 
-// One file per menu gives its rows; actions.cpp puts them together in the order of the menus. A new action is
-// one row in one of them.
+// Each file of this folder defines the actions of one menu; actions.cpp joins them in menu order. To add an
+// action, add a row to one of these tables.
 
 namespace plumb::editor {
 
@@ -17,21 +17,21 @@ std::span<const Action> tileActions();
 std::span<const Action> viewActions();
 std::span<const Action> runActions();
 
-// When a row can be chosen.
+// Conditions under which an action is enabled.
 
 inline bool always(const Workspace&) { return true; }
 inline bool editable(const Workspace& w) { return w.canEdit() && !w.document.scenePath.empty(); }
 inline bool anySelection(const Workspace& w) { return !w.document.selection.empty(); }
 inline bool withSelection(const Workspace& w) { return editable(w) && anySelection(w); }
 
-// What a row says.
+// Parts of a table row.
 
 constexpr Shortcut control(Key key, bool shift = false) { return {key, true, shift, false}; }
 constexpr Shortcut shifted(Key key) { return {key, false, true, false}; }
-/// A line between two groups of a menu.
+/// A separator line in a menu.
 constexpr Action line(std::string_view menu) { return {"", menu, "", {}}; }
 
-/// Asks the window for what only it can do.
+/// Sends a request to the window, e.g. to open a dialog.
 template <WindowRequest Request>
 void ask(Workspace& workspace) {
     workspace.request = Request;

@@ -9,12 +9,12 @@ namespace {
 template <Alignment To>
 void align(Workspace& w) {
     if (!alignEntities(w.document, w.undo, w.document.selection.all(), To))
-        w.notice = "They are in line already";
+        w.notice = "The entities are already aligned";
 }
 template <bool Downwards>
 void spread(Workspace& w) {
     if (!spreadEntities(w.document, w.undo, w.document.selection.all(), Downwards))
-        w.notice = "The gaps are equal already";
+        w.notice = "The gaps are already equal";
 }
 bool withTwo(const Workspace& w) { return editable(w) && w.document.selection.size() > 1; }
 bool withThree(const Workspace& w) { return editable(w) && w.document.selection.size() > 2; }
@@ -33,8 +33,8 @@ const std::array kRows{
     row("arrange.middle", "Align middles", withTwo, align<Alignment::Middle>),
     row("arrange.bottom", "Align bottom edges", withTwo, align<Alignment::Bottom>),
     line("Arrange"),
-    row("arrange.spreadAcross", "Equal gaps across", withThree, spread<false>),
-    row("arrange.spreadDown", "Equal gaps downwards", withThree, spread<true>),
+    row("arrange.spreadAcross", "Distribute horizontally", withThree, spread<false>),
+    row("arrange.spreadDown", "Distribute vertically", withThree, spread<true>),
 };
 
 }  // namespace

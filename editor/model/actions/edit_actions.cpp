@@ -11,7 +11,8 @@
 namespace plumb::editor {
 namespace {
 
-// After the step, since what came back to where it was leaves no step: the top one may not be what is undone.
+// The label is read after undo(), which drops an open gesture that changed nothing: the step that was on top
+// before is then not the one undone.
 void undoStep(Workspace& w) {
     if (w.undo.undo()) w.notice = format("Undid: {}", w.undo.label(w.undo.size()));
 }
@@ -21,7 +22,7 @@ void redoStep(Workspace& w) {
 bool canUndo(const Workspace& w) { return w.canEdit() && w.undo.size() > 0; }
 bool canRedo(const Workspace& w) { return w.canEdit() && w.undo.size() < w.undo.total(); }
 
-/// "crate", "3 entities": with what is below them counted once more, "crate and 2 below it".
+/// Returns "crate" or "3 entities", with the number of their descendants: "crate and 2 below it".
 std::string namesOf(const Workspace& w, const std::vector<ObjectId>& ids) {
     const std::vector<ObjectId> roots = outermost(w.document, ids);
     const std::size_t below = withDescendants(w.document, roots).size() - roots.size();
@@ -37,8 +38,8 @@ void duplicate(Workspace& w) {
     w.undo.endGesture();
     w.notice = format("Duplicated {}", names);
 }
-/// @param verb  how the status bar calls it
-void takeOut(Workspace& w, std::string_view verb) {
+/// Deletes the selected entities. @param verb  for the status bar: "Deleted", "Cut"
+void deleteSelected(Workspace& w, std::string_view verb) {
     std::vector<ObjectId> ids = w.document.selection.all();
     const bool root = std::erase(ids, prefabRootOf(w.document)) > 0;
     if (!ids.empty()) {
@@ -46,14 +47,14 @@ void takeOut(Workspace& w, std::string_view verb) {
         w.undo.push(std::make_unique<DeleteEntities>(std::move(ids)));
         w.undo.endGesture();
     }
-    if (root) w.notice = "The first entity of a prefab is the prefab itself; it stays";
+    if (root) w.notice = "The root entity of an open prefab cannot be removed; it stays";
 }
-void remove(Workspace& w) { takeOut(w, "Deleted"); }
+void remove(Workspace& w) { deleteSelected(w, "Deleted"); }
 void copy(Workspace& w) {
     w.clipboard = copyAsText(w.document, w.document.selection.all());
     w.notice = format("Copied {}", namesOf(w, w.document.selection.all()));
 }
-void cut(Workspace& w) { copy(w), takeOut(w, "Cut"); }
+void cut(Workspace& w) { copy(w), deleteSelected(w, "Cut"); }
 void paste(Workspace& w) {
     Pasted pasted = pasteFromText(w.prefabs(), w.clipboard);
     if (pasted.command == nullptr) {
@@ -66,10 +67,10 @@ void paste(Workspace& w) {
                    ? format("Pasted {}", namesOf(w, w.document.selection.all()))
                    : format("Pasted as plain entities: this project has no {}", pasted.unpacked.front());
 }
-/// But for what the mouse goes through.
+/// Selects all entities that are neither hidden nor locked.
 void selectAll(Workspace& w) {
     std::vector<ObjectId> ids = w.document.objects();
-    std::erase_if(ids, [&](ObjectId id) { return isOutOfHand(w.document, id); });
+    std::erase_if(ids, [&](ObjectId id) { return isHiddenOrLocked(w.document, id); });
     w.document.selection.set(std::move(ids));
 }
 void escape(Workspace& w) {
@@ -89,9 +90,9 @@ const std::array kRows{
     Action{"edit.delete", "Edit", "Delete", {Key::Delete}, withSelection, remove, nullptr, {Key::Backspace}},
     Action{"shape.remove",
            "Edit",
-           "Take out the corner",
+           "Remove corner",
            {Key::Delete},
-           [](const Workspace& w) { return editable(w) && w.hasChosen(); },
+           [](const Workspace& w) { return editable(w) && w.hasSelectedPart(); },
            [](Workspace& w) { w.tool().removeChosen(w.tools()); },
            nullptr,
            {Key::Backspace},
@@ -104,7 +105,7 @@ const std::array kRows{
            ask<WindowRequest::FindCommand>},
     Action{"edit.filter", "Edit", "Find in the tree", control(Key::F), always,
            [](Workspace& w) { w.panelToShow = "Scene/filter", w.settings.layout.hidden = false; }},
-    Action{"edit.escape", "Edit", "Cancel or select nothing", {Key::Escape}, always, escape},
+    Action{"edit.escape", "Edit", "Cancel or clear selection", {Key::Escape}, always, escape},
     line("Edit"),
     Action{"edit.preferences", "Edit", "Preferences...", control(Key::Comma), always,
            ask<WindowRequest::Preferences>},

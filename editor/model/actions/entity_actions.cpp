@@ -20,7 +20,7 @@
 namespace plumb::editor {
 namespace {
 
-/// A name that no entity has yet: "new entity", "new entity 2".
+/// Returns a name that no entity has yet: "new entity", "new entity 2".
 std::string freeName(const Document& document, const std::string& wanted) {
     std::set<std::string, std::less<>> taken;
     for (const ObjectId id : document.objects()) taken.insert(document.nameOf(id));
@@ -34,7 +34,7 @@ void create(Workspace& w) {
     w.undo.push(createEntity(w.document, freeName(w.document, "new entity"), at));
     w.undo.endGesture();
 }
-/// An entity with one component in the middle of what is seen.
+/// Creates an entity with one component (and a Transform) in the center of the view.
 template <class T>
 void createWith(Workspace& w, const std::string& wanted, const T& component) {
     Document& document = w.document;
@@ -56,7 +56,7 @@ void createParticles(Workspace& w) { createWith(w, "particles", ParticleEmitter{
 void createCamera(Workspace& w) { createWith(w, "camera", Camera{}); }
 void nudgeOrSay(Workspace& w, Vec2 offset) {
     nudge(w.tools(), offset);
-    if (onlyRootSelected(w.document)) w.notice = kRootStays;
+    if (onlyRootSelected(w.document)) w.notice = kRootCannotMove;
 }
 template <int X, int Y>
 void nudgeBy(Workspace& w) {
@@ -67,7 +67,7 @@ void nudgeGrid(Workspace& w) {
     nudgeOrSay(w, scaled({static_cast<float>(X), static_cast<float>(Y)}, w.grid.size));
 }
 
-// What is selected, in the tree and in the view.
+// Visibility and locks of the selected entities in the editor.
 
 template <void (EntityView::*Set)(ObjectId, bool), bool (EntityView::*Is)(ObjectId) const>
 void switchView(Workspace& w) {
@@ -87,18 +87,18 @@ void showAll(Workspace& w) {
 bool hidesAny(const Workspace& w) { return editable(w) && !w.document.view.showsAll(); }
 void group(Workspace& w) {
     if (!groupEntities(w.document, w.undo, w.document.selection.all()))
-        w.notice = "Parts of a prefab stay where their prefab has them";
+        w.notice = "Parts of a prefab instance cannot be moved in the tree";
 }
 template <int By>
 void stepInTreeBy(Workspace& w) {
     if (!stepInTree(w.document, w.undo, w.document.selection.all().back(), By))
-        w.notice = "It is at the end already, or a part of a prefab";
+        w.notice = "The entity is already first or last among its siblings, or is a part of a prefab";
 }
 
 bool onInstance(const Workspace& w) { return withSelection(w) && w.selectsInstance(); }
 bool changedInstance(const Workspace& w) { return onInstance(w) && instancesDiffer(w); }
-bool comesFromPrefab(const Workspace& w) { return onInstance(w) && !prefabInHand(w).empty(); }
-bool canLeavePrefab(const Workspace& w) { return w.canEdit() && !behindPrefab(w).empty(); }
+bool comesFromPrefab(const Workspace& w) { return onInstance(w) && !selectedPrefab(w).empty(); }
+bool canLeavePrefab(const Workspace& w) { return w.canEdit() && !fileToReturnTo(w).empty(); }
 
 const std::array kRows{
     Action{"entity.create", "Entity", "Create entity", control(Key::N), editable, create},
@@ -118,13 +118,13 @@ const std::array kRows{
     Action{"entity.group", "Entity", "Group", control(Key::G), withSelection, group},
     Action{"entity.earlier",
            "Entity",
-           "Earlier in the tree",
+           "Move up in the tree",
            {Key::Up, false, false, true},
            withSelection,
            stepInTreeBy<-1>},
     Action{"entity.later",
            "Entity",
-           "Later in the tree",
+           "Move down in the tree",
            {Key::Down, false, false, true},
            withSelection,
            stepInTreeBy<1>},
@@ -152,12 +152,12 @@ const std::array kRows{
     Action{
         "entity.makePrefab", "Entity", "Make prefab...", {}, withSelection, ask<WindowRequest::NamePrefab>},
     Action{"entity.editPrefab", "Entity", "Edit prefab", control(Key::E), comesFromPrefab,
-           [](Workspace& w) { askToEditPrefab(w, prefabInHand(w)); }},
-    Action{"entity.leavePrefab", "Entity", "Back from the prefab", control(Key::E, true), canLeavePrefab,
+           [](Workspace& w) { askToEditPrefab(w, selectedPrefab(w)); }},
+    Action{"entity.leavePrefab", "Entity", "Leave prefab", control(Key::E, true), canLeavePrefab,
            askToLeavePrefab},
     Action{"entity.overrides",
            "Entity",
-           "Changes against the prefab...",
+           "Prefab overrides...",
            {},
            onInstance,
            ask<WindowRequest::ShowOverrides>},

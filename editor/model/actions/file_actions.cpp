@@ -5,7 +5,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Also while a game plays: it has a scene of its own.
+/// True also while a game runs, since the game plays a copy of the scene.
 bool hasScene(const Workspace& w) { return !w.document.scenePath.empty(); }
 
 const std::array kRows{

@@ -33,7 +33,7 @@ const std::array kRows{
     line("Run"),
     Action{"run.playPaused", "Run", "Play, paused before the first tick", shifted(Key::F5), editable,
            [](Workspace& w) { w.startPlaying(true); }},
-    Action{"run.watch", "Run", "Watch what was recorded", shifted(Key::F6), inPast,
+    Action{"run.watch", "Run", "Watch the recording", shifted(Key::F6), inPast,
            [](Workspace& w) { w.play.watch(); }},
     line("Run"),
     Action{"run.slower", "Run", "Slower", {Key::F7}, always, speedBy<-1>},

@@ -48,15 +48,15 @@ constexpr std::array<Key, TilePaint::kKept> kDigits{Key::Digit1, Key::Digit2, Ke
                                                     Key::Digit4, Key::Digit5, Key::Digit6,
                                                     Key::Digit7, Key::Digit8, Key::Digit9};
 constexpr std::array<std::array<std::string_view, 4>, TilePaint::kKept> kStampRows{{
-    {"tiles.keep1", "Keep tiles as 1", "tiles.recall1", "Paint with tiles 1"},
-    {"tiles.keep2", "Keep tiles as 2", "tiles.recall2", "Paint with tiles 2"},
-    {"tiles.keep3", "Keep tiles as 3", "tiles.recall3", "Paint with tiles 3"},
-    {"tiles.keep4", "Keep tiles as 4", "tiles.recall4", "Paint with tiles 4"},
-    {"tiles.keep5", "Keep tiles as 5", "tiles.recall5", "Paint with tiles 5"},
-    {"tiles.keep6", "Keep tiles as 6", "tiles.recall6", "Paint with tiles 6"},
-    {"tiles.keep7", "Keep tiles as 7", "tiles.recall7", "Paint with tiles 7"},
-    {"tiles.keep8", "Keep tiles as 8", "tiles.recall8", "Paint with tiles 8"},
-    {"tiles.keep9", "Keep tiles as 9", "tiles.recall9", "Paint with tiles 9"},
+    {"tiles.keep1", "Store tile pattern 1", "tiles.recall1", "Paint with tile pattern 1"},
+    {"tiles.keep2", "Store tile pattern 2", "tiles.recall2", "Paint with tile pattern 2"},
+    {"tiles.keep3", "Store tile pattern 3", "tiles.recall3", "Paint with tile pattern 3"},
+    {"tiles.keep4", "Store tile pattern 4", "tiles.recall4", "Paint with tile pattern 4"},
+    {"tiles.keep5", "Store tile pattern 5", "tiles.recall5", "Paint with tile pattern 5"},
+    {"tiles.keep6", "Store tile pattern 6", "tiles.recall6", "Paint with tile pattern 6"},
+    {"tiles.keep7", "Store tile pattern 7", "tiles.recall7", "Paint with tile pattern 7"},
+    {"tiles.keep8", "Store tile pattern 8", "tiles.recall8", "Paint with tile pattern 8"},
+    {"tiles.keep9", "Store tile pattern 9", "tiles.recall9", "Paint with tile pattern 9"},
 }};
 
 std::string keysOf(const Workspace& w, std::string_view action) {
@@ -66,15 +66,16 @@ std::string keysOf(const Workspace& w, std::string_view action) {
 template <std::size_t Slot>
 void keepStamp(Workspace& w) {
     w.tiles.kept[Slot] = w.tiles.stamp;
-    w.notice = format("Kept as {}; press {} to paint with it", Slot + 1, keysOf(w, kStampRows[Slot][2]));
+    w.notice = format("Stored as tile pattern {}; press {} to paint with it", Slot + 1,
+                      keysOf(w, kStampRows[Slot][2]));
 }
 template <std::size_t Slot>
 void recallStamp(Workspace& w) {
     if (w.tiles.kept[Slot]) {
         takeStamp(w, *w.tiles.kept[Slot]);
     } else {
-        w.notice =
-            format("Nothing is kept there; {} keeps what is painted now", keysOf(w, kStampRows[Slot][0]));
+        w.notice = format("This tile pattern is empty; press {} to store the current one",
+                          keysOf(w, kStampRows[Slot][0]));
     }
 }
 
@@ -85,7 +86,7 @@ void nudgeCells(Workspace& w) {
 
 template <std::size_t... Slots>
 void addStampRows(std::vector<Action>& rows, std::index_sequence<Slots...>) {
-    // Hidden from menus: nine rows twice would bury the rest.
+    // In no menu: 18 rows would hide the others.
     const auto add = [&](std::string_view id, std::string_view label, Shortcut keys,
                          void (*run)(Workspace&)) {
         rows.push_back({id, "", label, keys, painting, run, nullptr, {}, During::Tiles});
@@ -94,7 +95,7 @@ void addStampRows(std::vector<Action>& rows, std::index_sequence<Slots...>) {
     (add(kStampRows[Slots][2], kStampRows[Slots][3], {kDigits[Slots]}, recallStamp<Slots>), ...);
 }
 
-/// A thing to do with tiles while a tile tool is in the hand.
+/// An action on tiles, enabled while a tile tool is active.
 constexpr Action row(std::string_view id, std::string_view label, Shortcut keys,
                      bool (*enabled)(const Workspace&), void (*run)(Workspace&),
                      bool (*on)(const Workspace&) = nullptr, Shortcut alternative = {}) {
@@ -109,8 +110,8 @@ std::vector<Action> makeRows() {
     std::vector<Action> rows{
         row("tiles.flipX", "Flip left to right", {Key::X}, painting, changeStamp<flippedX>),
         row("tiles.flipY", "Flip upside down", {Key::Y}, painting, changeStamp<flippedY>),
-        row("tiles.turn", "Turn right", {Key::Z}, painting, changeStamp<turned>),
-        row("tiles.turnBack", "Turn left", shifted(Key::Z), painting, changeStamp<turnedBack>),
+        row("tiles.turn", "Rotate right", {Key::Z}, painting, changeStamp<turned>),
+        row("tiles.turnBack", "Rotate left", shifted(Key::Z), painting, changeStamp<turnedBack>),
         row(
             "tiles.random", "Random tiles of the pattern", {Key::D}, painting,
             [](Workspace& w) { w.tiles.random = !w.tiles.random; },
@@ -131,10 +132,10 @@ std::vector<Action> makeRows() {
             [](Workspace& w) { w.toggleOverlay("collision"); },
             [](const Workspace& w) { return w.shows("collision"); }),
         layerRow(
-            "tiles.rightErases", "Right button erases", {},
+            "tiles.rightErases", "Right mouse button erases", {},
             [](Workspace& w) { w.tiles.rightErases = !w.tiles.rightErases; },
             [](const Workspace& w) { return w.tiles.rightErases; }),
-        layerRow("tiles.retile", "Choose the tiles of terrain anew", {}, retileLayer),
+        layerRow("tiles.retile", "Update terrain tiles", {}, retileLayer),
         line("Tiles"),
         Action{"layer.add", "Tiles", "Add layer", {}, editable, addTileLayer},
         layerRow("layer.above", "Layer above", control(Key::PageUp),
@@ -146,7 +147,7 @@ std::vector<Action> makeRows() {
         layerRow("layer.lower", "Lower layer", control(Key::PageDown, true),
                  [](Workspace& w) { moveTileLayer(w, -1); }),
         layerRow(
-            "layer.solo", "Only this layer", {Key::H},
+            "layer.solo", "Show only this layer", {Key::H},
             [](Workspace& w) { w.document.view.toggleSolo(layer(w)); },
             [](const Workspace& w) { return w.document.view.solo() && w.document.view.solo() == layer(w); }),
         layerRow(

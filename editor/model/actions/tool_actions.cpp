@@ -5,7 +5,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Takes the tool of this id into the hand.
+/// An action that activates the tool of this id.
 constexpr Action tool(std::string_view id, std::string_view label, Key key, During during = During::Always) {
     return {id, "Tool", label, {key}, editable, nullptr, nullptr, {}, during};
 }

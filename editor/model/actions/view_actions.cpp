@@ -14,7 +14,7 @@ void frameAll(Workspace& w) {
     if (const auto box = boundsOf(w.document, w.document.objects())) w.view.frame(*box);
 }
 
-/// About the middle of the view.
+/// Zooms about the center of the view.
 template <int Steps>
 void zoomBy(Workspace& w) {
     w.view.zoomAt(w.view.view().size * 0.5f, static_cast<float>(Steps));
@@ -31,9 +31,9 @@ bool snapsTo(const Workspace& w) {
 }
 void hidePanels(Workspace& w) {
     w.settings.layout.hidden = !w.settings.layout.hidden;
-    w.notice = w.settings.layout.hidden ? w.settings.keys.shownOf(*findAction("view.hidePanels")).text() +
-                                              " shows the panels again"
-                                        : "";
+    w.notice = w.settings.layout.hidden
+                   ? w.settings.keys.shownOf(*findAction("view.hidePanels")).text() + " shows the panels"
+                   : "";
 }
 template <std::size_t Index>
 void usePreset(Workspace& w) {
@@ -45,12 +45,12 @@ void usePreset(Workspace& w) {
 const std::array kRows{
     Action{"view.frame", "View", "Frame selection", {Key::F}, anySelection, frameSelection},
     Action{"view.all", "View", "Frame all", {Key::Home}, always, frameAll, nullptr, shifted(Key::F)},
-    Action{"view.camera", "View", "Frame what the camera sees", control(Key::Home), always,
+    Action{"view.camera", "View", "Frame the camera's area", control(Key::Home), always,
            [](Workspace& w) { w.showStart(); }},
     Action{"view.actual", "View", "Actual size", control(Key::Digit0), always,
            [](Workspace& w) { w.view.setZoom(1.0f); }},
-    Action{"view.closer", "View", "Closer", {Key::Equals}, always, zoomBy<2>, nullptr, {Key::PadPlus}},
-    Action{"view.farther", "View", "Farther", {Key::Minus}, always, zoomBy<-2>, nullptr, {Key::PadMinus}},
+    Action{"view.closer", "View", "Zoom in", {Key::Equals}, always, zoomBy<2>, nullptr, {Key::PadPlus}},
+    Action{"view.farther", "View", "Zoom out", {Key::Minus}, always, zoomBy<-2>, nullptr, {Key::PadMinus}},
     line("View"),
     Action{"view.snap", "View", "Snap", shifted(Key::S), always,
            [](Workspace& w) { w.grid.snap = !w.grid.snap; }, [](const Workspace& w) { return w.grid.snap; }},
@@ -77,7 +77,7 @@ const std::array kRows{
            snapsTo<SnapTo::Pixel>},
     Action{"view.snapAngles",
            "View",
-           "Turn in steps",
+           "Rotate in steps",
            {},
            always,
            [](Workspace& w) { w.grid.snapAngles = !w.grid.snapAngles; },

@@ -43,11 +43,12 @@ std::string AnimationEdit::open(std::string_view path) {
             workspace_.undo.endGesture();
         }
     }
-    if (assetKindOf(wanted) != AssetKind::Animation) return format("{} is no animation and no picture", path);
+    if (assetKindOf(wanted) != AssetKind::Animation)
+        return format("{} is neither an animation nor an image", path);
     path_ = wanted;
     id_ = workspace_.assets.loadAnimation(path_);
     static_cast<void>(workspace_.assets.pollChanges(workspace_.assets.size()));
-    if (!set().image.empty() && set().frameWidth == 0) sliceByItself();
+    if (!set().image.empty() && set().frameWidth == 0) detectCells();
     return {};
 }
 
@@ -76,9 +77,8 @@ bool AnimationEdit::change(std::string label, const std::function<void(Animation
     AnimationSet changed = set();
     edit(changed);
     if (changed == set()) return false;
-    if (!workspace_.canEdit()) {  // ticks that are played again would come out otherwise
-        workspace_.notice = format("Animations are changed while no game plays: {} stops it",
-                                   keysFor(workspace_, "run.play"));
+    if (!workspace_.canEdit()) {  // a change would make replayed ticks of the game differ
+        workspace_.notice = format("Stop the game to edit animations ({})", keysFor(workspace_, "run.play"));
         return false;
     }
     workspace_.undo.endGesture();
@@ -95,7 +95,7 @@ void AnimationEdit::setCells(CellSize cells) {
     });
 }
 
-bool AnimationEdit::sliceByItself() {
+bool AnimationEdit::detectCells() {
     const CellSize cells = guessCells(sheet());
     if (cells == CellSize{}) return false;
     setCells(cells);
@@ -131,7 +131,7 @@ void AnimationEdit::removeClip(int clip) {
         if (!isIndex(set.clips, clip)) return;
         set.clips.erase(set.clips.begin() + clip);
         for (int state = static_cast<int>(set.states.size()) - 1; state >= 0; --state) {
-            if (set.states[static_cast<std::size_t>(state)].clip == clip) takeStateOut(set, state);
+            if (set.states[static_cast<std::size_t>(state)].clip == clip) eraseState(set, state);
         }
         for (AnimationState& state : set.states) {
             if (state.clip > clip) --state.clip;
@@ -174,7 +174,7 @@ void AnimationEdit::moveFrame(int clip, int from, int to) {
 }
 
 void AnimationEdit::setSeconds(int clip, int frame, float seconds) {
-    change("change how long a frame shows", [&](AnimationSet& set) {
+    change("change the duration of a frame", [&](AnimationSet& set) {
         if (!isIndex(set.clips, clip)) return;
         std::vector<AnimationFrame>& frames = set.clips[static_cast<std::size_t>(clip)].frames;
         if (isIndex(frames, frame))

@@ -9,41 +9,42 @@
 
 namespace plumb::editor {
 
-/// An animation file that is open for editing: its sheet, its cells and its clips; its states are changed by
-/// StateMachineEdit. Every change is one step of undo and is written at once, so that all that show it
-/// follow.
+/// Editor of an open animation file: its sprite sheet, cells and clips (StateMachineEdit edits its states).
+/// Every change is one undo step and is written to the file at once, which updates all users of the
+/// animation.
 class AnimationEdit {
 public:
     explicit AnimationEdit(Workspace& workspace) : workspace_{workspace} {}
 
-    /// Opens an animation file, or makes one of a picture beside it and opens that.
-    /// @return what went wrong, for the person; empty: nothing
+    /// Opens an animation file. For an image file, opens the animation file beside it, which is created if
+    /// needed.
+    /// @return an error message for the user; empty on success
     std::string open(std::string_view path);
     void close() { path_.clear(); }
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] AnimationId id() const { return id_; }
     [[nodiscard]] Workspace& workspace() const { return workspace_; }
-    /// The file as it is now, also after undo or another program's change.
+    /// The present content of the file, including changes by undo or other programs.
     [[nodiscard]] const AnimationSet& set() const;
-    /// The sheet's pixels; empty when there are none.
+    /// The pixels of the sheet; empty if it has none.
     [[nodiscard]] const Image& sheet();
     [[nodiscard]] int columns();
     [[nodiscard]] int rows();
     [[nodiscard]] Rect cellOf(const AnimationFrame& frame) const;
 
-    /// Any change of the file; while a game plays it says that it waits for its end.
+    /// Applies any edit to the file. While a game runs, only shows a notice to stop it first.
     /// @param label  completes "Undo …"
-    /// @return       whether something is other than before
+    /// @return       true if the file changed
     bool change(std::string label, const std::function<void(AnimationSet&)>& edit);
 
     void setCells(CellSize cells);
-    /// @return whether cells could be distinguished
-    bool sliceByItself();
-    /// A clip of all cells of the sheet that have something in them, row by row.
+    /// Guesses the cell size from the sheet's pixels (guessCells). @return false if there is no clear grid
+    bool detectCells();
+    /// Adds a clip of all cells of the sheet that are not empty, row by row.
     void addClipOfAll();
     void addClip();
     void removeClip(int clip);
-    /// Keeps the state machine on the same clips.
+    /// Renames a clip. States refer to clips by index, so they keep theirs.
     void renameClip(int clip, std::string_view name);
     void addFrame(int clip, int cellX, int cellY);
     void removeFrame(int clip, int frame);
@@ -57,7 +58,7 @@ private:
     AnimationId id_;
 };
 
-/// Which frame of a clip shows at a time (s since it began); 0 for an empty clip.
+/// Returns the index of a clip's frame at a time (s since its start); 0 for an empty clip.
 int frameAt(const Animation& clip, double seconds);
 
 }  // namespace plumb::editor

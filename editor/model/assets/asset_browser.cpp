@@ -59,7 +59,7 @@ std::string AssetBrowser::rename(std::string_view from, std::string_view to) {
 std::string AssetBrowser::remove(std::string_view path) {
     const std::string name{path};
     if (!workspace_.canEdit()) return "Stop the game first.";
-    if (path == workspace_.document.scenePath) return "This file is open; open another one first.";
+    if (path == workspace_.document.scenePath) return "This scene is open; open another one first.";
     const Result<Done> deleted = deleteAsset(workspace_.prefabs(), path);
     if (!deleted) return deleted.error().text();
     workspace_.notice = format("Deleted {}", name);

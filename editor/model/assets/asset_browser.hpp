@@ -9,8 +9,7 @@
 
 namespace plumb::editor {
 
-/// Looks through the files of the project: where one is, what one searches, what is selected, and what can be
-/// done with it.
+/// State and operations of the asset browser: the open folder, the search, the selected file.
 class AssetBrowser {
 public:
     explicit AssetBrowser(Workspace& workspace);
@@ -18,23 +17,23 @@ public:
     void refresh() { catalog_.refresh(); }
     [[nodiscard]] const AssetCatalog& catalog() const { return catalog_; }
     void enter(std::string_view folder);
-    /// What lies in the folder, or in the whole project what the search finds.
+    /// Returns the content of the open folder, or the files of the whole project that match the search.
     [[nodiscard]] std::vector<AssetItem> shown() const;
-    /// "picture, 32 x 16 px".
+    /// Returns a description: "picture, 32 x 16 px".
     [[nodiscard]] std::string describe(const AssetItem& item);
     [[nodiscard]] std::vector<AssetUse> usesOf(std::string_view path) const;
 
-    /// Each is one step of undo. @return what went wrong, for the person; empty: nothing
+    /// Rename or delete a file, as one undo step. @return an error message for the user; empty on success
     std::string rename(std::string_view from, std::string_view to);
     std::string remove(std::string_view path);
-    /// Moves a file into a folder, under its name.
+    /// Moves a file into a folder, keeping its name.
     void moveInto(std::string_view path, std::string_view folder);
-    /// Puts a file into the scene.
+    /// Adds the asset to the scene (placeAsset).
     void place(std::string_view path, Vec2 at);
 
-    std::string folder;    ///< that is looked at; empty is the project's own
-    std::string search;    ///< words; empty shows the folder
-    std::string selected;  ///< path
+    std::string folder;    ///< open folder; empty: the project's root
+    std::string search;    ///< search words; empty: the folder is shown
+    std::string selected;  ///< path of the selected item
 
 private:
     Workspace& workspace_;

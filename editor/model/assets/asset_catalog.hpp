@@ -11,34 +11,34 @@ namespace plumb::editor {
 
 /// A file or a folder of a project, as the asset browser shows it.
 struct AssetItem {
-    std::string path;                  ///< in the project, with '/'
-    AssetKind kind = AssetKind::None;  ///< None: a folder, or a file that games do not load
+    std::string path;                  ///< path in the project, separated by '/'
+    AssetKind kind = AssetKind::None;  ///< None: a folder, or a file of a type that games do not load
     bool folder = false;
 
-    [[nodiscard]] std::string_view name() const;   ///< behind the last '/'
-    [[nodiscard]] std::string_view title() const;  ///< without the ending, where its picture tells the kind
+    [[nodiscard]] std::string_view name() const;   ///< file name: the path after the last '/'
+    [[nodiscard]] std::string_view title() const;  ///< file name without ".scene.json", ".prefab.json" …
 };
 
-/// What a file is, by its ending.
+/// Returns the kind of a file by its extension.
 AssetKind assetKindOf(std::string_view path);
-/// "picture", "tileset", …; "file" for None.
+/// Returns the name of a kind: "picture", "tileset", …; "file" for None.
 std::string_view nameOfKind(AssetKind kind);
 
-/// The files of a project. Hidden ones and what builds leave behind are not among them.
+/// List of a project's files and folders, without hidden and temporary (.tmp) ones.
 class AssetCatalog {
 public:
     explicit AssetCatalog(Path root) : root_{std::move(root)} {}
 
-    /// Reads the folders again. About 3 us a file.
+    /// Reads the folders again; takes about 3 us per file.
     void refresh();
-    /// Grows when something came, went or was renamed.
+    /// Increases when a file or folder is added, removed or renamed.
     [[nodiscard]] std::uint32_t revision() const { return revision_; }
 
-    /// Everything, folders before what is in them, sorted without regard to case.
+    /// All files and folders, sorted by path.
     [[nodiscard]] const std::vector<AssetItem>& all() const { return items_; }
-    /// What lies directly in a folder, folders first. @param folder  empty: the project's own
+    /// Returns the direct content of a folder, subfolders first. @param folder  empty: the project's root
     [[nodiscard]] std::vector<AssetItem> in(std::string_view folder) const;
-    /// Files whose path has all words of `text` in it, in any case.
+    /// Returns the files whose path contains all words of `text`, ignoring case.
     [[nodiscard]] std::vector<AssetItem> search(std::string_view text) const;
     [[nodiscard]] const Path& root() const { return root_; }
 

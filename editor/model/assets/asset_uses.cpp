@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::string_view kAssets = "assets/";
 
-/// The end of a JSON text that begins behind its quote; npos when it never ends.
+/// Returns the index of the closing quote of a JSON string that starts at `from`, after its opening quote;
+/// npos if there is none.
 std::size_t endOfText(std::string_view json, std::size_t from) {
     for (std::size_t at = from; at < json.size(); ++at) {
         if (json[at] == '\\') {
@@ -19,14 +20,14 @@ std::size_t endOfText(std::string_view json, std::size_t from) {
     return std::string_view::npos;
 }
 
-/// A bare name means a file in assets/.
+/// Returns the name by which JSON files may reference a file directly in assets/; empty for other files.
 std::string_view bareName(std::string_view path) {
     if (!startsWith(path, kAssets)) return {};
     path.remove_prefix(kAssets.size());
     return path.find('/') == std::string_view::npos ? path : std::string_view{};
 }
 
-/// What a text becomes; the text itself when it names something else.
+/// Returns the renamed path if the text is the path `from` or (`folder`) lies below it; else the text itself.
 std::string renamed(std::string_view text, std::string_view from, std::string_view to, bool folder) {
     if (folder) {
         const bool below = startsWith(text, from) && text.size() > from.size() && text[from.size()] == '/';

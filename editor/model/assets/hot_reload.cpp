@@ -10,7 +10,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr double kWatchInterval = 2.0;  // s between two looks for new prefabs
+constexpr double kWatchInterval = 2.0;  // s between two searches for new prefabs
 
 SceneContext contextOf(Workspace& workspace) {
     const PrefabEdit edit = workspace.prefabs();
@@ -28,7 +28,8 @@ void HotReload::watch() {
     for (const std::string& path : w.prefabFiles()) w.assets.load(AssetKind::Prefab, path);
 }
 
-/// A prefab, something pasted, a field: whatever names a file adds its path to the texts of the document.
+/// Loads newly referenced assets: every edit that references a file (a new instance, a paste, a field) adds
+/// its path to the texts of the world.
 void HotReload::loadNewlyNamed() {
     const Document& document = workspace_.document;
     if (document.world.texts().size() == knownTexts_) return;
@@ -47,7 +48,7 @@ std::size_t HotReload::poll(double now) {
     }
     if (AssetStore* playing = w.play.assets(); playing != nullptr && playing != &w.assets)
         static_cast<void>(playing->pollChanges(playing->size()));
-    // A hand that drags something holds on to what it drags.
+    // Nothing is reloaded during a drag, which refers to the present entities.
     if (w.undo.inGesture()) return 0;
     std::size_t taken = 0;
     bool prefabs = false;
@@ -69,7 +70,7 @@ std::size_t HotReload::poll(double now) {
 void HotReload::prefabChanged() {
     Workspace& w = workspace_;
     if (w.document.scenePath.empty()) return;
-    // The text says only what instances have for themselves; the rest comes from the new prefab.
+    // The scene's text holds only the overrides of instances; all else comes from the new prefab.
     const std::string text = w.text();
     if (PrefabLibrary* prefabs = w.prefabs().prefabs) prefabs->forget();
     if (const Result<LoadReport> loaded = reloadDocument(w.document, contextOf(w), text); !loaded)
@@ -81,14 +82,14 @@ void HotReload::sceneChanged() {
     Workspace& w = workspace_;
     std::error_code failed;
     const Path file = w.project.root / w.document.scenePath;
-    if (!std::filesystem::exists(file, failed)) return;  // gone for a moment
-    // What we wrote ourselves is recognised by its hash: to make the text of a large scene takes longer than
-    // a frame.
+    if (!std::filesystem::exists(file, failed)) return;  // it is being replaced by another program
+    // The hash check recognizes the editor's own saves. It comes first because making the text of a large
+    // scene takes longer than a frame.
     w.safety.lookAtFile();
     if (w.safety.onDisk() == FileWatch::State::Same) return;
     const Result<std::string> text = readFile(file);
     if (!text || *text == w.text()) return;
-    if (w.unsaved()) return;  // the person is asked
+    if (w.unsaved()) return;  // the safety dialog asks the user
     const Result<LoadReport> loaded = reloadDocument(w.document, contextOf(w), *text);
     if (!loaded) {
         w.notice = loaded.error().text();
@@ -96,7 +97,7 @@ void HotReload::sceneChanged() {
     }
     w.undo.clear();
     w.safety.opened();
-    w.notice = format("Reloaded {}, which another program changed", w.document.scenePath);
+    w.notice = format("Reloaded {}, which was changed by another program", w.document.scenePath);
     logNote("Editor", "{}", w.notice);
 }
 

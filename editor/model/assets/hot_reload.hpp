@@ -6,19 +6,18 @@
 
 namespace plumb::editor {
 
-/// Follows what other programs do to the files of the project: pictures, sounds, tilesets, animations and
-/// fonts change where they are shown, in a running game too; prefabs change their instances; the scene is
-/// read again while it has no changes of its own; else the safety net asks. Files that an edit names for the
-/// first time are loaded.
+/// Reloads project files that other programs change: images, sounds, tilesets, animations and fonts (in a
+/// running game too), prefabs with all their instances, and the open scene if it has no unsaved changes, else
+/// the user is asked. Also loads assets that an edit references for the first time.
 class HotReload {
 public:
-    static constexpr double kInterval = 0.05;  ///< s between two looks, so that 0.1 s are kept
+    static constexpr double kInterval = 0.05;  ///< s between two checks, so that a change shows within 0.1 s
 
     explicit HotReload(Workspace& workspace) : workspace_{workspace} {}
 
-    /// Looks when it is time to. About 2 us for each file that is loaded.
-    /// @param now  s, of any clock that goes on
-    /// @return     how many files were taken up
+    /// Checks for changed files every `kInterval`; takes about 2 us per loaded file.
+    /// @param now  s, of any monotonic clock
+    /// @return     number of changed files
     std::size_t poll(double now);
 
 private:
@@ -31,7 +30,7 @@ private:
     double next_ = 0.0;
     double nextWatch_ = 0.0;
     std::string watchedScene_;
-    std::size_t knownTexts_ = 0;  // of the document, when its assets were loaded
+    std::size_t knownTexts_ = 0;  // number of the document's texts when its assets were last loaded
 };
 
 }  // namespace plumb::editor

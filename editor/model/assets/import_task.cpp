@@ -89,7 +89,7 @@ void ImportTask::again() {
     list();
 }
 
-void bringIn(Workspace& workspace, const std::string& file) {
+void addDroppedFile(Workspace& workspace, const std::string& file) {
     if (mayBeImported(file)) {
         workspace.importFrom = file;
         workspace.request = WindowRequest::Import;
@@ -98,20 +98,21 @@ void bringIn(Workspace& workspace, const std::string& file) {
     const std::string name = Path{file}.filename().string();
     const Result<std::string> bytes = readFile(file);
     if (assetKindOf(name) == AssetKind::None || !bytes || !workspace.canEdit()) {
-        workspace.notice = bytes ? format("{} is nothing that games load", name) : bytes.error().text();
+        workspace.notice =
+            bytes ? format("{} is not a file type that games can load", name) : bytes.error().text();
         return;
     }
     const std::string path = "assets/" + name;
     std::error_code ignored;
     if (std::filesystem::exists(workspace.project.root / path, ignored)) {
-        workspace.notice = format("There is a file {} already; rename one of them", path);
+        workspace.notice = format("{} already exists; rename one of the files", path);
         return;
     }
     workspace.undo.endGesture();
-    workspace.undo.push(std::make_unique<WriteAsset>(format("bring in {}", name), workspace.project.root,
+    workspace.undo.push(std::make_unique<WriteAsset>(format("add file {}", name), workspace.project.root,
                                                      workspace.assets, path, *bytes));
     workspace.undo.endGesture();
-    workspace.notice = format("Brought in {}", path);
+    workspace.notice = format("Added {}", path);
 }
 
 }  // namespace plumb::editor

@@ -9,39 +9,39 @@
 
 namespace plumb::editor {
 
-/// A row of the list from which a file to import is chosen.
+/// A row of the file list of the import dialog.
 struct ImportRow {
     std::string name;
     bool folder = false;
 };
 
-/// Looks for a file of another editor on this machine and brings it into the project.
+/// Import dialog: browses the file system for files of other editors and imports one into the project.
 class ImportTask {
 public:
     explicit ImportTask(Path project) : project_{std::move(project)}, folder_{project_.parent_path()} {}
 
-    /// Goes to a folder, or to the folder of a file and chooses it. @return false when there is no such thing
+    /// Opens a folder, or selects a file and opens its folder. @return false if the path does not exist
     bool goTo(const Path& path);
     void goUp() { goTo(folder_.parent_path()); }
-    /// Opens a folder of the list, or chooses a file.
+    /// Opens a folder of the list, or selects a file.
     void choose(const ImportRow& row) { goTo(folder_ / row.name); }
 
     [[nodiscard]] const Path& folder() const { return folder_; }
-    /// Folders first, then what may be imported; hidden ones are left out.
+    /// Content of the open folder: subfolders first, then files that can be imported; without hidden ones.
     [[nodiscard]] const std::vector<ImportRow>& rows() const { return rows_; }
-    [[nodiscard]] const Path& file() const { return file_; }  ///< empty: none is chosen
-    /// "Tiled map"; empty when the chosen file is nothing that can be imported.
+    [[nodiscard]] const Path& file() const { return file_; }  ///< selected file; empty: none
+    /// Format of the selected file: "Tiled map"; empty if it cannot be imported.
     [[nodiscard]] std::string_view kind() const;
-    /// Where it goes, as a path in the project; may be changed.
+    /// Path in the project to which the file is imported; the user may change it.
     std::string target;
-    /// Whether something of that name is there and would be replaced.
+    /// True if `target` exists and would be replaced.
     [[nodiscard]] bool replaces() const;
 
-    /// Imports the chosen file. @return whether it worked; `report` or `problem` says more
+    /// Imports the selected file. @return true on success; then `report` is set, else `problem`
     bool run();
     [[nodiscard]] const std::optional<ImportReport>& report() const { return report_; }
     [[nodiscard]] const std::string& problem() const { return problem_; }
-    /// Back to choosing.
+    /// Returns to the file list.
     void again();
 
 private:
@@ -58,8 +58,8 @@ private:
 
 class Workspace;
 
-/// Takes a file that was dropped onto the window: what other editors made is offered for import, pictures,
-/// sounds and fonts are copied into assets/ as one step of undo.
-void bringIn(Workspace& workspace, const std::string& file);
+/// Handles a file that was dropped onto the window: opens the import dialog for files of other editors;
+/// copies assets (images, sounds, fonts, …) into assets/ as one undo step.
+void addDroppedFile(Workspace& workspace, const std::string& file);
 
 }  // namespace plumb::editor

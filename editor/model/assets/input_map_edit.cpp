@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kFile = "project.json";
 constexpr std::string_view kParts[] = {"negative", "positive", "analog"};
 constexpr std::size_t kLongestName = 40;
-constexpr float kPushed = 0.6f;  // ratio of a stick's reach that counts as meant
+constexpr float kPushed = 0.6f;  // deflection from which a stick counts as pushed, as a ratio of its range
 
 using Kind = InputMapEdit::Kind;
 
@@ -52,14 +52,14 @@ const std::string& InputMapEdit::refresh() {
     Result<std::string> text = readFile(workspace_.project.root / kFile);
     std::string now = text ? *std::move(text) : std::string{"{}"};
     if (text_ == now) return problem_;
-    const bool known = text_.has_value();  // else it was not changed: it is only looked at
+    const bool known = text_.has_value();  // false: this is the first read, so nothing changed
     text_ = std::move(now);
     rows_.clear();
     problem_.clear();
     const Result<Json> json = parseJson(*text_, kFile);
     readable_ = json && json->is_object();
     if (!readable_) {
-        problem_ = json ? "project.json is no object" : json.error().text();
+        problem_ = json ? "project.json is not a JSON object" : json.error().text();
         return problem_;
     }
     project_ = *json;
@@ -68,7 +68,7 @@ const std::string& InputMapEdit::refresh() {
     const ActionMap map =
         actionMapFromJson(input == nullptr ? Json::object() : *input, "project.json: input", problems);
     if (!problems.empty()) problem_ = problems.front().text();
-    if (known) wantKeys(workspace_, map);
+    if (known) setPlayedKeys(workspace_, map);
     for (const ActionBindings& action : map.actions) {
         rows_.push_back({Kind::Action,
                          action.name,
@@ -129,9 +129,10 @@ std::size_t InputMapEdit::shared() const {
 
 Result<Done> InputMapEdit::checkName(Kind kind, std::string_view name) const {
     if (name.empty() || name.size() > kLongestName || trimmed(name) != name)
-        return Error{std::string{name}, "this is no name", "write a word, e.g. \"Dash\""};
+        return Error{std::string{name}, "this is not a valid name", "use a name like \"Dash\""};
     if (find(kind, name) != nullptr)
-        return Error{std::string{name}, format("there is such an {}", nameOf(kind)), "choose another name"};
+        return Error{std::string{name}, format("an {} with this name exists", nameOf(kind)),
+                     "choose another name"};
     return Done{};
 }
 
@@ -152,10 +153,10 @@ Result<Done> InputMapEdit::rename(Kind kind, const std::string& from, std::strin
     if (Result<Done> can = ready(); !can) return can;
     if (from == to) return Done{};
     if (!workspace_.canEdit())
-        return Error{from, "the game is playing",
+        return Error{from, "the game is running",
                      format("stop it first ({})", keysFor(workspace_, "run.play"))};
     if (!isNamed(project_, kind, from) || isDefault(kind, from))
-        return Error{from, "every game has this one", "add another one and give that the keys"};
+        return Error{from, "an engine default cannot be renamed", "add a new one with the same keys"};
     if (Result<Done> good = checkName(kind, to); !good) return good;
     Workspace& w = workspace_;
     w.undo.endGesture();
@@ -171,8 +172,8 @@ Result<Done> InputMapEdit::rename(Kind kind, const std::string& from, std::strin
         w.undo.undo();
         return problem;
     }
-    w.notice = made.places() == 0 ? format("{} is {} now; nothing names it", from, to)
-                                  : format("{} is {} now, in {} of {} too; {} takes it back", from, to,
+    w.notice = made.places() == 0 ? format("Renamed {} to {}; no scene or prefab references it", from, to)
+                                  : format("Renamed {} to {}, also in {} of {}; press {} to undo", from, to,
                                            counted(static_cast<std::size_t>(made.places()), "place"),
                                            counted(made.files(), "file"), keysFor(w, "edit.undo"));
     return Done{};
@@ -181,7 +182,7 @@ Result<Done> InputMapEdit::rename(Kind kind, const std::string& from, std::strin
 Result<Done> InputMapEdit::remove(Kind kind, const std::string& name) {
     if (Result<Done> can = ready(); !can) return can;
     if (!isNamed(project_, kind, name))
-        return Error{name, "every game has this one", "take its keys away instead"};
+        return Error{name, "an engine default cannot be removed", "remove its keys instead"};
     Json project = project_;
     makeObject(makeObject(project, "input"), keyOf(kind)).erase(name);
     return write(
@@ -203,13 +204,15 @@ Json InputMapEdit::withList(const Place& place, const std::vector<Binding>& bind
 Result<Done> InputMapEdit::bind(const Place& place, Binding binding) {
     if (Result<Done> can = ready(); !can) return can;
     const Part* part = find(place);
-    if (part == nullptr) return Error{place.name, "there is no such list of keys", "add it first"};
+    if (part == nullptr)
+        return Error{place.name, "this list of keys does not exist", "add the action or axis first"};
     const bool half = binding.kind == BindingKind::PadAxisPlus || binding.kind == BindingKind::PadAxisMinus;
-    if (place.part == "analog" && half) binding.kind = BindingKind::PadAxis;  // the whole stick
+    if (place.part == "analog" && half) binding.kind = BindingKind::PadAxis;  // both directions of the stick
     if (std::find(part->bindings.begin(), part->bindings.end(), binding) != part->bindings.end())
-        return Error{toText(binding), format("{} has it already", place.name), "press another one"};
+        return Error{toText(binding), format("{} already has this binding", place.name), "press another one"};
     if (part->bindings.size() == ActionMap::kMaxBindings)
-        return Error{place.name, format("it has {} already", ActionMap::kMaxBindings), "take one away first"};
+        return Error{place.name, format("it already has {} bindings", ActionMap::kMaxBindings),
+                     "remove one first"};
     std::vector<Binding> bindings = part->bindings;
     bindings.push_back(binding);
     return write(format("bind {} to {}", toText(binding), place.name), withList(place, bindings));
@@ -219,21 +222,21 @@ Result<Done> InputMapEdit::unbind(const Place& place, std::size_t index) {
     if (Result<Done> can = ready(); !can) return can;
     const Part* part = find(place);
     if (part == nullptr || index >= part->bindings.size())
-        return Error{place.name, "there is no such key", "look at the list again"};
+        return Error{place.name, "this binding no longer exists", "check the list again"};
     std::vector<Binding> bindings = part->bindings;
     const std::string text = toText(bindings[index]);
     bindings.erase(bindings.begin() + static_cast<std::ptrdiff_t>(index));
-    return write(format("take {} from {}", text, place.name), withList(place, bindings));
+    return write(format("unbind {} from {}", text, place.name), withList(place, bindings));
 }
 
 Result<Done> InputMapEdit::ready() {
     refresh();
-    if (!readable_) return Error{std::string{kFile}, "it cannot be read", "put it right first"};
+    if (!readable_) return Error{std::string{kFile}, "the file cannot be read", "correct it first"};
     return Done{};
 }
 
 Result<Done> InputMapEdit::write(std::string label, Json project) {
-    workspace_.notice = format("{}: in project.json now", label);
+    workspace_.notice = format("{}: written to project.json", label);
     workspace_.undo.push(std::make_unique<WriteAsset>(std::move(label), workspace_.project.root,
                                                       workspace_.assets, std::string{kFile},
                                                       writeJson(project)));

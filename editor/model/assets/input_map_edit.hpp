@@ -12,13 +12,13 @@
 
 namespace plumb::editor {
 
-/// The actions and axes of a project with their keys, buttons and sticks: the "input" part of project.json.
-/// Every change is one step of undo and is in the file at once; the rest of the file stays as it is. A game
-/// that plays has it from its next new tick on.
+/// Editor of a project's input actions and axes with their keys, buttons and sticks: the "input" object of
+/// project.json. Every change is one undo step and is written to the file at once; the rest of the file stays
+/// unchanged. A running game uses the change from its next new tick on.
 class InputMapEdit {
 public:
     enum class Kind : unsigned char { Action, Axis };
-    /// One list of keys: of an action all of them, of an axis one side or its sticks.
+    /// A list of bindings: all of an action, or those of one part of an axis.
     struct Part {
         std::string key;  ///< "negative", "positive", "analog"; empty for an action
         std::vector<Binding> bindings;
@@ -26,57 +26,58 @@ public:
     struct Row {
         Kind kind = Kind::Action;
         std::string name;
-        bool ofProject = false;  ///< else it is what every game has that says nothing else
+        bool ofProject = false;  ///< listed in project.json; false: an engine default
         std::vector<Part> parts;
     };
-    /// One list in the map.
+    /// Identifies a list of bindings.
     struct Place {
         Kind kind = Kind::Action;
         std::string name;
-        std::string part;  ///< as Part::key
+        std::string part;  ///< Part::key of the list
     };
 
     explicit InputMapEdit(Workspace& workspace) : workspace_{workspace} {}
 
-    /// Reads the file again when it is another one. @return what is wrong with it; empty for nothing
+    /// Reads the file again if it changed. @return an error message; empty if the file is valid
     const std::string& refresh();
     /// Actions first, then axes.
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-    /// What else a key means: "Jump", "Vertical, negative".
+    /// Returns the other lists that contain a binding: "Jump", "Vertical, negative".
     [[nodiscard]] std::vector<std::string> othersOf(Binding binding, const Place& but) const;
-    /// How many keys mean more than one thing.
+    /// Returns the number of bindings that are in more than one list.
     [[nodiscard]] std::size_t shared() const;
 
-    // Changes. @error says why not, for the person
+    // Changes. Errors are messages for the user.
 
     Result<Done> add(Kind kind, std::string_view name);
-    /// Scenes and prefabs that name it follow, all or none; the notice says in how many places.
+    /// Renames an action or axis, also in all scenes and prefabs that reference it; either all files are
+    /// written or none. The notice reports the number of references.
     Result<Done> rename(Kind kind, const std::string& from, std::string_view to);
-    /// One that every game has gets its usual keys back.
+    /// Removes an action or axis from project.json; an engine default gets its default bindings back.
     Result<Done> remove(Kind kind, const std::string& name);
     Result<Done> bind(const Place& place, Binding binding);
     Result<Done> unbind(const Place& place, std::size_t index);
 
 private:
-    /// Whether the map can be changed now, as the file is now.
+    /// Rereads the file. @error  it cannot be read, so the map cannot be changed
     Result<Done> ready();
     Result<Done> write(std::string label, Json project);
-    /// The file with a list of the project's own at this place.
+    /// Returns the project's JSON with the bindings of one list replaced.
     [[nodiscard]] Json withList(const Place& place, const std::vector<Binding>& bindings) const;
     [[nodiscard]] const Part* find(const Place& place) const;
     [[nodiscard]] const Row* find(Kind kind, std::string_view name) const;
     Result<Done> checkName(Kind kind, std::string_view name) const;
 
     Workspace& workspace_;
-    std::optional<std::string> text_;  // of the file, as it was read last
+    std::optional<std::string> text_;  // content of the file when last read
     Json project_ = Json::object();
     std::vector<Row> rows_;
     std::string problem_;
     bool readable_ = false;
 };
 
-/// The key, button or stick that an event is about, when it was pressed or pushed; what belongs to no device,
-/// and modifiers that are let go, are nothing.
+/// Returns the key, button or stick direction that an event reports as pressed; nullopt for all other events
+/// and for key repeats.
 std::optional<Binding> bindingOf(const Event& event);
 
 }  // namespace plumb::editor

@@ -10,7 +10,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr int kMostSteps = 6;  // of one frame: a slow one is not caught up with
+constexpr int kMostSteps = 6;  // per frame; the preview slows down rather than catch up after a slow frame
 
 template <class T>
 const T* itemAt(const std::vector<T>& items, int index) {
@@ -38,7 +38,7 @@ void MachinePreview::restart() {
         FixedList<float, Animator::kParameters>& values = world_.get<Animator>(entity_).parameters;
         if (!values.full()) values.push(parameter.initial);
     }
-    rest_ = kStep;  // the next frame shows its first one
+    rest_ = kStep;  // the next advance() makes one step, which shows the first frame
 }
 
 void MachinePreview::advance(double seconds) {
@@ -50,7 +50,7 @@ void MachinePreview::advance(double seconds) {
     }
 }
 
-/// Values stay with the names of their parameters.
+/// Applies changes of the file's parameters; parameters with the same name and kind keep their values.
 void MachinePreview::follow() {
     if (parameters_ == set().parameters) return;
     const std::vector<AnimationParameter> before = std::exchange(parameters_, set().parameters);
@@ -70,7 +70,7 @@ void MachinePreview::follow() {
 void MachinePreview::enter(int state) {
     auto& animator = world_.get<Animator>(entity_);
     animator.state = state;
-    animator.clip = -1;  // its clip begins anew
+    animator.clip = -1;  // restarts the clip
     animator.ended = false;
     rest_ = std::max(rest_, kStep);
 }

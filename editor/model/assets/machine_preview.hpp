@@ -8,23 +8,23 @@
 
 namespace plumb::editor {
 
-/// Plays the state machine of an animation file while the game does not run, with parameters that the person
-/// sets. It is the engine's own system in a world of one entity, so what is shown is what a game would do.
+/// Previews the state machine of an animation file, with parameters that the user sets. It runs the engine's
+/// AnimationSystem in a world of one entity, so it behaves as in a game.
 class MachinePreview {
 public:
     explicit MachinePreview(AssetStore& assets);
 
-    /// Which file is played; another one begins anew.
+    /// Selects the animation file; another one than before restarts the preview.
     void show(AnimationId animation);
-    /// Goes on by the time since the last frame. What was changed in the file counts from here on.
+    /// Advances by the time since the last frame, after applying changes of the file.
     void advance(double seconds);
-    /// From the first state, with the parameters as they are at the start.
+    /// Restarts from the first state with the initial parameter values.
     void restart();
-    /// Goes to a state, whatever the transitions say.
+    /// Enters a state regardless of transitions.
     void enter(int state);
 
-    [[nodiscard]] int state() const;  ///< -1 when there is none
-    /// What is seen now; null when there is nothing.
+    [[nodiscard]] int state() const;  ///< index of the present state; -1: none
+    /// The present frame, null if there is none.
     [[nodiscard]] const AnimationFrame* frame() const;
     [[nodiscard]] float value(int parameter) const;
     void setValue(int parameter, float value);
@@ -39,8 +39,8 @@ private:
     World world_;
     EntityId entity_;
     AnimationId animation_;
-    std::vector<AnimationParameter> parameters_;  // as they were in the last step
-    double rest_ = 0.0;                           // s that no step has used yet
+    std::vector<AnimationParameter> parameters_;  // parameters of the file at the last step
+    double rest_ = 0.0;                           // s not yet consumed by steps
 };
 
 }  // namespace plumb::editor

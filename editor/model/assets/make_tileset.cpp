@@ -29,7 +29,7 @@ void setTileSize(Tileset& tileset, int width, int height, const Texture& picture
 Result<std::string> makeTileset(Workspace& workspace, std::string_view picture) {
     const std::string shown{picture};
     if (assetKindOf(picture) != AssetKind::Texture)
-        return Error{shown, "a tileset is made of a picture and this is none", "choose a picture"};
+        return Error{shown, "a tileset needs an image, and this file is not one", "select an image file"};
     if (!workspace.canEdit()) return Error{shown, "the game is running", "stop it first"};
     const std::string path = shown.substr(0, shown.rfind('.')) + ".tileset.json";
     std::error_code ignored;
@@ -44,9 +44,8 @@ Result<std::string> makeTileset(Workspace& workspace, std::string_view picture) 
     }
     if (tileset.count == 0) {
         return Error{
-            shown,
-            format("no tile of {} x {} px fits into the picture", tileset.tileWidth, tileset.tileHeight),
-            "set the size of the grid to that of the tiles"};
+            shown, format("no tile of {} x {} px fits into the image", tileset.tileWidth, tileset.tileHeight),
+            "set the grid size to the size of the tiles"};
     }
     workspace.undo.endGesture();
     workspace.undo.push(std::make_unique<WriteAsset>(format("create {}", path), workspace.project.root,

@@ -9,17 +9,17 @@
 
 namespace plumb::editor {
 
-/// Makes a tileset of a picture, beside it, with tiles as large as the cells of the grid: one step of undo.
-/// @return the path of the tileset; that of one which is there already, unchanged
-/// @error  it is no picture, a game is running, or no tile fits into the picture
+/// Creates a tileset file beside an image, with tiles of the size of the editor's grid, as one undo step.
+/// @return the path of the tileset; if the file already exists, it is left unchanged
+/// @error  the file is not an image, a game is running, or no tile fits into the image
 Result<std::string> makeTileset(Workspace& workspace, std::string_view picture);
 
-/// How many tiles of the set's size the picture has room for.
+/// Returns the number of columns and rows of tiles that fit into the image.
 TilesetSize roomFor(const Tileset& tileset, const Texture& picture);
 
-/// Divides the set's picture into tiles of another size. What was special about tiles is lost.
-/// @param width, height  px, at least 1
-/// @param picture        px
+/// Divides a tileset's image into tiles of another size. Properties of tiles and terrains are dropped.
+/// @param width, height  tile size, px, at least 1
+/// @param picture        the tileset's image
 void setTileSize(Tileset& tileset, int width, int height, const Texture& picture);
 
 }  // namespace plumb::editor

@@ -15,13 +15,13 @@ SceneContext contextOf(const PrefabEdit& edit) { return {edit.document.types(), 
 
 std::string nameOf(std::string_view path) { return std::string{path.substr(path.rfind('/') + 1)}; }
 
-/// Where a file lies after a folder around it, or it itself, was moved.
+/// Returns the path of a file after `from`, which is the file itself or a folder, was moved to `to`.
 std::string movedPath(const std::string& path, const std::string& from, const std::string& to) {
     if (path == from) return to;
     return startsWith(path, from + "/") ? to + path.substr(from.size()) : path;
 }
 
-/// Takes a file away; it lies in memory until it is put back.
+/// Deletes a file or an empty folder. The file's content is kept in memory for undo.
 class DeleteAsset final : public FileCommand {
 public:
     DeleteAsset(Path root, std::string path) : root_{std::move(root)}, path_{std::move(path)} {}
@@ -37,7 +37,7 @@ public:
             bytes_ = *std::move(bytes);
         }
         std::filesystem::remove(file, failed);
-        if (failed) logError("Editor", Error{path_, failed.message(), "close what uses it"});
+        if (failed) logError("Editor", Error{path_, failed.message(), "close programs that use the file"});
     }
     void revert(Document&) override {
         std::error_code failed;
@@ -71,7 +71,7 @@ std::vector<MoveAsset::Rewritten> MoveAsset::rewritten(const std::string& from, 
     for (const AssetUse& use : usesOfAsset(edit_.root, from, folder_)) {
         Result<std::string> before = readFile(edit_.root / use.file);
         if (!before) continue;
-        // What this command wrote goes back to the very bytes that were there.
+        // A file that this command wrote gets back exactly its bytes from before.
         const auto known = std::find_if(last_.begin(), last_.end(), [&](const Rewritten& last) {
             return last.path == use.file && last.after == *before;
         });
@@ -87,10 +87,10 @@ Result<Done> MoveAsset::moveFiles(const std::string& from, const std::string& to
     std::error_code failed;
     const Path target = edit_.root / to;
     if (std::filesystem::exists(target, failed))
-        return Error{to, "there is such a file by now", "rename that one first"};
+        return Error{to, "a file with this name exists now", "rename that file first"};
     std::filesystem::create_directories(target.parent_path(), failed);
     std::filesystem::rename(edit_.root / from, target, failed);
-    if (failed) return Error{from, failed.message(), "check that the folder can be written"};
+    if (failed) return Error{from, failed.message(), "check that the folder is writable"};
     for (std::size_t i = 0; i < files.size(); ++i) {
         const Result<Done> written =
             writeFile(edit_.root / movedPath(files[i].path, from, to), files[i].after);
@@ -133,20 +133,20 @@ Result<Done> moveAsset(const PrefabEdit& edit, AssetStore& assets, std::string_v
     if (!target) return target.error();
     std::error_code ignored;
     if (!std::filesystem::exists(*source, ignored))
-        return Error{std::string{from}, "there is no such file", "look at the folder again"};
+        return Error{std::string{from}, "the file does not exist", "refresh the folder"};
     if (from == to) return Done{};
-    if (to.empty() || endsWith(to, "/")) return Error{std::string{to}, "this is no name", "write a name"};
+    if (to.empty() || endsWith(to, "/")) return Error{std::string{to}, "the name is empty", "enter a name"};
     if (std::filesystem::exists(*target, ignored))
-        return Error{std::string{to}, "there is such a file", "choose another name"};
+        return Error{std::string{to}, "a file with this name exists", "choose another name"};
     if (startsWith(to, std::string{from} + "/"))
-        return Error{std::string{to}, "a folder cannot lie in itself", "choose another folder"};
+        return Error{std::string{to}, "a folder cannot be moved into itself", "choose another folder"};
     edit.undo.endGesture();
     edit.undo.push(
         std::make_unique<MoveAsset>(edit, assets, std::string{from}, std::string{to}, std::move(written)));
     edit.undo.endGesture();
     if (std::filesystem::exists(*target, ignored)) return Done{};
     edit.undo.undo();
-    return Error{std::string{from}, "it could not be renamed", "the console says why"};
+    return Error{std::string{from}, "it could not be renamed", "see the console for the reason"};
 }
 
 Result<Done> deleteAsset(const PrefabEdit& edit, std::string_view path) {
@@ -154,9 +154,9 @@ Result<Done> deleteAsset(const PrefabEdit& edit, std::string_view path) {
     if (!file) return file.error();
     std::error_code ignored;
     if (!std::filesystem::exists(*file, ignored))
-        return Error{std::string{path}, "there is no such file", "look at the folder again"};
+        return Error{std::string{path}, "the file does not exist", "refresh the folder"};
     if (std::filesystem::is_directory(*file, ignored) && !std::filesystem::is_empty(*file, ignored))
-        return Error{std::string{path}, "the folder is not empty", "delete what is in it first"};
+        return Error{std::string{path}, "the folder is not empty", "delete its content first"};
     edit.undo.endGesture();
     edit.undo.push(std::make_unique<DeleteAsset>(edit.root, std::string{path}));
     edit.undo.endGesture();

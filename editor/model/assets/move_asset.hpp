@@ -11,11 +11,11 @@
 
 namespace plumb::editor {
 
-/// Gives a file or a folder of the project another path, in all files that name it and in the open scene.
-/// Either everything is written or nothing: what goes wrong is put back and reported in the log.
+/// Moves or renames a file or folder of the project and updates its path in all files that reference it and
+/// in the open scene. If any step fails, everything is restored and the error is logged.
 class MoveAsset final : public FileCommand {
 public:
-    /// @param edit  its parts outlive the command
+    /// @param edit  its document, undo stack and prefabs must outlive the command
     MoveAsset(const PrefabEdit& edit, AssetStore& assets, std::string from, std::string to,
               std::function<void()> written);
 
@@ -26,14 +26,14 @@ public:
     }
 
 private:
-    /// A file that named the asset, with its bytes on both sides.
+    /// A file that references the asset, with its content before and after the move.
     struct Rewritten {
         std::string path;
         std::string before;
         std::string after;
     };
 
-    /// @return whether it worked
+    /// @return true on success
     bool move(Document& document, const std::string& from, const std::string& to);
     Result<Done> moveFiles(const std::string& from, const std::string& to);
     std::vector<Rewritten> rewritten(const std::string& from, const std::string& to) const;
@@ -45,20 +45,19 @@ private:
     bool folder_ = false;
     bool moved_ = false;
     std::function<void()> written_;
-    std::vector<Rewritten> last_;  // what the last move wrote, to give the very bytes back
+    std::vector<Rewritten> last_;  // files written by the last move, to restore exactly their bytes
 };
 
-/// Renames or moves a file or a folder of the project, as one step of undo.
-/// @param to       path in the project; a new name keeps the ending
-/// @param written  called after the files were written, by redo and undo too: the file of the open scene may
-/// be
-///                 among them
-/// @error     no such file, the name is taken, or it leaves the project; nothing has changed then
+/// Renames or moves a file or a folder of the project, as one undo step.
+/// @param to       path in the project, with the file's extension
+/// @param written  called after each apply, undo and redo has written files, which may include the open
+///                 scene's
+/// @error     the file does not exist, `to` exists or is outside the project; nothing has changed then
 Result<Done> moveAsset(const PrefabEdit& edit, AssetStore& assets, std::string_view from, std::string_view to,
                        std::function<void()> written = nullptr);
 
-/// Takes a file out of the project, as one step of undo: undo puts it back. What names it keeps the name.
-/// @error  no such file, or it is a folder that is not empty
+/// Deletes a file or an empty folder of the project, as one undo step. References to it are kept.
+/// @error  the file does not exist, or the folder is not empty
 Result<Done> deleteAsset(const PrefabEdit& edit, std::string_view path);
 
 }  // namespace plumb::editor

@@ -25,14 +25,14 @@
 namespace plumb::editor {
 namespace {
 
-constexpr int kNewLayerCells = 64;  // wide; painting beyond is a matter of the layer's size
+constexpr int kNewLayerCells = 64;  // minimum width of a new tile layer, cells
 
 std::string nameFrom(std::string_view path) {
     const std::string_view name = path.substr(path.rfind('/') + 1);
     return std::string{name.substr(0, name.find('.'))};
 }
 
-/// An entity that is not in the scene yet, to which components are added.
+/// Builder of an entity: collects its components, then inserts it into the scene.
 class NewEntity {
 public:
     NewEntity(Document& document, std::string_view name, Vec2 position) : document_{document} {
@@ -95,12 +95,12 @@ void placeTileset(Workspace& workspace, std::string_view path, NewEntity& entity
     const int width = std::max(cells(picture.x, set.tileWidth), kNewLayerCells);
     layer.cells = workspace.document.world.tiles().add(TileGrid{width, cells(picture.y, set.tileHeight)});
     entity.add(layer);
-    // One expects to stand on ground that was painted with tiles that are solid.
+    // A layer of a tileset with solid tiles collides, as users expect.
     const auto isSolid = [](const Tile& tile) { return tile.shape != TileShape::None || tile.oneWay; };
     if (std::any_of(set.tiles.begin(), set.tiles.end(), isSolid)) entity.add(TileCollider{});
 }
 
-/// By the picture of its first entity.
+/// Returns size and pivot of the sprite of a prefab's root.
 PlacedPicture prefabPicture(Workspace& workspace, std::string_view path) {
     PrefabLibrary* prefabs = workspace.prefabs().prefabs;
     const Result<const Prefab*> prefab = prefabs != nullptr ? prefabs->find(path) : Error{};
@@ -134,11 +134,11 @@ Result<Done> placeAsset(Workspace& workspace, std::string_view path, Vec2 at) {
         return Error{std::string{path}, "no scene is open", "open a scene first"};
     if (kind == AssetKind::Prefab) return addInstance(workspace.prefabs(), path, at);
     if (!canBePlaced(kind)) {
-        return Error{std::string{path}, format("a {} cannot stand in a scene", nameOfKind(kind)),
+        return Error{std::string{path}, format("a {} cannot be placed in a scene", nameOfKind(kind)),
                      "drop a picture, a prefab, a tileset, an animation or a sound"};
     }
     const std::string name = nameFrom(path);
-    // Tiles between pixels would be blurred, or have seams.
+    // Tile layers are placed on whole pixels; between them, tiles would be blurred or show seams.
     if (kind == AssetKind::Tileset) at = {std::round(at.x) + 0.0f, std::round(at.y) + 0.0f};
     NewEntity entity{workspace.document, name, at};
     if (kind == AssetKind::Texture) entity.add(spriteOf(workspace, path));
@@ -168,7 +168,7 @@ PlacedPicture placedPicture(Workspace& workspace, std::string_view path) {
 }
 
 Vec2 placedOnGrid(Vec2 at, const PlacedPicture& picture, Vec2 step) {
-    // On a crossing itself it stays there.
+    // Makes the offset slightly less than half a cell, so that a point exactly on a grid corner stays there.
     constexpr float kJustBefore = 0.001f;
     const Vec2 offset = snapOffset(picture.size, picture.pivot, step);
     const auto along = [](float place, float part, float toOrigin, float cell) {

@@ -22,9 +22,9 @@ Orders ordersOf(const World& world) {
     return orders;
 }
 
-/// Reading a file numbers its entities anew. Steps that can be undone put theirs back by the old numbers, so
-/// these come back, as long as they still say the same order.
-void giveBackOrders(World& world, const Orders& before) {
+/// Restores the entities' old order numbers, to which undo steps refer, after loading has assigned new ones.
+/// Does nothing if the old numbers do not give the order of the loaded file.
+void restoreOrders(World& world, const Orders& before) {
     std::map<int, std::uint64_t> read;
     for (auto [entity, source] : world.query<const SceneEntity>(without<PrefabPart>, withPaused))
         read[source.order] = source.id;
@@ -45,8 +45,9 @@ std::shared_ptr<const SceneRest> restOf(Document& document) {
     return scene == nullptr ? nullptr : scene->rest;
 }
 
-/// What the file said of entities that are not there now and may come back, in words that no component holds.
-void giveBackRest(Document& document, const SceneRest& before) {
+/// Keeps the JSON members unknown to the engine of entities that no longer exist, in case undo recreates
+/// them.
+void restoreRest(Document& document, const SceneRest& before) {
     LoadedScenes* scenes = document.world.findResource<LoadedScenes>();
     LoadedScene* scene = scenes == nullptr ? nullptr : scenes->find(document.scene);
     if (scene == nullptr) return;
@@ -65,7 +66,7 @@ Result<LoadReport> reloadDocument(Document& document, const SceneContext& contex
     const Orders orders = ordersOf(std::as_const(document.world));
     const std::shared_ptr<const SceneRest> rest = restOf(document);
     const std::vector<ObjectId> selected = document.selection.all();
-    // Steps that can be undone name grids of entities that are not there now: no grid may go.
+    // Undo steps refer to tile grids of deleted entities, so all grids are kept.
     const TileStore tiles = document.world.tiles();
     const auto load = [&](std::string_view content) {
         unloadScene(document.world, document.scene);
@@ -76,9 +77,9 @@ Result<LoadReport> reloadDocument(Document& document, const SceneContext& contex
     Result<LoadReport> report = load(text);
     const Result<LoadReport> kept = report ? report : load(before);
     if (kept) document.scene = kept->scene;
-    giveBackOrders(document.world, orders);
+    restoreOrders(document.world, orders);
     document.reindex();
-    if (rest != nullptr) giveBackRest(document, *rest);
+    if (rest != nullptr) restoreRest(document, *rest);
     for (const ObjectId id : selected) {
         if (document.find(id)) document.selection.add(id);
     }

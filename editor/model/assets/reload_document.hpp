@@ -7,9 +7,9 @@
 
 namespace plumb::editor {
 
-/// Puts a text in the place of the document's scene. Entities keep their lasting ids, so that selection and
-/// undo go on; views of the world do not stay valid.
-/// @error  the text is no scene; the document is as before
+/// Replaces the document's scene by the one in a text. Entities keep their ObjectIds, so selection and undo
+/// history stay valid; EntityIds and pointers into the world do not.
+/// @error  the text is not a valid scene; the document is unchanged
 Result<LoadReport> reloadDocument(Document& document, const SceneContext& context, std::string_view text);
 
 }  // namespace plumb::editor

@@ -15,13 +15,13 @@ namespace {
 
 constexpr const char* kProject = "project.json";
 
-/// The same project with another name in a list of its input map, at the same place.
+/// Returns the project's text with one member of an input list renamed, at the same position.
 Result<std::string> projectWith(const std::string& text, const std::string& list, const std::string& from,
                                 const std::string& to) {
     Result<Json> json = parseJson(text, kProject);
     if (!json) return json.error();
-    const Error missing{kProject, format("there is no \"{}\" in its input map any more", from),
-                        "look at it again"};
+    const Error missing{kProject, format("the input map no longer contains \"{}\"", from),
+                        "refresh the list and try again"};
     Json* input = findObject(*json, "input");
     Json* items = input == nullptr ? nullptr : findObject(*input, list);
     if (items == nullptr || !items->contains(from)) return missing;
@@ -48,7 +48,7 @@ std::string RenameAction::label() const { return format("rename {} {} to {}", fi
 Result<std::vector<RenameAction::Rewritten>> RenameAction::rewritten(const Document& document,
                                                                      const std::string& from,
                                                                      const std::string& to) {
-    // What this command wrote goes back to the very bytes that were there.
+    // A file that this command wrote gets back exactly its bytes from before.
     const auto known = [&](const std::string& path, const std::string& now) -> const std::string* {
         for (const Rewritten& last : last_) {
             if (last.path == path && last.after == now) return &last.before;

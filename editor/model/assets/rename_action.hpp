@@ -12,13 +12,13 @@
 
 namespace plumb::editor {
 
-/// Gives an action or an axis of the project another name: in project.json, in all scenes and prefabs that
-/// name it, and in the open document. Either everything is written or nothing: what goes wrong is put back.
+/// Renames an input action or axis of the project: in project.json, in all scenes and prefabs that reference
+/// it, and in the open document. If writing a file fails, all files are restored.
 class RenameAction final : public FileCommand {
 public:
-    /// @param list     of project.json: "actions" or "axes"
-    /// @param field    by which components name it: "action" or "axis"
-    /// @param written  called after the files were written: the file of the open scene may be among them
+    /// @param list     list in project.json: "actions" or "axes"
+    /// @param field    name of the component fields that reference it: "action" or "axis"
+    /// @param written  called after the files, which may include that of the open scene, were written
     RenameAction(const PrefabEdit& edit, AssetStore& assets, std::string list, std::string field,
                  std::string from, std::string to, std::function<void()> written);
 
@@ -29,14 +29,14 @@ public:
     }
 
     [[nodiscard]] bool done() const { return done_; }
-    [[nodiscard]] const Error& problem() const { return problem_; }  ///< why it is not done
-    [[nodiscard]] int places() const { return places_; }  ///< that were changed in scenes and prefabs
+    [[nodiscard]] const Error& problem() const { return problem_; }  ///< error if not done()
+    [[nodiscard]] int places() const { return places_; }  ///< changed references in scenes and prefabs
     [[nodiscard]] std::size_t files() const {
         return last_.size() - 1;
-    }  ///< beside project.json; after `apply`
+    }  ///< number of changed files besides project.json, after `apply`
 
 private:
-    /// A file with its bytes on both sides.
+    /// A file with its content before and after.
     struct Rewritten {
         std::string path;
         std::string before;
@@ -56,7 +56,7 @@ private:
     std::string from_;
     std::string to_;
     std::function<void()> written_;
-    std::vector<Rewritten> last_;  // what was written last, to give the very bytes back; project.json first
+    std::vector<Rewritten> last_;  // files written last, to restore exactly their bytes; project.json first
     Error problem_;
     int places_ = 0;
     bool done_ = false;

@@ -8,12 +8,12 @@
 namespace plumb::editor {
 namespace {
 
-/// Goes through a JSON text and knows at each value by which keys one comes to it.
+/// Iterates over the string values of a JSON text, with the object keys on the path to each.
 class Walker {
 public:
     explicit Walker(std::string_view json) : json_{json} {}
 
-    /// The next text that is a value, without its quotes: from, to. False at the end.
+    /// Finds the next string value: its range without quotes. Returns false at the end.
     bool next(std::size_t& from, std::size_t& to) {
         for (; at_ < json_.size(); ++at_) {
             switch (json_[at_]) {
@@ -24,21 +24,21 @@ public:
                     if (!open_.empty()) open_.pop_back();
                     break;
                 case ',':
-                    if (!open_.empty()) open_.back().wantsKey = open_.back().object;
+                    if (!open_.empty()) open_.back().expectsKey = open_.back().object;
                     break;
                 case '"':
                     from = at_ + 1;
                     to = at_ = endOfText(from);
-                    if (open_.empty() || !open_.back().wantsKey) return ++at_, true;
+                    if (open_.empty() || !open_.back().expectsKey) return ++at_, true;
                     open_.back().key = json_.substr(from, to - from);
-                    open_.back().wantsKey = false;
+                    open_.back().expectsKey = false;
                     break;
                 default: break;
             }
         }
         return false;
     }
-    /// The key by which one comes to the value; @param up  0: its own, 1: that of the object around it
+    /// Returns a key on the path to the value. @param up  0: its own key, 1: that of the enclosing object
     [[nodiscard]] std::string_view key(std::size_t up) const {
         return up < open_.size() ? open_[open_.size() - 1 - up].key : std::string_view{};
     }
@@ -46,7 +46,7 @@ public:
 private:
     struct Around {
         bool object = false;
-        bool wantsKey = false;
+        bool expectsKey = false;
         std::string_view key;
     };
 

@@ -8,18 +8,18 @@
 
 namespace plumb::editor {
 
-/// A text field of a component that names something of the project.
+/// A text field of a component that holds the name of a project item, such as an input action.
 struct NamingField {
     const TypeInfo* type = nullptr;
     const FieldInfo* field = nullptr;
 };
 
-/// The text fields of all components that are called so: "action" names an action of the input map.
+/// Returns all component fields of type text with this name, e.g. "action", which holds an input action.
 std::vector<NamingField> namingFields(const TypeRegistry& types, std::string_view name);
 
-/// Exchanges a text where one of these fields holds it, in the JSON of a scene or a prefab. Everything else
-/// stays byte for byte.
-/// @param times  how often
+/// Replaces the value `from` of these fields by `to` in the JSON text of a scene or prefab. All other bytes
+/// stay unchanged.
+/// @param times  increased by the number of replacements
 std::string withRenamedFields(std::string_view json, const std::vector<NamingField>& fields,
                               std::string_view from, std::string_view to, int& times);
 

@@ -5,8 +5,8 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kLongest = 6.0f;  // times as long as wide: what is longer is a line in a square
-constexpr float kShown = 2.0f;    // times: two cells of a strip of square ones
+constexpr float kLongest = 6.0f;  // maximum ratio of the sides shown whole; a longer strip would be too thin
+constexpr float kShown = 2.0f;    // ratio of the sides of the part shown: two square cells of the strip
 
 }  // namespace
 

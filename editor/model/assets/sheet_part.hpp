@@ -4,9 +4,9 @@
 
 namespace plumb::editor {
 
-/// The part of a picture that a small square can show so that one sees what it is: all of it, or the
-/// beginning of a long strip, such as the first frames of a sheet.
-/// @param size  px of the whole picture
+/// Returns the part of an image to show in a small square thumbnail: all of it, or the start of a long strip
+/// (e.g. the first frames of a sheet).
+/// @param size  size of the whole image, px
 Rect legiblePart(Vec2 size);
 
 }  // namespace plumb::editor

@@ -6,16 +6,16 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::uint8_t kNothing = 8;  // of 255, of opacity
-constexpr int kSmallestCell = 4;      // px
+constexpr std::uint8_t kMaxEmptyAlpha = 8;  // maximum alpha (0 to 255) of a pixel that counts as empty
+constexpr int kSmallestCell = 4;            // px
 
 bool isSolid(const Image& image, int x, int y) {
     const auto at =
         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
-    return image.rgba[at * 4 + 3] > kNothing;
+    return image.rgba[at * 4 + 3] > kMaxEmptyAlpha;
 }
 
-/// Finds what hangs together, one shape after another, without recursion.
+/// Finds connected shapes by flood fill, without recursion.
 class ShapeFinder {
 public:
     explicit ShapeFinder(const Image& image)
@@ -70,7 +70,7 @@ private:
     std::vector<Place> open_;
 };
 
-/// The smallest length that divides a side and whose lines cut no shape.
+/// Returns the smallest cell length that divides the side evenly and cuts through no shape; else the side.
 int cellLength(int side, const std::vector<Rect>& shapes, bool along) {
     for (int length = kSmallestCell; length < side; ++length) {
         if (side % length != 0) continue;

@@ -7,21 +7,22 @@
 
 namespace plumb::editor {
 
-/// The boxes around everything that hangs together in a picture (px), from the top left, row by row. Pixels
-/// that are nearly transparent are nothing; corners hang together too.
-/// @param smallest  px of both sides; what is smaller is dust
+/// Returns the boxes (px) around the connected shapes of an image, row by row from the top left. Nearly
+/// transparent pixels count as empty; diagonal neighbors are connected.
+/// @param smallest  minimum width and height, px; smaller shapes are ignored
 std::vector<Rect> shapesIn(const Image& image, int smallest = 2);
 
-/// The size of the cells into which a sheet falls: the smallest that fills the picture evenly and cuts
-/// through no shape. {0, 0} when there is none but the whole.
+/// Cell size of a sprite sheet.
 struct CellSize {
-    int width = 0;  ///< px
-    int height = 0;
+    int width = 0;   ///< px
+    int height = 0;  ///< px
     friend bool operator==(CellSize, CellSize) = default;
 };
+/// Returns the smallest cell size that divides the image evenly and cuts through no shape; {0, 0} if only the
+/// whole image does.
 CellSize guessCells(const Image& image);
 
-/// Whether a cell of a sheet has anything in it.
+/// True if a cell of a sheet is not empty.
 bool hasContent(const Image& image, const Rect& cell);
 
 }  // namespace plumb::editor

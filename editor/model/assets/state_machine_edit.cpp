@@ -9,22 +9,22 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kMaxSpeed = 1000.0f;  // as the file may say
+constexpr float kMaxSpeed = 1000.0f;  // maximum that the file format allows
 constexpr float kMaxValue = 1e9f;
 
 constexpr std::array kSigns{">", "<", ">=", "<=", "==", "!="};
 
 using Kind = ParameterKind;
 constexpr auto kGameParameters = std::to_array<GameParameter>({
-    {"speed", Kind::Float, "How fast it goes sideways (px/s)"},
-    {"vy", Kind::Float, "How fast it goes down (px/s); up is below 0"},
-    {"grounded", Kind::Bool, "Stands on something"},
-    {"dead", Kind::Bool, "Has no health left"},
-    {"hurt", Kind::Bool, "Was hurt a moment ago, and is safe meanwhile"},
-    {"pressed", Kind::Bool, "Of a button: something stands on it. Of a spring: it throws"},
-    {"open", Kind::Bool, "Of a door"},
-    {"active", Kind::Bool, "Of a checkpoint or a goal: it was reached"},
-    {"stomped", Kind::Bool, "Of an enemy: a player jumped onto it"},
+    {"speed", Kind::Float, "Horizontal speed, px/s"},
+    {"vy", Kind::Float, "Vertical velocity, px/s; negative is up"},
+    {"grounded", Kind::Bool, "True while standing on the ground"},
+    {"dead", Kind::Bool, "True if health is 0"},
+    {"hurt", Kind::Bool, "True shortly after damage, while invulnerable"},
+    {"pressed", Kind::Bool, "Button: something presses it. Spring: it launches something"},
+    {"open", Kind::Bool, "Door: it is open"},
+    {"active", Kind::Bool, "Checkpoint or goal: it was reached"},
+    {"stomped", Kind::Bool, "Enemy: a player jumped on it"},
 });
 
 template <class T>
@@ -50,7 +50,7 @@ std::string freeName(const AnimationSet& set, std::string_view wanted,
     return name;
 }
 
-/// A new name of a parameter, as code would write it.
+/// Returns the default name of a new parameter.
 std::string_view firstName(ParameterKind kind) {
     switch (kind) {
         case Kind::Float: return "number";
@@ -60,12 +60,12 @@ std::string_view firstName(ParameterKind kind) {
     return "trigger";
 }
 
-void takeParameterOut(AnimationSet& set, int parameter) {
+void eraseParameter(AnimationSet& set, int parameter) {
     set.parameters.erase(set.parameters.begin() + parameter);
     for (AnimationTransition& transition : set.transitions) {
-        const std::size_t gone = std::erase_if(
+        const std::size_t removed = std::erase_if(
             transition.when, [&](const AnimationCondition& c) { return c.parameter == parameter; });
-        if (gone > 0 && transition.when.empty()) transition.afterEnd = true;
+        if (removed > 0 && transition.when.empty()) transition.afterEnd = true;
         for (AnimationCondition& condition : transition.when)
             condition.parameter = withoutIndex(condition.parameter, parameter);
     }
@@ -82,7 +82,7 @@ void StateMachineEdit::addState(int clip) {
 
 void StateMachineEdit::removeState(int state) {
     file_.change("remove a state", [&](AnimationSet& set) {
-        if (isIndex(set.states, state)) takeStateOut(set, state);
+        if (isIndex(set.states, state)) eraseState(set, state);
     });
 }
 
@@ -94,7 +94,7 @@ void StateMachineEdit::renameState(int state, std::string_view name) {
 }
 
 void StateMachineEdit::setClip(int state, int clip) {
-    file_.change("choose the clip of a state", [&](AnimationSet& set) {
+    file_.change("set the clip of a state", [&](AnimationSet& set) {
         if (isIndex(set.states, state) && isIndex(set.clips, clip)) at(set.states, state).clip = clip;
     });
 }
@@ -107,7 +107,7 @@ void StateMachineEdit::setSpeed(int state, float speed) {
 }
 
 void StateMachineEdit::beginWith(int state) {
-    file_.change("begin with another state", [&](AnimationSet& set) {
+    file_.change("change the initial state", [&](AnimationSet& set) {
         if (!isIndex(set.states, state)) return;
         std::rotate(set.states.begin(), set.states.begin() + state, set.states.begin() + state + 1);
         const auto moved = [&](int index) { return index == state ? 0 : index < state ? index + 1 : index; };
@@ -126,7 +126,7 @@ void StateMachineEdit::addTransition(int from, int to) {
         AnimationTransition transition;
         transition.from = from;
         transition.to = to;
-        transition.afterEnd = true;  // without a condition it would leave at once
+        transition.afterEnd = true;  // without a condition it would be taken at once
         set.transitions.push_back(std::move(transition));
     });
 }
@@ -214,15 +214,15 @@ void StateMachineEdit::removeParameter(int parameter) {
     if (!isIndex(set().parameters, parameter)) return;
     const std::string name = at(set().parameters, parameter).name;
     const int asked = conditionsOn(set(), parameter);
-    const bool gone =
-        file_.change("remove a parameter", [&](AnimationSet& set) { takeParameterOut(set, parameter); });
-    if (gone && asked > 0)
+    const bool removed =
+        file_.change("remove a parameter", [&](AnimationSet& set) { eraseParameter(set, parameter); });
+    if (removed && asked > 0)
         file_.workspace().notice =
-            format("Removed {} and the {} that asked for it", name,
-                   asked == 1 ? std::string{"condition"} : format("{} conditions", asked));
+            format("Removed {} and {} on it", name,
+                   asked == 1 ? std::string{"1 condition"} : format("{} conditions", asked));
 }
 
-void takeStateOut(AnimationSet& set, int state) {
+void eraseState(AnimationSet& set, int state) {
     set.states.erase(set.states.begin() + state);
     std::erase_if(set.transitions,
                   [&](const AnimationTransition& t) { return t.from == state || t.to == state; });
@@ -245,7 +245,7 @@ AnimationCondition usualCondition(const AnimationSet& set, int parameter) {
     return {parameter, Comparison::Greater, 0.0f};
 }
 
-Asks asksFor(const AnimationSet& set, const AnimationCondition& condition) {
+Asks conditionKind(const AnimationSet& set, const AnimationCondition& condition) {
     if (at(set.parameters, condition.parameter).kind == Kind::Float) return Asks::Number;
     const bool off = holds(condition, 0.0f), on = holds(condition, 1.0f);
     return on == off ? Asks::Number : on ? Asks::On : Asks::Off;
@@ -255,7 +255,7 @@ std::string conditionText(const AnimationSet& set, const AnimationCondition& con
     const AnimationParameter& parameter = at(set.parameters, condition.parameter);
     const char* on = parameter.kind == Kind::Trigger ? "set" : "on";
     const char* off = parameter.kind == Kind::Trigger ? "not set" : "off";
-    switch (asksFor(set, condition)) {
+    switch (conditionKind(set, condition)) {
         case Asks::On: return format("{} is {}", parameter.name, on);
         case Asks::Off: return format("{} is {}", parameter.name, off);
         case Asks::Number: break;
@@ -263,7 +263,7 @@ std::string conditionText(const AnimationSet& set, const AnimationCondition& con
     return format("{} {} {}", parameter.name, signOf(condition.is), condition.value);
 }
 
-std::string whenText(const AnimationSet& set, const AnimationTransition& transition) {
+std::string conditionsText(const AnimationSet& set, const AnimationTransition& transition) {
     std::string text;
     for (const AnimationCondition& condition : transition.when)
         text += (text.empty() ? "" : ", ") + conditionText(set, condition);
@@ -271,7 +271,7 @@ std::string whenText(const AnimationSet& set, const AnimationTransition& transit
     return text.empty() ? "at once" : text;
 }
 
-std::string wayText(const AnimationSet& set, const AnimationTransition& transition) {
+std::string transitionText(const AnimationSet& set, const AnimationTransition& transition) {
     const bool any = transition.from == AnimationTransition::kAnyState;
     return format("{} to {}", any ? std::string{"any"} : at(set.states, transition.from).name,
                   at(set.states, transition.to).name);

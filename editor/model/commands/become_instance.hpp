@@ -11,14 +11,13 @@
 
 namespace plumb::editor {
 
-/// Makes entities that lie in the scene an instance of a prefab that says the same. They stay the same
-/// entities, so references to them stay valid; those below the first one get the ids that parts of a
-/// prefab have.
-/// @pre  the prefab has each of them as a part
+/// Turns a tree of entities into an instance of a prefab with the same content. The entities are kept, so
+/// references to them stay valid; the root's descendants get the ids of parts of the instance.
+/// @pre  each of the entities is a part of the prefab
 class BecomeInstance final : public Command {
 public:
-    /// @param parts     all below the root, and which part of the prefab each of them is
-    /// @param prefabs   outlives the command
+    /// @param parts     all descendants of the root, with the id of the part in the prefab of each
+    /// @param prefabs   must outlive the command
     BecomeInstance(ObjectId root, std::map<ObjectId, std::uint64_t> parts, std::string path,
                    PrefabLibrary& prefabs)
         : root_{root}, parts_{std::move(parts)}, path_{std::move(path)}, prefabs_{prefabs} {}
@@ -28,11 +27,11 @@ public:
     void revert(Document& document) override;
 
 private:
-    /// What an entity was before.
+    /// State of an entity before the command.
     struct Before {
         ObjectId id;
-        ObjectId made;
-        std::vector<ComponentState> states;  ///< of the components that tie it to a scene and a prefab
+        ObjectId made;                       ///< id after the command
+        std::vector<ComponentState> states;  ///< its SceneEntity, PrefabInstance and PrefabPart
     };
 
     static void rename(Document& document, ObjectId from, ObjectId to);
@@ -42,7 +41,7 @@ private:
     std::string path_;
     PrefabLibrary& prefabs_;
     std::vector<Before> before_;
-    std::vector<ObjectId> line_;  // the order of the file
+    std::vector<ObjectId> line_;  // file order before the command
     std::vector<ObjectId> selected_;
 };
 

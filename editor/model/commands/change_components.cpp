@@ -63,7 +63,7 @@ std::unique_ptr<Command> renameEntity(Document& document, ObjectId object, std::
     const TypeInfo& type = document.types().of<Name>();
     std::optional<ComponentState> state;
     if (!name.empty()) {
-        // The text store only grows, so keeping the text is not a change that undo must know.
+        // The text store only grows, so adding a text to it needs no undo.
         const Name value{document.world.texts().add(name)};
         state = ComponentState{&type, FieldValue::of(value).bytes};
     }

@@ -10,12 +10,12 @@
 
 namespace plumb::editor {
 
-/// Exchanges whole components: there or not there, one value or another.
+/// Adds, removes or overwrites whole components of one type.
 class ChangeComponents final : public Command {
 public:
     struct Change {
         ObjectId object;
-        std::optional<ComponentState> state;  ///< nothing: the entity has no such component
+        std::optional<ComponentState> state;  ///< nullopt: the component is removed
     };
 
     ChangeComponents(std::string label, const TypeInfo& type, std::vector<Change> changes)
@@ -36,15 +36,15 @@ private:
 
     std::string label_;
     const TypeInfo& type_;
-    std::vector<Change> changes_;  // what is not in the document now
+    std::vector<Change> changes_;  // states to swap in: the new ones, after `apply` the old ones
 };
 
-/// Gives a component with its defaults to those that lack it.
+/// Adds a default component to the entities that lack it.
 std::unique_ptr<Command> addComponent(const Document& document, const std::vector<ObjectId>& objects,
                                       const TypeInfo& type);
 std::unique_ptr<Command> removeComponent(const Document& document, const std::vector<ObjectId>& objects,
                                          const TypeInfo& type);
-/// An empty name takes the Name away.
+/// Renames an entity. An empty name removes the Name component.
 std::unique_ptr<Command> renameEntity(Document& document, ObjectId object, std::string_view name);
 
 }  // namespace plumb::editor

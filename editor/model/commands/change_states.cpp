@@ -8,7 +8,8 @@ namespace plumb::editor {
 void ChangeStates::swapStates(Document& document) {
     for (Change& change : changes_) {
         const EntityId entity = document.find(change.object);
-        PLUMB_ASSERT(document.world.has(*change.state.type, entity), "ChangeStates of a missing component");
+        PLUMB_ASSERT(document.world.has(*change.state.type, entity),
+                     "ChangeStates: the entity lacks the component");
         const ComponentState next =
             std::exchange(change.state, readComponent(document, *change.state.type, entity));
         writeComponent(document, entity, next);

@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// Exchanges the values of components of several types on any entities, all of which have them.
+/// Overwrites components of several types on several entities. Each entity must have its component.
 class ChangeStates final : public Command {
 public:
     struct Change {
@@ -29,7 +29,7 @@ private:
     void swapStates(Document& document);
 
     std::string label_;
-    std::vector<Change> changes_;  // what is not in the document now
+    std::vector<Change> changes_;  // states to swap in: the new ones, after `apply` the old ones
 };
 
 }  // namespace plumb::editor

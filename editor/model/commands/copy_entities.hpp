@@ -8,8 +8,8 @@
 
 namespace plumb::editor {
 
-/// Copies entities, with all below them, each right behind what it is a copy of, and selects the copies. What
-/// is changed of them in the same gesture belongs to it: a copy that is dragged away is one step.
+/// Copies entities with their descendants, each copy right after its original, and selects the copies. Merges
+/// later changes of the copies in the same gesture, so that dragging a copy is one undo step.
 class CopyEntities final : public Command {
 public:
     explicit CopyEntities(std::vector<ObjectId> originals) : originals_{std::move(originals)} {}
@@ -26,9 +26,9 @@ private:
     [[nodiscard]] std::vector<ObjectId> ids() const;
 
     std::vector<ObjectId> originals_;
-    std::vector<EntityState> copies_;  // made when it is applied first: so that they keep their ids
-    std::vector<ObjectId> sources_;    // of each of them
-    bool changed_ = false;             // since they were put in: they are read again before they go
+    std::vector<EntityState> copies_;  // made by the first `apply`, so that redo keeps their ids
+    std::vector<ObjectId> sources_;    // original of each copy
+    bool changed_ = false;             // merged changes: `revert` must read the copies again
 };
 
 }  // namespace plumb::editor

@@ -21,13 +21,13 @@ std::string DeleteEntities::label() const {
 
 void DeleteEntities::apply(Document& document) {
     selected_ = document.selection.all();
-    const std::vector<ObjectId> doomed = withDescendants(document, objects_);
+    const std::vector<ObjectId> deleted = withDescendants(document, objects_);
     states_.clear();
-    for (const ObjectId id : doomed) {
+    for (const ObjectId id : deleted) {
         states_.push_back(readEntity(document, id));
     }
-    cutReferences(document, doomed);
-    eraseEntities(document, doomed);
+    cutReferences(document, deleted);
+    eraseEntities(document, deleted);
 }
 
 void DeleteEntities::revert(Document& document) {
@@ -39,10 +39,10 @@ void DeleteEntities::revert(Document& document) {
     document.selection.set(selected_);
 }
 
-void DeleteEntities::cutReferences(Document& document, const std::vector<ObjectId>& doomed) {
+void DeleteEntities::cutReferences(Document& document, const std::vector<ObjectId>& deleted) {
     references_.clear();
     std::vector<EntityId> targets;
-    for (const ObjectId id : doomed) {
+    for (const ObjectId id : deleted) {
         targets.push_back(document.find(id));
     }
     std::sort(targets.begin(), targets.end());

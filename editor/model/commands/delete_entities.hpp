@@ -7,8 +7,8 @@
 
 namespace plumb::editor {
 
-/// Takes entities and all below them out of the scene. References to them become null; undo brings all
-/// back with their ids, places and references.
+/// Deletes entities and their descendants. References to them become null; undo restores the entities with
+/// their ids and positions in the file, and the references.
 class DeleteEntities final : public Command {
 public:
     explicit DeleteEntities(std::vector<ObjectId> objects) : objects_{std::move(objects)} {}
@@ -28,7 +28,7 @@ private:
         FieldValue value;
     };
 
-    void cutReferences(Document& document, const std::vector<ObjectId>& doomed);
+    void cutReferences(Document& document, const std::vector<ObjectId>& deleted);
 
     std::vector<ObjectId> objects_;
     std::vector<EntityState> states_;

@@ -9,7 +9,7 @@
 
 namespace plumb::editor {
 
-/// Puts entities into the scene: created, pasted or duplicated ones.
+/// Adds new entities to the scene: created, pasted or duplicated ones.
 class InsertEntities final : public Command {
 public:
     InsertEntities(std::string label, std::vector<EntityState> states)
@@ -28,10 +28,10 @@ private:
     std::vector<EntityState> states_;
 };
 
-/// A new entity with a Transform and a name.
+/// Makes a command that creates an entity with a Transform and, if not empty, a name.
 std::unique_ptr<InsertEntities> createEntity(Document& document, std::string_view name, Vec2 position,
                                              ObjectId parent = {});
-/// Copies of entities and of all below them.
+/// Makes a command that inserts copies of entities and all their descendants.
 std::unique_ptr<InsertEntities> duplicateEntities(Document& document, const std::vector<ObjectId>& objects);
 
 }  // namespace plumb::editor

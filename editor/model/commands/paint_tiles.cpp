@@ -30,7 +30,7 @@ void PaintTiles::Cells::absorb(const Cells& later) {
     if (known.empty()) {
         for (const Cell& cell : list) markNew(cell);
     }
-    // What a place was before the first change of the stroke is what undo brings back.
+    // Undo restores each cell to its state before the stroke's first change of it; later changes are dropped.
     for (const Cell& cell : later.list) {
         if (markNew(cell)) list.push_back(cell);
     }
@@ -58,14 +58,15 @@ void PaintTiles::revert(Document& document) {
 
 void PaintTiles::swapCells(Document& document) {
     const TileLayer* layer = document.world.find<TileLayer>(document.find(layer_));
-    PLUMB_ASSERT(layer != nullptr, "PaintTiles on an entity without tiles");
+    PLUMB_ASSERT(layer != nullptr, "PaintTiles: the entity has no TileLayer");
     if (layer == nullptr) return;
     if (TileGrid* grid = document.world.tiles().edit(layer->cells)) cells_.swapWith(*grid);
     if (terrain_.list.empty()) return;
     if (TileGrid* grid = document.world.tiles().edit(layer->terrain)) terrain_.swapWith(*grid);
 }
 
-/// The store of grids only grows: undo names the old one again, redo the new one.
+/// Swaps the id of the layer's terrain grid. Both grids stay in the world, so undo and redo only change the
+/// id.
 void PaintTiles::swapTerrain(Document& document) {
     if (newTerrain_ == nullptr) return;
     auto* layer = document.world.find<TileLayer>(document.find(layer_));

@@ -12,8 +12,8 @@
 
 namespace plumb::editor {
 
-/// Changes cells of one tile layer, and the terrain under them. A stroke melts into one step that takes
-/// memory by the cells that it changed, however often it went over them.
+/// Changes cells of one tile layer and its terrain. The commands of a stroke merge into one step, whose
+/// memory depends on the number of changed cells, not on how often the stroke passed over them.
 class PaintTiles final : public Command {
 public:
     struct Cell {
@@ -21,11 +21,11 @@ public:
         int y = 0;
         TileCell cell = 0;
     };
-    /// Each place once; those outside the layer are left out.
+    /// Cells to change, each at most once; cells outside the layer are left out.
     struct Change {
         std::vector<Cell> cells;
-        std::vector<Cell> terrain;             ///< ids
-        std::shared_ptr<TileGrid> newTerrain;  ///< the layer's terrain before this change, where it had none
+        std::vector<Cell> terrain;             ///< terrain ids
+        std::shared_ptr<TileGrid> newTerrain;  ///< initial terrain grid for a layer without one
 
         [[nodiscard]] bool empty() const { return cells.empty() && terrain.empty(); }
     };
@@ -45,12 +45,12 @@ public:
     bool absorb(const Command& next) override;
 
 private:
-    /// Cells that are not in the document now.
+    /// Cells to swap in: the new ones, after `apply` the old ones.
     struct Cells {
         using Marks = std::bitset<std::size_t{TileGrid::kChunkSide} * TileGrid::kChunkSide>;
         std::vector<Cell> list;
         std::unordered_map<std::uint64_t, Marks>
-            known;  // by chunk: the places of the list, once it has absorbed
+            known;  // by chunk: cells in `list`, filled by the first `absorb`
         void swapWith(TileGrid& grid);
         void absorb(const Cells& later);
         bool markNew(const Cell& cell);
@@ -61,8 +61,8 @@ private:
     ObjectId layer_;
     std::string label_;
     std::shared_ptr<TileGrid> newTerrain_;
-    TilesId otherTerrain_;  // what is not in the layer now, of the new terrain and what was there before
-    bool stored_ = false;   // the new terrain has its name
+    TilesId otherTerrain_;  // terrain grid to swap in: the new one, after `apply` the old one
+    bool stored_ = false;   // `newTerrain_` was added to the world's grids
     Cells cells_;
     Cells terrain_;
 };

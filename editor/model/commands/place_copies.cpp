@@ -17,18 +17,19 @@ bool isPart(const Document& document, ObjectId id) {
     return document.world.has<PrefabPart>(document.find(id));
 }
 
-/// The entity that has a place in the file: of a part of a prefab its instance; null when it is not there.
+/// Returns the entity that stands for `id` in the file order: for a part of a prefab its instance; null if it
+/// does not exist.
 ObjectId withPlace(const Document& document, ObjectId id) {
     while (const PrefabPart* part = document.world.find<PrefabPart>(document.find(id))) id = {part->instance};
     return document.find(id) ? id : ObjectId{};
 }
 
-/// By the entity that they come to stand behind: copies with what is below them, in the order in which they
-/// are named.
+/// Groups the copies, with their descendants, by the entity after which they are placed; within a group they
+/// keep their order.
 Blocks blocksOf(const Document& document, const std::vector<ObjectId>& copies,
                 const std::vector<ObjectId>& originals) {
     Blocks blocks;
-    std::map<ObjectId, ObjectId> behind;  // of each copy
+    std::map<ObjectId, ObjectId> behind;  // by copy: the entity after which it is placed
     for (std::size_t i = 0; i < copies.size(); ++i) {
         const EntityId entity = document.find(copies[i]);
         const auto parent = behind.find(document.idOf(parentOf(document.world, entity)));
@@ -39,7 +40,7 @@ Blocks blocksOf(const Document& document, const std::vector<ObjectId>& copies,
     return blocks;
 }
 
-/// The second half of putting copies in: they stand at the end before.
+/// Second command of insertCopies: moves the copies, which were inserted at the end, after their originals.
 class PlaceCopies final : public Command {
 public:
     PlaceCopies(std::vector<ObjectId> copies, std::vector<ObjectId> originals)
@@ -63,7 +64,7 @@ void placeCopies(Document& document, const std::vector<ObjectId>& copies,
     std::set<ObjectId> moved;
     for (const auto& [place, block] : blocks) moved.insert(block.begin(), block.end());
     std::vector<ObjectId> line;
-    std::vector<ObjectId> open;  // originals whose followers may still come, the innermost last
+    std::vector<ObjectId> open;  // originals whose descendants are not all listed yet, innermost last
     const auto closeBefore = [&](EntityId next) {
         while (!open.empty() && (!next || !isAncestor(document.world, document.find(open.back()), next))) {
             const std::vector<ObjectId>& block = blocks.at(open.back());

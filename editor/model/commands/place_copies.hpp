@@ -8,19 +8,18 @@
 
 namespace plumb::editor {
 
-/// Lets copies stand behind what they are copies of: behind the original and those below it that follow it in
-/// the file. The copy of a part of a prefab stands behind the instance; a copy whose original is not there
-/// stays where it is.
-/// @param copies     in the document, behind all others, parents before their children
-/// @param originals  of each of them
+/// Moves copies in the file order right after their originals and the descendants that follow these. A copy
+/// of a part of a prefab instance goes after the instance; a copy whose original is missing stays at the end.
+/// @param copies     entities at the end of the document, parents before their children
+/// @param originals  original of each copy
 void placeCopies(Document& document, const std::vector<ObjectId>& copies,
                  const std::vector<ObjectId>& originals);
 
-/// The way back: lets them stand behind all others again, so that these have the places of before.
+/// Reverts placeCopies: moves the copies to the end of the file order, so that all others get back theirs.
 void placeAtEnd(Document& document, const std::vector<ObjectId>& copies);
 
-/// Puts copies in, each behind its original, as one step of undo.
-/// @param originals  of each of them
+/// Inserts copies, each after its original, as one undo step.
+/// @param originals  original of each copy
 void insertCopies(UndoStack& undo, std::unique_ptr<InsertEntities> copies, std::vector<ObjectId> originals);
 
 }  // namespace plumb::editor

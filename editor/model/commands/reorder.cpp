@@ -13,20 +13,20 @@ std::int32_t orderOf(const Document& document, ObjectId id) {
     return document.world.get<SceneEntity>(document.find(id)).order;
 }
 
-/// Parts of prefabs have no place of their own in the file.
+/// True if the entity has its own position in the file order. Parts of prefab instances have none.
 bool hasPlace(const Document& document, ObjectId id) {
     const EntityId entity = document.find(id);
     return entity && !document.world.has<PrefabPart>(entity);
 }
 
-/// An instance and its new place.
+/// A prefab instance and its new order number.
 struct Moved {
     std::uint64_t instance;
     std::int32_t order;
 };
 
-/// The parts of an instance stand where it stands. @param moved  sorted by instance
-void takeParts(Document& document, const std::vector<Moved>& moved) {
+/// Gives the parts of moved instances the order number of their instance. @param moved  sorted by instance
+void moveParts(Document& document, const std::vector<Moved>& moved) {
     document.world.each<const PrefabPart, SceneEntity>([&](const PrefabPart& part, SceneEntity& own) {
         const auto found =
             std::lower_bound(moved.begin(), moved.end(), part.instance,
@@ -35,7 +35,7 @@ void takeParts(Document& document, const std::vector<Moved>& moved) {
     });
 }
 
-bool anyShare(const Document& document, const std::vector<ObjectId>& line) {
+bool anyShareOrder(const Document& document, const std::vector<ObjectId>& line) {
     for (std::size_t i = 1; i < line.size(); ++i) {
         if (orderOf(document, line[i]) == orderOf(document, line[i - 1])) return true;
     }
@@ -51,21 +51,21 @@ std::vector<ObjectId> fileOrder(const Document& document) {
 }
 
 void placeInOrder(Document& document, const std::vector<ObjectId>& line) {
-    std::vector<std::int32_t> places;
-    for (const ObjectId id : line) places.push_back(orderOf(document, id));
-    std::sort(places.begin(), places.end());
+    std::vector<std::int32_t> orders;
+    for (const ObjectId id : line) orders.push_back(orderOf(document, id));
+    std::sort(orders.begin(), orders.end());
     std::vector<Moved> moved;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        // Of two on one place neither would be the first.
-        if (i > 0) places[i] = std::max(places[i], places[i - 1] + 1);
-        if (orderOf(document, line[i]) == places[i]) continue;
+        // Order numbers must be unique, else the order of two entities would be undefined.
+        if (i > 0) orders[i] = std::max(orders[i], orders[i - 1] + 1);
+        if (orderOf(document, line[i]) == orders[i]) continue;
         const EntityId entity = document.find(line[i]);
-        document.world.get<SceneEntity>(entity).order = places[i];
-        if (document.world.has<PrefabInstance>(entity)) moved.push_back({line[i].value, places[i]});
+        document.world.get<SceneEntity>(entity).order = orders[i];
+        if (document.world.has<PrefabInstance>(entity)) moved.push_back({line[i].value, orders[i]});
     }
     std::sort(moved.begin(), moved.end(),
               [](const Moved& a, const Moved& b) { return a.instance < b.instance; });
-    if (!moved.empty()) takeParts(document, moved);
+    if (!moved.empty()) moveParts(document, moved);
     document.reordered();
 }
 
@@ -88,12 +88,12 @@ void Reorder::apply(Document& document) {
         before_.clear();
         return after_.clear();
     }
-    // What stands before and behind all that moves stays on its place.
-    if (!anyShare(document, before_)) keepWhatMoves();
+    // Entities before and after the affected range keep their numbers.
+    if (!anyShareOrder(document, before_)) keepMovedRange();
     placeInOrder(document, after_);
 }
 
-void Reorder::keepWhatMoves() {
+void Reorder::keepMovedRange() {
     std::size_t from = 0;
     std::size_t to = before_.size();
     while (before_[from] == after_[from]) ++from;

@@ -8,17 +8,18 @@
 
 namespace plumb::editor {
 
-/// All that have a place of their own in the file, in its order: all but the parts of prefabs.
+/// Returns the entities in file order, without parts of prefab instances, which have no position of their
+/// own.
 std::vector<ObjectId> fileOrder(const Document& document);
 
-/// Lets entities stand in this order on the places that they have.
+/// Sorts entities into this order by redistributing their order numbers among them.
 void placeInOrder(Document& document, const std::vector<ObjectId>& line);
 
-/// Moves entities to other places in the file, which is the order of the tree. Only what stands elsewhere
-/// afterwards is written, so the file differs in the lines that moved.
+/// Moves entities within the file order, which is also the order of siblings in the tree. Only entities whose
+/// position changes get a new order number.
 class Reorder final : public Command {
 public:
-    /// @param beside  before or behind this entity they come to stand, in the order in which they are named
+    /// @param beside  the entities go before or (`behind`) after this entity, in their order in `objects`
     Reorder(std::vector<ObjectId> objects, ObjectId beside, bool behind)
         : objects_{std::move(objects)}, beside_{beside}, behind_{behind} {}
 
@@ -28,12 +29,13 @@ public:
     [[nodiscard]] bool changesNothing(const Document&) const override { return after_.empty(); }
 
 private:
-    void keepWhatMoves();
+    void keepMovedRange();
 
     std::vector<ObjectId> objects_;
     ObjectId beside_;
     bool behind_;
-    // Those that are in the way, in both orders. Not their numbers: reading a scene again gives out new ones.
+    // The affected range of entities in the old and new order. Ids, not order numbers, because reloading the
+    // scene assigns new numbers.
     std::vector<ObjectId> before_;
     std::vector<ObjectId> after_;
 };

@@ -10,8 +10,8 @@
 namespace plumb::editor {
 namespace {
 
-/// Writes the transform so that the entity has this pose in the world. What is scaled to nothing has no
-/// numbers that would show it elsewhere: in such a parent the old ones stay, and where they would overflow.
+/// Sets the transform so that the entity has this world pose. If the parent is scaled to zero, or the result
+/// would overflow, the transform is left unchanged.
 void place(World& world, EntityId entity, const Pose& pose) {
     const EntityId parent = parentOf(std::as_const(world), entity);
     const Pose outer = parent ? worldPose(world, parent) : Pose{};
@@ -38,7 +38,7 @@ void Reparent::apply(Document& document) {
         const Pose pose = worldPose(world, entity);
         change.parentBefore = document.idOf(parentOf(std::as_const(world), entity));
         change.transformBefore.reset();
-        // Refused when it would close a circle; then taking it back changes nothing either.
+        // setParent refuses to create a cycle; then `revert` changes nothing either.
         const bool same = change.parentBefore == parent_;
         if (same || world.has<PrefabPart>(entity) || !setParent(world, entity, document.find(parent_)))
             continue;

@@ -9,20 +9,20 @@
 
 namespace plumb::editor {
 
-/// What stays the same when an entity gets another parent.
+/// The transform that is kept when an entity gets another parent.
 enum class KeepPlace : unsigned char {
-    InWorld,   ///< it stays where it is on screen: position, rotation and scale are written anew
-    InParent,  ///< its own numbers stay, so it jumps to the same place in the new parent
+    InWorld,   ///< world pose: position, rotation and scale are recomputed for the new parent
+    InParent,  ///< local transform: the entity moves to the same pose relative to the new parent
 };
 
-/// Gives entities another parent, or none. What would become its own ancestor stays where it is, and so do
-/// the parts of a prefab: the file says only with their prefab where they belong.
+/// Gives entities another parent, or none. Skips entities that would become their own ancestor, and parts of
+/// prefab instances, whose parent is defined by the prefab.
 class Reparent final : public Command {
 public:
     Reparent(std::vector<ObjectId> objects, ObjectId parent, KeepPlace keep = KeepPlace::InWorld);
 
     [[nodiscard]] std::string label() const override {
-        return parent_ ? "change parent" : "take from parent";
+        return parent_ ? "change parent" : "remove from parent";
     }
     [[nodiscard]] Subject subject() const override {
         return changes_.empty() ? Subject{} : Subject{changes_.front().object, changes_.size()};

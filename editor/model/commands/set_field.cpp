@@ -31,7 +31,7 @@ bool SetField::changesNothing(const Document& document) const {
 void SetField::swapValues(Document& document) {
     for (Change& change : changes_) {
         void* component = document.world.find(type_, document.find(change.object));
-        PLUMB_ASSERT(component != nullptr, "SetField on an entity without that component");
+        PLUMB_ASSERT(component != nullptr, "SetField: the entity lacks the component");
         const FieldValue next = std::exchange(change.value, readField(document, field_, component));
         writeField(document, field_, component, next);
     }

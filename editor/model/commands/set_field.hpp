@@ -7,8 +7,8 @@
 
 namespace plumb::editor {
 
-/// Sets one field of one component type on any number of entities.
-/// Serves every component there is, through reflection.
+/// Sets one field of one component type on several entities. Works for every component type, through
+/// reflection.
 class SetField final : public Command {
 public:
     struct Change {
@@ -33,7 +33,7 @@ private:
 
     const TypeInfo& type_;
     const FieldInfo& field_;
-    std::vector<Change> changes_;  // the values that are not in the document now
+    std::vector<Change> changes_;  // values to swap in: the new ones, after `apply` the old ones
 };
 
 }  // namespace plumb::editor

@@ -9,11 +9,11 @@
 
 namespace plumb::editor {
 
-/// Exchanges the text of a file of the project, at once and as a whole; what shows it follows. Undo gives the
-/// very bytes back.
+/// Replaces the text of a project file, or creates the file, and reloads it where it is used. Undo restores
+/// exactly the old bytes.
 class WriteAsset final : public FileCommand {
 public:
-    /// @param root, assets  outlive the command
+    /// @param root, assets  must outlive the command
     WriteAsset(std::string label, const Path& root, AssetStore& assets, std::string path, std::string text)
         : label_{std::move(label)},
           root_{root},
@@ -32,8 +32,8 @@ private:
     const Path& root_;
     AssetStore& assets_;
     std::string path_;
-    std::string text_;   // what is not in the file now
-    bool there_ = true;  // whether a file shall be there after the next swap
+    std::string text_;   // text to swap in: the new one, after `apply` the old one
+    bool there_ = true;  // whether the file exists after the next swap
 };
 
 }  // namespace plumb::editor

@@ -11,17 +11,17 @@
 
 namespace plumb::editor {
 
-/// Exchanges the text of a prefab's file, and with it the components of its instances that follow. The file
-/// is written as a whole or not at all; what goes wrong is in the log, and the document still follows.
+/// Replaces the text of a prefab's file and updates the components of its instances. The file is written
+/// completely or not at all; an error is logged, and the document is changed in any case.
 class WritePrefab final : public Command {
 public:
     struct Change {
         ObjectId object;
         const TypeInfo* type = nullptr;
-        std::optional<ComponentState> state;  ///< nothing: the entity has no such component
+        std::optional<ComponentState> state;  ///< nullopt: the component is removed
     };
 
-    /// @param prefabs  outlives the command
+    /// @param prefabs  must outlive the command
     WritePrefab(std::string label, PrefabLibrary& prefabs, Path file, std::string text,
                 std::vector<Change> changes)
         : label_{std::move(label)},
@@ -40,8 +40,8 @@ private:
     std::string label_;
     PrefabLibrary& prefabs_;
     Path file_;
-    std::string text_;             // what is not in the file now
-    std::vector<Change> changes_;  // what is not in the document now
+    std::string text_;             // text to swap in: the new one, after `apply` the old one
+    std::vector<Change> changes_;  // states to swap in: the new ones, after `apply` the old ones
 };
 
 }  // namespace plumb::editor

@@ -7,11 +7,11 @@
 
 namespace plumb::editor {
 
-/// Exchanges the text of a tileset's file; all that show the tileset follow. The file is written as a whole
-/// or not at all; what goes wrong is in the log.
+/// Replaces the text of a tileset's file and reloads the tileset where it is used. The file is written
+/// completely or not at all; errors are logged.
 class WriteTileset final : public FileCommand {
 public:
-    /// @param assets  outlives the command
+    /// @param assets  must outlive the command
     WriteTileset(std::string label, AssetStore& assets, TilesetId tileset, std::string text)
         : label_{std::move(label)}, assets_{assets}, tileset_{tileset}, text_{std::move(text)} {}
 
@@ -26,7 +26,7 @@ private:
     std::string label_;
     AssetStore& assets_;
     TilesetId tileset_;
-    std::string text_;  // what is not in the file now
+    std::string text_;  // text to swap in: the new one, after `apply` the old one
 };
 
 }  // namespace plumb::editor

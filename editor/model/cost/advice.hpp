@@ -11,29 +11,29 @@
 
 namespace plumb::editor {
 
-/// What was measured: the input of the rules.
+/// Measurements from which the rules derive advice.
 struct CostFacts {
     const WhatIfResult& result;
     const PhysicsTape& tape;
 };
 
-/// What a rule has to say.
+/// Advice of one rule for the measured scene.
 struct Advice {
-    std::string_view rule;
+    std::string_view rule;  ///< name of the rule
     std::string words;
     CostRemedy remedy;
-    std::vector<ObjectId> about;  ///< what a click on it selects
+    std::vector<ObjectId> about;  ///< entities that a click on the advice selects
 };
 
-/// One thing that may be wrong with a scene. A row of advice_rules.cpp.
+/// A rule that checks a scene for one kind of problem. The rules are the table in advice_rules.cpp.
 struct AdviceRule {
     std::string_view name;
-    /// Nothing: the scene does not deserve it.
+    /// Returns the advice, or nullopt if the scene does not have this problem.
     std::optional<Advice> (*judge)(const CostFacts& facts);
 };
 std::span<const AdviceRule> adviceRules();
 
-/// What all rules say of a scene, in their order. @pre the result is complete
+/// Returns the advice of all rules for a scene, in the order of the rules. @pre facts.result.complete
 std::vector<Advice> adviceFor(const CostFacts& facts);
 
 }  // namespace plumb::editor

@@ -9,14 +9,14 @@ namespace plumb::editor {
 namespace {
 
 constexpr float kTick = 1.0f / 60.0f;  // s
-constexpr float kHalf = 0.5f;          // an error that much smaller is worth a click
-constexpr float kSaves = 0.8f;         // times the cost: worth a click
-constexpr float kLeastSaved = 5.0f;    // µs: less is noise
-constexpr float kSlowWay = 0.25f;      // of a body's reach in a tick: no CCD needed
-constexpr float kFastWay = 2.0f;       // of it: passes through walls
-constexpr int kRestTicks = 30;         // rests as long as it takes to fall asleep
-constexpr float kManyStays = 100.0f;   // events in a tick
-constexpr float kDearer = 1.1f;        // times the cost: more than noise
+constexpr float kHalf = 0.5f;          // an error below this part of the present one is worth a change
+constexpr float kSaves = 0.8f;         // a cost below this part of the present one is worth a change
+constexpr float kMinSaved = 5.0f;      // µs; smaller savings are noise
+constexpr float kSlowMove = 0.25f;     // movement per tick / body radius below which no CCD is needed
+constexpr float kFastMove = 2.0f;      // movement per tick / body radius above which walls can be passed
+constexpr int kRestTicks = 30;         // ticks at rest after which a body could sleep
+constexpr float kManyStays = 100.0f;   // events per tick
+constexpr float kDearer = 1.1f;        // a ratio of costs or errors above this is more than noise
 
 const WhatIfPoint* plainAt(const WhatIfResult& result, int quality) {
     return result.find(WhatIfKind::Quality, quality);
@@ -46,7 +46,7 @@ CostRemedy sceneRemedy(std::string label, std::string field, FieldValue value) {
     return {std::move(label), "ScenePhysics", std::move(field), std::move(value), {}};
 }
 
-/// "Bodies overlap" or "Joints open", whichever is worse.
+/// Describes the larger error: "Bodies overlap by up to …" or "Joints open by up to …".
 std::string errorWords(const WhatIfPoint& point, PixelScale scale) {
     return format("{} by up to {}", point.jointError > point.overlap ? "Joints open" : "Bodies overlap",
                   lengthWords(point.error(), scale));
@@ -61,7 +61,7 @@ std::optional<Advice> judgeTooCoarse(const CostFacts& facts) {
         return {};
     return Advice{
         {},
-        format("{} at quality {}, which may be seen. Quality {} costs {} more a tick and leaves {}.",
+        format("{} at quality {}, which may be visible. Quality {} costs {} more per tick and leaves {}.",
                errorWords(*now, result.scale), now->quality, enough->quality,
                costWords(enough->microseconds - now->microseconds),
                lengthWords(enough->error(), result.scale)),
@@ -73,7 +73,7 @@ std::optional<Advice> judgeTooFine(const CostFacts& facts) {
     const WhatIfResult& result = facts.result;
     const WhatIfPoint* now = result.present();
     if (now == nullptr) return {};
-    // Half of what is seen: a harder moment of the game shall fit too.
+    // Half of the visible error, as a reserve for more difficult moments of the game.
     const WhatIfPoint* enough = nullptr;
     for (int quality = now->quality - 1; quality >= 0; --quality) {
         const WhatIfPoint* point = plainAt(result, quality);
@@ -82,12 +82,12 @@ std::optional<Advice> judgeTooFine(const CostFacts& facts) {
     }
     if (enough == nullptr) return {};
     if (enough->microseconds > kSaves * now->microseconds ||
-        now->microseconds - enough->microseconds < kLeastSaved)
+        now->microseconds - enough->microseconds < kMinSaved)
         return {};
     return Advice{
         {},
-        format("Quality {} is more than this scene needs: quality {} leaves {}, which cannot be seen, and "
-               "saves {} a tick.",
+        format("Quality {} is more than this scene needs: quality {} leaves {}, which is not visible, and "
+               "saves {} per tick.",
                now->quality, enough->quality, lengthWords(enough->error(), result.scale),
                costWords(now->microseconds - enough->microseconds)),
         qualityRemedy(enough->quality),
@@ -103,13 +103,13 @@ std::optional<Advice> judgeAutomatic(const CostFacts& facts) {
     for (int quality = now->quality; quality <= physics::kMaxQuality; ++quality) {
         const WhatIfPoint* point = plainAt(result, quality);
         if (point == nullptr || point->error() > kDearer * hard->error()) continue;
-        if (point->microseconds < hard->microseconds) return {};  // plain quality does it for less
+        if (point->microseconds < hard->microseconds) return {};  // a fixed quality costs less
         break;
     }
     return Advice{
         {},
-        format("Automatic quality would do: hard islands alone get more substeps. It leaves {} for {} more "
-               "a tick.",
+        format("Automatic quality is enough: only hard islands get more substeps. It leaves {} for {} more "
+               "per tick.",
                lengthWords(hard->error(), result.scale),
                costWords(std::max(hard->microseconds - now->microseconds, 0.0f))),
         sceneRemedy("Use automatic quality", "automaticQuality", FieldValue::of(true)),
@@ -119,15 +119,15 @@ std::optional<Advice> judgeAutomatic(const CostFacts& facts) {
 std::optional<Advice> judgeBullets(const CostFacts& facts) {
     float top = 0.0f;
     const auto isSlow = [](const WatchedBody& body) {
-        return body.isBullet && body.topSpeed * kTick < kSlowWay * body.reach;
+        return body.isBullet && body.topSpeed * kTick < kSlowMove * body.reach;
     };
     std::vector<ObjectId> slow = objectsThat(facts.tape, isSlow, &top);
     if (slow.empty()) return {};
     Advice advice;
-    advice.words = format("{} CCD against what moves (bullet) and never {} {}.",
+    advice.words = format("{} CCD against moving bodies (bullet) and never {} {}.",
                           count(slow.size(), "body uses", "bodies use"),
                           slow.size() == 1 ? "exceeds" : "exceed", speedWords(top, facts.result.scale));
-    advice.remedy = {"No bullets", "RigidBody", "bullet", FieldValue::of(false), slow};
+    advice.remedy = {"Turn bullet off", "RigidBody", "bullet", FieldValue::of(false), slow};
     advice.about = std::move(slow);
     return advice;
 }
@@ -135,15 +135,17 @@ std::optional<Advice> judgeBullets(const CostFacts& facts) {
 std::optional<Advice> judgeFastWithout(const CostFacts& facts) {
     if (facts.result.settings.continuous) return {};
     float top = 0.0f;
-    const auto isFast = [](const WatchedBody& body) { return body.topSpeed * kTick > kFastWay * body.reach; };
+    const auto isFast = [](const WatchedBody& body) {
+        return body.topSpeed * kTick > kFastMove * body.reach;
+    };
     std::vector<ObjectId> fast = objectsThat(facts.tape, isFast, &top);
     if (fast.empty()) return {};
     Advice advice;
     advice.words = format(
-        "{} further in a tick than their own size, at up to {}, and CCD (continuous) is off: "
+        "{} farther per tick than their own size, at up to {}, and CCD (continuous) is off: "
         "they may pass through walls.",
         count(fast.size(), "body moves", "bodies move"), speedWords(top, facts.result.scale));
-    advice.remedy = sceneRemedy("Switch CCD on", "continuous", FieldValue::of(true));
+    advice.remedy = sceneRemedy("Turn CCD on", "continuous", FieldValue::of(true));
     advice.about = std::move(fast);
     return advice;
 }
@@ -154,14 +156,14 @@ std::optional<Advice> judgeSleep(const CostFacts& facts) {
         objectsThat(facts.tape, [](const WatchedBody& body) { return body.restTicks >= kRestTicks; });
     if (resting.empty()) return {};
     Advice advice;
-    advice.words = format("{} could sleep, but sleeping is off: what rests costs as much as what moves.",
+    advice.words = format("{} could sleep, but sleeping is off: bodies at rest cost as much as moving ones.",
                           count(resting.size(), "body", "bodies"));
-    advice.remedy = sceneRemedy("Let them sleep", "sleeping", FieldValue::of(true));
+    advice.remedy = sceneRemedy("Turn sleeping on", "sleeping", FieldValue::of(true));
     advice.about = std::move(resting);
     return advice;
 }
 
-/// How many times as much as the same with Verlet.
+/// Returns the ratio of the cost to that with the Verlet integrator.
 float timesVerlet(const WhatIfPoint& now, const WhatIfPoint& verlet) {
     return now.microseconds / std::max(verlet.microseconds, 0.01f);
 }
@@ -175,13 +177,14 @@ std::optional<Advice> judgeRk4(const CostFacts& facts) {
     if (now->away < 0.0f || timesVerlet(*now, *verlet) < kDearer) return {};
     if (pixelsOf(verlet->away, result.scale) > kHalf * kSeenPixels && verlet->away > kDearer * now->away)
         return {};
-    return Advice{{},
-                  format("Runge-Kutta 4 costs {}x and is no better here: with Verlet bodies end {} from the "
-                         "reference.",
-                         fixedText(static_cast<double>(timesVerlet(*now, *verlet)), 1),
-                         lengthWords(verlet->away, result.scale)),
-                  sceneRemedy("Use Verlet", "integrator", FieldValue::of(physics::IntegratorKind::Verlet)),
-                  {}};
+    return Advice{
+        {},
+        format("Runge-Kutta 4 costs {} times as much as Verlet and is no better here: with Verlet, bodies "
+               "deviate by {} from the reference.",
+               fixedText(static_cast<double>(timesVerlet(*now, *verlet)), 1),
+               lengthWords(verlet->away, result.scale)),
+        sceneRemedy("Use Verlet", "integrator", FieldValue::of(physics::IntegratorKind::Verlet)),
+        {}};
 }
 
 std::optional<Advice> judgeExplicitEuler(const CostFacts& facts) {
@@ -192,12 +195,12 @@ std::optional<Advice> judgeExplicitEuler(const CostFacts& facts) {
         verlet == nullptr)
         return {};
     constexpr float kMuchWorse = 4.0f;
-    // The reference has the integrator of the scene: at its step all agree.
+    // The reference uses the scene's integrator too; its steps are so short that all integrators agree.
     if (now->away < kMuchWorse * verlet->away || pixelsOf(now->away, result.scale) < kSeenPixels) return {};
     return Advice{
         {},
-        format("Explicit Euler is for teaching: it adds energy, and bodies end {} from the reference. "
-               "Verlet: {}.",
+        format("Explicit Euler is for teaching only: it adds energy, and bodies deviate by {} from the "
+               "reference; with Verlet by {}.",
                lengthWords(now->away, result.scale), lengthWords(verlet->away, result.scale)),
         sceneRemedy("Use Verlet", "integrator", FieldValue::of(physics::IntegratorKind::Verlet)),
         {}};
@@ -212,7 +215,7 @@ std::optional<Advice> judgeIterations(const CostFacts& facts) {
         return {};
     return Advice{
         {},
-        format("{} iterations a substep are no better than one here ({} and {}), and cost {} more.",
+        format("{} iterations per substep are no better than one here (error {} and {}), and cost {} more.",
                static_cast<int>(result.settings.iterations), lengthWords(now->error(), result.scale),
                lengthWords(one->error(), result.scale), costWords(now->microseconds - one->microseconds)),
         sceneRemedy("Use one iteration", "iterations", FieldValue::of(1)),
@@ -225,9 +228,8 @@ std::optional<Advice> judgeStays(const CostFacts& facts) {
     if (stays < kManyStays) return {};
     Advice advice;
     advice.words = format(
-        "{} \"still touching\" events are made in a tick, and nothing that scenes are made of "
-        "listens to them. A game in code that does not either sets "
-        "PhysicsSettings::stayEvents to false.",
+        "{} Stayed contact events are created per tick, and no component uses them. If your code does "
+        "not use them either, set PhysicsSettings::stayEvents to false.",
         static_cast<int>(stays));
     return advice;
 }

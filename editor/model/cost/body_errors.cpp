@@ -10,11 +10,12 @@
 namespace plumb::editor {
 namespace {
 
-bool isPushed(const physics::World& world, std::uint32_t body) {
+bool isDynamicBody(const physics::World& world, std::uint32_t body) {
     return world.bodies.info[body].kind == physics::BodyKind::Dynamic;
 }
 
-/// N: of the last substep. Islands that have a quality of their own are asked by their bodies.
+/// Returns the force at a contact point in the last substep, N. The number of substeps depends on the quality
+/// of the island, which may be higher than that of the world.
 float forceOf(const physics::World& world, const physics::Contact& contact, int point) {
     const float impulse = std::abs(point == 0 ? contact.impulse0 : contact.impulse1);
     const auto& info = world.bodies.info;
@@ -28,7 +29,7 @@ float forceOf(const physics::World& world, const physics::Contact& contact, int 
 std::vector<float> bodyErrors(const physics::World& world) {
     std::vector<float> errors(world.bodies.size());
     const auto take = [&](std::uint32_t body, float error) {
-        if (isPushed(world, body)) errors[body] = std::max(errors[body], error);
+        if (isDynamicBody(world, body)) errors[body] = std::max(errors[body], error);
     };
     forContacts(world, [&](const physics::Contact& contact) {
         const float overlap = physics::overlapOf(contact);
@@ -36,7 +37,7 @@ std::vector<float> bodyErrors(const physics::World& world) {
     });
     for (std::uint32_t j = 0; j < world.joints.size(); ++j) {
         const physics::Joint& joint = world.joints.hot[j];
-        if (joint.bodyA >= errors.size() || joint.bodyB >= errors.size()) continue;  // a free place
+        if (joint.bodyA >= errors.size() || joint.bodyB >= errors.size()) continue;  // the slot is free
         const float opening = physics::openingOf(world, j);
         take(joint.bodyA, opening), take(joint.bodyB, opening);
     }

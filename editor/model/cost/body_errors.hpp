@@ -6,19 +6,19 @@
 
 namespace plumb::editor {
 
-/// m: how far each body, by BodyId::index, is inside of others or away from its joints. Those that cannot be
-/// pushed have none: it counts for the body that is pushed.
+/// Returns the largest overlap or joint gap (m) of each dynamic body, by BodyId::index; 0 for static and
+/// kinematic bodies.
 std::vector<float> bodyErrors(const physics::World& world);
 
-/// Where two shapes push each other, and how hard.
+/// Normal force at one contact point of two bodies.
 struct ContactPush {
     std::uint32_t bodyA = 0;
     std::uint32_t bodyB = 0;
-    physics::WorldPosition place;  ///< m
-    float force = 0.0f;            ///< N, on the mean of the last substep
-    float weights = 0.0f;          ///< ratio: of the weight of the lighter one of the two
+    physics::WorldPosition place;  ///< position, m
+    float force = 0.0f;            ///< N, mean over the last substep
+    float weights = 0.0f;          ///< force divided by the weight of the lighter body
 };
-/// Those that push at present, of bodies that are awake and of those that rest.
+/// Returns all contact points with a force, of awake and sleeping bodies.
 std::vector<ContactPush> contactPushes(const physics::World& world);
 
 }  // namespace plumb::editor

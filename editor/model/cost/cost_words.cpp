@@ -8,7 +8,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kAlike = 1.1f;  // times: errors that differ by less are one
+constexpr float kAlike = 1.1f;  // errors that differ by a smaller factor count as equal
 
 std::string number(float value) {
     const int digits = value < 0.0995f ? 2 : value < 9.95f ? 1 : 0;
@@ -67,16 +67,16 @@ std::string verdictWords(const WhatIfResult& result) {
     if (!result.complete || now == nullptr || enough == nullptr) return {};
     const float pixels = pixelsOf(now->error(), result.scale);
     const std::string use = format(
-        "You use quality {}{}: {} a tick, largest error {}, which {}.", now->quality,
+        "Current quality {}{}: {} per tick, largest error {}, which {}.", now->quality,
         now->kind == WhatIfKind::Automatic ? " with automatic quality" : "", costWords(now->microseconds),
-        lengthWords(now->error(), result.scale), pixels < kSeenPixels ? "cannot be seen" : "may be seen");
+        lengthWords(now->error(), result.scale), pixels < kSeenPixels ? "is not visible" : "may be visible");
     if (enough->quality == now->quality)
         return format("{} {}", use,
-                      pixels < kSeenPixels ? "Nothing cheaper is as good to the eye."
-                                           : "More quality does not make it much smaller here.");
+                      pixels < kSeenPixels ? "No cheaper quality has an invisible error."
+                                           : "A higher quality does not reduce it much here.");
     if (isSameCost(enough->microseconds, now->microseconds))
         return format("{} {}", use,
-                      pixels < kSeenPixels ? "Less quality would save next to nothing: leave it."
+                      pixels < kSeenPixels ? "A lower quality would save almost nothing."
                                            : format("Quality {} costs the same, with {}.", enough->quality,
                                                     lengthWords(enough->error(), result.scale)));
     const bool dearer = enough->microseconds > now->microseconds;
@@ -86,16 +86,17 @@ std::string verdictWords(const WhatIfResult& result) {
 }
 
 std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32_t leftOut) {
-    std::string words =
-        format("{} {} s{}, {} bodies, physics alone, no body asleep. ",
-               wasPlaying ? "The last" : "The scene's first", seconds(result.ticks),
-               result.ticks < result.ticksOnTape ? format(" (of {}: it is dear)", seconds(result.ticksOnTape))
-                                                 : std::string{},
-               result.bodies);
+    std::string words = format("{} {} s{}, {} bodies, only the physics, no body asleep. ",
+                               wasPlaying ? "The last" : "The scene's first", seconds(result.ticks),
+                               result.ticks < result.ticksOnTape
+                                   ? format(" (of {}: more would take too long)", seconds(result.ticksOnTape))
+                                   : std::string{},
+                               result.bodies);
     words +=
-        "Error: the largest overlap or gap of a joint, in most moments of the second half. "
-        "Reference: quality 6 with half the step.";
-    if (leftOut > 0) words += format(" {} things that were made meanwhile are left out.", leftOut);
+        "Error: the largest overlap or joint gap, median over the second half. "
+        "Reference: quality 6 with half the time step.";
+    if (leftOut > 0)
+        words += format(" {} bodies and joints that were created meanwhile are left out.", leftOut);
     return words;
 }
 

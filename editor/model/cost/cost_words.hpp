@@ -6,28 +6,27 @@
 
 namespace plumb::editor {
 
-/// An error below this cannot be seen.
+/// Errors below this are not visible, px.
 inline constexpr float kSeenPixels = 0.5f;
 
-/// "6.0 mm (0.4 px)".
+/// Returns a length for display: "6.0 mm (0.4 px)".
 std::string lengthWords(float metres, PixelScale scale);
-/// "0.42 ms", from microseconds.
+/// Returns a time for display: "0.42 ms".
 std::string costWords(float microseconds);
 [[nodiscard]] float pixelsOf(float metres, PixelScale scale);
 
-/// What one quality costs and how far off it is, beside the one below it: "Quality 4: +0.31 ms, 1.5 mm
+/// Describes a quality by its cost relative to the next lower one and its error: "Quality 4: +0.31 ms, 1.5 mm
 /// (0.1 px)."
-/// @param below  null for the first
+/// @param below  the next lower quality; null for the lowest
 std::string qualityWords(const WhatIfResult& result, const WhatIfPoint& point, const WhatIfPoint* below);
 
-/// The cheapest quality of which the error cannot be seen; else the most exact one. Null before all are
-/// known.
+/// Returns the lowest quality without visible error, else the most accurate one; null until all are measured.
 const WhatIfPoint* enoughQuality(const WhatIfResult& result);
 
-/// What it all comes to, in a sentence or two.
+/// Summarizes the measurement in one or two sentences.
 std::string verdictWords(const WhatIfResult& result);
 
-/// What was stepped again, how long and how.
+/// Describes how the measurement was made: duration, number of bodies, definition of the error.
 std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32_t leftOut);
 
 }  // namespace plumb::editor

@@ -10,10 +10,10 @@
 namespace plumb::editor {
 namespace {
 
-/// What an island has to solve in a step, of which the time is made. A substep of a contact takes about as
-/// long as two of a body.
+/// Estimates the work of an island in a step, in arbitrary units. A contact or joint takes about twice as
+/// long per substep as a body.
 double workOf(const physics::IslandReport& island) {
-    constexpr double kOnce = 6.0;  // substeps that finding contacts and moving on take
+    constexpr double kOnce = 6.0;  // collision detection and final updates, in units of a substep
     return (kOnce + std::exp2(island.quality)) *
            (static_cast<double>(island.bodies) + 2.0 * (island.contacts + island.joints));
 }

@@ -8,10 +8,10 @@
 
 namespace plumb::editor {
 
-/// One island that is awake, as the table of the panel shows it.
+/// One awake island, as a row of the table in the panel.
 struct IslandRow {
     physics::IslandReport report;
-    float microseconds = 0.0f;  ///< about: its share of the step, by what it has to solve
+    float microseconds = 0.0f;  ///< estimated share of the step's time
 };
 
 enum class IslandColumn : std::uint8_t {
@@ -25,13 +25,13 @@ enum class IslandColumn : std::uint8_t {
     Cost
 };
 
-/// The islands of the physics of a world.
-/// @param stepMicroseconds  of the last step, to be shared among them
+/// Returns the awake islands of a world's physics.
+/// @param stepMicroseconds  time of the last step, which is divided among the islands
 std::vector<IslandRow> islandRows(const World& world, float stepMicroseconds);
 
 void sortIslands(std::vector<IslandRow>& rows, IslandColumn by, bool descending);
 
-/// The entities that have bodies in the island of this body, as it is now; none when it sleeps or is gone.
+/// Returns the entities in the present island of this body; none if it sleeps or was destroyed.
 std::vector<EntityId> entitiesOfIsland(const World& world, physics::BodyId body);
 
 }  // namespace plumb::editor

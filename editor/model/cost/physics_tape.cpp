@@ -12,7 +12,7 @@ namespace {
 
 using physics::BodyKind;
 
-constexpr float kTurnsToRest = 0.05f;  // rad/s: turning faster is no rest
+constexpr float kTurnsToRest = 0.05f;  // rad/s; a body that rotates faster is not at rest
 
 bool has(std::uint8_t flags, std::uint8_t flag) { return (flags & flag) != 0; }
 
@@ -20,7 +20,7 @@ bool isThere(const physics::Bodies& bodies, std::uint32_t body) {
     return body < bodies.size() && bodies.info[body].kind != BodyKind::None;
 }
 
-/// The same body as in the other world, or no body.
+/// True if both worlds have the same body (equal generation) in this slot.
 bool isSame(const physics::Bodies& a, const physics::Bodies& b, std::uint32_t body) {
     return isThere(a, body) && isThere(b, body) && a.info[body].generation == b.info[body].generation;
 }
@@ -93,7 +93,7 @@ void applyField(physics::World& world, const FieldInput& input) {
     }
 }
 
-/// Fields have no comparison: what a game changes of one while it lives.
+/// True if the members of two field definitions that a game can change are equal.
 bool looksSame(const physics::FieldDefinition& a, const physics::FieldDefinition& b) {
     return a.place == b.place && a.half == b.half && a.radius == b.radius &&
            a.acceleration == b.acceleration && a.velocity == b.velocity && a.strength == b.strength &&

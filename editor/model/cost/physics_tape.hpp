@@ -10,8 +10,10 @@
 
 namespace plumb::editor {
 
-/// What the game did to one body between two steps of the physics.
+/// Changes that the game made to one body between two physics steps.
 struct BodyInput {
+    /// Placed: new pose. Pushed: new velocity. Driven: new acceleration, force, torque, drag or gravity
+    /// scale.
     enum Change : std::uint8_t { Placed = 1, Pushed = 2, Driven = 4, DropsThrough = 8, Gone = 16 };
 
     physics::BodyId body;
@@ -19,10 +21,11 @@ struct BodyInput {
     physics::BodyPose pose;
     physics::BodyMotion motion;
     physics::BodyDrive drive;
-    bool hasTarget = false;  ///< kinematic: the velocity holds for one step
+    bool hasTarget = false;  ///< kinematic body moved to a target: the velocity is valid for one step
     bool dropsThrough = false;
 };
 
+/// Changes that the game made to one joint between two physics steps.
 struct JointInput {
     physics::JointId joint;
     bool gone = false;
@@ -30,6 +33,7 @@ struct JointInput {
     physics::WorldPosition target;  ///< m
 };
 
+/// Changes that the game made to one force field between two physics steps.
 struct FieldInput {
     physics::FieldId field;
     bool gone = false;
@@ -37,7 +41,7 @@ struct FieldInput {
     physics::FieldDefinition definition;
 };
 
-/// All that a game did to its physics before one step.
+/// All changes that the game made to its physics before one step.
 struct TickInput {
     std::vector<BodyInput> bodies;
     std::vector<JointInput> joints;
@@ -45,47 +49,47 @@ struct TickInput {
     Vec2 gravity;  ///< m/s2
 };
 
-/// What a body that can be pushed did while it was watched.
+/// A dynamic body, and what was recorded of its motion.
 struct WatchedBody {
     physics::BodyId body;
-    ObjectId object;          ///< none: it is no entity of the scene
-    float topSpeed = 0.0f;    ///< m/s
-    int restTicks = 0;        ///< at the end: since when it has hardly moved
-    float reach = 0.0f;       ///< m: no point of it is further from its centre of mass
+    ObjectId object;          ///< null: the body belongs to no entity of the scene
+    float topSpeed = 0.0f;    ///< maximum speed, m/s
+    int restTicks = 0;        ///< number of last ticks in which it was at rest
+    float reach = 0.0f;       ///< maximum distance of its points from the center of mass, m
     bool isBullet = false;    ///< RigidBody::bullet
-    float sleepSpeed = 0.0f;  ///< m/s
+    float sleepSpeed = 0.0f;  ///< speed below which it is at rest, m/s
 };
 
-/// Some seconds of a game's physics: worlds to begin with, and what the game did to them in each tick. The
-/// same ticks can then be stepped again in other ways, without the game and in any thread.
+/// Recording of some seconds of a game's physics: initial worlds, and the changes by the game in each tick.
+/// The same ticks can then be stepped again with other settings, without the game and in any thread.
 struct PhysicsTape {
     struct Start {
-        std::size_t tick = 0;  ///< of `ticks`: the first that follows
+        std::size_t tick = 0;  ///< index in `ticks` of the first tick after it
         physics::World world;
     };
 
     PixelScale scale;
-    std::vector<Start> starts;  ///< the one of the longest way first
+    std::vector<Start> starts;  ///< earliest first
     std::vector<TickInput> ticks;
     std::vector<WatchedBody> watched;
-    std::uint32_t leftOut = 0;   ///< bodies and joints that were made meanwhile: no part of it
-    std::uint64_t contacts = 0;  ///< awake ones, summed over the ticks
-    std::uint64_t stays = 0;     ///< events of contacts that go on, summed over the ticks
+    std::uint32_t leftOut = 0;   ///< bodies and joints created while recording, which are not recorded
+    std::uint64_t contacts = 0;  ///< awake contacts, summed over the ticks
+    std::uint64_t stays = 0;     ///< contact events of phase Stayed, summed over the ticks
 };
 
-/// Does to a world what the game did to the recorded one. What that world does not have is left out.
-/// @param part  of the tick, from 0 on: forces and ways of kinematic bodies hold for all of it, the rest is
-///              done before the first one
+/// Applies the recorded changes of a tick to a world. Skips bodies, joints and fields that the world lacks.
+/// @param part  index of the step in a tick of several steps. Forces and targets of kinematic bodies are
+///              applied for every step, all other changes only for the first
 void applyInput(physics::World& world, const TickInput& input, int part = 0);
 
-/// Fills a tape while a copy of the game plays.
+/// Records a tape while a copy of the game plays.
 class TapeRecorder {
 public:
-    /// @param world  as the ticks will begin
+    /// Starts a recording. @param world  state before the first tick
     void begin(const physics::World& world, PixelScale scale);
-    /// Keeps the world as one to begin with. To be called between two ticks.
+    /// Stores the world as a start. Must be called between two ticks.
     void keepStart(const physics::World& world);
-    /// The game did what it wants to, and the step follows.
+    /// Records the game's changes. Must be called right before the physics step.
     void beforeStep(const physics::World& world);
     void afterTick(const physics::World& world);
 
@@ -98,7 +102,7 @@ private:
     void takeFields(const physics::World& world, TickInput& input);
     void remember(const physics::World& world);
 
-    // After the tick before.
+    // State after the previous tick.
     physics::Bodies bodies_;
     physics::Joints joints_;
     physics::Slots<physics::Field> fields_;

@@ -14,7 +14,7 @@
 namespace plumb::editor {
 namespace {
 
-/// The entity that has the ScenePhysics that counts: the first one; null when there is none.
+/// Returns the entity with the active ScenePhysics, which is the first one; null if there is none.
 ObjectId holderOf(const Workspace& workspace) {
     ObjectId holder;
     workspace.shownWorld().each<const ScenePhysics>([&](EntityId entity, const ScenePhysics&) {
@@ -23,8 +23,8 @@ ObjectId holderOf(const Workspace& workspace) {
     return holder;
 }
 
-/// The entity that gets one: the camera, as one of a scene; else the first entity.
-ObjectId placeForOne(const Workspace& workspace) {
+/// Returns the entity to which a ScenePhysics is added: the first camera, else the first entity.
+ObjectId entityForNewOne(const Workspace& workspace) {
     const Document& document = workspace.document;
     for (const ObjectId id : document.objects()) {
         if (document.world.has<Camera>(document.find(id)) && workspace.shownEntity(id)) return id;
@@ -39,12 +39,12 @@ void setField(void* component, const FieldInfo& field, const FieldValue& value) 
     std::memcpy(field.in(component), value.bytes.data(), value.bytes.size());
 }
 
-void addWith(Workspace& workspace, const CostRemedy& remedy, ScenePhysics physics) {
+void addScenePhysics(Workspace& workspace, const CostRemedy& remedy, ScenePhysics physics) {
     const TypeInfo& type = workspace.document.types().of<ScenePhysics>();
-    const ObjectId holder = placeForOne(workspace);
+    const ObjectId holder = entityForNewOne(workspace);
     if (!holder) return;
     if (workspace.play.running()) {
-        // The first one adds it, as it is by default; what differs follows.
+        // The first edit adds a default component, so only fields that differ from the default need edits.
         const ComponentState fresh = defaultComponent(type);
         setField(&physics, *type.find(remedy.field), remedy.value);
         for (const FieldInfo& field : type.fields) {
@@ -64,7 +64,7 @@ void addWith(Workspace& workspace, const CostRemedy& remedy, ScenePhysics physic
 
 }  // namespace
 
-bool comesByItself(const TypeInfo& type) { return type.name == "ScenePhysics"; }
+bool isAddedOnEdit(const TypeInfo& type) { return type.name == "ScenePhysics"; }
 
 ScenePhysics presentPhysics(const physics::Settings& settings, PixelScale scale) {
     ScenePhysics present;
@@ -104,15 +104,16 @@ void applyRemedy(Workspace& workspace, const CostRemedy& remedy, const ScenePhys
     std::vector<ObjectId> objects = remedy.objects;
     if (objects.empty()) objects.push_back(holderOf(workspace));
     if (!objects.front()) {
-        addWith(workspace, remedy, present);
+        addScenePhysics(workspace, remedy, present);
     } else {
         editFields(workspace, {*type, *field, objects},
                    [&](FieldValue& value, std::size_t) { value = remedy.value; });
     }
     workspace.undo.endGesture();
-    workspace.notice = workspace.play.running()
-                           ? format("{}: in the game that plays; when it stops you may keep it", remedy.label)
-                           : format("{}; {} takes it back", remedy.label, keysFor(workspace, "edit.undo"));
+    workspace.notice =
+        workspace.play.running()
+            ? format("{}: changed in the running game; you can keep it when the game stops", remedy.label)
+            : format("{}; press {} to undo", remedy.label, keysFor(workspace, "edit.undo"));
 }
 
 }  // namespace plumb::editor

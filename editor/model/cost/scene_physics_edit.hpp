@@ -12,30 +12,30 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// A change that advice comes to: one field, of the scene's physics or of some entities.
+/// A change that an advice proposes: the value of one component field.
 struct CostRemedy {
-    std::string label;  ///< of the button; empty: there is nothing to click
-    std::string type;   ///< of the component
+    std::string label;  ///< text of the button; empty: there is no button
+    std::string type;   ///< component type
     std::string field;
     FieldValue value;
-    std::vector<ObjectId> objects;  ///< none: the entity with the scene's ScenePhysics
+    std::vector<ObjectId> objects;  ///< entities to change; empty: the one with the scene's ScenePhysics
 };
 
-/// What a scene without a ScenePhysics has in fact.
+/// Returns the ScenePhysics equal to these settings, for a scene that has none.
 ScenePhysics presentPhysics(const physics::Settings& settings, PixelScale scale);
 
-/// Makes the change, as one step of undo, or at once in the game that plays, where it is offered for keeping
-/// afterwards. A scene without ScenePhysics gets one, with all as it is but for this.
-/// @param present  of the game that was measured
+/// Applies the change as one undo step, or directly in the running game; the user can keep it when that
+/// stops. A scene without ScenePhysics gets one with the present settings and this change.
+/// @param present  settings of the measured game
 void applyRemedy(Workspace& workspace, const CostRemedy& remedy, const ScenePhysics& present);
 
-/// Takes over what the shown scene's ScenePhysics says now, if it has one.
+/// Updates the settings from the shown scene's ScenePhysics, if it has one.
 void takePresent(const Workspace& workspace, PixelScale scale, physics::Settings& settings);
 
-/// The remedy that sets the quality of the scene, without automatic quality.
+/// Returns the remedy that sets the field ScenePhysics.quality.
 CostRemedy qualityRemedy(int quality);
 
-/// Whether a field of this type may be set while the game plays on an entity that has no such component yet.
-bool comesByItself(const TypeInfo& type);
+/// True if the running game adds a missing component of this type when one of its fields is set.
+bool isAddedOnEdit(const TypeInfo& type);
 
 }  // namespace plumb::editor

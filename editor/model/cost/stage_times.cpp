@@ -18,18 +18,18 @@ struct StageDoc {
     std::string_view doc;
 };
 constexpr StageDoc kDocs[] = {
-    {"broad phase", "Finds whose boxes overlap"},
-    {"narrow phase", "Finds where outlines touch"},
-    {"prepare constraints", "Gets contacts and joints ready for the solver"},
-    {"solve", "The substeps: quality decides how many"},
-    {"integrators", "Moves bodies that only fields and springs act on"},
-    {"finish bodies", "Takes over new places"},
-    {"continuous", "Stops fast bodies before what they would pass through (CCD)"},
-    {"events", "Reports what touched what"},
-    {"sleep", "Puts to sleep what rests"},
-    {kPhysicsSync, "Between components and bodies, both ways"},
-    {"animation", "Frames and states of animations"},
-    {"picture", "Drawing the scene"},
+    {"broad phase", "Finds pairs of shapes whose boxes overlap"},
+    {"narrow phase", "Computes the contact points of touching shapes"},
+    {"prepare constraints", "Prepares contacts and joints for the solver"},
+    {"solve", "Solves the substeps; quality sets their number"},
+    {"integrators", "Moves bodies on which only fields and springs act"},
+    {"finish bodies", "Stores the new poses of bodies"},
+    {"continuous", "Stops fast bodies at obstacles they would pass through (CCD)"},
+    {"events", "Reports contact events"},
+    {"sleep", "Puts resting islands to sleep"},
+    {kPhysicsSync, "Copies data between components and bodies, in both directions"},
+    {"animation", "Updates frames and states of animations"},
+    {"picture", "Draws the scene"},
 };
 
 StageTime timeOf(std::string_view name, bool inPhysics, std::vector<float> times) {
@@ -53,7 +53,7 @@ std::vector<float> lastSecond(const std::deque<Profiler::Sample>& samples, Take&
     return times;
 }
 
-/// The place of a stage in the step; systems come after all of them.
+/// Returns the sort position of a part: stages in the order of the step, then synchronization, then systems.
 std::size_t placeOf(const StageTime& time) {
     const auto stages = physics::stages();
     if (time.name == kPhysicsSync) return stages.size();
@@ -69,7 +69,7 @@ std::vector<StageTime> stageTimes(const std::deque<Profiler::Sample>& samples,
                                   const std::vector<Profiler::Zone>& zones) {
     std::vector<StageTime> all;
     for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-        if (zones[zone].name == PhysicsSystem::kName) continue;  // its stages say it
+        if (zones[zone].name == PhysicsSystem::kName) continue;  // its stages are listed instead
         const auto take = [zone](const Profiler::Sample& sample) {
             return zone < sample.zones.size() ? sample.zones[zone] : 0.0f;
         };

@@ -8,21 +8,21 @@
 
 namespace plumb::editor {
 
-/// What one part of a tick took in the last second.
+/// Time of one part of a tick over the last second.
 struct StageTime {
     std::string_view name;
-    std::string_view doc;    ///< what it does; may be empty
-    bool inPhysics = false;  ///< a stage of the physics
+    std::string_view doc;    ///< description; may be empty
+    bool inPhysics = false;  ///< it is a stage of the physics step
     float median = 0.0f;     ///< ms
-    float p99 = 0.0f;        ///< ms: of a hundred ticks one takes longer
+    float p99 = 0.0f;        ///< 99th percentile, ms
 };
 
-/// The parts of a tick: stages of the physics in their order, then systems by what they cost, then the
-/// picture. Parts that took nothing are left out.
+/// Returns the parts of a tick that took time: physics stages in their order, then systems, most expensive
+/// first, then drawing.
 std::vector<StageTime> stageTimes(const std::deque<Profiler::Sample>& samples,
                                   const std::vector<Profiler::Zone>& zones);
 
-/// ms of whole ticks of the last second, without their pictures.
+/// Returns the time of whole ticks over the last second, without drawing.
 StageTime tickTime(const std::deque<Profiler::Sample>& samples);
 
 }  // namespace plumb::editor

@@ -17,11 +17,11 @@ namespace plumb::editor {
 namespace {
 
 constexpr float kTick = 1.0f / 60.0f;  // s
-/// Ticks before the end at which a world is kept to begin with: dear scenes are stepped for a shorter time.
+/// Numbers of ticks before the end at which a start is stored; expensive scenes use a later start.
 constexpr std::array<std::int64_t, 4> kStarts{200, 120, 60, 30};
 
-/// Stands before the physics of a copy of the game. What the physics would do first anyway is done here: a
-/// second time it finds nothing to do.
+/// System that records the game's changes right before the physics system. It already copies components to
+/// bodies, so the physics system's own copying finds no changes.
 struct TapeSystem {
     static constexpr std::string_view kName = "physics tape";
 
@@ -42,7 +42,7 @@ void install(World& world, TapeRecorder& recorder) {
     world.setSystemOrder(names);
 }
 
-/// Before the first tick of a scene its bodies are not there yet.
+/// Creates the bodies of a scene, which do not exist before its first tick.
 void makeBodies(World& world) {
     if (world.resource<PhysicsState>().syncs == 0) syncBodies(world, kTick);
 }
@@ -74,19 +74,19 @@ void WhatIf::begin(Workspace& workspace) {
     forget();
     const PlayMode& play = workspace.play;
     playing_ = play.running();
-    if (!playing_ && editsPrefab(workspace)) return refuse("A prefab is open; go back to the scene first.");
+    if (!playing_ && editsPrefab(workspace)) return refuse("A prefab is open; leave it first.");
     last_ = playing_ ? play.ticks() : kTicks;
     first_ = playing_ ? std::max(play.oldest(), last_ - kTicks) : 0;
-    if (last_ - first_ < kLeastTicks) return refuse("Let the game run for half a second first.");
+    if (last_ - first_ < kMinTicks) return refuse("Let the game run for half a second first.");
     session_ = playing_ ? ghost_.at(workspace, first_) : ghost_.now(workspace);
-    if (session_ == nullptr) return refuse("This scene cannot be played; the console says why.");
+    if (session_ == nullptr) return refuse("This scene cannot be played; see the console for the reason.");
     World& world = session_->world();
     install(world, recorder_);
     makeBodies(world);
     const PhysicsState& state = world.resource<PhysicsState>();
     recorder_.begin(state.world, state.scale);
     if (recorder_.tape.watched.empty())
-        return refuse("No body in this scene is pushed by the physics: its quality changes nothing here.");
+        return refuse("This scene has no dynamic bodies, so physics quality has no effect.");
     tick_ = first_;
     recording_ = true;
 }
@@ -110,11 +110,11 @@ void WhatIf::recordTick(const Workspace& workspace) {
 void WhatIf::finishTape() {
     recording_ = recorder_.on = false;
     PhysicsTape& tape = recorder_.tape;
-    // A menu or another scene may have stopped the physics.
+    // A menu or another scene may have paused the physics, so that fewer ticks were recorded.
     std::erase_if(tape.starts, [&](const PhysicsTape::Start& start) {
-        return start.tick + static_cast<std::size_t>(kLeastTicks) > tape.ticks.size();
+        return start.tick + static_cast<std::size_t>(kMinTicks) > tape.ticks.size();
     });
-    if (tape.starts.empty()) return refuse("The physics stood still.");
+    if (tape.starts.empty()) return refuse("The physics was paused during the measured time.");
     const World& world = session_->world();
     const auto* state = world.findResource<PhysicsState>();
     for (WatchedBody& watched : tape.watched) {
@@ -129,14 +129,14 @@ void WhatIf::finishTape() {
 
 void WhatIf::tend(Workspace& workspace) {
     if (!recording_) return;
-    if (!stillThere(workspace)) return refuse("The game went on elsewhere; measure again.");
+    if (!stillThere(workspace)) return refuse("The game was started, stopped or rewound; measure again.");
     const double start = threadSeconds();
     while (tick_ < last_ && threadSeconds() - start < kBudget) recordTick(workspace);
     if (tick_ >= last_) finishTape();
 }
 
 float WhatIf::progress() const {
-    constexpr float kOfTape = 0.25f;  // ratio: that part of the time is the copy of the game
+    constexpr float kOfTape = 0.25f;  // part of the progress that is the recording
     if (recording_ && last_ > first_)
         return kOfTape * static_cast<float>(tick_ - first_) / static_cast<float>(last_ - first_);
     return run_ == nullptr ? 0.0f : kOfTape + (1.0f - kOfTape) * run_->progress();

@@ -8,37 +8,37 @@
 
 namespace plumb::editor {
 
-/// What another quality would do to this scene: the last seconds of the game that plays, or the first ones of
-/// the scene while the game does not run. A copy of the game is played once, a little in each frame, to learn
-/// what it does to its bodies; then a thread steps the physics alone again in all ways. The game itself is
-/// only read.
+/// Measures cost and error of other physics settings for the last seconds of the running game, or for the
+/// first seconds of the scene if none runs. Plays a copy of the game once, over several frames, to record its
+/// changes to the physics; then a thread steps only the physics again with all variants. The game itself is
+/// not changed.
 class WhatIf {
 public:
-    static constexpr std::int64_t kTicks = 300;      ///< at most: 5 s
-    static constexpr std::int64_t kLeastTicks = 30;  ///< of the game, to have something to measure
-    static constexpr double kBudget = 0.008;         ///< s of CPU in a frame
+    static constexpr std::int64_t kTicks = 300;    ///< maximum number of ticks: 5 s
+    static constexpr std::int64_t kMinTicks = 30;  ///< minimum number of ticks for a measurement
+    static constexpr double kBudget = 0.008;       ///< CPU time per frame, s
 
     WhatIf();
     ~WhatIf();
 
-    /// Begins anew. What cannot be measured is said by `refusal`.
+    /// Starts a new measurement. If that is not possible, `refusal` returns the reason.
     void begin(Workspace& workspace);
     void cancel();
-    /// Another scene: what was measured means nothing any more.
+    /// Cancels and drops all results, e.g. when another scene is opened.
     void forget();
-    /// To be called in every frame in which it is shown.
+    /// Continues the measurement; must be called in every frame in which the panel is shown.
     void tend(Workspace& workspace);
 
     [[nodiscard]] bool busy() const { return recording_ || (run_ != nullptr && !run_->done()); }
-    [[nodiscard]] float progress() const;  ///< ratio
+    [[nodiscard]] float progress() const;  ///< 0 to 1
     [[nodiscard]] WhatIfResult result() const { return run_ != nullptr ? run_->result() : WhatIfResult{}; }
     [[nodiscard]] bool measured() const { return run_ != nullptr; }
-    /// What was measured; null before it was.
+    /// The recording that is measured; null before it is complete.
     [[nodiscard]] const PhysicsTape* tape() const { return tape_.get(); }
-    /// Whether it was of the game that played, not of how the scene begins.
+    /// True if the running game was measured, false if the start of the scene.
     [[nodiscard]] bool wasPlaying() const { return playing_; }
     [[nodiscard]] const std::string& refusal() const { return refusal_; }
-    /// For tests: until the thread is done.
+    /// For tests: waits until the thread has finished.
     void wait() {
         if (run_ != nullptr) run_->wait();
     }
@@ -50,7 +50,7 @@ private:
     void finishTape();
 
     GhostGame ghost_;
-    PlaySession* session_ = nullptr;  // of the ghost
+    PlaySession* session_ = nullptr;  // the session of `ghost_`
     TapeRecorder recorder_;
     bool recording_ = false;
     bool playing_ = false;

@@ -12,10 +12,10 @@ namespace plumb::editor {
 namespace {
 
 constexpr float kTick = 1.0f / 60.0f;       // s
-constexpr std::size_t kEvery = 3;           // ticks between two looks at the errors
-constexpr std::size_t kProbe = 8;           // ticks, to find out what they cost
-constexpr float kGrown = 1.0e-3f;           // m: a hair that grew so much …
-constexpr float kPartOfDifference = 0.25f;  // … and to so much of what is to be measured hides it
+constexpr std::size_t kEvery = 3;           // ticks between two samples of the errors
+constexpr std::size_t kProbe = 8;           // ticks stepped to estimate the cost
+constexpr float kGrown = 1.0e-3f;           // m; chaotic if the nudge grows to more than this …
+constexpr float kPartOfDifference = 0.25f;  // … and to more than this part of the distance to the reference
 
 float medianOf(std::vector<float> values) {
     if (values.empty()) return 0.0f;
@@ -24,27 +24,27 @@ float medianOf(std::vector<float> values) {
     return *middle;
 }
 
-double substepsOf(const WhatIfPoint& way) {
-    const double steps = std::exp2(way.quality);
-    return way.kind == WhatIfKind::Reference ? steps * WhatIfRun::kReferenceParts : steps;
+double substepsOf(const WhatIfPoint& variant) {
+    const double steps = std::exp2(variant.quality);
+    return variant.kind == WhatIfKind::Reference ? steps * WhatIfRun::kReferenceParts : steps;
 }
 
-/// The world of the game as this way wants it. No body sleeps, so that what rests is measured too.
-physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
+/// Returns a copy of the start with the settings of a variant. No body sleeps, so that resting bodies are
+/// measured too.
+physics::World worldFor(const WhatIfPoint& variant, const physics::World& start) {
     physics::World world = start;
     physics::Settings& settings = world.settings;
     settings.sleeping = false;
-    settings.tolerance =
-        0.0f;  // each way has one quality, and none that follows from how far off islands are
-    settings.quality = static_cast<physics::Quality>(way.quality);
-    settings.automaticQuality = way.kind == WhatIfKind::Automatic;
-    if (way.kind == WhatIfKind::Verlet) settings.integrator = physics::IntegratorKind::Verlet;
-    if (way.kind == WhatIfKind::OneIteration) settings.iterations = 1;
+    settings.tolerance = 0.0f;  // a tolerance would change the quality with the errors of islands
+    settings.quality = static_cast<physics::Quality>(variant.quality);
+    settings.automaticQuality = variant.kind == WhatIfKind::Automatic;
+    if (variant.kind == WhatIfKind::Verlet) settings.integrator = physics::IntegratorKind::Verlet;
+    if (variant.kind == WhatIfKind::OneIteration) settings.iterations = 1;
     for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
         const physics::BodyInfo& info = world.bodies.info[body];
         if (info.kind != physics::BodyKind::Dynamic) continue;
         setAwake(world, {body, info.generation}, true);
-        if (way.kind != WhatIfKind::Nudged) continue;
+        if (variant.kind != WhatIfKind::Nudged) continue;
         physics::WorldPosition& centre = world.bodies.pose[body].centre;
         centre.x += static_cast<double>(body % 2 == 0 ? WhatIfRun::kNudge : -WhatIfRun::kNudge);
     }
@@ -56,7 +56,7 @@ physics::World worldFor(const WhatIfPoint& way, const physics::World& start) {
 /// The recorded samples of one run.
 struct WhatIfRun::Track {
     WhatIfPoint point;
-    /// m, from the place at the start: of each watched body at each look; far away for a body that is gone.
+    /// Displacement from the start, m, by sample and watched body; NaN for a destroyed body.
     std::vector<std::vector<Vec2>> places;
 };
 
@@ -89,7 +89,7 @@ WhatIfResult WhatIfRun::result() const {
     return result_;
 }
 
-std::vector<WhatIfPoint> WhatIfRun::ways() const {
+std::vector<WhatIfPoint> WhatIfRun::variants() const {
     const physics::Settings& settings = result_.settings;
     const int present = settings.quality;
     std::vector<WhatIfPoint> all;
@@ -105,7 +105,8 @@ std::vector<WhatIfPoint> WhatIfRun::ways() const {
     return all;
 }
 
-/// As many ticks as the time allows; all ways step the same ones, the last of the tape.
+/// Chooses the earliest start that fits into the time budget. All variants step the same ticks, up to the end
+/// of the tape.
 void WhatIfRun::chooseStart() {
     const PhysicsTape::Start& last = tape_->starts.back();
     const std::size_t probe = std::min(kProbe, tape_->ticks.size() - last.tick);
@@ -113,10 +114,10 @@ void WhatIfRun::chooseStart() {
     const float dear = follow({WhatIfKind::Quality, 4}, last, probe).point.microseconds;
     const double substep = std::max(static_cast<double>(dear - cheap), 0.0) / 15.0;
     double substeps = 0.0;
-    double tick = 0.0;  // µs, of all ways
-    for (const WhatIfPoint& way : ways()) {
-        substeps += substepsOf(way);
-        tick += static_cast<double>(cheap) + substepsOf(way) * substep;
+    double tick = 0.0;  // µs, of all variants
+    for (const WhatIfPoint& variant : variants()) {
+        substeps += substepsOf(variant);
+        tick += static_cast<double>(cheap) + substepsOf(variant) * substep;
     }
     start_ = &last;
     for (const PhysicsTape::Start& start : tape_->starts) {
@@ -130,11 +131,11 @@ void WhatIfRun::chooseStart() {
     stepsDone_ = 0.0;
 }
 
-WhatIfRun::Track WhatIfRun::follow(const WhatIfPoint& way, const PhysicsTape::Start& start,
+WhatIfRun::Track WhatIfRun::follow(const WhatIfPoint& variant, const PhysicsTape::Start& start,
                                    std::size_t ticks) {
-    Track track{way, {}};
-    physics::World world = worldFor(way, start.world);
-    const int parts = way.kind == WhatIfKind::Reference ? kReferenceParts : 1;
+    Track track{variant, {}};
+    physics::World world = worldFor(variant, start.world);
+    const int parts = variant.kind == WhatIfKind::Reference ? kReferenceParts : 1;
     const float dt = kTick / static_cast<float>(parts);
     std::vector<float> times, overlaps, jointErrors;
     for (std::size_t tick = 0; tick < ticks && !cancelled_; ++tick) {
@@ -147,7 +148,7 @@ WhatIfRun::Track WhatIfRun::follow(const WhatIfPoint& way, const PhysicsTape::St
             seconds += threadSeconds() - begin;
         }
         times.push_back(static_cast<float>(seconds * 1.0e6));
-        stepsDone_ += substepsOf(way);
+        stepsDone_ += substepsOf(variant);
         progress_ = static_cast<float>(std::min(stepsDone_ / stepsToDo_, 1.0));
         if (tick < ticks / 2 || (ticks - 1 - tick) % kEvery != 0) continue;
         float overlap = 0.0f, jointError = 0.0f;
@@ -173,8 +174,9 @@ WhatIfRun::Track WhatIfRun::follow(const WhatIfPoint& way, const PhysicsTape::St
 
 namespace {
 
-/// m: between two ways; half of the bodies are further apart, on the mean of all looks.
-float apart(const std::vector<std::vector<Vec2>>& a, const std::vector<std::vector<Vec2>>& b) {
+/// Returns the distance of the bodies between two variants, m: mean over the samples, median over the bodies;
+/// -1 if unknown.
+float medianDistance(const std::vector<std::vector<Vec2>>& a, const std::vector<std::vector<Vec2>>& b) {
     if (a.empty() || a.size() != b.size()) return -1.0f;
     std::vector<float> means;
     for (std::size_t body = 0; body < a.front().size(); ++body) {
@@ -196,13 +198,13 @@ void WhatIfRun::compare(const std::vector<Track>& tracks) {
     const int present = result_.settings.quality;
     const Track& reference = trackOf(WhatIfKind::Reference, physics::kMaxQuality);
     const Track& plain = trackOf(WhatIfKind::Quality, present);
-    const float hair = apart(plain.places, trackOf(WhatIfKind::Nudged, present).places);
-    const float difference = apart(plain.places, reference.places);
+    const float hair = medianDistance(plain.places, trackOf(WhatIfKind::Nudged, present).places);
+    const float difference = medianDistance(plain.places, reference.places);
     const std::lock_guard lock{mutex_};
     result_.hair = hair;
     result_.isChaotic = hair > kGrown && hair > kPartOfDifference * difference;
     for (std::size_t i = 0; i < result_.points.size(); ++i) {
-        if (!result_.isChaotic) result_.points[i].away = apart(tracks[i].places, reference.places);
+        if (!result_.isChaotic) result_.points[i].away = medianDistance(tracks[i].places, reference.places);
     }
     result_.complete = true;
 }
@@ -214,8 +216,8 @@ void WhatIfRun::work() {
         result_.ticks = static_cast<int>(ticks_);
     }
     std::vector<Track> tracks;
-    for (const WhatIfPoint& way : ways()) {
-        tracks.push_back(follow(way, *start_, ticks_));
+    for (const WhatIfPoint& variant : variants()) {
+        tracks.push_back(follow(variant, *start_, ticks_));
         if (cancelled_) break;
         const std::lock_guard lock{mutex_};
         result_.points.push_back(tracks.back().point);

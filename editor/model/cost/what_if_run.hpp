@@ -12,40 +12,40 @@
 
 namespace plumb::editor {
 
-/// How the ticks of a tape are stepped again.
+/// Variant of the physics settings with which the ticks of a tape are stepped.
 enum class WhatIfKind : std::uint8_t {
-    Quality,       ///< at one quality
-    Automatic,     ///< at the present quality, hard islands more
-    Verlet,        ///< the present quality with that integrator
-    OneIteration,  ///< the present quality with one iteration
-    Nudged,        ///< the present quality, begun a hair aside: tells chaos from error
-    Reference      ///< the highest quality with half the step
+    Quality,       ///< a fixed quality
+    Automatic,     ///< present quality with automatic quality for hard islands
+    Verlet,        ///< present quality with the Verlet integrator
+    OneIteration,  ///< present quality with one iteration
+    Nudged,        ///< present quality, bodies displaced by kNudge at the start: detects chaos
+    Reference      ///< maximum quality with half the time step
 };
 
-/// What one way of stepping cost, and how far off it was.
+/// Measured cost and error of one variant.
 struct WhatIfPoint {
     WhatIfKind kind = WhatIfKind::Quality;
     int quality = 0;
-    float microseconds = 0.0f;  ///< CPU time of a tick's physics: the median
-    float overlap = 0.0f;       ///< m: the largest of a look; of all looks in the second half the median
-    float jointError = 0.0f;    ///< m: the same of the gaps of joints
-    float peak = 0.0f;          ///< m: the largest of all looks, e.g. when something hits hard
-    float away = -1.0f;  ///< m: from the reference, half of the bodies more and half less; below 0: not known
+    float microseconds = 0.0f;  ///< median CPU time of the physics per tick
+    float overlap = 0.0f;       ///< largest overlap, m: median over the samples in the second half
+    float jointError = 0.0f;    ///< largest joint gap, m: median over the samples in the second half
+    float peak = 0.0f;          ///< largest overlap or gap of all samples, m, e.g. in a hard impact
+    float away = -1.0f;         ///< median distance of bodies from the reference, m; below 0: unknown
 
     [[nodiscard]] float error() const { return overlap > jointError ? overlap : jointError; }
 };
 
-/// What is known so far.
+/// The measurements so far.
 struct WhatIfResult {
     std::vector<WhatIfPoint> points;
-    physics::Settings settings;  ///< those of the game
+    physics::Settings settings;  ///< settings of the game
     PixelScale scale;
-    int ticks = 0;           ///< that each way was stepped
-    int ticksOnTape = 0;     ///< that it could have been
-    std::size_t bodies = 0;  ///< that can be pushed
+    int ticks = 0;           ///< ticks stepped per variant
+    int ticksOnTape = 0;     ///< ticks recorded
+    std::size_t bodies = 0;  ///< number of dynamic bodies
     bool complete = false;
-    bool isChaotic = false;  ///< a hair's difference at the start becomes large
-    float hair = 0.0f;       ///< m: what became of it
+    bool isChaotic = false;  ///< a tiny displacement at the start (kNudge) becomes large
+    float hair = 0.0f;       ///< median distance of bodies due to that displacement, m
 
     [[nodiscard]] const WhatIfPoint* find(WhatIfKind kind, int quality = -1) const;
     [[nodiscard]] const WhatIfPoint* present() const {
@@ -54,12 +54,13 @@ struct WhatIfResult {
     }
 };
 
-/// Steps the ticks of a tape again in all ways, in a thread of its own. Knows no game: only physics.
+/// Steps the ticks of a tape with all variants, in its own thread. Depends only on the physics, not on a
+/// game.
 class WhatIfRun {
 public:
-    static constexpr double kBudget = 1.2;     ///< s of CPU: with more to do, fewer ticks are stepped
-    static constexpr int kReferenceParts = 2;  ///< steps of the reference in a tick
-    static constexpr float kNudge = 1.0e-5f;   ///< m
+    static constexpr double kBudget = 1.2;     ///< CPU time, s; expensive scenes step fewer ticks
+    static constexpr int kReferenceParts = 2;  ///< physics steps per tick of the reference
+    static constexpr float kNudge = 1.0e-5f;   ///< initial displacement of variant Nudged, m
 
     explicit WhatIfRun(std::shared_ptr<const PhysicsTape> tape);
     ~WhatIfRun();
@@ -67,9 +68,9 @@ public:
     WhatIfRun& operator=(const WhatIfRun&) = delete;
 
     [[nodiscard]] WhatIfResult result() const;
-    [[nodiscard]] float progress() const { return progress_; }  ///< ratio
+    [[nodiscard]] float progress() const { return progress_; }  ///< 0 to 1
     [[nodiscard]] bool done() const { return done_; }
-    /// For tests: until it is done.
+    /// For tests: waits until it is done.
     void wait();
 
 private:
@@ -77,16 +78,16 @@ private:
 
     void work();
     void chooseStart();
-    [[nodiscard]] std::vector<WhatIfPoint> ways() const;
-    Track follow(const WhatIfPoint& way, const PhysicsTape::Start& start, std::size_t ticks);
+    [[nodiscard]] std::vector<WhatIfPoint> variants() const;
+    Track follow(const WhatIfPoint& variant, const PhysicsTape::Start& start, std::size_t ticks);
     void compare(const std::vector<Track>& tracks);
 
     std::shared_ptr<const PhysicsTape> tape_;
     const PhysicsTape::Start* start_ = nullptr;
     std::size_t ticks_ = 0;
-    double stepsToDo_ = 1.0;  // substeps of all ways, roughly: for the progress
+    double stepsToDo_ = 1.0;  // approximate substeps of all variants, for the progress
     double stepsDone_ = 0.0;
-    mutable std::mutex mutex_;  // of result_
+    mutable std::mutex mutex_;  // guards result_
     WhatIfResult result_;
     std::atomic<float> progress_ = 0.0f;
     std::atomic<bool> cancelled_ = false;

@@ -32,7 +32,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kMarkSize = 8.0f;  // px, half a side: what has no picture
+constexpr float kMarkSize = 8.0f;  // px, half a side of the box of an entity with nothing to draw
 
 AABB turnedBox(const Pose& pose, Vec2 from, Vec2 size) {
     const std::array<Vec2, 4> corners{from, from + Vec2{size.x, 0.0f}, from + size,
@@ -45,7 +45,8 @@ AABB turnedBox(const Pose& pose, Vec2 from, Vec2 size) {
     return box;
 }
 
-/// Offsets of boxes and circles do not grow with the entity, points of outlines do.
+/// The entity's scale applies to the points of outlines, but not to the offsets of boxes, capsules and
+/// circles.
 template <class Add>
 void addColliders(const World& world, EntityId entity, const Pose& pose, Add&& add) {
     const Pose turned{pose.position, pose.rotation, {1.0f, 1.0f}};
@@ -77,7 +78,8 @@ int layerOf(const World& world, EntityId entity) {
     return 0;
 }
 
-/// Where a field acts that has a size of its own and neither collider nor picture: px from the Transform.
+/// Returns the size of a force field's region, px, from the Transform's position on; zero for an entity with
+/// a sprite or collider, by which it is picked instead.
 Vec2 regionOf(const World& world, EntityId entity) {
     if (world.has<Sprite>(entity) || world.has<BoxCollider>(entity) || world.has<CircleCollider>(entity))
         return {};
@@ -90,7 +92,7 @@ Vec2 regionOf(const World& world, EntityId entity) {
     return region != nullptr ? region->size : Vec2{};
 }
 
-/// A layer is only where it has tiles: one reaches through its holes.
+/// True if the entity is a tile layer without a tile at the point, so that entities behind it can be picked.
 bool isHole(const Document& document, ObjectId id, EntityId entity, Vec2 point) {
     const auto* layer = document.world.find<TileLayer>(entity);
     const TileGrid* grid = layer != nullptr ? document.world.tiles().find(layer->cells) : nullptr;
@@ -99,8 +101,8 @@ bool isHole(const Document& document, ObjectId id, EntityId entity, Vec2 point) 
     return !grid->has(place.x, place.y) || grid->at(place.x, place.y) == 0;
 }
 
-/// The whole instance where something is a part of a prefab, unless the part is selected already.
-ObjectId meantBy(const Document& document, ObjectId id) {
+/// Returns the root of the prefab instance that the entity is a part of, unless the part is selected already.
+ObjectId pickTarget(const Document& document, ObjectId id) {
     const PrefabPart* part = document.world.find<PrefabPart>(document.find(id));
     if (part == nullptr || document.selection.has(id)) return id;
     const ObjectId root{part->instance};
@@ -109,7 +111,7 @@ ObjectId meantBy(const Document& document, ObjectId id) {
 
 }  // namespace
 
-bool isGround(const Document& document, EntityId entity) {
+bool isBackground(const Document& document, EntityId entity) {
     const World& world = document.world;
     if (world.has<TileLayer>(entity) || world.has<ParallaxLayer>(entity)) return true;
     if (regionOf(world, entity) != Vec2{}) return true;
@@ -118,7 +120,7 @@ bool isGround(const Document& document, EntityId entity) {
     return size.x >= document.picture.x && size.y >= document.picture.y;
 }
 
-bool isSomewhere(const World& world, EntityId entity) {
+bool hasTransform(const World& world, EntityId entity) {
     return world.alive(entity) && world.has<Transform>(entity);
 }
 
@@ -152,7 +154,7 @@ std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectI
     std::optional<AABB> box;
     for (const ObjectId id : objects) {
         const EntityId entity = document.find(id);
-        if (!isSomewhere(document.world, entity)) continue;
+        if (!hasTransform(document.world, entity)) continue;
         const AABB part = boundsOf(document.world, entity);
         if (isFinite(part.min) && isFinite(part.max)) box = box ? merged(*box, part) : part;
     }
@@ -171,8 +173,8 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
     const SceneBoxes& boxes = document.boxes();
     boxes.eachTouching(grown({point, point}, reach), [&](std::size_t i) {
         const EntityId entity = document.find(all[i]);
-        if (isOutOfHand(document, all[i]) || isHole(document, all[i], entity, point)) return;
-        hits.push_back({isGround(document, entity), layerOf(document.world, entity), i, all[i]});
+        if (isHiddenOrLocked(document, all[i]) || isHole(document, all[i], entity, point)) return;
+        hits.push_back({isBackground(document, entity), layerOf(document.world, entity), i, all[i]});
     });
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
         if (a.ground != b.ground) return b.ground;
@@ -187,18 +189,18 @@ std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach)
 
 ObjectId pickFirst(const Document& document, Vec2 point, float reach) {
     const std::vector<ObjectId> hits = pickAll(document, point, reach);
-    return hits.empty() ? ObjectId{} : meantBy(document, hits.front());
+    return hits.empty() ? ObjectId{} : pickTarget(document, hits.front());
 }
 
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box) {
     std::vector<ObjectId> ids;
-    std::set<std::uint64_t> taken;  // an instance is met once for each of its parts
+    std::set<std::uint64_t> taken;  // several parts of one instance may touch the box
     const std::vector<ObjectId>& all = document.objects();
     const SceneBoxes& boxes = document.boxes();
     boxes.eachTouching(box, [&](std::size_t i) {
         if (!intersects(boxes.at(i), box)) return;
-        if (isOutOfHand(document, all[i]) || isGround(document, document.find(all[i]))) return;
-        const ObjectId meant = meantBy(document, all[i]);
+        if (isHiddenOrLocked(document, all[i]) || isBackground(document, document.find(all[i]))) return;
+        const ObjectId meant = pickTarget(document, all[i]);
         if (taken.insert(meant.value).second) ids.push_back(meant);
     });
     return ids;

@@ -8,28 +8,31 @@
 
 namespace plumb::editor {
 
-/// Whether an entity has a place. One without, e.g. a key, can neither be clicked nor framed.
-bool isSomewhere(const World& world, EntityId entity);
+/// True if the entity has a Transform. One without cannot be picked or framed.
+bool hasTransform(const World& world, EntityId entity);
 
-/// What is everywhere: tile layers, fields, and sprites that fill the game's picture. Others come before it,
-/// and a drag that begins on it moves it only when it is selected already.
-bool isGround(const Document& document, EntityId entity);
+/// True for background entities: tile layers, parallax layers, force fields with a region, and sprites at
+/// least as large as the game's viewport. Other entities are picked before them, and a drag that begins on
+/// one moves it only if it is already selected.
+bool isBackground(const Document& document, EntityId entity);
 
-/// The box around what can be seen of an entity (px, world); a small one where there is nothing to see.
+/// Returns the world box (px) around an entity's sprite, tiles, text, colliders, soft body and region; a
+/// small box at its position if it has none of these.
 AABB boundsOf(const World& world, EntityId entity);
 
-/// The box around several; nothing when there are none.
+/// Returns the box around several entities; nullopt if none has a finite box.
 std::optional<AABB> boundsOf(const Document& document, const std::vector<ObjectId>& objects);
 
-/// What lies under a point, front first; the mouse goes through what is hidden or locked, and through the
-/// holes of tile layers. The ground comes last.
+/// Returns the entities under a point, front first, background entities (isBackground) last. Skips hidden and
+/// locked entities, and tile layers whose cell at the point is empty. @param reach  px around the point
 std::vector<ObjectId> pickAll(const Document& document, Vec2 point, float reach);
 
-/// What a click takes: the front-most thing, and the whole instance where that is a part of a prefab, unless
-/// the part is selected already. Null where nothing is.
+/// Returns the entity that a click selects: the front-most one; for a part of a prefab instance, the root of
+/// the instance unless the part is already selected. Null if there is none.
 ObjectId pickFirst(const Document& document, Vec2 point, float reach);
 
-/// What a dragged box touches, whole instances as with a click; the ground is left out.
+/// Returns the entities that a selection box touches, without background entities. For a part of a prefab
+/// instance, returns the root of the instance unless the part is already selected.
 std::vector<ObjectId> pickInside(const Document& document, const AABB& box);
 
 }  // namespace plumb::editor

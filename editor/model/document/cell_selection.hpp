@@ -7,14 +7,14 @@
 
 namespace plumb::editor {
 
-/// A column and a row: of a tile layer, or of a palette.
+/// Column (x) and row (y) of a cell in a tile layer or a palette.
 struct CellPlace {
     int x = 0;
     int y = 0;
     friend bool operator==(CellPlace, CellPlace) = default;
 };
 
-/// Selected cells of a tile layer, each once, in rows. Not an edit: never undone.
+/// Selected cells of a tile layer, each once, sorted by row and column. Not part of the undo history.
 class CellSelection {
 public:
     [[nodiscard]] const std::vector<CellPlace>& all() const { return cells_; }
@@ -35,9 +35,9 @@ public:
         set(std::move(all));
     }
     void remove(std::vector<CellPlace> cells) {
-        CellSelection gone;
-        gone.set(std::move(cells));
-        std::erase_if(cells_, [&](CellPlace place) { return gone.has(place); });
+        CellSelection removed;
+        removed.set(std::move(cells));
+        std::erase_if(cells_, [&](CellPlace place) { return removed.has(place); });
     }
     void move(int dx, int dy) {
         for (CellPlace& place : cells_) place.x += dx, place.y += dy;

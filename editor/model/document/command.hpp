@@ -9,28 +9,28 @@ namespace plumb::editor {
 
 class Document;
 
-/// The entities that a command is about.
+/// The entities that a command changes: the first of them, and their number.
 struct Subject {
     ObjectId first;
     std::size_t count = 0;
 };
 
-/// One change of a document that can be taken back.
+/// A change of a document that can be undone.
 class Command {
 public:
     virtual ~Command() = default;
 
     /// Completes "Undo …": "move 3 entities".
     [[nodiscard]] virtual std::string label() const = 0;
-    /// For lists of what was done; empty for what is not about entities.
+    /// The changed entities, for the history panel; empty for commands that change no entities.
     [[nodiscard]] virtual Subject subject() const { return {}; }
     virtual void apply(Document& document) = 0;
-    /// Brings back exactly what was before `apply`.
+    /// Restores exactly the state before `apply`.
     virtual void revert(Document& document) = 0;
-    /// Takes over a later command of the same gesture, already applied.
-    /// @return false when the two do not belong together
+    /// Merges the next command of the same gesture, which is already applied, into this one.
+    /// @return false if they cannot be merged
     virtual bool absorb([[maybe_unused]] const Command& next) { return false; }
-    /// True when the document, as it is after `apply`, equals the one before.
+    /// True if the document after `apply` equals the one before it.
     [[nodiscard]] virtual bool changesNothing([[maybe_unused]] const Document& document) const {
         return false;
     }

@@ -12,7 +12,7 @@
 namespace plumb::editor {
 namespace {
 
-// What an entity without a name is called after: the first of these that it has.
+// An entity without a name is displayed under the first of these components that it has.
 constexpr std::array<std::string_view, 9> kMainComponents{
     "PlayerController", "Camera",    "TileLayer",   "Label",         "Sprite",
     "ParallaxLayer",    "RigidBody", "BoxCollider", "CircleCollider"};
@@ -85,15 +85,15 @@ void Document::forget(ObjectId id) {
 void Document::reindex() {
     entities_.clear();
     reordered();
-    std::vector<EntityId> strangers;
+    std::vector<EntityId> needNewId;
     world.each<SceneEntity>([&](EntityId entity, SceneEntity& part) {
         if (part.id == 0 || entities_.find(part.id) != nullptr) {
-            strangers.push_back(entity);
+            needNewId.push_back(entity);
         } else {
             entities_.set(part.id, entity);
         }
     });
-    for (const EntityId entity : strangers) {
+    for (const EntityId entity : needNewId) {
         const ObjectId id = newId();
         world.get<SceneEntity>(entity).id = id.value;
         remember(id, entity);

@@ -17,8 +17,8 @@ namespace plumb::editor {
 
 class SceneBoxes;
 
-/// A scene that is open for editing. All may read it; only commands change its world, so that undo
-/// knows all. Stays at one address.
+/// A scene that is open for editing. Only commands may change its world, so that every change can be undone.
+/// Neither copyable nor movable.
 class Document final : public ObjectNames {
 public:
     explicit Document(const TypeRegistry& types);
@@ -29,25 +29,25 @@ public:
     World world;
     Selection selection;
     EntityView view;
-    std::string scenePath;            ///< in the project, e.g. "scenes/cave.scene.json"; empty: none is open
-    Vec2 picture{640.0f, 360.0f};     ///< px of the game's own picture
-    SceneId scene;                    ///< what new entities belong to
-    std::uint64_t sceneRevision = 0;  ///< counts changes; a panel that caches compares it
-    std::uint64_t treeRevision = 0;  ///< counts changes of the entities, their parents, their order, by which
-                                     ///< name and with which components
+    std::string scenePath;            ///< "scenes/cave.scene.json"; empty: no scene is open
+    Vec2 picture{640.0f, 360.0f};     ///< size of the game's viewport, px
+    SceneId scene;                    ///< the scene to which new entities are added
+    std::uint64_t sceneRevision = 0;  ///< counts changes, so that panels know when to update caches
+    std::uint64_t treeRevision = 0;   ///< counts changes of the set of entities, their parents, order, names
+                                      ///< and sets of components
 
-    /// The entity with this lasting id; null when there is none.
+    /// Returns the entity with this ObjectId, null if there is none.
     [[nodiscard]] EntityId find(ObjectId id) const override;
-    /// The lasting id of an entity; none for what is not part of the scene.
+    /// Returns the ObjectId of an entity, null if it is not part of the scene.
     [[nodiscard]] ObjectId idOf(EntityId entity) const override;
     [[nodiscard]] const TypeRegistry& types() const { return *world.types(); }
-    /// All entities of the scene in the order of the file. Sorted once after entities came or went; valid
-    /// until then, so take a copy before changing the document in a loop over it.
+    /// Returns all entities of the scene in file order. The list is rebuilt after entities are added, removed
+    /// or reordered, so copy it before changing the document in a loop over it.
     [[nodiscard]] const std::vector<ObjectId>& objects() const;
     [[nodiscard]] std::size_t objectCount() const { return entities_.size(); }
-    /// The box around each of `objects()`, as they are now.
+    /// Returns the current boxes of all entities in `objects()`.
     [[nodiscard]] const SceneBoxes& boxes() const;
-    /// What people call it: its name, or its main component, or "Entity".
+    /// Returns an entity's name to display: its Name, else its main component, else "Entity".
     [[nodiscard]] std::string nameOf(ObjectId id) const;
 
     // For commands.
@@ -56,16 +56,17 @@ public:
     [[nodiscard]] std::int32_t nextOrder() const;
     void remember(ObjectId id, EntityId entity) { entities_.set(id.value, entity), reordered(); }
     void forget(ObjectId id);
-    /// After places in the file were changed.
+    /// Must be called after the order of entities in the file was changed.
     void reordered() { sorted_ = false, ++treeRevision; }
-    /// After the world was filled from outside: gives an id to what has none, and finds all again.
+    /// Must be called after the world was filled by a loader: rebuilds the ids, and assigns new ones to
+    /// entities without an id or with one already used.
     void reindex();
-    /// The seed of new ids; the program takes one from the clock, tests keep theirs.
+    /// Seeds the generator of new ids. The program seeds it from the clock, tests with a constant.
     void seedIds(std::uint64_t seed) { random_ = Random::seeded(seed); }
 
 private:
     IdTable<EntityId> entities_;
-    mutable std::vector<ObjectId> objects_;  // as they were when `sorted_` was set
+    mutable std::vector<ObjectId> objects_;  // cache of objects(), valid while `sorted_`
     mutable bool sorted_ = false;
     mutable std::unique_ptr<SceneBoxes> boxes_;
     Random random_;

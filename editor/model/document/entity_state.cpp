@@ -11,7 +11,7 @@
 namespace plumb::editor {
 namespace {
 
-bool isFamily(const TypeInfo& type) {
+bool isParentOrChildren(const TypeInfo& type) {
     return type.key == typeKey<Parent>() || type.key == typeKey<Children>();
 }
 
@@ -20,7 +20,7 @@ void replaceReferences(const FieldInfo& field, std::byte* component,
     const bool list = field.kind == FieldKind::List && field.element == FieldKind::Entity;
     if (field.kind != FieldKind::Entity && !list) return;
     auto* at = static_cast<std::byte*>(field.in(static_cast<void*>(component)));
-    const std::size_t count = list ? *field.listCount(at) : 1;
+    const std::size_t count = list ? field.countOf(at) : 1;
     for (std::size_t i = 0; i < count; ++i, at += sizeof(ObjectId)) {
         ObjectId id;
         std::memcpy(&id, at, sizeof id);
@@ -29,8 +29,8 @@ void replaceReferences(const FieldInfo& field, std::byte* component,
     }
 }
 
-/// The copy of a part of a prefab belongs to the copy of its instance, by which its id is made. Copied
-/// without its instance it is an entity like others.
+/// Links the copy of a part of a prefab instance to the copy of the instance, from which its id is computed.
+/// A part that is copied without its instance becomes a plain entity.
 void followInstance(EntityState& state, std::map<ObjectId, ObjectId>& renamed) {
     const auto link = std::find_if(
         state.components.begin(), state.components.end(),
@@ -60,7 +60,7 @@ EntityState readEntity(const Document& document, ObjectId id) {
     const EntityId entity = document.find(id);
     EntityState state{id, document.idOf(parentOf(document.world, entity)), {}};
     for (const TypeInfo& type : document.types().all()) {
-        if (!isFamily(type) && document.world.has(type, entity)) {
+        if (!isParentOrChildren(type) && document.world.has(type, entity)) {
             state.components.push_back(readComponent(document, type, entity));
         }
     }
@@ -120,17 +120,17 @@ std::vector<ObjectId> withDescendants(const Document& document, const std::vecto
 }
 
 std::vector<ObjectId> outermost(const Document& document, const std::vector<ObjectId>& ids) {
-    std::vector<EntityId> named;
+    std::vector<EntityId> listed;
     for (const ObjectId id : ids) {
-        named.push_back(document.find(id));
+        listed.push_back(document.find(id));
     }
-    std::sort(named.begin(), named.end());
+    std::sort(listed.begin(), listed.end());
     std::vector<ObjectId> result;
     for (const ObjectId id : ids) {
         bool below = false;
         for (EntityId at = parentOf(document.world, document.find(id)); at && !below;
              at = parentOf(document.world, at)) {
-            below = std::binary_search(named.begin(), named.end(), at);
+            below = std::binary_search(listed.begin(), listed.end(), at);
         }
         if (!below) result.push_back(id);
     }

@@ -6,7 +6,7 @@
 
 namespace plumb::editor {
 
-/// All there is to know about one entity of the scene, so that it can be made again exactly.
+/// Complete state of one entity of the scene, from which it can be recreated exactly.
 struct EntityState {
     ObjectId id;
     ObjectId parent;
@@ -15,19 +15,21 @@ struct EntityState {
 
 EntityState readEntity(const Document& document, ObjectId id);
 
-/// Makes entities, parents before their children as the list has them. References among them hold.
+/// Creates entities. Parents must come before their children in the list. References among the entities are
+/// resolved.
 void insertEntities(Document& document, const std::vector<EntityState>& states);
-/// Takes entities out of the world; children that are not named go with their parents.
+/// Removes entities and all their descendants from the world.
 void eraseEntities(Document& document, const std::vector<ObjectId>& ids);
 
-/// The named entities and all below them, each once, parents before children, in the order of the file.
+/// Returns the entities and all their descendants, each once, sorted by depth in the tree, then by file
+/// order.
 std::vector<ObjectId> withDescendants(const Document& document, const std::vector<ObjectId>& ids);
 
-/// Those of `ids` that are not below another one of them: what has to be moved so that all move once.
+/// Returns those of `ids` that have no ancestor among `ids`: moving these moves each entity once.
 std::vector<ObjectId> outermost(const Document& document, const std::vector<ObjectId>& ids);
 
-/// Copies for pasting: new ids, references inside the group follow the copies, tiles are copied.
-/// The first ones go behind everything else in the file.
+/// Returns copies with new ids for pasting. References among the entities point to the copies; tile grids are
+/// copied. In the file, the copies come after all other entities.
 std::vector<EntityState> copiesOf(Document& document, std::vector<EntityState> states);
 
 }  // namespace plumb::editor

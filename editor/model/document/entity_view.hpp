@@ -7,12 +7,12 @@
 
 namespace plumb::editor {
 
-/// Which entities one sees, and which the mouse goes through, while editing; and which tile layer is shown
-/// alone. A way of looking: never undone, and not in the scene's file, so that no other person's git sees it.
-/// It is kept in the project's own folder of the editor (see view_file.hpp).
+/// Entities that are hidden or locked in the editor, and the tile layer that is shown alone (solo). Not part
+/// of the undo history nor of the scene's file, so it causes no changes under version control; stored in the
+/// editor's folder of the project (view_file.hpp).
 class EntityView {
 public:
-    /// Of a tile layer: whether it is out of sight by itself or because another one is shown alone.
+    /// True if a tile layer is hidden itself or because another one is shown alone.
     [[nodiscard]] bool hides(ObjectId layer) const { return solo_ ? layer != solo_ : isHidden(layer); }
     [[nodiscard]] bool isHidden(ObjectId id) const { return hidden_.count(id) > 0; }
     [[nodiscard]] bool locks(ObjectId id) const { return locked_.count(id) > 0; }
@@ -26,7 +26,7 @@ public:
     void setLocked(ObjectId id, bool locked) { set(locked_, id, locked); }
     void toggleHidden(ObjectId id) { setHidden(id, !isHidden(id)); }
     void toggleLocked(ObjectId id) { setLocked(id, !locks(id)); }
-    /// Shows this one alone, or all again.
+    /// Shows this tile layer alone; if it is already, shows all of them.
     void toggleSolo(ObjectId layer) { solo_ = solo_ == layer ? ObjectId{} : layer, ++revision_; }
     void clear() { hidden_.clear(), locked_.clear(), solo_ = {}, ++revision_; }
 

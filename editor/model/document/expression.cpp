@@ -14,8 +14,8 @@
 namespace plumb::editor {
 namespace {
 
-constexpr int kDeepest = 64;               // parentheses, signs and powers inside each other
-constexpr std::size_t kMostArguments = 4;  // of a function
+constexpr int kDeepest = 64;               // nesting depth of parentheses, signs and powers
+constexpr std::size_t kMostArguments = 4;  // maximum number of a function's arguments
 
 struct Function {
     std::string_view name;
@@ -26,7 +26,7 @@ struct Function {
 double degreesFrom(double radians) { return radians * 180.0 / std::numbers::pi; }
 double radiansFrom(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
-// Angles of sin, cos and tan are radians, as in every language; rad(30) makes them of degrees.
+// sin, cos and tan take radians; rad(30) converts from degrees.
 constexpr std::array kFunctions{
     Function{"sqrt", 1, [](const double* a) { return std::sqrt(a[0]); }},
     Function{"abs", 1, [](const double* a) { return std::fabs(a[0]); }},
@@ -52,11 +52,11 @@ constexpr std::array kFunctions{
 constexpr std::array kConstants{NamedNumber{"pi", std::numbers::pi},
                                 NamedNumber{"tau", 2.0 * std::numbers::pi}};
 
-// By hand, because those of the library ask the locale.
+// Not std::isdigit and std::isalpha, which depend on the locale.
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-/// Reads from left to right; after the first error nothing counts any more.
+/// Recursive descent parser. Only the first error is kept; results after it are meaningless.
 class Reader {
 public:
     Reader(std::string_view text, std::size_t from, std::span<const NamedNumber> known)
@@ -96,7 +96,7 @@ private:
                 value = divided(sign, value, signedNumber());
             } else if (take('%')) {
                 const double by = signedNumber();
-                if (by == 0.0) fail(sign, "divides by 0");
+                if (by == 0.0) fail(sign, "division by 0");
                 value = error_ ? 0.0 : std::fmod(value, by);
             } else {
                 break;
@@ -106,13 +106,13 @@ private:
     }
 
     double divided(std::size_t sign, double value, double by) {
-        if (!error_ && by == 0.0) fail(sign, "divides by 0");
+        if (!error_ && by == 0.0) fail(sign, "division by 0");
         return error_ ? 0.0 : value / by;
     }
 
-    /// A sign stands before a power: -2^2 is -4.
+    /// A power binds more tightly than a sign: -2^2 is -4.
     double signedNumber() {
-        if (++depth_ > kDeepest) fail(at_, "too many things inside each other");
+        if (++depth_ > kDeepest) fail(at_, "the expression is nested too deeply");
         double value = 0.0;
         if (!error_) value = take('-') ? -signedNumber() : take('+') ? signedNumber() : power();
         --depth_;
@@ -124,7 +124,7 @@ private:
         skipSpace();
         const std::size_t sign = at_;
         if (error_ || !take('^')) return base;
-        return finite(sign, std::pow(base, signedNumber()), "this power is no number");
+        return finite(sign, std::pow(base, signedNumber()), "the power is not a finite number");
     }
 
     double number() {
@@ -147,14 +147,14 @@ private:
         const char* const first = text_.data() + at_;
         const auto [end, problem] = std::from_chars(first, text_.data() + text_.size(), value);
         if (problem == std::errc::result_out_of_range) {
-            fail(at_, "this number is too large or too small");
+            fail(at_, "the number is too large or too small");
         } else if (problem != std::errc{}) {
-            fail(at_, "expected digits beside the point");
+            fail(at_, "expected digits next to the decimal point");
         }
         const std::size_t start = std::exchange(at_, at_ + static_cast<std::size_t>(end - first));
         if (!error_ && at_ < text_.size() && (text_[at_] == '.' || isLetter(text_[at_])))
-            fail(at_, format("{} does not belong into the number \"{}\"", found(),
-                             text_.substr(start, at_ - start)));
+            fail(at_,
+                 format("unexpected {} after the number \"{}\"", found(), text_.substr(start, at_ - start)));
         return value;
     }
 
@@ -170,15 +170,15 @@ private:
             return word->value;
         const auto function = std::find_if(kFunctions.begin(), kFunctions.end(), named);
         if (function != kFunctions.end()) return call(*function, start);
-        fail(start, format("\"{}\" means nothing here", name));
-        if (error_) error_->remedy = format("there are pi, tau, {}", expressionFunctions());
+        fail(start, format("unknown name \"{}\"", name));
+        if (error_) error_->remedy = format("use pi, tau, {}", expressionFunctions());
         return 0.0;
     }
 
     double call(const Function& function, std::size_t start) {
         skipSpace();
         const std::size_t bracket = at_;
-        if (!take('(')) fail(at_, format("expected ( behind {}, found {}", function.name, found()));
+        if (!take('(')) fail(at_, format("expected ( after {}, found {}", function.name, found()));
         std::array<double, kMostArguments> values{};
         for (std::size_t i = 0; i < function.arguments && !error_; ++i) {
             if (i > 0 && !take(','))
@@ -189,7 +189,7 @@ private:
         close(bracket);
         return error_ ? 0.0
                       : finite(start, function.work(values.data()),
-                               format("this {} is no number", function.name));
+                               format("the result of {} is not a finite number", function.name));
     }
 
     double finite(std::size_t where, double value, std::string_view problem) {
@@ -204,11 +204,11 @@ private:
 
     [[nodiscard]] std::string found() const {
         if (at_ >= text_.size()) return "the end";
-        // A letter of another alphabet takes several bytes, and is one letter all the same.
+        // A character outside ASCII takes several bytes (UTF-8).
         std::size_t end = at_ + 1;
         while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xc0u) == 0x80u) ++end;
         const std::string_view letter = text_.substr(at_, end - at_);
-        return isUtf8(letter) ? format("\"{}\"", letter) : std::string{"a broken letter"};
+        return isUtf8(letter) ? format("\"{}\"", letter) : std::string{"invalid UTF-8"};
     }
 
     bool take(char sign) {
@@ -233,7 +233,8 @@ private:
     std::optional<Error> error_;
 };
 
-/// The sign of `+=10` or `*2`, and how long it is; 0 for a plain value.
+/// Returns the operator at the start of a text like `+=10` or `*2`, and the index after it; {0, 0} if there
+/// is none.
 std::pair<char, std::size_t> leadingSign(std::string_view text) {
     const std::size_t start = std::min(text.find_first_not_of(" \t"), text.size());
     const std::string_view rest = text.substr(start);
@@ -270,7 +271,7 @@ Result<double> typedNumber(std::string_view text, const TypedOver& old) {
     const auto [sign, length] = leadingSign(text);
     const Result<double> typed = Reader{text, length, known}.whole();
     if (!typed) return typed;
-    if (sign == '/' && *typed == 0.0) return Error{format("column {}", length), "divides by 0", {}};
+    if (sign == '/' && *typed == 0.0) return Error{format("column {}", length), "division by 0", {}};
     const double value = sign == '+'   ? old.value + *typed
                          : sign == '-' ? old.value - *typed
                          : sign == '*' ? old.value * *typed

@@ -8,13 +8,14 @@
 
 #include "core/text.hpp"
 #include "reflect/curve_field.hpp"
+#include "reflect/whole_number.hpp"
 
 namespace plumb::editor {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// The decimal number that a person would type for this float.
+/// Returns the shortest decimal number that rounds to this float.
 double asTyped(float number) {
     const std::string text = shortestText(number);
     double typed = double{number};
@@ -28,32 +29,16 @@ FieldKind kindOfNumbers(const FieldInfo& field) {
 
 bool isWhole(const FieldInfo& field) { return kindOfNumbers(field) == FieldKind::Int; }
 
-/// What a number in memory is multiplied with to be shown.
+/// Returns the factor from a number in memory to the number shown.
 double shownFactor(const FieldInfo& field) {
     return field.unit == Unit::Radians || field.unit == Unit::RadiansPerSecond ? kDegrees : 1.0;
 }
 
-template <class T>
-double loadAs(const std::byte* from) {
-    T number{};
-    std::memcpy(&number, from, sizeof number);
-    return static_cast<double>(number);
-}
-
-double loadWhole(const FieldInfo& field, const std::byte* from) {
-    switch (numberSize(field)) {
-        case 1: return field.isSigned ? loadAs<std::int8_t>(from) : loadAs<std::uint8_t>(from);
-        case 2: return field.isSigned ? loadAs<std::int16_t>(from) : loadAs<std::uint16_t>(from);
-        case 4: return field.isSigned ? loadAs<std::int32_t>(from) : loadAs<std::uint32_t>(from);
-        default: return field.isSigned ? loadAs<std::int64_t>(from) : loadAs<std::uint64_t>(from);
-    }
-}
-
-/// What so many bytes hold. Beyond 2^53 a double skips numbers, so that is as far as one can type.
+/// Returns the range of the field's type. Integers are limited to 2^53, above which a double is not exact.
 NumberRange rangeOfBytes(const FieldInfo& field) {
     if (!isWhole(field)) {
-        const double most = double{std::numeric_limits<float>::max()};
-        return {-most, most, false};
+        const double max = double{std::numeric_limits<float>::max()};
+        return {-max, max, false};
     }
     const double values = std::exp2(std::min<double>(static_cast<double>(numberSize(field)) * 8.0, 53.0));
     return field.isSigned ? NumberRange{-values / 2.0, values / 2.0 - 1.0, false}
@@ -80,7 +65,11 @@ std::size_t numberSize(const FieldInfo& field) {
 
 double numberAt(const FieldInfo& field, const FieldValue& value, std::size_t at) {
     const std::byte* from = value.bytes.data() + at;
-    if (isWhole(field)) return loadWhole(field, from);
+    if (isWhole(field)) {
+        const std::int64_t whole = loadWhole(from, numberSize(field), field.isSigned);
+        return field.isSigned ? static_cast<double>(whole)
+                              : static_cast<double>(static_cast<std::uint64_t>(whole));
+    }
     float number = 0.0f;
     std::memcpy(&number, from, sizeof number);
     const float shown = static_cast<float>(double{number} * shownFactor(field));
@@ -90,7 +79,7 @@ double numberAt(const FieldInfo& field, const FieldValue& value, std::size_t at)
 
 void setNumberAt(const FieldInfo& field, FieldValue& value, double number, std::size_t at) {
     const NumberRange range = numberRange(field);
-    // What is typed as it is shown already does not change in its last digits.
+    // Typing the number that is already shown must not change the last digits of the value in memory.
     if (number == numberAt(field, value, at) && number >= range.min && number <= range.max) return;
     number = std::clamp(number, range.min, range.max);
     std::byte* to = value.bytes.data() + at;
@@ -98,12 +87,12 @@ void setNumberAt(const FieldInfo& field, FieldValue& value, double number, std::
         const double whole = std::round(number);
         const auto bits = whole < 0.0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(whole))
                                       : static_cast<std::uint64_t>(whole);
-        std::memcpy(to, &bits, numberSize(field));  // the low bytes come first on every machine we run on
+        storeWhole(to, numberSize(field), bits);
         return;
     }
     const double factor = shownFactor(field);
     auto exact = static_cast<float>(number / factor);
-    // 90 degrees come to lie a last digit beside the range whose end they are.
+    // Rounding in the conversion can put a value at a limit, like 90 degrees, just outside the range.
     if (range.limited) exact = std::clamp(exact, field.min, field.max);
     std::memcpy(to, &exact, sizeof exact);
 }
@@ -135,7 +124,7 @@ double numberStep(const FieldInfo& field) {
 }
 
 std::string numberText(double number) {
-    constexpr double kWide = 1e7;  // from here on digits behind the point say nothing
+    constexpr double kWide = 1e7;  // floats this large have no digits after the decimal point
     constexpr double kTiny = 1e-3;
     const double size = std::fabs(number);
     if (!std::isfinite(number) || size >= kWide || (size > 0.0 && size < kTiny)) return shortestText(number);

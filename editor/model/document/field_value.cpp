@@ -6,35 +6,36 @@
 namespace plumb::editor {
 namespace {
 
-static_assert(sizeof(EntityId) == sizeof(ObjectId), "values hold the one in the place of the other");
+static_assert(sizeof(EntityId) == sizeof(ObjectId),
+              "FieldValue stores an ObjectId in the bytes of an EntityId");
 
-/// The references in a value at an address.
+/// Returns the bytes of the entity references in the value.
 std::span<std::byte> referencesIn(const FieldInfo& field, void* value) {
     auto* bytes = static_cast<std::byte*>(value);
     if (field.kind == FieldKind::Entity) return {bytes, sizeof(EntityId)};
     if (field.kind == FieldKind::List && field.element == FieldKind::Entity) {
-        return {bytes, sizeof(EntityId) * *field.listCount(value)};
+        return {bytes, sizeof(EntityId) * field.countOf(value)};
     }
     return {};
 }
 
 void toLasting(const ObjectNames& names, const FieldInfo& field, void* value) {
-    const std::span<std::byte> places = referencesIn(field, value);
-    for (std::size_t at = 0; at < places.size(); at += sizeof(EntityId)) {
+    const std::span<std::byte> references = referencesIn(field, value);
+    for (std::size_t at = 0; at < references.size(); at += sizeof(EntityId)) {
         EntityId entity;
-        std::memcpy(&entity, &places[at], sizeof entity);
+        std::memcpy(&entity, &references[at], sizeof entity);
         const ObjectId id = names.idOf(entity);
-        std::memcpy(&places[at], &id, sizeof id);
+        std::memcpy(&references[at], &id, sizeof id);
     }
 }
 
 void fromLasting(const ObjectNames& names, const FieldInfo& field, void* value) {
-    const std::span<std::byte> places = referencesIn(field, value);
-    for (std::size_t at = 0; at < places.size(); at += sizeof(EntityId)) {
+    const std::span<std::byte> references = referencesIn(field, value);
+    for (std::size_t at = 0; at < references.size(); at += sizeof(EntityId)) {
         ObjectId id;
-        std::memcpy(&id, &places[at], sizeof id);
+        std::memcpy(&id, &references[at], sizeof id);
         const EntityId entity = names.find(id);
-        std::memcpy(&places[at], &entity, sizeof entity);
+        std::memcpy(&references[at], &entity, sizeof entity);
     }
 }
 
@@ -49,7 +50,7 @@ FieldValue readField(const ObjectNames& names, const FieldInfo& field, const voi
 }
 
 void writeField(const ObjectNames& names, const FieldInfo& field, void* component, const FieldValue& value) {
-    PLUMB_ASSERT(value.bytes.size() == field.size, "a field was given a value of another size");
+    PLUMB_ASSERT(value.bytes.size() == field.size, "the value has a different size than the field");
     std::memcpy(field.in(component), value.bytes.data(), field.size);
     fromLasting(names, field, field.in(component));
 }
@@ -84,23 +85,23 @@ ComponentState defaultComponent(const TypeInfo& type) {
 }
 
 bool refersTo(const FieldInfo& field, const void* component, const std::vector<EntityId>& targets) {
-    const std::span<std::byte> places = referencesIn(field, const_cast<void*>(field.in(component)));
-    for (std::size_t at = 0; at < places.size(); at += sizeof(EntityId)) {
+    const std::span<std::byte> references = referencesIn(field, const_cast<void*>(field.in(component)));
+    for (std::size_t at = 0; at < references.size(); at += sizeof(EntityId)) {
         EntityId entity;
-        std::memcpy(&entity, &places[at], sizeof entity);
+        std::memcpy(&entity, &references[at], sizeof entity);
         if (std::binary_search(targets.begin(), targets.end(), entity)) return true;
     }
     return false;
 }
 
 void clearReferences(const FieldInfo& field, void* component, const std::vector<EntityId>& targets) {
-    const std::span<std::byte> places = referencesIn(field, field.in(component));
-    for (std::size_t at = 0; at < places.size(); at += sizeof(EntityId)) {
+    const std::span<std::byte> references = referencesIn(field, field.in(component));
+    for (std::size_t at = 0; at < references.size(); at += sizeof(EntityId)) {
         EntityId entity;
-        std::memcpy(&entity, &places[at], sizeof entity);
+        std::memcpy(&entity, &references[at], sizeof entity);
         if (!std::binary_search(targets.begin(), targets.end(), entity)) continue;
         entity = {};
-        std::memcpy(&places[at], &entity, sizeof entity);
+        std::memcpy(&references[at], &entity, sizeof entity);
     }
 }
 

@@ -9,12 +9,12 @@
 
 namespace plumb::editor {
 
-/// The value of a field as bytes, exact to the last bit. References to entities stand in it as lasting ids
-/// (both are 8 bytes), so that a value outlives the deletion and the return of what it refers to.
+/// The value of a field as bytes. References to entities are stored as ObjectIds (EntityIds have the same
+/// size, 8 bytes), so they stay valid when undo recreates a deleted entity.
 struct FieldValue {
     std::vector<std::byte> bytes;
 
-    /// @param value  a reference to an entity must be an ObjectId
+    /// @param value  references to entities must be ObjectIds
     template <class T>
     static FieldValue of(const T& value) {
         FieldValue made;
@@ -28,24 +28,24 @@ struct FieldValue {
 FieldValue readField(const ObjectNames& names, const FieldInfo& field, const void* component);
 void writeField(const ObjectNames& names, const FieldInfo& field, void* component, const FieldValue& value);
 
-/// A whole component, in the same way.
+/// All bytes of a component, with references to entities stored as ObjectIds.
 struct ComponentState {
     const TypeInfo* type = nullptr;
     std::vector<std::byte> bytes;
 };
 
-/// @param object  may lie outside a world
+/// Copies a component. @param object  the component; it need not be in a world
 ComponentState componentState(const ObjectNames& names, const TypeInfo& type, const void* object);
 ComponentState readComponent(const Document& document, const TypeInfo& type, EntityId entity);
-/// Adds the component when it is not there.
+/// Overwrites the entity's component, adding it if it is missing.
 void writeComponent(Document& document, EntityId entity, const ComponentState& state);
 
-/// A type's default component.
+/// Returns a component of this type with default values.
 ComponentState defaultComponent(const TypeInfo& type);
 
-/// Whether the field of this component may refer to an entity of `targets` (sorted).
+/// True if the field of this component refers to an entity of `targets` (sorted).
 bool refersTo(const FieldInfo& field, const void* component, const std::vector<EntityId>& targets);
-/// Sets references to `targets` (sorted) to null.
+/// Sets the field's references to entities of `targets` (sorted) to null.
 void clearReferences(const FieldInfo& field, void* component, const std::vector<EntityId>& targets);
 
 }  // namespace plumb::editor

@@ -4,8 +4,8 @@
 
 namespace plumb::editor {
 
-/// A command that writes files of the project, at once. The open scene is as much saved afterwards as it was
-/// before: what such a command changes in the scene, it changes in the scene's file too.
+/// A command that writes project files immediately. It does not affect whether the open scene counts as
+/// saved, because it changes the scene's file together with the scene.
 class FileCommand : public Command {};
 
 }  // namespace plumb::editor

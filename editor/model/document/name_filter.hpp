@@ -8,11 +8,11 @@
 
 namespace plumb::editor {
 
-/// Whether `text` has `part` in it, in any case.
+/// True if `text` contains `part`, ignoring case.
 bool containsWord(std::string_view text, std::string_view part);
 
-/// What a person types to find entities: words that all must be in the name or in that of a component;
-/// "c:body" only in that of a component.
+/// Filter for finding entities by typed words: each word must occur in the entity's name or in the name of
+/// one of its components; "c:body" matches component names only.
 class NameFilter {
 public:
     NameFilter(std::string_view words, const TypeRegistry& types);
@@ -22,8 +22,8 @@ public:
 
 private:
     struct Word {
-        std::string name;                    ///< to be in the name; empty: only components count
-        std::vector<const TypeInfo*> types;  ///< the components that have it
+        std::string name;                    ///< part of the entity's name; empty: "c:" search
+        std::vector<const TypeInfo*> types;  ///< components whose names contain the word
     };
     std::vector<Word> words_;
 };

@@ -7,8 +7,8 @@
 
 namespace plumb::editor {
 
-/// The lasting id of an entity of the scene, as in its file. Commands and the selection hold these: an entity
-/// that was deleted and brought back by undo has a new EntityId, but the same ObjectId.
+/// Persistent id of an entity, as stored in the scene's file. Commands and the selection use it because an
+/// entity that undo recreates has a new EntityId but the same ObjectId.
 struct ObjectId {
     std::uint64_t value = 0;
 
@@ -16,13 +16,13 @@ struct ObjectId {
     friend constexpr auto operator<=>(ObjectId, ObjectId) = default;
 };
 
-/// Tells which entity of a world an ObjectId is at the moment, and back.
+/// Maps ObjectIds to the present entities of a world and back.
 class ObjectNames {
 public:
     virtual ~ObjectNames() = default;
-    /// Null when there is none.
+    /// Returns the entity with this ObjectId, null if there is none.
     [[nodiscard]] virtual EntityId find(ObjectId id) const = 0;
-    /// None for what is not part of a scene.
+    /// Returns the ObjectId of an entity, null if it is not part of a scene.
     [[nodiscard]] virtual ObjectId idOf(EntityId entity) const = 0;
 };
 

@@ -25,13 +25,14 @@
 namespace plumb::editor {
 namespace {
 
-// What the note says, beside the id that the first entity has in the file.
+// Members of the note (kPrefabFileNote), which records how the file was written, so that saving reproduces
+// it. "id" is the id of the root in the file.
 constexpr const char* kId = "id";
-constexpr const char* kOwnPlace = "ownPlace";    // fields of the first entity's Transform that it says
-constexpr const char* kNoParent = "noParent";    // ids of those that say no parent, which means the first
-constexpr const char* kNoPlace = "noPlace";      // ids of those whose Transform says no position
-constexpr const char* kSaid = "said";            // of each entity: its components and their fields, in order
-constexpr const char* kNoSceneKeys = "noScene";  // keys of scenes that it does not have
+constexpr const char* kOwnPlace = "ownPlace";    // fields of the root's Transform that the file contains
+constexpr const char* kNoParent = "noParent";    // ids of entities without "parent", which means the root
+constexpr const char* kNoLocation = "noPlace";   // ids of entities whose Transform has no "position"
+constexpr const char* kRecord = "said";          // by entity: components and fields in file order
+constexpr const char* kNoSceneKeys = "noScene";  // keys of scene files that the file lacks
 
 const std::string& rootText() {
     static const std::string kText = hexText(Prefab::kRootPart);
@@ -48,7 +49,7 @@ bool lists(const Json& note, const char* key, const Json& value) {
     return list != nullptr && std::find(list->begin(), list->end(), value) != list->end();
 }
 
-/// The same object with a key at its front.
+/// Returns the object with the key as its first member.
 Json withFront(const char* key, Json value, const Json& object) {
     Json made = Json::object();
     made[key] = std::move(value);
@@ -58,7 +59,8 @@ Json withFront(const char* key, Json value, const Json& object) {
     return made;
 }
 
-/// Changes references to one entity, in its own components and in those of parts of a prefab.
+/// Replaces the id `from` by `to` in the references of an entity's components and of the overrides of its
+/// parts.
 void changeId(const TypeRegistry& types, Json& entity, std::uint64_t from, std::uint64_t to) {
     if (from == to) return;
     const auto change = [&](std::uint64_t id) { return id == from ? to : id; };
@@ -71,15 +73,15 @@ void changeId(const TypeRegistry& types, Json& entity, std::uint64_t from, std::
     }
 }
 
-/// What a file says of the components of an entity that a writer of scenes would not: their order, and values
-/// that are the default; null stands for all others.
-Json saidOf(World& world, const TypeRegistry& types, const Json& entity) {
-    Json said = Json::object();
+/// Records what writing a scene would lose of an entity's components: the order of components and fields, and
+/// fields with default values (other fields are null).
+Json recordOf(World& world, const TypeRegistry& types, const Json& entity) {
+    Json record = Json::object();
     const Json* components = findObject(entity, "components");
-    if (components == nullptr) return said;
+    if (components == nullptr) return record;
     const WorldFieldContext context{world};
     for (const auto& [name, fields] : components->items()) {
-        Json& keys = said[name] = Json::object();
+        Json& keys = record[name] = Json::object();
         const TypeInfo* type = types.find(name);
         if (type == nullptr || type->size == 0 || !fields.is_object()) continue;
         const ComponentState fresh = defaultComponent(*type);
@@ -90,13 +92,14 @@ Json saidOf(World& world, const TypeRegistry& types, const Json& entity) {
             keys[key] = isDefault ? value : Json();
         }
     }
-    return said;
+    return record;
 }
 
-/// The members in the order in which they were said, new ones behind them. @param add  those that are missing
-Json inOrderOf(const Json& said, const Json& now, bool add) {
+/// Returns the members of `now` in the recorded order, new ones last.
+/// @param add  also add recorded default values that `now` lacks
+Json inOrderOf(const Json& record, const Json& now, bool add) {
     Json made = Json::object();
-    for (const auto& [key, value] : said.items()) {
+    for (const auto& [key, value] : record.items()) {
         if (const auto found = now.find(key); found != now.end()) {
             made[key] = *found;
         } else if (add && !value.is_null()) {
@@ -107,12 +110,12 @@ Json inOrderOf(const Json& said, const Json& now, bool add) {
     return made;
 }
 
-/// From the text of a prefab's file to that of a scene.
+/// Converts a prefab file to a scene.
 class SceneOfPrefab {
 public:
     SceneOfPrefab(World& world, const TypeRegistry& types) : world_{world}, types_{types} {}
 
-    /// @pre  the file is an object with a list of entities
+    /// @pre  the file is an object with an array "entities"
     Json make(const Json& file) {
         for (const char* key : {"effects", "layers"}) {
             if (!file.contains(key)) note_[kNoSceneKeys].push_back(key);
@@ -136,7 +139,7 @@ private:
         if (isRoot) {
             if (const auto id = entity.find("id"); id != entity.end()) note_[kId] = *id;
             rootId_ = hexIdIn(entity, "id") == 0 ? Prefab::kRootPart : hexIdIn(entity, "id");
-            note_[kSaid][rootText()] = saidOf(world_, types_, entity);
+            note_[kRecord][rootText()] = recordOf(world_, types_, entity);
             entity = withFront("id", rootText(), entity);
             entity.erase("parent");
             if (const Json* transform = transformOf(entity)) {
@@ -147,12 +150,13 @@ private:
         } else {
             const Json* found = findMember(entity, "id");
             const Json id = found == nullptr ? Json() : *found;
-            if (const std::string* text = jsonText(id)) note_[kSaid][*text] = saidOf(world_, types_, entity);
+            if (const std::string* text = jsonText(id))
+                note_[kRecord][*text] = recordOf(world_, types_, entity);
             if (!entity.contains("parent")) note_[kNoParent].push_back(id);
             if (!entity.contains("parent") || hexIdIn(entity, "parent") == rootId_)
                 entity["parent"] = rootText();
             const Json* transform = transformOf(entity);
-            if (transform == nullptr || !transform->contains("position")) note_[kNoPlace].push_back(id);
+            if (transform == nullptr || !transform->contains("position")) note_[kNoLocation].push_back(id);
         }
         changeId(types_, entity, rootId_, Prefab::kRootPart);
         return entity;
@@ -164,7 +168,7 @@ private:
     std::uint64_t rootId_ = Prefab::kRootPart;
 };
 
-/// From the text of a scene to that of a prefab's file.
+/// Converts a scene to a prefab file.
 class PrefabOfScene {
 public:
     PrefabOfScene(const World& world, const TypeRegistry& types) : types_{types} {
@@ -191,7 +195,7 @@ public:
     }
 
 private:
-    /// Prefabs have parents before their children.
+    /// Writes the entity with this id, and before it its parents, as the prefab format requires.
     void putWithId(Json& entities, std::uint64_t id) {
         if (const auto owner = owners_.find(id); owner != owners_.end()) id = owner->second;
         if (const auto place = places_.find(id); place != places_.end()) put(entities, place->second);
@@ -220,43 +224,43 @@ private:
             if (lists(note_, kNoParent, idText)) entity.erase("parent");
         }
         dropPlaces(entity, id, idText);
-        sayAgain(entity, id == Prefab::kRootPart ? rootText() : textOrEmpty(idText));
+        restoreOrder(entity, id == Prefab::kRootPart ? rootText() : stringOrEmpty(idText));
         return entity;
     }
 
-    /// What the file did not say of where an entity stands.
+    /// Removes positions and rotations that the prefab file did not contain.
     void dropPlaces(Json& entity, std::uint64_t id, const Json& idText) const {
         Json* transform = transformOf(entity);
         if (transform == nullptr) return;
         for (const char* field : {"position", "rotation"}) {
             const Json* value = findMember(*transform, field);
-            const bool drops = id == Prefab::kRootPart
-                                   ? !lists(note_, kOwnPlace, field)
-                                   : lists(note_, kNoPlace, idText) && value != nullptr && *value == kOrigin;
+            const bool drops = id == Prefab::kRootPart ? !lists(note_, kOwnPlace, field)
+                                                       : lists(note_, kNoLocation, idText) &&
+                                                             value != nullptr && *value == kOrigin;
             if (drops) transform->erase(field);
         }
-        // An instance that says nothing of its own says nothing at all.
+        // A nested instance without overrides needs no "components".
         if (!entity.contains("prefab") || !transform->empty()) return;
         entity["components"].erase("Transform");
         if (entity["components"].empty()) entity.erase("components");
     }
 
-    void sayAgain(Json& entity, const std::string& id) const {
-        const Json* all = findMember(note_, kSaid);
-        const Json* said = all == nullptr ? nullptr : findMember(*all, id);
+    void restoreOrder(Json& entity, const std::string& id) const {
+        const Json* all = findMember(note_, kRecord);
+        const Json* record = all == nullptr ? nullptr : findMember(*all, id);
         Json* components = findObject(entity, "components");
-        if (said == nullptr || components == nullptr) return;
-        *components = inOrderOf(*said, *components, false);
+        if (record == nullptr || components == nullptr) return;
+        *components = inOrderOf(*record, *components, false);
         for (auto& [name, fields] : components->items()) {
-            const Json* order = findMember(*said, name);
+            const Json* order = findMember(*record, name);
             if (order != nullptr && fields.is_object()) fields = inOrderOf(*order, fields, true);
         }
     }
 
     const Json kOrigin = Json::array({0, 0});
     const TypeRegistry& types_;
-    std::map<std::uint64_t, std::uint64_t> owners_;  // of parts: the instance that they belong to
-    std::map<std::uint64_t, std::size_t> places_;    // of entities in the scene's list, by id
+    std::map<std::uint64_t, std::uint64_t> owners_;  // instance of each part, by id
+    std::map<std::uint64_t, std::size_t> places_;    // index of each entity in the scene's list, by id
     std::set<std::size_t> done_;
     Json note_ = Json::object();
     Json made_ = Json::array();

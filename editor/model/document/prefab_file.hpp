@@ -9,30 +9,31 @@
 
 namespace plumb::editor {
 
-// The file of a prefab is edited as a scene: its first entity has the id Prefab::kRootPart there, all others
-// are below it. These two know the difference between both kinds of files; all else has a document.
+// A prefab's file is edited as a scene, in which its first entity is the root with the id Prefab::kRootPart.
+// loadFileText and fileText convert between the two file formats; all other code sees a Document.
 
-/// Whether a path is that of a prefab.
+/// True if the path is that of a prefab file.
 bool isPrefabFile(std::string_view path);
 
-/// Adds a file to a world, from its text. @param path  of a scene or a prefab
+/// Loads a scene or prefab into a world from the text of its file. @param path  decides the format
 Result<LoadReport> loadFileText(World& world, const SceneContext& context, std::string_view path,
                                 std::string_view text);
 
-/// The same from the file itself, or with a text in its place; the assets that it names are loaded too.
-/// @param text  null: the file's
+/// Loads a scene or prefab file into a world, and the assets that it references.
+/// @param text  used instead of the file's content if not null
 Result<LoadReport> readFileText(World& world, const SceneContext& context, const std::string& path,
                                 const std::string* text);
 
-/// Writes a prefab that is loaded in a world. @error  it could not be read again, so nothing is written
+/// Saves the prefab that is loaded in a world.
+/// @error  it could not be loaded again, so it is not written; or writing failed
 Result<Done> savePrefab(const World& world, const SceneContext& context, SceneId scene,
                         const std::string& path);
 
-/// The file of what is loaded in a world. Reading and writing a file again changes no byte of it. Where the
-/// first entity of a prefab stands and how it is turned is no part of it, unless the file said so before.
+/// Returns the file text of a scene or prefab loaded in a world. Loading and saving a file does not change a
+/// byte of it. A prefab's file has the position and rotation of its root only if it had them before.
 std::string fileText(const World& world, const SceneContext& context, SceneId scene);
 
-/// Whether a prefab is another one, or lies somewhere inside of it. @param root  the project's folder
+/// True if `prefab` is `outer` or is nested in it at any depth. @param root  the project's folder
 bool isInside(const Path& root, std::string_view prefab, std::string_view outer);
 
 }  // namespace plumb::editor

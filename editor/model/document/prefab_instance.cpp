@@ -14,7 +14,8 @@
 namespace plumb::editor {
 namespace {
 
-/// What a prefab gives a component, in memory; the tile grids that came with it go again, unless kept.
+/// A component with the prefab's values. Its destructor removes the tile grids it created, unless keepTiles()
+/// was called.
 class BaseValue {
 public:
     BaseValue(World& world, const TypeInfo& type, const Json* fields, FieldContext& context)
@@ -40,7 +41,7 @@ private:
 
 }  // namespace
 
-bool isOwnPlace(const TypeInfo& type, std::string_view field) {
+bool isInstancePose(const TypeInfo& type, std::string_view field) {
     return type.key == typeKey<Transform>() && (field == "position" || field == "rotation");
 }
 
@@ -107,7 +108,7 @@ Json InstancePart::differences(const TypeInfo& type) const {
     Json fields = componentToJson(type, object, value.get(), scene);
     if (isRoot()) {
         for (const FieldInfo& field : type.fields) {
-            if (isOwnPlace(type, field.name)) fields.erase(std::string{field.name});
+            if (isInstancePose(type, field.name)) fields.erase(std::string{field.name});
         }
     }
     return fields;

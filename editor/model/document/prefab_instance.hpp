@@ -9,11 +9,11 @@
 
 namespace plumb::editor {
 
-/// One entity of a prefab instance beside what the prefab says about it. Short-lived: valid until the
-/// document or the prefab changes.
+/// One entity of a prefab instance together with the entity of the prefab from which it was made. Valid until
+/// the document or the prefab changes.
 class InstancePart {
 public:
-    /// Nothing when the entity is no part of an instance, or its prefab cannot be read.
+    /// Returns nullopt if the entity does not belong to an instance, or its prefab cannot be read.
     static std::optional<InstancePart> of(Document& document, PrefabLibrary* prefabs, ObjectId id);
 
     [[nodiscard]] ObjectId id() const { return id_; }
@@ -21,17 +21,18 @@ public:
     [[nodiscard]] bool isRoot() const { return id_ == root_; }
     [[nodiscard]] const Prefab& prefab() const { return *prefab_; }
     [[nodiscard]] const PrefabEntity& base() const { return *base_; }
-    /// All entities of the instance that are there, the root first.
+    /// Returns the existing entities of the instance, the root first.
     [[nodiscard]] std::vector<ObjectId> all() const;
 
     [[nodiscard]] bool prefabHas(const TypeInfo& type) const;
-    /// What the prefab gives this component. @pre prefabHas(type)
+    /// Returns the component as the prefab defines it. @pre prefabHas(type)
     [[nodiscard]] ComponentState baseOf(const TypeInfo& type) const;
-    /// The fields that differ from the prefab, as files hold them. An instance's own place is none of them.
+    /// Returns the fields that differ from the prefab, as JSON; without the position and rotation of the
+    /// root.
     /// @pre prefabHas(type), and the entity has the component
     [[nodiscard]] Json differences(const TypeInfo& type) const;
 
-    /// The same entity, seen beside another version of its prefab; nothing when that has no such part.
+    /// Returns this entity paired with another version of its prefab; nullopt if that lacks the part.
     [[nodiscard]] std::optional<InstancePart> besides(const Prefab& prefab) const;
 
 private:
@@ -48,12 +49,13 @@ private:
     PlacedPrefab placed_;
 };
 
-/// Whether an instance keeps a field for itself: where its first entity stands and how it is turned.
-bool isOwnPlace(const TypeInfo& type, std::string_view field);
-/// Whether a component can differ from a prefab; those that tie entities together cannot.
+/// True for the fields that each instance has for itself: position and rotation (of its root).
+bool isInstancePose(const TypeInfo& type, std::string_view field);
+/// True if an instance can override the component. Names, and links to parents, scene and prefab, cannot be
+/// overridden.
 bool canOverride(const TypeInfo& type);
 
-/// How one entity differs from its prefab: what the inspector marks.
+/// The differences of one entity from its prefab, which the inspector marks.
 struct PrefabOverrides {
     struct Component {
         const TypeInfo* type = nullptr;
@@ -61,16 +63,16 @@ struct PrefabOverrides {
         bool removed = false;  ///< the entity has no such component
         std::vector<std::string> fields;
     };
-    bool isPart = false;  ///< the entity comes from a prefab
+    bool isPart = false;  ///< the entity belongs to a prefab instance
     std::vector<Component> components;
 
     [[nodiscard]] const Component* find(const TypeInfo& type) const;
     [[nodiscard]] bool has(const TypeInfo& type, std::string_view field) const;
-    [[nodiscard]] std::size_t count() const;  ///< fields, and components added or removed
+    [[nodiscard]] std::size_t count() const;  ///< number of fields, plus components added or removed
 };
 PrefabOverrides overridesOf(Document& document, PrefabLibrary* prefabs, ObjectId id);
 
-/// Entities for the parts of an instance that are not in the document, without components of their own.
+/// Returns entities, without the prefab's components, for those parts of an instance that the document lacks.
 std::vector<EntityState> missingParts(Document& document, const Prefab& prefab, ObjectId root);
 
 }  // namespace plumb::editor

@@ -7,11 +7,10 @@
 
 namespace plumb::editor {
 
-/// The first entity of the prefab that is open; null while a scene is open. All others are below it, and it
-/// stays as long as the prefab is open.
+/// Returns the root entity of the open prefab, null while a scene is open. It cannot be removed.
 ObjectId prefabRootOf(const Document& document);
 
-/// In an open prefab, what would stand beside its first entity comes below it, at the same place.
+/// In an open prefab, makes new entities without a parent children of its root, keeping their world poses.
 void belowPrefabRoot(const Document& document, std::vector<EntityState>& states);
 
 }  // namespace plumb::editor

@@ -11,7 +11,7 @@ bool onlyRootSelected(const Document& document) {
 }
 
 bool isPlaceOfRoot(const Document& document, ObjectId id, const TypeInfo& type, std::string_view field) {
-    return id == prefabRootOf(document) && isOwnPlace(type, field);
+    return id == prefabRootOf(document) && isInstancePose(type, field);
 }
 
 }  // namespace plumb::editor

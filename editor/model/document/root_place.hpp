@@ -6,16 +6,16 @@
 
 namespace plumb::editor {
 
-// Where the first entity of a prefab stands and how it is turned is no part of its file.
+// The position and rotation of a prefab's root are not part of its file.
 
-/// The message to a user that tries to move it.
-inline constexpr const char* kRootStays =
-    "The first entity of a prefab stays: each instance stands and turns as it was put into its scene";
+/// Message to a user that tries to move the root.
+inline constexpr const char* kRootCannotMove =
+    "The root of a prefab cannot be moved or rotated: each instance has its own position and rotation";
 
-/// Whether what is selected is the first entity of the open prefab and nothing else.
+/// True if only the root of the open prefab is selected.
 bool onlyRootSelected(const Document& document);
 
-/// Whether a field of this entity is where the first entity of the open prefab stands, or how it is turned.
+/// True if the entity is the root of the open prefab and the field is its position or rotation.
 bool isPlaceOfRoot(const Document& document, ObjectId id, const TypeInfo& type, std::string_view field);
 
 }  // namespace plumb::editor

@@ -14,7 +14,8 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr AABB kNoBox{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
 
-/// All that a box depends on, but for a Transform, which moves what is below it too: see boundsOf.
+/// Calls `f` with the component types on which boundsOf depends, except Transform, which moves descendants
+/// too.
 template <class F>
 void eachSeen(F&& f) {
     f.template operator()<Sprite, Label, BoxCollider, CircleCollider, CapsuleCollider, PolygonCollider,
@@ -37,14 +38,14 @@ void SceneBoxes::follow(const Document& document) {
         members_ = members;
         makeAll(document);
     } else {
-        ++look_;
+        ++pass_;
         world.eachChangedSince<Transform>(mark_, [&](EntityId entity) { updateMoved(document, entity); });
         eachSeen([&]<class... T>() {
             (world.eachChangedSince<T>(mark_, [&](EntityId entity) { update(document, entity); }), ...);
         });
         for (const EntityId entity : restless_) update(document, entity);
     }
-    // A mark changes nothing visible.
+    // Marking changes no component, so the document stays logically const.
     mark_ = const_cast<World&>(world).markChanges();
 }
 
@@ -52,7 +53,7 @@ void SceneBoxes::makeAll(const Document& document) {
     const World& world = document.world;
     const std::vector<ObjectId>& all = document.objects();
     boxes_.assign(all.size(), kNoBox);
-    lookOf_.assign(all.size(), look_);
+    passOf_.assign(all.size(), pass_);
     entities_.clear();
     placeOf_.clear();
     restless_.clear();
@@ -61,7 +62,7 @@ void SceneBoxes::makeAll(const Document& document) {
         if (placeOf_.size() <= entity.index) placeOf_.resize(entity.index + 1, kNowhere);
         placeOf_[entity.index] = static_cast<std::uint32_t>(i);
         update(document, entity);
-        // Grids grow, and ropes lie elsewhere, without a component being written.
+        // Tile grids can grow and soft bodies can move without a component write.
         if (world.has<TileLayer>(entity) || softBounds(world, entity)) restless_.push_back(entity);
     }
 }
@@ -70,12 +71,12 @@ void SceneBoxes::update(const Document& document, EntityId entity) {
     if (entity.index >= placeOf_.size()) return;
     const std::uint32_t place = placeOf_[entity.index];
     if (place == kNowhere || entities_[place] != entity) return;
-    boxes_[place] = isSomewhere(document.world, entity) ? boundsOf(document.world, entity) : kNoBox;
+    boxes_[place] = hasTransform(document.world, entity) ? boundsOf(document.world, entity) : kNoBox;
 }
 
 void SceneBoxes::updateMoved(const Document& document, EntityId entity) {
     if (entity.index < placeOf_.size() && placeOf_[entity.index] != kNowhere &&
-        std::exchange(lookOf_[placeOf_[entity.index]], look_) == look_)
+        std::exchange(passOf_[placeOf_[entity.index]], pass_) == pass_)
         return;
     update(document, entity);
     const World& world = document.world;

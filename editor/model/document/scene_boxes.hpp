@@ -10,30 +10,30 @@ namespace plumb::editor {
 
 class Document;
 
-/// The boxes around all entities of a scene, side by side in memory, so that looking for what lies under the
-/// mouse in every frame costs little in a scene of 100,000 things. They follow the world by its own marks of
-/// what was written, whatever wrote it.
+/// Cache of the boxes of all entities of a scene in one array, so that picking under the mouse every frame is
+/// fast even with 100,000 entities. Updated through the world's change tracking.
 class SceneBoxes {
 public:
-    /// Of the entity at this place of `Document::objects()`. One without a place has a box that contains
-    /// nothing.
+    /// Returns the box of the entity at this index of `Document::objects()`: an empty one if it has no
+    /// Transform.
     [[nodiscard]] const AABB& at(std::size_t place) const { return boxes_[place]; }
-    /// @pre the entity is one of the document
+    /// Returns the box of an entity. @pre the entity belongs to the document
     [[nodiscard]] const AABB& of(EntityId entity) const { return boxes_[placeOf_[entity.index]]; }
 
-    /// Calls visit(place) for all whose box touches `area`, if only with its left or upper edge, in order.
+    /// Calls visit(index) for each box that overlaps `area` or touches it with its left or upper edge, in
+    /// order.
     template <class Visit>
     void eachTouching(const AABB& area, Visit&& visit) const {
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             const AABB& box = boxes_[i];
-            // All four at once: a guess at each of them would be wrong too often.
+            // Non-short-circuit & avoids four unpredictable branches.
             const bool across = (box.min.x <= area.max.x) & (area.min.x < box.max.x);
             const bool down = (box.min.y <= area.max.y) & (area.min.y < box.max.y);
             if (across & down) visit(i);
         }
     }
 
-    /// Makes anew what may have changed since.
+    /// Updates the boxes that may have changed since the last call.
     void follow(const Document& document);
 
 private:
@@ -41,15 +41,15 @@ private:
 
     void makeAll(const Document& document);
     void update(const Document& document, EntityId entity);
-    /// With all below it, unless that was done in this look already.
+    /// Updates an entity and its descendants, unless this pass has already done so.
     void updateMoved(const Document& document, EntityId entity);
 
     std::vector<AABB> boxes_;
-    std::vector<EntityId> entities_;      // of each place
-    std::vector<std::uint32_t> placeOf_;  // by index of the entity
-    std::vector<std::uint32_t> lookOf_;   // at each place, the last one that moved its box
-    std::uint32_t look_ = 0;
-    std::vector<EntityId> restless_;  // what changes without a component being written
+    std::vector<EntityId> entities_;      // by index in objects()
+    std::vector<std::uint32_t> placeOf_;  // index in objects(), by EntityId::index
+    std::vector<std::uint32_t> passOf_;   // last pass that updated the entity, by index in objects()
+    std::uint32_t pass_ = 0;
+    std::vector<EntityId> restless_;  // entities whose boxes change without a component write
     std::uint64_t tree_ = ~0ull;
     std::uint64_t members_ = 0;
     std::uint64_t mark_ = 0;

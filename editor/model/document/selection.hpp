@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// What is selected, in the order of selecting: the last one is the one in hand. Not an edit: never undone.
+/// The selected entities in order of selection; the last one is the active one. Not part of the undo history.
 class Selection {
 public:
     [[nodiscard]] const std::vector<ObjectId>& all() const { return ids_; }
@@ -25,10 +25,10 @@ public:
     void add(ObjectId id) {
         if (append(id)) ++revision_;
     }
-    /// Several at once, in this order; the last one comes into the hand even when it was there already.
+    /// Adds several entities in this order. The last of them becomes the active one even if already selected.
     void add(const std::vector<ObjectId>& ids) {
         for (const ObjectId id : ids) append(id);
-        if (!ids.empty()) takeInHand(ids.back());
+        if (!ids.empty()) makeActive(ids.back());
     }
     void remove(ObjectId id) {
         if (known_.erase(id.value)) std::erase(ids_, id), ++revision_;
@@ -42,14 +42,14 @@ private:
         ids_.push_back(id);
         return true;
     }
-    void takeInHand(ObjectId id) {
+    void makeActive(ObjectId id) {
         std::erase(ids_, id), ids_.push_back(id);
         ++revision_;
     }
 
     std::vector<ObjectId> ids_;
     struct Nothing {};
-    IdTable<Nothing> known_;  // the same ones
+    IdTable<Nothing> known_;  // the ids of ids_, for lookup
     std::uint64_t revision_ = 0;
 };
 

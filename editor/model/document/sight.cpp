@@ -8,9 +8,9 @@
 namespace plumb::editor {
 namespace {
 
-/// Whether the entity, or one that it is below, is of a kind.
+/// True if `is` holds for the entity or one of its ancestors.
 template <class Is>
-bool isBelow(const Document& document, ObjectId id, Is&& is) {
+bool selfOrAncestor(const Document& document, ObjectId id, Is&& is) {
     if (is(id)) return true;
     for (EntityId at = parentOf(document.world, document.find(id)); at; at = parentOf(document.world, at)) {
         if (is(document.idOf(at))) return true;
@@ -20,27 +20,28 @@ bool isBelow(const Document& document, ObjectId id, Is&& is) {
 
 }  // namespace
 
-bool isOutOfSight(const Document& document, ObjectId id) {
+bool isHiddenInTree(const Document& document, ObjectId id) {
     const EntityView& view = document.view;
     return !view.hidden().empty() &&
-           isBelow(document, id, [&](ObjectId above) { return view.isHidden(above); });
+           selfOrAncestor(document, id, [&](ObjectId above) { return view.isHidden(above); });
 }
 
 bool isLocked(const Document& document, ObjectId id) {
     const EntityView& view = document.view;
-    return !view.locked().empty() && isBelow(document, id, [&](ObjectId above) { return view.locks(above); });
+    return !view.locked().empty() &&
+           selfOrAncestor(document, id, [&](ObjectId above) { return view.locks(above); });
 }
 
-bool isOutOfHand(const Document& document, ObjectId id) {
-    return !document.view.showsAll() && (isOutOfSight(document, id) || isLocked(document, id));
+bool isHiddenOrLocked(const Document& document, ObjectId id) {
+    return !document.view.showsAll() && (isHiddenInTree(document, id) || isLocked(document, id));
 }
 
-std::vector<EntityId> outOfSight(const Document& document) {
+std::vector<EntityId> hiddenEntities(const Document& document) {
     std::vector<EntityId> hidden;
     const EntityView& view = document.view;
     if (!view.hidden().empty()) {
         for (const ObjectId id : document.objects()) {
-            if (isOutOfSight(document, id)) hidden.push_back(document.find(id));
+            if (isHiddenInTree(document, id)) hidden.push_back(document.find(id));
         }
     }
     if (view.solo()) {

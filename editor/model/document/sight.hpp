@@ -6,14 +6,17 @@
 
 namespace plumb::editor {
 
-// What the view of a document says of an entity, by itself or through those above it.
+// Editor visibility of entities (EntityView), including that inherited from ancestors.
 
-bool isOutOfSight(const Document& document, ObjectId id);
+/// True if the entity or an ancestor is hidden.
+bool isHiddenInTree(const Document& document, ObjectId id);
+/// True if the entity or an ancestor is locked.
 bool isLocked(const Document& document, ObjectId id);
-/// Hidden or locked: the mouse goes through it, and tools leave it where it is.
-bool isOutOfHand(const Document& document, ObjectId id);
+/// True if the entity or an ancestor is hidden or locked: it cannot be picked, and tools do not change it.
+bool isHiddenOrLocked(const Document& document, ObjectId id);
 
-/// All that is not drawn, sorted; with the tile layers beside one that is shown alone.
-std::vector<EntityId> outOfSight(const Document& document);
+/// Returns all entities that are not drawn, sorted: hidden ones, and tile layers while another is shown
+/// alone.
+std::vector<EntityId> hiddenEntities(const Document& document);
 
 }  // namespace plumb::editor

@@ -15,7 +15,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kFarCell = 1e6f;  // cells; farther away is the same to us
+constexpr float kFarCell = 1e6f;  // cells; coordinates are clamped to this, so that they fit into an int
 
 struct LayerPlace {
     Vec2 origin;
@@ -36,7 +36,7 @@ const TileLayer* layerOf(const Document& document, ObjectId layer) {
     return document.world.find<TileLayer>(document.find(layer));
 }
 
-/// In the order of the file. Asked in every frame, so it looks at nothing else.
+/// Returns all tile layers in file order. Called every frame, so it visits only tile layers.
 std::vector<ObjectId> layersInFile(const Document& document) {
     std::vector<std::pair<std::int32_t, ObjectId>> found;
     document.world.each<const TileLayer, const SceneEntity>([&](const TileLayer&, const SceneEntity& part) {
@@ -52,12 +52,14 @@ std::vector<ObjectId> layersInFile(const Document& document) {
 
 ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
     const std::vector<ObjectId> layers = layersInFile(document);
-    // Of thousands that are selected few are layers: these are looked for, not those.
-    std::vector<ObjectId> chosen;
-    std::copy_if(layers.begin(), layers.end(), std::back_inserter(chosen),
+    // A scene has few layers, but thousands of entities may be selected: filter the layers, not the
+    // selection.
+    std::vector<ObjectId> selectedLayers;
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(selectedLayers),
                  [&](ObjectId id) { return document.selection.has(id); });
     const std::vector<ObjectId>& selected = document.selection.all();
-    if (const auto first = std::find_first_of(selected.begin(), selected.end(), chosen.begin(), chosen.end());
+    if (const auto first = std::find_first_of(selected.begin(), selected.end(), selectedLayers.begin(),
+                                              selectedLayers.end());
         first != selected.end())
         return *first;
     if (document.world.has<TileLayer>(document.find(paint.layer))) return paint.layer;
@@ -69,7 +71,7 @@ ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
 
 std::vector<ObjectId> tileLayers(const Document& document) {
     std::vector<ObjectId> layers = layersInFile(document);
-    // What stands later in the file is drawn over what has the same number.
+    // Of layers with the same number, the later one in the file is drawn in front.
     std::reverse(layers.begin(), layers.end());
     std::stable_sort(layers.begin(), layers.end(), [&](ObjectId a, ObjectId b) {
         return layerOf(document, a)->layer > layerOf(document, b)->layer;

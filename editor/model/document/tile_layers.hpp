@@ -10,23 +10,23 @@
 
 namespace plumb::editor {
 
-/// The tile layer that tile tools work on: the selected one, else the one they worked on last, else the
-/// first that is solid, else the first.
+/// Returns the tile layer that tile tools edit: the selected one, else the one edited last, else the first
+/// one with a TileCollider, else the first.
 ObjectId activeTileLayer(const Document& document, const TilePaint& paint);
 
-/// All tile layers, the one in front first.
+/// Returns all tile layers, the front-most first.
 std::vector<ObjectId> tileLayers(const Document& document);
 
-/// The tiles of a layer, its terrain, and its tileset; null where it has none.
+/// Return the tiles, terrain and tileset of a layer, null if it has none.
 const TileGrid* gridOf(const Document& document, ObjectId layer);
 const TileGrid* terrainOf(const Document& document, ObjectId layer);
 const Tileset* tilesetOf(const Document& document, ObjectId layer);
 
-/// The cell of a layer at a point of the world, and the box of a cell (px, world).
+/// Return the cell of a layer at a world point, and the box of a cell (world px).
 CellPlace cellAt(const Document& document, ObjectId layer, Vec2 point);
 AABB boxOfCell(const Document& document, ObjectId layer, CellPlace place);
 AABB boxOfCells(const Document& document, ObjectId layer, CellPlace a, CellPlace b);
-/// The corner of cells nearest to a point: that of the upper left of the cell returned.
+/// Returns the grid corner nearest to a point, as the cell whose upper left corner it is.
 CellPlace cornerAt(const Document& document, ObjectId layer, Vec2 point);
 
 }  // namespace plumb::editor

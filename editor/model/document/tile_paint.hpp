@@ -9,16 +9,16 @@
 
 namespace plumb::editor {
 
-/// What the tile tools share.
+/// State shared by the tile tools.
 struct TilePaint {
     static constexpr std::size_t kKept = 9;
 
     TileStamp stamp;
-    ObjectId layer;              ///< the one that was worked on last
-    bool random = false;         ///< each cell takes any tile of the stamp, by their probabilities
-    bool terrainInHand = false;  ///< what is painted: the terrain, or the stamp
-    int terrain = 0;             ///< id in the tileset; one that it lacks stands for its first
-    bool rightErases = false;    ///< what the right button does: else it takes a stamp from the layer
+    ObjectId layer;              ///< tile layer edited last
+    bool random = false;         ///< paint each cell with a random tile of the stamp, weighted by probability
+    bool activeTerrain = false;  ///< true: tools paint terrain, false: the stamp
+    int terrain = 0;             ///< terrain id in the tileset; if missing there, its first terrain is used
+    bool rightErases = false;    ///< true: the right button erases, false: it picks a stamp from the layer
     std::array<std::optional<TileStamp>, kKept> kept;
     CellSelection selected;
 };

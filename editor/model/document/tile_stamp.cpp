@@ -5,7 +5,7 @@
 namespace plumb::editor {
 namespace {
 
-/// A stamp of another shape; `from(x, y)` tells which cell of the old one comes to (x, y).
+/// Returns a stamp of another shape; `from(x, y)` returns the old cell that moves to (x, y).
 template <class From, class Change>
 TileStamp rearranged(const TileStamp& stamp, int width, int height, From from, Change change) {
     TileStamp made{width, height, {}};
@@ -19,8 +19,9 @@ TileStamp rearranged(const TileStamp& stamp, int width, int height, From from, C
     return made;
 }
 
-/// Cells are first mirrored at the diagonal, then turned over by x and y; a quarter turn to the right of
-/// what is already turned over swaps the two and mirrors at the diagonal once more.
+/// Rotates a cell by 90 degrees clockwise. A cell is drawn flipped across the diagonal first, then in x and
+/// y. The rotation toggles the diagonal flip; the new x flip is the inverse of the old y flip, and the new y
+/// flip is the old x flip.
 TileCell turnedCell(TileCell cell) {
     const bool flipX = (cell & kTileFlipX) != 0;
     const bool flipY = (cell & kTileFlipY) != 0;

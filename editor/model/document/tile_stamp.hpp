@@ -7,11 +7,11 @@
 
 namespace plumb::editor {
 
-/// The tiles that are painted: one, or a pattern of several. Empty cells of a pattern leave what is there.
+/// The tile or pattern of tiles that is painted. Empty cells of a pattern leave the layer's cells unchanged.
 struct TileStamp {
     int width = 1;
     int height = 1;
-    std::vector<TileCell> cells{cellOf(0)};  ///< in rows, top row first
+    std::vector<TileCell> cells{cellOf(0)};  ///< row by row, top row first
 
     [[nodiscard]] TileCell at(int x, int y) const {
         return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -21,17 +21,17 @@ struct TileStamp {
     friend bool operator==(const TileStamp&, const TileStamp&) = default;
 };
 
-/// The stamp of a part of a grid, given by two corners in any order; cells outside the grid are empty.
+/// Copies a rectangle of a grid, given by two opposite corner cells. Cells outside the grid are empty.
 TileStamp stampFrom(const TileGrid& grid, CellPlace a, CellPlace b);
 
-/// The same cells from the top left on, more or fewer of them.
+/// Returns a grid of another size with the same cells at the same coordinates; cells outside are dropped.
 TileGrid resized(const TileGrid& grid, int width, int height);
 
 TileStamp flippedX(const TileStamp& stamp);
 TileStamp flippedY(const TileStamp& stamp);
-/// A quarter turn clockwise.
+/// Rotates by 90 degrees clockwise.
 TileStamp turned(const TileStamp& stamp);
-/// A quarter turn the other way.
+/// Rotates by 90 degrees counterclockwise.
 TileStamp turnedBack(const TileStamp& stamp);
 
 }  // namespace plumb::editor

@@ -9,7 +9,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Several commands as one.
+/// Several commands as one undo step.
 class CommandGroup final : public Command {
 public:
     CommandGroup(std::string label, std::vector<std::unique_ptr<Command>> commands)
@@ -45,9 +45,9 @@ bool CommandGroup::writesFilesOnly() const {
     });
 }
 
-/// Steps over a command, forth or back. The mark of what is saved goes with it when the scene is the same on
-/// both sides.
-void goOver(const Command& command, std::size_t to, std::size_t& position, std::size_t& saved) {
+/// Moves the position over a command, forward or back. If the command writes files only, the saved position
+/// moves along, because the scene still matches its file.
+void moveOver(const Command& command, std::size_t to, std::size_t& position, std::size_t& saved) {
     if (saved == position && writesFilesOnly(command)) saved = to;
     position = to;
 }
@@ -55,7 +55,7 @@ void goOver(const Command& command, std::size_t to, std::size_t& position, std::
 }  // namespace
 
 void UndoStack::push(std::unique_ptr<Command> command) {
-    // What it deletes has a name before, what it creates has one afterwards.
+    // Deleted entities have names only before `apply`, created ones only after it.
     std::string subject = nameOf(command->subject());
     command->apply(document_);
     if (subject.empty()) subject = nameOf(command->subject());
@@ -89,13 +89,13 @@ void UndoStack::append(std::unique_ptr<Command> command, std::string subject) {
     subjects_.resize(position_);
     commands_.push_back(std::move(command));
     subjects_.push_back(std::move(subject));
-    goOver(*commands_.back(), position_ + 1, position_, saved_);
+    moveOver(*commands_.back(), position_ + 1, position_, saved_);
 }
 
 void UndoStack::endGesture() {
     if (!std::exchange(gesture_, false)) return;
     if (position_ == commands_.size() && commands_.back()->changesNothing(document_)) {
-        goOver(*commands_.back(), position_ - 1, position_, saved_);
+        moveOver(*commands_.back(), position_ - 1, position_, saved_);
         commands_.pop_back();
         subjects_.pop_back();
     }
@@ -104,7 +104,7 @@ void UndoStack::endGesture() {
 void UndoStack::cancelGesture() {
     if (!std::exchange(gesture_, false)) return;
     commands_.back()->revert(document_);
-    goOver(*commands_.back(), position_ - 1, position_, saved_);
+    moveOver(*commands_.back(), position_ - 1, position_, saved_);
     commands_.pop_back();
     subjects_.pop_back();
     ++document_.sceneRevision;
@@ -115,7 +115,7 @@ bool UndoStack::undo() {
     endGesture();
     if (position_ == 0) return false;
     commands_[position_ - 1]->revert(document_);
-    goOver(*commands_[position_ - 1], position_ - 1, position_, saved_);
+    moveOver(*commands_[position_ - 1], position_ - 1, position_, saved_);
     ++document_.sceneRevision;
     return true;
 }
@@ -125,7 +125,7 @@ bool UndoStack::redo() {
     endGesture();
     if (position_ == commands_.size()) return false;
     commands_[position_]->apply(document_);
-    goOver(*commands_[position_], position_ + 1, position_, saved_);
+    moveOver(*commands_[position_], position_ + 1, position_, saved_);
     ++document_.sceneRevision;
     return true;
 }
@@ -170,7 +170,7 @@ Transaction::~Transaction() {
 }
 
 bool Transaction::commit() {
-    PLUMB_ASSERT(open_, "a transaction is committed once");
+    PLUMB_ASSERT(open_, "the transaction is already committed");
     open_ = false;
     undo_.group_ = outer_;
     if (commands_.empty()) return false;

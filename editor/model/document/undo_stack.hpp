@@ -9,49 +9,50 @@
 
 namespace plumb::editor {
 
-/// All changes of a document since it was opened, and the only door to make one.
+/// Undo history of a document since it was opened. Every change of the document goes through it.
 class UndoStack {
 public:
     explicit UndoStack(Document& document) : document_{document} {}
 
-    /// Applies a command. Until `endGesture` it may melt into the one before: a drag is one step.
+    /// Applies a command. Until `endGesture`, it may be merged into the previous one, so that a drag is one
+    /// step.
     void push(std::unique_ptr<Command> command);
-    /// The drag, slider or stroke is over; what came back to where it was leaves no step.
+    /// Ends the drag, slider or stroke. If it changed nothing in the end, its step is removed.
     void endGesture();
-    /// Esc: takes the open gesture back.
+    /// Reverts the open gesture (Esc).
     void cancelGesture();
 
     bool undo();
     bool redo();
-    /// Goes to the state after the first `position` commands.
+    /// Undoes or redoes steps up to the state after the first `position` commands.
     void jumpTo(std::size_t position);
 
-    [[nodiscard]] std::size_t size() const { return position_; }          ///< steps that can be undone
-    [[nodiscard]] std::size_t total() const { return commands_.size(); }  ///< with those that can be redone
+    [[nodiscard]] std::size_t size() const { return position_; }          ///< number of undoable steps
+    [[nodiscard]] std::size_t total() const { return commands_.size(); }  ///< undoable and redoable steps
     [[nodiscard]] std::string label(std::size_t step) const { return commands_[step]->label(); }
-    /// The entity that a step was about, by the name it had then: "crate", "crate and 2 more"; empty for
-    /// none.
+    /// Returns the entities that a step changed, by their names at that time: "crate", "crate and 2 more";
+    /// empty if it changed no entities.
     [[nodiscard]] const std::string& subject(std::size_t step) const { return subjects_[step]; }
     [[nodiscard]] bool inGesture() const { return gesture_; }
 
-    /// Steps that were undone and can never be redone, because another change was made instead.
+    /// Undone steps that can no longer be redone because another change was made.
     struct Lost {
-        std::size_t position = 0;  ///< after so many steps
+        std::size_t position = 0;  ///< number of steps before them
         std::size_t steps = 0;
-        std::string last;  ///< label and subject of the last one
+        std::string last;  ///< label and subject of the last lost step
     };
     [[nodiscard]] const std::vector<Lost>& lost() const { return lost_; }
 
     void markSaved();
-    /// No step is as in the file: it was changed by another program, or never written.
+    /// Marks that no step matches the file, because another program changed it or it was never written.
     void markUnsaved() { saved_ = kNever; }
     [[nodiscard]] bool isSaved() const { return saved_ == position_; }
-    [[nodiscard]] std::size_t savedPosition() const { return saved_; }  ///< kNever when it is out of reach
+    [[nodiscard]] std::size_t savedPosition() const { return saved_; }  ///< kNever: saved in no step
     static constexpr std::size_t kNever = static_cast<std::size_t>(-1);
 
-    /// Forgets all, after another scene was opened.
+    /// Clears the history, after another scene was opened.
     void clear();
-    [[nodiscard]] std::size_t cleared() const { return cleared_; }  ///< how often
+    [[nodiscard]] std::size_t cleared() const { return cleared_; }  ///< number of clear() calls
 
 private:
     friend class Transaction;
@@ -61,17 +62,17 @@ private:
 
     Document& document_;
     std::vector<std::unique_ptr<Command>> commands_;
-    std::vector<std::string> subjects_;  // of each command
+    std::vector<std::string> subjects_;  // by command
     std::vector<Lost> lost_;
     std::size_t position_ = 0;
     std::size_t saved_ = 0;
     std::size_t cleared_ = 0;
     bool gesture_ = false;
-    std::vector<std::unique_ptr<Command>>* group_ = nullptr;  // of the open transaction
-    std::string groupSubject_;                                // of the first command in it that has one
+    std::vector<std::unique_ptr<Command>>* group_ = nullptr;  // commands of the open transaction
+    std::string groupSubject_;                                // subject of its first command that has one
 };
 
-/// Makes several commands one step. Destroyed without commit, it takes them back.
+/// Groups several commands into one undo step. Reverts them if destroyed without commit.
 class Transaction {
 public:
     Transaction(UndoStack& undo, std::string label);
@@ -79,7 +80,7 @@ public:
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
 
-    /// @return false when no command was pushed in it, so that there is no step
+    /// Adds the step to the history. @return false if no command was pushed, so that there is no step
     bool commit();
 
 private:

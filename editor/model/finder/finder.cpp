@@ -18,7 +18,7 @@ namespace {
 
 using Kind = FinderItem::Kind;
 
-constexpr int kRecentPoints = 10;  // less than a letter: what fits better comes first all the same
+constexpr int kRecentPoints = 10;  // less than a letter scores, so that better matches still come first
 
 Kind kindOf(const AssetItem& file) {
     if (file.kind == AssetKind::Scene) return Kind::Scene;
@@ -39,13 +39,13 @@ void addToMiddle(Workspace& workspace, const std::string& path) {
     workspace.notice = added ? format("Added {}", path) : added.error().text();
 }
 
-/// Of two that are equally good the one that is shorter, then by name: the same order each time.
+/// Final sort key, which makes the order deterministic.
 auto orderOf(const FinderItem& item) { return std::tie(item.kind, item.text, item.id); }
 
 }  // namespace
 
 void Finder::open(const Workspace& workspace, What what) {
-    if (recent_.empty()) recent_ = recentChoices(workspace, kMostRecent);
+    if (recent_.empty()) recent_ = recentChoices(workspace, kMaxRecent);
     what_ = what;
     collect(workspace, what);
     search(workspace, {});
@@ -115,7 +115,7 @@ void Finder::collectCommands(const Workspace& workspace) {
 
 std::size_t Finder::recency(const FinderItem& item) const {
     const auto at = std::find(recent_.begin(), recent_.end(), recentKey(item));
-    return at == recent_.end() ? kMostRecent : static_cast<std::size_t>(at - recent_.begin());
+    return at == recent_.end() ? kMaxRecent : static_cast<std::size_t>(at - recent_.begin());
 }
 
 void Finder::search(const Workspace& workspace, std::string typed) {
@@ -132,21 +132,21 @@ void Finder::search(const Workspace& workspace, std::string typed) {
         if (onlyEntities && items_[i].kind != Kind::Entity) continue;
         std::optional<FuzzyMatch> match = fuzzyMatch(typed, items_[i].text, items_[i].name);
         if (!match) continue;
-        if (recencies_[i] < kMostRecent) match->score += kRecentPoints;
+        if (recencies_[i] < kMaxRecent) match->score += kRecentPoints;
         rows_.push_back({i, std::move(*match)});
     }
     const auto before = [&](const FinderRow& a, const FinderRow& b) {
         if (a.match.score != b.match.score) return a.match.score > b.match.score;
         if (recencies_[a.item] != recencies_[b.item]) return recencies_[a.item] < recencies_[b.item];
         const FinderItem &x = items_[a.item], &y = items_[b.item];
-        if (typed.empty() && x.kind == Kind::Command) return a.item < b.item;  // as the menus have them
+        if (typed.empty() && x.kind == Kind::Command) return a.item < b.item;  // in menu order
         if (typed.empty()) return orderOf(x) < orderOf(y);
         if (x.possible != y.possible) return x.possible;
         if (x.text.size() != y.text.size()) return x.text.size() < y.text.size();
         return orderOf(x) < orderOf(y);
     };
     found_ = rows_.size();
-    const std::size_t shown = std::min(found_, kMostRows);
+    const std::size_t shown = std::min(found_, kMaxRows);
     std::partial_sort(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(shown), rows_.end(), before);
     rows_.resize(shown);
     chosen = 0;
@@ -169,7 +169,7 @@ std::string Finder::choose(Workspace& workspace) {
     const std::string key = recentKey(item);
     std::erase(recent_, key);
     recent_.insert(recent_.begin(), key);
-    if (recent_.size() > kMostRecent) recent_.pop_back();
+    if (recent_.size() > kMaxRecent) recent_.pop_back();
     keepRecent(workspace, recent_);
 
     switch (item.kind) {
@@ -180,7 +180,7 @@ std::string Finder::choose(Workspace& workspace) {
             break;
         case Kind::Command:
             if (!runAction(workspace, item.id))
-                workspace.notice = format("\"{}\" is not possible now", item.text.substr(item.name));
+                workspace.notice = format("\"{}\" is not available now", item.text.substr(item.name));
             break;
         case Kind::Prefab:
             if (what_ == What::Prefabs) {

@@ -7,32 +7,32 @@
 namespace plumb::editor {
 namespace {
 
-// Points. What matters is their order: a run from the beginning of a word beats beginnings of several words,
-// those beat a run inside of a word, and that beats letters found anywhere.
+// Scores. Only the ranking matters: adjacent letters from the start of a word rank above starts of several
+// words, these above adjacent letters inside a word, and these above scattered letters.
 constexpr int kLetter = 16;
-constexpr int kWordStart = 12;  // also for each letter of the run that begins there
+constexpr int kWordStart = 12;  // also for each letter of a run that starts there
 constexpr int kInRun = 7;
-constexpr int kTextStart = 4;  // on top of kWordStart
+constexpr int kTextStart = 4;  // in addition to kWordStart
 constexpr int kInName = 3;
 constexpr int kSameCase = 1;
-constexpr int kGap = 2;       // off, for each letter between two found ones …
-constexpr int kMostGap = 12;  // … up to this
-constexpr int kNever = -1'000'000;
+constexpr int kGap = 2;       // subtracted for each letter between two matched ones …
+constexpr int kMostGap = 12;  // … up to this maximum
+constexpr int kUnmatched = -1'000'000;
 
-constexpr std::size_t kLongestText = 512;  // of longer ones only so much is looked at
+constexpr std::size_t kLongestText = 512;  // longer texts are cut off
 constexpr std::size_t kLongestWord = 64;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool isSmall(char c) { return c >= 'a' && c <= 'z'; }
-bool isBig(char c) { return c >= 'A' && c <= 'Z'; }
+bool isLower(char c) { return c >= 'a' && c <= 'z'; }
+bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isBetween(char c) { return std::string_view{" /_-.:,()\"#"}.find(c) != std::string_view::npos; }
+bool isSeparator(char c) { return std::string_view{" /_-.:,()\"#"}.find(c) != std::string_view::npos; }
 
-/// "oneCell", "one_cell", "one cell", "level1".
+/// True at the start of a word, like c and 1 in "oneCell", "one_cell", "one cell", "level1".
 bool startsWord(std::string_view text, std::size_t i) {
     if (i == 0) return true;
     const char before = text[i - 1], now = text[i];
-    return isBetween(before) || (isSmall(before) && isBig(now)) || (!isDigit(before) && isDigit(now));
+    return isSeparator(before) || (isLower(before) && isUpper(now)) || (!isDigit(before) && isDigit(now));
 }
 
 bool hasInOrder(std::string_view word, std::string_view text) {
@@ -45,7 +45,8 @@ bool hasInOrder(std::string_view word, std::string_view text) {
 
 int gapCost(std::size_t letters) { return std::min(static_cast<int>(letters) * kGap, kMostGap); }
 
-/// The best places for one word: for each letter typed and each place, the most points with it there.
+/// Finds the best match of one word by dynamic programming: for each letter and each index in the text, the
+/// highest score of the word up to this letter with the letter at this index.
 class WordSearch {
 public:
     WordSearch(std::string_view word, std::string_view text, std::size_t name)
@@ -57,7 +58,7 @@ public:
         }
     }
 
-    /// Adds the places to `at`. @return the points
+    /// Appends the indices of the best match to `at`. @return its score
     int best(std::vector<std::uint32_t>& at) const {
         std::size_t place = 0;
         const std::size_t last = word_.size() - 1;
@@ -72,9 +73,9 @@ public:
 
 private:
     struct Cell {
-        int points = kNever;
-        int run = 0;           ///< points for the next letter if it follows at once
-        std::size_t from = 0;  ///< place of the letter before
+        int points = kUnmatched;
+        int run = 0;           ///< score of the next letter if adjacent
+        std::size_t from = 0;  ///< index of the previous letter
     };
     [[nodiscard]] Cell& cell(std::size_t letter, std::size_t place) {
         return cells_[letter * text_.size() + place];
@@ -83,7 +84,7 @@ private:
         return cells_[letter * text_.size() + place];
     }
 
-    /// The letter at this place, after the best places of those before it.
+    /// Returns the best cell for the letter at this index, from the cells of the previous letter.
     [[nodiscard]] Cell best(std::size_t letter, std::size_t place) const {
         const int start = startsWord(text_, place) ? kWordStart : 0;
         const int alone = pointsOf(letter, place);
@@ -91,7 +92,7 @@ private:
         Cell found;
         for (std::size_t last = letter - 1; last < place; ++last) {
             const Cell& before = cell(letter - 1, last);
-            if (before.points == kNever) continue;
+            if (before.points == kUnmatched) continue;
             const bool follows = last + 1 == place;
             const int points = before.points + alone +
                                (follows ? std::max(start, before.run) : start - gapCost(place - last - 1));

@@ -17,7 +17,8 @@ Result<Done> doneOr(const Result<T>& read) {
 
 std::uint8_t byteAt(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
 
-/// An MP3 begins with a tag or with the eleven set bits of a frame, whose other fields are not all allowed.
+/// True if the file starts like an MP3: with an ID3 tag or a frame header (11 set bits, valid layer and bit
+/// rate).
 bool looksLikeMp3(std::string_view bytes) {
     if (bytes.size() < 128) return false;
     if (startsWith(bytes, "ID3")) return true;
@@ -27,13 +28,14 @@ bool looksLikeMp3(std::string_view bytes) {
     return sync && layer != 0 && rate != 15;
 }
 
-/// Sounds are WAVs; music may be packed as well, and is distinguished from garbage by its first bytes.
+/// Checks the header of a WAV file; compressed music (OGG, FLAC, MP3) is recognized only by its first bytes.
 Result<Done> checkSound(std::string_view bytes, std::string_view where) {
     if (startsWith(bytes, "RIFF")) return doneOr(readWavHeader(bytes, where));
     const bool isOgg = startsWith(bytes, "OggS") && bytes.size() > 64;
     const bool isFlac = startsWith(bytes, "fLaC") && bytes.size() > 42;
     if (isOgg || isFlac || looksLikeMp3(bytes)) return Done{};
-    return Error{std::string{where}, "this is no sound", "save it as WAV, or music as OGG, FLAC or MP3"};
+    return Error{std::string{where}, "the file is not a supported sound",
+                 "save it as WAV, or music as OGG, FLAC or MP3"};
 }
 
 }  // namespace

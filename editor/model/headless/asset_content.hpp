@@ -7,9 +7,8 @@
 
 namespace plumb::editor {
 
-/// Reads a picture, sound or font to its end, as a game does when it first shows or plays it: the store looks
-/// at their beginning only.
-/// @error  a game could not use it
+/// Reads an image, sound or font completely, as a game does on first use; AssetStore checks only its header.
+/// @error  the file is invalid
 Result<Done> checkContent(AssetKind kind, std::string_view bytes, std::string_view where);
 
 }  // namespace plumb::editor

@@ -13,14 +13,14 @@ std::string textIn(const Json& object, std::string_view key) {
     return text == nullptr ? std::string{} : *text;
 }
 
-/// An object within an object; an empty one when there is none.
+/// Returns a member that is an object; an empty object if there is none.
 const Json& objectIn(const Json& object, std::string_view key) {
     static const Json kNone = Json::object();
     const Json* found = findObject(object, key);
     return found == nullptr ? kNone : *found;
 }
 
-/// "crate (0000000000000004)", as people and other tools find it.
+/// Returns the name and id of an entity: "crate (0000000000000004)".
 std::string wordsFor(const Json& entity) {
     const std::string name = textIn(entity, "name");
     const std::string id = textIn(entity, "id");
@@ -30,7 +30,7 @@ std::string wordsFor(const Json& entity) {
 }  // namespace
 
 void AssetNames::read(const std::string& file, std::string_view text) {
-    std::vector<Error> repeated;  // reported where the file is opened
+    std::vector<Error> repeated;  // not used: opening the file reports them
     const Result<Json> json = parseJson(text, file, &repeated);
     const Json* entities = json ? findArray(*json, "entities") : nullptr;
     if (entities == nullptr) return;
@@ -39,7 +39,7 @@ void AssetNames::read(const std::string& file, std::string_view text) {
     }
 }
 
-/// With what an instance says of the parts of its prefab.
+/// Collects the references of an entity, including an instance's overrides of its prefab's parts.
 void AssetNames::readEntity(const std::string& file, const Json& entity, const std::string& user) {
     for (const auto& [name, fields] : objectIn(entity, "components").items()) {
         const TypeInfo* type = types_.find(name);

@@ -10,21 +10,22 @@
 
 namespace plumb::editor {
 
-/// Which entities of which scenes and prefabs name a file, in which fields.
+/// The asset references in the entities of scenes and prefabs.
 class AssetNames {
 public:
     explicit AssetNames(const TypeRegistry& types) : types_{types} {}
 
-    /// Reads a scene or a prefab. What is no JSON names nothing; opening it reports that.
+    /// Collects the references of a scene or prefab file. Invalid JSON is ignored, because opening reports
+    /// it.
     void read(const std::string& file, std::string_view text);
 
     struct Named {
         AssetKind kind = AssetKind::None;
         std::vector<std::string> by;  ///< "scenes/cave.scene.json: crate (0000000000000004), Sprite.texture"
     };
-    /// By path, as it is written there.
+    /// References by asset path, as written in the files.
     [[nodiscard]] const std::map<std::string, Named, std::less<>>& all() const { return named_; }
-    /// The first place that names it, and how many more do; empty: none.
+    /// Returns the first reference to an asset and the number of others; empty if there is none.
     [[nodiscard]] std::string usersOf(std::string_view path) const;
 
 private:

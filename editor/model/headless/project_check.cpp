@@ -19,7 +19,7 @@ std::string counted(std::size_t count, std::string_view one) {
     return format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// Keeps each problem once: a picture that is missing is missing in every scene.
+/// Collects problems without duplicates: an image missing in several scenes is reported once.
 class Problems {
 public:
     explicit Problems(ProjectCheck& check) : check_{check} {}
@@ -35,14 +35,14 @@ private:
     std::set<std::string> known_;
 };
 
-/// With what names the file: that is where it is to be mended.
+/// Adds to a problem with a file the place that references it, where the user can fix it.
 Error withNamers(const Path& root, const AssetNames& names, Error problem) {
     std::string user = names.usersOf(problem.where);
     if (user.empty()) {
         const std::vector<AssetUse> uses = usesOfAsset(root, problem.where, false);
         if (!uses.empty()) user = uses.front().file;
     }
-    if (!user.empty()) problem.what += format(", named by {}", user);
+    if (!user.empty()) problem.what += format(", referenced by {}", user);
     return problem;
 }
 
@@ -54,7 +54,7 @@ Result<Done> contentOf(const Path& root, const AssetItem& file) {
     return bytes ? checkContent(file.kind, *bytes, file.path) : Result<Done>{bytes.error()};
 }
 
-/// What is wrong with files that are named, and with those that lie there.
+/// Checks all assets, referenced and unreferenced ones.
 void checkAssets(const Path& root, Workspace& workspace, ProjectCheck& check, Problems& problems,
                  PrefabLibrary& prefabs) {
     AssetNames names{workspace.document.types()};
@@ -71,7 +71,7 @@ void checkAssets(const Path& root, Workspace& workspace, ProjectCheck& check, Pr
         if (file.kind != AssetKind::Prefab && file.kind != AssetKind::Scene) continue;
         if (const Result<std::string> text = readFile(root / file.path)) names.read(file.path, *text);
     }
-    // Also of prefabs that no scene has.
+    // Includes assets referenced by prefabs that no scene uses.
     for (const auto& [path, named] : names.all()) workspace.assets.load(named.kind, path);
     std::set<std::string> reported;
     for (const Error& problem : workspace.assets.errors()) {
@@ -109,8 +109,8 @@ ProjectCheck checkProject(const Project& project, Workspace& workspace, PrefabLi
         }
     }
     if (!project.startScene.empty() && !std::filesystem::exists(project.root / project.startScene)) {
-        problems.add(Error{"project.json: startScene", format("there is no {}", project.startScene),
-                           "name a scene that there is"});
+        problems.add(Error{"project.json: startScene", format("{} does not exist", project.startScene),
+                           "set it to an existing scene"});
         check.playable = false;
     }
     checkAssets(project.root, workspace, check, problems, prefabs);

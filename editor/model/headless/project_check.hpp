@@ -14,19 +14,19 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// What is wrong with a project, and how much was looked at.
+/// Problems of a project, and the number of files checked.
 struct ProjectCheck {
-    std::vector<Error> problems;  ///< each once
+    std::vector<Error> problems;  ///< without duplicates
     std::size_t scenes = 0;
     std::size_t prefabs = 0;
     std::size_t assets = 0;
-    bool playable = true;  ///< every scene can be read at all
+    bool playable = true;  ///< all scenes can be read, and the start scene exists
 
-    /// One line for each problem, and a last one that counts.
+    /// Returns one line per problem, and a last line with counts.
     [[nodiscard]] std::string text() const;
 };
 
-/// Opens every scene and prefab of a project and loads every asset. Afterwards some scene is open.
+/// Opens every scene and prefab of a project and loads every asset. Leaves the last scene open.
 ProjectCheck checkProject(const Project& project, Workspace& workspace, PrefabLibrary& prefabs);
 
 }  // namespace plumb::editor

@@ -7,27 +7,27 @@
 
 namespace plumb::editor {
 
-/// What an export takes along besides the project.
+/// Files that an export adds to the project.
 struct ExportParts {
-    Path player;        ///< the program that plays; empty or missing: the folder gets none
-    Path engineAssets;  ///< fonts and the like
+    Path player;        ///< player executable; empty or missing: the export contains none
+    Path engineAssets;  ///< folder of the engine's assets, e.g. fonts
 };
 
 struct ExportReport {
     std::size_t files = 0;
     std::uintmax_t bytes = 0;
-    bool runnable = false;  ///< with a player and a script that starts it
+    bool runnable = false;  ///< it contains a player and a script that starts it
 };
 
-/// Copies a project into a folder that can be given to others:
+/// Exports a project to a folder for distribution:
 ///
 ///     FOLDER/play            starts the game
 ///     FOLDER/plumb-player    plays FOLDER/game
-///     FOLDER/assets/         the engine's own
+///     FOLDER/assets/         the engine's assets
 ///     FOLDER/game/           the project, without hidden files: no journal, no backups
 ///
-/// The folder is there as a whole or not at all; an earlier export in it is replaced.
-/// @error  the folder is inside the project, or holds other things, or cannot be written
+/// The folder is created completely or not at all. An earlier export in it is replaced.
+/// @error  the folder is inside the project or contains it, has other content, or cannot be written
 Result<ExportReport> exportProject(const Path& project, const Path& folder, const ExportParts& parts);
 
 }  // namespace plumb::editor

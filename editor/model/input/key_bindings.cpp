@@ -18,7 +18,7 @@ struct ModifierName {
 constexpr std::array kModifiers{ModifierName{"Ctrl", &Shortcut::control},
                                 ModifierName{"Shift", &Shortcut::shift}, ModifierName{"Alt", &Shortcut::alt}};
 
-/// Whether both may count at one moment, neither going before the other.
+/// True if both actions are available in the same editor state, so that equal keys would be ambiguous.
 bool meet(const Action& a, const Action& b) { return a.during == b.during; }
 
 }  // namespace
@@ -122,25 +122,29 @@ Json KeyBindings::toJson() const {
 KeyBindings KeyBindings::fromJson(const Json& json, const std::string& where, std::vector<Error>& problems) {
     KeyBindings bindings;
     if (!json.is_object()) {
-        problems.push_back({where, format("expected keys by actions, found {}", json.type_name()),
-                            "the keys are as at first"});
+        problems.push_back(
+            {where,
+             format("expected an object that maps action ids to lists of keys, found {}", json.type_name()),
+             "the default keys are used"});
         return bindings;
     }
     for (const auto& [id, texts] : json.items()) {
         const Action* action = findAction(id);
         if (id.empty() || action == nullptr || !texts.is_array()) {
-            problems.push_back({where + "." + id,
-                                action == nullptr ? "there is no such action" : "expected a list of keys",
-                                "it is left out"});
+            problems.push_back(
+                {where + "." + id,
+                 action == nullptr ? "unknown action" : "expected a list of keys, e.g. [\"Ctrl+Shift+Z\"]",
+                 "this entry is ignored"});
             continue;
         }
         std::vector<Shortcut> keys;
         for (const Json& text : texts) {
-            const auto one = shortcutFromText(textOrEmpty(text));
+            const auto one = shortcutFromText(stringOrEmpty(text));
             if (one) {
                 keys.push_back(*one);
             } else {
-                problems.push_back({where + "." + id, "these are no keys", "write e.g. [\"Ctrl+Shift+Z\"]"});
+                problems.push_back(
+                    {where + "." + id, "not a valid key combination", "write e.g. [\"Ctrl+Shift+Z\"]"});
             }
         }
         if (keys.empty() && !texts.empty()) continue;

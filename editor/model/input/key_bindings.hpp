@@ -14,40 +14,41 @@ namespace plumb::editor {
 
 struct Action;
 
-/// "Ctrl+Shift+Z" as keys, and nothing for what is none.
+/// Parses a key combination such as "Ctrl+Shift+Z". @return nothing if the text is not a valid combination
 std::optional<Shortcut> shortcutFromText(std::string_view text);
 
-/// Which keys do what: those of the table of actions, and what a person chose instead.
+/// The keyboard shortcuts of all actions: the defaults of the action table, overridden by those the user set.
 class KeyBindings {
 public:
-    /// The keys of an action, the ones that are shown first.
+    /// Returns all shortcuts of an action; the first one is shown in menus and tooltips.
     [[nodiscard]] std::vector<Shortcut> of(const Action& action) const;
-    /// The first of them.
+    /// Returns the shortcut shown in menus and tooltips; `Key::None` if the action has none.
     [[nodiscard]] Shortcut shownOf(const Action& action) const;
     [[nodiscard]] bool matches(const Action& action, const Event& event) const;
-    /// The label with the keys behind it, "Undo  (Ctrl+Z)", for tooltips.
+    /// Returns the label followed by the keys, e.g. "Undo  (Ctrl+Z)", for tooltips.
     [[nodiscard]] std::string labelOf(const Action& action) const { return labelOf(action, {}); }
-    /// @param label  another one than the action's own
+    /// @param label  replaces the action's own label; empty: the action's own
     [[nodiscard]] std::string labelOf(const Action& action, std::string_view label) const;
 
-    /// Takes the keys for this action, and away from whatever else they would do at the same time.
+    /// Assigns the keys to this action, and removes them from every conflicting action.
     void bind(const Action& action, Shortcut keys);
     void unbind(const Action& action);
     void reset(const Action& action);
     void resetAll() { chosen_.clear(); }
     [[nodiscard]] bool isChanged(const Action& action) const;
     [[nodiscard]] bool anyChanged() const { return !chosen_.empty(); }
-    /// What else these keys do when this action counts; null: nothing.
+    /// Returns another action that has these keys and is available in the same editor state; null if there is
+    /// none.
     [[nodiscard]] const Action* conflict(const Action& action, Shortcut keys) const;
 
     [[nodiscard]] Json toJson() const;
-    /// Actions that are no more and keys that are none are reported and left out.
+    /// Reports and skips unknown actions and invalid keys.
     static KeyBindings fromJson(const Json& json, const std::string& where, std::vector<Error>& problems);
 
     friend bool operator==(const KeyBindings& a, const KeyBindings& b) { return a.chosen_ == b.chosen_; }
 
 private:
-    std::map<std::string, std::vector<Shortcut>, std::less<>> chosen_;  ///< by the action's id
+    std::map<std::string, std::vector<Shortcut>, std::less<>> chosen_;  ///< user's shortcuts by action id
 };
 
 }  // namespace plumb::editor

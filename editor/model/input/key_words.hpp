@@ -7,11 +7,12 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// The keys of an action as the person has them now, "Ctrl+Z"; where it has none its name, "Undo". For
-/// sentences: "{} takes it back".
+/// Returns the current keys of an action ("Ctrl+Z"), or its label ("Undo") if it has none, to be inserted
+/// into a sentence such as "{} removes it".
 std::string keysFor(const Workspace& workspace, std::string_view action);
 
-/// A sentence of a table with the keys of the person in it: "{edit.delete} takes it out".
+/// Replaces every action id in braces by the current keys of the action: "{edit.delete} removes the corner"
+/// becomes "Delete removes the corner".
 std::string withKeys(const Workspace& workspace, std::string_view sentence);
 
 }  // namespace plumb::editor

@@ -6,7 +6,7 @@
 
 namespace plumb::editor {
 
-/// Keys that are pressed together. None means: no shortcut.
+/// A key with the modifier keys held down with it. `Key::None` means no shortcut.
 struct Shortcut {
     Key key = Key::None;
     bool control = false;

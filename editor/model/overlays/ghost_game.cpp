@@ -7,7 +7,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Looks through all: good for a question now and then.
+/// Maps scene ids to entities by a linear search over the world; too slow for many lookups in a frame.
 class NamesIn final : public ObjectNames {
 public:
     explicit NamesIn(const World& world) : world_{world} {}

@@ -10,16 +10,19 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// A hidden copy of the game, to find out what would happen. Kept, because making one reads the
-/// assets of the game.
+/// A hidden copy of the game, simulated to predict what will happen. The copy is reused, because creating one
+/// loads the assets of the game.
 class GhostGame {
 public:
-    /// As the game is now; while it does not run, as it would begin.
-    /// @return  null when the scene cannot be played
+    /// Returns a copy of the running game in its present state; if no game runs, in the initial state of the
+    /// scene.
+    /// @return  null if the scene cannot be played
     PlaySession* now(Workspace& workspace);
-    /// As it was after a recorded tick. @pre the game plays, and has that tick
+    /// Returns a copy of the running game in its state after a recorded tick.
+    /// @pre  a game runs, and `tick` is in its recording
     PlaySession* at(Workspace& workspace, std::int64_t tick);
-    /// One recorded tick after that. @pre `at` or this brought it to that tick
+    /// Advances the copy from `tick` to the next recorded tick.
+    /// @pre  the copy is in the state after `tick`: by `at`, or by `playRecorded` of the tick before
     void playRecorded(const Workspace& workspace, std::int64_t tick);
     void clear() { session_.reset(), snapshot_.reset(); }
 
@@ -31,7 +34,7 @@ private:
     std::string scene_;
 };
 
-/// The entity of a world that has this lasting id.
+/// Returns the entity with this scene id by a linear search; a null id if the world has none.
 EntityId entityIn(const World& world, ObjectId id);
 
 }  // namespace plumb::editor

@@ -17,11 +17,11 @@
 namespace plumb::editor {
 namespace {
 
-constexpr int kLongest = 150;         // ticks of one way
-constexpr int kSettle = 120;          // ticks until it stands, at the start
-constexpr Vec2 kPlace{48.0f, 16.0f};  // px: landings closer to each other are one
+constexpr int kLongest = 150;         // maximum ticks of one simulated jump
+constexpr int kSettle = 120;          // maximum ticks until the player stands on the ground at the start
+constexpr Vec2 kPlace{48.0f, 16.0f};  // px: size of the grid cells; landings in the same cell count as one
 
-/// The first key of some bindings.
+/// Returns the first keyboard key of the bindings.
 Key keyOf(const std::vector<Binding>& bindings, Key otherwise) {
     for (const Binding& binding : bindings) {
         if (binding.kind == BindingKind::Key) return static_cast<Key>(binding.code);
@@ -35,16 +35,17 @@ JumpReach::Cell cellAt(Vec2 place, Vec2 size) {
 
 }  // namespace
 
-/// What the hands do: run so long, jump, hold the button so long, turn about in the air or not.
+/// One sequence of simulated inputs: run up, jump, hold the jump key, and possibly change direction in the
+/// air.
 struct JumpReach::Plan {
-    int run = 0;    ///< -1, 0, 1
-    int runUp = 0;  ///< ticks before the jump; negative: never jumps
-    int hold = 0;   ///< ticks that jump is held
-    int after = 0;  ///< which way it goes from `turn` on
-    int turn = 0;   ///< ticks after the jump
+    int run = 0;    ///< initial direction: -1 left, 0 none, 1 right
+    int runUp = 0;  ///< ticks before the jump; negative: no jump
+    int hold = 0;   ///< ticks for which the jump key is held
+    int after = 0;  ///< direction from `turn` on: -1, 0 or 1
+    int turn = 0;   ///< ticks from the jump to the change of direction
 };
 
-/// @param first  from where it stands: the long list; from landings a shorter one does
+/// @param first  true: the long list, for the initial position; false: a shorter one, for landings
 const std::vector<JumpReach::Plan>& JumpReach::plans(bool first) {
     constexpr int kNever = 1000;
     static const auto make = [](std::initializer_list<int> runUps, std::initializer_list<int> holds) {
@@ -93,7 +94,7 @@ void JumpReach::begin(PlaySession& game, EntityId player) {
     if (alive()) land(0);
 }
 
-/// A level that is edited has not been played: its player may stand a little above the ground.
+/// Lets the player fall to the ground: in a scene being edited it may be placed slightly above it.
 void JumpReach::settle() {
     for (int tick = 0; tick < kSettle && alive() && !(tick > 1 && grounded()); ++tick) game_->tick({});
 }
@@ -141,7 +142,7 @@ int JumpReach::tryPlan(const Place& from, const Plan& plan) {
         flew = flew || !grounded();
         arc.lands = flew && grounded();
         if (arc.lands) break;
-        if (jumpedAt >= 0 && !flew && tick - jumpedAt > 8) break;  // it cannot jump here
+        if (jumpedAt >= 0 && !flew && tick - jumpedAt > 8) break;  // the jump was not possible
     }
     if (!flew) return tick;
     if (arc.lands) land(hops);
@@ -160,7 +161,7 @@ void JumpReach::cover(const AABB& box, int hops) {
     }
 }
 
-/// It stands on something: when that is new, it goes on from there later.
+/// Records a landing; if its grid cell is new, queues it as the start of further jumps.
 void JumpReach::land(int hops) {
     const AABB now = box();
     const Vec2 feet{now.center().x, now.max.y - 1.0f};

@@ -13,55 +13,55 @@
 
 namespace plumb::editor {
 
-/// Where a player character can get to from where it stands. Nothing is estimated: copies of the game are
-/// played, in which it runs and jumps in all the ways of a fixed list; from where it lands it goes on, a few
-/// times. Done in pieces, so that the editor stays quick.
+/// Computes the region that a player character can reach by running and jumping. The result is simulated, not
+/// estimated: a copy of the game is played with each input sequence of a fixed list, then again from each
+/// landing, up to `kHops` times. The work is spread over frames, so that the editor stays responsive.
 class JumpReach {
 public:
-    static constexpr int kHops = 8;             ///< landings after one another
-    static constexpr std::size_t kPlaces = 64;  ///< landings that are gone on from
+    static constexpr int kHops = 8;             ///< maximum number of consecutive jumps
+    static constexpr std::size_t kPlaces = 64;  ///< maximum number of landings from which jumps are simulated
 
-    /// One way through the air.
+    /// The path of one jump or fall.
     struct Arc {
-        std::vector<Vec2> points;  ///< px: of the middle of its feet
-        int hops = 1;              ///< jumps from where it stands, with this one
-        bool lands = false;
+        std::vector<Vec2> points;  ///< px, world: bottom center of the character's box in each tick
+        int hops = 1;              ///< number of jumps from the initial position, including this one
+        bool lands = false;        ///< the character is on the ground at the end of the path
     };
-    /// A place to stand on.
+    /// A position in which the character stands on the ground.
     struct Landing {
-        AABB box;  ///< px: of the character
-        int hops = 0;
+        AABB box;      ///< px, world: the character's box
+        int hops = 0;  ///< number of jumps from the initial position
     };
 
-    /// Begins anew.
-    /// @param game    the world is as it is at the start; this plays in it from then on
-    /// @param player  of that world
+    /// Discards all results and starts again.
+    /// @param game    in its initial state; its world is changed by the simulation from then on
+    /// @param player  entity in the world of `game`
     void begin(PlaySession& game, EntityId player);
     void clear();
-    /// Goes on. @param seconds  of CPU that may be used. @return how many ticks were played
+    /// Continues the simulation. @param seconds  limit of CPU time. @return number of ticks simulated
     int work(double seconds);
 
     [[nodiscard]] bool done() const { return places_.empty(); }
     [[nodiscard]] const std::vector<Arc>& arcs() const { return arcs_; }
     [[nodiscard]] const std::vector<Landing>& landings() const { return landings_; }
-    /// Whether it can be in a place: its box covers that, on one of the ways.
+    /// True if the character's box covers this point (px, world) in one of the simulated jumps.
     [[nodiscard]] bool reaches(Vec2 place) const;
-    static constexpr float kCell = 8.0f;  ///< px: side of the squares that are reached or not
+    static constexpr float kCell = 8.0f;  ///< px: side length of the grid cells of `cells`
     struct Cell {
         int x = 0;
         int y = 0;
         friend constexpr auto operator<=>(const Cell&, const Cell&) = default;
     };
-    /// With the fewest jumps that it takes.
+    /// The reached grid cells, each with the minimum number of jumps needed.
     [[nodiscard]] const std::map<Cell, int>& cells() const { return cells_; }
 
 private:
     struct Plan;
-    /// Where it stands, and the game then.
+    /// A landing from which jumps are simulated.
     struct Place {
-        Snapshot world;
-        int hops = 0;
-        std::size_t next = 0;  ///< plan
+        Snapshot world;        ///< state of the game at the landing
+        int hops = 0;          ///< number of jumps from the initial position
+        std::size_t next = 0;  ///< index of the next plan to simulate
     };
     static const std::vector<Plan>& plans(bool first);
     [[nodiscard]] InputFrame hands(const Plan& plan, int tick, int jumpedAt) const;
@@ -78,9 +78,9 @@ private:
     Key left_ = Key::Left;
     Key right_ = Key::Right;
     Key jump_ = Key::Space;
-    std::deque<Place> places_;  // still to go on from
+    std::deque<Place> places_;  // landings with plans left to simulate
     std::size_t placed_ = 0;
-    std::set<Cell> stood_;  // cells that it landed on already
+    std::set<Cell> stood_;  // grid cells with a landing
     std::map<Cell, int> cells_;
     std::vector<Arc> arcs_;
     std::vector<Landing> landings_;

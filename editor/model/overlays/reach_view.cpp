@@ -8,8 +8,8 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kMoved = 8.0f;       // px: elsewhere
-constexpr std::int64_t kAgain = 30;  // ticks of a running game until it is found out anew
+constexpr float kMoved = 8.0f;       // px: minimum displacement of the player that needs a new result
+constexpr std::int64_t kAgain = 30;  // minimum ticks between two results in a running game
 
 }  // namespace
 

@@ -5,14 +5,14 @@
 
 namespace plumb::editor {
 
-/// The jump reach of the selected player, kept up to date: found out anew when the scene was changed or the
-/// player stands elsewhere, a little in each frame.
+/// Keeps the jump reach of the selected player up to date: recomputes it, spread over frames, after the scene
+/// changed or the player stands in another position.
 class ReachView {
 public:
-    static constexpr double kBudget = 0.004;  ///< s of CPU in a frame
+    static constexpr double kBudget = 0.004;  ///< s of CPU time per frame
 
-    /// To be called in every frame in which it is shown.
-    /// @param anyPlayer  also one that is not selected
+    /// Must be called in every frame in which the jump reach is shown.
+    /// @param anyPlayer  if no player is selected, takes the first player of the scene
     void tend(Workspace& workspace, bool anyPlayer);
     void clear();
 
@@ -20,12 +20,12 @@ public:
     [[nodiscard]] ObjectId player() const { return asked_.player; }
 
 private:
-    /// What it was found out for.
+    /// The state for which the jump reach was computed.
     struct Asked {
         ObjectId player;
         bool playing = false;
-        std::uint64_t revision = 0;  ///< of the document
-        std::int64_t tick = 0;       ///< of the game
+        std::uint64_t revision = 0;  ///< revision of the scene
+        std::int64_t tick = 0;       ///< tick of the running game
         friend bool operator==(const Asked&, const Asked&) = default;
     };
     [[nodiscard]] static ObjectId playerOf(const Workspace& workspace, bool any);
@@ -34,7 +34,7 @@ private:
     GhostGame ghost_;
     JumpReach reach_;
     Asked asked_;
-    Vec2 from_;  // px: where the player stood
+    Vec2 from_;  // px, world: position of the player at the start
 };
 
 }  // namespace plumb::editor

@@ -13,9 +13,9 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::size_t kMost = 600;  // ways
+constexpr std::size_t kMost = 600;  // maximum number of trajectories
 
-/// What the physics moves, and what a component moves to and fro.
+/// True if the physics or a gameplay component moves the entity.
 bool movesByItself(const World& world, EntityId entity) {
     return world.has<RigidBody>(entity) || world.has<MovingPlatform>(entity) || world.has<Patrol>(entity);
 }
@@ -47,7 +47,8 @@ void Trajectories::tend(Workspace& workspace, bool all) {
     Asked now{playing, all, workspace.document.sceneRevision, workspace.document.selection.revision(),
               playing ? workspace.play.ticks() : 0};
     if (playing && !workspace.play.paused()) {
-        // As it runs, the ways behind grow by themselves; a copy would have to catch up in every frame.
+        // The past grows tick by tick. A copy of the game for the future would have to restart in every
+        // frame.
         Asked before = asked_;
         before.tick = now.tick;
         if (!begun_ || before != now || game_ != nullptr) choose(workspace, all);
@@ -82,7 +83,7 @@ void Trajectories::addPlaces(const World& world, bool future) {
     }
 }
 
-/// Behind at once, ahead in pieces.
+/// Computes the past at once; `goOn` computes the future, spread over frames.
 void Trajectories::begin(Workspace& workspace) {
     const PlayMode& play = workspace.play;
     const std::int64_t now = play.running() ? play.ticks() : 0;

@@ -6,23 +6,24 @@
 
 namespace plumb::editor {
 
-/// The ways of things: where they came along in the last second, and where they go in the next two if the
-/// hands stay as they are. Played by a copy of the game, so walls, springs and wind count. While it does not
-/// run, it is how the scene would begin.
+/// The trajectories of entities: their positions in the last second, and those in the next two seconds if the
+/// player's input stays the same. A copy of the game simulates them, so walls, springs and wind have their
+/// effect. If no game runs, the simulation starts from the initial state of the scene.
 class Trajectories {
 public:
-    static constexpr int kBehind = 60;        ///< ticks
-    static constexpr int kAhead = 120;        ///< ticks
-    static constexpr double kBudget = 0.003;  ///< s of CPU in a frame
+    static constexpr int kBehind = 60;        ///< ticks shown of the past
+    static constexpr int kAhead = 120;        ///< ticks shown of the future
+    static constexpr double kBudget = 0.003;  ///< s of CPU time per frame
 
     struct Way {
         ObjectId object;
-        std::vector<Vec2> past;    ///< px, the last one is where it is
-        std::vector<Vec2> future;  ///< px
+        std::vector<Vec2> past;    ///< px, world: one position per tick; the last one is the present
+        std::vector<Vec2> future;  ///< px, world: one position per tick
     };
 
-    /// To be called in every frame in which they are shown. While a game runs only its past is followed.
-    /// @param all  of everything that moves; else of what is selected
+    /// Must be called in every frame in which trajectories are shown. While a game runs unpaused, only the
+    /// past is recorded.
+    /// @param all  true: of all moving entities; false: of the selected ones
     void tend(Workspace& workspace, bool all);
     void clear();
     [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
@@ -32,8 +33,8 @@ private:
     struct Asked {
         bool playing = false;
         bool all = false;
-        std::uint64_t revision = 0;   ///< of the document
-        std::uint64_t selection = 0;  ///< its revision
+        std::uint64_t revision = 0;   ///< revision of the scene
+        std::uint64_t selection = 0;  ///< revision of the selection
         std::int64_t tick = 0;
         friend bool operator==(const Asked&, const Asked&) = default;
     };
@@ -45,12 +46,12 @@ private:
     void goOn(Workspace& workspace);
 
     GhostGame ghost_;
-    PlaySession* game_ = nullptr;  // of the ghost; null while a game runs
+    PlaySession* game_ = nullptr;  // owned by `ghost_`; null while a game runs unpaused
     std::vector<Way> ways_;
-    std::vector<EntityId> entities_;  // of them, in the ghost
+    std::vector<EntityId> entities_;  // entities in the world of the ghost, one per item of `ways_`
     Asked asked_;
     bool begun_ = false;
-    int ahead_ = kAhead;  // ticks played ahead
+    int ahead_ = kAhead;  // ticks of the future simulated so far
 };
 
 }  // namespace plumb::editor

@@ -1,4 +1,4 @@
-// applyToPrefab of prefab_edit.hpp: from what an instance has for itself to the text of its prefab's file.
+// applyToPrefab of prefab_edit.hpp: writes the overrides of an instance into the text of its prefab's file.
 
 #include <algorithm>
 
@@ -16,17 +16,17 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::uint64_t kOutside = ~0ull;  // stands for an entity that the prefab cannot know
+constexpr std::uint64_t kOutside = ~0ull;  // placeholder id of entities outside the prefab
 
-/// The JSON of a prefab's file while overrides are put into it.
+/// The JSON of a prefab's file while overrides are merged into it.
 class PrefabText {
 public:
     PrefabText(Document& document, PrefabLibrary& prefabs, Json file)
-        : document_{document}, prefabs_{prefabs}, file_(std::move(file)) {  // braces would make it a list
+        : document_{document}, prefabs_{prefabs}, file_(std::move(file)) {  // braces would create an array
         if (const std::uint64_t id = hexIdIn(root(), "id")) rootId_ = id;
     }
 
-    /// Puts what one entity has for itself into its place. @return how many values
+    /// Merges the overrides of one entity into the file. @return number of merged values
     std::size_t take(const InstancePart& part, const PrefabScope& scope) {
         std::size_t taken = 0;
         for (const TypeInfo& type : document_.types().all()) {
@@ -62,7 +62,7 @@ private:
         return std::max<std::size_t>(fields.size(), 1);
     }
 
-    /// A component that the prefab does not have, as it would stand in a file.
+    /// Returns the JSON of a component that the prefab does not have.
     [[nodiscard]] Json ownFields(const InstancePart& part, const TypeInfo& type) const {
         const void* object = std::as_const(document_.world).find(type, document_.find(part.id()));
         if (type.size == 0) return Json::object();
@@ -70,7 +70,8 @@ private:
         return componentToJson(type, object, fresh.bytes.data(), WorldFieldContext{document_.world});
     }
 
-    /// Turns references inside the instance into parts; leaves out those that lead out of it.
+    /// Converts references to entities of the instance to part ids of the prefab; removes fields with
+    /// references to other entities.
     void localize(const InstancePart& part, const TypeInfo& type, Json& fields) const {
         const auto partId = [&](std::uint64_t id) {
             for (const PrefabEntity& entity : part.prefab().entities) {
@@ -88,7 +89,8 @@ private:
         }
     }
 
-    /// Where the file speaks of an entity: among its own, or among what it changes of a prefab inside it.
+    /// Returns the JSON object for an entity: the entity itself, or its overrides below a nested prefab
+    /// instance.
     Json& placeOf(const InstancePart& part) {
         const std::uint64_t wanted = part.base().part;
         for (Json& entity : file_["entities"]) {
@@ -107,14 +109,15 @@ private:
         return root();
     }
 
-    /// The first entity; what is none is left out by the reader of prefabs, too.
+    /// Returns the first valid entity; the prefab reader skips array elements that are not objects, too.
     Json& root() {
         Json& entities = file_["entities"];
         return *std::find_if(entities.begin(), entities.end(),
                              [](const Json& one) { return one.is_object(); });
     }
 
-    /// Whether the entity's own lines are all there is; else a prefab inside stands below them.
+    /// True if the entity belongs to this file alone; false for an instance of a nested prefab, or a part of
+    /// one.
     [[nodiscard]] static bool isPlain(const Json& entity) {
         return entity.contains("id") && !entity.contains("prefab");
     }
@@ -131,7 +134,7 @@ private:
         Json& components = makeObject(entity, "components");
         const bool fresh = !components.contains(std::string{type.name});
         Json& there = makeObject(components, type.name);
-        // What is there keeps its place, so that the file changes in few lines.
+        // Existing keys keep their order, so that the diff of the file stays small.
         const std::size_t before = there.size();
         for (const auto& [key, value] : fields.items()) {
             there[key] = value;
@@ -147,7 +150,8 @@ private:
         }
     }
 
-    /// A value that is the default needs no line, where no prefab below says otherwise.
+    /// Removes applied values that equal the default. Valid only for entities without a nested prefab's
+    /// values.
     void dropDefaults(const TypeInfo& type, const Json& applied, Json& fields) const {
         if (type.size == 0) return;
         const ComponentState fresh = defaultComponent(type);
@@ -159,7 +163,7 @@ private:
         }
     }
 
-    /// The keys in the order in which files are written; unknown ones behind them.
+    /// Returns the fields in the order in which files are written; unknown keys at the end.
     static Json ordered(const Json& fields, const TypeInfo& type) {
         Json made = Json::object();
         for (const FieldInfo& field : type.fields) {
@@ -171,6 +175,7 @@ private:
         }
         return made;
     }
+    /// Returns the components in the order in which files are written; unknown keys at the end.
     [[nodiscard]] Json ordered(const Json& components) const {
         Json made = Json::object();
         for (const TypeInfo& type : document_.types().all()) {
@@ -189,7 +194,8 @@ private:
     std::uint64_t rootId_ = Prefab::kRootPart;
 };
 
-/// What a component becomes when its prefab changes: values that were the prefab's follow, others stay.
+/// Computes the change of one component of an instance when its prefab changes: overridden values stay, all
+/// others follow the prefab. @return nothing if the component does not change
 std::optional<WritePrefab::Change> followed(Document& document, const InstancePart& before,
                                             const InstancePart& after, const TypeInfo& type) {
     const EntityId entity = document.find(before.id());
@@ -210,7 +216,7 @@ std::optional<WritePrefab::Change> followed(Document& document, const InstancePa
     ComponentState state = readComponent(document, type, entity);
     for (const FieldInfo& field : type.fields) {
         const bool keeps = field.transient || own.contains(std::string{field.name}) ||
-                           (before.isRoot() && isOwnPlace(type, field.name));
+                           (before.isRoot() && isInstancePose(type, field.name));
         if (keeps) continue;
         std::memcpy(field.in(static_cast<void*>(state.bytes.data())),
                     field.in(static_cast<const void*>(base.bytes.data())), field.size);
@@ -218,7 +224,8 @@ std::optional<WritePrefab::Change> followed(Document& document, const InstancePa
     return WritePrefab::Change{before.id(), &type, std::move(state)};
 }
 
-/// What becomes of all instances in the document when prefabs change from one library to another.
+/// Computes the changes of all instances in the document when the prefabs of `now` are replaced by those of
+/// `next`.
 std::vector<WritePrefab::Change> changesOf(Document& document, PrefabLibrary& now, PrefabLibrary& next) {
     std::vector<WritePrefab::Change> changes;
     for (const ObjectId id : document.objects()) {
@@ -240,7 +247,7 @@ std::vector<WritePrefab::Change> changesOf(Document& document, PrefabLibrary& no
 
 Result<Done> applyToPrefab(const PrefabEdit& edit, ObjectId id, const PrefabScope& scope) {
     const auto part = InstancePart::of(edit.document, edit.prefabs, id);
-    if (!part) return Error{"apply", "this entity comes from no prefab", "select an instance of one"};
+    if (!part) return Error{"apply", "this entity is not part of a prefab instance", "select one that is"};
     const std::string path = part->prefab().path;
     const Result<Path> file = pathInside(edit.root, path);
     if (!file) return file.error();
@@ -251,7 +258,7 @@ Result<Done> applyToPrefab(const PrefabEdit& edit, ObjectId id, const PrefabScop
     const Json* entities = findArray(*json, "entities");
     if (entities == nullptr || std::none_of(entities->begin(), entities->end(),
                                             [](const Json& entity) { return entity.is_object(); }))
-        return Error{path, "this is no prefab any more", "bring the file back"};
+        return Error{path, "the file contains no entities, so it is not a prefab", "restore the file"};
 
     PrefabText made{edit.document, *edit.prefabs, *std::move(json)};
     std::size_t taken = 0;
@@ -260,7 +267,7 @@ Result<Done> applyToPrefab(const PrefabEdit& edit, ObjectId id, const PrefabScop
             taken += made.take(*inner, scope);
     }
     if (taken == 0)
-        return Error{path, "the instance has nothing that differs from its prefab", "change it first"};
+        return Error{path, "the instance does not differ from its prefab", "change the instance first"};
 
     PrefabLibrary next{edit.document.types(), edit.root};
     next.add(path, made.text());

@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-void goInside(Workspace& workspace, Vec2 point, float reach) {
+void handleDoubleClick(Workspace& workspace, Vec2 point, float reach) {
     const Document& document = workspace.document;
     const std::vector<ObjectId> hits = pickAll(document, point, reach);
     if (hits.empty()) return;

@@ -6,9 +6,10 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// A double click in the scene: to the part of an instance under the mouse, or to the corners of an outline.
-/// @param point  px, world
-/// @param reach  px, world: how far beside a thing still hits it
-void goInside(Workspace& workspace, Vec2 point, float reach);
+/// Handles a double click in the scene: selects the part of a prefab instance under the pointer, or activates
+/// the shape tool for the corners of a polygon or chain.
+/// @param point  px, world: position of the pointer
+/// @param reach  px, world: maximum distance at which an entity is still hit
+void handleDoubleClick(Workspace& workspace, Vec2 point, float reach);
 
 }  // namespace plumb::editor

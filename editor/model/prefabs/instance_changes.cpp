@@ -9,7 +9,7 @@
 namespace plumb::editor {
 namespace {
 
-/// The answer, and what it was found out from. Lies beside the document.
+/// The cached result with the state it was computed for. A resource of the document's world.
 struct KnownChanges {
     std::uint64_t revision = ~0ull;
     std::uint64_t selection = ~0ull;
@@ -34,7 +34,7 @@ bool findOut(Workspace& workspace) {
 }  // namespace
 
 bool instancesDiffer(const Workspace& constant) {
-    auto& workspace = const_cast<Workspace&>(constant);  // only the answer is kept
+    auto& workspace = const_cast<Workspace&>(constant);  // only the cache is changed
     const Document& document = workspace.document;
     const KnownChanges* known = document.world.findResource<KnownChanges>();
     if (known == nullptr || known->revision != document.sceneRevision ||

@@ -4,8 +4,8 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// Whether an instance of those that are selected has anything for itself. Found out once for each change of
-/// the scene or the selection; of very many it is taken for granted.
+/// True if a selected prefab instance differs from its prefab. The result is cached until the scene or the
+/// selection changes. With too many selected entities to compare it is true.
 bool instancesDiffer(const Workspace& workspace);
 
 }  // namespace plumb::editor

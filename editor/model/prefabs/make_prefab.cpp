@@ -18,9 +18,9 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::uint64_t kOutside = ~0ull;  // stands for an entity that the prefab cannot know
+constexpr std::uint64_t kOutside = ~0ull;  // placeholder id of entities outside the prefab
 
-/// From the text of a scene to that of a prefab.
+/// Converts an entity of a scene, with its descendants, to the text of a prefab file.
 class PrefabMaker {
 public:
     PrefabMaker(PrefabEdit edit, ObjectId root) : edit_{std::move(edit)}, root_{root} {
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] const std::map<ObjectId, std::uint64_t>& parts() const { return parts_; }
 
-    /// @error the scene holds an entity whose text is no JSON
+    /// @error the text of the scene is not valid JSON
     [[nodiscard]] Result<std::string> text() const {
         const Document& document = edit_.document;
         const SceneContext context{document.types(), edit_.prefabs, edit_.root};
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    /// Parts of nested instances are known to the prefab by the ids that they have in the scene.
+    /// Returns the part id of an entity in the prefab. Parts of nested instances keep their scene ids.
     [[nodiscard]] std::uint64_t partOf(ObjectId id) const {
         const PrefabPart* part = edit_.document.world.find<PrefabPart>(edit_.document.find(id));
         if (part != nullptr && part->instance == root_.value) return part->part;
@@ -77,7 +77,7 @@ private:
         if (Json* children = findObject(json, "children")) {
             for (auto& [part, overrides] : children->items()) localize(overrides);
         }
-        // An instance stands where it stands.
+        // Position and rotation of the root belong to each instance, not to the prefab.
         Json* components = findObject(json, "components");
         Json* transform = components == nullptr ? nullptr : findObject(*components, "Transform");
         if (id != root_ || transform == nullptr) return json;
@@ -87,7 +87,7 @@ private:
         return json;
     }
 
-    /// Leaves out references that lead out of the prefab.
+    /// Removes fields with references to entities outside the prefab.
     void localize(Json& entity) const {
         Json* components = findObject(entity, "components");
         if (components == nullptr) return;
@@ -112,25 +112,26 @@ private:
 Result<Done> canMake(Workspace& workspace, const std::vector<ObjectId>& objects, const std::string& path) {
     const Document& document = workspace.document;
     if (workspace.prefabs().prefabs == nullptr)
-        return Error{path, "this project has no prefabs", "open a project"};
+        return Error{path, "prefabs need a project, and none is open", "open a project"};
     const Result<Path> file = pathInside(workspace.project.root, path);
     if (!file) return file.error();
     std::error_code failed;
-    if (path == prefabPath(""))
-        return Error{path, "this is no name for a prefab", "write a word, e.g. \"door\""};
+    if (path == prefabPath("")) return Error{path, "a prefab needs a name", "write a word, e.g. \"door\""};
     if (std::filesystem::exists(*file, failed))
-        return Error{path, "there is such a prefab", "choose another name"};
-    if (objects.empty()) return Error{path, "nothing is selected", "select what the prefab is to be"};
+        return Error{path, "a prefab of this name already exists", "choose another name"};
+    if (objects.empty()) return Error{path, "nothing is selected", "select the entities of the new prefab"};
     for (const ObjectId id : outermost(document, objects)) {
         if (id == prefabRootOf(document))
-            return Error{document.nameOf(id), "it is the prefab that is edited", "select what is below it"};
+            return Error{document.nameOf(id), "this is the root of the prefab being edited",
+                         "select entities below it"};
         if (document.world.has<PrefabPart>(document.find(id)))
-            return Error{document.nameOf(id), "it is a part of another prefab", "select the whole instance"};
+            return Error{document.nameOf(id), "this entity is part of another prefab's instance",
+                         "select the whole instance"};
     }
     return Done{};
 }
 
-/// All or nothing: a return before the end takes back what was done.
+/// Makes the prefab. On error, the transaction undoes all changes.
 Result<ObjectId> make(Workspace& workspace, const std::vector<ObjectId>& members, const std::string& path) {
     Document& document = workspace.document;
     Transaction transaction{workspace.undo, format("make {}", path)};
@@ -150,7 +151,7 @@ Result<ObjectId> make(Workspace& workspace, const std::vector<ObjectId>& members
     workspace.undo.push(std::make_unique<WriteAsset>(format("write {}", path), workspace.project.root,
                                                      workspace.assets, path, *text));
     if (!std::filesystem::exists(file, failed))
-        return Error{path, "the file cannot be written", "the console says why"};
+        return Error{path, "the file could not be written", "see the console for the reason"};
     workspace.undo.push(
         std::make_unique<BecomeInstance>(root, made.parts(), path, *workspace.prefabs().prefabs));
     transaction.commit();

@@ -7,15 +7,17 @@
 
 namespace plumb::editor {
 
-/// The path of a new prefab's file, for a name that a person typed.
+/// Returns the path of the file for a prefab of this name, relative to the project.
 std::string prefabPath(std::string_view name);
 
-/// Writes an entity and all below it into the file of a new prefab, and makes them its instance. What is an
-/// instance of another prefab stays one inside it. Where the entity stands is its own; references to entities
-/// outside stay with it. One step of undo, which takes the file away again.
-/// @param objects  of several, those that are outermost are put below a new entity first
-/// @return the instance's first entity
-/// @error  there is such a file, no name, or a part of another prefab is among them; nothing has changed then
+/// Writes an entity and its descendants to the file of a new prefab, and makes them an instance of it.
+/// Instances of other prefabs become nested instances. The root's position and rotation, and references to
+/// entities outside, are not written to the prefab: the instance keeps them. One undo step, which also
+/// deletes the file.
+/// @param objects  if several, the outermost ones are first put below a new entity
+/// @return the root entity of the instance
+/// @error  the file exists, the name is empty, or `objects` has a part of another prefab; then nothing has
+///         changed
 Result<ObjectId> makePrefab(Workspace& workspace, const std::vector<ObjectId>& objects,
                             const std::string& path);
 

@@ -10,15 +10,15 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::size_t kLongest = 60;  // letters of a value
+constexpr std::size_t kLongest = 60;  // bytes: longer values are cut
 
 std::string shortText(const Json& value) {
-    std::string text{trimmed(writeJson(value))};  // numbers as in files
+    std::string text{trimmed(writeJson(value))};  // the number format of scene files
     if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
     return text;
 }
 
-/// What the prefab gives a field: a line of its file, or the default.
+/// Returns a field's value in the prefab: the one in the prefab's file, or the default.
 std::string inPrefab(const PrefabEdit& edit, const InstancePart& part, const TypeInfo& type,
                      const std::string& name) {
     const Json& fields = part.base().components[std::string{type.name}];
@@ -37,8 +37,8 @@ void addComponent(const PrefabEdit& edit, const InstancePart& part,
                         component.type,
                         {},
                         name,
-                        component.added ? "-" : "there",
-                        component.added ? "added" : "taken out"});
+                        component.added ? "-" : "present",
+                        component.added ? "added" : "removed"});
         return;
     }
     const Json here = part.differences(*component.type);
@@ -65,7 +65,7 @@ std::vector<OverrideRow> overrideList(const PrefabEdit& edit, ObjectId id) {
     for (const EntityState& gone : missingParts(edit.document, instance->prefab(), instance->root())) {
         for (const PrefabEntity& entity : instance->prefab().entities) {
             if (combinedId(instance->root().value, entity.part) != gone.id.value) continue;
-            rows.push_back({gone.id, nullptr, {}, entity.name, "there", "taken out"});
+            rows.push_back({gone.id, nullptr, {}, entity.name, "present", "removed"});
         }
     }
     return rows;

@@ -7,22 +7,22 @@
 
 namespace plumb::editor {
 
-/// One thing that an instance has for itself, as people read it.
+/// One difference between a prefab instance and its prefab, for display.
 struct OverrideRow {
     ObjectId object;                 ///< the entity of the instance
-    const TypeInfo* type = nullptr;  ///< null: the whole part was taken out
-    std::string field;               ///< empty: the component was added, or taken out
-    std::string entity;              ///< its name
-    std::string prefab;              ///< what the prefab says
-    std::string here;                ///< what the instance says
+    const TypeInfo* type = nullptr;  ///< null: the whole entity was removed from the instance
+    std::string field;               ///< empty: the component was added or removed
+    std::string entity;              ///< name of the entity
+    std::string prefab;              ///< value in the prefab, or "present" or "-"
+    std::string here;                ///< value in the instance, or "added" or "removed"
 
     [[nodiscard]] PrefabScope scope() const { return {type, field}; }
 };
 
-/// All that the instance of an entity has for itself, in the order of the prefab.
+/// Returns all differences between the instance that an entity belongs to and its prefab, in prefab order.
 std::vector<OverrideRow> overrideList(const PrefabEdit& edit, ObjectId id);
 
-/// Gives one of them back to the prefab. @return false when there was nothing to do
+/// Reverts one difference to the prefab's state. @return false if nothing had to be changed
 bool revertOverride(const PrefabEdit& edit, const OverrideRow& row);
 
 }  // namespace plumb::editor

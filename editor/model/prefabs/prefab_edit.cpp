@@ -15,7 +15,7 @@
 namespace plumb::editor {
 namespace {
 
-/// The first entities of the instances that these belong to, each once.
+/// Returns the root entities of the instances that these entities belong to, without duplicates.
 std::vector<ObjectId> rootsOf(const PrefabEdit& edit, const std::vector<ObjectId>& ids) {
     std::vector<ObjectId> roots;
     for (const ObjectId id : ids) {
@@ -26,14 +26,15 @@ std::vector<ObjectId> rootsOf(const PrefabEdit& edit, const std::vector<ObjectId
     return roots;
 }
 
-/// The prefab's component, but standing where the instance stands.
+/// Returns the prefab's component; for the root entity with the instance's own position, rotation and
+/// transient fields.
 ComponentState revertedState(const PrefabEdit& edit, const InstancePart& part, const TypeInfo& type) {
     ComponentState state = part.baseOf(type);
     const EntityId entity = edit.document.find(part.id());
     if (!part.isRoot() || !edit.document.world.has(type, entity)) return state;
     const ComponentState now = readComponent(edit.document, type, entity);
     for (const FieldInfo& field : type.fields) {
-        if (!isOwnPlace(type, field.name) && !field.transient) continue;
+        if (!isInstancePose(type, field.name) && !field.transient) continue;
         std::memcpy(field.in(static_cast<void*>(state.bytes.data())),
                     field.in(static_cast<const void*>(now.bytes.data())), field.size);
     }
@@ -108,7 +109,7 @@ bool restorePart(const PrefabEdit& edit, ObjectId wanted) {
         std::vector<EntityState> states;
         ObjectId next = wanted;
         std::vector<EntityState> missing = missingParts(edit.document, instance->prefab(), id);
-        // From the part up to what is still there; parents stand before their children.
+        // Collects the part and its missing ancestors. `missing` lists parents before children.
         for (auto state = missing.rbegin(); state != missing.rend(); ++state) {
             if (state->id != next) continue;
             next = state->parent;
@@ -129,12 +130,14 @@ bool restorePart(const PrefabEdit& edit, ObjectId wanted) {
 
 Result<Done> addInstance(const PrefabEdit& edit, std::string_view path, Vec2 position) {
     const std::string name{path};
-    if (edit.prefabs == nullptr) return Error{name, "this project has no prefabs", "open a project"};
+    if (edit.prefabs == nullptr)
+        return Error{name, "prefabs need a project, and none is open", "open a project"};
     const Result<const Prefab*> prefab = edit.prefabs->find(path);
     if (!prefab) return prefab.error();
     Document& document = edit.document;
     if (prefabRootOf(document) && isInside(edit.root, document.scenePath, path))
-        return Error{name, "it is the prefab that is edited, or has it inside itself", "choose another one"};
+        return Error{name, "a prefab cannot contain itself",
+                     "choose a prefab other than the edited one and those that contain it"};
     const TypeRegistry& types = document.types();
     Transaction transaction{edit.undo, format("add {}", path)};
     auto command = createEntity(document, (*prefab)->entities.front().name, position);

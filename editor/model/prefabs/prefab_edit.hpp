@@ -6,36 +6,37 @@
 
 namespace plumb::editor {
 
-/// Changes that go between instances and their prefabs. Each is one step of undo.
+/// The objects needed to copy changes between instances and prefabs. Each such change is one undo step.
 struct PrefabEdit {
     Document& document;
     UndoStack& undo;
-    PrefabLibrary* prefabs = nullptr;  ///< null: there are no prefabs, and nothing happens
+    PrefabLibrary* prefabs = nullptr;  ///< null: no project with prefabs is open; no change is made
     Path root{};                       ///< the project's folder
 };
 
-/// What of an instance is reverted or applied: all of it, one component of one entity, or one field of it.
+/// The part of an instance to revert or apply: the whole instance, one component of an entity, or one field.
 struct PrefabScope {
-    const TypeInfo* type = nullptr;
-    std::string_view field{};
+    const TypeInfo* type = nullptr;  ///< type of the component; null: the whole instance
+    std::string_view field{};        ///< name of the field; empty: the whole component
 };
 
-/// Gives entities back what their prefabs say. Without a type the whole instance, with the parts and
-/// components that were taken from it; where it stands stays its own.
-/// @return false when there was nothing to revert
+/// Resets entities to the values of their prefabs. Without a type it resets the whole instances and restores
+/// removed parts and components; the position and rotation of an instance stay.
+/// @return false if there was nothing to revert
 bool revertToPrefab(const PrefabEdit& edit, const std::vector<ObjectId>& ids, const PrefabScope& scope = {});
 
-/// Brings back a part of an instance that was taken out, with what is above it. @return false when none was
+/// Restores a removed part of an instance, with its removed ancestors. @return false if `part` is not a
+/// removed part
 bool restorePart(const PrefabEdit& edit, ObjectId part);
 
-/// Writes what an instance has for itself into its prefab's file, at once and as a whole. Other instances in
-/// the document follow where they had the prefab's value. Undo writes the file back as it was.
-/// References to entities outside the instance stay with it.
-/// @error  no prefab, nothing to apply, or the file cannot be read or written; nothing has changed then
+/// Writes the overrides of an instance to its prefab's file, atomically. Other instances in the document
+/// follow where they do not override the value. Undo restores the file. References to entities outside the
+/// instance are not written to the prefab.
+/// @error  not an instance, nothing to apply, or the file cannot be read or written; then nothing has changed
 Result<Done> applyToPrefab(const PrefabEdit& edit, ObjectId id, const PrefabScope& scope = {});
 
-/// Puts an instance of a prefab into the scene and selects it.
-/// @error  the prefab cannot be read
+/// Adds an instance of a prefab to the scene and selects it.
+/// @error  the prefab cannot be read, or the edited prefab would contain itself
 Result<Done> addInstance(const PrefabEdit& edit, std::string_view path, Vec2 position);
 
 }  // namespace plumb::editor

@@ -12,7 +12,7 @@ namespace {
 
 using Override = PrefabOverrides::Component;
 
-/// What one entity has for itself, as files hold it.
+/// The overrides of one entity, as in a scene file.
 Json ownOf(const PrefabEdit& edit, const InstancePart& part, const PrefabScope& scope) {
     Json own = Json::object();
     for (const TypeInfo& type : edit.document.types().all()) {
@@ -30,19 +30,19 @@ Json ownOf(const PrefabEdit& edit, const InstancePart& part, const PrefabScope& 
             }
             if (!fields.empty()) own[name] = std::move(fields);
         } else if (here != there && scope.field.empty()) {
-            own[name] = here ? "added" : "taken out";
+            own[name] = here ? "added" : "removed";
         }
     }
     return own;
 }
 
-/// One instance, or one entity of it, that may go into its prefab.
+/// The overrides of one instance, or of one entity of it.
 struct Variant {
     ObjectId id;
-    Json own;  // by part
+    Json own;  // overrides by part id
 };
 
-/// By prefab and, for less than an instance, by part: the instances that differ from it.
+/// Variants by the path of their prefab and the part id; part id 0 if whole instances are compared.
 using VariantsByPart = std::map<std::pair<std::string, std::uint64_t>, std::vector<Variant>>;
 
 VariantsByPart variantsOf(const PrefabEdit& edit, const std::vector<ObjectId>& ids,
@@ -75,8 +75,8 @@ std::string contradiction(const VariantsByPart& all) {
                                        [&](const Variant& one) { return one.own == variants.front().own; });
         if (!agree)
             return format(
-                "{} of the selected come from {} and differ in what they change: select the one that is "
-                "right",
+                "{} selected instances of {} override it with different values: select only the one to "
+                "apply",
                 variants.size(), place.first);
     }
     return {};
@@ -128,7 +128,7 @@ std::string whyNotApply(const PrefabEdit& edit, const std::vector<ObjectId>& ids
 Result<Done> applyAllToPrefabs(const PrefabEdit& edit, const std::vector<ObjectId>& ids,
                                const PrefabScope& scope) {
     const VariantsByPart all = variantsOf(edit, ids, scope);
-    // One entity says itself what is missing.
+    // For one entity, `applyToPrefab` reports the more precise error.
     if (ids.size() == 1 || all.empty()) return applyToPrefab(edit, ids.back(), scope);
     if (std::string why = contradiction(all); !why.empty())
         return Error{"apply to prefab", std::move(why), ""};

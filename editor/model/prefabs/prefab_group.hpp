@@ -7,27 +7,27 @@
 
 namespace plumb::editor {
 
-/// What several entities have to do with prefabs, taken together: what the inspector's bar says and marks.
+/// Summary of the prefabs and overrides of several entities, shown in the inspector.
 struct PrefabGroup {
-    static constexpr std::size_t kMost = 500;  ///< entities that are compared: more would hold up the hand
+    static constexpr std::size_t kMost = 500;  ///< maximum number of entities to compare, to keep the UI fast
 
-    std::vector<std::string> prefabs;  ///< each once, in the order in which they were met
-    std::size_t parts = 0;             ///< entities that come from a prefab
-    bool compared = true;              ///< false: too many, and nothing below is known
-    std::size_t changed = 0;           ///< values that these entities have for themselves, all counted
-    PrefabOverrides overrides;         ///< what any of them has for itself
-    std::string whyNotApply;           ///< why all of it cannot go into the prefabs; empty when it can
+    std::vector<std::string> prefabs;  ///< paths, without duplicates, in order of first use
+    std::size_t parts = 0;             ///< number of entities that belong to a prefab instance
+    bool compared = true;              ///< false: too many entities; the members below are not computed
+    std::size_t changed = 0;           ///< number of overrides of all entities together
+    PrefabOverrides overrides;         ///< union of the overrides of all entities
+    std::string whyNotApply;           ///< reason why they cannot be applied together; empty if they can
 };
+/// Computes the summary for these entities.
 PrefabGroup prefabGroup(const PrefabEdit& edit, const std::vector<ObjectId>& ids);
 
-/// Why what these have for themselves cannot go into their prefabs together: several instances of one prefab
-/// say different things. Empty when it can.
+/// Returns the reason why the overrides of these entities cannot be applied together: several instances of
+/// one prefab have different overrides. Empty if they can be applied.
 std::string whyNotApply(const PrefabEdit& edit, const std::vector<ObjectId>& ids,
                         const PrefabScope& scope = {});
 
-/// `applyToPrefab` for each of the entities, as one step of undo; of instances that say the same, one speaks
-/// for all.
-/// @error  as there, or they contradict each other; nothing has changed then
+/// Calls `applyToPrefab` for the entities, once per group of equal overrides, as one undo step.
+/// @error  an error of `applyToPrefab`, or instances with different overrides; then nothing has changed
 Result<Done> applyAllToPrefabs(const PrefabEdit& edit, const std::vector<ObjectId>& ids,
                                const PrefabScope& scope = {});
 

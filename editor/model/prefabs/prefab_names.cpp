@@ -24,21 +24,21 @@ std::string freePrefabName(const Workspace& workspace, std::string_view wanted) 
     return name;
 }
 
-std::string prefabToBe(const Document& document, const std::vector<ObjectId>& objects) {
+std::string prefabNote(const Document& document, const std::vector<ObjectId>& objects) {
     const World& world = document.world;
     const std::vector<ObjectId> roots = outermost(document, objects);
     if (roots.size() == 1) {
         if (const auto* instance = world.find<PrefabInstance>(document.find(roots.front())))
-            return format("A variant of {}: it says only what is other.",
+            return format("A variant of {}: its file stores only the differences.",
                           world.texts().find(instance->prefab.path));
     }
     const std::vector<ObjectId> all = withDescendants(document, roots);
     const auto inside = std::count_if(
         all.begin(), all.end(), [&](ObjectId id) { return world.has<PrefabInstance>(document.find(id)); });
-    std::string words = roots.size() > 1 ? "All are put below a new entity." : "";
+    std::string words = roots.size() > 1 ? "The entities are put below a new one." : "";
     if (inside == 0) return words;
     if (!words.empty()) words += ' ';
-    return words + (inside == 1 ? std::string{"The instance inside stays one."}
+    return words + (inside == 1 ? std::string{"The instance inside stays an instance."}
                                 : format("The {} instances inside stay instances.", inside));
 }
 

@@ -8,11 +8,11 @@
 
 namespace plumb::editor {
 
-/// A name that no prefab of the folder prefabs/ has: the wanted one, or that with a number behind it.
+/// Returns a name not yet used in the folder prefabs/: `wanted`, or `wanted` with a number appended.
 std::string freePrefabName(const Workspace& workspace, std::string_view wanted);
 
-/// What `makePrefab` would make of these that is not plain to see: a variant, or one with instances inside;
-/// empty: a plain one.
-std::string prefabToBe(const Document& document, const std::vector<ObjectId>& objects);
+/// Returns a note for the user on what `makePrefab` would create: a variant, a new parent entity, or nested
+/// instances; empty for a plain prefab.
+std::string prefabNote(const Document& document, const std::vector<ObjectId>& objects);
 
 }  // namespace plumb::editor

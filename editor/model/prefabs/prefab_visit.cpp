@@ -12,18 +12,19 @@
 namespace plumb::editor {
 namespace {
 
-/// Where one was before a prefab was opened.
+/// The file, view and selection before a prefab was opened.
 struct CameFrom {
-    std::string path;
-    Vec2 center;  // px, world: what was looked at
+    std::string path;  // file of the scene or prefab
+    Vec2 center;       // px, world: center of the view
     float zoom = 1.0f;
     std::vector<ObjectId> selection;
 };
 
-/// Lies beside the document, which outlives what is opened in it.
+/// The stack of opened prefabs. A resource of the document's world, which is kept when another file is
+/// opened.
 struct Trail {
-    std::vector<CameFrom> places;  // the way back, the first one is a scene
-    std::string to;                // the prefab at its end; when another file is open, the way does not count
+    std::vector<CameFrom> places;  // files to go back to; the first is a scene
+    std::string to;                // path of the current prefab; `places` is invalid if another file is open
     std::optional<PrefabVisit> asked;
 };
 
@@ -32,7 +33,7 @@ Trail& trailOf(Workspace& workspace) {
     if (trail.to != workspace.document.scenePath) trail.places.clear();
     return trail;
 }
-/// Null when the way does not count.
+/// Null if no trail leads to the open file.
 const Trail* trailOf(const Workspace& workspace) {
     const Trail* trail = workspace.document.world.findResource<Trail>();
     return trail == nullptr || trail->to != workspace.document.scenePath ? nullptr : trail;
@@ -43,7 +44,7 @@ std::string firstScene(const Workspace& workspace) {
     return scenes.empty() ? std::string{} : scenes.front();
 }
 
-/// Looks again at what was looked at.
+/// Opens the file again, with its former view and selection.
 Result<LoadReport> goBack(Workspace& workspace, CameFrom to) {
     Result<LoadReport> report = workspace.open(to.path);
     if (!report) return report;
@@ -57,7 +58,7 @@ Result<LoadReport> goBack(Workspace& workspace, CameFrom to) {
 
 bool editsPrefab(const Workspace& workspace) { return isPrefabFile(workspace.document.scenePath); }
 
-std::string prefabInHand(const Workspace& workspace) {
+std::string selectedPrefab(const Workspace& workspace) {
     const Document& document = workspace.document;
     const World& world = document.world;
     TextId one;
@@ -74,8 +75,8 @@ std::string prefabInHand(const Workspace& workspace) {
 
 Result<LoadReport> editPrefab(Workspace& workspace, const std::string& path) {
     Document& document = workspace.document;
-    if (path == document.scenePath) return Error{path, "it is open already", ""};
-    // What cannot be read does not take the place of what is open.
+    if (path == document.scenePath) return Error{path, "this prefab is already open", ""};
+    // A prefab that cannot be read must not replace the open file.
     PrefabLibrary tried{document.types(), workspace.project.root};
     if (const Result<const Prefab*> read = tried.find(path); !read) {
         workspace.notice = read.error().text();
@@ -84,7 +85,7 @@ Result<LoadReport> editPrefab(Workspace& workspace, const std::string& path) {
     std::vector<CameFrom> way = trailOf(workspace).places;
     const View view = workspace.view.view();
     const CameFrom here{document.scenePath, view.center, view.zoom, document.selection.all()};
-    // A prefab that lies on the way already is gone back to.
+    // If the prefab is in the trail already, the trail is cut back to it.
     const auto known =
         std::find_if(way.begin(), way.end(), [&](const CameFrom& place) { return place.path == path; });
     const bool onTheWay = known != way.end();
@@ -105,16 +106,17 @@ Result<LoadReport> editPrefab(Workspace& workspace, const std::string& path) {
     return report;
 }
 
-std::string behindPrefab(const Workspace& workspace) {
+std::string fileToReturnTo(const Workspace& workspace) {
     if (!editsPrefab(workspace)) return {};
     const Trail* trail = trailOf(workspace);
     return trail == nullptr || trail->places.empty() ? firstScene(workspace) : trail->places.back().path;
 }
 
 Result<LoadReport> leavePrefab(Workspace& workspace) {
-    const std::string behind = behindPrefab(workspace);
+    const std::string behind = fileToReturnTo(workspace);
     if (behind.empty())
-        return Error{workspace.document.scenePath, "there is no scene to go back to", "make one first"};
+        return Error{workspace.document.scenePath, "the project has no scene to go back to",
+                     "create a scene first"};
     Trail& trail = trailOf(workspace);
     if (trail.places.empty()) return workspace.open(behind);
     CameFrom to = std::move(trail.places.back());
@@ -126,7 +128,7 @@ Result<LoadReport> leavePrefab(Workspace& workspace) {
 void playSceneBehind(Workspace& workspace, bool paused) {
     while (editsPrefab(workspace)) {
         if (const Result<LoadReport> back = leavePrefab(workspace); !back) {
-            workspace.notice = "There is no scene to play; a prefab alone cannot be played";
+            workspace.notice = "No scene to play; a prefab cannot be played without a scene";
             return;
         }
     }

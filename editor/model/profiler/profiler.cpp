@@ -14,8 +14,8 @@ namespace plumb::editor {
 namespace {
 
 constexpr std::string_view kPhysics = PhysicsSystem::kName;
-constexpr float kSpikeTimes = 2.5f;  // a spike is so many times the median …
-constexpr float kLeastSpike = 0.5f;  // … and at least so many ms above it
+constexpr float kSpikeTimes = 2.5f;  // a spike takes at least this multiple of the median time ...
+constexpr float kLeastSpike = 0.5f;  // ... and at least this many ms more than the median
 
 float milliseconds(double seconds) { return static_cast<float>(seconds * 1000.0); }
 
@@ -44,7 +44,7 @@ void Profiler::tend(PlayMode& play) {
     const bool on = wanted_ > 0 && !held && play.running();
     if (wanted_ > 0) --wanted_;
     profile_.on = on;
-    play.watchTicks = on ? this : nullptr;
+    play.tickListener = on ? this : nullptr;
 }
 
 void Profiler::clear() {
@@ -94,7 +94,7 @@ void Profiler::drew(double seconds, std::size_t drawCalls, std::size_t sprites) 
 
 namespace {
 
-/// Means over all samples, also over those in which a zone had one thread.
+/// Means over all samples, including those in which only one thread worked on the zone.
 Profiler::Threads threadsOf(const std::deque<Profiler::Sample>& samples, std::size_t zone) {
     Profiler::Threads mean;
     const float part = 1.0f / static_cast<float>(std::max<std::size_t>(samples.size(), 1));
@@ -127,7 +127,7 @@ std::vector<Profiler::Row> rowsOf(const std::deque<Profiler::Sample>& samples,
         if (chosen < samples.size() && zone < samples[chosen].zones.size())
             row.chosen = samples[chosen].zones[zone];
     }
-    // A stage of the physics stands below the system that runs it, whatever that costs.
+    // The stages of the physics are sorted directly below the system that runs them.
     const auto systemCost = [&](const Profiler::Row& row) {
         if (!zones[row.zone].inPhysics) return row.mean;
         for (const Profiler::Row& other : rows) {

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".backup";
 
-/// By name, which counts up.
+/// Returns the backup files sorted by name. The names are numbers, so the oldest file comes first.
 std::vector<Path> filesIn(const Path& folder) {
     std::vector<Path> files;
     std::error_code failed;
@@ -58,8 +58,7 @@ void Backups::keep(std::string_view file) const {
     if (!path || !fs::is_regular_file(*path, failed)) return;
     const Path folder = folderOf(file);
     const Path copy = nextPath(folder);
-    // A second name for the old file: a writer that replaces it leaves this one, and nothing has to be
-    // copied.
+    // A hard link needs no copying. The file is saved by replacing it, so the link keeps the old content.
     fs::create_hard_link(*path, copy, failed);
     if (failed) fs::copy_file(*path, copy, failed);
     dropOldest(folder);

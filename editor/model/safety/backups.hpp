@@ -8,31 +8,31 @@
 
 namespace plumb::editor {
 
-/// The folder beside a project for what the editor needs and no user edits: journals and backups. It tells
-/// git to leave it out.
+/// Returns the project's folder for data of the editor, such as journals and backups. Creates the folder with
+/// a .gitignore that excludes all of it.
 Path makeEditorFolder(const Path& project);
 
-/// A file as it once was.
+/// An earlier version of a file.
 struct Backup {
-    Path path;
-    std::string when;  ///< "22 Nov 02:15:03", local time
+    Path path;         ///< file of the backup
+    std::string when;  ///< local time, e.g. "22 Nov 02:15:03"
     std::uintmax_t bytes = 0;
 };
 
-/// The last versions of the files of a project, in `.plumb/backups`. Nothing here ever touches the file
-/// itself.
+/// The last versions of the files of a project, stored in `.plumb/backups`. The original files are never
+/// changed.
 class Backups {
 public:
-    static constexpr std::size_t kCopies = 10;  ///< of each file
+    static constexpr std::size_t kCopies = 10;  ///< maximum number of backups per file
 
     explicit Backups(Path project) : project_{std::move(project)} {}
 
-    /// Keeps the file as it is now; nothing when there is none. Call it before it is written anew.
-    /// @param file  its path in the project
+    /// Backs up the present content of a file, if it exists; to be called before the file is overwritten.
+    /// @param file  path relative to the project
     void keep(std::string_view file) const;
-    /// Keeps a text that never became the file, so that it can still be had.
+    /// Stores a text that was never written to the file as one of its backups.
     void keepText(std::string_view file, std::string_view text) const;
-    /// Of a file, the newest first.
+    /// Returns the backups of a file, newest first.
     [[nodiscard]] std::vector<Backup> of(std::string_view file) const;
 
 private:

@@ -6,7 +6,8 @@
 
 namespace plumb::editor {
 
-/// When a file was written: "22 Nov 02:15:03", local time; empty when there is none.
+/// Returns the local time at which a file was last written, e.g. "22 Nov 02:15:03"; empty if it does not
+/// exist.
 std::string whenWritten(const Path& path);
 
 }  // namespace plumb::editor

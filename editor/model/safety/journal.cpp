@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSessions = 16;  // editors that have the project open at a time
+constexpr int kSessions = 16;  // maximum number of editors that have the project open at the same time
 constexpr std::string_view kJournalEnding = ".journal";
 
 /// The first line of a journal; the text of the scene follows.
@@ -50,7 +50,7 @@ Journal::~Journal() {
 Result<Done> Journal::begin() {
     if (begun()) return Done{};
     makeEditorFolder(project_);
-    // What a crash left must not be written over before the user said what to do with it.
+    // Prefers session folders without journals: those left by a crash must be kept until the user decides.
     for (const bool empty : {true, false}) {
         for (int session = 1; session <= kSessions && !lock_; ++session) {
             folder_ = sessionFolder(project_, session);
@@ -59,8 +59,8 @@ Result<Done> Journal::begin() {
         }
     }
     if (!lock_) {
-        return Error{(project_ / ".plumb").generic_string(), "no journal can be written there",
-                     "make the folder writable; until then a crash loses what is not saved"};
+        return Error{(project_ / ".plumb").generic_string(), "the journal cannot be written to this folder",
+                     "make the folder writable; until then a crash loses unsaved changes"};
     }
     writer_.emplace(types_, project_);
     return Done{};
@@ -76,7 +76,7 @@ void Journal::tend(const Document& document, const UndoStack& undo, double now) 
     if (!begun()) return;
     if (const std::string problem = writer_->takeProblem();
         !problem.empty() && !std::exchange(reported_, true))
-        logWarning("Editor", "The journal cannot be written, a crash would lose what is not saved: {}",
+        logWarning("Editor", "The journal cannot be written, so a crash would lose unsaved changes: {}",
                    problem);
     if (scene_ != document.scenePath) {
         scene_ = document.scenePath;
@@ -94,7 +94,7 @@ void Journal::tend(const Document& document, const UndoStack& undo, double now) 
     const double ago = now - written_;
     if (actions_ < kActions && ago < kSeconds) return;
     if (writer_->busy()) {
-        // What is being written may be lost too until it is there.
+        // Until the pending write is finished, a crash would lose its changes as well.
         if (actions_ < kActions && ago < kMostSeconds) return;
         writer_->wait();
     }
@@ -127,7 +127,7 @@ std::vector<LostWork> Journal::lostWork() const {
         const Path folder = sessionFolder(project_, session);
         std::error_code failed;
         if (!fs::is_directory(folder, failed)) continue;
-        // Another editor that is open looks after its own.
+        // A locked folder belongs to another running editor.
         if (folder != folder_ && !FileLock::take(folder / "lock")) continue;
         for (const std::string& name : filesBelow(folder, kJournalEnding)) {
             if (folder / name == file_) continue;
@@ -141,7 +141,7 @@ std::vector<LostWork> Journal::lostWork() const {
             }
         }
     }
-    // The newest first: of two of one scene it is probably the one that is wanted.
+    // Newest first: of two journals of one scene, the user probably wants the newer one.
     const auto writtenAt = [](const LostWork& work) {
         std::error_code none;
         return fs::last_write_time(work.journal, none);

@@ -12,44 +12,45 @@
 
 namespace plumb::editor {
 
-/// What a crash left of a scene that was not saved.
+/// A scene with unsaved changes that is recovered from a journal after a crash.
 struct LostWork {
-    std::string scene;  ///< its path in the project
-    std::string text;   ///< as it was last known
-    std::string when;   ///< "22 Nov 02:15:03", local time
-    Path journal;
+    std::string scene;  ///< path of the scene file, relative to the project
+    std::string text;   ///< content of the scene in the journal
+    std::string when;   ///< local time of the journal, e.g. "22 Nov 02:15:03"
+    Path journal;       ///< file of the journal
 };
 
-/// Writes the scene beside its file while it is not saved: after a second or 8 actions. A slow disk is waited
-/// for before twice as many could be lost; 20 actions or 5 s are never reached. It lies in the project, in
-/// `.plumb`, so that it is found wherever the project goes, also by another person and after the machine was
-/// set up anew; git leaves it out. The user's own file is never touched.
+/// Writes the unsaved scene to a journal file after 1 s or 8 actions, so that a crash loses at most that. If
+/// the disk is too slow, the editor waits for it after twice as much; a crash never loses 20 actions or 5 s.
+/// The journal lies in the project's folder `.plumb`, which git ignores, so that it moves with the project.
+/// The scene's own file is never changed.
 class Journal {
 public:
-    static constexpr double kSeconds = 1.0;
-    static constexpr std::size_t kActions = 8;
-    static constexpr double kMostSeconds = 2.0;  ///< then it waits for the disk
+    static constexpr double kSeconds = 1.0;      ///< s: maximum age of a change until it is written
+    static constexpr std::size_t kActions = 8;   ///< maximum number of actions until they are written
+    static constexpr double kMostSeconds = 2.0;  ///< s: at this age of a change the editor waits for the disk
 
     Journal(const TypeRegistry& types, Path project) : types_{types}, project_{std::move(project)} {}
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// From now on this program keeps journals here; other editors of the project keep theirs.
-    /// @error  the folder cannot be written
+    /// Starts to write journals, in a folder locked by this program; other editors of the project use other
+    /// ones.
+    /// @error  no folder can be written
     Result<Done> begin();
     [[nodiscard]] bool begun() const { return writer_.has_value(); }
 
-    /// To be called now and then; writes when it is time to.
-    /// @param now  s, since any moment
+    /// Starts to write the journal if that is due; to be called in every frame.
+    /// @param now  s: present time of any monotonic clock
     void tend(const Document& document, const UndoStack& undo, double now);
-    /// What is in the journal is not needed any more: it was saved, or given up.
+    /// Deletes the journal, after the scene was saved or its changes were discarded.
     void forget();
-    /// Until the journal has all.
+    /// Waits until the journal is written.
     void finish();
 
-    /// What programs that are gone have left, the newest of each scene. What their files say anyway is
-    /// dropped.
+    /// Returns the unsaved scenes left by crashed editors, newest first. Deletes journals whose text equals
+    /// the scene's file.
     [[nodiscard]] std::vector<LostWork> lostWork() const;
 
 private:
@@ -58,17 +59,17 @@ private:
 
     const TypeRegistry& types_;
     Path project_;
-    Path folder_;  // of this session
+    Path folder_;  // journal folder of this session
     std::optional<FileLock> lock_;
     std::optional<JournalWriter> writer_;
-    Path file_;                   // what is written at the moment; empty for none
-    std::string scene_;           // whose it is
-    std::uint64_t revision_ = 0;  // of the document, as it is in the file
-    double written_ = -1e9;       // s
-    std::size_t actions_ = 0;     // since then
-    std::size_t step_ = 0;        // of undo, when it was last looked at
-    std::size_t steps_ = 0;
-    bool reported_ = false;
+    Path file_;                   // the present journal; empty: none
+    std::string scene_;           // path of the open scene
+    std::uint64_t revision_ = 0;  // revision of the document in the journal
+    double written_ = -1e9;       // s: time of the last write
+    std::size_t actions_ = 0;     // number of actions since the last write
+    std::size_t step_ = 0;        // `UndoStack::size` at the last call of `tend`
+    std::size_t steps_ = 0;       // `UndoStack::total` at the last call of `tend`
+    bool reported_ = false;       // a write error was logged
 };
 
 }  // namespace plumb::editor

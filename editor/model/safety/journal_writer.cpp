@@ -22,8 +22,8 @@ JournalWriter::~JournalWriter() {
 }
 
 void JournalWriter::write(const World& world, SceneId scene, Path file, std::string header) {
-    PLUMB_ASSERT(!busy(), "one text is written at a time");
-    // The bodies of a scene that is edited are only there to be drawn, and many times as large as itself.
+    PLUMB_ASSERT(!busy(), "write is called while another one is pending");
+    // In an edited scene the physics state is only used for drawing, and it is much larger than the scene.
     PhysicsState* drawn = world.findResource<PhysicsState>();
     PhysicsState aside = drawn != nullptr ? std::exchange(*drawn, {}) : PhysicsState{};
     world.save(snapshot_);
@@ -69,7 +69,7 @@ void JournalWriter::run() {
 
 Result<Done> JournalWriter::writeOne() {
     world_.restore(snapshot_);
-    PrefabLibrary prefabs{types_, project_};  // its own: the editor's may be read from and changed meanwhile
+    PrefabLibrary prefabs{types_, project_};  // a separate library: the main thread uses the editor's
     return writeFile(file_, header_ + fileText(world_, {types_, &prefabs, project_}, scene_));
 }
 

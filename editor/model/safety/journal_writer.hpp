@@ -12,8 +12,8 @@
 
 namespace plumb::editor {
 
-/// Turns a world into the text of its scene and writes that, in a thread of its own: the editor only waits
-/// for the copy of the world.
+/// Serializes a world as a scene and writes it to a file in a separate thread. The caller only waits for the
+/// copy of the world.
 class JournalWriter {
 public:
     JournalWriter(const TypeRegistry& types, Path project);
@@ -21,13 +21,15 @@ public:
     JournalWriter(const JournalWriter&) = delete;
     JournalWriter& operator=(const JournalWriter&) = delete;
 
-    /// @param header  stands before the scene's text
+    /// Starts to write a scene to a file.
+    /// @param header  written before the scene's text
     /// @pre           !busy()
     void write(const World& world, SceneId scene, Path file, std::string header);
+    /// True while a write is pending.
     [[nodiscard]] bool busy() const;
-    /// Until what was asked for is on the disk.
+    /// Blocks until the pending write is finished.
     void wait() const;
-    /// What went wrong since the last question; empty when nothing did.
+    /// Returns and clears the message of the last write error; empty if there was none.
     [[nodiscard]] std::string takeProblem();
 
 private:
@@ -36,7 +38,7 @@ private:
 
     const TypeRegistry& types_;
     Path project_;
-    // What is to be written; the thread's own while busy_.
+    // Input of the pending write; used only by the writer thread while `busy_` is true.
     Snapshot snapshot_;
     World world_;
     SceneId scene_;

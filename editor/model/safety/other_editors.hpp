@@ -4,7 +4,7 @@
 
 namespace plumb::editor {
 
-/// Whether an editor has the project open at this moment: one that keeps a journal in it.
+/// True if a running editor has the project open, i.e. holds the lock of a journal folder in it.
 bool isOpenInAnEditor(const Path& project);
 
 }  // namespace plumb::editor

@@ -7,7 +7,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr double kLookEvery = 1.0;  // s
+constexpr double kLookEvery = 1.0;  // s between two checks of the open file
 
 }  // namespace
 
@@ -25,7 +25,8 @@ void SafetyNet::begin() {
     lost_ = journal_.lostWork();
     if (!others) return;
     workspace_.notice =
-        "Another editor has this project open; the one that saves a scene last asks which to keep";
+        "Another editor has this project open. If both change a scene, the last to save asks which version "
+        "to keep.";
     logWarning("Editor", "{}", workspace_.notice);
 }
 
@@ -42,7 +43,7 @@ Result<Done> SafetyNet::restore(const Backup& backup) {
     if (!text) return text.error();
     const Result<LoadReport> opened = workspace_.openText(workspace_.document.scenePath, *text);
     if (!opened) return opened.error();
-    workspace_.notice = format("The scene as it was on {}; save it to keep it", backup.when);
+    workspace_.notice = format("Restored the scene of {}; save it to keep it", backup.when);
     return Done{};
 }
 
@@ -50,8 +51,8 @@ Result<Done> SafetyNet::recover(std::size_t index) {
     const LostWork work = lost_[index];
     const Result<LoadReport> opened = workspace_.openText(work.scene, work.text);
     if (!opened) return opened.error();
-    workspace_.notice = format("Recovered {} as it was on {}; save it to keep it", work.scene, work.when);
-    // Its own journal is written before the old one goes.
+    workspace_.notice = format("Recovered {} of {}; save it to keep it", work.scene, work.when);
+    // A new journal is written before the old one is deleted, so that a crash in between loses nothing.
     journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kSeconds);
     journal_.finish();
     std::error_code failed;
@@ -74,7 +75,7 @@ void SafetyNet::lookAtFile() {
     onDisk_ = FileWatch::State::Same;
     workspace_.undo.markUnsaved();
     workspace_.notice =
-        format("{} is gone from the disk; saving brings it back", workspace_.document.scenePath);
+        format("The file {} was deleted; saving creates it again", workspace_.document.scenePath);
     logWarning("Editor", "{}", workspace_.notice);
 }
 
@@ -87,7 +88,8 @@ void SafetyNet::keepMine() {
     watch_.know(file());
     onDisk_ = FileWatch::State::Same;
     workspace_.undo.markUnsaved();
-    workspace_.notice = "Yours is kept; saving writes it over the other one, which stays among the backups";
+    workspace_.notice =
+        "Your version is kept; saving overwrites the other one, which is added to the backups";
 }
 
 void SafetyNet::leaving() {
@@ -104,10 +106,10 @@ void SafetyNet::opened() {
     onDisk_ = FileWatch::State::Same;
 }
 
-/// The journal first: wherever the program is killed while the file is written, one of the two has the text,
-/// and a journal that is left behind says what the file says, so that it is not offered.
-/// The journal is made in its own thread while the caller makes the text for the file; before that is
-/// written, the caller waits for the journal with finish().
+/// Writes the journal before the file is saved: if the program is killed while it writes the file, the
+/// journal has the full text. A journal with the same text as the file is not offered for recovery. The
+/// journal is written in another thread while the caller creates the text of the file; the caller must wait
+/// with finish() before it writes the file.
 void SafetyNet::saving() {
     journal_.finish();
     journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kMostSeconds);
@@ -119,7 +121,7 @@ void SafetyNet::saved() {
     opened();
 }
 
-/// A wrong click on "Discard" costs nothing.
+/// Backs up unsaved changes, so that a wrong click on "Discard" loses nothing.
 void SafetyNet::keepUnsaved() {
     if (!journal_.begun() || !workspace_.unsaved() || workspace_.document.scenePath.empty()) return;
     backups.keepText(workspace_.document.scenePath, workspace_.text());

@@ -12,51 +12,56 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// Sees to it that no work is lost: by a crash, by saving, by another program, by a wrong click.
+/// Prevents the loss of work by a crash, by overwriting a file, by another program or by a wrong click.
 class SafetyNet {
 public:
     explicit SafetyNet(Workspace& workspace);
 
-    /// From now on a journal is kept, and what crashes have left is in `lost()`. Programs call it; tests and
-    /// tools that only look at a project do not.
+    /// Starts the journal and collects the unsaved scenes left by crashes in `lost()`. Not called by tests
+    /// and tools that only read a project.
     void begin();
-    /// To be called in every frame. @param seconds  since the last one
+    /// Must be called in every frame. @param seconds  time since the last call
     void tend(double seconds);
-    /// Until all that the journal has been given is on the disk.
+    /// Waits until the journal is written.
     void finish() { journal_.finish(); }
 
     Backups backups;
-    /// Opens the scene as it was then, not saved.
+    /// Opens a backup of the open scene as unsaved content.
     Result<Done> restore(const Backup& backup);
 
     // After a crash.
 
     [[nodiscard]] const std::vector<LostWork>& lost() const { return lost_; }
-    /// Opens the scene as it was lost, not saved. @error  the text cannot be read any more
+    /// Opens an item of `lost()` as unsaved content. @error  the text is not a valid scene
     Result<Done> recover(std::size_t index);
-    /// The text is kept among the backups of its scene.
+    /// Deletes an item of `lost()`; its text is added to the backups of its scene.
     void discard(std::size_t index);
 
-    // Another program.
+    // Changes by another program.
 
-    /// Whether the open file is still the one that was opened or saved.
+    /// State of the open file on disk compared to the version last opened or saved.
     [[nodiscard]] FileWatch::State onDisk() const { return onDisk_; }
+    /// Updates `onDisk`.
     void lookAtFile();
-    /// Whether saving was refused since the last call because the file had changed.
+    /// True if saving was refused since the last call, because another program had changed the file.
     [[nodiscard]] bool takeRefusal() { return std::exchange(refused_, false); }
-    /// Opens what is on the disk; what was here becomes a backup.
+    /// Opens the version on disk; unsaved changes are added to the backups.
     void takeTheirs();
-    /// The next save writes over it; what is on the disk becomes a backup then.
+    /// Keeps the version in the editor. The next save overwrites the file and adds its content to the
+    /// backups.
     void keepMine();
 
-    // For the workspace.
+    // Notifications by the workspace.
 
-    /// The scene is about to be closed; what was not saved becomes a backup.
+    /// The scene will be closed; unsaved changes are added to the backups.
     void leaving();
+    /// A file was opened.
     void opened();
-    /// The file is another program's: the person is asked which one to keep.
+    /// Saving was refused, because another program changed the file; the user is asked which version to keep.
     void refuse() { refused_ = true; }
+    /// The file will be overwritten.
     void saving();
+    /// The file was written.
     void saved();
 
 private:
@@ -68,8 +73,8 @@ private:
     FileWatch watch_;
     FileWatch::State onDisk_ = FileWatch::State::Same;
     std::vector<LostWork> lost_;
-    double now_ = 0.0;     // s
-    double looked_ = 0.0;  // s, when the file was last looked at
+    double now_ = 0.0;     // s since the start
+    double looked_ = 0.0;  // s: time of the last check of the open file
     bool refused_ = false;
 };
 

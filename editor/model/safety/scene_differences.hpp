@@ -6,9 +6,9 @@
 
 namespace plumb::editor {
 
-/// What differs between two texts of a scene, one line each, for people: "crate: Transform.position was
-/// [200, 64], is [210, 64]". Texts that are no scenes differ in one line that says so.
-/// @param most  lines; a last one says how many more there are
+/// Returns the differences between two texts of a scene for display, one per line, e.g. "crate:
+/// Transform.position was [200, 64], is [210, 64]". A single line reports a text that is not a valid scene.
+/// @param most  maximum number of lines; if there are more, a last line reports how many
 std::vector<std::string> sceneDifferences(std::string_view before, std::string_view after,
                                           std::size_t most = 200);
 

@@ -10,7 +10,7 @@
 namespace plumb::editor {
 namespace {
 
-/// What makes cells equal: their terrain, or else their tile.
+/// The key that two equal cells share: the terrain id, or the tile where there is no terrain.
 class CellKeys {
 public:
     CellKeys(const TileGrid& grid, const TileGrid* terrain) : grid_{grid}, terrain_{terrain} {}
@@ -25,7 +25,7 @@ private:
     const TileGrid* terrain_;
 };
 
-/// Marks of cells; takes memory only where there are some.
+/// A sparse set of cells: memory is allocated only for chunks with marked cells.
 class CellMarks {
 public:
     explicit CellMarks(const TileGrid& grid)
@@ -33,7 +33,7 @@ public:
           chunks_(static_cast<std::size_t>(grid.chunkColumns()) *
                   static_cast<std::size_t>(grid.chunkRows())) {}
 
-    /// @return whether it was not marked before
+    /// Marks a cell. @return false if it was already marked
     bool mark(int x, int y) {
         constexpr int kSide = TileGrid::kChunkSide;
         auto& chunk = chunks_[static_cast<std::size_t>(y / kSide) * static_cast<std::size_t>(columns_) +
@@ -77,7 +77,7 @@ std::vector<CellPlace> boxOfCells(const TileGrid& grid, CellPlace a, CellPlace b
 
 std::vector<CellPlace> ellipseOfCells(const TileGrid& grid, CellPlace a, CellPlace b) {
     std::vector<CellPlace> cells = boxOfCells(grid, a, b);
-    // In half cells, so that the middle is a whole number: exact on every machine.
+    // Computed in half cells, so that the center is an integer and the result is the same on every platform.
     const std::int64_t width = std::abs(a.x - b.x) + 1;
     const std::int64_t height = std::abs(a.y - b.y) + 1;
     std::erase_if(cells, [&](CellPlace place) {

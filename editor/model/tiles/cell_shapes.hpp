@@ -8,26 +8,26 @@
 
 namespace plumb::editor {
 
-/// The cells from one to another: no holes, each once.
+/// Returns the cells of a line, both ends included, without gaps or duplicates.
 std::vector<CellPlace> lineOfCells(CellPlace from, CellPlace to);
-/// All cells between two corners, in any order of corners, that lie in the grid.
+/// Returns all cells of the grid in the box with the opposite corners `a` and `b`, both included.
 std::vector<CellPlace> boxOfCells(const TileGrid& grid, CellPlace a, CellPlace b);
-/// Those of the box whose middle lies in its ellipse.
+/// Returns the cells of that box whose center lies in the ellipse inscribed in the box.
 std::vector<CellPlace> ellipseOfCells(const TileGrid& grid, CellPlace a, CellPlace b);
-/// The corner that makes the box from `from` a square, as large as its longer side.
+/// Returns `to`, moved so that the box from `from` is a square with the longer side of the original box.
 CellPlace squareCorner(CellPlace from, CellPlace to);
 
-/// How many cells one fill changes at most: its undo keeps each of them.
+/// Maximum number of cells that one fill changes, as its undo step stores each of them.
 inline constexpr std::size_t kMostFilled = std::size_t{1} << 22;
 
-/// The cells that a bucket fills: those connected to `from` through equal neighbours beside them.
-/// @param terrain  where it has one, cells of equal terrain are equal; null: only tiles count
-/// @param most     it ends with about so many, the nearest ones
+/// Returns the cells of a flood fill: those connected to `from` through equal cells, by shared edges.
+/// @param terrain  cells with the same terrain are equal, whatever their tiles; null: only tiles are compared
+/// @param most     the search stops at about this number of cells, the nearest ones
 std::vector<CellPlace> connectedCells(const TileGrid& grid, const TileGrid* terrain, CellPlace from,
                                       std::size_t most = kMostFilled);
-/// All cells of the grid that are equal to that one, in the same sense.
+/// Returns all cells of the grid that are equal to the cell `to`, compared as in `connectedCells`.
 std::vector<CellPlace> equalCells(const TileGrid& grid, const TileGrid* terrain, CellPlace to);
-/// Those of them that are at most so many columns and rows away.
+/// Returns the cells of `equalCells` at most `columns` and `rows` away from `to`.
 std::vector<CellPlace> equalCellsNear(const TileGrid& grid, const TileGrid* terrain, CellPlace to,
                                       int columns, int rows);
 

@@ -8,7 +8,8 @@
 namespace plumb::editor {
 namespace {
 
-/// A part of a layer's terrain as it was and as it will be, which goes on beyond the layer's border.
+/// A rectangular part of a layer's terrain before and after a change. Beyond the layer's border the terrain
+/// of the border cells continues.
 class TerrainPatch {
 public:
     TerrainPatch(const TileGrid& terrain, CellPlace from, CellPlace to)
@@ -34,7 +35,8 @@ public:
         touched_[slot(x, y)] |= kWanted;
     }
 
-    /// Calls `visit(x, y, before, after, wanted)` for the cells whose tile may be another one.
+    /// Calls `visit(x, y, before, after, wanted)` for the cells whose tile may change: `before` and `after`
+    /// are the tiles by autotiling, `wanted` is true for the painted cells.
     template <class Visit>
     void eachTouched(const Autotile& autotile, Visit visit) const {
         for (int y = from_.y; y < from_.y + height_; ++y) {
@@ -88,7 +90,7 @@ PaintTiles::Change terrainChange(const TileGrid& cells, const TileGrid& terrain,
         most = {std::max(most.x, cell.x), std::max(most.y, cell.y)};
     }
     if (!least) return change;
-    // What is beside a cell that changes asks for what is beside itself.
+    // A change also affects the neighbours of a cell, and their tiles depend on the neighbours' neighbours.
     TerrainPatch patch{
         terrain,
         {std::max(least->x - 2, 0), std::max(least->y - 2, 0)},

@@ -7,15 +7,16 @@
 
 namespace plumb::editor {
 
-/// What painting terrain changes: the terrain itself, and the tiles in and around it that follow. A tile that
-/// was painted over terrain by hand stays until the terrain asks for another tile there.
+/// Computes the change of painting terrain: the terrain ids, and the autotiled tiles in and around them. A
+/// tile that the user painted over terrain stays until its autotiled tile changes.
 ///
-/// @param terrain  of the layer, as large as `cells`
-/// @param wanted   ids, each place once; 0 takes the terrain away
+/// @param terrain  terrain ids of the layer, as large as `cells`
+/// @param wanted   terrain ids to paint, each cell once; 0 removes the terrain
 PaintTiles::Change terrainChange(const TileGrid& cells, const TileGrid& terrain, const Autotile& autotile,
                                  std::span<const PaintTiles::Cell> wanted);
 
-/// Gives every cell the tile that the terrain asks for, also where it was painted over by hand.
+/// Computes the change that replaces the tile of every terrain cell by its autotiled tile, also those that
+/// the user painted over.
 PaintTiles::Change retiled(const TileGrid& cells, const TileGrid& terrain, const Autotile& autotile);
 
 }  // namespace plumb::editor

@@ -15,7 +15,7 @@ double weightOf(const Tileset* tileset, TileCell cell) {
     return tile == nullptr ? 1.0 : static_cast<double>(tile->probability);
 }
 
-/// Uniform in [0, 1), of a place in one stroke.
+/// Returns a pseudo-random number in [0, 1) for a cell in one stroke.
 double chanceAt(CellPlace place, std::uint32_t seed) {
     const std::uint64_t bits = static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.x)) << 32 |
                                static_cast<std::uint32_t>(place.y);
@@ -24,7 +24,7 @@ double chanceAt(CellPlace place, std::uint32_t seed) {
 
 }  // namespace
 
-const Terrain* terrainInHand(const Tileset& tileset, const TilePaint& paint) {
+const Terrain* activeTerrain(const Tileset& tileset, const TilePaint& paint) {
     if (tileset.terrains.empty()) return nullptr;
     const auto found = std::find_if(tileset.terrains.begin(), tileset.terrains.end(),
                                     [&](const Terrain& terrain) { return terrain.id == paint.terrain; });
@@ -56,7 +56,7 @@ TileBrush::TileBrush(const Document& document, const TilePaint& paint, ObjectId 
     const bool fits =
         terrain_ != nullptr && terrain_->width() == grid_->width() && terrain_->height() == grid_->height();
     if (ink == TileInk::Terrain) {
-        const Terrain* terrain = tileset_ == nullptr ? nullptr : terrainInHand(*tileset_, paint);
+        const Terrain* terrain = tileset_ == nullptr ? nullptr : activeTerrain(*tileset_, paint);
         if (terrain == nullptr) {
             grid_ = nullptr;
             return;
@@ -113,14 +113,14 @@ PaintTiles::Change TileBrush::stamped(const std::vector<CellPlace>& places, Cell
     for (const CellPlace place : places) {
         if (!grid_->has(place.x, place.y)) continue;
         const TileCell cell = paint_.random ? randomCell(place) : stampCell(place, origin);
-        // Empty cells of a pattern leave what is there.
+        // Empty cells of a pattern do not change the layer.
         if ((cell == 0 && !whole) || grid_->at(place.x, place.y) == cell) continue;
         change.cells.push_back({place.x, place.y, cell});
     }
     return change;
 }
 
-/// What is erased is no terrain any more either, and the terrain around it gets its border there.
+/// Erasing tiles also removes their terrain, so that the remaining terrain gets a border there.
 PaintTiles::Change TileBrush::erased(const std::vector<CellPlace>& places) const {
     PaintTiles::Change change;
     std::vector<PaintTiles::Cell> bare;

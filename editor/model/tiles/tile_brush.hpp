@@ -10,10 +10,11 @@
 
 namespace plumb::editor {
 
-/// What one stroke paints, whatever its shape.
+/// What a stroke puts into cells: the tiles of the stamp, a terrain, or nothing (it erases).
 enum class TileInk : unsigned char { Stamp, Terrain, Nothing };
 
-/// The terrain of a layer that was painted by hand, read from its tiles once for each state that they are in.
+/// Derives the terrain of a layer without terrain data from its tiles. The result is cached until the tiles
+/// change.
 class DerivedTerrain {
 public:
     std::shared_ptr<TileGrid> of(ObjectId layer, const TileGrid& cells, const Tileset& tileset);
@@ -25,26 +26,28 @@ private:
     std::shared_ptr<TileGrid> terrain_;
 };
 
-/// Turns the places that a tool goes over into what changes there: tiles of the stamp, terrain, or nothing.
+/// Computes the change of a tile layer when cells are painted with the stamp or a terrain, or erased.
 class TileBrush {
 public:
-    /// @param seed     of random tiles: another one for each stroke
-    /// @param derived  keeps what is costly from one brush to the next; needed for terrain
+    /// @param seed     seed of the choice of random tiles; a different one for each stroke
+    /// @param derived  cache kept between brushes, used for terrain; may be null
     TileBrush(const Document& document, const TilePaint& paint, ObjectId layer, TileInk ink,
               std::uint32_t seed, DerivedTerrain* derived = nullptr);
 
-    /// Whether there is a layer to paint on.
+    /// True if there is a layer to paint on, and a terrain if the ink is terrain.
     [[nodiscard]] bool ready() const { return grid_ != nullptr; }
     [[nodiscard]] const TileGrid& grid() const { return *grid_; }
-    /// What counts beside tiles when equal cells are looked for; null when tiles alone do.
+    /// The terrain that decides which cells are equal, for flood fills; null: only tiles are compared.
     [[nodiscard]] const TileGrid* equalTerrain() const {
         return ink_ == TileInk::Terrain ? terrain_ : nullptr;
     }
+    /// True if the terrain is painted on the corners of cells instead of the cells.
     [[nodiscard]] bool onCorners() const;
 
-    /// The places that the brush covers with its corner at `at`.
+    /// Returns the cells that the brush covers if its upper left cell is `at`.
     [[nodiscard]] std::vector<CellPlace> coveredAt(CellPlace at) const;
-    /// @param origin  where the pattern of the stamp begins
+    /// Computes the change of painting these cells.
+    /// @param origin  cell of the upper left corner of the stamp's pattern, which repeats
     [[nodiscard]] PaintTiles::Change change(const std::vector<CellPlace>& places, CellPlace origin) const;
 
 private:
@@ -67,7 +70,7 @@ private:
     double weights_ = 0.0;
 };
 
-/// The terrain in hand, of those that the tileset has; null when it has none.
-const Terrain* terrainInHand(const Tileset& tileset, const TilePaint& paint);
+/// Returns the tileset's terrain selected for painting, or its first one; null if the tileset has no terrain.
+const Terrain* activeTerrain(const Tileset& tileset, const TilePaint& paint);
 
 }  // namespace plumb::editor

@@ -8,9 +8,9 @@
 
 namespace plumb::editor {
 
-/// Tiles as JSON text, so that they go to other layers, other scenes, and through the system's clipboard.
+/// Returns tiles as JSON text, for copying through the system's clipboard.
 std::string tilesAsText(const TileStamp& stamp);
-/// Nothing when the text holds no tiles.
+/// Parses the text of `tilesAsText`. @return nothing if the text contains no tiles
 std::optional<TileStamp> tilesFromText(std::string_view text);
 
 }  // namespace plumb::editor

@@ -21,7 +21,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr Vec2 kNewLayer{64.0f, 32.0f};  // cells
+constexpr Vec2 kNewLayer{64.0f, 32.0f};  // size of the first layer in cells
 
 template <class Component, class T>
 void setField(Workspace& workspace, ObjectId object, std::string_view field, const T& value) {
@@ -35,7 +35,7 @@ const TileLayer* layerOf(const Workspace& workspace, ObjectId layer) {
     return workspace.document.world.find<TileLayer>(workspace.document.find(layer));
 }
 
-/// The layer that is `step` places before the one in hand; null at the end of the list.
+/// Returns the layer `step` positions in front of the active one; null at the end of the list.
 ObjectId neighbour(const Workspace& workspace, int step) {
     const std::vector<ObjectId> layers = tileLayers(workspace.document);
     const ObjectId active = activeTileLayer(workspace.document, workspace.tiles);
@@ -94,7 +94,7 @@ Vec2 layerParallax(const Workspace& workspace, ObjectId layer) {
 void setLayerParallax(Workspace& workspace, ObjectId layer, Vec2 factor) {
     const Document& document = workspace.document;
     if (!workspace.canEdit() || layerParallax(workspace, layer) == factor) return;
-    // The whole component each time, so that the drag that adds it is one step.
+    // Replaces the whole component, so that a drag that first adds it is one undo step.
     const TypeInfo& type = document.types().of<ParallaxLayer>();
     const EntityId entity = document.find(layer);
     ComponentState state = document.world.has<ParallaxLayer>(entity) ? readComponent(document, type, entity)
@@ -150,12 +150,12 @@ void retileLayer(Workspace& workspace) {
     const TileGrid* terrain = terrainOf(workspace.document, layer);
     const Tileset* tileset = tilesetOf(workspace.document, layer);
     if (grid == nullptr || terrain == nullptr || tileset == nullptr || !workspace.canEdit()) {
-        workspace.notice = "This layer has no terrain yet; paint some with T";
+        workspace.notice = "This layer has no terrain; paint some with the Terrain tool first";
         return;
     }
     PaintTiles::Change change = retiled(*grid, *terrain, Autotile{*tileset});
     if (change.empty()) {
-        workspace.notice = "All tiles are as the terrain asks for";
+        workspace.notice = "All tiles match the terrain already";
         return;
     }
     workspace.undo.push(std::make_unique<PaintTiles>(layer, std::move(change), "retile terrain"));

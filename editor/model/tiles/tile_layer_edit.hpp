@@ -8,25 +8,28 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// The layer drawn before (1) or behind (-1) the one in hand comes to hand.
+/// Activates the layer drawn in front of (1) or behind (-1) the active one.
 void selectNextTileLayer(Workspace& workspace, int step);
-/// The layer in hand goes before (1) or behind (-1) its neighbour.
+/// Swaps the drawing order of the active layer and the next one in front of (1) or behind (-1) it.
 void moveTileLayer(Workspace& workspace, int step);
-/// How much of the tiles one sees through (ratio, 0..1); where the layer lies (px); how it goes with the
-/// camera (ratio; 1 is part of the world).
+/// Sets the layer's opacity. @param opacity  0 (invisible) to 1 (opaque)
 void setLayerOpacity(Workspace& workspace, ObjectId layer, float opacity);
+/// Sets the position of the layer's Transform, px.
 void setLayerOffset(Workspace& workspace, ObjectId layer, Vec2 offset);
+/// Sets the layer's scroll ratio. @param factor  0 stays fixed on the screen, 1 moves like the world
 void setLayerParallax(Workspace& workspace, ObjectId layer, Vec2 factor);
 void setLayerTint(Workspace& workspace, ObjectId layer, Color tint);
-/// As it is seen now: from its ParallaxLayer, or 1.
+/// Returns the scroll ratio of the layer's ParallaxLayer; 1 if it has none.
 Vec2 layerParallax(const Workspace& workspace, ObjectId layer);
-/// Whether bodies stand on those of its tiles that have a solid shape: by its TileCollider.
+/// True if the layer has a TileCollider, so that bodies collide with its tiles that have a shape.
 bool isSolidLayer(const Workspace& workspace, ObjectId layer);
+/// Adds or removes the layer's TileCollider.
 void setLayerSolid(Workspace& workspace, ObjectId layer, bool solid);
-/// An empty layer before the others, as large, with the tileset and as solid as the one in hand; the first
-/// one is solid. It comes to hand.
+/// Adds an empty layer in front of all others and activates it. Its size, tileset and solidity are those of
+/// the active layer; the first layer is solid.
 void addTileLayer(Workspace& workspace);
-/// Chooses the tiles of the layer's terrain anew.
+/// Replaces the tiles of the active layer's terrain by their autotiled ones, also those painted over by the
+/// user.
 void retileLayer(Workspace& workspace);
 
 }  // namespace plumb::editor

@@ -16,7 +16,7 @@ TilePalette paletteOf(const Tileset& tileset) {
     palette.count = tileset.count;
     if (collection) palette.count = std::max(palette.count, tileset.images.back().tile + 1);
     palette.columns =
-        std::max(collection ? std::min(kCollectionColumns, palette.count) : tileset.columnsNow(), 1);
+        std::max(collection ? std::min(kCollectionColumns, palette.count) : tileset.currentColumns(), 1);
     palette.rows = (palette.count + palette.columns - 1) / palette.columns;
     if (!collection && !tileset.sizes.empty()) palette.grown = &tileset;
     palette.tileSize = {static_cast<float>(std::max(tileset.tileWidth, 1)),

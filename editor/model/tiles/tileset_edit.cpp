@@ -113,7 +113,7 @@ Terrain& addTerrain(Tileset& tileset, TerrainMode mode) {
 }
 
 std::span<const std::string_view> terrainLayoutNames() {
-    static constexpr std::array<std::string_view, 3> kNames{"one after the other", "4 x 4", "3 x 3"};
+    static constexpr std::array<std::string_view, 3> kNames{"in mask order", "4 x 4", "3 x 3"};
     return kNames;
 }
 
@@ -134,7 +134,8 @@ void assignMasks(Terrain& terrain, const Tileset& tileset, std::span<const int> 
         const int x = at.column - first.column;
         const int y = at.row - first.row;
         if (x < 0 || y < 0 || x >= side || y >= side) continue;
-        // The last column is one tile wide, the last row one tile high; where both meet a tile stands alone.
+        // The last column has the tiles of terrain one cell wide, the last row those of terrain one cell
+        // high; their common corner is the tile of a single cell.
         using N = Neighbour;
         unsigned mask = N::kAll;
         const unsigned up = N::kUp | N::kUpLeft | N::kUpRight;

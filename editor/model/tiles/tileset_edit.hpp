@@ -12,46 +12,51 @@ namespace plumb::editor {
 
 class Workspace;
 
-// Edits of tileset data without undo; changeTileset() makes one a step of undo.
+// Edits of tileset data without undo; changeTileset() makes an undo step of them.
 
-/// What is special about a tile, to be changed; made when there was nothing.
+/// Returns the data of a tile for changing; adds a default entry if the tileset has none.
 Tile& tileIn(Tileset& tileset, int tile);
-/// Leaves out tiles with nothing special any more.
+/// Removes entries of tiles that have only default values.
 void tidy(Tileset& tileset);
 
+/// Sets the collision shape of tiles, and removes their polygons.
 void setShape(Tileset& tileset, std::span<const int> tiles, TileShape shape);
-/// @param points  px in the tile
+/// Sets a polygon as the collision shape of tiles; fewer than 3 points: no shape. @param points  px in the
+/// tile
 void setPolygon(Tileset& tileset, std::span<const int> tiles, const std::vector<Vec2>& points);
-/// @param json  the value as JSON text; empty takes the property away
+/// Sets a property of tiles. @param json  the value as JSON text; empty removes the property
 void setProperty(Tileset& tileset, std::span<const int> tiles, std::string_view name, std::string_view json);
 
-/// What a person typed as JSON text: numbers, true and false as such, all else as a text.
+/// Converts the user's input to JSON text: valid JSON stays, other text becomes a string, empty input becomes
+/// true.
 std::string propertyJson(std::string_view typed);
 
-/// The numbers of tiles whose number, material, shape or properties contain the words; all for no words.
+/// Returns the ids of the tiles whose id is `words`, or whose material, shape or properties contain it; all
+/// tiles if it is empty.
 std::vector<int> tilesFound(const Tileset& tileset, std::string_view words);
 
 // Terrain.
 
-/// A new terrain with a name and a colour of its own, without tiles.
+/// Adds a terrain without tiles, with a new name and color.
 Terrain& addTerrain(Tileset& tileset, TerrainMode mode);
-/// How the tiles of a terrain usually lie in a picture.
+/// Common arrangements of a terrain's tiles in an image.
 enum class TerrainLayout : unsigned char {
-    InOrder,     ///< by rising masks: 47, or 16
-    FourByFour,  ///< a 3x3 block, a column of one tile's width, a row of one tile's height; one tile alone
-    Block        ///< the 3x3 block alone
+    InOrder,     ///< tiles sorted by ascending masks; 47 or 16 tiles, depending on the terrain's mode
+    FourByFour,  ///< a 3x3 block, a column of terrain one cell wide, a row one cell high, a single cell
+    Block        ///< only the 3x3 block
 };
+/// Names of the layouts for display, in the order of the enum.
 std::span<const std::string_view> terrainLayoutNames();
-/// Gives the tiles their masks as they lie, from the first one on.
-/// @param chosen  in rows, as they lie in the palette
+/// Replaces the terrain's tiles, with masks by their position in the layout relative to the first tile.
+/// @param chosen  ids of the tiles, row by row as in the palette
 void assignMasks(Terrain& terrain, const Tileset& tileset, std::span<const int> chosen, TerrainLayout layout);
-/// Gives tiles one mask, or takes them out of the terrain.
+/// Sets the mask of tiles in the terrain. @param mask  a negative one removes the tiles from the terrain
 void setMask(Terrain& terrain, std::span<const int> tiles, int mask);
-/// The mask of a tile in the terrain; -1 when it does not belong to it.
+/// Returns the mask of a tile in the terrain; -1 if the tile is not part of it.
 int maskOf(const Terrain& terrain, int tile);
 
-/// Writes the tileset of the layer in hand, changed, to its file, as one step of undo.
-/// @return false, with a notice, when it has no file
+/// Applies `change` to the active layer's tileset and writes its file, as one undo step.
+/// @return false if nothing changed, or, with a notice to the user, if the tileset has no file in the project
 bool changeTileset(Workspace& workspace, std::string label, const std::function<void(Tileset&)>& change);
 
 }  // namespace plumb::editor

@@ -4,10 +4,10 @@
 
 namespace plumb::editor {
 
-/// Alt is for what lies under the handles.
+/// With Alt held, handles are ignored, so that entities below them can be clicked.
 Handle HandleTool::handleUnder(const ToolContext& context, const Pointer& pointer) const {
     if (pointer.modifiers.alt) return Handle::None;
-    const std::optional<Pose> pose = poseInHand(context.document);
+    const std::optional<Pose> pose = activePose(context.document);
     return pose ? handleAt(*pose, pointer) : Handle::None;
 }
 
@@ -36,7 +36,7 @@ bool HandleTool::cancel(const ToolContext& context) {
 
 void HandleTool::draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const {
     select_.draw(context, pointer, overlay);
-    const std::optional<Pose> pose = poseInHand(context.document);
+    const std::optional<Pose> pose = activePose(context.document);
     if (!pose) return;
     drawHandles(*pose, held_ == Handle::None ? handleAt(*pose, pointer) : held_, pointer, overlay);
 }

@@ -5,8 +5,9 @@
 
 namespace plumb::editor {
 
-/// A tool with handles around the thing in hand: they change what is selected, and beside them it selects
-/// like the select tool. A tool says where its handles are, what pulling one does, and how they look.
+/// Base of tools with handles at the active entity, the last selected one. Dragging a handle changes all
+/// selected entities; elsewhere the tool acts like the select tool. Derived classes define the hit test, the
+/// effect and the drawing of the handles.
 class HandleTool : public Tool {
 public:
     void press(const ToolContext& context, const Pointer& pointer) final;
@@ -16,16 +17,18 @@ public:
     void draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const final;
 
 protected:
+    /// Returns the handle at the pointer. @param pose  world pose of the active entity
     [[nodiscard]] virtual Handle handleAt(const Pose& pose, const Pointer& pointer) const = 0;
-    /// Called once a handle is held; `drag_` has grabbed what is selected.
+    /// Called when a handle was pressed, after `drag_` has grabbed the selected entities.
     virtual void take(const Pointer& pointer) = 0;
+    /// Called when the pointer moves while a handle is held.
     virtual void pull(const ToolContext& context, const Pointer& pointer) = 0;
-    /// @param hot  the handle that is held or under the mouse
+    /// Draws the handles. @param hot  the handle that is held or under the pointer
     virtual void drawHandles(const Pose& pose, Handle hot, const Pointer& pointer,
                              Overlay& overlay) const = 0;
 
     [[nodiscard]] Handle held() const { return held_; }
-    [[nodiscard]] Vec2 grabPoint() const { return grabPoint_; }  ///< px, world
+    [[nodiscard]] Vec2 grabPoint() const { return grabPoint_; }  ///< px, world: press
 
     TransformDrag drag_;
 

@@ -7,7 +7,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kEndBox = 4.5f;  // px on screen, half a side
+constexpr float kEndBox = 4.5f;  // px on screen: half the side length of the boxes at the ends of the arms
 
 Color of(Handle handle, Handle hot, Color color) { return handle == hot ? handle_colors::kHot : color; }
 

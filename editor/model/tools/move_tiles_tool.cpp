@@ -12,9 +12,9 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::size_t kMostGhosts = 4096;
+constexpr std::size_t kMostGhosts = 4096;  // maximum number of tiles drawn in the preview
 
-/// Cells of a grid as they will be.
+/// The new values of changed cells of a grid.
 class NextCells {
 public:
     explicit NextCells(const TileGrid& grid) : grid_{grid} {}
@@ -35,8 +35,8 @@ private:
     std::map<std::pair<int, int>, TileCell> cells_;
 };
 
-/// The selected cells taken away (unless they are copied) and put down elsewhere. Empty ones leave what is
-/// there.
+/// Computes the cells that change when the selected ones are moved or copied. Empty cells do not overwrite
+/// others.
 std::vector<PaintTiles::Cell> moved(const TileGrid& grid, const CellSelection& selected, int dx, int dy,
                                     bool copies) {
     NextCells next{grid};
@@ -64,7 +64,7 @@ bool moveSelectedTiles(const ToolContext& context, int dx, int dy, bool copies) 
     if (!layer || context.tiles.selected.empty() || (dx == 0 && dy == 0)) return false;
     PaintTiles::Change change;
     change.cells = moved(*gridOf(context.document, layer), context.tiles.selected, dx, dy, copies);
-    // Terrain goes with its tiles: they keep their look, and strokes beside them know what they are.
+    // Terrain moves with its tiles, so that later terrain strokes beside them connect to it.
     if (const TileGrid* terrain = terrainOf(context.document, layer))
         change.terrain = moved(*terrain, context.tiles.selected, dx, dy, copies);
     context.tiles.selected.move(dx, dy);
@@ -134,7 +134,7 @@ bool MoveTilesTool::cancel(const ToolContext&) {
 void MoveTilesTool::selectBox(const ToolContext& context, const Pointer& pointer) const {
     const TileGrid& grid = *gridOf(context.document, context.tiles.layer);
     std::vector<CellPlace> cells = boxOfCells(grid, start_, last_);
-    // A click that selects nothing new lets go of the selection.
+    // Without Shift or Ctrl, the box replaces the selection; outside of the grid it clears it.
     if (pointer.modifiers.control) return context.tiles.selected.remove(std::move(cells));
     if (!pointer.modifiers.shift) context.tiles.selected.clear();
     context.tiles.selected.add(cells);

@@ -5,7 +5,7 @@
 
 namespace plumb::editor {
 
-/// Selects cells by a box, and moves or copies what is selected by dragging it.
+/// Selects cells by dragging a box, and moves or copies the selected cells by dragging them.
 class MoveTilesTool final : public Tool {
 public:
     void press(const ToolContext& context, const Pointer& pointer) override;
@@ -24,13 +24,14 @@ private:
     CellPlace last_;
 };
 
-/// Moves the selected cells by so many columns and rows, over what is there; the selection goes with them.
-/// @param copies  leaves what was there
-/// @return whether anything changed
+/// Moves the selected cells and the selection by `dx` columns and `dy` rows; overwrites the target cells.
+/// @param copies  true: copies the cells instead of moving them
+/// @return true if any cell changed
 bool moveSelectedTiles(const ToolContext& context, int dx, int dy, bool copies);
 /// Clears the selected cells.
 void clearSelectedTiles(const ToolContext& context);
-/// The selected cells in the box around them; all else in it is empty.
+/// Returns the bounding box of the selected cells as a stamp, in which the cells that are not selected are
+/// empty.
 TileStamp selectedTiles(const ToolContext& context);
 
 }  // namespace plumb::editor

@@ -4,7 +4,7 @@
 
 namespace plumb::editor {
 
-/// Moves what is selected: along x, along y, or freely.
+/// Moves the selected entities along x, along y, or freely.
 class MoveTool final : public HandleTool {
 protected:
     [[nodiscard]] Handle handleAt(const Pose& pose, const Pointer& pointer) const override;
@@ -13,7 +13,7 @@ protected:
     void drawHandles(const Pose& pose, Handle hot, const Pointer& pointer, Overlay& overlay) const override;
 
 private:
-    Vec2 offset_;  // px, world
+    Vec2 offset_;  // px, world: displacement since the press
 };
 
 }  // namespace plumb::editor

@@ -9,7 +9,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kTolerance = 6.0f;  // px on screen, to both sides of the ring
+constexpr float kTolerance = 6.0f;  // px on screen: hit distance on both sides of the ring
 
 float angleOf(Vec2 arm) { return std::atan2(arm.y, arm.x); }
 

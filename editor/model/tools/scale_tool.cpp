@@ -8,13 +8,13 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kSnapScale = 0.25f;  // ratio
+constexpr float kSnapScale = 0.25f;  // step of the scale with snapping
 
 AxisHandles handlesOf(const Pose& pose, const Pointer& pointer) {
     return {pose.position, pose.rotation, pointer.pixel};
 }
 
-/// The factor of one axis so that the thing in hand gets a scale in steps, and never none at all.
+/// Rounds a scale factor so that `scale` times the factor is a multiple of the snap step, and never 0.
 float snappedFactor(float factor, float scale, bool snap) {
     if (scale == 0.0f) return 1.0f;
     const float step = snap ? kSnapScale : 0.01f;
@@ -30,7 +30,7 @@ Handle ScaleTool::handleAt(const Pose& pose, const Pointer& pointer) const {
 
 void ScaleTool::pull(const ToolContext& context, const Pointer& pointer) {
     const Pose& pivot = drag_.pivot();
-    // A drag as long as an arm makes it twice as large, wherever the arm was taken.
+    // A drag by the length of an arm doubles the size, wherever on the arm it started.
     const Vec2 way =
         rotated(pointer.position - grabPoint(), -pivot.rotation) / (AxisHandles::kArm * pointer.pixel);
     Vec2 factors{1.0f, 1.0f};

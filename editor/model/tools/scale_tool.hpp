@@ -4,7 +4,8 @@
 
 namespace plumb::editor {
 
-/// Scales what is selected along its own x, its own y, or both alike. Snapping goes in quarters.
+/// Scales the selected entities along their own x axis, their own y axis, or both equally. With snapping, the
+/// active entity's scale becomes a multiple of 0.25.
 class ScaleTool final : public HandleTool {
 protected:
     [[nodiscard]] Handle handleAt(const Pose& pose, const Pointer& pointer) const override;

@@ -11,7 +11,8 @@ namespace {
 constexpr Color kBoxLine{77, 163, 255, 220};
 constexpr Color kBoxFill{77, 163, 255, 36};
 
-/// The next one below what is selected, each part of an instance for itself; behind the last one the first.
+/// Returns the entity at the point below the selected one, without selecting whole prefab instances. After
+/// the lowest it starts again at the top.
 ObjectId nextBelow(const ToolContext& context, Vec2 point, float reach) {
     const std::vector<ObjectId> hits = pickAll(context.document, point, reach);
     if (hits.empty()) return {};
@@ -30,12 +31,12 @@ void SelectTool::press(const ToolContext& context, const Pointer& pointer) {
     reach_ = pointer.reach;
     hit_ = pickFirst(context.document, pointer.position, pointer.reach);
     wasSelected_ = context.selection.has(hit_);
-    onThing_ = hit_ && (wasSelected_ || !isGround(context.document, context.document.find(hit_)));
+    onThing_ = hit_ && (wasSelected_ || !isBackground(context.document, context.document.find(hit_)));
     select(context);
 }
 
-/// What may become something else is decided when the mouse is let go: with Alt, with Ctrl on what is
-/// selected, and a box that begins on the ground.
+/// Updates the selection on a press. Cases that depend on whether a drag follows are decided on release: a
+/// press with Alt, with Ctrl on a selected entity, or on the ground, where a box may start.
 void SelectTool::select(const ToolContext& context) const {
     if (!hit_) {
         if (!held_.shift && !held_.control) context.selection.clear();
@@ -84,7 +85,7 @@ void SelectTool::finishClick(const ToolContext& context, const Pointer& pointer)
     } else if (held_.control || held_.shift) {
         context.selection.add(hit_);
     } else if (held_ == Modifiers{} && pointer.modifiers == Modifiers{}) {
-        context.selection.set({hit_});  // one of several: that one alone
+        context.selection.set({hit_});  // a plain click on one of several selected entities selects it alone
     }
 }
 

@@ -4,8 +4,8 @@
 
 namespace plumb::editor {
 
-/// Selects by click or by dragging a box; what is dragged by hand moves. Shift adds, Ctrl toggles, Alt takes
-/// the next one below, and drags a copy.
+/// Selects entities by a click or by dragging a box, and moves entities by dragging them. Shift adds to the
+/// selection, Ctrl toggles; Alt+click selects the next entity below, Alt+drag moves a copy.
 class SelectTool final : public Tool {
 public:
     void press(const ToolContext& context, const Pointer& pointer) override;
@@ -23,14 +23,14 @@ private:
     void finishBox(const ToolContext& context, const Pointer& pointer) const;
 
     Mode mode_ = Mode::Idle;
-    bool onThing_ = false;
-    bool wasSelected_ = false;      ///< what was pressed
-    ObjectId hit_;                  ///< what was pressed
-    Modifiers held_;                ///< when it was pressed
-    std::vector<ObjectId> copied_;  ///< copies of these are dragged
-    float reach_ = 0.0f;            ///< px, world: when it was pressed
-    Vec2 start_;
-    Vec2 end_;
+    bool onThing_ = false;          ///< a drag moves the pressed entity: it is selected, or not ground
+    bool wasSelected_ = false;      ///< `hit_` was selected before the press
+    ObjectId hit_;                  ///< the pressed entity; null: none
+    Modifiers held_;                ///< modifier keys at the press
+    std::vector<ObjectId> copied_;  ///< originals of the dragged copies; empty: no copies
+    float reach_ = 0.0f;            ///< px, world: hit distance at the press
+    Vec2 start_;                    ///< px, world: position of the press
+    Vec2 end_;                      ///< px, world: present position of the pointer
     TransformDrag move_;
 };
 

@@ -10,18 +10,18 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kReach = 7.0f;      // px on screen, around a spot
-constexpr float kEdgeReach = 5.0f;  // px on screen, beside an edge
-constexpr float kHalf = 4.0f;       // px on screen, half a side of a spot
+constexpr float kReach = 7.0f;      // px on screen: hit distance of a spot
+constexpr float kEdgeReach = 5.0f;  // px on screen: hit distance of an edge
+constexpr float kHalf = 4.0f;       // px on screen: half the side length of a drawn spot
 constexpr Color kOutline{120, 230, 160, 230};
 constexpr Color kSpot{255, 255, 255, 255};
 constexpr Color kAnchor{240, 185, 74, 255};
 
-/// Whose spots are shown: the thing in hand, unless it is locked or hidden.
+/// Returns the entity whose spots are shown: the last selected one, unless it is locked or hidden.
 ObjectId inHand(const ToolContext& context) {
     if (context.selection.empty()) return {};
     const ObjectId id = context.selection.all().back();
-    return isOutOfHand(context.document, id) ? ObjectId{} : id;
+    return isHiddenOrLocked(context.document, id) ? ObjectId{} : id;
 }
 
 float distanceTo(const ShapeEdge& edge, Vec2 point) {
@@ -31,11 +31,12 @@ float distanceTo(const ShapeEdge& edge, Vec2 point) {
     return distance(edge.from + way * part, point);
 }
 
-/// The nearest one in reach; where several are at one place, corners go before sides, and the pivot last.
-std::optional<ShapeSpot> spotAt(const std::vector<ShapeSpot>& spots, const Pointer& pointer) {
-    std::optional<ShapeSpot> found;
+/// Returns the nearest spot in reach. Of several at the same distance, the first in the list wins, the pivot
+/// last.
+std::optional<ShapeHandle> spotAt(const std::vector<ShapeHandle>& spots, const Pointer& pointer) {
+    std::optional<ShapeHandle> found;
     float nearest = kReach * pointer.pixel;
-    for (const ShapeSpot& spot : spots) {
+    for (const ShapeHandle& spot : spots) {
         const float away = distance(spot.at, pointer.position);
         if (found ? away >= nearest : away > nearest) continue;
         nearest = away;
@@ -56,34 +57,34 @@ std::optional<ShapeEdge> edgeAt(const std::vector<ShapeEdge>& edges, const Point
     return found;
 }
 
-bool isSame(const ShapeSpot& a, const ShapeSpot& b) {
+bool isSame(const ShapeHandle& a, const ShapeHandle& b) {
     return a.type == b.type && a.part == b.part && a.kind == b.kind;
 }
 
-void drawSpot(Overlay& overlay, const ShapeSpot& spot, float pixel, bool hot, bool chosen) {
-    const Color own = spot.kind == SpotKind::Anchor || spot.kind == SpotKind::Way ? kAnchor
-                      : spot.kind == SpotKind::Pivot                              ? handle_colors::kBoth
-                                                                                  : kSpot;
+void drawSpot(Overlay& overlay, const ShapeHandle& spot, float pixel, bool hot, bool chosen) {
+    const Color own = spot.kind == ShapeHandleKind::Anchor || spot.kind == ShapeHandleKind::Way ? kAnchor
+                      : spot.kind == ShapeHandleKind::Pivot ? handle_colors::kBoth
+                                                            : kSpot;
     const Color color = hot || chosen ? handle_colors::kHot : own;
     const float half = kHalf * pixel * (hot ? 1.25f : 1.0f);
     const AABB box{spot.at - Vec2{half, half}, spot.at + Vec2{half, half}};
     switch (spot.kind) {
-        case SpotKind::Corner:
+        case ShapeHandleKind::Corner:
             overlay.filledBox(grown(box, 1.5f * pixel), handle_colors::kShade);
             overlay.filledBox(box, color);
             break;
-        case SpotKind::Side:
+        case ShapeHandleKind::Side:
             overlay.filledBox(grown(box, 0.5f * pixel), handle_colors::kShade);
             overlay.filledBox(grown(box, -1.0f * pixel), color);
             break;
-        case SpotKind::Middle:
-        case SpotKind::Anchor:
-        case SpotKind::Way:
+        case ShapeHandleKind::Middle:
+        case ShapeHandleKind::Anchor:
+        case ShapeHandleKind::Way:
             overlay.circle(spot.at, half + 1.0f * pixel, handle_colors::kShade, 4.0f);
             overlay.circle(spot.at, half + 1.0f * pixel, color, 2.0f);
-            if (spot.kind != SpotKind::Middle) overlay.circle(spot.at, 1.0f * pixel, color, 2.0f);
+            if (spot.kind != ShapeHandleKind::Middle) overlay.circle(spot.at, 1.0f * pixel, color, 2.0f);
             break;
-        case SpotKind::Pivot: {
+        case ShapeHandleKind::Pivot: {
             const float arm = half * 2.2f;
             for (const auto& [line, width] :
                  {std::pair{handle_colors::kShade, 4.0f}, std::pair{color, 2.0f}}) {
@@ -108,7 +109,7 @@ void ShapeTool::press(const ToolContext& context, const Pointer& pointer) {
         if (edge && !pointer.modifiers.control && !pointer.modifiers.shift) {
             object_ = id;
             if (auto state = withCorner(context.document, id, *edge, pointer.position)) {
-                const ShapeSpot corner{pointer.position, edge->type, edge->part, SpotKind::Corner};
+                const ShapeHandle corner{pointer.position, edge->type, edge->part, ShapeHandleKind::Corner};
                 std::vector<ChangeStates::Change> changes;
                 changes.push_back({id, std::move(*state)});
                 push(context, std::move(changes));
@@ -121,7 +122,7 @@ void ShapeTool::press(const ToolContext& context, const Pointer& pointer) {
     select_.press(context, pointer);
 }
 
-void ShapeTool::hold(const ToolContext& context, const ShapeSpot& spot, const Pointer& pointer) {
+void ShapeTool::hold(const ToolContext& context, const ShapeHandle& spot, const Pointer& pointer) {
     held_ = chosen_ = spot;
     grabPoint_ = pointer.position;
     start_ = statesBehind(context.document, object_, spot);
@@ -160,15 +161,15 @@ bool ShapeTool::cancel(const ToolContext& context) {
     return true;
 }
 
-std::optional<ShapeSpot> ShapeTool::chosen(const ToolContext& context) const {
+std::optional<ShapeHandle> ShapeTool::chosen(const ToolContext& context) const {
     if (!chosen_ || object_ != inHand(context)) return std::nullopt;
-    for (const ShapeSpot& spot : spotsOf(context.document, object_)) {
+    for (const ShapeHandle& spot : spotsOf(context.document, object_)) {
         if (isSame(spot, *chosen_)) return spot;
     }
     return std::nullopt;
 }
 
-bool ShapeTool::hasChosen(const ToolContext& context) const {
+bool ShapeTool::hasSelectedPart(const ToolContext& context) const {
     const auto spot = chosen(context);
     return spot && withoutCorner(context.document, object_, *spot).has_value();
 }
@@ -193,7 +194,7 @@ void ShapeTool::draw(const ToolContext& context, const Pointer& pointer, Overlay
         overlay.line(edge.from, edge.to, handle_colors::kShade, 4.0f);
         overlay.line(edge.from, edge.to, kOutline, 1.5f);
     }
-    const std::vector<ShapeSpot> spots = spotsOf(context.document, id);
+    const std::vector<ShapeHandle> spots = spotsOf(context.document, id);
     const auto under = held_ ? held_ : spotAt(spots, pointer);
     const auto last = chosen(context);
     for (auto spot = spots.rbegin(); spot != spots.rend(); ++spot) {

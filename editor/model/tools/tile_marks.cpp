@@ -7,7 +7,7 @@
 namespace plumb::editor::marks {
 namespace {
 
-constexpr std::size_t kMostRuns = 4000;  // of selected cells that are drawn one by one
+constexpr std::size_t kMostRuns = 4000;  // maximum number of drawn runs, and of cells with borders
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void drawLayer(const ToolContext& context, ObjectId layer, Overlay& overlay) {
     const AABB box = boxOfCells(context.document, layer, {0, 0}, {grid->width() - 1, grid->height() - 1});
     overlay.box(box, kLayer);
     if (tilesetOf(context.document, layer) == nullptr)
-        overlay.text(box.min, "this layer has no tileset; the inspector chooses one", kErase);
+        overlay.text(box.min, "this layer has no tileset; select one in the Inspector", kErase);
     if (context.document.view.locks(layer)) overlay.text(box.min, "this layer is locked", kErase);
     if (context.document.view.hides(layer)) overlay.text(box.min, "this layer is hidden", kErase);
     drawSelection(context, layer, overlay);

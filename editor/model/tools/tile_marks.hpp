@@ -6,10 +6,10 @@
 
 namespace plumb::editor::marks {
 
-// What tile tools draw over the scene.
+// Marks that the tile tools draw over the scene.
 
 inline constexpr Color kCursor{77, 163, 255, 255};
-inline constexpr Color kWords{255, 255, 255, 255};  ///< over tiles of any color
+inline constexpr Color kWords{255, 255, 255, 255};  ///< text, readable on tiles of any color
 inline constexpr Color kCursorFill{77, 163, 255, 50};
 inline constexpr Color kErase{240, 104, 104, 255};
 inline constexpr Color kEraseFill{240, 104, 104, 50};
@@ -20,15 +20,18 @@ inline constexpr Color kLayer{226, 164, 96, 150};
 inline constexpr Color kSelected{120, 230, 160, 255};
 inline constexpr Color kSelectedFill{120, 230, 160, 45};
 
-/// The border of the layer, its selected cells, and what keeps one from painting on it.
+/// Draws the border of the layer, its selected cells, and the reason why it cannot be painted, if there is
+/// one.
 void drawLayer(const ToolContext& context, ObjectId layer, Overlay& overlay);
+/// Draws the selected cells.
 void drawSelection(const ToolContext& context, ObjectId layer, Overlay& overlay);
-/// Cells, filled, and a line around each group of them; of very many only the first ones.
+/// Draws cells filled, with a border around each connected group. Draws only a part if there are very many
+/// cells.
 void drawCells(const Document& document, ObjectId layer, const CellSelection& cells, Color fill, Color line,
                Overlay& overlay);
-/// "12 x 5" beside a box.
+/// Draws the number of columns and rows, e.g. "12 x 5", at a box.
 void drawSize(const AABB& box, CellPlace from, CellPlace to, Overlay& overlay);
-/// Half a cell around the upper left corner of a cell.
+/// Returns a box of the size of a cell, centered at the upper left corner of a cell.
 AABB cornerBox(const Document& document, ObjectId layer, CellPlace corner);
 
 }  // namespace plumb::editor::marks

@@ -11,22 +11,22 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::size_t kMostGhosts = 4096;  // tiles; more are shown as a box
-constexpr int kFillColumns = 45;           // to each side of the mouse: a box of about as many cells
-constexpr int kFillRows = 22;
+constexpr std::size_t kMostGhosts = 4096;  // maximum number of previewed tiles; more are drawn as a box
+constexpr int kFillColumns = 45;           // columns previewed on each side of the pointer
+constexpr int kFillRows = 22;              // rows previewed above and below the pointer
 
 bool isShape(TileTool::Mode mode) {
     using Mode = TileTool::Mode;
     return mode == Mode::Line || mode == Mode::Rectangle || mode == Mode::Ellipse;
 }
 
-/// What the bucket would fill, as far as it is looked for, and how much that is.
+/// Preview of a fill.
 struct FillArea {
-    std::vector<CellPlace> places;
-    std::string words;
+    std::vector<CellPlace> places;  // cells to fill, limited to some around the pointer
+    std::string words;              // description of the whole area, e.g. "12 cells"
 };
 
-/// @param equal  all cells that are equal to the one under the mouse, not only those beside each other
+/// @param equal  true: all cells equal to the one under the pointer, not only the connected ones
 FillArea fillArea(const TileBrush& brush, const CellSelection& selected, CellPlace at, bool equal) {
     const TileGrid& grid = brush.grid();
     if (selected.has(at)) {
@@ -52,7 +52,7 @@ TileBrush TileTool::brush(const ToolContext& context) const {
     TileInk ink = ink_;
     if (doing_ == Doing::Nothing) {
         ink = mode_ == Mode::Erase          ? TileInk::Nothing
-              : context.tiles.terrainInHand ? TileInk::Terrain
+              : context.tiles.activeTerrain ? TileInk::Terrain
                                             : TileInk::Stamp;
     }
     return {context.document, context.tiles, activeTileLayer(context.document, context.tiles), ink,
@@ -77,7 +77,7 @@ void TileTool::press(const ToolContext& context, const Pointer& pointer) {
     context.tiles.layer = layer;
     ++stroke_;
     const bool erases = mode_ == Mode::Erase || pointer.secondary;
-    ink_ = erases ? TileInk::Nothing : context.tiles.terrainInHand ? TileInk::Terrain : TileInk::Stamp;
+    ink_ = erases ? TileInk::Nothing : context.tiles.activeTerrain ? TileInk::Terrain : TileInk::Stamp;
     doing_ = Doing::Nothing;
     if (picks(context, pointer)) {
         doing_ = Doing::Picking;
@@ -148,7 +148,7 @@ void TileTool::paint(const ToolContext& context, const TileBrush& brush,
                      std::vector<CellPlace> places) const {
     CellSelection once;
     once.set(std::move(places));
-    // A box is filled from its corner on, wherever the drag began.
+    // The pattern of a box starts at its upper left corner, wherever the drag started.
     const CellPlace origin = doing_ == Doing::Shaping && shape_ != Mode::Line
                                  ? CellPlace{std::min(start_.x, last_.x), std::min(start_.y, last_.y)}
                                  : start_;
@@ -157,7 +157,7 @@ void TileTool::paint(const ToolContext& context, const TileBrush& brush,
         context.undo.push(std::make_unique<PaintTiles>(context.tiles.layer, std::move(change)));
 }
 
-/// Connected equal cells; with Shift all equal ones; inside of the selection, the selection.
+/// Fills the connected equal cells; with Shift all equal cells; on a selected cell the whole selection.
 void TileTool::fill(const ToolContext& context, const Pointer& pointer) const {
     const TileBrush now = brush(context);
     if (!now.ready()) return;
@@ -180,7 +180,8 @@ void TileTool::selectSame(const ToolContext& context, const Pointer& pointer) co
     }
 }
 
-/// One cell of terrain gives the terrain; anything else a stamp.
+/// Picks the terrain if a single cell with terrain was clicked while painting terrain; otherwise picks a
+/// stamp.
 void TileTool::pick(const ToolContext& context) const {
     const TileGrid* grid = gridOf(context.document, context.tiles.layer);
     const TileGrid* terrain = terrainOf(context.document, context.tiles.layer);
@@ -188,15 +189,15 @@ void TileTool::pick(const ToolContext& context) const {
     TilePaint& tiles = context.tiles;
     const int id =
         terrain == nullptr || start_ != last_ ? 0 : static_cast<int>(terrain->at(start_.x, start_.y));
-    if (tiles.terrainInHand && id != 0) {
+    if (tiles.activeTerrain && id != 0) {
         tiles.terrain = id;
     } else {
         tiles.stamp = stampFrom(*grid, start_, last_);
-        tiles.terrainInHand = false;
+        tiles.activeTerrain = false;
     }
 }
 
-/// What would be painted there, as it would look.
+/// Draws a preview of the tiles that would be painted.
 void TileTool::drawGhost(const ToolContext& context, const TileBrush& brush,
                          const std::vector<CellPlace>& places, CellPlace origin, Overlay& overlay) const {
     const Document& document = context.document;
@@ -212,7 +213,8 @@ void TileTool::drawGhost(const ToolContext& context, const TileBrush& brush,
     }
 }
 
-/// The cells that a click would fill. Of a very large area only what is near the mouse, which the words say.
+/// Draws a preview of the cells that a click would fill, and a text with their number. Of a very large area
+/// only the part near the pointer is drawn.
 void TileTool::drawFill(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const {
     const ObjectId layer = activeTileLayer(context.document, context.tiles);
     const TileBrush now = brush(context);
@@ -275,7 +277,7 @@ void TileTool::draw(const ToolContext& context, const Pointer& pointer, Overlay&
         if (picking) marks::drawSize(box, start_, last_, overlay);
         return;
     }
-    // While the button is down the area is filled already.
+    // While the button is held, the area is already filled.
     if (mode_ == Mode::Fill && doing_ == Doing::Nothing) return drawFill(context, pointer, overlay);
     drawCursor(context, pointer, at, overlay);
 }

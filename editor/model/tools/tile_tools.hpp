@@ -7,8 +7,9 @@
 
 namespace plumb::editor {
 
-/// Paints one layer: what the hand holds (a stamp or a terrain) in the shape of the mode. In every mode Alt,
-/// or the right mouse button, takes from the layer what is then painted: one tile, or all in a dragged box.
+/// Paints the active tile layer with the current stamp or terrain, in the shape given by the mode. In every
+/// mode, Alt or (by a setting) the right mouse button picks a new stamp from the layer: one tile, or those in
+/// a dragged box.
 class TileTool final : public Tool {
 public:
     enum class Mode : unsigned char { Brush, Line, Rectangle, Ellipse, Fill, Erase, Pick, Same };
@@ -40,14 +41,14 @@ private:
     void drawCursor(const ToolContext& context, const Pointer& pointer, CellPlace at, Overlay& overlay) const;
 
     Mode mode_;
-    Mode shape_ = Mode::Rectangle;  // while Shaping
-    TileInk ink_ = TileInk::Stamp;
+    Mode shape_ = Mode::Rectangle;  // shape being dragged while `doing_` is Shaping
+    TileInk ink_ = TileInk::Stamp;  // ink of the present stroke
     Doing doing_ = Doing::Nothing;
-    std::uint32_t stroke_ = 1;
-    CellPlace start_;
-    CellPlace last_;
+    std::uint32_t stroke_ = 1;  // number of the stroke: seed of random tiles
+    CellPlace start_;           // cell of the press
+    CellPlace last_;            // cell of the last drag
     mutable DerivedTerrain derived_;
-    std::optional<CellPlace> strokeEnd_;  // of the stroke before: Shift draws a line from there
+    std::optional<CellPlace> strokeEnd_;  // end of the previous stroke, from which Shift draws a line
 };
 
 }  // namespace plumb::editor

@@ -12,19 +12,19 @@
 
 namespace plumb::editor {
 
-/// Where the mouse is in the scene, and what is held with it.
+/// The mouse pointer in the scene, with the snapping settings and modifier keys that apply.
 struct Pointer {
-    Vec2 position;                ///< px, world
-    bool snap = false;            ///< to the grid
-    Vec2 grid{16.0f, 16.0f};      ///< px
-    float angle = 0.2617993878f;  ///< rad: of the steps in which things turn; 0: freely, though `snap` is set
-    float reach = 3.0f;           ///< px, world: how far beside a thing still hits it
-    float pixel = 1.0f;           ///< px of the world for one px on screen: handles keep their size
-    bool secondary = false;       ///< the right button instead of the left one
+    Vec2 position;                ///< px, world: position of the mouse
+    bool snap = false;            ///< snap to the grid and to angle steps
+    Vec2 grid{16.0f, 16.0f};      ///< px: cell size of the grid
+    float angle = 0.2617993878f;  ///< rad: step of snapped rotations; 0: no steps, even if `snap` is true
+    float reach = 3.0f;           ///< px, world: maximum distance at which an entity is still hit
+    float pixel = 1.0f;           ///< size of a screen pixel in world px, to draw handles of constant size
+    bool secondary = false;       ///< true: the right button; false: the left one
     Modifiers modifiers{};
 };
 
-/// What a tool works with: it reads the document, writes with commands, and may select.
+/// The objects that a tool uses: it reads the document, changes it by commands, and changes the selection.
 struct ToolContext {
     const Document& document;
     UndoStack& undo;
@@ -32,38 +32,39 @@ struct ToolContext {
     TilePaint& tiles;
 };
 
-/// What the mouse does in the scene. No window here: a test plays a drag in five lines.
+/// A mouse tool of the scene view. It does not depend on a window, so that tests can simulate drags.
 class Tool {
 public:
     virtual ~Tool() = default;
     virtual void press(const ToolContext& context, const Pointer& pointer) = 0;
     virtual void drag(const ToolContext& context, const Pointer& pointer) = 0;
     virtual void release(const ToolContext& context, const Pointer& pointer) = 0;
-    /// Esc: takes back what is under way. @return false when nothing was
+    /// Cancels the present drag, on Esc. @return false if there was nothing to cancel
     virtual bool cancel(const ToolContext& context) = 0;
     virtual void draw(const ToolContext& context, const Pointer& pointer, Overlay& overlay) const = 0;
-    /// Whether a part of the thing in hand is chosen that can be taken out: Del means that then.
-    [[nodiscard]] virtual bool hasChosen(const ToolContext&) const { return false; }
+    /// True if a removable part of the active entity is selected, such as a corner; Del removes it then.
+    [[nodiscard]] virtual bool hasSelectedPart(const ToolContext&) const { return false; }
+    /// Removes the part that `hasSelectedPart` reports.
     virtual void removeChosen(const ToolContext&) {}
-    /// The action of the tool that takes over after a release; empty: this one stays.
+    /// Id of the action that selects the next tool after a release; empty: this tool stays.
     [[nodiscard]] virtual std::string_view next() const { return {}; }
 };
 
-/// What is painted once a tool is chosen.
+/// The paint that selecting a tile tool activates; Keeps: no change.
 enum class Hand : unsigned char { Keeps, Stamp, Terrain };
 
-/// One row of the table of all tools.
+/// One tool in the table of all tools.
 struct ToolRow {
     std::string_view name;
-    std::string_view action;  ///< in the table of actions, which has its shortcut
-    std::string_view hint;    ///< for the status bar
-    bool forTiles = false;    ///< works on tiles; the others on entities
-    Hand hand = Hand::Keeps;  ///< what a tile tool takes into the hand
+    std::string_view action;  ///< id of the action that selects the tool, which has its shortcut
+    std::string_view hint;    ///< text shown in the status bar
+    bool forTiles = false;    ///< true: edits tiles; false: edits entities
+    Hand hand = Hand::Keeps;  ///< paint that selecting the tool activates
     std::unique_ptr<Tool> (*make)() = nullptr;
 };
 const std::vector<ToolRow>& toolTable();
 
-/// The next crossing of the grid.
+/// Returns the grid point nearest to `point`.
 Vec2 snapped(Vec2 point, Vec2 grid);
 
 }  // namespace plumb::editor

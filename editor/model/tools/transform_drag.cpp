@@ -35,7 +35,7 @@ EntityId entityInHand(const Document& document) {
 
 }  // namespace
 
-std::optional<Pose> poseInHand(const Document& document) {
+std::optional<Pose> activePose(const Document& document) {
     const EntityId entity = entityInHand(document);
     return entity ? std::optional{worldPose(document.world, entity)} : std::nullopt;
 }
@@ -51,7 +51,7 @@ Vec2 dragOffset(Vec2 grabPoint, Vec2 snapPoint, const Pointer& pointer) {
     Vec2 offset = pointer.position - grabPoint;
     if (pointer.modifiers.shift) (std::abs(offset.x) > std::abs(offset.y) ? offset.y : offset.x) = 0.0f;
     if (!pointer.snap) return {std::round(offset.x), std::round(offset.y)};
-    // Only what moves snaps: a drag along x leaves a y off the grid alone.
+    // Only the axes that move snap: a drag along x does not change a y that is off the grid.
     const Vec2 way = snapped(snapPoint + offset, pointer.grid) - snapPoint;
     return {offset.x == 0.0f ? 0.0f : way.x, offset.y == 0.0f ? 0.0f : way.y};
 }
@@ -59,7 +59,7 @@ Vec2 dragOffset(Vec2 grabPoint, Vec2 snapPoint, const Pointer& pointer) {
 void TransformDrag::grab(const ToolContext& context) {
     const Document& document = context.document;
     grabbed_.clear();
-    // The first entity of a prefab does not move, but what is selected below it does.
+    // The root entity of an edited prefab does not move, but selected entities below it do.
     std::vector<ObjectId> ids = context.selection.all();
     const bool root = std::erase(ids, prefabRootOf(document)) > 0;
     ids = outermost(document, ids);
@@ -72,7 +72,7 @@ void TransformDrag::grab(const ToolContext& context) {
         grabbed_.push_back({id, *transform, worldPose(document.world, entity),
                             parent ? worldPose(document.world, parent) : Pose{}});
     }
-    pivot_ = poseInHand(document).value_or(Pose{});
+    pivot_ = activePose(document).value_or(Pose{});
     size_ = {};
     const Sprite* sprite = document.world.find<Sprite>(entityInHand(document));
     if (sprite == nullptr || pivot_.rotation != 0.0f || pivot_.scale != Vec2{1.0f, 1.0f}) return;
@@ -125,7 +125,7 @@ void TransformDrag::push(const ToolContext& context, std::string_view verb,
     const bool scalesRoot = scales && !grabbed_.empty() && grabbed_.back().object == root;
     std::vector<ChangeComponents::Change> changes;
     for (std::size_t i = 0; i < grabbed_.size(); ++i) {
-        // All others are below it: they grow with it.
+        // If the root is scaled, its descendants scale with it.
         const bool isRoot = grabbed_[i].object == root;
         if (isRoot ? !scales : scalesRoot) continue;
         if (isRoot) targets[i].position = grabbed_[i].start.position;

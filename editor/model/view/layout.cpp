@@ -49,7 +49,7 @@ void PaneLayout::complete(std::span<const PanelHome> panels) {
     for (const PanelHome& home : panels) {
         if (home.dock == Dock::Center) take(home.title);
         if (home.dock != Dock::Center && holds(seen, home.title)) continue;
-        // A pane that the user cleared stays so.
+        // A pane that the user emptied stays empty.
         const bool cleared = !empty && home.dock != Dock::Center && pane(home.dock).tabs.empty();
         at(cleared ? Dock::Bottom : home.dock).tabs.emplace_back(home.title);
     }
@@ -89,7 +89,7 @@ void PaneLayout::show(std::string_view panel) {
 void PaneLayout::close(std::string_view panel) {
     const Dock dock = dockOf(panel);
     if (dock == Dock::Center || !isOpen(panel)) return;
-    const std::string title{panel};  // it may be the one in the list
+    const std::string title{panel};  // a copy: `panel` may refer to the list that is changed
     take(title);
     closed_.push_back({title, dock});
 }
@@ -103,7 +103,7 @@ void PaneLayout::move(std::string_view panel, Dock to, std::size_t before) {
     at(to).front = title;
 }
 
-/// The tab beside it comes to the front.
+/// If the removed tab was in front, the tab beside it comes to the front.
 void PaneLayout::take(std::string_view panel) {
     std::erase_if(closed_, [&](const Closed& closed) { return closed.panel == panel; });
     for (Pane& pane : panes_) {
@@ -152,7 +152,7 @@ std::optional<PaneLayout> PaneLayout::fromJson(const Json& json, const std::stri
                                                std::vector<Error>& problems) {
     if (!json.is_object()) {
         problems.push_back(
-            {where, format("expected a layout, found {}", json.type_name()), "the layout Logic is used"});
+            {where, format("expected a layout, found {}", json.type_name()), "the default layout is used"});
         return std::nullopt;
     }
     PaneLayout layout;
@@ -166,7 +166,7 @@ std::optional<PaneLayout> PaneLayout::fromJson(const Json& json, const std::stri
                 layout.panes_[i].tabs.push_back(*name);
             } else {
                 fields.warn(kDockNames[i], format("expected the name of a panel, found {}", tab.type_name()),
-                            "it is left out");
+                            "this entry is ignored");
             }
         }
         const std::string* front = fronts == nullptr ? nullptr : findText(*fronts, kDockNames[i]);
@@ -174,7 +174,7 @@ std::optional<PaneLayout> PaneLayout::fromJson(const Json& json, const std::stri
     }
     if (const Json* closed = fields.find("closed"); closed != nullptr && closed->is_object()) {
         for (const auto& [panel, from] : closed->items()) {
-            const auto name = std::find(kDockNames.begin(), kDockNames.end(), textOrEmpty(from));
+            const auto name = std::find(kDockNames.begin(), kDockNames.end(), stringOrEmpty(from));
             const auto dock =
                 name == kDockNames.end() ? Dock::Bottom : static_cast<Dock>(name - kDockNames.begin());
             layout.closed_.push_back({panel, dock == Dock::Center ? Dock::Bottom : dock});
@@ -204,10 +204,9 @@ std::vector<LayoutPreset> makePresets() {
     play.at(Dock::BottomRight).tabs = {"History"};
     play.sizes_ = {0.18f, 0.26f, 0.2f, 0.2f, 0.6f};
 
-    return {
-        {"Paint", "the tiles below, as wide as they can be; entities and inspector share the left", paint},
-        {"Logic", "entities left, inspector right, the rest below", logic},
-        {"Play", "the game as large as it can be, the inspector beside it", play}};
+    return {{"Paint", "tiles at the bottom at full width; entities and inspector share the left", paint},
+            {"Logic", "entities on the left, inspector on the right, the other panels at the bottom", logic},
+            {"Play", "the game as large as possible, with the inspector beside it", play}};
 }
 
 std::span<const LayoutPreset> layoutPresets() {
@@ -219,13 +218,14 @@ PaneBoxes arrange(const PaneLayout& layout, std::span<const PanelHome> panels, V
                   float least) {
     PaneBoxes boxes;
     const auto there = [&](Dock dock) { return !layout.hidden && !layout.pane(dock).tabs.empty(); };
-    // Of any tab, not of the one in front: neither the tabs nor the scene may jump when another is clicked.
+    // Any tall tab counts, not only the front one, so that the layout does not jump when another tab is
+    // clicked.
     const auto tall = [&](Dock dock) {
         return there(dock) && std::any_of(panels.begin(), panels.end(), [&](const PanelHome& home) {
                    return home.tall && holds(layout.pane(dock).tabs, home.title);
                });
     };
-    // No pane may leave the scene without room, however small the window is.
+    // Limits the size of panes, so that the scene always has room, even in a small window.
     const auto part = [&](float whole, float ratio) {
         const float most = std::floor(whole * kMostPart * 0.75f);
         return std::min(std::max(std::floor(whole * ratio), std::min(least, most)), most);
@@ -274,7 +274,7 @@ std::optional<PaneDrop> dropAt(const PaneLayout& layout, const PaneBoxes& boxes,
         const bool bottom = dock == Dock::Bottom || dock == Dock::BottomRight;
         const Dock other = dock == Dock::Bottom ? Dock::BottomRight : Dock::Bottom;
         if (!bottom || there(other)) return PaneDrop{dock, box};
-        // The bottom is not divided yet: its outer part becomes the other place.
+        // The bottom is not divided yet: dropping on its outer part divides it.
         const float middle = lerp(box.min, box.max, other == Dock::BottomRight ? 0.6f : 0.4f).x;
         const AABB right{{middle, box.min.y}, box.max};
         const AABB left{box.min, {middle, box.max.y}};

@@ -9,17 +9,17 @@
 
 namespace plumb::editor {
 
-/// A line, and when it was said.
+/// A line of the log with its time.
 struct LogEntry : LogLine {
-    double seconds = 0.0;    ///< since the book was made
-    std::int64_t tick = -1;  ///< of the game that played; -1: none did
+    double seconds = 0.0;    ///< s since the LogBook was created
+    std::int64_t tick = -1;  ///< tick of the running game; -1: no game was running
 };
 
-/// Keeps the last lines of the log from the moment it is made, so that the console also shows what was said
-/// before there was a window. What listened before still hears all.
+/// Stores the last lines of the log from its creation on, so that the console also shows lines logged before
+/// the window was opened. Forwards all lines to the previous log sink.
 class LogBook {
 public:
-    static constexpr std::size_t kLines = 5000;
+    static constexpr std::size_t kLines = 5000;  ///< maximum number of stored lines
 
     LogBook() {
         before_ = setLogSink([this](const LogLine& line) {
@@ -34,13 +34,13 @@ public:
     LogBook& operator=(const LogBook&) = delete;
 
     [[nodiscard]] const std::deque<LogEntry>& lines() const { return lines_; }
-    /// Lines there have ever been; grows also when old ones are forgotten.
+    /// Number of lines logged so far, including those no longer stored.
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// Grows when something was said, and when all was forgotten.
+    /// Changes when a line is added, and when the lines are cleared.
     [[nodiscard]] std::size_t revision() const { return revision_; }
     void clear() { lines_.clear(), ++revision_; }
 
-    std::function<std::int64_t()> tick;  ///< of the game that plays, or -1; must not log
+    std::function<std::int64_t()> tick;  ///< returns the tick of the running game, or -1; must not log
 
 private:
     std::deque<LogEntry> lines_;

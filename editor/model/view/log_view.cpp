@@ -64,9 +64,10 @@ void LogView::update(const LogBook& book) {
     rows_.clear();
     counts_.fill(0);
     channels_.clear();
-    std::map<std::tuple<LogLevel, std::string_view, std::string_view>, std::size_t> known;  // times
+    // Number of equal lines.
+    std::map<std::tuple<LogLevel, std::string_view, std::string_view>, std::size_t> known;
     const auto& lines = book.lines();
-    // From the end, so that of equal lines the last one stays.
+    // Backwards, so that the last of equal lines is shown.
     for (std::size_t i = lines.size(); i-- > 0;) {
         const LogEntry& line = lines[i];
         ++counts_[static_cast<std::size_t>(line.level)];

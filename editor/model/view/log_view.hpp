@@ -11,35 +11,36 @@
 
 namespace plumb::editor {
 
-/// What of the log the console shows: levels, channels and words, equal lines once.
+/// The lines of the log that the console shows, filtered by level, channel and search words; equal lines can
+/// be merged.
 class LogView {
 public:
     static constexpr std::size_t kLevels = 4;
     struct Row {
-        std::size_t line = 0;   ///< of LogBook::lines(): the last one of those that are equal
-        std::size_t times = 1;  ///< how often it was said
+        std::size_t line = 0;   ///< index in LogBook::lines(); of merged lines the last one
+        std::size_t times = 1;  ///< number of merged lines
     };
 
-    // What one wants to see.
+    // The filter.
     std::array<bool, kLevels> levels{true, true, true, true};
     std::set<std::string, std::less<>> hiddenChannels;
-    std::string search;  ///< words; a line has to have all of them, in any case
-    bool once = true;    ///< equal lines are one row, where they were said last
+    std::string search;  ///< words; a shown line contains all of them, ignoring case
+    bool once = true;    ///< merges equal lines into one row, at the position of the last one
 
     /// Computes the rows again if the log or the filter changed.
     void update(const LogBook& book);
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-    /// Of all lines, shown or not.
+    /// Number of lines of a level, shown or not.
     [[nodiscard]] std::size_t count(LogLevel level) const { return counts_[static_cast<std::size_t>(level)]; }
-    /// All there are, shown or not.
+    /// Channels of all lines, shown or not.
     [[nodiscard]] const std::set<std::string, std::less<>>& channels() const { return channels_; }
-    /// Grows when the rows are others.
+    /// Changes when the rows are computed again.
     [[nodiscard]] std::size_t revision() const { return revision_; }
-    /// The rows as text, one a line, for the clipboard.
+    /// Returns the rows as text for the clipboard, one per line.
     [[nodiscard]] std::string text(const LogBook& book) const;
 
 private:
-    /// What the rows were made of.
+    /// The revision of the log and the filter for which the rows were computed.
     struct Made {
         std::size_t book = static_cast<std::size_t>(-1);
         std::array<bool, kLevels> levels{};
@@ -58,14 +59,15 @@ private:
     std::size_t revision_ = 0;
 };
 
-/// "Detail", "Note", "Warning", "Error".
+/// Returns "Detail", "Note", "Warning" or "Error".
 std::string_view nameOf(LogLevel level);
 
-/// "12.34 s, tick 40  Physics  Warning: …"
+/// Returns a line with its time, tick, channel and level: "12.34 s, tick 40  Physics  Warning: ..."
 std::string textOf(const LogEntry& line);
 
-/// The entity of the open scene that a line names: as "@9f3c1a77d2e0b154", by its id, or as
-/// "scenes/cave.scene.json: entities[3]", by its place in the file. Null when it names none that is there.
+/// Returns the entity of the open scene that a line refers to: by its id, as in "@9f3c1a77d2e0b154", or by
+/// its index in the file, as in "scenes/cave.scene.json: entities[3]". Null if the line refers to no existing
+/// entity.
 ObjectId entityIn(const Document& document, std::string_view line);
 
 }  // namespace plumb::editor

@@ -10,8 +10,8 @@
 
 namespace plumb::editor {
 
-/// Collects what is drawn over the scene, in the world's px; lines stay thin at any zoom. Plain data, so
-/// tools and overlays need no window, and a test sees what they drew.
+/// Collects shapes to be drawn over the scene, in world px; the thickness of lines does not depend on the
+/// zoom. As plain data, it lets tools and overlays work without a window, and tests inspect their shapes.
 class Overlay {
 public:
     enum class Kind : unsigned char { Line, Arrow, Box, FilledBox, Circle, Text, Tile };
@@ -19,12 +19,12 @@ public:
         Kind kind = Kind::Line;
         Vec2 from;
         Vec2 to;
-        float radius = 0.0f;     ///< px, world
-        float thickness = 1.0f;  ///< px on screen
+        float radius = 0.0f;     ///< px, world: radius of a circle
+        float thickness = 1.0f;  ///< px on screen: line thickness
         Color color;
         std::string text;
-        TilesetId tileset;  ///< of a Tile
-        TileCell cell = 0;
+        TilesetId tileset;  ///< tileset, for Kind::Tile
+        TileCell cell = 0;  ///< tile and its flips, for Kind::Tile
     };
 
     void line(Vec2 from, Vec2 to, Color color, float thickness = 1.0f) {
@@ -45,7 +45,7 @@ public:
     void text(Vec2 at, std::string words, Color color) {
         shapes_.push_back({Kind::Text, at, at, 0.0f, 1.0f, color, std::move(words), {}, 0});
     }
-    /// A tile as it would be painted. @param color  multiplies it
+    /// Adds the image of a tile, scaled to the box. @param color  tint
     void tile(const AABB& box, TilesetId tileset, TileCell cell, Color color) {
         Shape& shape = shapes_.emplace_back();
         shape.kind = Kind::Tile;

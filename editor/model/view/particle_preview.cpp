@@ -8,10 +8,10 @@
 namespace plumb::editor {
 namespace {
 
-constexpr int kMostSteps = 6;  // of one frame: a slow one is not caught up with
-constexpr int kHandful = 30;   // particles
+constexpr int kMostSteps = 6;  // maximum steps per frame; after a slow frame the rest is skipped
+constexpr int kHandful = 30;   // number of particles of a burst if the emitter defines none
 
-/// How it is previewed: sending, whatever switches it on in the game.
+/// Returns a copy of the emitter that is playing, as in the preview it always emits.
 ParticleEmitter sending(const ParticleEmitter& emitter) {
     ParticleEmitter copy = emitter;
     copy.playing = true;

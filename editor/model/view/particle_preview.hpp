@@ -7,27 +7,27 @@
 
 namespace plumb::editor {
 
-/// The particles of the emitters that are selected, or below what is selected, while the game does not run.
-/// They live here: the document is only read. An emitter that does not loop begins again by itself.
+/// Simulates the particles of selected emitters, and of those below selected entities, while no game runs.
+/// The document is only read. An emitter that does not loop restarts automatically.
 class ParticlePreview {
 public:
-    /// Goes on by the time since the last frame. Anew when other emitters are selected.
+    /// Advances by the time since the last frame. Restarts if other emitters are selected.
     void advance(const Document& document, double seconds);
-    /// Nothing is shown any more, e.g. because a game plays.
+    /// Removes all particles and emitters, e.g. because a game starts.
     void clear();
-    /// All emitters begin anew.
+    /// Removes all particles and restarts all emitters.
     void restart();
-    /// Each sends its burst at once, or a handful if it has none.
+    /// Makes each emitter emit its burst, or 30 particles if it has none.
     void burst(const Document& document);
 
     [[nodiscard]] bool shows() const { return !emitters_.empty(); }
     [[nodiscard]] const std::vector<EntityId>& emitters() const { return emitters_; }
     [[nodiscard]] const Particles& particles() const { return particles_; }
-    /// s from what is shown to the last step
+    /// Time from the shown moment to the last simulated step, s; for interpolation.
     [[nodiscard]] float back() const { return static_cast<float>(kStep - rest_); }
 
 private:
-    static constexpr double kStep = 1.0 / 60.0;  // s
+    static constexpr double kStep = 1.0 / 60.0;  // s: duration of a simulation step
 
     struct Seen {
         std::uint64_t selection = ~0ull;
@@ -41,7 +41,7 @@ private:
     Particles particles_;
     std::vector<EntityId> emitters_;
     Seen seen_;
-    double rest_ = 0.0;  // s that no step has used yet
+    double rest_ = 0.0;  // s: elapsed time that is not simulated yet
 };
 
 }  // namespace plumb::editor

@@ -7,7 +7,7 @@
 namespace plumb::editor {
 namespace {
 
-/// The middle of a box that has the shape of width to height.
+/// Returns the largest centered part of a box with this aspect ratio (width divided by height).
 AABB middleOf(const AABB& box, float shape) {
     const Vec2 size = box.size();
     const Vec2 kept = size.x > size.y * shape ? Vec2{size.y * shape, size.y} : Vec2{size.x, size.x / shape};

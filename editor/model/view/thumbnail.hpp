@@ -5,10 +5,10 @@
 
 namespace plumb::editor {
 
-/// A part of a picture, made smaller by the mean of what lies under each pixel. Of the part the middle is
-/// taken that has the shape wanted.
-/// @param part  px; what is outside the picture is left out
-/// @return      empty when nothing of the picture is in the part
+/// Returns a part of an image, scaled down by averaging the pixels. The part is first cropped to the center
+/// that has the aspect ratio of the thumbnail.
+/// @param part  px; clipped to the image
+/// @return      an empty image if the part lies outside the image
 Image thumbnailOf(const Image& picture, const AABB& part, int width, int height);
 
 }  // namespace plumb::editor

@@ -13,7 +13,7 @@ void ViewCamera::zoomAt(Vec2 screen, float steps) {
 
 void ViewCamera::setZoom(float zoom) {
     const float kept = std::clamp(zoom, kMinZoom, kMaxZoom);
-    // Near a whole factor it is one: pixel art is sharp there.
+    // Snaps to a near integer zoom, at which pixel art is sharp.
     const float whole = std::round(kept);
     view_.zoom = whole >= 1.0f && std::abs(kept - whole) < 0.04f * whole ? whole : kept;
 }

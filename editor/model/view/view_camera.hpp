@@ -5,7 +5,7 @@
 
 namespace plumb::editor {
 
-/// How the scene is looked at while editing: not an edit, never undone.
+/// The camera of the scene view while editing. Its changes are not part of the undo history.
 class ViewCamera {
 public:
     static constexpr float kMinZoom = 0.02f;
@@ -13,22 +13,24 @@ public:
 
     [[nodiscard]] const View& view() const { return view_; }
     [[nodiscard]] float zoom() const { return view_.zoom; }
-    /// @param size  px of the picture on screen
+    /// Sets the size of the viewport. @param size  px on screen
     void resize(Vec2 size) { view_.size = max(size, {1.0f, 1.0f}); }
     void centerOn(Vec2 world) { view_.center = world; }
-    /// @param motion  px on screen; the world follows the hand
+    /// Moves the view so that the scene follows the mouse. @param motion  px on screen: displacement of the
+    /// mouse
     void pan(Vec2 motion) { view_.center -= motion / view_.zoom; }
-    /// Zooms by steps of the wheel so that what is under the cursor stays there.
+    /// Zooms about a point of the viewport. @param screen  px on screen @param steps  of the mouse wheel
     void zoomAt(Vec2 screen, float steps);
+    /// Sets the zoom, within the limits; snaps to a near integer.
     void setZoom(float zoom);
-    /// Looks exactly so. @param zoom  px of the screen per px of the world
+    /// Sets center and zoom without snapping. @param zoom  px on screen per world px
     void show(Vec2 center, float zoom);
-    /// The largest zoom at which all of a picture is seen: a whole number, so that its pixels are equally
-    /// large, or less than one.
-    /// @param picture  px, world
-    /// @param margin   px of the screen around it
+    /// Returns the largest zoom at which an image fits into the viewport: an integer, so that its pixels are
+    /// equally large, or a value below 1.
+    /// @param picture  px, world: size of the image
+    /// @param margin   px on screen: free space around it
     [[nodiscard]] float zoomFor(Vec2 picture, float margin = 0.0f) const;
-    /// Shows a box with a margin around it.
+    /// Centers a box and zooms so that it fits with a margin.
     void frame(const AABB& box);
 
     [[nodiscard]] Vec2 toWorldPoint(Vec2 screen) const { return toWorld(view_, screen); }

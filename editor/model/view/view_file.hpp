@@ -7,23 +7,22 @@
 
 namespace plumb::editor {
 
-/// What is hidden and locked in each scene, in `.plumb/view` of the project: it outlives the program, and git
-/// leaves it out.
+/// Stores the hidden and locked entities of each scene in the project's folder `.plumb/view`, which git
+/// ignores.
 class ViewFile {
 public:
     explicit ViewFile(Path project) : project_{std::move(project)} {}
 
-    /// Hides and locks what was hidden and locked when this scene was open last.
+    /// Restores the hidden and locked entities of a scene.
     void read(std::string_view scene, EntityView& view);
-    /// Writes it when it has changed since. What cannot be written is forgotten; no work is lost by
-    /// that.
+    /// Writes the file if the view has changed. Write errors are ignored, as no work is lost.
     void keep(std::string_view scene, const EntityView& view);
 
 private:
     [[nodiscard]] Path fileOf(std::string_view scene) const;
 
     Path project_;
-    std::uint64_t kept_ = 0;  // revision of the view that the file has
+    std::uint64_t kept_ = 0;  // revision of the view stored in the file
 };
 
 }  // namespace plumb::editor

@@ -13,30 +13,29 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr const char* kName = "finder";
-constexpr float kWidth = 560.0f;     // px at scale 1
-constexpr float kRowHeight = 24.0f;  // px at scale 1
-constexpr int kPage = 10;            // rows
+constexpr float kWidth = 560.0f;     // px at scale 1: width of the dialog
+constexpr float kRowHeight = 24.0f;  // px at scale 1: height of a row
+constexpr int kPage = 10;            // rows skipped by Page Up and Page Down
 constexpr std::size_t kRowsShown = 12;
 
-constexpr const char* kNoLetters = "Nothing has these letters in its name.";
+constexpr const char* kNoLetters = "No name contains these letters.";
 
-/// What is looked for, on which request.
+/// One kind of search and the request that opens it.
 struct WhatRow {
     WindowRequest request;
     Finder::What what;
-    const char* asks;
-    const char* none;  ///< before a letter is typed
+    const char* asks;  ///< hint in the empty search field
+    const char* none;  ///< text shown if the list is empty before the user types
 };
 constexpr std::array kWhats{
     WhatRow{WindowRequest::FindFile, Finder::What::Files,
             "A scene, prefab, asset or entity   (> commands, @ entities)", kNoLetters},
     WhatRow{WindowRequest::FindCommand, Finder::What::Commands, "What do you want to do?", kNoLetters},
-    WhatRow{
-        WindowRequest::ChooseScene, Finder::What::Scenes, "Which scene?",
-        "This project has no scenes yet. Scenes are files in its folder scenes/ that end in .scene.json."},
+    WhatRow{WindowRequest::ChooseScene, Finder::What::Scenes, "Which scene?",
+            "This project has no scenes. Scenes are files in its folder scenes/ that end in .scene.json."},
     WhatRow{WindowRequest::ChoosePrefab, Finder::What::Prefabs,
-            "Which prefab?   (it is put into the middle of the picture)",
-            "This project has no prefabs yet. Prefabs are files that end in .prefab.json."},
+            "Which prefab?   (its instance is added in the center of the view)",
+            "This project has no prefabs. Prefabs are files that end in .prefab.json."},
 };
 
 const WhatRow* rowOf(WindowRequest request) {
@@ -152,7 +151,8 @@ void FinderDialog::drawRows(Ui& ui) {
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    if (finder_.found() > count) ImGui::TextDisabled("%zu more; type on", finder_.found() - count);
+    if (finder_.found() > count)
+        ImGui::TextDisabled("%zu more; type more letters to narrow the search", finder_.found() - count);
 }
 
 void FinderDialog::drawRow(Ui& ui, std::size_t index, float width) {
@@ -202,7 +202,7 @@ float FinderDialog::drawLetters(const Ui& ui, const FinderRow& row, const Finder
     const auto meant = [&](std::size_t i) {
         return std::binary_search(row.match.at.begin(), row.match.at.end(), static_cast<std::uint32_t>(i));
     };
-    // In runs of letters that look alike, so that the spacing of the font is kept.
+    // Draws runs of letters of equal style at once, to keep the kerning of the font.
     for (std::size_t i = from; i < to;) {
         std::size_t end = i + 1;
         while (end < to && meant(end) == meant(i)) ++end;

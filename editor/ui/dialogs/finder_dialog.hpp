@@ -7,25 +7,25 @@
 
 namespace plumb::editor::ui {
 
-/// A field to type into, and what it finds: files and entities, commands, scenes to open, prefabs to add.
+/// The search dialog: finds files and entities, commands, scenes to open, or prefabs to add.
 class FinderDialog {
 public:
-    /// Opens by itself when the workspace asks for it.
-    /// @return path of a scene that was chosen, once; else empty
+    /// Draws the dialog; opens it on a request of the workspace.
+    /// @return path of the scene that the user has just selected to open; otherwise empty
     std::string draw(Ui& ui);
 
 private:
     void drawField(Ui& ui);
     void drawRows(Ui& ui);
     void drawRow(Ui& ui, std::size_t row, float width);
-    /// The text with its found letters bright. @return where it ends
+    /// Draws the part [from, to) of an item's text with the matched letters highlighted. @return x of its end
     static float drawLetters(const Ui& ui, const FinderRow& row, const FinderItem& item, std::size_t from,
                              std::size_t to, ImVec2 at, bool dim);
 
     Finder finder_;
     std::string typed_;
-    bool scroll_ = false;  ///< the chosen row has to come into sight
-    bool done_ = false;    ///< a row was clicked, or Enter was pressed
+    bool scroll_ = false;  ///< scrolls to the selected row in the next frame
+    bool done_ = false;    ///< a row was clicked or Enter was pressed in this frame
 };
 
 }  // namespace plumb::editor::ui

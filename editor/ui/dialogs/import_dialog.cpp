@@ -1,4 +1,4 @@
-// Chooses a file of Tiled, LDtk or Aseprite, brings it in, and tells what came of it.
+// The dialog that imports a file of Tiled, LDtk or Aseprite and shows a report.
 
 #include "editor/ui/dialogs/import_dialog.hpp"
 
@@ -74,17 +74,15 @@ void ImportDialog::draw(Ui& ui) {
 }
 
 void ImportDialog::drawChooser(Ui& ui) {
-    ImGui::TextDisabled(
-        "A map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of Aseprite "
-        "(.json). It stays as it is.");
+    ImGui::TextDisabled("Tiled maps (.tmx, .tmj, .world), LDtk projects (.ldtk) and Aseprite sheets (.json)");
     if (ImGui::Button("Up")) task_->goUp(), place_ = task_->folder().generic_string();
     ui.widgets.mark("Import/up");
-    tooltip("To the folder around this one");
+    tooltip("Go to the parent folder");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     if (textField("##place", place_, ImGuiInputTextFlags_EnterReturnsTrue) && !task_->goTo(place_))
-        missing_ = format("There is no {}", place_);
+        missing_ = format("{} does not exist", place_);
     ui.widgets.mark("Import/place", place_);
     drawList(ui);
     drawTarget(ui);
@@ -97,7 +95,8 @@ void ImportDialog::drawChooser(Ui& ui) {
 
 void ImportDialog::drawList(Ui& ui) {
     beginChild("files", {0.0f, -ui.px(106.0f)}, true);
-    if (task_->rows().empty()) ImGui::TextDisabled("Nothing here can be imported. Choose another folder.");
+    if (task_->rows().empty())
+        ImGui::TextDisabled("This folder contains no file that can be imported. Choose another one.");
     const std::string chosen = task_->file().filename().string();
     for (const ImportRow& row : std::vector{task_->rows()}) {
         ImGui::PushStyleColor(ImGuiCol_Text, row.folder ? palette::kTextDim : palette::kText);
@@ -119,8 +118,8 @@ void ImportDialog::drawTarget(Ui& ui) {
     const std::string text = !missing_.empty()           ? missing_
                              : !task_->problem().empty() ? task_->problem()
                              : none                      ? "Choose a file."
-                             : task_->kind().empty()     ? "This is no file that can be imported."
-                             : task_->replaces() ? format("{}; replaces the one that is there", task_->kind())
+                             : task_->kind().empty()     ? "Files of this kind cannot be imported."
+                             : task_->replaces() ? format("{}; replaces the existing file", task_->kind())
                                                  : std::string{task_->kind()};
     const bool bad = !missing_.empty() || !task_->problem().empty() || (!none && task_->kind().empty());
     ImGui::PushStyleColor(ImGuiCol_Text, bad                          ? palette::kError
@@ -131,7 +130,7 @@ void ImportDialog::drawTarget(Ui& ui) {
     ui.widgets.mark("Import/message", text);
     if (none || task_->kind().empty()) return;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("Becomes");
+    ImGui::TextDisabled("Import as");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0f);
     textField("##target", task_->target);
@@ -150,8 +149,8 @@ void ImportDialog::drawReport(Ui& ui, const ImportReport& report) {
     const bool clean = report.problems.empty();
     ImGui::PushStyleColor(ImGuiCol_Text, clean ? palette::kPlay : palette::kWarning);
     ImGui::TextUnformatted(
-        clean ? "All of it is here."
-              : format("{} things are not as they were:", report.foldedProblems().size()).c_str());
+        clean ? "Everything was imported."
+              : format("{} differences from the original:", report.foldedProblems().size()).c_str());
     ImGui::PopStyleColor();
     beginChild("report", {0.0f, -ui.px(40.0f)}, true);
     for (const Error& problem : report.foldedProblems())
@@ -170,7 +169,7 @@ void ImportDialog::drawReport(Ui& ui, const ImportReport& report) {
         openSceneOrSay(ui, report.scene);
     }
     if (button(ui, "Copy report", "Import/Copy")) ui.workspace.clipboard = report.text();
-    tooltip("All lines as text, to send or to keep");
+    tooltip("Copies the report to the clipboard as text");
     if (button(ui, "Import more", "Import/Again")) task_->again();
     if (button(ui, "Close", "Import/Close")) ImGui::CloseCurrentPopup();
 }

@@ -8,10 +8,10 @@
 
 namespace plumb::editor::ui {
 
-/// Chooses a file of Tiled, LDtk or Aseprite, brings it in, and tells what came of it.
+/// The dialog that imports a file of Tiled, LDtk or Aseprite and shows a report.
 class ImportDialog {
 public:
-    /// Opens by itself when the workspace asks for it.
+    /// Draws the dialog; opens it on a request of the workspace.
     void draw(Ui& ui);
 
 private:
@@ -23,11 +23,11 @@ private:
     void drawReport(Ui& ui, const ImportReport& report);
 
     std::optional<ImportTask> task_;
-    std::string place_;
-    std::string missing_;
+    std::string place_;    ///< text of the field for the folder or file
+    std::string missing_;  ///< error message if `place_` does not exist
 };
 
-/// Opens a scene, unless that would cost changes that are not saved: then it says so.
+/// Opens a scene. If the open scene has unsaved changes, only shows a notice that it must be saved first.
 void openSceneOrSay(Ui& ui, const std::string& path);
 
 }  // namespace plumb::editor::ui

@@ -29,7 +29,7 @@ void drawRow(Ui& ui, KeepRow& row, std::size_t index) {
     ImGui::TextUnformatted(row.entity.c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.field.c_str());
-    if (row.edit.rewound) tooltip("You went back to before this change and played on from there.");
+    if (row.edit.rewound) tooltip("The game was rewound to before this change and continued from there.");
     drawValue(row.scene, palette::kTextDim);
     drawValue(row.played, row.edit.rewound ? palette::kTextDim : palette::kText);
     ui.widgets.mark(format("Keep/{}/value", index), row.played);
@@ -56,21 +56,22 @@ void drawRows(Ui& ui, std::vector<KeepRow>& rows) {
 }  // namespace
 
 void KeepDialog::draw(Ui& ui) {
-    std::vector<KeepRow>& rows = ui.workspace.toKeep;
-    if (question_.ask(!rows.empty())) {  // Esc
+    std::vector<KeepRow>& rows = ui.workspace.offeredChanges;
+    if (question_.ask(!rows.empty())) {  // closed with Esc
         rows.clear();
         ui.workspace.notice = "Nothing was kept";
     }
     const float shown = std::min(static_cast<float>(rows.size()), 10.0f);
     if (!beginDialog(ui, kTitle, {680.0f, 150.0f + 30.0f * shown})) return;
-    if (rows.empty()) {  // the game plays again, or another scene was opened
+    if (rows.empty()) {  // a game was started again, or another scene was opened
         ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
         return;
     }
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
     ImGui::TextWrapped(
-        "You changed this while the game played. What is ticked goes into the scene as one step of undo.");
+        "You changed these fields while the game ran. The ticked changes are copied to the scene as one undo "
+        "step.");
     ImGui::PopStyleColor();
     drawRows(ui, rows);
     const auto ticked = std::count_if(rows.begin(), rows.end(), [](const KeepRow& row) { return row.keep; });

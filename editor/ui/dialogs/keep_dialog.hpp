@@ -5,7 +5,7 @@
 
 namespace plumb::editor::ui {
 
-/// After a game stopped in which something was changed by hand: what of it goes into the scene.
+/// The dialog shown after a game in which the user changed fields: selects the changes to copy to the scene.
 class KeepDialog {
 public:
     void draw(Ui& ui);

@@ -9,7 +9,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kKeysWidth = 170.0f;  // px at scale 1
+constexpr float kKeysWidth = 170.0f;  // px at scale 1: width of the column with the keys
 
 std::string lower(std::string_view text) {
     std::string out{text};
@@ -21,7 +21,7 @@ std::string lower(std::string_view text) {
 
 bool isModifier(Key key) { return key >= Key::LeftControl && key <= Key::RightSuper; }
 
-/// "Edit: Undo".
+/// Returns the group and the label of an action, e.g. "Edit: Undo".
 std::string nameOf(const Action& action) { return format("{}: {}", groupOf(action), action.label); }
 
 std::string textOf(const KeyBindings& keys, const Action& action) {
@@ -76,7 +76,7 @@ void KeysPage::draw(Ui& ui) {
     if (ImGui::Button("Reset all", {reset, 0.0f})) keys.resetAll(), stop();
     ImGui::EndDisabled();
     ui.widgets.mark("Preferences/Keys/Reset all");
-    tooltip("All keys as they were at first");
+    tooltip("Resets all keys to their defaults");
     drawConflict(ui);
     ImGui::Spacing();
     std::size_t shown = 0;
@@ -92,7 +92,7 @@ void KeysPage::draw(Ui& ui) {
         }
         ImGui::EndTable();
     }
-    if (shown == 0) ImGui::TextDisabled("Nothing goes by that name or has these keys.");
+    if (shown == 0) ImGui::TextDisabled("No action has this name or these keys.");
     ImGui::EndChild();
 }
 
@@ -120,18 +120,18 @@ void KeysPage::drawRow(Ui& ui, const Action& action) {
     }
     if (listens) ImGui::PopStyleColor();
     ui.widgets.mark(path, listens ? "listening" : text);
-    tooltip(listens ? "Esc leaves them as they are" : "Click, then press the new keys");
+    tooltip(listens ? "Press the new keys; Esc cancels" : "Click, then press the new keys");
     ImGui::TableNextColumn();
     if (!text.empty()) {
         if (ImGui::SmallButton("None")) keys.unbind(action), stop();
         ui.widgets.mark(path + "/none");
-        tooltip("No keys for this");
+        tooltip("Removes all keys of this action");
     }
     if (changed) {
         if (!text.empty()) ImGui::SameLine();
         if (ImGui::SmallButton("Reset")) keys.reset(action), stop();
         ui.widgets.mark(path + "/reset");
-        tooltip("The keys as they were at first");
+        tooltip("Resets the keys to their default");
     }
     ImGui::PopID();
 }
@@ -144,15 +144,15 @@ void KeysPage::drawConflict(Ui& ui) {
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
     ImGui::AlignTextToFramePadding();
-    const std::string words = format("{} is for \"{}\" already.", wanted_->text(), nameOf(*other));
+    const std::string words = format("{} is already assigned to \"{}\".", wanted_->text(), nameOf(*other));
     ImGui::TextUnformatted(words.c_str());
     ImGui::PopStyleColor();
     ui.widgets.mark("Preferences/Keys/conflict", words);
     ImGui::SameLine();
-    const bool take = ImGui::Button("Take them");
+    const bool take = ImGui::Button("Reassign");
     ui.widgets.mark("Preferences/Keys/Take");
     ImGui::SameLine();
-    const bool leave = ImGui::Button("Leave them");
+    const bool leave = ImGui::Button("Cancel");
     ui.widgets.mark("Preferences/Keys/Leave");
     if (take) keys.bind(*listening_, *wanted_);
     if (take || leave) stop();

@@ -9,13 +9,16 @@
 
 namespace plumb::editor::ui {
 
-/// The page of the preferences on which a person says which keys do what.
+/// The page of the preferences on which the user assigns keyboard shortcuts to actions.
 class KeysPage {
 public:
     void draw(Ui& ui);
-    /// While it waits for keys to be pressed, they are for nothing else. @return whether it took them
+    /// Handles an event while the page waits for new keys. @return true if the event was used and must have
+    /// no other effect
     bool take(KeyBindings& keys, const Event& event);
+    /// True while the page waits for new keys.
     [[nodiscard]] bool listening() const { return listening_ != nullptr; }
+    /// Stops waiting for new keys.
     void stop();
 
 private:
@@ -24,8 +27,8 @@ private:
     void drawConflict(Ui& ui);
 
     std::array<char, 48> search_{};
-    const Action* listening_ = nullptr;  ///< its keys are to be pressed
-    std::optional<Shortcut> wanted_;     ///< these were, and they do something else by now
+    const Action* listening_ = nullptr;  ///< action whose new keys are awaited; null: none
+    std::optional<Shortcut> wanted_;     ///< pressed keys that conflict with another action
 };
 
 }  // namespace plumb::editor::ui

@@ -15,7 +15,7 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr const char* kName = "Make prefab";
-constexpr const char* kOverrides = "Changes against the prefab";
+constexpr const char* kOverrides = "Prefab overrides";
 
 void cell(const std::string& text, ImU32 color) {
     ImGui::TableNextColumn();
@@ -54,14 +54,14 @@ void PrefabDialogs::open(Ui& ui) {
 
 void PrefabDialogs::drawName(Ui& ui) {
     if (!beginDialog(ui, kName, {420.0f, 190.0f})) return;
-    ImGui::TextDisabled("Its name in the folder prefabs/");
+    ImGui::TextDisabled("Name of the new prefab, in the folder prefabs/");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     bool done = ImGui::InputText("##name", name_.data(), name_.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     ui.widgets.mark("MakePrefab/name", name_.data());
     const Document& document = ui.workspace.document;
-    const std::string kind = prefabToBe(document, document.selection.all());
+    const std::string kind = prefabNote(document, document.selection.all());
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
     if (problem_.empty()) ImGui::TextWrapped("%s", kind.c_str());
     ImGui::PopStyleColor();
@@ -82,7 +82,7 @@ void PrefabDialogs::drawName(Ui& ui) {
             makePrefab(workspace, workspace.document.selection.all(), prefabPath(name_.data()));
         problem_ = made ? std::string{} : format("{}; {}", made.error().what, made.error().remedy);
         if (made) {
-            workspace.notice = format("Made {}; {} takes it back", prefabPath(name_.data()),
+            workspace.notice = format("Created {}; press {} to undo", prefabPath(name_.data()),
                                       keysFor(workspace, "edit.undo"));
             ImGui::CloseCurrentPopup();
         }
@@ -96,17 +96,18 @@ void PrefabDialogs::drawOverrides(Ui& ui) {
     if (std::exchange(rowsOf_, workspace.document.sceneRevision) != workspace.document.sceneRevision)
         rows_ = overrideList(workspace.prefabs(), instance_);
     const auto part = InstancePart::of(workspace.document, workspace.prefabs().prefabs, instance_);
-    ImGui::TextDisabled("%s", part ? part->prefab().path.c_str() : "This is no instance any more.");
+    ImGui::TextDisabled(
+        "%s", part ? part->prefab().path.c_str() : "This entity is no longer part of a prefab instance.");
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                        ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
     if (rows_.empty()) {
-        ImGui::TextUnformatted("It is as its prefab says.");
+        ImGui::TextUnformatted("The instance does not differ from its prefab.");
     } else if (ImGui::BeginTable("rows", 5, kFlags, {0.0f, -ui.px(44.0f)})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("Entity", 0, 0.8f);
         ImGui::TableSetupColumn("Field", 0, 1.3f);
         ImGui::TableSetupColumn("In the prefab", 0, 1.0f);
-        ImGui::TableSetupColumn("Here", 0, 1.0f);
+        ImGui::TableSetupColumn("In the instance", 0, 1.0f);
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(118.0f));
         ImGui::TableHeadersRow();
         for (std::size_t i = 0; i < rows_.size(); ++i) drawRow(ui, rows_[i], i);
@@ -134,7 +135,7 @@ void PrefabDialogs::drawRow(Ui& ui, const OverrideRow& row, std::size_t index) {
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(row.entity.c_str());
-    const std::string field = row.type == nullptr ? std::string{"the whole part"}
+    const std::string field = row.type == nullptr ? std::string{"whole entity"}
                               : row.field.empty() ? std::string{row.type->name}
                                                   : format("{}.{}", row.type->name, row.field);
     cell(field, palette::kText);
@@ -144,12 +145,12 @@ void PrefabDialogs::drawRow(Ui& ui, const OverrideRow& row, std::size_t index) {
     ImGui::TableNextColumn();
     const bool revert = ImGui::SmallButton("Revert");
     ui.widgets.mark(format("Overrides/{}/revert", index));
-    tooltip("Takes over what the prefab says.");
+    tooltip("Resets this to the prefab's value");
     ImGui::SameLine();
     const bool apply = row.type != nullptr && ImGui::SmallButton("Apply");
     if (row.type != nullptr) {
         ui.widgets.mark(format("Overrides/{}/apply", index));
-        tooltip("Writes it into the prefab's file; other instances follow.");
+        tooltip("Writes this to the prefab's file, which changes all its instances");
     }
     ImGui::PopID();
     if (revert) {

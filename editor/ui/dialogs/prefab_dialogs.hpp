@@ -10,7 +10,7 @@
 
 namespace plumb::editor::ui {
 
-/// Asks for the name of a new prefab, and lists what an instance has for itself.
+/// The dialogs that ask for the name of a new prefab, and that list the overrides of an instance.
 class PrefabDialogs {
 public:
     void draw(Ui& ui);
@@ -24,7 +24,7 @@ private:
     std::array<char, 64> name_{};
     std::string problem_;
     std::vector<OverrideRow> rows_;
-    std::uint64_t rowsOf_ = ~0ull;  // revision of the scene
+    std::uint64_t rowsOf_ = ~0ull;  // revision of the scene for which `rows_` was computed
     ObjectId instance_;
 };
 

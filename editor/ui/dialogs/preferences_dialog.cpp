@@ -12,13 +12,14 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kWidth = 700.0f;  // px at scale 1
+// Sizes in px at scale 1.
+constexpr float kWidth = 700.0f;
 constexpr float kHeight = 500.0f;
-constexpr float kSide = 130.0f;
-constexpr float kLabels = 150.0f;
-constexpr float kSliders = 220.0f;
+constexpr float kSide = 130.0f;     // width of the list of pages
+constexpr float kLabels = 150.0f;   // width of the labels
+constexpr float kSliders = 220.0f;  // width of the sliders
 
-/// The name of what follows, in a column of its own.
+/// Draws the label of the next widget in a separate column.
 void label(const Ui& ui, const char* text) {
     const float start = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
@@ -32,7 +33,7 @@ void choice(Ui& ui, const char* label, const std::string& path, bool chosen,
     ui.widgets.mark(path, chosen ? "on" : "off");
 }
 
-/// A slider whose value counts when it is let go: what it changes would move it under the mouse.
+/// A slider whose value is applied only on release, because applying it resizes the slider under the mouse.
 bool slider(Ui& ui, const char* id, const std::string& path, float& held, float now, float from, float to,
             const char* shown) {
     if (held == 0.0f) held = now;
@@ -68,7 +69,7 @@ void PreferencesDialog::draw(Ui& ui) {
     ImGui::EndChild();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", (configFolder() / "settings.json").string().c_str());
-    tooltip("Where all this is kept");
+    tooltip("The file that stores the preferences");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ui.px(100.0f));
     if (ImGui::Button("Close", {ui.px(100.0f), 0.0f})) ImGui::CloseCurrentPopup();
     ui.widgets.mark("Preferences/Close");
@@ -112,7 +113,7 @@ void PreferencesDialog::drawLook(Ui& ui) {
         settings.scale = std::round(scale_ / 5.0f) * 0.05f;
         scale_ = 0.0f;
     }
-    tooltip("The size of everything. It counts when you let go.");
+    tooltip("Scale of the user interface. Applied when you release the slider.");
     for (const int percent : {100, 150, 200}) {
         ImGui::SameLine();
         const std::string name = format("{} %", percent);
@@ -125,25 +126,26 @@ void PreferencesDialog::drawLook(Ui& ui) {
         settings.textSize = std::round(textSize_);
         textSize_ = 0.0f;
     }
-    tooltip("The size of letters at 100 %. It counts when you let go.");
+    tooltip("Text size at 100 %. Applied when you release the slider.");
 }
 
 void PreferencesDialog::drawEditing(Ui& ui) {
     Workspace& workspace = ui.workspace;
     bool& erases = workspace.tiles.rightErases;
     label(ui, "Right button");
-    choice(ui, "takes tiles from the layer", "Preferences/right/takes", !erases, [&] { erases = false; });
+    choice(ui, "picks tiles from the layer", "Preferences/right/takes", !erases, [&] { erases = false; });
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kLabels));
     choice(ui, "erases tiles", "Preferences/right/erases", erases, [&] { erases = true; });
     ImGui::Spacing();
     label(ui, "At the start");
-    ImGui::Checkbox("the welcome screen, unless a project is named", &workspace.settings.welcome);
+    ImGui::Checkbox("show the welcome screen", &workspace.settings.welcome);
     ui.widgets.mark("Preferences/welcome", workspace.settings.welcome ? "on" : "off");
-    tooltip("Else the project that was open last");
+    tooltip(
+        "If off, the editor opens the last project. A project given on the command line is always opened.");
     ImGui::Spacing();
     label(ui, "Recent projects");
     ImGui::BeginDisabled(workspace.settings.recent.empty());
-    if (ImGui::Button("Forget them")) workspace.settings.recent.clear();
+    if (ImGui::Button("Clear list")) workspace.settings.recent.clear();
     ImGui::EndDisabled();
     ui.widgets.mark("Preferences/forget", format("{}", workspace.settings.recent.size()));
 }

@@ -4,12 +4,13 @@
 
 namespace plumb::editor::ui {
 
-/// What a person chooses for all projects: the look, the keys, how the hands work.
+/// The dialog for the user's settings for all projects: appearance, keyboard shortcuts and editing.
 class PreferencesDialog {
 public:
     void open() { open_ = true; }
     void draw(Ui& ui);
-    /// @return whether it took the event for itself
+    /// Handles an event while new keys are awaited. @return true if the event was used and must have no other
+    /// effect
     bool take(KeyBindings& keys, const Event& event) { return keysPage_.take(keys, event); }
 
 private:
@@ -22,8 +23,8 @@ private:
     Page page_ = Page::Look;
     KeysPage keysPage_;
     bool open_ = false;
-    float scale_ = 0.0f;     ///< in the hand, percent; taken over when the slider is let go
-    float textSize_ = 0.0f;  ///< the same, px
+    float scale_ = 0.0f;     ///< %: value of the scale slider during a drag; otherwise 0
+    float textSize_ = 0.0f;  ///< px: value of the text size slider during a drag; otherwise 0
 };
 
 }  // namespace plumb::editor::ui

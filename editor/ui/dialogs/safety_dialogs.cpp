@@ -13,15 +13,16 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr const char* kRecovery = "Work that was not saved";
+constexpr const char* kRecovery = "Recover unsaved changes";
 constexpr const char* kChanged = "Changed by another program";
 constexpr const char* kBackups = "Backups of this scene";
 constexpr const char* kNotSaved = "Not saved";
 
-constexpr const char* kAsksAgain = "What was not saved is kept; the next start of the editor asks again";
-constexpr float kLostName = 200.0f;     // px at scale 1: room for the name of a scene
-constexpr float kLostButtons = 400.0f;  // px at scale 1: there the buttons of a row begin
-constexpr float kListHeight = 190.0f;   // px at scale 1, of differences
+constexpr const char* kAsksAgain =
+    "The unsaved changes are kept; the editor asks again when the project is next opened";
+constexpr float kLostName = 200.0f;     // px at scale 1: width of the name of a scene
+constexpr float kLostButtons = 400.0f;  // px at scale 1: x of the buttons of a row
+constexpr float kListHeight = 190.0f;   // px at scale 1: height of the list of differences
 
 }  // namespace
 
@@ -51,7 +52,8 @@ void SafetyDialogs::ask(Ui& ui) {
     if (open_ != Question::None && !ImGui::IsPopupOpen(title(open_))) {
         const Question closed = std::exchange(open_, Question::None);
         differences_.clear();
-        // Displaced by another dialog it comes back after that; closed by Esc it waits.
+        // If another dialog replaced the question, it is shown again afterwards; closed with Esc, it is
+        // postponed.
         if (!anyPopupOpen()) {
             if (closed == Question::Recovery) {
                 later_ = true;
@@ -60,7 +62,7 @@ void SafetyDialogs::ask(Ui& ui) {
             if (closed == Question::Changed) {
                 waits_ = true;
                 ui.workspace.notice =
-                    format("{} was changed by another program; saving asks which one to keep",
+                    format("{} was changed by another program; saving asks which version to keep",
                            ui.workspace.document.scenePath);
             }
         }
@@ -91,10 +93,10 @@ void SafetyDialogs::drawBackups(Ui& ui) {
     if (!beginDialog(ui, kBackups, {440.0f, 360.0f})) return;
     if (backups_.empty()) {
         ImGui::TextWrapped(
-            "There are none yet. Each save keeps the file as it was before, the last %d of them.",
+            "This scene has no backups. Each save backs up the previous file; the last %d backups are kept.",
             static_cast<int>(Backups::kCopies));
     } else {
-        ImGui::TextDisabled("Opens as it was then, not saved. What you have now becomes a backup too.");
+        ImGui::TextDisabled("Opens a version; unsaved changes are backed up first.");
     }
     beginChild("backups", {0.0f, -ui.px(40.0f)}, false);
     for (std::size_t i = 0; i < backups_.size(); ++i) {
@@ -114,11 +116,12 @@ void SafetyDialogs::drawBackups(Ui& ui) {
     ImGui::EndPopup();
 }
 
-/// One scene that was lost. @return whether it is in the list no more
+/// Draws the row of one unsaved scene. @return true if it was recovered or discarded, which removes it from
+/// the list
 bool SafetyDialogs::drawLost(Ui& ui, std::size_t index) {
     SafetyNet& safety = ui.workspace.safety;
     const LostWork& work = safety.lost()[index];
-    // Of two of one scene the later one is probably wanted.
+    // The list is sorted newest first; further versions of the same scene are marked as older.
     const bool older =
         std::any_of(safety.lost().begin(), safety.lost().begin() + static_cast<std::ptrdiff_t>(index),
                     [&](const LostWork& other) { return other.scene == work.scene; });
@@ -132,17 +135,17 @@ bool SafetyDialogs::drawLost(Ui& ui, std::size_t index) {
     ImGui::TextDisabled("%s", when.c_str());
     ui.widgets.mark(name + "/when", when);
     ImGui::SameLine(ui.px(kLostButtons));
-    if (footButton(ui, "Look at both", 104.0f, name + "/look")) {
+    if (footButton(ui, "Compare", 104.0f, name + "/look")) {
         const Result<std::string> file = readFile(ui.workspace.project.root / work.scene);
         compare(file ? *file : std::string{}, work.text);
     }
-    tooltip("Lists what differs from the file.");
+    tooltip("Lists the differences from the saved file");
     ImGui::SameLine();
     const bool recover = footButton(ui, "Recover", 84.0f, name + "/recover", palette::kAccentSoft);
-    tooltip("Opens it as it was, not saved; the file stays until you save.");
+    tooltip("Opens this version unsaved; the file is not changed until you save");
     ImGui::SameLine();
     const bool discard = footButton(ui, "Discard", 84.0f, name + "/discard");
-    tooltip("Goes to the backups of the scene.");
+    tooltip("Moves this version to the backups of the scene");
     ImGui::PopID();
     if (!recover && !discard) return false;
     if (discard) safety.discard(index);
@@ -160,7 +163,7 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     const float list = differences_.empty() ? 0.0f : kListHeight;
     if (!beginDialog(ui, kRecovery, {kLostButtons + 320.0f, 150.0f + 34.0f * rows + list})) return;
     ImGui::TextWrapped(
-        "The editor ended without saving. The files are as you saved them last; this is newer:");
+        "The editor ended without saving. These scenes have changes that are newer than the saved files:");
     ImGui::Spacing();
     beginChild("lost", {0.0f, -ui.px(40.0f + list)}, false);
     for (std::size_t i = 0; i < safety.lost().size(); ++i) {
@@ -172,7 +175,7 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
         later_ = true;
         ui.workspace.notice = kAsksAgain;
     }
-    tooltip("Asks again when the project is opened the next time.");
+    tooltip("Asks again when the project is next opened");
     if (later_ || safety.lost().empty()) {
         differences_.clear();
         open_ = Question::None;
@@ -181,14 +184,14 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     ImGui::EndPopup();
 }
 
-/// A save that failed for a reason of the disk: seen where one looks, not only at the edge of the window.
+/// Shows a dialog after a save failed because of the disk; a notice in the status bar could be missed.
 void SafetyDialogs::drawNotSaved(Ui& ui) {
     Workspace& workspace = ui.workspace;
     std::string& problem = problemsOf(workspace).save;
     const bool asked = !problem.empty();
     if (notSaved_.ask(asked)) problem.clear();
     if (!beginDialog(ui, kNotSaved, {460.0f, 180.0f})) return;
-    ImGui::TextWrapped("The scene was not saved; the file is as it was.");
+    ImGui::TextWrapped("The scene could not be saved; the file is unchanged.");
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
     ImGui::TextWrapped("%s", problem.c_str());
@@ -208,13 +211,13 @@ void SafetyDialogs::drawChanged(Ui& ui) {
     Workspace& workspace = ui.workspace;
     if (open_ != Question::Changed) return;
     if (!beginDialog(ui, kChanged, {580.0f, 170.0f + (differences_.empty() ? 0.0f : kListHeight)})) return;
-    ImGui::TextWrapped("%s was changed on the disk since you opened or saved it.",
+    ImGui::TextWrapped("Another program changed %s since you opened or saved it.",
                        workspace.document.scenePath.c_str());
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
     ImGui::TextWrapped(
-        "%s Whichever you choose, the other one stays among the backups.",
-        workspace.unsaved() ? "You have changes too that are not saved." : "You have changed nothing since.");
+        "%s Whichever version you choose, the other one is added to the backups.",
+        workspace.unsaved() ? "You have unsaved changes, too." : "You have no unsaved changes.");
     ImGui::PopStyleColor();
     drawDifferences(ui, "Changed/differences");
     dialogFoot(ui);
@@ -222,20 +225,21 @@ void SafetyDialogs::drawChanged(Ui& ui) {
     ImGui::SameLine();
     const bool mine = footButton(ui, "Keep mine", 130.0f, "Changed/mine");
     ImGui::SameLine();
-    bool beside = footButton(ui, "Save mine beside", 130.0f, "Changed/beside");
-    tooltip("Yours becomes a scene of its own; here is theirs.");
+    bool beside = footButton(ui, "Save mine as copy", 130.0f, "Changed/beside");
+    tooltip("Saves your version as a new scene, and opens the other version");
     ImGui::SameLine();
     if (footButton(ui, "Compare", 130.0f, "Changed/compare")) {
         const Result<std::string> file = readFile(workspace.project.root / workspace.document.scenePath);
         compare(workspace.text(), file ? *file : std::string{});
     }
-    tooltip("Lists what theirs has that yours has not.");
+    tooltip("Lists the differences of the other version from yours");
     if (beside) {
         const Result<Path> file = saveBeside(workspace);
         if (file) workspace.safety.takeTheirs();
         beside = file.ok();
         workspace.notice =
-            file ? format("Yours is in {}; this is theirs", file->filename().string()) : file.error().text();
+            file ? format("Saved your version as {}; the other one is open", file->filename().string())
+                 : file.error().text();
     }
     if (theirs) workspace.safety.takeTheirs();
     if (mine) workspace.safety.keepMine();

@@ -8,18 +8,19 @@
 
 namespace plumb::editor::ui {
 
-/// Questions about work that might be lost: after a crash, and when another program changed the open file;
-/// and the list of what the scene was before.
+/// The dialogs that prevent the loss of work: recovery after a crash, a file changed by another program, a
+/// failed save, and the list of backups.
 class SafetyDialogs {
 public:
     void draw(Ui& ui);
+    /// Opens the list of backups of the open scene.
     void chooseBackup(Ui& ui);
 
 private:
-    /// What a person is asked; one question at a time.
+    /// The question that is shown; only one at a time.
     enum class Question : unsigned char { None, Recovery, Changed };
 
-    /// Opens the next question when no other dialog is open, and notices when one was closed unanswered.
+    /// Opens the next question if no other dialog is open, and postpones one that was closed unanswered.
     void ask(Ui& ui);
     [[nodiscard]] Question nextQuestion(Ui& ui) const;
     void drawRecovery(Ui& ui);
@@ -28,17 +29,18 @@ private:
     void drawNotSaved(Ui& ui);
     void drawBackups(Ui& ui);
 
-    /// What differs between two texts of a scene, in a list that stays until the question is answered.
+    /// Computes the differences between two texts of a scene, which are listed until the question is
+    /// answered.
     void compare(std::string_view file, std::string_view other);
     void drawDifferences(Ui& ui, const char* path) const;
 
     std::vector<Backup> backups_;
-    std::vector<std::string> differences_;  ///< empty until they were asked for
+    std::vector<std::string> differences_;  ///< lines of the comparison; empty until the user requests it
     LastingQuestion notSaved_{"Not saved"};
-    Question open_ = Question::None;  ///< on the screen
-    bool later_ = false;    ///< the recovery is asked for again when the project is opened the next time
-    bool waits_ = false;    ///< which file to keep is asked again when the scene is saved
-    bool refused_ = false;  ///< the scene could not be saved: the question comes also while a game plays
+    Question open_ = Question::None;  ///< the shown question
+    bool later_ = false;              ///< the recovery is postponed until the project is next opened
+    bool waits_ = false;              ///< the question which version to keep is postponed until the next save
+    bool refused_ = false;            ///< a save was refused, so the question is shown even while a game runs
 };
 
 }  // namespace plumb::editor::ui

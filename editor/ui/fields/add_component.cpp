@@ -13,7 +13,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// What fits of a text, and dots where it is cut between two words.
+/// Cuts a text between two words to fit into a width, and appends "...".
 std::string fittedWords(std::string_view text, float width) {
     const auto wide = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
     std::string words{text};
@@ -24,7 +24,10 @@ std::string fittedWords(std::string_view text, float width) {
     return words;
 }
 
-/// The name, and below it what it is for, as far as there is room.
+/// Draws a component type with its name, and its description below as far as there is room.
+/// @param have  number of selected entities that have the component
+/// @param of    number of selected entities
+/// @return true if the row was clicked
 bool componentRow(const Ui& ui, const TypeInfo& type, std::size_t have, std::size_t of) {
     const float line = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -69,16 +72,17 @@ void AddComponent::draw(Ui& ui, const std::vector<ObjectId>& ids, std::span<cons
     ImGui::EndPopup();
 }
 
-/// @param first  the first one is taken
+/// @param first  true: adds the first component of the list
 void AddComponent::drawList(Ui& ui, const std::vector<ObjectId>& ids, std::span<const ComponentHolders> held,
                             bool first) {
     const TypeInfo* chosen = nullptr;
     bool any = false;
-    // What is called so comes before what is only described so.
+    // Matches of the name are listed before matches of the description.
     for (const bool byName : {true, false}) {
         for (const TypeInfo& type : ui.workspace.document.types().all()) {
             const bool named = containsWord(type.name, search_);
-            if (hasOwnPlace(type) || named != byName || (!named && !containsWord(type.doc, search_)))
+            if (isHiddenInComponentLists(type) || named != byName ||
+                (!named && !containsWord(type.doc, search_)))
                 continue;
             const auto known = std::find_if(held.begin(), held.end(),
                                             [&](const ComponentHolders& one) { return one.type == &type; });
@@ -91,7 +95,7 @@ void AddComponent::drawList(Ui& ui, const std::vector<ObjectId>& ids, std::span<
             any = true;
         }
     }
-    if (!any) ImGui::TextDisabled("No component is called so.");
+    if (!any) ImGui::TextDisabled("No component matches the search.");
     if (chosen == nullptr) return;
     ui.workspace.undo.endGesture();
     ui.workspace.undo.push(addComponent(ui.workspace.document, ids, *chosen));

@@ -8,10 +8,10 @@
 
 namespace plumb::editor::ui {
 
-/// A button with a list of all components, to be searched by name and by what they are for.
+/// A button that opens a list of all component types, searchable by name and description.
 class AddComponent {
 public:
-    /// @param held  what the entities have; what all of them have is not offered
+    /// @param held  components of the entities; those that all entities have are not listed
     void draw(Ui& ui, const std::vector<ObjectId>& ids, std::span<const ComponentHolders> held);
 
 private:

@@ -26,9 +26,9 @@ std::string layerName(const Workspace& workspace, unsigned layer) {
     return layer < names.size() && !names[layer].empty() ? names[layer] : format("layer {}", layer + 1);
 }
 
-/// "all", "none", "player, enemies", "5 layers".
+/// Returns a text for a set of layers: "all", "none", "player, enemies" or "5 layers".
 std::string layersText(const FieldRow& row, std::uint32_t bits) {
-    constexpr int kNamed = 2;  // more are counted
+    constexpr int kNamed = 2;  // maximum number of layers shown by name
     if (row.mixed()) return kMixed;
     if (bits == ~0u) return "all";
     if (bits == 0) return "none";
@@ -51,9 +51,10 @@ void setBits(const FieldRow& row, std::uint32_t mask, bool on) {
     });
 }
 
-constexpr int kMostCells = 4096;  // along one side, so that a slip of the finger costs no gigabyte
+constexpr int kMostCells = 4096;  // maximum cells along one side, to limit the memory after a typing error
 
-/// One side of a grid; counts when it is left, by Enter, Tab or the mouse. Esc leaves it as it was.
+/// Edits the width or height of a grid. The value is applied when the field loses the focus (Enter, Tab,
+/// mouse); Esc restores it. @return true if `cells` was changed
 bool editSide(const FieldRow& row, const char* letter, int& cells, float width, const std::string& path) {
     const Ui& ui = row.ui;
     ImGui::PushID(letter);
@@ -63,13 +64,14 @@ bool editSide(const FieldRow& row, const char* letter, int& cells, float width, 
     ImGui::SetNextItemWidth(width - ui.px(14.0f));
     int typed = cells;
     ImGui::InputInt("##side", &typed, 0, 0);
-    // What was typed last: the widget has forgotten it in the frame in which it is left.
+    // The last typed value is stored, because ImGui resets it in the frame in which the field loses the
+    // focus.
     int* last = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("typed"), cells);
     const bool left = ImGui::IsItemDeactivatedAfterEdit() && !pressed(Key::Escape);
     if (left) typed = *last;
     *last = ImGui::IsItemActive() ? typed : cells;
     row.ui.widgets.mark(path, format("{}", cells));
-    tooltip("Cells. Makes the layer larger or cuts it off, at its right and lower edges.");
+    tooltip("Size in cells. The layer grows or is cut at its right and lower edges.");
     ImGui::PopID();
     if (!left || typed == cells) return false;
     cells = std::clamp(typed, 1, kMostCells);
@@ -90,7 +92,7 @@ void chooseBool(const FieldRow& row) {
     const bool changed = checkbox("##on", on, row.mixed());
     row.ui.widgets.mark(row.path, row.mixed() ? kMixed : row.value<bool>() ? "true" : "false");
     if (!changed) return;
-    if (row.mixed()) on = true;  // the first click makes all of them agree
+    if (row.mixed()) on = true;  // the first click on different values turns all of them on
     row.set(FieldValue::of(on));
 }
 
@@ -156,7 +158,8 @@ void chooseTiles(const FieldRow& row) {
     ImGui::SameLine(0.0f, ui.px(4.0f));
     const bool higher = editSide(row, "h", height, half, row.path + ".height");
     if ((!wider && !higher) || !ui.workspace.canEdit()) return;
-    // Each keeps its own tiles and its other side. The old grid stays in the store: undo only names it again.
+    // Each layer keeps its tiles and its other side length. The old grid stays in the store, so that undo
+    // only restores its id.
     row.change([&](FieldValue& value, std::size_t) {
         TilesId id;
         std::memcpy(&id, value.bytes.data(), sizeof id);
@@ -186,7 +189,7 @@ void chooseColor(const FieldRow& row) {
                                 ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoOptions);
     row.ui.widgets.mark(row.path + "/picker");
     if (changed) {
-        // Only the channels that were moved; a drag in the picker is one step.
+        // Changes only the edited channels, as the entities may differ in others. A drag is one undo step.
         editFields(row.ui.workspace, row.target, [&](FieldValue& value, std::size_t) {
             for (std::size_t i = 0; i < parts.size(); ++i) {
                 if (byteOf(picked[i]) != byteOf(parts[i])) value.bytes[i] = byteOf(picked[i]);
@@ -200,25 +203,25 @@ void chooseLength(const FieldRow& row, std::uint32_t count) {
     const FieldInfo& field = row.target.field;
     const auto resize = [&](std::uint32_t length) {
         row.change([&](FieldValue& value, std::size_t) {
-            // A new entry is as the one before it; places that are not used stay empty.
+            // A new entry is a copy of the last one; bytes of removed entries are zeroed.
             const std::size_t at = std::min(count, length) * field.elementSize;
             if (length < count) std::fill_n(&value.bytes[at], field.elementSize, std::byte{});
             if (length > count && count > 0)
                 std::copy_n(&value.bytes[at - field.elementSize], field.elementSize, &value.bytes[at]);
-            *field.listCount(value.bytes.data()) = length;
+            field.countOf(value.bytes.data()) = length;
         });
     };
     ImGui::BeginDisabled(count >= field.capacity);
     if (ImGui::SmallButton("+")) resize(count + 1);
     ImGui::EndDisabled();
     row.ui.widgets.mark(row.path + "/more");
-    tooltip("One more");
+    tooltip("Add an entry");
     ImGui::SameLine(0.0f, row.ui.px(4.0f));
     ImGui::BeginDisabled(count == 0);
     if (ImGui::SmallButton("-")) resize(count - 1);
     ImGui::EndDisabled();
     row.ui.widgets.mark(row.path + "/less");
-    tooltip("One less");
+    tooltip("Remove the last entry");
     ImGui::SameLine();
     ImGui::TextDisabled("%u of %u", count, static_cast<unsigned>(field.capacity));
 }

@@ -4,17 +4,17 @@
 
 namespace plumb::editor::ui {
 
-// Fields whose values are chosen, not typed: one function for each kind.
+// Widgets for fields whose values are selected instead of typed, one function for each kind.
 
 void chooseBool(const FieldRow& row);
 void chooseEnum(const FieldRow& row);
-/// The layers of collisions, by the names that the project gives them.
+/// Edits a set of collision layers, by their names in the project.
 void chooseLayers(const FieldRow& row);
-/// The size of a grid of tiles; the tiles themselves are painted in the scene.
+/// Edits the size of a tile grid; the tiles are painted in the scene view.
 void chooseTiles(const FieldRow& row);
-/// The color, which opens a picker. Each channel of all of them changes by itself.
+/// Draws a color that opens a picker. Only the edited channels change; entities may differ in the others.
 void chooseColor(const FieldRow& row);
-/// One entry more, or one less, at the end of a list.
+/// Draws the buttons that add or remove the last entry of a list. @param count  present number of entries
 void chooseLength(const FieldRow& row, std::uint32_t count);
 
 }  // namespace plumb::editor::ui

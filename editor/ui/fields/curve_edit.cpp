@@ -12,12 +12,12 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr int kSegments = 64;     // of the line that is drawn
-constexpr float kWidth = 340.0f;  // px of the opened curve
-constexpr float kGrab = 8.0f;     // px around a key
+constexpr int kSegments = 64;     // number of segments of the drawn polyline
+constexpr float kWidth = 340.0f;  // px at scale 1: width of the popup's canvas
+constexpr float kGrab = 8.0f;     // px at scale 1: hit distance of a key
 constexpr std::size_t kNoKey = Curve::kKeys;
 
-/// A curve that a click gives; values from 0 to 1.
+/// A predefined curve with values from 0 to 1.
 struct Preset {
     const char* name;
     Curve curve;
@@ -31,12 +31,12 @@ const std::array kPresets{
            {{CurveKey{0.0f, 0.0f}, CurveKey{0.25f, 0.1f}, CurveKey{0.75f, 0.9f}, CurveKey{1.0f, 1.0f}}, 4}},
 };
 
-/// Where a curve is on the screen.
+/// The area on screen in which a curve is drawn, and its range of values.
 struct Canvas {
     ImVec2 from;
     ImVec2 to;
     float bottom = 0.0f;  ///< value at the lower edge
-    float top = 1.0f;
+    float top = 1.0f;     ///< value at the upper edge
 
     [[nodiscard]] ImVec2 at(CurveKey key) const {
         const float part = (key.value - bottom) / (top - bottom);
@@ -49,7 +49,8 @@ struct Canvas {
     }
 };
 
-/// The smallest round value that no key is above, within what the field may be.
+/// Returns the value at the upper edge: the smallest round number not below any key, limited to the field's
+/// maximum.
 float topOf(const FieldInfo& field, const Curve& curve) {
     float highest = 0.0f;
     for (std::size_t i = 0; i < curve.size(); ++i) highest = std::max(highest, curve.keys[i].value);
@@ -136,8 +137,8 @@ void CurveEdit::draw(const FieldRow& row) {
         list.AddText({(from.x + to.x - dash.x) * 0.5f, (from.y + to.y - dash.y) * 0.5f}, palette::kText,
                      kMixed);
     }
-    tooltip(row.mixed() ? "They differ: what you change here goes to all of them."
-                        : "Click to change its keys.");
+    tooltip(row.mixed() ? "The entities have different curves. A change here applies to all of them."
+                        : "Click to edit the curve");
     if (clicked) ImGui::OpenPopup("curve");
     if (!ImGui::BeginPopup("curve")) return;
     drawPopup(row, curve);
@@ -154,7 +155,7 @@ void CurveEdit::drawPopup(const FieldRow& row, const Curve& curve) {
     bool smooth = curve.shape == CurveShape::Smooth;
     const bool changed = checkbox("Smooth", smooth, false);
     ui.widgets.mark(row.path + "/Smooth", smooth ? "true" : "false");
-    tooltip("Round between the keys, never beyond them; off is straight.");
+    tooltip("On: smooth between the keys, without overshoot. Off: straight lines.");
     drawCanvas(row, curve);
     drawButtons(row);
     if (!changed) return;
@@ -211,7 +212,7 @@ void CurveEdit::drawCanvas(const FieldRow& row, const Curve& curve) {
         CurveKey key = canvas.keyAt(mouse);
         key.value = std::clamp(key.value, row.target.field.min, row.target.field.max);
         if (more.insert(key) != kNoKey) return row.set(FieldValue::of(more));
-        ui.workspace.notice = format("A curve has {} keys at most", Curve::kKeys);
+        ui.workspace.notice = format("A curve can have at most {} keys", Curve::kKeys);
         return;
     }
     if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && under != kNoKey) {
@@ -261,7 +262,7 @@ void CurveEdit::drawButtons(const FieldRow& row) {
         }
         ui.widgets.mark(format("{}/{}", row.path, preset.name));
     }
-    ImGui::TextDisabled("Drag keys. Double click: one more. Right click: one less.");
+    ImGui::TextDisabled("Drag keys. Double-click adds a key, right-click removes it.");
 }
 
 void CurveEdit::endFrame(Ui& ui) {

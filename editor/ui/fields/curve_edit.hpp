@@ -8,31 +8,31 @@
 
 namespace plumb::editor::ui {
 
-/// A field that is a curve: a small picture, and where a click opens it, its keys. What is changed is the
-/// curve of the one selected last, and it goes to all.
+/// The widget of a curve field: a small plot; a click opens a popup to edit the keys. It edits the curve of
+/// the last selected entity, and writes it to all selected ones.
 class CurveEdit {
 public:
     void draw(const FieldRow& row);
-    /// After all fields were drawn: ends what vanished in the middle of a drag.
+    /// Must be called after all fields were drawn; ends a drag whose widget has disappeared.
     void endFrame(Ui& ui);
 
 private:
     void drawPopup(const FieldRow& row, const Curve& curve);
     void drawCanvas(const FieldRow& row, const Curve& curve);
     static void drawButtons(const FieldRow& row);
-    /// The key in hand follows the mouse.
+    /// Moves the dragged key to `to`, or ends the drag.
     void drag(const FieldRow& row, const Curve& curve, CurveKey to);
 
-    std::string path_;           // of the curve whose key is dragged; empty for none
-    std::vector<ObjectId> ids_;  // whose it is: by the time it is let go others may be selected
-    std::size_t key_ = 0;        // the one that is dragged
-    Curve start_;                // as it was when the drag began
-    CurveKey grab_;              // from the mouse to the key then
-    float top_ = 1.0f;           // value at the upper edge while dragging
-    bool drawn_ = false;         // the drag's widget is still there
+    std::string path_;           // widget path of the curve whose key is dragged; empty: none
+    std::vector<ObjectId> ids_;  // entities to change; the selection may change before the release
+    std::size_t key_ = 0;        // index of the dragged key
+    Curve start_;                // the curve at the start of the drag
+    CurveKey grab_;              // offset from the mouse to the key at the start of the drag
+    float top_ = 1.0f;           // value at the upper edge during the drag
+    bool drawn_ = false;         // the dragged widget was drawn in this frame
 };
 
-/// What a curve is in words, for people and tests: "smooth 0:1 0.5:0.8 1:0".
+/// Returns a curve as text: its shape and its keys as position:value, e.g. "smooth 0:1 0.5:0.8 1:0".
 std::string curveText(const Curve& curve);
 
 }  // namespace plumb::editor::ui

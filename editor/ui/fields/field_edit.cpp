@@ -13,14 +13,14 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kGap = 4.0f;  // px between what stands side by side
+constexpr float kGap = 4.0f;  // px at scale 1: between widgets side by side
 
-/// How tests call the number behind a letter.
+/// Returns the last part of the widget path of a number with this letter.
 std::string nameOf(char letter) {
     return letter == 'w' ? "width" : letter == 'h' ? "height" : std::string(1, letter);
 }
 
-/// A field with a text in it that waits for a click. @return whether it came
+/// Draws a text that looks like an input field. @param lines  multi-line @return true if it was clicked
 bool wordButton(const Ui& ui, const std::string& text, float width, bool lines, bool dim) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float height = lines ? ImGui::GetTextLineHeight() * 4.5f : ImGui::GetFrameHeight();
@@ -42,7 +42,7 @@ bool wordButton(const Ui& ui, const std::string& text, float width, bool lines, 
 
 }  // namespace
 
-/// Several numbers, at most two beside each other, each with its letter.
+/// Draws several numbers, each with its letter, two in a row.
 void FieldEdit::drawNumbers(const FieldRow& row, const char* letters, std::size_t from) {
     const auto count = static_cast<int>(std::strlen(letters));
     const float spacing = row.ui.px(kGap);
@@ -67,11 +67,11 @@ void FieldEdit::drawNumbers(const FieldRow& row, const char* letters, std::size_
 void FieldEdit::drawList(const FieldRow& row) {
     const FieldInfo& field = row.target.field;
     std::vector<std::byte> list = row.shared.value.bytes;
-    const std::uint32_t count = *field.listCount(list.data());
+    const std::uint32_t count = field.countOf(list.data());
     if (!hasNumbers(field) || row.shared.mixed.lengths()) {
         ImGui::AlignTextToFramePadding();
         if (row.shared.mixed.lengths()) {
-            ImGui::TextDisabled("%s  of several lengths", kMixed);
+            ImGui::TextDisabled("%s  different lengths", kMixed);
         } else {
             ImGui::TextDisabled("%u of %u entries", count, static_cast<unsigned>(field.capacity));
         }
@@ -102,7 +102,7 @@ void FieldEdit::drawWord(const FieldRow& row, const std::string& path, const std
     const bool clicked = wordButton(row.ui, row.mixed() ? kMixed : text, width, lines, row.mixed());
     row.ui.widgets.mark(path, row.mixed() ? kMixed : text);
     if (!clicked && !reached) return;
-    // The ids are kept: by the time it is taken, others may be selected.
+    // The ids are stored, because other entities may be selected when the text is applied.
     const auto& [type, field, objects] = row.target;
     typing_.begin(
         row.ui, path,

@@ -8,21 +8,23 @@
 
 namespace plumb::editor::ui {
 
-/// The widgets of a panel's fields, by their kind, range and unit, and what of them is under the hands now.
+/// Draws the widgets of a panel's fields by their kind, range and unit, and stores the state of the active
+/// one.
 class FieldEdit {
 public:
-    /// Draws the widget of a field and lets it change all of the target; a dash stands where they differ.
+    /// Draws the widget of a field, which changes all entities of the target. Different values are shown as a
+    /// dash.
     void draw(const FieldRow& row);
-    /// After all were drawn.
+    /// Must be called after all fields were drawn.
     void endFrame(Ui& ui) { typing_.endFrame(ui), numbers_.endFrame(ui), curves_.endFrame(ui); }
 
 private:
-    /// @param at  bytes from the start of the value
+    /// @param at  offset of the first number from the start of the value, bytes
     void drawNumbers(const FieldRow& row, const char* letters, std::size_t at);
     void drawList(const FieldRow& row);
     void drawText(const FieldRow& row);
     void drawColor(const FieldRow& row);
-    /// A text that a click makes one to type over. @param take  makes a value of what was typed
+    /// Draws a text that a click turns into an input field. @param take  converts the typed text to a value
     void drawWord(const FieldRow& row, const std::string& path, const std::string& text,
                   Result<FieldValue> (*take)(Workspace& workspace, std::string_view text));
 

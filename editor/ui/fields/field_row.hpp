@@ -7,12 +7,12 @@
 
 namespace plumb::editor::ui {
 
-inline constexpr const char* kMixed = "\xe2\x80\x94";  ///< a dash: the values are not the same
+inline constexpr const char* kMixed = "\xe2\x80\x94";  ///< a dash, shown if the values differ
 
-/// One field in a panel: what it shows, and which entities it changes.
+/// One field in a panel: the shown value, and the entities that it changes.
 struct FieldRow {
     Ui& ui;
-    const std::string& path;  ///< how tests call it
+    const std::string& path;  ///< widget path, for tests
     const FieldTarget& target;
     const SharedField& shared;
 
@@ -23,12 +23,13 @@ struct FieldRow {
         std::memcpy(&value, shared.value.bytes.data(), sizeof(T));
         return value;
     }
-    /// Changes all of them, as a step of undo of its own.
+    /// Changes the field of all entities of the target, as a separate undo step.
     void change(const ChangeValue& how) const;
+    /// Sets the field of all entities of the target to a value, as a separate undo step.
     void set(const FieldValue& value) const;
 };
 
-/// "px", "deg/s", "s": what a number of the unit is shown in.
+/// Returns the symbol of the unit in which numbers are shown, e.g. "px", "deg/s" or "s".
 const char* shownUnit(Unit unit);
 
 }  // namespace plumb::editor::ui

@@ -12,9 +12,9 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr double kFinest = 0.01;  // of the step, with Alt
+constexpr double kFinest = 0.01;  // changes are rounded to this ratio of the drag step, the step with Alt
 
-/// Behind the number, where there is room for it.
+/// Draws the unit at the right end of the last item, if there is room beside the number.
 void drawUnit(const Ui& ui, const char* number, const char* unit) {
     if (*unit == '\0') return;
     const ImVec2 from = ImGui::GetItemRectMin();
@@ -26,7 +26,8 @@ void drawUnit(const Ui& ui, const char* number, const char* unit) {
     ImGui::GetWindowDrawList()->AddText({to.x - width, top}, palette::kTextDim, unit);
 }
 
-/// "= 52", or of each: "= 26, 42, 58, … of 5".
+/// Returns the results of a typed expression for display: "= 52", or for several entities "= 26, 42, 58, … of
+/// 5".
 Result<std::string> previewOf(const std::vector<double>& old, std::size_t count, std::string_view text) {
     std::string words = "=";
     for (std::size_t i = 0; i < old.size(); ++i) {
@@ -38,7 +39,7 @@ Result<std::string> previewOf(const std::vector<double>& old, std::size_t count,
 }
 
 Typing::Over overNumber(const FieldRow& row, std::size_t at) {
-    constexpr std::size_t kShown = 4;  // results, while typing
+    constexpr std::size_t kShown = 4;  // maximum number of results shown while typing
     const auto& [type, field, objects] = row.target;
     std::vector<double> old;
     for (const ObjectId id : objects.first(std::min(kShown, objects.size()))) {
@@ -48,7 +49,7 @@ Typing::Over overNumber(const FieldRow& row, std::size_t at) {
     const bool mixed = row.shared.mixed.any(at, numberSize(field));
     Typing::Over over;
     over.before = mixed ? std::string{} : shortestText(numberAt(field, row.shared.value, at));
-    // The ids are kept: by the time it is taken, others may be selected.
+    // The ids are stored, because other entities may be selected when the text is applied.
     over.take = [type = &type, info = &field, at,
                  ids = std::vector<ObjectId>(objects.begin(), objects.end())](Workspace& workspace,
                                                                               std::string_view text) {
@@ -96,7 +97,7 @@ void NumberEdit::drag(const FieldRow& row, const std::string& path, std::size_t 
     ImGui::PopStyleColor();
     drawUnit(ui, text.c_str(), shownUnit(field.unit));
     ui.widgets.mark(path, mixed ? std::string{kMixed} : shortestText(now));
-    // One number may end and another begin in one frame.
+    // The drag of one number may end and that of another start in the same frame.
     if (ImGui::IsItemDeactivated() && held) {
         path_.clear();
         ui.workspace.undo.endGesture();
@@ -122,13 +123,13 @@ void NumberEdit::drag(const FieldRow& row, const std::string& path, std::size_t 
     if (path_.empty()) ui.workspace.undo.endGesture();
 }
 
-/// All by as much as the one that is dragged.
+/// Changes the numbers of all entities by the same amount as the dragged one.
 void NumberEdit::change(const FieldRow& row, std::size_t at) {
     const auto& [type, field, objects] = row.target;
     const double grain = numberStep(field) * kFinest;
     const double by = std::round((dragged_ - start_) / grain) * grain;
-    const FieldInfo& info = field;  // a binding cannot be captured
-    std::size_t next = 0;           // those that lack the component have no start
+    const FieldInfo& info = field;  // a structured binding cannot be captured
+    std::size_t next = 0;           // index in `starts_`, which has only the entities with the component
     editFields(row.ui.workspace, {type, field, ids_}, [&](FieldValue& value, std::size_t) {
         const std::size_t i = next++;
         if (i < starts_.size()) setNumberAt(info, value, starts_[i] + by, at);
@@ -137,7 +138,7 @@ void NumberEdit::change(const FieldRow& row, std::size_t at) {
 
 void NumberEdit::endFrame(Ui& ui) {
     if (std::exchange(drawn_, false) || path_.empty()) return;
-    path_.clear();  // the widget vanished in the middle of a drag
+    path_.clear();  // the widget disappeared during a drag
     ui.workspace.undo.endGesture();
 }
 

@@ -8,18 +8,18 @@
 
 namespace plumb::editor::ui {
 
-/// Numbers that are dragged or typed over. One for a panel.
+/// Number widgets that are changed by dragging or typing. One object per panel.
 class NumberEdit {
 public:
     explicit NumberEdit(Typing& typing) : typing_{typing} {}
 
-    /// One number of a field. Dragging changes all of the target by as much; typing gives an expression to
-    /// each.
-    /// @param path   how tests call this number
-    /// @param at     bytes from the start of the value
-    /// @param width  px
+    /// Draws one number of a field. Dragging changes the numbers of all entities by the same amount; a typed
+    /// expression is evaluated for each entity.
+    /// @param path   widget path of this number, for tests
+    /// @param at     offset from the start of the value, bytes
+    /// @param width  px; negative: up to the right edge, as in ImGui
     void draw(const FieldRow& row, const std::string& path, std::size_t at, float width);
-    /// After all were drawn.
+    /// Must be called after all fields were drawn.
     void endFrame(Ui& ui);
 
 private:
@@ -27,12 +27,12 @@ private:
     void change(const FieldRow& row, std::size_t at);
 
     Typing& typing_;
-    std::string path_;            // what is dragged; empty: nothing
-    double dragged_ = 0.0;        // what ImGui drags, as shown
-    double start_ = 0.0;          // where it began
-    std::vector<ObjectId> ids_;   // what is changed
-    std::vector<double> starts_;  // of each of them that has the component
-    bool drawn_ = false;          // in this frame
+    std::string path_;            // widget path of the dragged number; empty: none
+    double dragged_ = 0.0;        // present value of the dragged number, in the shown unit
+    double start_ = 0.0;          // value of the dragged number at the start of the drag
+    std::vector<ObjectId> ids_;   // entities to change
+    std::vector<double> starts_;  // start values of the entities in `ids_` that have the component
+    bool drawn_ = false;          // the dragged number was drawn in this frame
 };
 
 }  // namespace plumb::editor::ui

@@ -16,9 +16,9 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kListWidth = 260.0f;  // px
+constexpr float kListWidth = 260.0f;  // px at scale 1
 constexpr float kListHeight = 300.0f;
-constexpr float kReach = 5.0f;  // px on screen around the aim
+constexpr float kReach = 5.0f;  // px on screen: hit distance of an entity under the dragged target
 
 bool choice(const Ui& ui, const std::string& path, const std::string& label, bool now) {
     const bool chosen = ImGui::Selectable((label + "##" + path).c_str(), now);
@@ -26,9 +26,9 @@ bool choice(const Ui& ui, const std::string& path, const std::string& label, boo
     return chosen;
 }
 
-/// A list below the last item with a place to search in.
-/// @param takesFirst  set when Enter chooses the first one that was found
-/// @return whether it is open; end it with EndPopup
+/// Begins a popup list with a search field below the last item.
+/// @param takesFirst  set to true if Enter selects the first match
+/// @return true if the popup is open; it must be ended with EndPopup
 bool beginList(const FieldRow& row, std::string& search, bool opens, bool& takesFirst) {
     const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y};
     if (opens) {
@@ -47,7 +47,7 @@ bool beginList(const FieldRow& row, std::string& search, bool opens, bool& takes
     return true;
 }
 
-/// The field that shows what is chosen and opens the list.
+/// Draws a button with the selected value that opens the list. @return true if it was clicked
 bool chosenButton(const FieldRow& row, const std::string& shown, float width, bool dim) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::PushStyleColor(ImGuiCol_Text, dim ? palette::kTextDim : palette::kText);
@@ -59,7 +59,7 @@ bool chosenButton(const FieldRow& row, const std::string& shown, float width, bo
     return clicked;
 }
 
-/// A square button with a sign of ours in it.
+/// Draws a square button with an icon after the last item.
 bool signButton(const FieldRow& row, const char* name, Icon icon) {
     const float side = ImGui::GetFrameHeight();
     ImGui::SameLine(0.0f, row.ui.px(3.0f));
@@ -87,7 +87,7 @@ void EntityPicker::draw(const FieldRow& row) {
     const std::string shown = row.mixed()         ? kMixed
                               : !id               ? "none"
                               : document.find(id) ? document.nameOf(id)
-                                                  : "gone";
+                                                  : "missing";
     const float buttons = (ImGui::GetFrameHeight() + row.ui.px(3.0f)) * 2.0f;
     const bool opens =
         chosenButton(row, shown, ImGui::GetContentRegionAvail().x - buttons, row.mixed() || !id);
@@ -142,7 +142,7 @@ void EntityPicker::drawList(const FieldRow& row, bool first) {
     ImGui::EndChild();
 }
 
-/// It is dragged onto the scene and let go over an entity.
+/// Draws a target icon; dragging it onto an entity in the scene view selects that entity as the value.
 void EntityPicker::drawAim(const FieldRow& row) {
     Ui& ui = row.ui;
     signButton(row, "aim", Icon::Pick);
@@ -170,7 +170,7 @@ void EntityPicker::drawGoTo(const FieldRow& row, ObjectId id) {
     const bool goes = signButton(row, "go", Icon::Watch);
     ImGui::EndDisabled();
     if (!there) return;
-    tooltip("Select it and show it");
+    tooltip("Select this entity and show it");
     if (!goes) return;
     workspace.document.selection.set({id});
     runAction(workspace, "view.frame");
@@ -185,7 +185,7 @@ void AssetPicker::draw(const FieldRow& row) {
     std::string path{workspace.shownWorld().texts().find(id)};
     if (path.empty()) path = workspace.assets.pathOf(kind, id);
     const std::string name = path.substr(path.rfind('/') + 1);
-    const std::string shown = row.mixed() ? kMixed : id.empty() ? "none" : name.empty() ? "gone" : name;
+    const std::string shown = row.mixed() ? kMixed : id.empty() ? "none" : name.empty() ? "missing" : name;
 
     const float side = ImGui::GetFrameHeight();
     const bool picture = !row.mixed() && !path.empty();
@@ -208,7 +208,7 @@ void AssetPicker::draw(const FieldRow& row) {
     }
     if (!dropped.empty() && assetKindOf(dropped) == kind) set(row, dropped);
     if (!dropped.empty() && assetKindOf(dropped) != kind)
-        workspace.notice = format("{} is no {}", dropped, nameOfKind(kind));
+        workspace.notice = format("{} is not a file of the kind \"{}\"", dropped, nameOfKind(kind));
     if (opens) {
         AssetCatalog catalog{workspace.project.root};
         catalog.refresh();
@@ -254,7 +254,7 @@ void AssetPicker::drawList(const FieldRow& row, std::string_view now, bool first
         list.AddText({left, top + line}, palette::kTextDim, folder.c_str());
     }
     if (!any)
-        ImGui::TextDisabled("The project has no such %s.",
+        ImGui::TextDisabled("No file of the kind \"%s\" matches.",
                             std::string{nameOfKind(row.target.field.asset)}.c_str());
     ImGui::EndChild();
 }

@@ -9,10 +9,10 @@
 
 namespace plumb::editor::ui {
 
-inline constexpr const char* kEntityPayload = "plumb.entity";  ///< what is dragged: the ObjectId
+inline constexpr const char* kEntityPayload = "plumb.entity";  ///< payload type; the data is an ObjectId
 
-/// Chooses an entity of the scene: from a list that is searched, by dragging one from the tree onto it, or by
-/// dragging its aim onto one in the scene. One for a panel.
+/// Widget that selects an entity of the scene: from a searchable list, by dropping one from the scene tree,
+/// or by dragging its target icon onto one in the scene view. One object per panel.
 class EntityPicker {
 public:
     void draw(const FieldRow& row);
@@ -26,8 +26,8 @@ private:
     std::vector<ObjectId> found_;
 };
 
-/// Chooses a file of one kind: from a list with pictures that is searched, or by dropping one from the
-/// assets.
+/// Widget that selects a file of one kind: from a searchable list with previews, or by dropping one from the
+/// Assets panel.
 class AssetPicker {
 public:
     void draw(const FieldRow& row);
@@ -37,7 +37,7 @@ private:
     static void set(const FieldRow& row, std::string_view path);
 
     std::string search_;
-    std::vector<AssetItem> files_;  // of the kind, since the list was opened
+    std::vector<AssetItem> files_;  // all files of the kind, read when the list was opened
 };
 
 }  // namespace plumb::editor::ui

@@ -9,9 +9,9 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr int kPatience = 5;  // frames until the keyboard must be there
+constexpr int kPatience = 5;  // maximum frames to wait for the keyboard focus
 
-/// Makes room for what is typed, and leaves Tab to us.
+/// ImGui callback that resizes the string, and filters Tab, which moves to the next value instead.
 int keepText(ImGuiInputTextCallbackData* data) {
     if (data->EventFlag == ImGuiInputTextFlags_CallbackCharFilter) return data->EventChar == '\t' ? 1 : 0;
     auto& text = *static_cast<std::string*>(data->UserData);
@@ -62,7 +62,7 @@ void Typing::draw(Ui& ui) {
     if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
     const bool refused = !problem_.empty();
     ImVec4 red = colorOf(palette::kError);
-    red.w = 0.3f;  // what was typed is read through it
+    red.w = 0.3f;  // translucent, so that the text stays readable
     if (refused) ImGui::PushStyleColor(ImGuiCol_FrameBg, red);
     const bool entered = input();
     if (refused) ImGui::PopStyleColor();
@@ -89,7 +89,7 @@ void Typing::say(Ui& ui, const Result<std::string>& text) const {
     const float wrap = ImGui::GetFontSize() * 20.0f;
     const float width =
         ImGui::CalcTextSize(words.c_str(), nullptr, false, wrap).x + ImGui::GetStyle().WindowPadding.x * 2.0f;
-    // Below the field, but not over the edge of the window.
+    // Below the field, but inside the window.
     const float right = ImGui::GetIO().DisplaySize.x - ui.px(4.0f);
     const ImVec2 at{std::max(std::min(ImGui::GetItemRectMin().x, right - width), 0.0f),
                     ImGui::GetItemRectMax().y + ui.px(3.0f)};
@@ -105,7 +105,7 @@ void Typing::say(Ui& ui, const Result<std::string>& text) const {
 }
 
 void Typing::finish(Ui& ui, bool stay) {
-    // The value may be drawn again, or another one begun, by what it does.
+    // `path_` is cleared first, as the call below may draw the value again or start typing at another one.
     const std::string path = std::exchange(path_, std::string{});
     if (text_ == over_.before) return;
     const auto take = over_.take;

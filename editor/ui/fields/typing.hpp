@@ -8,51 +8,52 @@
 
 namespace plumb::editor::ui {
 
-/// The text that a person types over one of the values of a panel. It belongs to the panel and not to the
-/// widget: a click on another entity while typing makes the widget vanish, and what was typed counts all the
-/// same.
+/// The text that the user types to replace a value of a panel. It belongs to the panel, not to the widget: if
+/// a click on another entity removes the widget while typing, the typed text is still applied.
 class Typing {
 public:
+    /// A value that is edited as text.
     struct Over {
-        std::string before;  ///< what stands there to be typed over
-        /// Takes what was typed. What it refuses leaves the value as it was.
+        std::string before;  ///< text of the value before typing
+        /// Applies the typed text. On error the value does not change.
         std::function<Result<Done>(Workspace& workspace, std::string_view text)> take;
-        /// What it would become, in a few words; none: nothing is said while typing.
+        /// Returns a short preview of the result, shown while typing; null: no preview.
         std::function<Result<std::string>(std::string_view text)> preview{};
-        bool lines = false;  ///< Enter makes a new line
+        bool lines = false;  ///< multi-line: Enter inserts a line break
     };
 
-    /// To be called for each value that can be typed over, in their order: Tab goes from one to the next.
-    /// @return whether typing shall begin there
+    /// Must be called for each value that can be typed, in the order in which Tab visits them.
+    /// @return true if typing starts at this value, because Tab moved to it
     bool reached(const std::string& path);
-    /// Makes a value a text, from the next frame on, and puts the hands on it.
-    /// What was typed elsewhere is taken before.
+    /// Replaces a value by an input field with the keyboard focus, from the next frame on. First applies the
+    /// text typed at another value.
     void begin(Ui& ui, const std::string& path, Over over);
+    /// True if this value is being typed.
     [[nodiscard]] bool on(std::string_view path) const { return !path_.empty() && path == path_; }
-    /// The text, in place of what shows the value. @pre on(path)
+    /// Draws the input field instead of the value. @pre on(path)
     void draw(Ui& ui);
-    /// After all were drawn: what was typed into a widget that has vanished is taken.
+    /// Must be called after all values were drawn; applies the text of an input field that has disappeared.
     void endFrame(Ui& ui);
 
 private:
     bool input();
     void say(Ui& ui, const Result<std::string>& text) const;
-    /// @param stay  a text that is refused stays, to be mended
+    /// Applies the typed text. @param stay  on error, keeps the input field open to correct the text
     void finish(Ui& ui, bool stay);
 
-    std::string path_;  // empty: nothing is typed
+    std::string path_;  // widget path of the typed value; empty: none
     std::string text_;
     Over over_;
-    std::string problem_;  // why Enter was refused
-    bool focus_ = false;   // the keyboard goes there in this frame
-    bool active_ = false;  // it has had the keyboard
-    bool drawn_ = false;   // in this frame
-    int waiting_ = 0;      // frames in which the keyboard did not come
+    std::string problem_;  // error of the last Enter
+    bool focus_ = false;   // the input field gets the keyboard focus in this frame
+    bool active_ = false;  // the input field has had the focus
+    bool drawn_ = false;   // the input field was drawn in this frame
+    int waiting_ = 0;      // frames in which the input field did not get the focus
 
-    std::string last_;    // the value that was reached last in this frame
-    std::string before_;  // and the one before it
-    std::string wanted_;  // where typing shall begin
-    bool wantNext_ = false;
+    std::string last_;       // path of the last value reached in this frame
+    std::string before_;     // path of the value reached before `last_`
+    std::string wanted_;     // path at which typing starts; empty: none
+    bool wantNext_ = false;  // typing starts at the next value reached
 };
 
 }  // namespace plumb::editor::ui

@@ -14,10 +14,10 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr std::size_t kMostNumbers = 12;  // of the worst bodies
-constexpr float kLine = 18.0f;            // px of the screen at scale 1, of the legend
-constexpr float kLetter = 6.6f;           // px of the screen at scale 1: about, of the text
-constexpr Color kPaper{0, 0, 0, 150};     // below words, on any scene
+constexpr std::size_t kMostNumbers = 12;  // maximum number of error labels
+constexpr float kLine = 18.0f;            // px on screen at scale 1, line height of the legend
+constexpr float kLetter = 6.6f;           // px on screen at scale 1, approximate width of a letter
+constexpr Color kPaper{0, 0, 0, 150};     // background of the legend
 constexpr Color kWords{255, 255, 255, 255};
 
 using Shades = std::span<const CostShade>;
@@ -28,7 +28,7 @@ std::size_t shadeOf(Shades shades, float value) {
     return shade;
 }
 
-/// px, world: what is seen of the scene; the picture of a game that plays has its own size.
+/// Visible part of the scene, world px; for a running game the rectangle of the game's resolution.
 AABB pictureBox(const Workspace& workspace) {
     const View& view = workspace.view.view();
     if (!workspace.play.running() || !workspace.followsGame) return visibleBox(view);
@@ -37,7 +37,8 @@ AABB pictureBox(const Workspace& workspace) {
     return {view.center - size * 0.5f, view.center + size * 0.5f};
 }
 
-/// In the lower left corner, as the upper edge says that the game plays.
+/// Draws the legend in the lower left corner, as the upper edge shows the play state.
+/// @param lift  distance from the lower edge, px on screen at scale 1
 void drawLegend(const Workspace& workspace, Shades shades, std::string_view title, float lift,
                 Overlay& overlay) {
     const float pixel = workspace.settings.scale / workspace.view.view().zoom;
@@ -60,7 +61,7 @@ void drawLegend(const Workspace& workspace, Shades shades, std::string_view titl
     overlay.text(at, std::string{title}, kWords);
 }
 
-/// Which bodies are meant, by index; those of the selected entities, or all.
+/// Returns a flag per body: 1 for the bodies of the selected entities, or for all.
 std::vector<std::uint8_t> chosenBodies(const Workspace& workspace, const PhysicsState& state,
                                        std::string_view overlay) {
     const bool all = workspace.reachOf(overlay) == PhysicsReach::All;
@@ -74,7 +75,7 @@ std::vector<std::uint8_t> chosenBodies(const Workspace& workspace, const Physics
     return chosen;
 }
 
-/// The strokes of shapes, in one color.
+/// Draws shapes of the physics in one color and thickness.
 class OutlineCanvas final : public physics::DebugCanvas {
 public:
     OutlineCanvas(Overlay& overlay, PixelScale scale, const CostShade& shade)
@@ -97,7 +98,7 @@ private:
     const CostShade& shade_;
 };
 
-/// How much the worst ones are off, in px, beside them.
+/// Draws the errors of the worst bodies as numbers, px.
 void drawNumbers(const PhysicsState& state, const std::vector<float>& errors,
                  const std::vector<std::uint8_t>& chosen, Overlay& overlay) {
     std::vector<std::uint32_t> worst;
@@ -135,16 +136,16 @@ void drawBodyErrors(const Workspace& workspace, const World& world, Overlay& ove
             const CostShade& own = kErrorShades[shadeOf(kErrorShades, pixelsOf(errors[body], state->scale))];
             bodies[body] = isDynamic && chosen[body] != 0 && &own == &shade ? 1 : 0;
         }
-        physics::DebugChoice choice;
+        physics::DebugOptions choice;
         choice.parts = physics::kDrawShapes;
         choice.sight = &sight;
-        choice.chosenOnly = true;
+        choice.selectedOnly = true;
         choice.bodies = bodies;
         OutlineCanvas canvas{overlay, state->scale, shade};
         physics::debugDraw(state->world, canvas, choice);
     }
     drawNumbers(*state, errors, chosen, overlay);
-    drawLegend(workspace, kErrorShades, "Errors: overlap, or a gap of a joint", 0.0f, overlay);
+    drawLegend(workspace, kErrorShades, "Body errors: overlap or joint error", 0.0f, overlay);
 }
 
 void drawContactForces(const Workspace& workspace, const World& world, Overlay& overlay) {
@@ -158,12 +159,12 @@ void drawContactForces(const Workspace& workspace, const World& world, Overlay& 
         const Vec2 at = toPixels(toVec2(push.place), state->scale);
         if (!contains(seen, at)) continue;
         const CostShade& shade = kForceShades[shadeOf(kForceShades, push.weights)];
-        // A ring as wide as its radius is a disc.
+        // A circle of radius r/2 with thickness r looks like a disc of radius r.
         overlay.circle(at, shade.thickness * 0.5f * pixel, shade.color,
                        shade.thickness * workspace.settings.scale);
     }
     const bool both = workspace.shows("bodyErrors");
-    drawLegend(workspace, kForceShades, "Forces of contacts", both ? kLine * 6.0f : 0.0f, overlay);
+    drawLegend(workspace, kForceShades, "Contact forces", both ? kLine * 6.0f : 0.0f, overlay);
 }
 
 }  // namespace plumb::editor::ui

@@ -17,9 +17,9 @@ namespace {
 
 constexpr Color kCamera{190, 150, 240, 220};
 constexpr Color kName{221, 224, 229, 220};
-constexpr float kClosestLines = 12.0f;  // px on screen; of a finer grid each eighth line is drawn
+constexpr float kClosestLines = 12.0f;  // px on screen; of a denser grid only every 8th line is drawn
 
-/// Whether one looks at a running game as its player would.
+/// True if a running game is shown through its own camera, as in the player.
 bool showsGamePicture(const Workspace& workspace) {
     return workspace.play.running() && workspace.followsGame;
 }
@@ -52,7 +52,7 @@ void drawNames(const Workspace& workspace, const World& world, Overlay& overlay)
 }
 
 void drawCameras(const Workspace& workspace, const World& world, Overlay& overlay) {
-    if (showsGamePicture(workspace)) return;  // all of it is what the camera sees
+    if (showsGamePicture(workspace)) return;  // the whole image is the camera's view
     world.each<const Camera, const Transform>([&](const Camera& camera, const Transform& transform) {
         const Vec2 half = workspace.project.picture * (0.5f / std::max(camera.zoom, 0.01f));
         overlay.box({transform.position - half, transform.position + half}, kCamera, 1.5f);
@@ -71,10 +71,10 @@ std::span<const OverlayRow> overlayTable() {
         OverlayRow{"names", "Names", &drawNames, true},
         OverlayRow{"camera", "Camera", &drawCameras},
         OverlayRow{"reach", "Jump reach", &drawJumpReach, true},
-        OverlayRow{"ways", "Ways of platforms and walkers", &drawSetWays, true},
+        OverlayRow{"ways", "Paths of platforms and walkers", &drawFixedPaths, true},
         OverlayRow{"trajectories", "Trajectories", &drawTrajectories, true},
-        OverlayRow{"bodyErrors", "Errors of bodies", &drawBodyErrors, true},
-        OverlayRow{"contactForces", "Forces of contacts", &drawContactForces, true},
+        OverlayRow{"bodyErrors", "Body errors", &drawBodyErrors, true},
+        OverlayRow{"contactForces", "Contact forces", &drawContactForces, true},
         OverlayRow{"collision", "Tile collision", &drawTileCollision},
     };
     return kOverlays;

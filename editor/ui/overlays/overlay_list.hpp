@@ -7,13 +7,13 @@
 
 namespace plumb::editor::ui {
 
-/// Drawn over the scene when its name is switched on. One row of overlay_list.cpp.
+/// An overlay of the viewport that can be switched on by name. The table is in overlay_list.cpp.
 struct OverlayRow {
     std::string_view name;
     std::string_view label;
-    /// @param world  the document's, or the one that plays
+    /// @param world  the world of the edited scene, or of the running game
     void (*draw)(const Workspace& workspace, const World& world, Overlay& overlay);
-    bool ofEntities = false;  ///< can be shown of what is selected alone
+    bool ofEntities = false;  ///< true: can be limited to the selected entities
 };
 
 std::span<const OverlayRow> overlayTable();

@@ -12,10 +12,10 @@ namespace {
 
 constexpr Color kSolid{110, 230, 140, 220};
 constexpr Color kOneWay{120, 200, 255, 230};
-constexpr int kMostCells = 20000;  // in view; more would be a green carpet
+constexpr int kMostCells = 20000;  // maximum number of visible cells; more would cover the scene
 
-/// A point of a tile (ratio of its side) where the cell is turned over.
-Vec2 turned(Vec2 point, TileCell cell) {
+/// Applies the flips of a cell to a point of a tile, in units of the tile size.
+Vec2 flipped(Vec2 point, TileCell cell) {
     if ((cell & kTileFlipDiagonal) != 0) std::swap(point.x, point.y);
     if ((cell & kTileFlipX) != 0) point.x = 1.0f - point.x;
     if ((cell & kTileFlipY) != 0) point.y = 1.0f - point.y;
@@ -29,7 +29,7 @@ void drawCell(const Tileset& tileset, TileCell cell, const AABB& box, Overlay& o
     const bool oneWay = tile->oneWay || tile->shape == TileShape::OneWay;
     const Color color = oneWay ? kOneWay : kSolid;
     const auto placed = [&](Vec2 point) {
-        return box.min + scaled(turned({point.x / size.x, point.y / size.y}, cell), box.size());
+        return box.min + scaled(flipped({point.x / size.x, point.y / size.y}, cell), box.size());
     };
     const std::vector<Vec2> outline = outlineOf(*tile, size);
     for (std::size_t i = 0; i < outline.size(); ++i)
@@ -67,7 +67,7 @@ void drawLayer(const Workspace& workspace, ObjectId layer, Overlay& overlay) {
 }  // namespace
 
 void drawTileCollision(const Workspace& workspace, const World&, Overlay& overlay) {
-    if (workspace.play.running()) return;  // the physics itself is shown by F3
+    if (workspace.play.running()) return;  // a running game shows collision shapes with F3
     const Document& document = workspace.document;
     for (const ObjectId layer : tileLayers(document)) {
         const bool solid = document.world.has<TileCollider>(document.find(layer));

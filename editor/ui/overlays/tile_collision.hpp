@@ -4,7 +4,7 @@
 
 namespace plumb::editor::ui {
 
-/// The collision shapes of the tiles of all solid layers that are seen; one-way tiles with an arrow.
+/// Draws the collision shapes of the tiles of all visible solid layers; one-way tiles have an arrow.
 void drawTileCollision(const Workspace& workspace, const World& world, Overlay& overlay);
 
 }  // namespace plumb::editor::ui

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/model/tools/set_ways.hpp"
+#include "editor/model/tools/motion_paths.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -14,9 +14,9 @@ constexpr Color kLanding{150, 255, 185, 230};
 constexpr Color kFarLanding{120, 185, 255, 190};
 constexpr Color kBehind{255, 255, 255, 150};
 constexpr Color kAhead{240, 185, 74, 220};
-constexpr std::size_t kStep = 3;  // ticks between two points of an arc that are drawn
+constexpr std::size_t kStep = 3;  // ticks between two drawn points of an arc
 
-/// One box for each column of cells that are reached alike.
+/// Draws one box per vertical run of cells that are reached with one jump, or with more.
 void drawCells(const JumpReach& reach, Overlay& overlay) {
     constexpr float kCell = JumpReach::kCell;
     const auto& cells = reach.cells();
@@ -57,11 +57,11 @@ void drawTrajectories(const Workspace& workspace, const World&, Overlay& overlay
     }
 }
 
-void drawSetWays(const Workspace& workspace, const World& world, Overlay& overlay) {
+void drawFixedPaths(const Workspace& workspace, const World& world, Overlay& overlay) {
     const bool all = workspace.reachOf("ways") == PhysicsReach::All;
     const float pixel = 1.0f / workspace.view.zoom();
     for (const ObjectId id : all ? workspace.document.objects() : workspace.document.selection.all()) {
-        if (const auto way = setWayOf(world, workspace.shownEntity(id))) drawSetWay(*way, pixel, overlay);
+        if (const auto way = motionPathOf(world, workspace.shownEntity(id))) drawSetWay(*way, pixel, overlay);
     }
 }
 

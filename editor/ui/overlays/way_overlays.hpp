@@ -5,13 +5,14 @@
 
 namespace plumb::editor::ui {
 
-/// Where the player gets to: green with one jump, blue with more; a bar where it can land.
+/// Draws the area that the player can reach: green with
+/// one jump, blue with more; bars mark landing positions.
 void drawJumpReach(const Workspace& workspace, const World& world, Overlay& overlay);
 
-/// The ways on which components move things to and fro.
-void drawSetWays(const Workspace& workspace, const World& world, Overlay& overlay);
+/// Draws the fixed paths of platforms and walkers.
+void drawFixedPaths(const Workspace& workspace, const World& world, Overlay& overlay);
 
-/// The ways behind and ahead of things.
+/// Draws past and predicted trajectories of entities.
 void drawTrajectories(const Workspace& workspace, const World& world, Overlay& overlay);
 
 }  // namespace plumb::editor::ui

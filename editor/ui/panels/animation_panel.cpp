@@ -22,7 +22,7 @@ constexpr float kPreviewWidth = 190.0f;
 constexpr float kFrameSide = 46.0f;
 constexpr std::array kLoops{"loop", "once", "back and forth"};
 
-/// Cuts a sheet into cells, makes clips of them and a machine of states that chooses among the clips.
+/// Cuts a sprite sheet into cells, and edits clips made of the cells and a state machine that selects clips.
 class AnimationPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -34,7 +34,7 @@ public:
             take(ui, wanted);
         if (edit_->path().empty()) return drawNothing(ui);
         clip_ = std::clamp(clip_, 0, std::max(static_cast<int>(edit_->set().clips.size()) - 1, 0));
-        // In a narrow pane the parts stand below each other.
+        // In a narrow panel the parts are placed below each other.
         const ImVec2 room = ImGui::GetContentRegionAvail();
         const bool narrow = room.x < ui.px(kNarrow);
         beginChild("clips", narrow ? ImVec2{0.0f, room.y * 0.35f} : ImVec2{ui.px(kSideWidth), 0.0f}, false);
@@ -47,7 +47,7 @@ public:
         drawClips(ui);
         ImGui::EndChild();
         if (!narrow) ImGui::SameLine();
-        if (!graph_) {  // which takes their room
+        if (!graph_) {  // the graph uses the space of frames and sheet
             beginChild("middle", narrow ? ImVec2{0.0f, room.y * 0.35f} : ImVec2{-ui.px(kPreviewWidth), 0.0f},
                        false);
             drawFrames(ui);
@@ -71,8 +71,8 @@ private:
 
     void drawNothing(Ui& ui) {
         emptyState(ui, "Animation", "No animation is open.",
-                   "Double-click an animation or a picture among the assets, or drop one here. A picture "
-                   "becomes a sheet of equal cells; clips are made of its cells.");
+                   "Double-click an animation or an image in the Assets panel, or drop one here. An image "
+                   "becomes a sprite sheet of equal cells; clips are made of its cells.");
         ImGui::InvisibleButton("drop", ImGui::GetContentRegionAvail());
         ui.widgets.mark("Animation/drop");
         if (const std::string dropped = acceptAsset(hovering_); !dropped.empty()) take(ui, dropped);
@@ -95,14 +95,14 @@ private:
         ui.widgets.mark("Animation/cells", format("{} x {}", set.frameWidth, set.frameHeight));
         if (ImGui::IsItemDeactivatedAfterEdit()) edit_->setCells({cells[0], cells[1]});
         tooltip("Width and height of a cell of the sheet (px)");
-        if (ImGui::Button("Find cells") && !edit_->sliceByItself())
-            ui.workspace.notice = "The shapes of this sheet fall into no grid; write the size of its cells";
+        if (ImGui::Button("Find cells") && !edit_->detectCells())
+            ui.workspace.notice = "No regular grid found in this sheet; enter the cell size by hand";
         ui.widgets.mark("Animation/find");
-        tooltip("Cuts where nothing is drawn: the smallest even grid whose lines cut through no shape");
+        tooltip("Detects the cell size: the smallest regular grid whose lines cross only transparent pixels");
         ImGui::SameLine();
         if (ImGui::Button("Clip of all")) edit_->addClipOfAll(), clip_ = 1 << 20;
         ui.widgets.mark("Animation/all");
-        tooltip("A clip of all cells with something in them");
+        tooltip("Adds a clip of all cells that are not empty");
         ImGui::Separator();
     }
 
@@ -142,7 +142,7 @@ private:
         return clip_ < static_cast<int>(clips.size()) ? &clips[static_cast<std::size_t>(clip_)] : nullptr;
     }
 
-    /// The frames of the clip in their order; the one that shows is marked.
+    /// Draws the frames of the clip in order, and marks the frame that is playing.
     void drawFrames(Ui& ui) {
         const Animation* shown = clip();
         if (shown == nullptr) {
@@ -162,7 +162,7 @@ private:
             ui.widgets.mark(format("Animation/frame/{}", i));
             if (ImGui::IsItemClicked(1)) edit_->removeFrame(clip_, i);
             dragFrame(i);
-            tooltip("Drag it to another place; a right click takes it out");
+            tooltip("Drag to reorder; right-click to remove");
             const AABB box{{at.x, at.y}, {at.x + side, at.y + side}};
             ImGui::GetWindowDrawList()->AddRectFilled(at, {box.max.x, box.max.y}, palette::kCanvas);
             drawSheetCell(ui, *edit_, frame, box);
@@ -172,7 +172,7 @@ private:
             ImGui::SetNextItemWidth(side);
             ImGui::DragFloat("##ms", &ms, 1.0f, 1.0f, 10000.0f, "%.0f", ImGuiSliderFlags_AlwaysClamp);
             ui.widgets.mark(format("Animation/ms/{}", i), shortestText(ms));
-            tooltip("ms that it shows");
+            tooltip("Duration of the frame, ms");
             if (ImGui::IsItemActive()) held_ = ms;
             if (ImGui::IsItemDeactivatedAfterEdit()) edit_->setSeconds(clip_, i, held_ / 1000.0f);
             ImGui::EndGroup();
@@ -194,13 +194,13 @@ private:
         ImGui::EndDragDropTarget();
     }
 
-    /// The whole sheet with its cells; a click puts a cell into the clip.
+    /// Draws the whole sheet with its cells; a click appends a cell to the clip.
     void drawSheet(Ui& ui) {
         const AnimationSet& set = edit_->set();
         const Image& sheet = edit_->sheet();
         if (sheet.empty() || set.frameWidth <= 0 || set.frameHeight <= 0) {
             ImGui::TextWrapped(set.image.empty() ? "This animation has no sheet."
-                                                 : "Write the size of the cells, or find them.");
+                                                 : "Enter the cell size, or click \"Find cells\".");
             return;
         }
         const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -233,7 +233,7 @@ private:
         const int y = std::clamp(static_cast<int>((mouse.y - at.y) / cell.y), 0, edit_->rows() - 1);
         const ImVec2 corner{at.x + static_cast<float>(x) * cell.x, at.y + static_cast<float>(y) * cell.y};
         outline(list, corner, {corner.x + cell.x, corner.y + cell.y}, palette::kAccent, 0.0f, 2.0f);
-        tooltip(format("Column {}, row {}: a click adds it to the clip", x, y));
+        tooltip(format("Column {}, row {}: click to add it to the clip", x, y));
         if (ImGui::IsMouseClicked(0)) edit_->addFrame(clip_, x, y);
     }
 
@@ -255,7 +255,7 @@ private:
         ImGui::InvisibleButton("picture", {std::max(room.x, 1.0f), std::max(room.y, 1.0f)});
         ui.widgets.mark("Animation/picture", format("{}", index));
         if (ImGui::IsItemClicked()) since_ = ImGui::GetTime();
-        tooltip("A click plays it from the start");
+        tooltip("Click to play from the start");
     }
 
     std::unique_ptr<AnimationEdit> edit_;
@@ -263,7 +263,7 @@ private:
     int clip_ = 0;
     bool graph_ = false;
     double since_ = 0.0;
-    float held_ = 0.0f;  ///< ms that is being dragged
+    float held_ = 0.0f;  ///< frame duration being dragged, ms
     std::string name_;
     std::string named_;
     std::string hovering_;

@@ -22,12 +22,12 @@ namespace {
 
 constexpr float kTreeWidth = 170.0f;  // px at scale 1
 constexpr float kPictureSide = 76.0f;
-constexpr float kLeastSide = 48.0f;  // of pictures that make room for one row more
+constexpr float kLeastSide = 48.0f;  // px at scale 1: smallest thumbnail side
 constexpr float kMostSide = 124.0f;
-constexpr float kBetween = 12.0f;   // from picture to picture
-constexpr double kLookAgain = 0.5;  // s
+constexpr float kBetween = 12.0f;   // px at scale 1, between thumbnails
+constexpr double kLookAgain = 0.5;  // s, between two reads of the folder
 
-/// The end of a name that fits; what matters is most often at the beginning and the end.
+/// Shortens a name to a width by replacing its middle with "..", as beginning and end distinguish names best.
 std::string fitted(std::string_view name, float width) {
     if (ImGui::CalcTextSize(name.data(), name.data() + name.size()).x <= width) return std::string{name};
     std::string text;
@@ -39,15 +39,15 @@ std::string fitted(std::string_view name, float width) {
     return text;
 }
 
-/// How large pictures are, and how many stand beside each other.
+/// Size of the thumbnails and their number per row.
 struct Rows {
     float side;  // px
     int columns;
 };
 
-/// Pictures as large as usual where all of them are seen; else so large that whole rows are.
-/// @param room   px
-/// @param below  px, from a picture to the row after it
+/// Returns the default thumbnail size if all rows fit, else a size at which a whole number of rows fits.
+/// @param room   available space, px
+/// @param below  from a thumbnail's lower edge to the next row, px
 Rows rowsFitting(std::size_t items, ImVec2 room, float below, const Ui& ui) {
     const auto across = [&](float side) {
         return std::max(static_cast<int>((room.x + ui.px(kBetween)) / (side + ui.px(kBetween))), 1);
@@ -60,7 +60,7 @@ Rows rowsFitting(std::size_t items, ImVec2 room, float below, const Ui& ui) {
     return {side, across(side)};
 }
 
-/// The files of the project: looked through, searched, dragged into the scene, renamed and deleted.
+/// File browser of the project: search, drag into the scene, rename, delete.
 class AssetsPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -101,14 +101,14 @@ private:
         ui.widgets.mark("Assets/search", browser.search);
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
-        const std::string place = !browser.search.empty()  ? "found in the whole project"
+        const std::string place = !browser.search.empty()  ? "search results in the whole project"
                                   : browser.folder.empty() ? ui.workspace.project.name
                                                            : browser.folder;
         ImGui::TextDisabled("%s", place.c_str());
         ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(90.0f));
         if (ImGui::Button("Import...")) runAction(ui.workspace, "file.import");
         ui.widgets.mark("Assets/Import");
-        tooltip("A map of Tiled, a project of LDtk or a sheet of Aseprite");
+        tooltip("Imports a Tiled map, an LDtk project or an Aseprite sheet");
     }
 
     void drawFolder(Ui& ui, AssetBrowser& browser, const std::string& folder) {
@@ -137,9 +137,10 @@ private:
         if (items.empty()) {
             return browser.search.empty()
                        ? emptyState(ui, "Assets", "This folder is empty.",
-                                    "Save pictures and sounds into it with any program; they appear at once.",
+                                    "Save images and sounds into it with any program; they appear at once.",
                                     {"file.import"})
-                       : emptyState(ui, "Assets", "No file has this in its name.", "Try fewer letters.");
+                       : emptyState(ui, "Assets", "No file name contains the search text.",
+                                    "Try fewer letters.");
         }
         const float below = nameHeight(ui) + ImGui::GetStyle().ItemSpacing.y;
         const auto [side, columns] = rowsFitting(items.size(), ImGui::GetContentRegionAvail(), below, ui);
@@ -150,12 +151,12 @@ private:
         }
         if (ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered())
             browser.selected.clear();
-        // The right button leaves the focus where it was, and with it what the keys are for.
+        // A right click does not move the focus by itself; the keys of this panel need it.
         if (ImGui::IsMouseClicked(1) && ImGui::IsWindowHovered()) ImGui::SetWindowFocus();
         waitForKeys(ui, browser);
     }
 
-    /// The keys that rename and delete mean the selected file here, and not what is selected in the scene.
+    /// Makes the keys for rename and delete apply to the selected file, not to the selected entities.
     void waitForKeys(Ui& ui, const AssetBrowser& browser) {
         const bool wants = ImGui::IsWindowFocused() && !browser.selected.empty();
         keysSeen_ = ImGui::GetFrameCount();
@@ -212,7 +213,7 @@ private:
         if (chosen || hovered)
             outline(list, at, to, chosen ? palette::kAccent : palette::kCardLine, ui.px(4.0f),
                     chosen ? 2.0f : 1.0f);
-        // It may reach half way to its neighbors.
+        // The name may extend half way to the neighbouring thumbnails.
         const std::string name = fitted(item.title(), side + ui.px(kBetween - 2.0f));
         const float width = ImGui::CalcTextSize(name.c_str()).x;
         ui.widgets.mark(format("Assets/name/{}", item.path), name);
@@ -252,8 +253,10 @@ private:
         entry("Make tileset", item.kind == AssetKind::Texture && ui.workspace.canEdit(), [&] {
             const Result<std::string> made = makeTileset(ui.workspace, item.path);
             if (made) browser.selected = *made;
-            ui.workspace.notice = made ? format("{}: drag it into the scene, or choose it for a layer", *made)
-                                       : made.error().text();
+            ui.workspace.notice =
+                made ? format("{} created: drag it into the scene, or select it as the tileset of a layer",
+                              *made)
+                     : made.error().text();
         });
         ImGui::Separator();
         entry("Rename...", true, [&] { rename_ = item.path; });
@@ -283,13 +286,13 @@ private:
             error_.clear();
         }
         if (!ImGui::BeginPopupModal("Rename file", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-        ImGui::TextDisabled("Its new path in the project");
+        ImGui::TextDisabled("New path in the project");
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
         ImGui::SetNextItemWidth(ui.px(380.0f));
         bool done = textField("##path", newPath_, ImGuiInputTextFlags_EnterReturnsTrue);
         ui.widgets.mark("Rename/path", newPath_);
-        drawUses("Nothing names it yet.",
-                 "These files name it; they will be rewritten, and undo takes all of it back:");
+        drawUses("No file references it.",
+                 "These files reference it and will be updated; undo reverts all of this:");
         drawError();
         done |= ImGui::Button("Rename", {ui.px(110.0f), 0.0f});
         ui.widgets.mark("Rename/Rename");
@@ -309,10 +312,10 @@ private:
         }
         if (!ImGui::BeginPopupModal("Delete file", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
         const std::string question =
-            format("Delete {}?  {} puts it back.", subject_, keysFor(ui.workspace, "edit.undo"));
+            format("Delete {}?  {} restores it.", subject_, keysFor(ui.workspace, "edit.undo"));
         ImGui::TextUnformatted(question.c_str());
         ui.widgets.mark("Delete/question", question);
-        drawUses("Nothing names it.", "These files name it and would show a placeholder:");
+        drawUses("No file references it.", "These files reference it and would show a placeholder:");
         drawError();
         if (ImGui::Button("Delete", {ui.px(110.0f), 0.0f}) && (error_ = browser.remove(subject_)).empty())
             ImGui::CloseCurrentPopup();
@@ -347,9 +350,9 @@ private:
     std::string hoveredPath_;
     double hoveredSince_ = 0.0;
     std::string hovering_;
-    bool waits_ = false;  ///< for keys
-    int keysSeen_ = 0;    ///< the frame in which the files were drawn last
-    std::string rename_;  ///< asked for in this frame
+    bool waits_ = false;  ///< true while ui.takeEvent is set by this panel
+    int keysSeen_ = 0;    ///< last frame in which the files were drawn
+    std::string rename_;  ///< path whose rename dialog is requested
     std::string delete_;
     std::string subject_;
     std::string newPath_;

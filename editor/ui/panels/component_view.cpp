@@ -15,7 +15,8 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// A name of the code as words: "surfaceSpeed" is "surface speed", "MovingPlatform" is "Moving platform".
+/// Splits an identifier into words: "surfaceSpeed" becomes
+/// "surface speed", "MovingPlatform" "Moving platform".
 std::string wordsOf(std::string_view name) {
     const auto isCapital = [](char letter) { return letter >= 'A' && letter <= 'Z'; };
     std::string words;
@@ -25,7 +26,7 @@ std::string wordsOf(std::string_view name) {
             words += name[i];
             continue;
         }
-        // What is written in capitals alone, such as an axis, stays so.
+        // A single capital, such as the name of an axis, keeps its case.
         const bool word = i + 1 < name.size() && !isCapital(name[i + 1]);
         words += ' ';
         words += word ? static_cast<char>(name[i] - 'A' + 'a') : name[i];
@@ -33,9 +34,9 @@ std::string wordsOf(std::string_view name) {
     return words;
 }
 
-/// What a field is for, in which unit, and what it may be.
+/// Returns the tooltip of a field: description, unit and range.
 std::string helpFor(const FieldInfo& field) {
-    // By its name in files and code where the label has words instead.
+    // The name in files and code is added where the label shows it split into words.
     std::string help{field.doc.empty() ? field.name : field.doc};
     if (!field.doc.empty() && wordsOf(field.name) != field.name) help = format("{}: {}", field.name, help);
     const char* unit = shownUnit(field.unit);
@@ -44,7 +45,7 @@ std::string helpFor(const FieldInfo& field) {
     if (hasNumbers(field) && range.limited)
         help += format("\n{} to {}", numberText(range.min), numberText(range.max));
     if (hasNumbers(field))
-        help += "\nDrag, or double click to type: 16*3, +=10, *2. Shift is fast, Alt is fine.";
+        help += "\nDrag, or double-click to type: 16*3, +=10, *2. Shift drags fast, Alt drags slowly.";
     return help;
 }
 
@@ -58,7 +59,7 @@ void drawLabel(Ui& ui, const FieldInfo& field, bool isDefault, float width) {
     list.AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y},
                  isDefault ? palette::kTextSoft : palette::kText, words.c_str());
     list.PopClipRect();
-    ImGui::Dummy(size);  // all of it takes the mouse, not only the letters
+    ImGui::Dummy(size);  // the whole rectangle reacts to the mouse, not only the letters
     ImGui::PopFont();
     tooltip(helpFor(field));
 }
@@ -70,12 +71,12 @@ FieldValue defaultOf(const FieldInfo& field, const ComponentState& fresh) {
     return value;
 }
 
-/// In the place of the numbers.
+/// Draws a note instead of the position fields, for the root of a prefab.
 void drawPlaceOfRoot(Ui& ui, const std::string& path) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("each instance has its own");
     ui.widgets.mark(path, "stays");
-    tooltip(kRootStays);
+    tooltip(kRootCannotMove);
 }
 
 bool item(Ui& ui, const std::string& path, const char* label, bool possible = true) {
@@ -95,7 +96,7 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const Selected& selected)
     const auto& [ids, entities, overrides] = selected;
     const Shown shown{ui, type, ids, overrides, entities, defaultComponent(type)};
     held_ = {};
-    if (ui.workspace.play.running()) found_.clear();  // a paused game may be written to within one tick
+    if (ui.workspace.play.running()) found_.clear();  // a paused game can be edited without a new tick
     const std::string name{type.name};
     ImGui::PushID(name.c_str());
     ImGui::PushStyleColor(ImGuiCol_Header, palette::kHeader);
@@ -122,7 +123,8 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const Selected& selected)
         });
     }
     if (open && type.size > 0) {
-        // Another selection means other widgets: what is under the hands does not jump to another entity.
+        // The id of the selection is part of the widget ids:
+        // an active drag must not continue on another entity.
         ImGui::PushID(static_cast<int>(ids.back().value));
         drawFields(shown);
         ImGui::PopID();
@@ -131,7 +133,7 @@ void ComponentView::draw(Ui& ui, const TypeInfo& type, const Selected& selected)
     ImGui::PopID();
 }
 
-/// What is set by hand; below it, while a game runs, what the engine keeps of it.
+/// Draws the editable fields and, while a game runs, the transient state below them.
 void ComponentView::drawFields(const Shown& shown) {
     for (const FieldInfo& field : shown.type.fields) {
         if (!field.transient) drawField(shown, field);
@@ -176,7 +178,7 @@ void ComponentView::drawMenu(const Shown& shown, bool differs) {
     ImGui::EndPopup();
 }
 
-/// Both ways between an instance and its prefab, in a context menu.
+/// Adds the menu items "Revert to prefab" and "Apply to prefab".
 void ComponentView::prefabItems(Ui& ui, const std::string& path, const PrefabScope& scope, bool differs) {
     if (item(ui, path + "/revert", "Revert to prefab", differs))
         ask([scope](Workspace& workspace) { workspace.revertToPrefab(scope); });
@@ -202,7 +204,7 @@ const ComponentView::Found& ComponentView::find(const Shown& shown, const FieldI
 void ComponentView::drawField(const Shown& shown, const FieldInfo& field) {
     auto& [ui, type, ids, overrides, entities, fresh] = shown;
     const FieldTarget target{type, field, ids};
-    // A copy: what is done in this row may make all of them be found out anew.
+    // A copy, because a change made in this row may clear the cache.
     const auto [shared, visible] = find(shown, field);
     if (!visible) return;
     const std::string path = format("Inspector/{}/{}", type.name, field.name);
@@ -221,7 +223,7 @@ void ComponentView::drawField(const Shown& shown, const FieldInfo& field) {
     drawLabel(ui, field, asItShould, labelWidth - arrow);
     ui.widgets.mark(path + "/label", differs ? "overridden" : asItShould ? "" : "changed");
     ImGui::SameLine(0.0f, 0.0f);
-    // A game that plays says nothing about the instance, and reverting is a matter of the scene.
+    // No reset arrow on prefab instances while a game runs: reverting changes the scene, not the game.
     if (!asItShould && (!overrides.isPart || ui.workspace.canEdit()))
         drawReset(row, shown, start + labelWidth);
     ImGui::SetCursorPosX(start + labelWidth);
@@ -249,7 +251,7 @@ void ComponentView::drawReset(const FieldRow& row, const Shown& shown, float end
     const ImVec2 to = ImGui::GetItemRectMax();
     drawIcon(*ImGui::GetWindowDrawList(), Icon::Undo, {(from.x + to.x) * 0.5f, (from.y + to.y) * 0.5f},
              ui.px(11.0f), ImGui::IsItemHovered() ? palette::kText : palette::kTextDim);
-    tooltip(shown.overrides.isPart ? "Back to what the prefab says" : "Back to the default");
+    tooltip(shown.overrides.isPart ? "Reset to the prefab's value" : "Reset to the default");
     ImGui::SameLine(0.0f, 0.0f);
     if (clicked) reset(row, shown);
 }

@@ -11,22 +11,24 @@
 
 namespace plumb::editor::ui {
 
-/// One component of what is selected: its title with its menu, and a row for each field.
+/// Inspector section for one component type of the selected
+/// entities: a header with a menu, and a row per field.
 class ComponentView {
 public:
-    /// What is selected; each in the world that is shown as well.
+    /// The selected objects, and the same objects as entities
+    /// of the shown world (the scene, or the running game).
     struct Selected {
         const std::vector<ObjectId>& ids;
         const std::vector<EntityId>& entities;
-        const PrefabOverrides& overrides;  ///< how the one selected last differs from its prefab
+        const PrefabOverrides& overrides;  ///< what differs between the entities and their prefabs
     };
 
-    /// @pre all of them have the component
+    /// @pre every selected entity has the component
     void draw(Ui& ui, const TypeInfo& type, const Selected& selected);
-    /// After all were drawn: does what was asked for. Only now, as components that are being drawn must not
-    /// come, go or move in memory.
+    /// Runs the requested change. Call it after all components were drawn: adding or removing a component
+    /// while drawing would invalidate references to components.
     void endFrame(Ui& ui);
-    /// The same for others.
+    /// Requests a change of the workspace that endFrame() will run.
     void ask(std::function<void(Workspace& workspace)> what) { asked_ = std::move(what); }
 
 private:
@@ -36,7 +38,7 @@ private:
         const std::vector<ObjectId>& ids;
         const PrefabOverrides& overrides;
         const std::vector<EntityId>& entities;
-        ComponentState fresh;  ///< with its defaults
+        ComponentState fresh;  ///< the component with default values
     };
 
     struct Found {
@@ -44,25 +46,27 @@ private:
         bool visible = false;
     };
 
-    /// What the widget shows. Found out once for each change of the scene, as thousands may be selected.
+    /// Returns the value that the field's widget shows. Cached until scene or selection change, as thousands
+    /// of entities may be selected.
     const Found& find(const Shown& shown, const FieldInfo& field);
     void drawFields(const Shown& shown);
     void drawMenu(const Shown& shown, bool differs);
     void drawField(const Shown& shown, const FieldInfo& field);
     void drawFieldMenu(const FieldRow& row, const Shown& shown);
-    /// An arrow at the end of the name: back to the default, or to the prefab.
+    /// Draws the arrow button after the field's name, which
+    /// resets the field to the default or the prefab's value.
     void drawReset(const FieldRow& row, const Shown& shown, float end);
     void reset(const FieldRow& row, const Shown& shown);
     void prefabItems(Ui& ui, const std::string& path, const PrefabScope& scope, bool differs);
 
     FieldEdit fields_;
-    std::map<const FieldInfo*, Found> found_;  // as it was at `looked_`
-    HeldComponents held_;                      // of the one being drawn, once one of its fields is looked at
+    std::map<const FieldInfo*, Found> found_;  // cache, valid for the state `looked_`
+    HeldComponents held_;  // of the component being drawn; filled when its first field is read
     SelectedState looked_;
     std::function<void(Workspace& workspace)> asked_;
 };
 
-/// The bar beside what differs from the prefab.
+/// Draws the vertical bar that marks a difference from the prefab.
 void drawPrefabBar(const Ui& ui, ImVec2 from, float height);
 
 }  // namespace plumb::editor::ui

@@ -16,7 +16,7 @@ namespace {
 constexpr float kTimeWidth = 66.0f;     // px at scale 1
 constexpr float kChannelWidth = 66.0f;  // px at scale 1
 constexpr float kLinkWidth = 120.0f;    // px at scale 1
-constexpr float kSearchWidth = 60.0f;   // px at scale 1, at least
+constexpr float kSearchWidth = 60.0f;   // px at scale 1, minimum
 constexpr float kGap = 4.0f;            // px at scale 1, between buttons
 
 ImU32 colorOfLevel(LogLevel level) {
@@ -29,7 +29,7 @@ ImU32 colorOfLevel(LogLevel level) {
     return palette::kText;
 }
 
-/// "3 errors", "1 note".
+/// Returns a count with a noun: "3 errors", "1 note".
 std::string counted(std::size_t count, std::string_view one) {
     return format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
@@ -38,18 +38,18 @@ void drawDot(ImDrawList& list, const Ui& ui, ImVec2 middle, ImU32 color) {
     list.AddCircleFilled(middle, ui.px(3.5f), color);
 }
 
-/// What engine, game and editor said.
+/// The log of engine, game and editor.
 class ConsolePanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         view_.update(ui.log);
         drawBar(ui);
         if (ui.log.lines().empty()) {
-            return emptyState(ui, "Console", "Nothing has been said yet.",
-                              "Messages of the game and of the editor appear here.", {"run.play"});
+            return emptyState(ui, "Console", "There are no messages yet.",
+                              "Log messages of the game and of the editor appear here.", {"run.play"});
         }
         if (view_.rows().empty()) {
-            ImGui::TextDisabled("No line is of these levels and channels and has these words.");
+            ImGui::TextDisabled("No message matches the levels, the channels and the search text.");
             return;
         }
         drawLines(ui);
@@ -65,14 +65,14 @@ private:
              {Button{LogLevel::Error, "error"}, Button{LogLevel::Warning, "warning"},
               Button{LogLevel::Note, "note"}}) {
             bool& shown = view_.levels[static_cast<std::size_t>(level)];
-            // Red is for what is there: no errors are nothing to look at.
+            // Colored only if there are messages of this level, so that red means errors.
             const std::size_t count = view_.count(level);
             const std::string label = counted(count, name);
             if (level != LogLevel::Error) nextTo(ui, buttonWidth(label));
             if (toggle(ui, label, format("Console/{}s", name), shown,
                        count > 0 ? colorOfLevel(level) : palette::kTextDim))
                 shown = !shown;
-            tooltip(format("{} lines of this kind", shown ? "Hides" : "Shows"));
+            tooltip(format("{} messages of this level", shown ? "Hides" : "Shows"));
         }
         nextTo(ui, channelsWidth(ui));
         drawChannels(ui);
@@ -84,13 +84,14 @@ private:
     [[nodiscard]] static float buttonWidth(const std::string& label) {
         return ImGui::CalcTextSize(label.c_str()).x + ImGui::GetStyle().FramePadding.x * 2.0f;
     }
-    /// Goes on beside the last item, or in the next line where there is no room for so much (px).
+    /// Continues beside the last item, or on the next line if less than this width (px) is left.
     static void nextTo(const Ui& ui, float width) {
         ImGui::SameLine(0.0f, ui.px(kGap));
         if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
     }
 
-    /// As wide as the buttons behind it leave room, or as its line does.
+    /// Draws the search field in the width that the buttons
+    /// after it leave free, or over the rest of its line.
     void drawSearch(Ui& ui) {
         float buttons = 0.0f;
         for (const char* label : {"Once", "Follow", "Copy", "Clear"})
@@ -105,17 +106,17 @@ private:
     void drawButtons(Ui& ui) {
         nextTo(ui, buttonWidth("Once"));
         if (toggle(ui, "Once", "Console/once", view_.once)) view_.once = !view_.once;
-        tooltip("Equal lines are one, with how often they were said");
+        tooltip("Shows equal messages once, with their count");
         nextTo(ui, buttonWidth("Follow"));
         if (toggle(ui, "Follow", "Console/follow", follows_)) follows_ = !follows_;
-        tooltip("Goes with what is said last; scrolling up stops that");
+        tooltip("Scrolls to new messages; scrolling up turns this off");
         nextTo(ui, buttonWidth("Copy"));
         if (ImGui::Button("Copy")) {
             ui.workspace.clipboard = view_.text(ui.log);
             ui.workspace.notice = format("Copied {}", counted(view_.rows().size(), "line"));
         }
         ui.widgets.mark("Console/copy");
-        tooltip("Copies all lines that are shown");
+        tooltip("Copies all visible messages");
         nextTo(ui, buttonWidth("Clear"));
         if (ImGui::Button("Clear")) ui.log.clear();
         ui.widgets.mark("Console/clear");
@@ -135,7 +136,7 @@ private:
         const std::size_t hidden = view_.hiddenChannels.size();
         return hidden == 0 ? "All channels" : format("{} hidden", hidden);
     }
-    /// With the arrow beside it.
+    /// Width of the button with its arrow, px.
     [[nodiscard]] float channelsWidth(const Ui& ui) const {
         return buttonWidth(channelsLabel()) + ui.px(20.0f);
     }
@@ -165,7 +166,7 @@ private:
         beginChild("lines", {0.0f, 0.0f}, false);
         const float width = ImGui::GetContentRegionAvail().x;
         measure(ui, width);
-        // Only the rows in sight are drawn; their heights differ, so a clipper does not help.
+        // Draws only the visible rows; ImGuiListClipper needs rows of equal height.
         const float top = ImGui::GetCursorPosY();
         const float from = ImGui::GetScrollY() - top;
         const auto first = std::upper_bound(ends_.begin(), ends_.end(), from);
@@ -183,7 +184,8 @@ private:
         ImGui::EndChild();
     }
 
-    /// Scrolling up by hand stops following, going to the end begins it again.
+    /// Scrolls to new messages. Scrolling up with the wheel
+    /// turns following off, scrolling to the end turns it on.
     void follow(const Ui& ui) {
         const bool atEnd = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1.0f;
         if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0.0f)
@@ -196,7 +198,7 @@ private:
         return std::max(width - ui.px(kTimeWidth + kChannelWidth + kLinkWidth), ui.px(80.0f));
     }
 
-    /// Where each row ends (px); anew when the rows or the room for them changed.
+    /// Computes the lower edge of each row, px, if the rows or the width have changed.
     void measure(const Ui& ui, float width) {
         if (measured_ == view_.revision() && width == measuredWidth_) return;
         measured_ = view_.revision();
@@ -250,11 +252,11 @@ private:
     static std::string hint(const Ui& ui, const LogEntry& line, ObjectId object) {
         std::string text =
             format("{} s{}", fixedText(line.seconds, 2), line.tick < 0 ? "" : format(", tick {}", line.tick));
-        if (object) text += format("\nA click selects \"{}\"", ui.workspace.document.nameOf(object));
+        if (object) text += format("\nClick to select \"{}\"", ui.workspace.document.nameOf(object));
         return text;
     }
 
-    /// At the right: how often, and the entity that the line is about.
+    /// Draws the repeat count and the name of the mentioned entity at the right edge.
     static void drawEnd(const Ui& ui, ImDrawList& list, const LogView::Row& row, ObjectId object, ImVec2 end,
                         float height) {
         float x = end.x - ui.px(6.0f);
@@ -276,7 +278,7 @@ private:
     }
 
     LogView view_;
-    std::vector<float> ends_;  ///< px, of the rows
+    std::vector<float> ends_;  ///< lower edge of each row, px
     std::size_t measured_ = 0;
     float measuredWidth_ = 0.0f;
     bool follows_ = true;
@@ -295,7 +297,7 @@ struct LogCounts {
         }
         return counts;
     }
-    /// Empty without any.
+    /// Returns "2 errors, 1 warning", or an empty text if there are none.
     [[nodiscard]] std::string text() const {
         if (errors == 0) return warnings == 0 ? std::string{} : counted(warnings, "warning");
         return warnings == 0 ? counted(errors, "error")
@@ -320,7 +322,7 @@ void drawLogCounts(Ui& ui) {
     if (ImGui::InvisibleButton("log counts", {logCountsWidth(ui), line}))
         ui.workspace.panelToShow = "Console";
     ui.widgets.mark("Status/log", text);
-    tooltip("Shows the console");
+    tooltip("Shows the Console panel");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 color = counts.errors > 0 ? palette::kError : palette::kWarning;
     drawDot(list, ui, {at.x + ui.px(4.0f), at.y + line * 0.5f}, color);

@@ -16,12 +16,12 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr std::int64_t kRefresh = 15;  // ticks of a running game until the islands are looked at again
+constexpr std::int64_t kRefresh = 15;  // ticks between two updates of the island table
 constexpr float kNameWidth = 150.0f;   // px at scale 1
 constexpr float kNumberWidth = 64.0f;  // px at scale 1
 constexpr std::array<float, 8> kColumnWidths{50.0f,  60.0f,  48.0f,  52.0f,
                                              118.0f, 118.0f, 118.0f, 76.0f};  // px at scale 1
-constexpr float kTickTime = 16.67f;  // ms: what a tick may take at most
+constexpr float kTickTime = 16.67f;  // ms, time budget of a tick at 60 Hz
 
 std::string ms(float time) { return fixedText(static_cast<double>(time), time < 0.0995f ? 3 : 2); }
 
@@ -63,11 +63,11 @@ void drawStagesPage(Ui& ui) {
     Profiler& profiler = ui.workspace.profiler;
     profiler.want();
     if (profiler.samples().empty()) {
-        return emptyState(ui, "Cost", "Nothing has been measured yet.",
-                          "What each part of a tick costs appears here while the game plays.", {"run.play"});
+        return emptyState(ui, "Cost", "There are no measurements yet.",
+                          "The time of each part of a tick appears here while the game runs.", {"run.play"});
     }
     const StageTime tick = tickTime(profiler.samples());
-    const std::string words = format("A tick takes {} ms; one of a hundred takes {} ms. It may take {} ms.",
+    const std::string words = format("Median tick: {} ms, 99th percentile: {} ms, budget: {} ms.",
                                      ms(tick.median), ms(tick.p99), fixedText(16.7, 1));
     ImGui::TextUnformatted(words.c_str());
     ui.widgets.mark("Cost/tick", words);
@@ -79,13 +79,14 @@ void drawStagesPage(Ui& ui) {
     ImGui::SameLine(ui.px(kNameWidth + kNumberWidth));
     textRight(ui, kNumberWidth, "p99");
     ImGui::SameLine(ui.px(kNameWidth + 2.0f * kNumberWidth + 14.0f));
-    ImGui::TextUnformatted("ms; blue is physics, the mark is p99");
+    ImGui::TextUnformatted("ms; blue: physics, mark: p99");
     ImGui::PopStyleColor();
     beginChild("stages", {0.0f, 0.0f}, false);
     const std::vector<StageTime> stages = stageTimes(profiler.samples(), profiler.zones());
     float whole = 0.01f;
     for (const StageTime& stage : stages) {
-        if (stage.name != "picture") whole = std::max(whole, stage.p99);  // it would dwarf all others
+        if (stage.name != "picture")
+            whole = std::max(whole, stage.p99);  // the drawing time would dwarf all others
     }
     const float left = ui.px(kNameWidth + 2.0f * kNumberWidth + 14.0f);
     const float width = std::min(ImGui::GetContentRegionAvail().x - left - ui.px(8.0f), ui.px(620.0f));
@@ -112,16 +113,18 @@ void IslandsPage::draw(Ui& ui) {
     ui.workspace.profiler.want();
     if (!ui.workspace.play.running()) {
         tick_ = -1;
-        return emptyState(ui, "Cost", "Islands are there while the game plays.",
-                          "An island is all that touches or is tied together: it is solved as one.",
+        return emptyState(ui, "Cost", "Islands exist only while the game runs.",
+                          "An island is a group of bodies connected by contacts and joints; the solver "
+                          "treats it as a unit.",
                           {"run.play"});
     }
     refresh(ui);
-    const std::string words =
-        rows_.empty()
-            ? std::string{"Nothing is awake: what rests costs nothing."}
-            : format("{} {} awake. What touches or is tied together is solved as one; a click selects it.",
-                     rows_.size(), rows_.size() == 1 ? "island is" : "islands are");
+    const std::string words = rows_.empty()
+                                  ? std::string{"All bodies are asleep; sleeping islands take no time."}
+                                  : format(
+                                        "{} {} awake. An island is a group of bodies connected by contacts "
+                                        "and joints; click to select it.",
+                                        rows_.size(), rows_.size() == 1 ? "island is" : "islands are");
     ImGui::TextDisabled("%s", words.c_str());
     ui.widgets.mark("Cost/islands", format("{}", rows_.size()));
     if (rows_.empty()) return;
@@ -130,15 +133,15 @@ void IslandsPage::draw(Ui& ui) {
         const char* doc;
     };
     static constexpr std::array<Column, 8> kColumns{{
-        {"bodies", "That can be pushed"},
-        {"contacts", "That push, those with the ground included"},
-        {"joints", ""},
-        {"quality", "2^quality substeps in a tick"},
-        {"speed", "Of its fastest body: what is left of motion in a heap that should rest"},
-        {"overlap", "The largest: how far shapes are inside of each other"},
-        {"joint gap", "How far the worst joint is open"},
+        {"bodies", "Number of dynamic bodies"},
+        {"contacts", "Number of touching contacts, including those with static bodies"},
+        {"joints", "Number of joints"},
+        {"quality", "Quality of the island: 2^quality substeps per tick"},
+        {"speed", "Speed of the fastest body: residual motion if the pile should be at rest"},
+        {"overlap", "Maximum penetration depth of two shapes"},
+        {"joint gap", "Maximum position error of a joint"},
         {"cost, about",
-         "Its share of the measured time of the step, by bodies, contacts, joints and substeps"},
+         "Estimated share of the measured step time, by number of bodies, contacts, joints and substeps"},
     }};
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                        ImGuiTableFlags_Sortable | ImGuiTableFlags_SizingFixedFit;

@@ -7,10 +7,10 @@
 
 namespace plumb::editor::ui {
 
-/// What each part of a tick took in the last second, as bars.
+/// Draws the page "Stages": the time of each part of a tick in the last second, as bars.
 void drawStagesPage(Ui& ui);
 
-/// The islands of the game that plays.
+/// The page "Islands": a table of the simulation islands of the running game.
 class IslandsPage {
 public:
     void draw(Ui& ui);
@@ -22,8 +22,8 @@ private:
     std::vector<IslandRow> rows_;
     IslandColumn by_ = IslandColumn::Cost;
     bool descending_ = true;
-    std::int64_t tick_ = -1;  ///< that they are of
-    physics::BodyId chosen_;  ///< the first body of the island that was clicked
+    std::int64_t tick_ = -1;  ///< the tick of the running game at which `rows_` was read
+    physics::BodyId chosen_;  ///< first body of the selected island
 };
 
 }  // namespace plumb::editor::ui

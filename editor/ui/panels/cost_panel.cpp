@@ -15,8 +15,8 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kCurveWidth = 420.0f;  // px at scale 1
-constexpr float kCurvePart = 0.38f;    // of the panel, at most
-constexpr float kMostWords = 760.0f;   // px at scale 1: longer lines are hard to read
+constexpr float kCurvePart = 0.38f;    // maximum share of the panel's width
+constexpr float kMostWords = 760.0f;   // px at scale 1, maximum line width for readable text
 
 void wrapped(const std::string& words, ImU32 color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -26,7 +26,7 @@ void wrapped(const std::string& words, ImU32 color) {
     ImGui::PopStyleColor();
 }
 
-/// What a scene costs, how exact it is, and what another quality would do.
+/// Physics time and accuracy of a scene, and of the same scene at other quality settings.
 class CostPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -34,8 +34,8 @@ public:
         const Document& document = ui.workspace.document;
         if (document.objectCount() == 0 && !ui.workspace.play.running()) {
             whatIf_.cancel();
-            return emptyState(ui, "Cost", "There is nothing to measure.",
-                              "What a scene's physics costs, and how exact it is, is shown here.", {});
+            return emptyState(ui, "Cost", "The scene is empty.",
+                              "Time and accuracy of the scene's physics are shown here.", {});
         }
         if (document.scenePath != scene_) whatIf_.forget(), scene_ = document.scenePath;
         if (!ImGui::BeginTabBar("cost pages")) return;
@@ -45,19 +45,19 @@ public:
             tooltip(doc);
             return open;
         };
-        if (page("Quality", "Quality", "What each quality would cost here, and how exact it would be"))
+        if (page("Quality", "Quality", "Time and accuracy of this scene at each quality setting"))
             drawQuality(ui), ImGui::EndTabItem();
-        if (page(adviceLabel(ui), "Advice", "What can be made better in this scene"))
+        if (page(adviceLabel(ui), "Advice", "Suggested improvements for this scene"))
             drawAdvice(ui), ImGui::EndTabItem();
-        if (page("Islands", "Islands", "What touches or is tied together, and is solved as one"))
+        if (page("Islands", "Islands",
+                 "Groups of bodies connected by contacts and joints, each solved as a unit"))
             islands_.draw(ui), ImGui::EndTabItem();
-        if (page("Stages", "Stages", "What each part of a tick takes"))
-            drawStagesPage(ui), ImGui::EndTabItem();
+        if (page("Stages", "Stages", "Time of each part of a tick")) drawStagesPage(ui), ImGui::EndTabItem();
         ImGui::EndTabBar();
     }
 
 private:
-    /// What was measured, beside what the scene says now: it may have been changed since.
+    /// Returns the measurements together with the scene's present settings, which may have changed since.
     [[nodiscard]] WhatIfResult shownResult(const Ui& ui) const {
         WhatIfResult result = whatIf_.result();
         takePresent(ui.workspace, result.scale, result.settings);
@@ -75,7 +75,7 @@ private:
         return count == 0 ? std::string{"Advice"} : format("Advice ({})", count);
     }
 
-    /// Measures, and says how far that is.
+    /// Draws the button that starts the measurement, and its progress.
     void drawBar(Ui& ui) {
         Workspace& workspace = ui.workspace;
         if (whatIf_.busy()) {
@@ -86,7 +86,7 @@ private:
             ui.widgets.mark("Cost/progress", format("{}", static_cast<int>(whatIf_.progress() * 100.0f)));
             ImGui::SameLine();
             ImGui::AlignTextToFramePadding();
-            ImGui::TextDisabled("stepping the same ticks at every quality; the game goes on");
+            ImGui::TextDisabled("simulating the same ticks at every quality; the game continues");
             return;
         }
         const bool playing = workspace.play.running();
@@ -96,7 +96,8 @@ private:
         if (ImGui::Button(label)) whatIf_.begin(workspace);
         ui.widgets.mark("Cost/measure", label);
         tooltip(
-            "Steps the same ticks again at every quality, and at a reference. The game itself is only read.");
+            "Simulates the same ticks at every quality and with a reference solution. The game itself is not "
+            "changed.");
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         if (!whatIf_.refusal().empty()) {
@@ -104,7 +105,7 @@ private:
                                whatIf_.refusal().c_str());
             ui.widgets.mark("Cost/refusal", whatIf_.refusal());
         } else if (!whatIf_.measured()) {
-            ImGui::TextDisabled("What would another quality cost here, and how exact would it be?");
+            ImGui::TextDisabled("Compares time and accuracy of this scene at all quality settings.");
         } else {
             const WhatIfResult result = whatIf_.result();
             const std::string method = methodWords(result, whatIf_.wasPlaying(), whatIf_.tape()->leftOut);
@@ -127,7 +128,7 @@ private:
         ImGui::EndChild();
         ImGui::SameLine(0.0f, ui.px(16.0f));
         beginChild("sentences", {std::min(ImGui::GetContentRegionAvail().x, ui.px(kMostWords)), 0.0f}, false);
-        // All seven shall be in sight in a small window.
+        // Tight spacing, so that all seven qualities are visible in a small window.
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8.0f), ui.px(2.0f)});
         drawSentences(ui, result);
         ImGui::PopStyleVar();
@@ -135,22 +136,19 @@ private:
         if (clicked >= 0) apply(ui, qualityRemedy(clicked), result);
     }
 
-    /// Shown before the first measurement.
+    /// Explains quality settings before the first measurement.
     static void drawLesson(Ui& ui) {
         ImGui::Spacing();
         beginChild("lesson", {std::min(ImGui::GetContentRegionAvail().x, ui.px(kMostWords)), 0.0f}, false);
         wrapped(
-            "The physics moves in small steps. More of them in a tick are more exact and take longer: that "
-            "is "
-            "the quality of a scene, from 0 (one step) to 6 (64 steps).",
+            "The physics divides each tick into substeps. More substeps are more accurate and take longer. "
+            "The quality of a scene sets their number, from 0 (1 substep) to 6 (64 substeps).",
             palette::kText);
         ImGui::Spacing();
         wrapped(
-            "Measuring plays some seconds of this scene again at every quality and shows what each would "
-            "cost "
-            "and by how much bodies would be inside of each other, or joints open. What is below half a "
-            "pixel "
-            "cannot be seen: the cheapest quality that gets there is the one to take.",
+            "The measurement simulates some seconds of this scene at every quality, and shows the time and "
+            "the largest error: the penetration of shapes or the position error of joints. Errors below half "
+            "a pixel are invisible, so the best choice is the cheapest quality with such errors.",
             palette::kTextSoft);
         ui.widgets.mark("Cost/lesson");
         ImGui::EndChild();
@@ -174,16 +172,15 @@ private:
         ImGui::Spacing();
         if (result.isChaotic) {
             const std::string words = format(
-                "Where bodies end up cannot be compared here: moved by {} at the start, half of them end "
-                "more than "
-                "{} elsewhere. Such a scene is chaotic; overlaps and joints can be compared all the same.",
+                "This scene is chaotic: after a displacement of {} at the start, half of the bodies end more "
+                "than {} away. Final positions cannot be compared; overlaps and joint errors can.",
                 "0.01 mm", lengthWords(result.hair, result.scale));
             wrapped(words, palette::kTextDim);
             ui.widgets.mark("Cost/chaos", words);
         } else if (present != nullptr && present->away >= 0.0f) {
-            const std::string words =
-                format("Against the reference, half of the bodies are off by more than {} at this quality.",
-                       lengthWords(present->away, result.scale));
+            const std::string words = format(
+                "At this quality, half of the bodies end more than {} away from the reference solution.",
+                lengthWords(present->away, result.scale));
             wrapped(words, palette::kTextDim);
             ui.widgets.mark("Cost/away", words);
         }
@@ -202,8 +199,9 @@ private:
             if (ImGui::SmallButton("Use")) apply(ui, qualityRemedy(point.quality), result);
             ImGui::PopStyleColor();
             ui.widgets.mark(format("Cost/use/{}", point.quality), isEnough ? "enough" : "");
-            tooltip(ui.workspace.play.running() ? "In the game that plays; when it stops you may keep it"
-                                                : "Sets it in the scene; undo takes it back");
+            tooltip(ui.workspace.play.running()
+                        ? "Sets it in the running game; you can keep it when the game stops"
+                        : "Sets it in the scene; can be undone");
         }
         ImGui::SameLine(ui.px(40.0f));
         const bool seen = pixelsOf(point.error(), result.scale) >= kSeenPixels;
@@ -214,7 +212,7 @@ private:
         if (isEnough) {
             ImGui::SameLine();
             ImGui::PushStyleColor(ImGuiCol_Text, palette::kPlay);
-            ImGui::TextUnformatted(seen ? "the best there is" : "enough for the eye");
+            ImGui::TextUnformatted(seen ? "most accurate" : "errors are invisible");
             ImGui::PopStyleColor();
         }
         ImGui::PopID();
@@ -224,7 +222,8 @@ private:
         drawBar(ui);
         if (!whatIf_.measured()) {
             ImGui::Spacing();
-            return wrapped("Advice comes from what was measured: measure first.", palette::kTextSoft);
+            return wrapped("Advice needs a measurement. Click the button above to measure.",
+                           palette::kTextSoft);
         }
         const WhatIfResult result = shownResult(ui);
         if (!result.complete) return;
@@ -233,7 +232,7 @@ private:
         beginChild("advice", {std::min(ImGui::GetContentRegionAvail().x, ui.px(kMostWords * 1.2f)), 0.0f},
                    false);
         if (all.empty()) {
-            wrapped("Nothing to change: this scene costs what it has to.", palette::kText);
+            wrapped("No advice: no setting of this scene needs a change.", palette::kText);
             ui.widgets.mark("Cost/advice/none");
         }
         for (const Advice& one : all) drawOne(ui, one, result);
@@ -252,7 +251,7 @@ private:
             if (!one.about.empty()) ImGui::SameLine();
         }
         if (!one.about.empty()) {
-            if (ImGui::Button("Select them")) ui.workspace.document.selection.set(one.about);
+            if (ImGui::Button("Select entities")) ui.workspace.document.selection.set(one.about);
             ui.widgets.mark(format("Cost/about/{}", one.rule), format("{}", one.about.size()));
         }
         ImGui::Unindent(ui.px(20.0f));
@@ -263,7 +262,7 @@ private:
     static void apply(Ui& ui, const CostRemedy& remedy, const WhatIfResult& result) {
         const ScenePhysics present = presentPhysics(result.settings, result.scale);
         applyRemedy(ui.workspace, remedy, present);
-        // A quality that was chosen by hand is meant as it is.
+        // A quality set by hand must stay fixed, so automatic quality is switched off.
         if (remedy.field == "quality" && present.automaticQuality)
             applyRemedy(ui.workspace,
                         {remedy.label, "ScenePhysics", "automaticQuality", FieldValue::of(false), {}},

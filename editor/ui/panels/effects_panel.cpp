@@ -13,12 +13,12 @@ namespace {
 
 using Line = EffectsView::Line;
 
-constexpr float kPinWidth = 38.0f;    // px at scale 1, of one of its three parts
+constexpr float kPinWidth = 38.0f;    // px at scale 1, width of one of the three pin buttons
 constexpr float kTimeWidth = 62.0f;   // px at scale 1
 constexpr float kShareWidth = 96.0f;  // px at scale 1
 constexpr Pin kPins[] = {Pin::Auto, Pin::On, Pin::Off};
 
-/// "12.3" µs.
+/// Formats a time given in ms as a number of µs: "12.3".
 std::string micro(float milliseconds) {
     const double microseconds = static_cast<double>(milliseconds) * 1000.0;
     return fixedText(microseconds, microseconds < 9.995 ? 2 : microseconds < 99.95 ? 1 : 0);
@@ -30,16 +30,17 @@ std::string joined(const std::vector<std::string_view>& names) {
     return text;
 }
 
-/// Every effect: whether it runs, what calls for it, what it costs; and the pins of the scene.
+/// Lists every effect: whether it runs, which components need it, its time, and its pin in the scene.
 class EffectsPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         if (ui.workspace.play.running()) ui.workspace.profiler.want();
         view_.refresh(ui.workspace);
-        const auto says = [](const Line& line) { return line.calledFor || line.pin != Pin::Auto; };
-        if (std::none_of(view_.lines().begin(), view_.lines().end(), says)) {
-            return emptyState(ui, "Effects", "Nothing in this scene calls for an effect.",
-                              "What runs, and for which components, appears here as components come.");
+        const auto isListed = [](const Line& line) { return line.isRequired || line.pin != Pin::Auto; };
+        if (std::none_of(view_.lines().begin(), view_.lines().end(), isListed)) {
+            return emptyState(
+                ui, "Effects", "No component of this scene needs an effect.",
+                "Running effects, and the components that need them, appear here as components are added.");
         }
         drawBar(ui);
         constexpr ImGuiTableFlags kFlags =
@@ -70,15 +71,14 @@ private:
             ui.widgets.mark(all ? "Effects/all" : "Effects/running", label);
             ImGui::SameLine(0.0f, ui.px(4.0f));
         }
-        std::string text = "Costs appear while the game plays.";
+        std::string text = "Times appear while the game runs.";
         if (view_.tickMilliseconds() > 0.0f)
-            text =
-                format("A tick takes {} µs, the mean of the last second.", micro(view_.tickMilliseconds()));
+            text = format("Mean tick of the last second: {} µs.", micro(view_.tickMilliseconds()));
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", text.c_str());
         ui.widgets.mark("Effects/summary", text);
-        tooltip("CPU time of the main thread. Switching an effect off saves what it costs.");
+        tooltip("CPU time of the main thread. Turning an effect off saves its time.");
     }
 
     void drawGroup(Ui& ui, const char* title, bool inPhysics) {
@@ -128,14 +128,15 @@ private:
         ImGui::PopStyleColor();
         ui.widgets.mark(path, line.runs ? "on" : "off");
         std::string about{row.doc};
-        if (!line.zones.own.empty()) about += format("\nWhat runs for it: {}", joined(line.zones.own));
-        if (!line.zones.shared.empty()) about += format("\nA part of: {}", joined(line.zones.shared));
-        if (!row.device.empty()) about += format("\nOpened for it: {}", row.device);
+        if (!line.zones.own.empty()) about += format("\nProfiler zones: {}", joined(line.zones.own));
+        if (!line.zones.shared.empty())
+            about += format("\nShared profiler zones: {}", joined(line.zones.shared));
+        if (!row.device.empty()) about += format("\nDevice opened for it: {}", row.device);
         if (!line.pinnedBy.empty()) about += format("\nPinned by {}", line.pinnedBy);
         tooltip(about);
     }
 
-    /// auto | on | off
+    /// Draws the three buttons "auto | on | off" that pin the effect.
     static void drawPin(Ui& ui, const EffectRow& row, const Line& line, const std::string& path) {
         const bool possible = ui.workspace.canEdit() && !editsPrefab(ui.workspace);
         ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -148,12 +149,11 @@ private:
             const bool pressed = ImGui::InvisibleButton(name.c_str(), {ui.px(kPinWidth), height});
             const bool chosen = line.pin == pin;
             ui.widgets.mark(path + "/" + name, chosen ? "chosen" : "");
-            tooltip(
-                !possible          ? "A scene is changed while nothing plays."
-                : pin == Pin::Auto ? "Runs while a component calls for it."
-                : pin == Pin::On
-                    ? "Runs though nothing calls for it."
-                    : "Never runs. Components that need it are named in the console when the scene opens.");
+            tooltip(!possible          ? "Stop the game to change the scene."
+                    : pin == Pin::Auto ? "Runs while a component needs it."
+                    : pin == Pin::On
+                        ? "Always runs, even if no component needs it."
+                        : "Never runs. When the scene opens, the console lists the components that need it.");
             if (chosen) {
                 list.AddRectFilled(at, to, pin == Pin::Auto ? palette::kHover : palette::kAccentSoft,
                                    ui.px(3.0f));
@@ -184,8 +184,8 @@ private:
         ui.widgets.mark(path + "/cost", text);
         if (shared)
             tooltip(
-                format("A part of: {}, which others need as well.\nplumb-player --effects measures what "
-                       "switching it off saves.",
+                format("Measured as part of {}, which other effects use too.\nplumb-player --effects "
+                       "measures how much time turning it off saves.",
                        joined(line.zones.shared)));
     }
 
@@ -203,12 +203,12 @@ private:
     }
 
     static void drawCallers(Ui& ui, const EffectRow& row, const Line& line, const std::string& path) {
-        if (line.callers.empty() && line.calledFor) {
+        if (line.callers.empty() && line.isRequired) {
             ImGui::TextDisabled("tiles, or game code");
             return;
         }
         if (line.callers.empty()) {
-            const std::string names = "nothing: " + missingCallers(row);
+            const std::string names = "none of: " + missingCallers(row);
             ImGui::TextDisabled("%s", names.c_str());
             ui.widgets.mark(path + "/none", names);
             return;
@@ -225,7 +225,7 @@ private:
             list.AddText(at, palette::kAccent, text.c_str());
             if (ImGui::IsItemHovered())
                 list.AddLine({at.x, at.y + size.y}, {at.x + size.x, at.y + size.y}, palette::kAccent);
-            tooltip("Selects them");
+            tooltip("Selects the entities with this component");
             if (pressed) selectCallers(ui.workspace, row, *caller.type);
         }
     }

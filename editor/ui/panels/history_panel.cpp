@@ -7,16 +7,16 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kRowHeight = 21.0f;  // px at scale 1
-constexpr float kNumber = 40.0f;     // px at scale 1: where the label begins
+constexpr float kNumber = 40.0f;     // px at scale 1: left edge of the label
 
-/// All steps since the scene was opened; a click goes back or forth to one.
+/// Lists all undo steps since the scene was opened; a click undoes or redoes up to that step.
 class HistoryPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         const UndoStack& undo = ui.workspace.undo;
         if (undo.total() == 0) {
-            return emptyState(ui, "History", "Nothing has been changed yet.",
-                              "Every change appears here; a click goes back to before it, or forth again.");
+            return emptyState(ui, "History", "There are no changes yet.",
+                              "Every change appears here; click one to undo or redo up to it.");
         }
         drawSummary(ui, undo);
         collect(undo);
@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    /// A step, or what was lost there.
+    /// An undo step, or a note about discarded redo steps.
     struct Row {
         std::size_t position = 0;
         const UndoStack::Lost* lost = nullptr;
@@ -45,12 +45,12 @@ private:
         std::string text = format("{} {} can be undone, {} redone", undo.size(),
                                   undo.size() == 1 ? "step" : "steps", undo.total() - undo.size());
         if (undo.savedPosition() == UndoStack::kNever) {
-            text += "; none of them is as it was saved";
+            text += "; the saved state is no longer among them";
         } else if (!undo.isSaved()) {
             const bool ahead = undo.size() > undo.savedPosition();
             const std::size_t away =
                 ahead ? undo.size() - undo.savedPosition() : undo.savedPosition() - undo.size();
-            text += format("; {} {} the saved one", away, ahead ? "after" : "before");
+            text += format("; {} {} the saved state", away, ahead ? "after" : "before");
         }
         ImGui::TextDisabled("%s", text.c_str());
         ui.widgets.mark("History/summary", text);
@@ -118,21 +118,21 @@ private:
         if (chosen && ui.workspace.canEdit()) undo.jumpTo(step);
     }
 
-    /// What cannot be redone any more, because something else was done instead.
+    /// Draws a note about undone steps that were discarded because another change was made.
     static void drawLost(Ui& ui, const UndoStack::Lost& lost, float height) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::Dummy({ImGui::GetContentRegionAvail().x, height});
-        const std::string text = format("{} {} given up here, the last one: {}", lost.steps,
+        const std::string text = format("{} {} discarded here, the last one: {}", lost.steps,
                                         lost.steps == 1 ? "undone step was" : "undone steps were", lost.last);
         ui.widgets.mark(format("History/{}/lost", lost.position), text);
-        tooltip("Another change was made instead of redoing them.");
+        tooltip("Another change was made, so they cannot be redone.");
         const float line = at.y + (height - ImGui::GetTextLineHeight()) * 0.5f;
         ImGui::GetWindowDrawList()->AddText({at.x + ui.px(kNumber + 16.0f), line}, palette::kTextDim,
                                             text.c_str());
     }
 
     std::vector<Row> rows_;
-    std::size_t shown_ = 0;  ///< the position that was scrolled to
+    std::size_t shown_ = 0;  ///< undo position that was scrolled into view
     std::size_t total_ = 0;
 };
 

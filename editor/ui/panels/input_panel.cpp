@@ -20,12 +20,12 @@ constexpr const char* kPress = "Press a key";
 constexpr const char* kAddAction = "New action###add input";
 constexpr const char* kAddAxis = "New axis###add input";
 
-/// "Input/Jump", "Input/Horizontal/negative".
+/// Returns the widget path of an action or axis part: "Input/Jump", "Input/Horizontal/negative".
 std::string pathOf(const InputMapEdit::Place& place) {
     return format("Input/{}{}{}", place.name, place.part.empty() ? "" : "/", place.part);
 }
 
-/// What can be bound without having the device at hand.
+/// Returns all bindings of a kind, so that a device need not be connected.
 std::vector<Binding> allOf(BindingKind kind) {
     std::size_t count = 0;
     switch (kind) {
@@ -40,7 +40,7 @@ std::vector<Binding> allOf(BindingKind kind) {
     return all;
 }
 
-/// The actions and axes of the project, and what they are on.
+/// Edits the project's input actions and axes, and the keys, buttons and sticks bound to them.
 class InputPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -53,7 +53,7 @@ public:
         }
         drawBar(ui);
         beginChild("map", {0.0f, 0.0f}, false);
-        const std::vector<InputMapEdit::Row> rows = edit_->rows();  // a change makes others of them
+        const std::vector<InputMapEdit::Row> rows = edit_->rows();  // a copy, as a change replaces the rows
         for (const InputMapEdit::Row& row : rows) drawRow(ui, row);
         ImGui::EndChild();
         drawPress(ui);
@@ -81,20 +81,21 @@ private:
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         const std::size_t shared = edit_->shared();
-        std::string text = ui.workspace.canEdit() ? "What is changed is in project.json at once."
-                           : ui.workspace.play.inPast()
-                               ? "New keys count once the game goes on from here; the past keeps its own."
-                               : "New keys count in the game that plays, from the next tick on.";
+        std::string text =
+            ui.workspace.canEdit() ? "Changes are saved to project.json at once."
+            : ui.workspace.play.inPast()
+                ? "New keys apply when the game resumes from here; the recorded past keeps its keys."
+                : "New keys apply in the running game from the next tick on.";
         if (shared > 0)
-            text += format("  {} mean{} more than one thing.",
+            text += format("  {} {} more than one action.",
                            shared == 1 ? std::string{"1 key"} : format("{} keys", shared),
-                           shared == 1 ? "s" : "");
+                           shared == 1 ? "triggers" : "trigger");
         if (!problem_.empty()) text = problem_;
         ImGui::PushStyleColor(ImGuiCol_Text, problem_.empty() ? palette::kTextDim : palette::kWarning);
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
         ui.widgets.mark("Input/state", text);
-        tooltip(text);  // a narrow pane does not show all of it
+        tooltip(text);  // a narrow panel cuts the text off
     }
 
     void drawRow(Ui& ui, const InputMapEdit::Row& row) {
@@ -121,8 +122,8 @@ private:
         ImGui::Selectable(row.name.c_str(), false, 0, {ui.px(kNameWidth - 12.0f), ui.px(kChipHeight)});
         ImGui::PopStyleColor();
         ui.widgets.mark("Input/" + row.name, row.ofProject ? "project" : "default");
-        tooltip(row.ofProject ? "A double click renames it, the right button has more"
-                              : "As every game has it that says nothing else; a change is the project's own");
+        tooltip(row.ofProject ? "Double-click to rename; right-click for more"
+                              : "Default of the engine; a change is saved in the project");
         if (row.ofProject && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) beginRename(row);
         if (!ImGui::BeginPopupContextItem("menu")) return;
         if (ImGui::MenuItem("Rename", nullptr, false, row.ofProject)) beginRename(row);
@@ -171,7 +172,7 @@ private:
         drawButtons(ui, place);
     }
 
-    /// Goes on in the next line where this one is full.
+    /// Moves to the next line if an item of this width (px) does not fit.
     static void placeNext(float left, float width, float windowLeft) {
         const float x = ImGui::GetCursorScreenPos().x - windowLeft;
         if (x + width <= ImGui::GetWindowContentRegionMax().x || x <= left) return;
@@ -183,7 +184,7 @@ private:
         return ImGui::CalcTextSize(toText(binding).c_str()).x + ui.px(30.0f);
     }
 
-    /// A key, with a cross that takes it away.
+    /// Draws a bound key with a cross that removes the binding.
     void drawChip(Ui& ui, const InputMapEdit::Place& place, Binding binding, std::size_t index, float width) {
         const std::string text = toText(binding);
         const std::vector<std::string> others = edit_->othersOf(binding, place);
@@ -195,12 +196,12 @@ private:
         std::string conflict;
         for (const std::string& other : others) conflict += (conflict.empty() ? "" : "; ") + other;
         ui.widgets.mark(format("{}/{}", pathOf(place), text), conflict);
-        if (!conflict.empty()) tooltip(format("{} also means: {}", text, conflict));
+        if (!conflict.empty()) tooltip(format("{} is also bound to: {}", text, conflict));
         ImGui::SameLine(0.0f, 0.0f);
         const bool remove = ImGui::InvisibleButton("remove", {cross, height});
         const bool hovered = ImGui::IsItemHovered();
         ui.widgets.mark(format("{}/{}/remove", pathOf(place), text));
-        tooltip("Takes it away");
+        tooltip("Removes this binding");
         ImGui::PopID();
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 to{at.x + width, at.y + height};
@@ -220,17 +221,17 @@ private:
         const ImVec2 size{ui.px(26.0f), ui.px(kChipHeight)};
         if (ImGui::Button("+", size)) press_ = place;
         ui.widgets.mark(pathOf(place) + "/press");
-        tooltip("Press a key, or a button of the mouse or the gamepad");
+        tooltip("Bind a key, or a button of the mouse or the gamepad, by pressing it");
         ImGui::SameLine(0.0f, ui.px(2.0f));
         if (ImGui::ArrowButton("list", ImGuiDir_Down)) ImGui::OpenPopup("all");
         ui.widgets.mark(pathOf(place) + "/list");
-        tooltip("Choose one from a list");
+        tooltip("Select from a list");
         if (!ImGui::BeginPopup("all")) return;
         for (const auto& [label, kind] :
              {std::pair{"Keys", BindingKind::Key}, std::pair{"Mouse", BindingKind::MouseButton},
               std::pair{"Gamepad", BindingKind::PadButton}, std::pair{"Sticks", BindingKind::PadAxis},
-              std::pair{"Sticks, one way", BindingKind::PadAxisPlus},
-              std::pair{"Sticks, the other way", BindingKind::PadAxisMinus}}) {
+              std::pair{"Sticks, positive", BindingKind::PadAxisPlus},
+              std::pair{"Sticks, negative", BindingKind::PadAxisMinus}}) {
             const bool open = ImGui::BeginMenu(label);
             ui.widgets.mark(format("Input/list/{}", label));
             if (!open) continue;
@@ -268,7 +269,7 @@ private:
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
         list.AddRectFilled(from, to, palette::kField, ui.px(4.0f));
-        const char* words = "Any key, Escape too. Click here with a mouse button.";
+        const char* words = "Press any key (Escape too), or click here with a mouse button.";
         const ImVec2 extent = ImGui::CalcTextSize(words);
         list.AddText({(from.x + to.x - extent.x) * 0.5f, (from.y + to.y - extent.y) * 0.5f},
                      palette::kTextDim, words);
@@ -283,10 +284,11 @@ private:
         ImGui::EndPopup();
     }
 
-    /// While a key is waited for: no shortcut, and no game, gets what is pressed.
+    /// Takes an input event as the new binding. True: the
+    /// event is used up, no shortcut and no game receives it.
     bool take(const Event& event) {
         const std::optional<Binding> binding = plumb::editor::bindingOf(event);
-        if (ImGui::GetFrameCount() > drawn_ + 1) return false;  // the question is no longer shown
+        if (ImGui::GetFrameCount() > drawn_ + 1) return false;  // the dialog is no longer shown
         if (event.kind == EventKind::MouseDown && !overField_) return false;
         if (binding && !pressed_) pressed_ = binding;
         return binding.has_value();
@@ -297,8 +299,8 @@ private:
         if (!ImGui::BeginPopupModal(adding_ == Kind::Action ? kAddAction : kAddAxis, nullptr,
                                     ImGuiWindowFlags_NoResize))
             return;
-        ImGui::TextDisabled("%s", adding_ == Kind::Action ? "The name that scenes and code call the action by"
-                                                          : "The name that code calls the axis by");
+        ImGui::TextDisabled("%s", adding_ == Kind::Action ? "Name of the action, as used in scenes and code"
+                                                          : "Name of the axis, as used in code");
         if (ImGui::IsWindowAppearing() || std::exchange(typeAgain_, false)) ImGui::SetKeyboardFocusHere();
         ImGui::SetNextItemWidth(-1.0f);
         bool done = textField("##name", newName_, ImGuiInputTextFlags_EnterReturnsTrue,
@@ -322,16 +324,16 @@ private:
     double nextLook_ = 0.0;
     std::uint64_t revision_ = 0;
     std::string problem_;
-    std::string error_;  ///< of the last change
+    std::string error_;  ///< message of the last failed change
     std::string newName_;
-    bool typeAgain_ = false;  ///< the name was refused
+    bool typeAgain_ = false;  ///< the name was rejected: focus the field again
     Kind adding_ = Kind::Action;
     std::optional<InputMapEdit::Place> renaming_;
     bool focus_ = false;
-    std::optional<InputMapEdit::Place> press_;  ///< what gets the next key
+    std::optional<InputMapEdit::Place> press_;  ///< the action or axis part that gets the next key
     std::optional<Binding> pressed_;
     bool overField_ = false;
-    int drawn_ = 0;  ///< the frame in which the question was on the screen
+    int drawn_ = 0;  ///< last frame in which the dialog was shown
 };
 
 }  // namespace

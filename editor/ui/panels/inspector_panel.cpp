@@ -17,7 +17,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// The components of what is selected, made from their descriptions.
+/// Edits the components of the selected entities; the widgets are generated from reflection data.
 class InspectorPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -30,17 +30,18 @@ private:
         const std::vector<ObjectId>& selected = ui.workspace.document.selection.all();
         if (ui.workspace.document.scenePath.empty()) {
             return emptyState(ui, "Inspector", "No scene is open.",
-                              "The components of what is selected in a scene are here.",
+                              "The components of the selected entities appear here.",
                               {"file.open", "file.new"});
         }
         if (selected.empty()) {
-            return emptyState(ui, "Inspector", "Nothing is selected.",
-                              "Click something in the scene or in its tree, and its components are here.",
-                              {"entity.create", "edit.selectAll"});
+            return emptyState(
+                ui, "Inspector", "Nothing is selected.",
+                "Click an entity in the viewport or in the Scene panel to edit its components here.",
+                {"entity.create", "edit.selectAll"});
         }
         const ObjectId shown = selected.back();
         if (!ui.workspace.shownWorld().alive(ui.workspace.shownEntity(shown))) {
-            ImGui::TextWrapped("This entity is gone in the running game.");
+            ImGui::TextWrapped("This entity does not exist in the running game.");
             return;
         }
         compareWithPrefabs(ui, selected);
@@ -62,7 +63,8 @@ private:
         if (ui.workspace.canEdit()) add_.draw(ui, selected, held_);
     }
 
-    /// Once for each change of the scene or the selection. A running game is compared with nothing.
+    /// Compares the selected entities with their prefabs after each change of scene or selection. During a
+    /// drag of several entities the last result is kept. Uses the edited scene, never the running game.
     void compareWithPrefabs(Ui& ui, const std::vector<ObjectId>& ids) {
         Workspace& workspace = ui.workspace;
         const Compared now{workspace.document.sceneRevision, workspace.document.selection.revision(),
@@ -73,7 +75,7 @@ private:
         group_ = prefabGroup(workspace.prefabs(), ids);
     }
 
-    /// What the selected ones have, looked up again when something changed.
+    /// Updates the list of components of the selected entities if scene, selection or tick changed.
     void lookAtComponents(const Workspace& workspace) {
         const SelectedState now = selectedState(workspace);
         if (std::exchange(looked_, now) == now) return;
@@ -97,8 +99,8 @@ private:
         ImGui::Text("%d entities", static_cast<int>(count));
         ui.widgets.mark("Inspector/count", format("{}", count));
         tooltip(
-            "What you change goes to all of them, each number by itself. A dash stands where they differ; "
-            "type +=10 or *2 over it, or drag it, and each changes from what it is.");
+            "A change applies to all of them, one number at a time. A dash marks differing values; "
+            "type +=10 or *2, or drag, to change each relative to its own value.");
     }
 
     void drawName(Ui& ui, ObjectId id) {
@@ -116,7 +118,7 @@ private:
         }
     }
 
-    /// Which prefabs the selected ones come from.
+    /// Returns the line that names the prefabs of the selected entities: "3 of 5 from owlet".
     [[nodiscard]] std::string origin(std::size_t selected) const {
         const std::string& first = group_.prefabs.front();
         const std::string name =
@@ -126,13 +128,14 @@ private:
         return format("{} of {} from {}", group_.parts, selected, name);
     }
 
-    /// "owlet" of "prefabs/owlet.prefab.json".
+    /// Returns "owlet" for "prefabs/owlet.prefab.json".
     static std::string shortPath(std::string_view path) {
         const std::string_view name = path.substr(path.rfind('/') + 1);
         return std::string{name.substr(0, name.find(".prefab."))};
     }
 
-    /// Which prefabs they come from, how they differ, and both ways to make them agree.
+    /// Draws the names of the prefabs, the number of overridden
+    /// values, and the buttons to revert or apply them.
     void drawPrefab(Ui& ui, std::size_t selected) {
         const std::size_t count = group_.changed;
         const std::string state = !group_.compared ? "too many to compare"
@@ -142,14 +145,14 @@ private:
         ImGui::TextDisabled("%s", origin(selected).c_str());
         std::string paths;
         for (const std::string& path : group_.prefabs) paths += path + "\n";
-        tooltip(paths + "What they have for themselves is bold, with a bar beside it.");
+        tooltip(paths + "Overridden values are bold, with a bar beside them.");
         ImGui::SameLine();
         ImGui::PushStyleColor(ImGuiCol_Text, count == 0 ? palette::kTextDim : palette::kAccent);
         ImGui::TextUnformatted(state.c_str());
         ImGui::PopStyleColor();
         ui.widgets.mark("Inspector/prefab", format("{}", count));
         drawEditPrefab(ui);
-        if (count > 0) drawBothWays(ui);
+        if (count > 0) drawRevertAndApply(ui);
     }
 
     void drawEditPrefab(Ui& ui) {
@@ -164,19 +167,20 @@ private:
         if (ImGui::Button(label)) runAction(ui.workspace, "entity.editPrefab");
         ImGui::EndDisabled();
         ui.widgets.mark("Inspector/prefab/edit", several ? "several" : group_.prefabs.front());
-        tooltip(several ? std::string{"They come from several prefabs: select instances of one."}
-                        : format("Opens {}; what is changed there changes all of its instances.  ({})",
-                                 group_.prefabs.front(), keysFor(ui.workspace, "entity.editPrefab")));
+        tooltip(several
+                    ? std::string{"The selected entities come from several prefabs: select instances of one."}
+                    : format("Opens {}; a change there applies to all of its instances.  ({})",
+                             group_.prefabs.front(), keysFor(ui.workspace, "entity.editPrefab")));
     }
 
-    void drawBothWays(Ui& ui) {
+    void drawRevertAndApply(Ui& ui) {
         const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
         const KeyBindings& keys = ui.workspace.settings.keys;
         if (ImGui::Button("Revert all", {width, 0.0f}))
             components_.ask([](Workspace& workspace) { workspace.revertToPrefab(); });
         ui.widgets.mark("Inspector/prefab/revert");
         tooltip(keys.labelOf(*findAction("entity.revert"),
-                             "Takes back what the selected have for themselves, but not where they stand."));
+                             "Resets the overridden values to the prefab's, except for the position."));
         ImGui::SameLine();
         const bool can = group_.whyNotApply.empty();
         ImGui::BeginDisabled(!can);
@@ -184,18 +188,19 @@ private:
             components_.ask([](Workspace& workspace) { workspace.applyToPrefab(); });
         ImGui::EndDisabled();
         ui.widgets.mark("Inspector/prefab/apply", group_.whyNotApply);
-        tooltip(can ? keys.labelOf(*findAction("entity.apply"),
-                                   "Writes it into the prefab's file; other instances follow.")
-                    : group_.whyNotApply);
+        tooltip(
+            can ? keys.labelOf(*findAction("entity.apply"),
+                               "Writes the overridden values into the prefab file; other instances follow.")
+                : group_.whyNotApply);
     }
 
-    /// What only some of the selected have: how many, and a way to select just those.
+    /// Lists the components that only some of the selected entities have; a click selects these entities.
     void drawPartlyHeld(Ui& ui, const std::vector<ObjectId>& ids) {
         const auto partly = [&](const ComponentHolders& held) { return held.count < ids.size(); };
         const auto more = std::count_if(held_.begin(), held_.end(), partly);
         if (more == 0) return;
         ImGui::Spacing();
-        ImGui::TextDisabled("%d more, which only some have:", static_cast<int>(more));
+        ImGui::TextDisabled("%d more, on some entities only:", static_cast<int>(more));
         ui.widgets.mark("Inspector/partly", format("{}", more));
         for (const ComponentHolders& held : held_) {
             if (!partly(held)) continue;
@@ -209,7 +214,7 @@ private:
                 {end.x - size.x - ui.px(6.0f), ImGui::GetItemRectMin().y + ui.px(2.0f)}, palette::kTextDim,
                 count.c_str());
             ui.widgets.mark(format("Inspector/partly/{}", held.type->name), format("{}", held.count));
-            tooltip("Select those that have it");
+            tooltip("Selects the entities with this component");
             if (!chosen) continue;
             components_.ask([type = held.type](Workspace& workspace) {
                 Selection& selection = workspace.document.selection;
@@ -222,7 +227,7 @@ private:
         ImGui::PushID(type.name.data());
         drawPrefabBar(ui, ImGui::GetCursorScreenPos(), ImGui::GetFrameHeight());
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("%s is taken out", std::string{type.name}.c_str());
+        ImGui::TextDisabled("%s removed", std::string{type.name}.c_str());
         ImGui::SameLine();
         if (ImGui::SmallButton("Restore")) {
             components_.ask([&type, selected](Workspace& workspace) {
@@ -234,7 +239,7 @@ private:
             });
         }
         ui.widgets.mark(format("Inspector/{}/restore", type.name));
-        tooltip("The prefab has this component.");
+        tooltip("The prefab has this component; Restore adds it again.");
         ImGui::PopID();
     }
 
@@ -247,10 +252,10 @@ private:
 
     ComponentView components_;
     AddComponent add_;
-    PrefabGroup group_;  // of what is selected, as it was at `compared_`
+    PrefabGroup group_;  // of the selected entities, computed at `compared_`
     Compared compared_;
-    std::vector<EntityId> entities_;      // the selected ones, as at `looked_`
-    std::vector<ComponentHolders> held_;  // by all or some of them
+    std::vector<EntityId> entities_;      // the selected entities, read at `looked_`
+    std::vector<ComponentHolders> held_;  // component types of the selected entities, with counts
     SelectedState looked_;
 };
 

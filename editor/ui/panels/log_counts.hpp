@@ -4,7 +4,7 @@
 
 namespace plumb::editor::ui {
 
-/// px that drawLogCounts takes; 0 when there is nothing to count.
+/// Width of drawLogCounts(), px; 0 if the log has no errors and no warnings.
 float logCountsWidth(const Ui& ui);
 
 }  // namespace plumb::editor::ui

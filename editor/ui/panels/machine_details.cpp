@@ -24,7 +24,7 @@ const T& at(const std::vector<T>& items, int index) {
     return items[static_cast<std::size_t>(index)];
 }
 
-/// What is chosen, and a button at the right that takes it out.
+/// Draws the name of the selected part and, at the right, the button that removes it.
 void drawTitle(Ui& ui, StateMachineEdit& edit, MachinePart& chosen, const std::string& title) {
     const float right = ImGui::GetWindowContentRegionMax().x - ui.px(62.0f);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -48,7 +48,7 @@ void drawLabel(const Ui& ui, const char* label) {
     ImGui::SetNextItemWidth(-1.0f);
 }
 
-/// A list of names. @return the one that was chosen, if it is another one
+/// Draws a combo box of names. @return the index that was selected, if it differs from `now`
 template <class NameOf>
 std::optional<int> chooseName(Ui& ui, const std::string& path, int now, int count, const char* shown,
                               const NameOf& nameOf) {
@@ -67,13 +67,14 @@ std::optional<int> chooseName(Ui& ui, const std::string& path, int now, int coun
     return chosen;
 }
 
-/// One line for each transition that is asked for; a click chooses it.
+/// Draws a line for each transition that the filter `wanted` accepts; a click selects the transition.
 template <class Wanted>
 void listTransitions(Ui& ui, const AnimationSet& set, MachinePart& chosen, const Wanted& wanted) {
     for (int i = 0; i < static_cast<int>(set.transitions.size()); ++i) {
         const AnimationTransition& transition = at(set.transitions, i);
         if (!wanted(transition)) continue;
-        const std::string text = format("{}: {}", wayText(set, transition), whenText(set, transition));
+        const std::string text =
+            format("{}: {}", transitionText(set, transition), conditionsText(set, transition));
         ImGui::PushID(i);
         if (ImGui::Selectable(text.c_str())) chosen = {Kind::Transition, i};
         ImGui::PopID();
@@ -89,20 +90,20 @@ void drawOrder(Ui& ui, StateMachineEdit& edit, MachinePart& chosen) {
     if (ImGui::ArrowButton("earlier", ImGuiDir_Up)) by = -1;
     ui.widgets.mark("Animation/earlier");
     ImGui::EndDisabled();
-    tooltip("Asked earlier: of several that may be taken the first one is");
+    tooltip("Moves this transition up. If several transitions are possible, the first one is taken");
     ImGui::SameLine(0.0f, ui.px(3.0f));
     ImGui::BeginDisabled(chosen.index + 1 == count);
     if (ImGui::ArrowButton("later", ImGuiDir_Down)) by = 1;
     ui.widgets.mark("Animation/later");
     ImGui::EndDisabled();
-    tooltip("Asked later");
+    tooltip("Moves this transition down");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("asked as %d of %d", chosen.index + 1, count);
+    ImGui::TextDisabled("priority %d of %d", chosen.index + 1, count);
     if (by != 0) chosen.index = edit.moveTransition(chosen.index, by);
 }
 
-/// A new condition: on which parameter is asked first.
+/// Draws the button that adds a condition, with a menu of the parameters.
 void drawAddCondition(Ui& ui, StateMachineEdit& edit, int transition) {
     const AnimationSet& set = edit.set();
     const bool full = at(set.transitions, transition).when.size() >= StateMachineEdit::kMaxConditions;
@@ -110,8 +111,8 @@ void drawAddCondition(Ui& ui, StateMachineEdit& edit, int transition) {
     if (ImGui::Button("Add condition")) ImGui::OpenPopup("add condition");
     ui.widgets.mark("Animation/addCondition");
     ImGui::EndDisabled();
-    tooltip(set.parameters.empty() ? "Conditions ask for parameters: add one at the left first"
-                                   : "All conditions must hold");
+    tooltip(set.parameters.empty() ? "A condition tests a parameter: add a parameter on the left first"
+                                   : "The transition needs all of its conditions");
     if (!ImGui::BeginPopup("add condition")) return;
     int wanted = -1;
     for (int i = 0; i < static_cast<int>(set.parameters.size()); ++i) {
@@ -134,13 +135,13 @@ void MachineDetails::draw(Ui& ui, StateMachineEdit& edit, MachinePart& chosen) {
     }
     const AnimationSet set = edit.set();
     ImGui::TextDisabled("Transitions");
-    tooltip("Of several that may be taken the first one is. A click shows one with its conditions");
-    if (set.transitions.empty()) ImGui::TextWrapped("Drag from one state to another to make one.");
+    tooltip("If several transitions are possible, the first one is taken. Click one to edit its conditions");
+    if (set.transitions.empty()) ImGui::TextWrapped("Drag from one state to another to add a transition.");
     listTransitions(ui, set, chosen, [](const AnimationTransition&) { return true; });
 }
 
 void MachineDetails::drawState(Ui& ui, StateMachineEdit& edit, MachinePart& chosen) {
-    const AnimationSet set = edit.set();  // a change makes another one of it
+    const AnimationSet set = edit.set();  // a copy, as an edit replaces the set
     const int state = chosen.index;
     const AnimationState& now = at(set.states, state);
     drawTitle(ui, edit, chosen, "State " + now.name);
@@ -154,7 +155,7 @@ void MachineDetails::drawState(Ui& ui, StateMachineEdit& edit, MachinePart& chos
     drawLabel(ui, "Speed");
     if (const auto speed = number_.draw(ui, "Animation/stateSpeed", now.speed, 0.01f, "%.4g"))
         edit.setSpeed(state, *speed);
-    tooltip("1 is as the clip says, 2 twice as fast; negative plays backwards");
+    tooltip("1 plays at the speed of the clip, 2 twice as fast; negative plays backwards");
     drawLabel(ui, "Goes to");
     const auto stateName = [&](int i) { return at(set.states, i).name; };
     if (const auto to = chooseName(ui, "Animation/to", state, static_cast<int>(set.states.size()),
@@ -172,12 +173,12 @@ void MachineDetails::drawState(Ui& ui, StateMachineEdit& edit, MachinePart& chos
     }
     ui.widgets.mark("Animation/begin");
     ImGui::EndDisabled();
-    tooltip(state == 0 ? "It begins here already" : "The game begins with this state");
+    tooltip(state == 0 ? "This is already the initial state" : "Makes this the initial state");
 }
 
 void MachineDetails::drawTransition(Ui& ui, StateMachineEdit& edit, MachinePart& chosen) {
     const int index = chosen.index;
-    const std::string title = wayText(edit.set(), at(edit.set().transitions, index));
+    const std::string title = transitionText(edit.set(), at(edit.set().transitions, index));
     drawTitle(ui, edit, chosen, title);
     if (chosen.kind != Kind::Transition) return;
     for (int i = 0; i < static_cast<int>(at(edit.set().transitions, index).when.size()); ++i)
@@ -186,12 +187,11 @@ void MachineDetails::drawTransition(Ui& ui, StateMachineEdit& edit, MachinePart&
     bool afterEnd = at(edit.set().transitions, index).afterEnd;
     if (ImGui::Checkbox("when the clip has ended", &afterEnd)) edit.setAfterEnd(index, afterEnd);
     ui.widgets.mark("Animation/afterEnd", at(edit.set().transitions, index).afterEnd ? "on" : "off");
-    tooltip(
-        "Waits until the clip was played to its end; one that goes round and round, to the end of a turn");
+    tooltip("Waits for the end of the clip; for a looping clip, for the end of the current loop");
     const AnimationTransition& now = at(edit.set().transitions, index);
     if (now.when.empty() && !now.afterEnd) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
-        ImGui::TextWrapped("Without a condition it is taken at once.");
+        ImGui::TextWrapped("Without a condition the transition is taken at once.");
         ImGui::PopStyleColor();
         ui.widgets.mark("Animation/atOnce");
     }
@@ -221,7 +221,7 @@ void MachineDetails::drawCondition(Ui& ui, StateMachineEdit& edit, int transitio
     ImGui::SameLine(0.0f, gap);
     if (ImGui::Button("x", {ui.px(kRemoveWidth), 0.0f})) edit.removeCondition(transition, condition);
     ui.widgets.mark(path + "/remove");
-    tooltip("Takes this condition out");
+    tooltip("Removes this condition");
     ImGui::PopID();
 }
 
@@ -233,7 +233,7 @@ void MachineDetails::drawQuestion(Ui& ui, StateMachineEdit& edit, int transition
     AnimationCondition next = at(when, condition);
     const std::string path = format("Animation/when/{}", condition);
     const bool trigger = at(set.parameters, next.parameter).kind == ParameterKind::Trigger;
-    const Asks asks = asksFor(set, next);
+    const Asks asks = conditionKind(set, next);
     if (asks != Asks::Number) {
         const auto nameOf = [&](int i) {
             return std::string{trigger ? (i == 0 ? "is set" : "is not set") : i == 0 ? "is on" : "is off"};
@@ -259,7 +259,7 @@ void MachineDetails::drawQuestion(Ui& ui, StateMachineEdit& edit, int transition
         next.value = *value;
         edit.setCondition(transition, condition, next);
     }
-    tooltip("Drag, or Ctrl+click to type");
+    tooltip("Drag, or Ctrl+click to type a number");
 }
 
 void MachineDetails::drawParameter(Ui& ui, StateMachineEdit& edit, MachinePart& chosen) {
@@ -270,33 +270,33 @@ void MachineDetails::drawParameter(Ui& ui, StateMachineEdit& edit, MachinePart& 
     drawLabel(ui, "Name");
     if (const auto name = text_.draw(ui, "Animation/parameterName", now.name))
         edit.renameParameter(index, *name);
-    tooltip("The name by which the game sets it");
+    tooltip("Name by which the game sets the parameter");
     drawLabel(ui, "Kind");
     const auto kindName = [](int i) { return std::string{kKinds[static_cast<std::size_t>(i)]}; };
     const int kind = static_cast<int>(now.kind);
     if (const auto other = chooseName(ui, "Animation/parameterKind", kind, static_cast<int>(kKinds.size()),
                                       kindName(kind).c_str(), kindName))
         edit.setParameter(index, static_cast<ParameterKind>(*other), now.initial);
-    tooltip("A trigger is on until a transition was taken that asks for it");
+    tooltip("A trigger stays on until a transition that tests it is taken");
     if (now.kind == ParameterKind::Float) {
         drawLabel(ui, "Starts");
         if (const auto initial = number_.draw(ui, "Animation/initial", now.initial, 0.5f, "%.4g"))
             edit.setParameter(index, now.kind, *initial);
-        tooltip("What it is before the game sets it");
+        tooltip("Initial value, until the game sets it");
     } else if (now.kind == ParameterKind::Bool) {
         drawLabel(ui, "Starts");
         bool on = now.initial != 0.0f;
         if (ImGui::Checkbox("on##initial", &on)) edit.setParameter(index, now.kind, on ? 1.0f : 0.0f);
         ui.widgets.mark("Animation/initial", now.initial != 0.0f ? "on" : "off");
-        tooltip("What it is before the game sets it");
+        tooltip("Initial value, until the game sets it");
     }
     const int asked = conditionsOn(set, index);
     const GameParameter* known = findGameParameter(now.name);
-    const std::string text = format("{} for it. {}",
-                                    asked == 0   ? std::string{"No condition asks"}
-                                    : asked == 1 ? std::string{"1 condition asks"}
-                                                 : format("{} conditions ask", asked),
-                                    known == nullptr ? std::string{"Your game sets it by its name."}
+    const std::string text = format("{} it. {}",
+                                    asked == 0   ? std::string{"No condition tests"}
+                                    : asked == 1 ? std::string{"1 condition tests"}
+                                                 : format("{} conditions test", asked),
+                                    known == nullptr ? std::string{"The game's code sets it by name."}
                                                      : format("The engine sets it. {}.", known->doc));
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
     ImGui::TextWrapped("%s", text.c_str());

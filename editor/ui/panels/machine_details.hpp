@@ -6,11 +6,11 @@
 
 namespace plumb::editor::ui {
 
-/// What is chosen of a state machine, and all that can be changed of it: a state, a transition with its
-/// conditions, or a parameter. With nothing chosen all transitions are listed.
+/// Edits the selected part of an animation state machine: a state, a transition with its conditions, or a
+/// parameter. Lists all transitions if nothing is selected.
 class MachineDetails {
 public:
-    /// @param chosen  what another click here chooses
+    /// @param chosen  the selected part; a click in the details may select another one
     void draw(Ui& ui, StateMachineEdit& edit, MachinePart& chosen);
 
 private:
@@ -18,14 +18,14 @@ private:
     void drawTransition(Ui& ui, StateMachineEdit& edit, MachinePart& chosen);
     void drawParameter(Ui& ui, StateMachineEdit& edit, MachinePart& chosen);
     void drawCondition(Ui& ui, StateMachineEdit& edit, int transition, int condition);
-    /// Comparison and value, or whether it is on.
+    /// Draws the comparison and value of a condition on a number, or the on/off choice for other parameters.
     void drawQuestion(Ui& ui, StateMachineEdit& edit, int transition, int condition, float width);
 
-    HeldNumber number_;
-    HeldText text_;
+    DeferredNumber number_;
+    DeferredText text_;
 };
 
-/// Takes out what is chosen; the next one of the same kind is not chosen instead.
+/// Removes the selected part of the state machine; nothing is selected afterwards.
 void removePart(StateMachineEdit& edit, MachinePart& chosen);
 
 }  // namespace plumb::editor::ui

@@ -11,16 +11,16 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kBar = 3.0f;           // px at scale 1, of a tick
+constexpr float kBar = 3.0f;           // px at scale 1, width of a tick's bar
 constexpr float kGraphHeight = 84.0f;  // px at scale 1
 constexpr float kLowestGraph = 44.0f;
-constexpr float kGraphPart = 0.28f;  // of the height that graph and table share: a low pane shows some rows
+constexpr float kGraphPart = 0.28f;       // maximum height of the graph, ratio to the panel's height
 constexpr float kCountsWidth = 168.0f;    // px at scale 1
-constexpr float kTick = 1000.0f / 60.0f;  // ms: what a tick may take at most
+constexpr float kTick = 1000.0f / 60.0f;  // ms, time budget of a tick at 60 Hz
 
 std::string ms(float time) { return fixedText(static_cast<double>(time), time < 9.995f ? 2 : 1); }
 
-/// The next of 0.5, 1, 2, 5, 10 … above the value.
+/// Returns the smallest number of the series 0.5, 1, 2, 5, 10 … that is at least the value.
 float roundedUp(float value) {
     float step = 0.5f;
     for (const float factor : {2.0f, 2.0f, 2.5f, 2.0f, 2.0f, 2.5f, 2.0f, 2.0f, 2.5f, 2.0f}) {
@@ -30,7 +30,8 @@ float roundedUp(float value) {
     return std::max(step, value);
 }
 
-/// "contacts, triggers": whose stage of the physics it is; empty for all.
+/// Returns the effects that a stage of the physics serves:
+/// "contacts, triggers". Empty: the stage always runs.
 std::string effectsOfStage(std::string_view stage) {
     std::string names;
     for (const physics::StageInfo& info : physics::stages()) {
@@ -44,15 +45,15 @@ std::string effectsOfStage(std::string_view stage) {
     return names;
 }
 
-/// What each tick of the game that plays cost.
+/// Shows the time of each tick of the running game.
 class ProfilerPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         Profiler& profiler = ui.workspace.profiler;
         profiler.want();
         if (profiler.samples().empty()) {
-            return emptyState(ui, "Profiler", "Nothing has been measured yet.",
-                              "What each tick of the game costs appears here while it plays.", {"run.play"});
+            return emptyState(ui, "Profiler", "There are no measurements yet.",
+                              "The time of each tick appears here while the game runs.", {"run.play"});
         }
         chosen_ = chosenSample(profiler);
         drawBar(ui, profiler);
@@ -67,7 +68,7 @@ public:
     }
 
 private:
-    /// The one that was clicked, as long as it is kept; else the last one.
+    /// Returns the index of the clicked sample while the profiler stores it, else of the last sample.
     std::size_t chosenSample(const Profiler& profiler) {
         const auto& samples = profiler.samples();
         if (pinned_ >= 0) {
@@ -93,7 +94,7 @@ private:
         }
         ImGui::PopStyleColor();
         ui.widgets.mark("Profiler/hold", profiler.held ? "on" : "off");
-        tooltip("The graph stands still, the game goes on. A click on a tick holds too.");
+        tooltip("Freezes the graph while the game continues. A click on a tick freezes it too.");
         ImGui::SameLine(0.0f, ui.px(4.0f));
         drawSpikes(ui, profiler);
         ImGui::SameLine(0.0f, ui.px(4.0f));
@@ -106,13 +107,13 @@ private:
         }
         const Profiler::Sample& shown = profiler.samples()[chosen_];
         const std::string text =
-            format("tick {}: {} ms, its picture {} ms.  Of {} ticks: mean {} ms, worst {} ms", shown.tick,
+            format("tick {}: {} ms, drawing {} ms.  Last {} ticks: mean {} ms, maximum {} ms", shown.tick,
                    ms(shown.milliseconds), ms(shown.drawing), profiler.samples().size(),
                    ms(sum / static_cast<float>(profiler.samples().size())), ms(worst));
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", text.c_str());
         ui.widgets.mark("Profiler/summary", text);
-        tooltip("CPU time of the main thread. A tick may take 16.7 ms at most, drawing included.");
+        tooltip("CPU time of the main thread. At 60 Hz a tick and its drawing together have 16.7 ms.");
     }
 
     void drawSpikes(Ui& ui, Profiler& profiler) {
@@ -123,7 +124,7 @@ private:
         const bool pressed = ImGui::Button(label.c_str());
         ImGui::PopStyleColor();
         ui.widgets.mark("Profiler/spikes", format("{}", spikes.size()));
-        tooltip("Ticks that took much longer than most. A click goes to the next older one.");
+        tooltip("Ticks that took much longer than the others. Click to go to the previous one.");
         if (!pressed || spikes.empty()) return;
         const auto next = std::lower_bound(spikes.begin(), spikes.end(), chosen_);
         choose(profiler, next == spikes.begin() ? spikes.back() : *std::prev(next));
@@ -137,7 +138,7 @@ private:
         if (ImGui::Button("Go there") && possible) play.seek(tick);
         ImGui::PopStyleColor();
         ui.widgets.mark("Profiler/go");
-        tooltip("Pauses the game and shows it as it was after this tick");
+        tooltip("Pauses the game and shows its state after this tick");
     }
 
     void drawGraph(Ui& ui, Profiler& profiler) {
@@ -186,8 +187,8 @@ private:
         const std::size_t sample = first + static_cast<std::size_t>(under);
         if (pressed) choose(profiler, sample);
         const Profiler::Sample& shown = samples[sample];
-        tooltip(format("tick {}{}\n{} ms, and {} ms for its picture", shown.tick,
-                       shown.again ? ", played again" : "", ms(shown.milliseconds), ms(shown.drawing)));
+        tooltip(format("tick {}{}\n{} ms, and {} ms for drawing", shown.tick,
+                       shown.again ? ", simulated again" : "", ms(shown.milliseconds), ms(shown.drawing)));
     }
 
     template <class Height>
@@ -200,7 +201,7 @@ private:
         line(whole, format("{} ms", ms(whole)));
         line(whole * 0.5f, format("{}", ms(whole * 0.5f)));
         if (kTick >= whole) return;
-        // At the right: in a low graph it would lie over one of the others.
+        // The label is at the right: in a low graph it would cover a label at the left.
         const char* label = "16.7";
         const float y = to.y - height(kTick);
         list.AddLine({at.x, y}, {to.x, y}, palette::kError);
@@ -259,14 +260,14 @@ private:
                 if (samples[i].tick == row.worstTick) choose(profiler, i);
             }
         }
-        tooltip(format("In tick {}; a click shows it", row.worstTick));
+        tooltip(format("In tick {}; click to show it", row.worstTick));
         ImGui::TableNextColumn();
         drawBar(ui, row, zone.inPhysics, mean);
         ImGui::PopID();
     }
 
-    /// How much of the tick it is. A stage that threads share has a line for each: where it is empty, the
-    /// thread waits for the others.
+    /// Draws the share of the tick as a bar. A stage that runs on several threads has a thin bar per thread;
+    /// the empty part of a thread's bar is time spent waiting for the others.
     static void drawBar(Ui& ui, const Profiler::Row& row, bool inPhysics, float mean) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float line = ImGui::GetTextLineHeight(), width = ui.px(100.0f);
@@ -285,7 +286,7 @@ private:
         const float alone = std::max(row.mean - row.threads.shared, 0.0f);
         const float each = height / static_cast<float>(busy.size());
         bar(0.0f, alone + row.threads.shared, top, height, palette::kCellLine);
-        std::string text = format("One thread for {} ms; shared for {} ms, of which they work", ms(alone),
+        std::string text = format("Single-threaded: {} ms; multithreaded: {} ms, of which busy:", ms(alone),
                                   ms(row.threads.shared));
         for (std::size_t i = 0; i < busy.size(); ++i) {
             const float y = top + each * static_cast<float>(i);
@@ -312,16 +313,17 @@ private:
         row("draw calls", counts.drawCalls);
         row("sprites", counts.sprites);
         ImGui::Spacing();
-        ImGui::TextUnformatted("Called for");
-        tooltip("Effects of the physics that run, and by how many bodies, shapes, joints or fields");
+        ImGui::TextUnformatted("Active effects");
+        tooltip(
+            "Physics effects that run, and the number of bodies, shapes, joints or fields that need them");
         for (std::size_t i = 0; i < physics::kEffects; ++i) {
             if (counts.callers[i] > 0)
                 row(std::string{physics::nameOf(static_cast<physics::Effect>(i))}.c_str(), counts.callers[i]);
         }
     }
 
-    std::size_t chosen_ = 0;    ///< of the samples, in this frame
-    std::int64_t pinned_ = -1;  ///< the tick that was clicked
+    std::size_t chosen_ = 0;    ///< index of the shown sample, in this frame
+    std::int64_t pinned_ = -1;  ///< the clicked tick; -1: none
 };
 
 }  // namespace

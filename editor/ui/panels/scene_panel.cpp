@@ -24,7 +24,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// One that is selected with others gives all of them its new name, as one step.
+/// Renames an entity. If it is selected, renames all selected entities, as one undo step.
 void renameAll(Workspace& workspace, ObjectId named, const std::string& name) {
     Document& document = workspace.document;
     Transaction step{workspace.undo, "rename"};
@@ -32,21 +32,21 @@ void renameAll(Workspace& workspace, ObjectId named, const std::string& name) {
     const std::vector<ObjectId> all = withOthers ? document.selection.all() : std::vector{named};
     for (const ObjectId id : all) workspace.undo.push(renameEntity(document, id, name));
     step.commit();
-    if (all.size() > 1) workspace.notice = format("{} entities are called {} now", all.size(), name);
+    if (all.size() > 1) workspace.notice = format("{} entities renamed to {}", all.size(), name);
 }
 
-constexpr Swatch kOfPrefab = palette::kBlue;  // names of what comes from a prefab
-constexpr float kIconRoom = 18.0f;            // px at scale 1, for the eye and for the lock
-constexpr float kScrollEdge = 24.0f;          // px at scale 1: there a drag scrolls
+constexpr ThemeColor kOfPrefab = palette::kBlue;  // names of entities that come from a prefab
+constexpr float kIconRoom = 18.0f;                // px at scale 1, width of the eye and lock icons
+constexpr float kScrollEdge = 24.0f;              // px at scale 1, height of the edge in which a drag scrolls
 
-/// The entities of the scene as a tree.
+/// Tree of the scene's entities: select, rename, reorder by drag and drop, hide and lock.
 class ScenePanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         const Document& document = ui.workspace.document;
         drawFilter(ui);
         saySceneOfGame(ui);
-        // Whole rows only: what is left below is less than one.
+        // The height is a whole number of rows.
         const float room = ImGui::GetContentRegionAvail().y;
         const float row = rowHeight(ui);
         beginChild("tree", {0.0f, std::max(std::floor(room / row), 1.0f) * row}, false);
@@ -54,7 +54,7 @@ public:
             emptyState(ui, "Scene", "No scene is open.", "", {"file.open", "file.new"});
         } else if (document.objectCount() == 0) {
             emptyState(ui, "Scene", "This scene is empty.",
-                       "Files dragged from the assets into the scene become entities, too.",
+                       "You can also drag files from the Assets panel into the viewport.",
                        {"entity.create", "entity.prefab"});
         } else {
             drawTree(ui);
@@ -75,9 +75,10 @@ private:
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
         ImGui::InputTextWithHint("##filter", "Filter", filter_.data(), filter_.size());
         ui.widgets.mark("Scene/filter", filter_.data());
-        tooltip(ui.workspace.settings.keys.labelOf(*findAction("edit.filter"),
-                                                   "Words that are all in the name or in that of a "
-                                                   "component; c:RigidBody looks at components only"));
+        tooltip(
+            ui.workspace.settings.keys.labelOf(*findAction("edit.filter"),
+                                               "Shows entities whose name, or a component's name, contains "
+                                               "each word; c:RigidBody searches components only"));
         if (any) {
             ImGui::SameLine(0.0f, ui.px(2.0f));
             if (ImGui::Button("x", {ImGui::GetFrameHeight(), 0.0f})) filter_.fill('\0');
@@ -86,16 +87,17 @@ private:
         ImGui::Dummy({0.0f, ui.px(1.0f)});
     }
 
-    /// The tree is that of the scene that is edited; a game may have gone on to another one.
+    /// Shows a note if the running game has changed to another scene, as the tree shows the edited one.
     static void saySceneOfGame(Ui& ui) {
         const std::string scene = sceneOfGame(ui.workspace);
         if (scene.empty() || scene == ui.workspace.document.scenePath) return;
         ImGui::PushStyleColor(ImGuiCol_Text, palette::kPlay);
-        ImGui::TextWrapped("The game is in %s now.", scene.c_str());
+        ImGui::TextWrapped("The game is now in %s.", scene.c_str());
         ImGui::PopStyleColor();
         ui.widgets.mark("Scene/game", scene);
         ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-        ImGui::TextWrapped("Below is %s, which you edit.", ui.workspace.document.scenePath.c_str());
+        ImGui::TextWrapped("The tree below shows the edited scene, %s.",
+                           ui.workspace.document.scenePath.c_str());
         ImGui::PopStyleColor();
     }
 
@@ -116,7 +118,7 @@ private:
                 drawRow(ui, tree_.rows()[static_cast<std::size_t>(i)]);
             }
         }
-        // Keys mean the tree again.
+        // A right click focuses the tree, so that keys act on it.
         if (ImGui::IsMouseClicked(1) && ImGui::IsWindowHovered()) ImGui::SetWindowFocus();
         const ImVec2 rest = ImGui::GetContentRegionAvail();
         if (rest.y > 4.0f && ImGui::InvisibleButton("below", {rest.x, rest.y}))
@@ -129,7 +131,8 @@ private:
         }
     }
 
-    /// A row that is to be written in must be seen, whatever is folded, filtered or scrolled.
+    /// Makes a row visible for renaming: expands its parents,
+    /// clears the filter if it hides the row, and scrolls.
     void bringToSight(Ui& ui, ObjectId id) {
         const Document& document = ui.workspace.document;
         tree_.openTo(document, id);
@@ -141,7 +144,7 @@ private:
         scrollTo(ui, id);
     }
 
-    /// Brings a row into sight that was selected elsewhere.
+    /// Scrolls to a row that was selected outside the panel.
     void scrollTo(const Ui& ui, ObjectId id) const {
         const std::size_t row = tree_.rowOf(id);
         if (row == tree_.rows().size()) return;
@@ -185,7 +188,7 @@ private:
                                                ImGuiSelectableFlags_AllowDoubleClick, {0.0f, height});
         ImGui::PopStyleVar();
         const bool hovered = ImGui::IsItemHovered();
-        // Only what is not covered by the icons, so that a click in its middle selects.
+        // The marked area excludes the icons, so that a click in its center selects.
         ui.widgets.mark("Scene/" + name, {{at.x, at.y}, {icons, at.y + height}}, name);
         if (clicked && ImGui::GetMousePos().x >= icons) {
             toggleView(document, row.id, ImGui::GetMousePos().x >= icons + ui.px(kIconRoom));
@@ -213,7 +216,7 @@ private:
         ImGui::PopID();
     }
 
-    /// Of all that is selected, when that is clicked.
+    /// Toggles visibility or lock of an entity; if it is selected, of all selected entities.
     static void toggleView(Document& document, ObjectId id, bool lock) {
         EntityView& view = document.view;
         const bool now = lock ? view.locks(id) : view.isHidden(id);
@@ -242,7 +245,7 @@ private:
         const World& world = document.world;
         const EntityId entity = document.find(row.id);
         const Icon icon = iconOf(world, entity);
-        const bool faint = world.has<Hidden>(entity) || isOutOfSight(document, row.id);
+        const bool faint = world.has<Hidden>(entity) || isHiddenInTree(document, row.id);
         const bool ofPrefab = world.has<PrefabInstance>(entity) || world.has<PrefabPart>(entity);
         const float top = at.y + (end.y - at.y - ImGui::GetTextLineHeight()) * 0.5f;
         list.PushClipRect(at, end, true);
@@ -256,7 +259,7 @@ private:
         list.PopClipRect();
     }
 
-    /// The eye and the lock: shown where they say something, and in the row under the mouse.
+    /// Draws the eye and the lock icon if the entity is hidden or locked, or if the row is hovered.
     static void drawIcons(Ui& ui, const Row& row, const std::string& name, ImVec2 at, bool hovered) {
         const Document& document = ui.workspace.document;
         const bool hidden = document.view.isHidden(row.id);
@@ -277,9 +280,9 @@ private:
             if (under) tooltip(words);
         };
         icon(hidden ? Icon::EyeClosed : Icon::Eye, 0.0f, hidden, "eye",
-             keyed("Hides or shows it in the editor; the game shows it all the same", "entity.hide"));
+             keyed("Hides or shows the entity in the editor only; the game still shows it", "entity.hide"));
         icon(locked ? Icon::Lock : Icon::Unlocked, room, locked, "lock",
-             keyed("Locked: clicks in the scene go through it", "entity.lock"));
+             keyed("Locked entities ignore clicks in the viewport", "entity.lock"));
     }
 
     void choose(Ui& ui, const Row& row, float arrowEnd) {
@@ -296,12 +299,12 @@ private:
             io.KeyCtrl ? selection.toggle(row.id) : selection.set({row.id});
             rangeFrom_ = row.id;
         }
-        // The mouse is there already.
+        // The clicked row is visible, so no scrolling is needed.
         shownSelection_ = selection.revision();
         if (ImGui::IsMouseDoubleClicked(0)) runAction(workspace, "view.frame");
     }
 
-    /// From the row that was clicked last without Shift.
+    /// Selects the rows from the row clicked last without Shift to the given one.
     void chooseRange(Selection& selection, ObjectId to, bool keepOthers) {
         if (!selection.has(rangeFrom_)) rangeFrom_ = selection.empty() ? to : selection.all().back();
         const std::vector<ObjectId> range = tree_.range(rangeFrom_, to);
@@ -316,7 +319,8 @@ private:
         ImGui::EndDragDropSource();
     }
 
-    /// @param row  null: the room below all rows, where one drops what is to have no parent
+    /// Accepts dragged entities.
+    /// @param row  the row under the mouse; null: the space below all rows, which removes the parent
     void dropOn(Ui& ui, const Row* row) {
         if (!ui.workspace.canEdit() || !ImGui::BeginDragDropTarget()) return;
         const ImVec2 from = ImGui::GetItemRectMin();
@@ -348,7 +352,7 @@ private:
         ImGui::EndDragDropTarget();
     }
 
-    /// A drop below an expanded parent inserts before its first child.
+    /// Returns the tree position above or below a row. Below an expanded parent it is before the first child.
     [[nodiscard]] TreePlace placeBeside(const Document& document, const Row& row, bool below) const {
         const std::vector<Row>& rows = tree_.rows();
         const std::size_t next = tree_.rowOf(row.id) + 1;
@@ -368,7 +372,7 @@ private:
                              ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
         ImGui::PopStyleVar();
         ui.widgets.mark("Scene/rename", rename_.data());
-        // Esc gives the name back and counts as an edit all the same.
+        // Esc restores the old name, but ImGui reports an edit; so the names are compared.
         const bool edited = done || ImGui::IsItemDeactivatedAfterEdit();
         if (edited && ui.workspace.document.nameOf(renaming_) != rename_.data()) {
             renameAll(ui.workspace, renaming_, rename_.data());
@@ -382,10 +386,10 @@ private:
     ObjectId renaming_;
     bool focusRename_ = false;
     SceneTree tree_;
-    ObjectId rangeFrom_;                ///< the row clicked last without Shift
-    std::uint64_t shownSelection_ = 0;  ///< revision
+    ObjectId rangeFrom_;                ///< row clicked last without Shift
+    std::uint64_t shownSelection_ = 0;  ///< revision of the selection that was scrolled to
 
-    /// What was let go over a row in this frame.
+    /// Entities dropped in this frame, and their new position in the tree.
     struct Dropped {
         std::vector<ObjectId> moved;
         TreePlace place;

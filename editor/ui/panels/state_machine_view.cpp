@@ -14,9 +14,9 @@ namespace {
 
 using Kind = MachinePart::Kind;
 
-constexpr float kBeside = 400.0f;        // px at scale 1 that graph and details need side by side
+constexpr float kBeside = 400.0f;        // px at scale 1, minimum width for graph and details side by side
 constexpr float kDetailsWidth = 232.0f;  // px at scale 1
-constexpr float kLeastHeight = 110.0f;   // px at scale 1, of the graph above its details
+constexpr float kLeastHeight = 110.0f;   // px at scale 1, minimum height of the graph above its details
 constexpr float kValueWidth = 62.0f;     // px at scale 1
 constexpr float kMostPicture = 96.0f;    // px at scale 1
 
@@ -53,7 +53,7 @@ const Animator* StateMachineView::inGame() const {
     return nullptr;
 }
 
-void StateMachineView::forgetWhatIsGone() {
+void StateMachineView::dropStaleSelection() {
     const AnimationSet& set = edit_.set();
     const std::size_t count = chosen_.kind == Kind::State        ? set.states.size()
                               : chosen_.kind == Kind::Transition ? set.transitions.size()
@@ -62,12 +62,13 @@ void StateMachineView::forgetWhatIsGone() {
 }
 
 void StateMachineView::drawParameters(Ui& ui) {
-    forgetWhatIsGone();
+    dropStaleSelection();
     ImGui::TextDisabled("Parameters");
-    tooltip("What the game tells the states: conditions of transitions ask for it");
+    tooltip("Values set by the game. Conditions of transitions compare them");
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ui.px(32.0f));
     drawAddParameter(ui);
-    if (edit_.set().parameters.empty()) ImGui::TextWrapped("None yet: conditions ask for them.");
+    if (edit_.set().parameters.empty())
+        ImGui::TextWrapped("No parameters yet. Conditions of transitions need them.");
     for (int i = 0; i < static_cast<int>(edit_.set().parameters.size()); ++i) drawParameter(ui, i);
     ImGui::Separator();
 }
@@ -79,7 +80,8 @@ void StateMachineView::drawAddParameter(Ui& ui) {
     if (ImGui::SmallButton(" + ")) ImGui::OpenPopup("add parameter");
     ImGui::EndDisabled();
     ui.widgets.mark("Animation/addParameter");
-    tooltip(full ? format("{} are the most", AnimationSet::kMaxParameters) : std::string{"Another one"});
+    tooltip(full ? format("At most {} parameters", AnimationSet::kMaxParameters)
+                 : std::string{"Add a parameter"});
     if (!ImGui::BeginPopup("add parameter")) return;
     const auto item = [&](const char* label, ParameterKind kind, std::string_view name,
                           std::string_view doc) {
@@ -91,9 +93,10 @@ void StateMachineView::drawAddParameter(Ui& ui) {
         edit_.addParameter(kind, name);
         if (edit_.set().parameters.size() > before) chosen_ = {Kind::Parameter, static_cast<int>(before)};
     };
-    item("Number", ParameterKind::Float, {}, "Is compared with another number");
+    item("Number", ParameterKind::Float, {}, "A number; conditions compare it with a constant");
     item("On or off", ParameterKind::Bool, {}, "");
-    item("Trigger", ParameterKind::Trigger, {}, "Is on until a transition was taken that asks for it");
+    item("Trigger", ParameterKind::Trigger, {},
+         "Once set, it stays on until a transition that tests it is taken");
     ImGui::Separator();
     ImGui::TextDisabled("Set by the engine");
     for (const GameParameter& known : gameParameters()) {
@@ -107,14 +110,14 @@ void StateMachineView::drawParameter(Ui& ui, int index) {
     const std::string name = itemOf(edit_.set().parameters, index).name;
     const float width = ImGui::GetContentRegionAvail().x - ui.px(kValueWidth + 6.0f);
     ImGui::PushID(index);
-    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});  // as its value beside it
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});  // aligned with the value beside it
     const MachinePart part{Kind::Parameter, index};
     if (ImGui::Selectable(name.c_str(), chosen_ == part, 0,
                           {std::max(width, ui.px(30.0f)), ImGui::GetFrameHeight()}))
         chosen_ = part;
     ImGui::PopStyleVar();
     ui.widgets.mark("Animation/parameter/" + name);
-    tooltip("A click shows its name, its kind and how it starts");
+    tooltip("Click to edit its name, kind and initial value");
     ImGui::SameLine(0.0f, ui.px(6.0f));
     drawValue(ui, index);
     ImGui::PopID();
@@ -142,8 +145,8 @@ void StateMachineView::drawValue(Ui& ui, int index) {
     }
     ui.widgets.mark("Animation/now/" + parameter.name, format("{}", value));
     ImGui::EndDisabled();
-    tooltip(game == nullptr ? "What it is in the preview: try what the states do"
-                            : "What it is in the game that plays");
+    tooltip(game == nullptr ? "Value in the preview; change it to try the transitions"
+                            : "Value in the running game");
     if (changed) preview_.setValue(index, value);
 }
 
@@ -159,15 +162,17 @@ void StateMachineView::drawBar(Ui& ui, int clip) {
 }
 
 void StateMachineView::drawGraph(Ui& ui, int clip) {
-    forgetWhatIsGone();
+    dropStaleSelection();
     preview_.show(file_.id());
     preview_.advance(static_cast<double>(ImGui::GetIO().DeltaTime));
     drawBar(ui, clip);
     if (edit_.set().states.empty()) {
-        ImGui::TextWrapped("Without states the game chooses clips by hand. Choose a clip and add a state.");
+        ImGui::TextWrapped(
+            "No states: the game's code selects the clips. To use a state machine, select a clip and add a "
+            "state.");
         return waitForKeys(ui);
     }
-    const AnimationSet set = edit_.set();  // a change makes another one of it
+    const AnimationSet set = edit_.set();  // a copy, as an edit replaces the set
     const ImVec2 all = ImGui::GetContentRegionAvail();
     const bool wide = all.x >= ui.px(kBeside);
     const float gap = ui.px(10.0f);
@@ -176,10 +181,10 @@ void StateMachineView::drawGraph(Ui& ui, int clip) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float picture = std::clamp(room.y * 0.2f, ui.px(32.0f), ui.px(kMostPicture));
     if (ImGui::InvisibleButton("picture", {picture, picture})) preview_.restart();
-    tooltip("What plays. A click begins with the first state, and with the parameters as they start");
+    tooltip("Preview. Click to restart it in the first state, with the initial parameter values");
     ImGui::SetCursorScreenPos(start);
     const Animator* game = inGame();
-    const GraphHands hands =
+    const GraphInput hands =
         drawStateGraph(ui, set, chosen_, game == nullptr ? preview_.state() : game->state, room);
     drawPicture(ui, start, picture);
     ImGui::SetCursorScreenPos(wide ? ImVec2{start.x + room.x + gap, ImGui::GetWindowPos().y}
@@ -191,7 +196,7 @@ void StateMachineView::drawGraph(Ui& ui, int clip) {
     waitForKeys(ui);
 }
 
-/// What plays, in the corner of the graph that the ring of states leaves free.
+/// Draws the current frame of the preview or game into the corner that the ring of states leaves free.
 void StateMachineView::drawPicture(Ui& ui, ImVec2 at, float side) {
     const AABB box{{at.x, at.y}, {at.x + side, at.y + side}};
     const Animator* game = inGame();
@@ -211,7 +216,7 @@ void StateMachineView::drawPicture(Ui& ui, ImVec2 at, float side) {
     if (there) drawSheetCell(ui, file_, shown, box);
 }
 
-void StateMachineView::take(const GraphHands& hands) {
+void StateMachineView::take(const GraphInput& hands) {
     if (hands.chosen) chosen_ = *hands.chosen;
     if (hands.entered >= 0) preview_.enter(hands.entered);
     if (!hands.joined) return;

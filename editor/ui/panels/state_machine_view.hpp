@@ -9,18 +9,18 @@ struct Animator;
 
 namespace plumb::editor::ui {
 
-/// The page "States" of the animation panel: the graph with what it plays, the parameters, and what is
-/// chosen of them.
+/// The page "States" of the animation panel: the state graph with a
+/// preview, the parameters, and the details of the selected part.
 class StateMachineView {
 public:
     explicit StateMachineView(AnimationEdit& file);
 
-    /// Nothing is chosen, and the preview begins anew: another file was opened.
+    /// Clears the selection and restarts the preview. Call it after another file was opened.
     void begin();
-    /// The parameters, each with what it is in the preview, or in the game that plays.
+    /// Draws the parameters with their values in the preview, or in the running game.
     void drawParameters(Ui& ui);
-    /// The graph and, beside it or below it, what is chosen.
-    /// @param clip  that a new state plays
+    /// Draws the graph and, beside or below it, the details of the selected part.
+    /// @param clip  index of the clip that a new state plays
     void drawGraph(Ui& ui, int clip);
 
 private:
@@ -29,13 +29,14 @@ private:
     void drawValue(Ui& ui, int index);
     void drawBar(Ui& ui, int clip);
     void drawPicture(Ui& ui, ImVec2 at, float side);
-    void take(const GraphHands& hands);
-    /// After undo what was chosen may be gone.
-    void forgetWhatIsGone();
-    /// Del takes out what is chosen here, and not what is selected in the scene.
+    void take(const GraphInput& hands);
+    /// Clears the selection if the selected part no longer exists, as after undo.
+    void dropStaleSelection();
+    /// Makes the key Delete remove the selected part of the machine, not the selected entities of the scene.
     void waitForKeys(Ui& ui);
     [[nodiscard]] bool takeKey(const Event& event);
-    /// Of the game that plays: of what is selected, or else the first that plays this file. Null: none.
+    /// Returns an animator of the running game that plays this file: a
+    /// selected entity's, or else the first one. Null if there is none.
     [[nodiscard]] const Animator* inGame() const;
 
     AnimationEdit& file_;
@@ -44,7 +45,7 @@ private:
     MachineDetails details_;
     MachinePart chosen_;
     bool waits_ = false;
-    int keysSeen_ = -2;  // frame in which keys could last be meant for this
+    int keysSeen_ = -2;  // last frame in which the graph was drawn, and so may receive keys
 };
 
 }  // namespace plumb::editor::ui

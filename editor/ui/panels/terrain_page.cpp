@@ -51,7 +51,7 @@ void drawList(Ui& ui, const Tileset& tileset, int& chosen) {
             ui.workspace.undo.endGesture();
         }
         ui.widgets.mark(format("Tileset/addTerrain/{}", terrainModeNames()[mode]));
-        tooltip("A new terrain. Then choose its tiles on the left and say how they lie.");
+        tooltip("Adds a terrain. Then select its tiles on the left, and click their arrangement below.");
     }
 }
 
@@ -76,19 +76,20 @@ void drawName(Ui& ui, const Terrain& terrain) {
     ui.widgets.mark("Tileset/removeTerrain");
 }
 
-/// How the chosen tiles lie: one click gives each its neighbours.
+/// Draws a button per standard arrangement; a click assigns neighbour masks to all selected tiles.
 void drawLayouts(Ui& ui, const Terrain& terrain, std::span<const int> chosen) {
-    ImGui::TextDisabled("The chosen tiles lie");
+    ImGui::TextDisabled("Arrangement of the selected tiles");
     std::vector<int> tiles{chosen.begin(), chosen.end()};
     for (std::size_t i = 0; i < terrainLayoutNames().size(); ++i) {
         if (i > 0) ImGui::SameLine(0.0f, ui.px(4.0f));
         const std::string label{terrainLayoutNames()[i]};
         const bool clicked = ImGui::Button(label.c_str());
         ui.widgets.mark("Tileset/layout/" + label);
-        tooltip(i == 0 ? "In the order in which most programs write them: first the tile that stands alone, "
-                         "last the one with the terrain on all sides."
-                : i == 1 ? "A 3 x 3 block, beside it a column one tile wide, below a row one tile high."
-                         : "A 3 x 3 block: corners, sides and the inside.");
+        tooltip(
+            i == 0   ? "Standard order of most tools: first the tile without neighbours, last the tile with "
+                       "neighbours on all sides."
+            : i == 1 ? "A 3 x 3 block, a column one tile wide at its right, and a row one tile high below it."
+                     : "A 3 x 3 block: corners, edges and the inside.");
         if (!clicked || tiles.empty()) continue;
         changeTerrain(ui, "assign terrain tiles", terrain.id, [&](Terrain& changed, Tileset& set) {
             assignMasks(changed, set, tiles, static_cast<TerrainLayout>(i));
@@ -96,7 +97,7 @@ void drawLayouts(Ui& ui, const Terrain& terrain, std::span<const int> chosen) {
     }
 }
 
-/// A click into one of the nine fields says whether the terrain goes on there.
+/// Draws a 3 x 3 grid; a click toggles whether the terrain continues in that direction.
 void drawMask(Ui& ui, const Terrain& terrain, const Tileset& tileset, std::span<const int> chosen) {
     const int now = maskOf(terrain, chosen.front());
     const std::vector<int> tiles{chosen.begin(), chosen.end()};
@@ -126,8 +127,8 @@ void drawMask(Ui& ui, const Terrain& terrain, const Tileset& tileset, std::span<
                       [&](Terrain& changed, Tileset&) { setMask(changed, tiles, next); });
     }
     ImGui::SetCursorScreenPos({from.x, from.y + 3.0f * cell + ui.px(4.0f)});
-    ImGui::TextDisabled("%s", now < 0 ? "Not of this terrain; a click makes it so."
-                                      : "The middle takes the tile out of the terrain.");
+    ImGui::TextDisabled("%s", now < 0 ? "Not part of this terrain; click a cell to add the tile."
+                                      : "Click the center to remove the tile from the terrain.");
 }
 
 }  // namespace
@@ -135,10 +136,10 @@ void drawMask(Ui& ui, const Terrain& terrain, const Tileset& tileset, std::span<
 void drawTerrainPage(Ui& ui, const Tileset& tileset, std::span<const int> chosen, int& terrain) {
     drawList(ui, tileset, terrain);
     if (tileset.terrains.empty()) {
-        ImGui::TextWrapped("Terrain is painted with T: each cell takes the tile that fits its neighbours.");
+        ImGui::TextWrapped("Paint terrain with T: each cell gets the tile that fits its neighbours.");
         return;
     }
-    // A click may just have written the file, and with it exchanged the tileset.
+    // A click in drawList() may have written the file and replaced the tileset.
     const auto found = std::find_if(tileset.terrains.begin(), tileset.terrains.end(),
                                     [&](const Terrain& other) { return other.id == terrain; });
     if (found == tileset.terrains.end()) {

@@ -6,7 +6,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kSeconds = 0.15f;  // of a new frame
+constexpr float kSeconds = 0.15f;  // duration of a new frame
 
 void setFrames(Ui& ui, int tile, const std::vector<TileFrame>& frames) {
     changeTileset(ui.workspace, "animate tile", [&](Tileset& set) { tileIn(set, tile).animation = frames; });
@@ -22,7 +22,7 @@ void drawPreview(Ui& ui, const Tileset& tileset, int tile) {
     ImGui::Dummy({side, side});
 }
 
-/// One frame. @return false when it shall go
+/// Draws one frame. @return false if the user removed it
 bool drawFrame(Ui& ui, const Tileset& tileset, TileFrame& frame, std::size_t index, bool& changed) {
     ImGui::PushID(static_cast<int>(index));
     const float side = ImGui::GetFrameHeight();
@@ -51,8 +51,7 @@ class TileAnimationPage final : public TilesetPage {
 public:
     void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) override {
         if (chosen.empty()) {
-            ImGui::TextWrapped(
-                "Choose the tile that moves, then with Shift its other frames, in their order.");
+            ImGui::TextWrapped("Select the tile to animate, then Shift+click its other frames in order.");
             return;
         }
         const int tile = chosen.front();
@@ -65,9 +64,9 @@ public:
         ImGui::BeginGroup();
         ImGui::TextUnformatted(format("Tile {}, {} frames", tile, frames_.size()).c_str());
         ui.widgets.mark("Tileset/frames", format("{}", frames_.size()));
-        const bool make = ImGui::Button("Chosen tiles as frames");
+        const bool make = ImGui::Button("Use selected tiles as frames");
         ui.widgets.mark("Tileset/makeFrames");
-        tooltip("The chosen tiles, in the order in which they were chosen, become the frames of the first.");
+        tooltip("The selected tiles, in order of selection, become the frames of the first selected tile.");
         ImGui::EndGroup();
         bool changed = false;
         for (std::size_t i = 0; i < frames_.size(); ++i) {
@@ -87,8 +86,8 @@ public:
     }
 
 private:
-    std::vector<TileFrame> frames_;  // as they are being typed
-    int edited_ = -1;                // the tile that they are of
+    std::vector<TileFrame> frames_;  // with unfinished typing
+    int edited_ = -1;                // tile whose frames are edited
 };
 
 }  // namespace

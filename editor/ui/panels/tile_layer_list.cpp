@@ -15,7 +15,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// A small button that is an icon. @return whether it was clicked
+/// Draws a small icon button. @return true if it was clicked
 bool iconButton(Ui& ui, Icon icon, bool strong, const std::string& path, const std::string& words) {
     const float side = ImGui::GetFrameHeight() * 0.85f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -49,9 +49,9 @@ void drawRow(Ui& ui, ObjectId layer, bool active) {
         list.AddRectFilled(from, to, palette::kHover, ui.px(3.0f));
     }
     const bool hidden = view.isHidden(layer);
-    const bool unseen = view.hides(layer);  // by another that is shown alone, too
+    const bool unseen = view.hides(layer);  // also while another layer is shown alone
     if (iconButton(ui, hidden ? Icon::EyeClosed : Icon::Eye, !unseen, path + "/seen",
-                   keyed("Hides or shows it", "layer.hide")))
+                   keyed("Hides or shows this layer", "layer.hide")))
         view.toggleHidden(layer);
     ImGui::SameLine(0.0f, 0.0f);
     if (iconButton(ui, Icon::Solo, view.solo() == layer, path + "/solo",
@@ -83,7 +83,7 @@ void orderButton(Ui& ui, const char* label, std::string_view action) {
     tooltip(ui.workspace.settings.keys.labelOf(row));
 }
 
-/// Two numbers in a row. @return whether they were changed
+/// Draws two numbers beside each other. @return true if they were changed
 bool editPair(Ui& ui, const char* label, Vec2& value, float speed, const char* shown,
               const std::string& path) {
     ImGui::AlignTextToFramePadding();
@@ -106,8 +106,7 @@ void drawSolid(Ui& ui, ObjectId layer) {
     bool solid = isSolidLayer(ui.workspace, layer);
     if (ImGui::Checkbox("##solid", &solid)) setLayerSolid(ui.workspace, layer, solid);
     ui.widgets.mark("Tiles/layer/solid", solid ? "on" : "off");
-    tooltip(
-        "Bodies stand on those of its tiles that have a shape (K shows them): the layer has a TileCollider.");
+    tooltip("Adds a TileCollider: bodies collide with the tiles that have a collision shape (K shows them).");
 }
 
 void drawLook(Ui& ui, ObjectId layer) {
@@ -139,13 +138,13 @@ void drawLook(Ui& ui, ObjectId layer) {
     if (editPair(ui, "Parallax", parallax, 0.01f, "%.2f", "Tiles/layer/parallax"))
         setLayerParallax(workspace, layer, parallax);
     tooltip(
-        "How the layer goes with the camera, across and down: 1 is part of the world, 0 stays on the "
-        "screen.");
+        "Scroll speed relative to the camera, horizontal and vertical: 1 moves with the world, 0 is fixed "
+        "to the screen.");
     if (const auto* place = world.find<Transform>(workspace.document.find(layer))) {
         Vec2 offset = place->position;
         if (editPair(ui, "Offset", offset, 1.0f, "%.0f", "Tiles/layer/offset"))
             setLayerOffset(workspace, layer, offset);
-        tooltip("px: where the upper left corner of the layer lies.");
+        tooltip("Position of the layer's upper left corner, px.");
     }
 }
 

@@ -4,7 +4,8 @@
 
 namespace plumb::editor::ui {
 
-/// The tile layers, the one in front first: which is in hand, seen, alone, locked, and how it looks.
+/// Draws the list of tile layers, front layer first, with the buttons for visibility, solo and lock, and the
+/// settings of the active layer.
 void drawTileLayerList(Ui& ui);
 
 }  // namespace plumb::editor::ui

@@ -10,13 +10,17 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr std::array<const char*, 11> kShapeWords{
-    "Nothing to bodies",        "Solid",
-    "Solid from above only",    "Slope up to the right",
-    "Slope down to the right",  "Lower half of a slope up that takes two tiles",
-    "Upper half of that slope", "Upper half of a slope down that takes two tiles",
-    "Lower half of that slope", "Upper half solid",
-    "Lower half solid"};
+constexpr std::array<const char*, 11> kShapeWords{"No collision",
+                                                  "Solid",
+                                                  "Solid from above only",
+                                                  "Slope up to the right",
+                                                  "Slope down to the right",
+                                                  "Lower half of a two-tile slope up",
+                                                  "Upper half of a two-tile slope up",
+                                                  "Upper half of a two-tile slope down",
+                                                  "Lower half of a two-tile slope down",
+                                                  "Upper half solid",
+                                                  "Lower half solid"};
 
 const Tile& firstOf(const Tileset& tileset, std::span<const int> chosen) {
     static const Tile plain;
@@ -24,7 +28,7 @@ const Tile& firstOf(const Tileset& tileset, std::span<const int> chosen) {
     return known == nullptr ? plain : *known;
 }
 
-/// Whether the chosen tiles differ in something.
+/// True if the selected tiles differ in a property.
 template <class Get>
 bool isMixed(const Tileset& tileset, std::span<const int> chosen, Get get) {
     return std::any_of(chosen.begin(), chosen.end(), [&](int tile) {
@@ -33,7 +37,7 @@ bool isMixed(const Tileset& tileset, std::span<const int> chosen, Get get) {
     });
 }
 
-/// Presses a change of all chosen tiles into one step.
+/// Changes all selected tiles in one undo step.
 template <class Change>
 void changeTiles(Ui& ui, const char* label, std::span<const int> chosen, Change change) {
     const std::vector<int> tiles{chosen.begin(), chosen.end()};
@@ -93,8 +97,8 @@ void drawShapes(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
     }
 }
 
-/// The corners of the first chosen tile's shape; a drag moves one, a double click on a side adds one, the
-/// right button takes one away.
+/// Edits the collision polygon of the first selected tile: drag
+/// moves a corner, double-click adds one, right-click removes one.
 class PolygonEditor {
 public:
     void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
@@ -106,7 +110,7 @@ public:
         const bool clicked = ImGui::InvisibleButton("polygon", {size.x * zoom, size.y * zoom});
         static_cast<void>(clicked);
         ui.widgets.mark("Tileset/polygon", format("{}", points_.size()));
-        tooltip("Drag a corner; double click adds one, the right button takes one away.");
+        tooltip("Drag a corner to move it; double-click adds one, right-click removes one.");
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled(at, {at.x + size.x * zoom, at.y + size.y * zoom}, palette::kCanvas);
         drawTile(ui, list, tileset, cellOf(chosen.front()), {from_, from_ + size * zoom});
@@ -132,7 +136,7 @@ private:
         }
         return -1;
     }
-    /// @return whether the shape is another one, for good
+    /// Applies mouse input. @return true if a change of the shape is complete
     bool edit(Vec2 size) {
         const Vec2 point = mouse(size);
         if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && nearest(point) < 0)
@@ -148,7 +152,7 @@ private:
         grabbed_ = -1;
         return true;
     }
-    /// Into the side that it is nearest to; without a shape, a triangle begins.
+    /// Inserts a corner into the nearest side; without a shape, creates a triangle.
     bool insert(Vec2 point) {
         if (points_.size() < 3) {
             points_ = {point, point + Vec2{6.0f, 0.0f}, point + Vec2{0.0f, 6.0f}};
@@ -190,7 +194,7 @@ void labelBefore(const Ui& ui, const char* label) {
     ImGui::SetCursorPosX(left + ui.px(78.0f));
 }
 
-/// A number of all chosen tiles, written when Enter is pressed or the box is left.
+/// Draws a number of the selected tiles; it is saved when Enter is pressed or the field loses focus.
 void drawNumber(Ui& ui, const Tileset& tileset, std::span<const int> chosen, const char* label,
                 float Tile::*member, float least, const char* words) {
     const bool mixed = isMixed(tileset, chosen, [&](const Tile& tile) { return tile.*member; });
@@ -209,7 +213,7 @@ class TileMeaningPage final : public TilesetPage {
 public:
     void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) override {
         if (chosen.empty()) {
-            ImGui::TextWrapped("Choose tiles on the left: click, drag a box, Shift adds.");
+            ImGui::TextWrapped("Select tiles on the left: click, drag a box, or Shift+click to add.");
             return;
         }
         ImGui::TextUnformatted(chosen.size() == 1 ? format("Tile {}", chosen.front()).c_str()
@@ -224,13 +228,14 @@ public:
         if (ImGui::Checkbox("##one-way", &oneWay))
             changeTiles(ui, "set one-way", chosen, [&](Tile& tile) { tile.oneWay = oneWay; });
         ui.widgets.mark("Tileset/oneWay", oneWay ? "on" : "off");
-        tooltip("Solid only from above, whatever the shape.");
+        tooltip("Solid from above only, for any shape.");
         drawNumber(ui, tileset, chosen, "friction", &Tile::friction, -1.0f,
-                   "0 is ice; -1 takes the TileCollider's.");
-        drawNumber(ui, tileset, chosen, "bounciness", &Tile::bounciness, -1.0f,
-                   "Part of the speed that comes back; -1 takes the TileCollider's.");
+                   "0: no friction; -1: the TileCollider's value.");
+        drawNumber(
+            ui, tileset, chosen, "bounciness", &Tile::bounciness, -1.0f,
+            "Restitution, 0 to 1: ratio of speeds after and before impact; -1: the TileCollider's value.");
         drawNumber(ui, tileset, chosen, "probability", &Tile::probability, 0.0f,
-                   "Weight among variants of terrain and in random painting; 0 is never chosen.");
+                   "Relative weight among terrain variants and in random painting; 0: never used.");
         ImGui::EndGroup();
         drawProperties(ui, tileset, chosen);
     }
@@ -245,10 +250,10 @@ private:
             ImGui::TextUnformatted(format("{} = {}", property.name, property.json).c_str());
             ui.widgets.mark("Tileset/property/" + property.name, property.json);
             ImGui::SameLine();
-            const bool gone = ImGui::SmallButton("x");
+            const bool removes = ImGui::SmallButton("x");
             ui.widgets.mark("Tileset/property/" + property.name + "/remove");
             ImGui::PopID();
-            if (!gone) continue;
+            if (!removes) continue;
             const std::string removed = property.name;
             changeTileset(ui.workspace, "remove property",
                           [&](Tileset& set) { setProperty(set, tiles, removed, ""); });
@@ -274,8 +279,8 @@ private:
     }
 
     PolygonEditor polygon_;
-    std::array<char, 64> name_{};    // of the property that is being typed
-    std::array<char, 128> value_{};  // its value
+    std::array<char, 64> name_{};    // name of the new property
+    std::array<char, 128> value_{};  // value of the new property
 };
 
 }  // namespace

@@ -20,24 +20,26 @@ namespace {
 constexpr float kLayersWidth = 236.0f;  // px at scale 1
 constexpr float kStampWidth = 196.0f;
 constexpr float kSearchWidth = 112.0f;
-constexpr float kZoomWidth = 170.0f;  // of the buttons behind it
+constexpr float kZoomWidth = 170.0f;
 constexpr std::size_t kKeptInRow = 5;
 
-/// What is painted on which layer: the tileset of the layer in hand, its terrains, the stamp.
+/// Painting of tiles: the layers, the tileset and terrains
+/// of the active layer, and the tile pattern of the brush.
 class TilesPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         Workspace& workspace = ui.workspace;
         if (workspace.document.scenePath.empty()) {
-            return emptyState(ui, "Tiles", "No scene is open.", "Tiles are painted on the layers of a scene.",
-                              {"file.open", "file.new"});
+            return emptyState(ui, "Tiles", "No scene is open.",
+                              "Tiles are painted on the tile layers of a scene.", {"file.open", "file.new"});
         }
         const ObjectId layer = activeTileLayer(workspace.document, workspace.tiles);
         if (!workspace.document.world.has<TileLayer>(workspace.document.find(layer))) {
-            return emptyState(ui, "Tiles", "This scene has no layer of tiles yet.",
-                              "Tiles are painted on layers. A tileset dragged from the assets into the scene "
-                              "makes one, too.",
-                              {"layer.add"});
+            return emptyState(
+                ui, "Tiles", "This scene has no tile layer.",
+                "Tiles are painted on tile layers. Dragging a tileset from Assets into the scene "
+                "adds one too.",
+                {"layer.add"});
         }
         const Tileset* tileset = tilesetOf(workspace.document, layer);
         beginChild("layers", {ui.px(kLayersWidth), 0.0f}, false);
@@ -56,16 +58,15 @@ public:
 private:
     void drawTiles(Ui& ui, const Tileset* tileset) {
         if (tileset == nullptr || tileset->count == 0) {
-            return emptyState(
-                ui, "Tiles", "This layer has no tileset yet.",
-                "Choose one in the inspector: TileLayer, tileset. A picture in Assets becomes one by "
-                "\"Make tileset\" in its menu.");
+            return emptyState(ui, "Tiles", "This layer has no tileset.",
+                              "Select one in the Inspector: TileLayer, tileset. To make one, right-click an "
+                              "image in Assets and choose \"Make tileset\".");
         }
         drawTerrains(ui, *tileset);
         ImGui::SetNextItemWidth(ui.px(kSearchWidth));
         ImGui::InputTextWithHint("##search", "Search tiles", search_.data(), search_.size());
         ui.widgets.mark("Tiles/search");
-        tooltip("By number, collision, material, or a property's name or value.");
+        tooltip("Searches by number, collision, material, or property name or value.");
         ImGui::SameLine();
         view_.zoomButtons(ui, "Tiles");
         beginChild("palette", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
@@ -73,17 +74,17 @@ private:
         const std::vector<int> found = tilesFound(*tileset, words);
         view_.draw(ui, *tileset, "Tiles/palette", words.empty() ? nullptr : &found);
         choose(ui);
-        if ((dragging_ || chosen_) && !ui.workspace.tiles.terrainInHand)
+        if ((dragging_ || chosen_) && !ui.workspace.tiles.activeTerrain)
             view_.frame(start_, end_, palette::kAccent);
         if (!dragging_) view_.describe(*tileset);
         ImGui::EndChild();
     }
 
-    /// A button for each terrain, with a tile of it.
+    /// Draws a button per terrain, with one of its tiles as icon.
     static void drawTerrains(Ui& ui, const Tileset& tileset) {
         Workspace& workspace = ui.workspace;
         const Terrain* inHand =
-            workspace.tiles.terrainInHand ? terrainInHand(tileset, workspace.tiles) : nullptr;
+            workspace.tiles.activeTerrain ? activeTerrain(tileset, workspace.tiles) : nullptr;
         for (const Terrain& terrain : tileset.terrains) {
             const float side = ImGui::GetFrameHeight();
             const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -95,10 +96,10 @@ private:
             }
             ImGui::PopID();
             ui.widgets.mark("Tiles/terrain/" + terrain.name, inHand == &terrain ? "in hand" : "");
-            tooltip(format("Paint {} (T): borders and corners come by themselves", terrain.name));
+            tooltip(format("Paint {} (T): borders and corners are set automatically", terrain.name));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             const float inset = ui.px(3.0f);
-            drawTile(ui, list, tileset, cellOf(signOf(terrain)),
+            drawTile(ui, list, tileset, cellOf(iconTileOf(terrain)),
                      {{at.x + inset, at.y + inset}, {at.x + side - inset, at.y + side - inset}});
             list.AddText({at.x + side + ui.px(4.0f), at.y + ImGui::GetStyle().FramePadding.y}, palette::kText,
                          terrain.name.c_str());
@@ -107,7 +108,7 @@ private:
             ImGui::SameLine(0.0f, ui.px(5.0f));
         }
         if (tileset.terrains.empty()) return;
-        // In a narrow pane what follows has a line of its own.
+        // In a narrow panel the search field starts a new line.
         const float end = ImGui::GetItemRectMax().x + ui.px(12.0f + kSearchWidth + kZoomWidth);
         if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) {
             ImGui::SameLine(0.0f, ui.px(12.0f));
@@ -116,8 +117,9 @@ private:
         }
     }
 
-    /// The upper edge tells more than the inside, which is often plain; that where there is no other.
-    static int signOf(const Terrain& terrain) {
+    /// Returns the tile used as icon: an upper edge tile, as
+    /// inner tiles are often plain; else the innermost tile.
+    static int iconTileOf(const Terrain& terrain) {
         constexpr int kAbove = 128 | 1 | 2;  // the three neighbours in the row above
         const TerrainTile* inside = nullptr;
         for (const TerrainTile& tile : terrain.tiles) {
@@ -130,7 +132,8 @@ private:
         return inside->tile;
     }
 
-    /// A drag over the tiles makes them the pattern to paint with; the brush comes to hand.
+    /// A drag over the palette sets the pattern of the brush,
+    /// and activates the brush if no painting tool is active.
     void choose(Ui& ui) {
         Workspace& workspace = ui.workspace;
         if (view_.pressed()) start_ = view_.at(), dragging_ = true;
@@ -141,14 +144,14 @@ private:
         chosen_ = workspace.tiles.stamp == made_;
         if (!dragging_ || !view_.released()) return;
         dragging_ = false;
-        workspace.tiles.terrainInHand = false;
+        workspace.tiles.activeTerrain = false;
         const std::string_view tool = toolTable()[workspace.toolIndex()].action;
         const bool paints = tool == "tool.brush" || tool == "tool.rectangle" || tool == "tool.fill" ||
                             tool == "tool.line" || tool == "tool.ellipse";
         if (!paints && workspace.canEdit()) workspace.useTool("tool.brush");
     }
 
-    // The stamp.
+    // The tile pattern of the brush.
 
     void drawStampSide(Ui& ui, const Tileset* tileset) const {
         const TileStamp& stamp = ui.workspace.tiles.stamp;
@@ -171,16 +174,17 @@ private:
         bool random = ui.workspace.tiles.random;
         if (ImGui::Checkbox("Random", &random)) runAction(ui.workspace, "tiles.random");
         ui.widgets.mark("Tiles/Random", random ? "on" : "off");
-        tooltip("Each cell takes any tile of the pattern, by their probabilities (D)");
+        tooltip("Paints random tiles of the pattern, weighted by probability (D)");
         ImGui::EndGroup();
         drawKept(ui, tileset);
     }
 
-    /// The stamps behind the keys 1 to 9: a click takes one, the right button keeps the present one there.
+    /// Draws the pattern slots 1 to 9: a click activates a
+    /// slot's pattern, a right click stores the present pattern.
     static void drawKept(Ui& ui, const Tileset* tileset) {
         TilePaint& tiles = ui.workspace.tiles;
         ImGui::TextDisabled("Kept");
-        // Beside a scroll bar, too.
+        // Fits beside a scroll bar too.
         const float gap = ui.px(4.0f);
         const float room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(kKeptInRow - 1);
         const float side = std::min(std::floor(room / static_cast<float>(kKeptInRow)), ui.px(30.0f));
@@ -198,9 +202,10 @@ private:
                 return ui.workspace.settings.keys.shownOf(action).text();
             };
             if (ImGui::IsItemHovered())
-                tooltip(format(
-                    "A click or {} paints with it, the right button or {} keeps the present tiles here",
-                    keys("recall"), keys("keep")));
+                tooltip(
+                    format("Click or {}: paint with this pattern. Right-click or {}: store the present "
+                           "pattern here.",
+                           keys("recall"), keys("keep")));
             if (clicked) runAction(ui.workspace, format("tiles.recall{}", i + 1));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             list.AddRectFilled(at, {at.x + side, at.y + side}, palette::kField, ui.px(3.0f));
@@ -221,7 +226,7 @@ private:
         tooltip(ui.workspace.settings.keys.labelOf(action));
     }
 
-    /// What the brush would paint, as it would look.
+    /// Draws a tile pattern.
     static void drawStamp(Ui& ui, const Tileset& tileset, const TileStamp& stamp, Vec2 at, float room,
                           ImU32 border) {
         const float side =
@@ -245,7 +250,7 @@ private:
     CellPlace end_;
     TileStamp made_;
     bool dragging_ = false;
-    bool chosen_ = false;  ///< the stamp is what was chosen here
+    bool chosen_ = false;  ///< true if the present pattern was selected in this palette
 };
 
 }  // namespace

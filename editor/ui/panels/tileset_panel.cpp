@@ -20,21 +20,22 @@ constexpr float kPagesWidth = 330.0f;  // px at scale 1
 
 enum class Page : unsigned char { Tile, Animation, Terrain };
 
-/// The tileset of the layer in hand: what its tiles mean, how they move, which are terrain.
+/// Edits the tileset of the active layer: collision shapes and properties, animations, terrains.
 class TilesetPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
         Workspace& workspace = ui.workspace;
         if (workspace.document.scenePath.empty()) {
             return emptyState(ui, "Tileset", "No scene is open.",
-                              "The tileset of the layer that is in hand is here.", {"file.open", "file.new"});
+                              "The tileset of the active tile layer appears here.",
+                              {"file.open", "file.new"});
         }
         const ObjectId layer = activeTileLayer(workspace.document, workspace.tiles);
         const Tileset* tileset = tilesetOf(workspace.document, layer);
         if (tileset == nullptr || tileset->count == 0) {
-            return emptyState(ui, "Tileset", "No layer with a tileset is in hand.",
-                              "Select a layer of tiles and choose its tileset in the inspector. A picture in "
-                              "Assets becomes one by \"Make tileset\" in its menu.");
+            return emptyState(ui, "Tileset", "The active layer has no tileset.",
+                              "Select a tile layer and set its tileset in the Inspector. To make a tileset, "
+                              "right-click an image in Assets and choose \"Make tileset\".");
         }
         const TilesetId id = workspace.document.world.get<TileLayer>(workspace.document.find(layer)).tileset;
         std::erase_if(chosen_, [&](int tile) { return tile >= tileset->count; });
@@ -67,7 +68,8 @@ private:
         drawTileSize(ui, tileset);
     }
 
-    /// Of a set about whose tiles nothing was said yet, which another size would lose.
+    /// Draws the tile size field, only for a tileset without
+    /// tile data and terrains: a new size would invalidate them.
     static void drawTileSize(Ui& ui, const Tileset& tileset) {
         const Texture* picture = ui.workspace.assets.find(tileset.texture);
         if (picture == nullptr || !tileset.tiles.empty() || !tileset.terrains.empty()) return;
@@ -82,7 +84,7 @@ private:
         ui.workspace.undo.endGesture();
     }
 
-    /// A picture that became larger has room for more tiles.
+    /// Offers to add tiles if the image file has grown.
     static void drawGrowth(Ui& ui, const Tileset& tileset) {
         const Texture* picture = ui.workspace.assets.find(tileset.texture);
         if (picture == nullptr || tileset.image.empty() || tileset.tileWidth <= 0 || tileset.tileHeight <= 0)
@@ -97,7 +99,7 @@ private:
             ui.workspace.undo.endGesture();
         }
         ui.widgets.mark("Tileset/grow", format("{}", more));
-        tooltip("The picture has room for more tiles. Those that are there keep their numbers.");
+        tooltip("The image has room for more tiles. Existing tiles keep their numbers.");
     }
 
     void drawPalette(Ui& ui, const Tileset& tileset) {
@@ -112,7 +114,7 @@ private:
         if (!dragging_) view_.describe(tileset);
     }
 
-    /// A drag chooses a box of tiles; Shift adds, Ctrl takes away or adds one.
+    /// A drag selects a box of tiles; Shift adds to the selection, Ctrl+click toggles one tile.
     void choose(const Tileset& tileset) {
         if (view_.pressed()) start_ = view_.at(), dragging_ = true;
         if (!dragging_ || !view_.released()) return;
@@ -129,7 +131,7 @@ private:
         }
     }
 
-    /// Collisions over the tiles, or the neighbours that terrain asks for.
+    /// Draws the collision shapes over the tiles or, on the page "Terrain", the neighbour masks.
     void drawMarks(const Tileset& tileset) const {
         const auto edited = std::find_if(tileset.terrains.begin(), tileset.terrains.end(),
                                          [&](const Terrain& terrain) { return terrain.id == terrain_; });
@@ -160,7 +162,7 @@ private:
             list.AddLine(at(i), at(i + 1), oneWay ? palette::kOneWay : palette::kSolid, 1.5f);
     }
 
-    /// The middle, and each neighbour that the tile asks for, in the color of the terrain.
+    /// Fills the center, and the side of each neighbour in the mask, in the color of the terrain.
     static void drawMask(const AABB& box, const Terrain& terrain, std::uint8_t mask) {
         const ImU32 color = IM_COL32(terrain.color.r, terrain.color.g, terrain.color.b, 150);
         ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -9,19 +9,19 @@
 
 namespace plumb::editor::ui {
 
-/// A page of the Tileset panel; it keeps what is being typed and dragged there.
+/// A page of the Tileset panel; it stores unfinished typing and dragging.
 class TilesetPage {
 public:
     virtual ~TilesetPage() = default;
     virtual void draw(Ui& ui, const Tileset& tileset, std::span<const int> chosen) = 0;
 };
 
-/// What the chosen tiles are to bodies and to the game.
+/// Page "Tile": collision shape, material and properties of the selected tiles.
 std::unique_ptr<TilesetPage> makeTileMeaningPage();
-/// The frames that are shown instead of a tile.
+/// Page "Animation": the frames of an animated tile.
 std::unique_ptr<TilesetPage> makeTileAnimationPage();
-/// The terrains of the set, and which tile stands for which neighbours.
-/// @param terrain  the id of the one that is edited; changed by a click on another one
+/// Draws the page "Terrain": the terrains of the tileset, and the neighbour mask of each tile.
+/// @param terrain  id of the edited terrain; changed by a click on another one
 void drawTerrainPage(Ui& ui, const Tileset& tileset, std::span<const int> chosen, int& terrain);
 
 }  // namespace plumb::editor::ui

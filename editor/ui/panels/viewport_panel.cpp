@@ -12,7 +12,7 @@
 #include "editor/model/document/sight.hpp"
 #include "editor/model/prefabs/go_inside.hpp"
 #include "editor/model/problems.hpp"
-#include "editor/model/tools/set_ways.hpp"
+#include "editor/model/tools/motion_paths.hpp"
 #include "editor/ui/overlays/overlay_edge.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
 #include "editor/ui/panels/panels.hpp"
@@ -33,17 +33,17 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kTitleRoom = 96.0f;       // px at scale 1
-constexpr float kReach = 3.0f;            // px on screen
-constexpr ImU32 kLeastEdge = 8;           // alpha of an edge that is drawn
-constexpr std::size_t kMostBoxes = 2000;  // of selected things: more would hide the scene, and cost
-constexpr std::size_t kMostAlone = 500;   // of which the box is found anew in each frame
+constexpr float kReach = 3.0f;            // px on screen, picking radius of the mouse
+constexpr ImU32 kLeastEdge = 8;           // minimum alpha of a visible halo
+constexpr std::size_t kMostBoxes = 2000;  // maximum number of selection boxes drawn
+constexpr std::size_t kMostAlone = 500;   // maximum number of selection boxes recomputed in each frame
 constexpr Color kSelected{77, 163, 255, 255};
 constexpr Color kCollider{120, 230, 160, 120};
 constexpr Color kHovered{255, 255, 255, 110};
 
 ImU32 toImgui(Color color) { return IM_COL32(color.r, color.g, color.b, color.a); }
 
-/// The scene itself: looks, selects, moves, paints.
+/// Shows the scene; handles camera movement, selection and the tools.
 class ViewportPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -60,7 +60,7 @@ public:
                                    ImGuiButtonFlags_MouseButtonRight);
         ui.widgets.mark("Viewport");
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
-            ImGui::SetWindowFocus();  // keys mean the scene again
+            ImGui::SetWindowFocus();  // focus, so that keys act on the scene
         from_ = {from.x, from.y};
         dropIntoScene(ui, from_);
         offerMenu(ui);
@@ -80,8 +80,8 @@ private:
         ui.viewReady = true;
     }
 
-    /// All of a game is looked at through its own camera, as large as whole pixels allow; the place of before
-    /// comes back when it stops.
+    /// Shows a running game through its own camera at the largest
+    /// whole-number zoom; restores the editor's view when the game stops.
     void followGame(Ui& ui) {
         Workspace& workspace = ui.workspace;
         const bool running = workspace.play.running();
@@ -100,7 +100,8 @@ private:
         workspace.view.show(game.center, workspace.view.zoomFor(picture) * game.zoom);
     }
 
-    /// Of what lies under the mouse. While tiles are painted the right button picks tiles instead.
+    /// Opens the context menu of the entity under the mouse.
+    /// While painting tiles the right button picks tiles instead.
     void offerMenu(Ui& ui) const {
         Workspace& workspace = ui.workspace;
         if (!workspace.canEdit() || workspace.paintsTiles() || workspace.document.scenePath.empty()) return;
@@ -139,7 +140,7 @@ private:
         pointer_.snap = workspace.grid.snap != io.KeyCtrl;
         pointer_.grid = workspace.grid.step();
         pointer_.angle = workspace.grid.snapAngles ? workspace.grid.angle : 0.0f;
-        // Handles are as large as the rest of the interface, and as easy to get.
+        // Handles have a constant size on screen, scaled like the rest of the interface.
         pointer_.reach = ui.px(kReach) / workspace.view.zoom();
         pointer_.pixel = ui.scale / workspace.view.zoom();
         if (!workspace.canEdit() || workspace.document.scenePath.empty()) {
@@ -164,26 +165,26 @@ private:
             pressed_ = pointer_.secondary = false;
             if (const std::string_view next = workspace.tool().next(); !next.empty()) workspace.useTool(next);
             if (std::exchange(twice_, false) && !workspace.paintsTiles())
-                goInside(workspace, pointer_.position, pointer_.reach);
+                handleDoubleClick(workspace, pointer_.position, pointer_.reach);
         } else if (pressed_ && pointer_.position != moved_) {
             const std::size_t steps = workspace.undo.size();
             workspace.tool().drag(context, pointer_);
             const bool changed = workspace.undo.size() != steps || workspace.undo.inGesture();
-            if (onRoot_ && !changed) workspace.notice = kRootStays;
+            if (onRoot_ && !changed) workspace.notice = kRootCannotMove;
             moved_ = pointer_.position;
             twice_ = false;
         }
     }
 
-    /// A click in the running game shows what is there, where it is now.
+    /// Selects the smallest entity of the running game under the mouse, at its present position.
     void inspectRunning(Workspace& workspace) const {
         ObjectId hit;
         float smallest = 1e30f;
         for (const ObjectId id : workspace.document.objects()) {
             const EntityId entity = workspace.play.find(id);
             const World& played = workspace.play.world();
-            // What follows the mouse is below it whatever one clicks.
-            if (!isSomewhere(played, entity) || played.has<MouseDrag>(entity)) continue;
+            // An entity that follows the mouse is always under it.
+            if (!hasTransform(played, entity) || played.has<MouseDrag>(entity)) continue;
             const AABB box = boundsOf(played, entity);
             const float area = box.size().x * box.size().y;
             if (contains(box, pointer_.position) && area < smallest) smallest = area, hit = id;
@@ -218,12 +219,12 @@ private:
         }
         list.PopClipRect();
         if (workspace.play.running()) drawPlayFrame(ui, list, from, to);
-        if (workspace.play.running()) sayMissingCamera(ui, world, picture);
+        if (workspace.play.running()) drawMissingCameraWarning(ui, world, picture);
         list.PopClipRect();
     }
 
-    /// The document's world is not stepped: its bodies are made anew after each change that may be seen. What
-    /// is soft is always seen.
+    /// Rebuilds the preview bodies after a change of the scene, if a physics layer or a soft body shows them:
+    /// the world of the document is never stepped.
     void previewBodies(Workspace& workspace) {
         if (workspace.play.running()) return;
         if (workspace.physics.shown().any() == 0 && !hasSoftBodies(workspace.document.world)) return;
@@ -231,13 +232,13 @@ private:
             previewPhysics(workspace.document.world);
     }
 
-    /// A game that is looked at through its camera, as the player shows it.
+    /// True if a running game is shown through its own camera, as in the player.
     static bool shownAsGame(const Workspace& workspace) {
         return workspace.play.running() && workspace.followsGame;
     }
 
-    /// px on screen: all of the panel shows the scene; a game has its own picture in the middle, with nothing
-    /// around it that the player would not see.
+    /// Rectangle of the scene image, px on screen: the whole panel, or for a game viewed through its camera a
+    /// centered rectangle of the game's resolution.
     static AABB pictureOf(const Workspace& workspace, Vec2 from, Vec2 size) {
         if (!shownAsGame(workspace)) return {from, from + size};
         const Vec2 picture = workspace.project.picture;
@@ -270,13 +271,13 @@ private:
             {from.x + static_cast<float>(pixels.width), from.y + static_cast<float>(pixels.height)});
     }
 
-    /// While the game does not run, animated tiles move all the same, and things may be out of sight.
-    ScenePicture::Preview previewOf(const Workspace& workspace) {
-        ScenePicture::Preview preview;
+    /// Returns the preview settings while no game runs: time of animated tiles, hidden entities, particles.
+    SceneTexture::Preview previewOf(const Workspace& workspace) {
+        SceneTexture::Preview preview;
         if (workspace.play.running()) return preview;
         preview.ahead = ImGui::GetTime();
         const Revisions now{workspace.document.view.revision(), workspace.document.treeRevision};
-        if (std::exchange(hiddenAt_, now) != now) hidden_ = outOfSight(workspace.document);
+        if (std::exchange(hiddenAt_, now) != now) hidden_ = hiddenEntities(workspace.document);
         preview.hidden = hidden_;
         if (particles_.shows()) preview.particles = &particles_.particles();
         preview.particleBack = particles_.back();
@@ -297,7 +298,7 @@ private:
         return shown;
     }
 
-    /// The running game must not be taken for the scene: what is changed now is gone afterwards.
+    /// Draws a colored frame around a running game: changes made to it are lost when it stops.
     static void drawPlayFrame(const Ui& ui, ImDrawList& list, ImVec2 from, ImVec2 to) {
         const bool paused = ui.workspace.play.paused();
         const ImU32 color = paused ? palette::kWarning : palette::kPlay;
@@ -308,13 +309,13 @@ private:
             return ui.workspace.settings.keys.shownOf(*findAction(action)).text();
         };
         const std::string words =
-            ui.workspace.play.inPast() ? format("THE PAST - {} and {} step, {} resumes from here",
+            ui.workspace.play.inPast() ? format("REWOUND - {} and {} step, {} resumes from here",
                                                 keys("run.step"), keys("run.stepBack"), keys("run.pause"))
-            : paused ? format("PAUSED - {} steps, {} goes on, {} stops", keys("run.step"), keys("run.pause"),
+            : paused ? format("PAUSED - {} steps, {} resumes, {} stops", keys("run.step"), keys("run.pause"),
                               keys("run.play"))
-                     : format("PLAYING - {} stops and asks what to keep of your changes", keys("run.play"));
+                     : format("PLAYING - {} stops and asks which of your changes to keep", keys("run.play"));
         const ImVec2 extent = ImGui::CalcTextSize(words.c_str());
-        // Beside the title of the panel: over the picture it would hide what the game writes at its top.
+        // In the title bar of the panel, as it would cover the top of the game's image.
         const float middle = from.x + (to.x - from.x - extent.x) * 0.5f;
         const ImVec2 at{std::floor(std::max(middle, from.x + ui.px(kTitleRoom))),
                         from.y - extent.y - ui.px(4.0f)};
@@ -337,21 +338,22 @@ private:
             return drawManySelected(document, visibleBox(ui.workspace.view.view()));
         for (const ObjectId id : document.selection.all()) {
             const EntityId entity = ui.workspace.shownEntity(id);
-            if (isSomewhere(world, entity)) overlay_.box(boundsOf(world, entity), kSelected, 2.0f);
-            if (const auto way = setWayOf(world, entity); way && !ui.workspace.shows("ways"))
+            if (hasTransform(world, entity)) overlay_.box(boundsOf(world, entity), kSelected, 2.0f);
+            if (const auto way = motionPathOf(world, entity); way && !ui.workspace.shows("ways"))
                 drawSetWay(*way, pointer_.pixel, overlay_);
         }
         if (ui.workspace.canEdit()) drawColliders(document);
     }
 
-    /// Of the one that is selected, faint: the shape tool draws them as they are edited.
+    /// Draws the collider outline of a single selected entity, faint: the shape tool draws it strongly.
     void drawColliders(const Document& document) {
         if (document.selection.size() != 1) return;
         for (const ShapeEdge& edge : edgesOf(document, document.selection.all().front()))
             overlay_.line(edge.from, edge.to, kCollider, 1.0f);
     }
 
-    /// The boxes of some of those in sight, and one around all: found once for each change.
+    /// Draws the boxes of a part of the visible selected
+    /// entities, and a cached box around the whole selection.
     void drawManySelected(const Document& document, const AABB& seen) {
         const std::vector<ObjectId>& all = document.objects();
         const SceneBoxes& boxes = document.boxes();
@@ -359,7 +361,7 @@ private:
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (intersects(boxes.at(i), seen) && document.selection.has(all[i])) many_.push_back(i);
         }
-        // Too many for all of them: evenly over the whole, so that no part of it looks as if it were not.
+        // If there are too many, draws every n-th, evenly over the list, so that no region looks unselected.
         const std::size_t step = (many_.size() + kMostBoxes - 1) / kMostBoxes;
         for (std::size_t i = 0; i < many_.size(); i += step)
             overlay_.box(boxes.at(many_[i]), kSelected, step > 1 ? 1.0f : 2.0f);
@@ -379,7 +381,7 @@ private:
         return {at.x, at.y};
     }
 
-    /// px on screen; of a line that is as thick as the words beside it, at any scale.
+    /// Thickness of a line, px on screen, scaled like the text beside it.
     static float thicknessOf(const Ui& ui, const Overlay::Shape& shape) {
         return std::max(shape.thickness * ui.scale, std::min(shape.thickness, 1.0f));
     }
@@ -446,7 +448,7 @@ private:
         beginChild("hint", {width, ui.px(200.0f)}, false);
         const std::string& problem = problemsOf(ui.workspace).load;
         emptyState(ui, "Viewport", "No scene is open.",
-                   problem.empty() ? "A scene is a level, a title, a menu." : problem.c_str(),
+                   problem.empty() ? "A scene is a level, a title screen or a menu." : problem.c_str(),
                    {"file.open", "file.new"});
         ImGui::EndChild();
     }
@@ -454,28 +456,28 @@ private:
     Vec2 from_;
     Vec2 moved_;
     Pointer pointer_;
-    View before_;                      ///< where one looked before the game was played
-    std::uint64_t previewed_ = ~0ull;  ///< the revision of the document that its bodies are of
-    std::vector<std::size_t> many_;    ///< selected and in sight, by their place among all
+    View before_;                      ///< the editor's view before the game was started
+    std::uint64_t previewed_ = ~0ull;  ///< document revision of the preview bodies
+    std::vector<std::size_t> many_;    ///< indices of the visible selected entities among all objects
     bool panning_ = false;
     bool pressed_ = false;
-    bool onRoot_ = false;  ///< it was pressed on the first entity of a prefab, which does not move
-    bool twice_ = false;   ///< it was the second press of a double click, and nothing was dragged yet
+    bool onRoot_ = false;  ///< true if the mouse was pressed on the root of a prefab, which cannot be moved
+    bool twice_ = false;   ///< true during the second press of a double-click, until a drag
     bool playing_ = false;
     Overlay overlay_;
     std::vector<EntityId> selected_;
     ParticlePreview particles_;
 
-    /// What something was found out from.
+    /// Two revision numbers that a cached value was computed from.
     struct Revisions {
         std::uint64_t first = ~0ull;
         std::uint64_t second = ~0ull;
         bool operator==(const Revisions&) const = default;
     };
-    Revisions wholeAt_;             ///< selection and scene
-    std::optional<AABB> whole_;     ///< around all that is selected, px, world
-    Revisions hiddenAt_;            ///< view and tree
-    std::vector<EntityId> hidden_;  ///< while editing
+    Revisions wholeAt_;             ///< revisions of selection and scene, for `whole_`
+    std::optional<AABB> whole_;     ///< box around all selected entities, world px
+    Revisions hiddenAt_;            ///< revisions of view and tree, for `hidden_`
+    std::vector<EntityId> hidden_;  ///< entities not drawn while editing
 };
 
 }  // namespace

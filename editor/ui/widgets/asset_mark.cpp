@@ -9,7 +9,7 @@ namespace {
 constexpr float kSide = 17.0f;  // px at scale 1
 constexpr float kSign = 11.0f;
 
-/// Two notes that a beam joins.
+/// Draws two beamed musical notes.
 void drawNotes(ImDrawList& list, ImVec2 center, float size, ImU32 color) {
     const float half = size * 0.5f;
     const auto at = [&](float x, float y) { return ImVec2{center.x + x * half, center.y + y * half}; };

@@ -5,9 +5,9 @@
 
 namespace plumb::editor::ui {
 
-/// A small sign of what kind of file it is, in the lower right corner of its picture. Files that games do not
-/// load have none.
-/// @param corner  of the picture, px
+/// Draws a small icon for the kind of an asset into the lower right
+/// corner of its thumbnail; nothing for files that are not assets.
+/// @param corner  lower right corner of the thumbnail, px on screen
 void drawAssetMark(const Ui& ui, ImDrawList& list, AssetKind kind, ImVec2 corner);
 
 }  // namespace plumb::editor::ui

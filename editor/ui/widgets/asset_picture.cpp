@@ -14,9 +14,9 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr float kLargestZoom = 4.0f;
-constexpr float kSquare = 5.0f;  // px at scale 1, of the checks behind pictures
+constexpr float kSquare = 5.0f;  // px at scale 1, side of a square of the checkerboard
 
-/// Checks behind a picture: what is clear in it, and what is dark, can be distinguished from the panel.
+/// Draws a checkerboard background, which makes transparent and dark parts of an image visible.
 void drawChecks(const Ui& ui, ImDrawList& list, const AABB& box) {
     list.AddRectFilled({box.min.x, box.min.y}, {box.max.x, box.max.y}, palette::kHover);
     const float side = ui.px(kSquare);
@@ -29,8 +29,8 @@ void drawChecks(const Ui& ui, ImDrawList& list, const AABB& box) {
     }
 }
 
-/// A part of a picture as large as the box allows, in whole steps when it is enlarged.
-/// @param wanted  empty: all of it, or the beginning of what is very long
+/// Draws a part of a texture as large as the box allows, enlarged by whole factors only.
+/// @param wanted  source rectangle, px; empty: the whole texture, or the start of a very long one
 void drawPart(Ui& ui, ImDrawList& list, TextureId id, const Rect& wanted, const AABB& box) {
     const Texture* texture = ui.workspace.assets.find(id);
     if (ui.picture == nullptr || texture == nullptr || texture->width <= 0 || texture->height <= 0) return;
@@ -52,7 +52,7 @@ void drawPart(Ui& ui, ImDrawList& list, TextureId id, const Rect& wanted, const 
     quadOfPixels(list, textureId(part.texture), corners, uv, IM_COL32_WHITE);
 }
 
-/// The frame that shows at a time; the first one while nothing plays.
+/// Returns the frame of the first clip at a time, s; null if there is none.
 const AnimationFrame* frameAt(const AnimationSet& set, double seconds) {
     if (set.clips.empty() || set.clips.front().frames.empty()) return nullptr;
     const std::vector<AnimationFrame>& frames = set.clips.front().frames;
@@ -70,7 +70,7 @@ void drawSheet(ImDrawList& list, const Ui& ui, const AABB& box, ImU32 color, con
     const Vec2 center = box.center();
     const float side = std::min(box.size().x, box.size().y) * 0.3f;
     const ImVec2 size = ImGui::CalcTextSize(word);
-    const bool fits = size.x + ui.px(12.0f) <= box.size().x;  // not beside a field
+    const bool fits = size.x + ui.px(12.0f) <= box.size().x;  // false for the small thumbnail beside a field
     const float half = fits ? std::max(side * 0.8f, size.x * 0.5f + ui.px(6.0f)) : side * 0.8f;
     const ImVec2 from{center.x - half, center.y - side};
     const ImVec2 to{center.x + half, center.y + side};
@@ -79,14 +79,14 @@ void drawSheet(ImDrawList& list, const Ui& ui, const AABB& box, ImU32 color, con
     if (fits) list.AddText({center.x - size.x * 0.5f, center.y - size.y * 0.5f}, color, word);
 }
 
-/// The path that a field of a component names; empty when it does not.
+/// Returns the asset path stored in a field of a component; empty if there is none.
 std::string namedBy(const PrefabEntity& entity, const char* component, const char* field) {
     const Json* found = findMember(entity.components, component);
     const std::string* path = found == nullptr ? nullptr : findText(*found, field);
     return path == nullptr ? std::string{} : *path;
 }
 
-/// What its first part that can be seen looks like. @return whether there is one
+/// Draws the first entity with an animation or a texture. @return true if there is one
 bool drawPrefab(Ui& ui, ImDrawList& list, std::string_view path, const AABB& box, double playing) {
     PrefabLibrary* prefabs = ui.workspace.prefabs().prefabs;
     const Result<const Prefab*> prefab = prefabs != nullptr ? prefabs->find(path) : Error{};

@@ -10,17 +10,18 @@
 
 namespace plumb::editor::ui {
 
-/// Draws what a file looks like into a box: a picture itself, a tileset by its picture, an animation playing,
-/// a prefab by its first part that can be seen; everything else by a sign. Nothing is enlarged beyond whole pixels.
-/// @param box      px on screen
-/// @param playing  s since the mouse came; animations move by it
+/// Draws the thumbnail of an asset into a box: an image or the image of a
+/// tileset, a playing animation, the first visible entity of a prefab, or a
+/// card with the kind of file. Images are enlarged by whole factors only.
+/// @param box      target rectangle, px on screen
+/// @param playing  playback time of an animation, s
 void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, const AABB& box,
                double playing);
 
-inline constexpr const char* kAssetPayload = "asset";  ///< what is dragged: the path, with a 0 behind it
+inline constexpr const char* kAssetPayload = "asset";  ///< drag payload: null-terminated path
 
-/// Makes the last item something that files can be dropped on. @return the path that was dropped; empty: none
-/// @param hovering  set to the path while it is held over the item
+/// Makes the last item a drop target for assets. @return the dropped path; empty: none
+/// @param hovering  set to the path that is dragged over the item; empty: none
 std::string acceptAsset(std::string& hovering);
 
 }  // namespace plumb::editor::ui

@@ -9,8 +9,8 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kMargin = 8.0f;  // px at scale 1, around a dialog that is as large as the window
-constexpr float kFoot = 12.0f;   // px at scale 1, below the buttons
+constexpr float kMargin = 8.0f;  // px at scale 1, minimum distance between dialog and window edge
+constexpr float kFoot = 12.0f;   // px at scale 1, distance below the buttons
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void dialogFoot(const Ui& ui) {
 
 bool footButton(Ui& ui, const char* label, float width, const std::string& path, ImU32 color) {
     const float least = ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-    // The one before left the cursor beside itself.
+    // The cursor is beside the previous button.
     if (ImGui::GetContentRegionAvail().x < least) ImGui::NewLine();
     const float wide = std::max(std::min(ui.px(width), ImGui::GetContentRegionAvail().x), least);
     if (color != 0) ImGui::PushStyleColor(ImGuiCol_Button, color);
@@ -44,16 +44,17 @@ bool footButton(Ui& ui, const char* label, float width, const std::string& path,
 
 bool defaultButton(Ui& ui, const char* label, float width, const std::string& path) {
     const bool clicked = footButton(ui, label, width, path, palette::kAccentSoft);
-    // What is written into a field is done with by the field's own Enter.
+    // Enter in an active text field finishes that field only.
     const bool entered = pressed(Key::Enter) || pressed(Key::PadEnter);
-    return clicked || (entered && !ImGui::IsWindowAppearing() && ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive());
+    return clicked ||
+           (entered && !ImGui::IsWindowAppearing() && ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive());
 }
 
 bool LastingQuestion::ask(bool wanted) {
     bool left = false;
     if (open_ && !ImGui::IsPopupOpen(title_)) {
         open_ = false;
-        left = wanted && !anyPopupOpen();  // displaced by another dialog it comes back after that
+        left = wanted && !anyPopupOpen();  // if another dialog displaced it, it reopens later
     }
     if (wanted && !left && !open_ && !anyPopupOpen()) {
         ImGui::OpenPopup(title_);

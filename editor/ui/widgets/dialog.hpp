@@ -4,25 +4,27 @@
 
 namespace plumb::editor::ui {
 
-/// A question in the middle of the window, never larger than that: what has no room is scrolled to. Ends with
-/// ImGui::EndPopup where it is open.
-/// @param wanted  its size, px at scale 1
-/// @param stays   with a cross in its corner: false once that was clicked
+/// Begins a modal dialog in the center of the window, limited to the window's size; larger content scrolls.
+/// Ends with ImGui::EndPopup if it returns true.
+/// @param wanted  size, px at scale 1
+/// @param stays   not null: adds a close button, which sets it to false
 bool beginDialog(const Ui& ui, const char* title, ImVec2 wanted, bool* stays = nullptr);
 
-/// Goes to the line of buttons at the lower edge, or below all there is where that needs the room.
+/// Moves the cursor to the button row at the lower edge, or below the content if that is longer.
 void dialogFoot(const Ui& ui);
-/// A button in that line, or in the next one where there is no room. @param width  px at scale 1
+/// Draws a button in the button row, or on a new line if it does not fit. @param width  px at scale 1
 bool footButton(Ui& ui, const char* label, float width, const std::string& path, ImU32 color = 0);
-/// The one that Enter means too, in a color of its own. Never one that throws something away.
+/// Draws the highlighted default button, which Enter also
+/// presses. Never use it for an action that discards data.
 bool defaultButton(Ui& ui, const char* label, float width, const std::string& path);
 
-/// A question that comes as soon as no other dialog is open, and comes back when another one takes its place.
+/// A dialog that opens as soon as no other dialog is open, and reopens after another dialog has displaced it.
 class LastingQuestion {
 public:
     explicit LastingQuestion(const char* title) : title_{title} {}
 
-    /// To be called in every frame, before the dialog is drawn. @return whether it was closed unanswered
+    /// Call it in every frame before drawing the dialog.
+    /// @return true if the dialog was closed without an answer
     bool ask(bool wanted);
 
 private:

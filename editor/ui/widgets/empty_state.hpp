@@ -7,10 +7,10 @@
 
 namespace plumb::editor::ui {
 
-/// What a panel shows that has nothing to show: what is missing, how it comes to be, and buttons for that.
-/// @param panel    its title; the buttons are "PANEL/empty/LABEL"
-/// @param how      empty: the buttons say it all
-/// @param actions  of the table, each with its keys
+/// Draws the content of an empty panel: what is missing, how to create it, and buttons for that.
+/// @param panel    title of the panel; the widget path of a button is "PANEL/empty/LABEL"
+/// @param how      instruction; may be empty
+/// @param actions  ids of the actions of the buttons
 void emptyState(Ui& ui, const std::string& panel, const char* what, const char* how,
                 std::initializer_list<std::string_view> actions = {});
 

@@ -11,7 +11,7 @@ constexpr const char* kLeftOut = "\xe2\x80\xa6";
 
 float widthOf(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
-/// Where each letter of a UTF-8 text begins, and its end.
+/// Returns the byte index of each code point of a UTF-8 text, and the length of the text.
 std::vector<std::size_t> lettersOf(const std::string& text) {
     std::vector<std::size_t> at;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -21,7 +21,7 @@ std::vector<std::size_t> lettersOf(const std::string& text) {
     return at;
 }
 
-/// The text with only this many letters, of which the end has the larger part.
+/// Returns the text shortened to this many letters; the larger half is taken from the end.
 std::string withLetters(const std::string& text, const std::vector<std::size_t>& at, std::size_t kept) {
     const std::size_t head = kept / 2;
     const std::size_t tail = at.size() - 1 - (kept - head);

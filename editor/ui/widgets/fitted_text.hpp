@@ -4,11 +4,12 @@
 
 namespace plumb::editor::ui {
 
-/// As much of a text as a width holds, with "…" for what is left out in the middle: beginning and end are
-/// what tells names apart. @param width  px
+/// Shortens a text to a width by replacing its middle with "…", as beginning and end distinguish names best.
+/// @param width  px
 std::string fittedText(const std::string& text, float width);
 
-/// A text in a width, in the color of the style; the whole of it is in the tooltip where it was cut.
+/// Draws a text shortened to a width, px, in the current
+/// text color; a shortened text has the full one as tooltip.
 void fittedLine(const std::string& text, float width);
 
 }  // namespace plumb::editor::ui

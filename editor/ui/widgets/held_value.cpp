@@ -6,12 +6,12 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kMost = 1e9f;  // numbers of files stay below it
+constexpr float kMost = 1e9f;  // limit of dragged numbers
 
 }  // namespace
 
-std::optional<float> HeldNumber::draw(Ui& ui, const std::string& path, float now, float speed,
-                                      const char* format) {
+std::optional<float> DeferredNumber::draw(Ui& ui, const std::string& path, float now, float speed,
+                                          const char* format) {
     float shown = path_ == path ? value_ : now;
     ImGui::DragFloat(("##" + path).c_str(), &shown, speed, -kMost, kMost, format,
                      ImGuiSliderFlags_AlwaysClamp);
@@ -26,7 +26,7 @@ std::optional<float> HeldNumber::draw(Ui& ui, const std::string& path, float now
     return shown;
 }
 
-std::optional<std::string> HeldText::draw(Ui& ui, const std::string& path, const std::string& now) {
+std::optional<std::string> DeferredText::draw(Ui& ui, const std::string& path, const std::string& now) {
     if (path_ != path || before_ != now) {
         path_ = path;
         text_ = before_ = now;
@@ -34,7 +34,7 @@ std::optional<std::string> HeldText::draw(Ui& ui, const std::string& path, const
     textField(("##" + path).c_str(), text_);
     ui.widgets.mark(path, text_);
     if (!ImGui::IsItemDeactivatedAfterEdit()) return std::nullopt;
-    before_.clear();  // what is there from now on, taken or refused
+    before_.clear();  // the next call reads the text again, whether the change was accepted or rejected
     path_.clear();
     if (text_ == now) return std::nullopt;
     return text_;

@@ -7,32 +7,32 @@
 
 namespace plumb::editor::ui {
 
-/// A number of which only the end of a drag, or of typing, counts: for what is written into a file at once.
-/// One for a panel.
-class HeldNumber {
+/// Number field that reports a value only at the end of a drag or of typing, for values that are saved at
+/// once. One object serves all number fields of a panel.
+class DeferredNumber {
 public:
-    /// Draws it as wide as the next item is to be.
-    /// @param path    how tests call it
-    /// @param speed   by how much one px of a drag changes it
-    /// @param format  as ImGui wants it: "%.4g"
-    /// @return        the number that was let go, if it is another one
+    /// Draws the field in the current item width.
+    /// @param path    widget path, for tests
+    /// @param speed   change per px of a drag
+    /// @param format  printf format of ImGui: "%.4g"
+    /// @return        the new number, if an edit has ended and changed it
     std::optional<float> draw(Ui& ui, const std::string& path, float now, float speed, const char* format);
 
 private:
-    std::string path_;  // what is dragged; empty: nothing
+    std::string path_;  // path of the field being edited; empty: none
     float value_ = 0.0f;
 };
 
-/// A name that counts when Enter is pressed or another thing is clicked. One for a panel.
-class HeldText {
+/// Text field that reports its text only after Enter or a click elsewhere. One object serves a panel.
+class DeferredText {
 public:
-    /// @param path  how tests call it
-    /// @return      what was typed, if it is something else
+    /// @param path  widget path, for tests
+    /// @return      the new text, if an edit has ended and changed it
     std::optional<std::string> draw(Ui& ui, const std::string& path, const std::string& now);
 
 private:
     std::string path_;
-    std::string before_;  // what stood there when typing began
+    std::string before_;  // text of the field before the edit
     std::string text_;
 };
 

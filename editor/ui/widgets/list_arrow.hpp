@@ -6,9 +6,10 @@
 
 namespace plumb::editor::ui {
 
-/// The narrow arrow beside a button, behind which its list is. As high as the button, so that both stand in
-/// one line. @return whether it was clicked
+/// Width of listArrow(), px.
 float listArrowWidth(const Ui& ui);
+/// Draws a narrow arrow beside a button, which opens the button's list. @return true if it was clicked
+/// @param height  height of the button, px
 bool listArrow(Ui& ui, const std::string& path, float height);
 
 }  // namespace plumb::editor::ui

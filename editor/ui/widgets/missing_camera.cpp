@@ -8,7 +8,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr const char* kWords = "This scene has no camera to look through. Entity > Add camera makes one.";
+constexpr const char* kWords = "This scene has no camera. Entity > Add camera creates one.";
 
 bool hasCamera(const World& world) {
     bool found = false;
@@ -19,7 +19,7 @@ bool hasCamera(const World& world) {
 
 }  // namespace
 
-void sayMissingCamera(const Ui& ui, const World& world, const AABB& picture) {
+void drawMissingCameraWarning(const Ui& ui, const World& world, const AABB& picture) {
     if (!ui.workspace.followsGame || hasCamera(world)) return;
     const float width = std::max(picture.size().x - ui.px(20.0f), 1.0f);
     const ImVec2 extent = ImGui::CalcTextSize(kWords, nullptr, false, width);

@@ -5,9 +5,9 @@
 
 namespace plumb::editor::ui {
 
-/// Over the picture of a game that plays in a scene without a camera: what is seen is what is around the
-/// origin of the scene, which may be nothing.
-/// @param picture  px on screen
-void sayMissingCamera(const Ui& ui, const World& world, const AABB& picture);
+/// Draws a warning over a running game whose scene has no enabled camera: the view is then centered at the
+/// origin of the scene and may be empty.
+/// @param picture  rectangle of the game image, px on screen
+void drawMissingCameraWarning(const Ui& ui, const World& world, const AABB& picture);
 
 }  // namespace plumb::editor::ui

@@ -36,7 +36,7 @@ void PaletteView::zoomButtons(Ui& ui, const std::string& path) {
     ImGui::SameLine();
     if (ImGui::SmallButton(" + ")) zoomBy(1.0f);
     ui.widgets.mark(path + "/zoomIn");
-    tooltip("Ctrl and the wheel over the tiles do the same; the middle button pans.");
+    tooltip("Ctrl+wheel over the tiles zooms too; the middle button pans.");
     ImGui::SameLine();
     ImGui::Checkbox("Grid", &grid);
     ui.widgets.mark(path + "/grid", grid ? "on" : "off");

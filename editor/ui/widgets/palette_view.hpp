@@ -9,29 +9,29 @@
 
 namespace plumb::editor::ui {
 
-/// The tiles of a set as they lie in its picture: zoomed with Ctrl and the wheel, panned with the middle
-/// button, animated ones in motion.
+/// The tiles of a tileset in the layout of its image. Ctrl+wheel
+/// zooms, the middle button pans; animated tiles play.
 class PaletteView {
 public:
     /// Draws the tiles into the current child window.
-    /// @param found  the tiles that stay bright, in rising order; null: all
+    /// @param found  sorted numbers of the tiles that are not dimmed; null: all
     void draw(Ui& ui, const Tileset& tileset, const std::string& path, const std::vector<int>* found);
 
-    // After draw.
+    // Valid after draw().
 
     [[nodiscard]] const TilePalette& tiles() const { return tiles_; }
     [[nodiscard]] bool pressed() const { return pressed_; }
     [[nodiscard]] bool held() const { return held_; }
     [[nodiscard]] bool released() const { return released_; }
     [[nodiscard]] bool hovered() const { return hovered_; }
-    /// The place nearest to the mouse.
+    /// The cell nearest to the mouse.
     [[nodiscard]] CellPlace at() const { return at_; }
-    [[nodiscard]] AABB boxOf(CellPlace place) const;  ///< px on screen
+    [[nodiscard]] AABB boxOf(CellPlace place) const;  ///< rectangle of a cell, px on screen
     void frame(CellPlace a, CellPlace b, ImU32 color, float thickness = 2.0f) const;
-    /// A word on the tile under the mouse.
+    /// Draws a frame around the tile under the mouse, and its description as a tooltip.
     void describe(const Tileset& tileset) const;
 
-    /// "−  3x  +" beside other things.
+    /// Draws the zoom buttons "−  3x  +" and the grid checkbox on the current line.
     void zoomButtons(Ui& ui, const std::string& path);
     bool grid = true;
 
@@ -39,9 +39,9 @@ private:
     void drawTiles(Ui& ui, const Tileset& tileset, const std::vector<int>* found) const;
     void navigate(Ui& ui);
 
-    float zoom_ = 0.0f;  ///< 0: as large as there is room
-    Vec2 from_;          ///< px on screen
-    Vec2 cell_;          ///< px on screen
+    float zoom_ = 0.0f;  ///< zoom factor; 0: computed from the available width
+    Vec2 from_;          ///< upper left corner, px on screen
+    Vec2 cell_;          ///< size of a cell, px on screen
     TilePalette tiles_;
     CellPlace at_;
     bool pressed_ = false;

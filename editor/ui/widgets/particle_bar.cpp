@@ -11,8 +11,8 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr Color kShape{232, 200, 120, 200};
-constexpr float kSecondsShown = 0.35f;  // of the way of a particle
-constexpr float kShortest = 12.0f;      // px, of an arrow
+constexpr float kSecondsShown = 0.35f;  // length of the direction lines as flight time of a particle
+constexpr float kShortest = 12.0f;      // px, minimum length of an arrow
 
 void drawArea(const ParticleEmitter& emitter, const Pose& pose, Overlay& overlay) {
     if (emitter.area == EmitterArea::Circle) {
@@ -66,7 +66,7 @@ void drawParticleBar(Ui& ui, ParticlePreview& preview, ImVec2 from, ImVec2 size)
     };
     const float gap = ui.px(6.0f);
     const float margin = ui.px(8.0f);
-    // As wide as the largest count, so that the buttons stay where they are.
+    // Wide enough for the largest count, so that the buttons do not move.
     const float words = ImGui::CalcTextSize("100000 particles").x;
     const float width = margin * 2.0f + words + gap * 2.0f + button("Restart") + button("Burst");
     const float height = ImGui::GetFrameHeight() + margin;
@@ -81,15 +81,15 @@ void drawParticleBar(Ui& ui, ParticlePreview& preview, ImVec2 from, ImVec2 size)
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(count.c_str());
     ui.widgets.mark("Viewport/particles", format("{}", preview.particles().alive()));
-    tooltip("A preview of what is selected. The scene itself is not changed.");
+    tooltip("Preview of the selected emitters. The scene is not changed.");
     ImGui::SameLine(margin + words + gap, 0.0f);
     if (ImGui::Button("Restart")) preview.restart();
     ui.widgets.mark("Viewport/particles/restart");
-    tooltip("Begins anew, as when the game starts");
+    tooltip("Restarts the preview as at the start of the game");
     ImGui::SameLine(0.0f, gap);
     if (ImGui::Button("Burst")) preview.burst(ui.workspace.document);
     ui.widgets.mark("Viewport/particles/burst");
-    tooltip("Sends its burst now; without one, a handful");
+    tooltip("Emits the burst of the emitter; if it has none, a few particles");
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();

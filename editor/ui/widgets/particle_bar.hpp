@@ -6,14 +6,15 @@
 
 namespace plumb::editor::ui {
 
-/// Goes on with the preview; while a game plays, which has particles of its own, there is none.
+/// Advances the particle preview by the frame time; clears
+/// it while a game runs, as the game has its own particles.
 void advancePreview(const Ui& ui, ParticlePreview& preview);
 
-/// Where each previewed emitter sends from, and in which directions.
+/// Draws the area and the directions of each previewed emitter.
 void drawEmitterShapes(const World& world, const ParticlePreview& preview, Overlay& overlay);
 
-/// The bar at the lower edge of the scene: how many particles there are, begin anew, burst.
-/// @param from, size  of the scene on the screen (px)
+/// Draws the bar at the lower edge of the viewport: particle count, Restart and Burst.
+/// @param from, size  rectangle of the viewport, px on screen
 void drawParticleBar(Ui& ui, ParticlePreview& preview, ImVec2 from, ImVec2 size);
 
 }  // namespace plumb::editor::ui

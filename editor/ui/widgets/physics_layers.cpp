@@ -21,7 +21,7 @@ constexpr std::array kChoices{Choice{PhysicsReach::Off, "Off", "off", "##off"},
                               Choice{PhysicsReach::Selected, "Selected", "selected", "##selected"},
                               Choice{PhysicsReach::All, "All", "all", "##all"}};
 
-/// A line of the list: an overlay of the editor or a layer of the physics.
+/// A row of the table: an overlay of the editor or a layer of the physics.
 struct Line {
     std::string_view name;
     std::string_view label;
@@ -36,14 +36,14 @@ struct Heading {
     std::vector<std::string_view> names;
 };
 
-/// What stands together in the list; what no heading names comes last.
+/// Groups of the table; rows in no group come last.
 const std::vector<Heading>& headings() {
     static const std::vector<Heading> table{
-        {"Things", {"names", "shapes", "triggers", "centres", "bounds"}},
-        {"Ways", {"ways", "reach", "trajectories", "velocities", "paths", "sweeps"}},
+        {"Entities", {"names", "shapes", "triggers", "centres", "bounds"}},
+        {"Motion", {"ways", "reach", "trajectories", "velocities", "paths", "sweeps"}},
         {"Contacts", {"contacts", "normals", "impulses", "friction", "contactForces", "bodyErrors"}},
         {"Joints and fields", {"joints", "jointForces", "fields"}},
-        {"What the physics does", {"sleep", "islands", "broadPhase", "times", "counts"}},
+        {"Simulation", {"sleep", "islands", "broadPhase", "times", "counts"}},
     };
     return table;
 }

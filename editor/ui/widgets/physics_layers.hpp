@@ -6,8 +6,8 @@
 
 namespace plumb::editor::ui {
 
-/// For each overlay of entities and each layer of the physics: shown of none, of what is selected, or of all.
-/// @param path  how tests call them
+/// Draws radio buttons per overlay and physics layer: shown for no entity, the selected entities, or all.
+/// @param path  prefix of the widget paths, for tests
 void physicsLayerItems(Ui& ui, const std::string& path);
 
 }  // namespace plumb::editor::ui

@@ -4,9 +4,9 @@
 
 namespace plumb::editor::ui {
 
-/// Makes the last item, the scene, something that files of the browser are dropped on; what is carried over
-/// it is shown where it would stand.
-/// @param corner  px on screen, of the scene's top left
+/// Makes the last item, the scene view, a drop target for
+/// assets; a dragged asset is previewed at its position.
+/// @param corner  upper left corner of the scene view, px on screen
 void dropIntoScene(Ui& ui, Vec2 corner);
 
 }  // namespace plumb::editor::ui

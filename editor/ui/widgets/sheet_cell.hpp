@@ -5,8 +5,8 @@
 
 namespace plumb::editor::ui {
 
-/// Draws one cell of an animation's sheet into a box, as large as fits, in its middle.
-/// @param box  px on screen
+/// Draws one cell of an animation's sprite sheet as large as possible into the center of a box.
+/// @param box  target rectangle, px on screen
 void drawSheetCell(Ui& ui, const AnimationEdit& edit, const AnimationFrame& frame, const AABB& box);
 
 }  // namespace plumb::editor::ui

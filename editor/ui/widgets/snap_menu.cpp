@@ -33,7 +33,7 @@ void editAngle(Ui& ui, GridSettings& grid) {
     bool on = grid.snapAngles;
     if (ImGui::Checkbox("##angles", &on)) runAction(ui.workspace, "view.snapAngles");
     ui.widgets.mark("Snap/Angles", on ? "on" : "off");
-    tooltip("Turning goes in steps while snapping is on.");
+    tooltip("Rotates in steps of this angle while snapping is on.");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ui.px(90.0f));
     float degrees = degreesFromRadians(grid.angle);
@@ -73,7 +73,7 @@ void editColor(Ui& ui, GridSettings& grid) {
 
 void snapMenu(Ui& ui) {
     const bool pressed = listArrow(ui, "Toolbar/snap settings", ImGui::GetItemRectSize().y);
-    tooltip("To what things snap, and the grid");
+    tooltip("Snap and grid settings");
     if (pressed) ImGui::OpenPopup("snap settings list");
     if (!ImGui::BeginPopup("snap settings list")) return;
     snapItems(ui);

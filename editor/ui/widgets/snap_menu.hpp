@@ -4,9 +4,9 @@
 
 namespace plumb::editor::ui {
 
-/// The arrow beside the button that switches snapping: to what things snap, and the grid itself.
+/// Draws the arrow beside the snap button; it opens a popup with snapItems().
 void snapMenu(Ui& ui);
-/// What its list has.
+/// Draws the snap settings: snap target, angle step, grid size and color.
 void snapItems(Ui& ui);
 
 }  // namespace plumb::editor::ui

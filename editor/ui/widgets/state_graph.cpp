@@ -14,10 +14,10 @@ namespace {
 using Kind = MachinePart::Kind;
 
 constexpr int kAny = AnimationTransition::kAnyState;
-constexpr const char* kPayload = "plumb.state";  // what is dragged: the index of a state, or kAny
-constexpr float kReach = 5.0f;                   // px at scale 1, beside an arrow
-constexpr float kApart = 4.0f;                   // px at scale 1, from the line between two states
-constexpr float kNarrowest = 40.0f;              // px at scale 1, of a state
+constexpr const char* kPayload = "plumb.state";  // drag payload: index of a state, or kAny
+constexpr float kReach = 5.0f;                   // px at scale 1, maximum distance of a click from an arrow
+constexpr float kApart = 4.0f;       // px at scale 1, offset of an arrow from the line between two states
+constexpr float kNarrowest = 40.0f;  // px at scale 1, minimum width of a state
 constexpr float kWidest = 92.0f;
 
 struct Arrow {
@@ -26,7 +26,7 @@ struct Arrow {
     bool seen = false;
 };
 
-/// Where everything of the graph stands (px on screen).
+/// Layout of the graph, px on screen.
 class GraphPlan {
 public:
     GraphPlan(const Ui& ui, const AnimationSet& set, ImVec2 at, ImVec2 room)
@@ -56,7 +56,7 @@ public:
         const Vec2 step = (to - from) / length;
         const float start = edgeOf(sizeOf(way.from), step);
         const float end = edgeOf(sizeOf(way.to), step) + 2.0f * pixel_;
-        // Ways there and back, and several of one way, lie beside each other.
+        // Arrows between the same two states are placed side by side.
         const Vec2 side = Vec2{-step.y, step.x} * (pixel_ * (kApart + 7.0f * laneOf(transition)));
         return {from + step * start + side, to - step * end + side, length > start + end + 4.0f * pixel_};
     }
@@ -71,7 +71,7 @@ private:
             lane += at(i).from == at(transition).from && at(i).to == at(transition).to ? 1.0f : 0.0f;
         return lane;
     }
-    /// How far the edge of a box lies from its middle, along a way.
+    /// Distance from the center of a box to its edge along a direction.
     static float edgeOf(Vec2 box, Vec2 step) {
         const float across = box.x * 0.5f / std::max(std::abs(step.x), 1e-4f);
         const float down = box.y * 0.5f / std::max(std::abs(step.y), 1e-4f);
@@ -103,7 +103,7 @@ void drawArrow(const Ui& ui, ImDrawList& list, const Arrow& arrow, ImU32 color, 
                            {back.x - wing.x, back.y - wing.y}, color);
 }
 
-/// One frame of the graph: what is drawn, and what the mouse does to it.
+/// Draws the graph in one frame and handles the mouse.
 class Graph {
 public:
     Graph(Ui& ui, const AnimationSet& set, MachinePart chosen, int playing, ImVec2 room)
@@ -116,7 +116,7 @@ public:
           plan_{ui, set, at_, room},
           list_{*ImGui::GetWindowDrawList()} {}
 
-    GraphHands draw() {
+    GraphInput draw() {
         const ImVec2 end{at_.x + room_.x, at_.y + room_.y};
         list_.AddRectFilled(at_, end, palette::kCanvas, ui_.px(4.0f));
         ImGui::PushClipRect(at_, end, true);
@@ -135,7 +135,7 @@ private:
 
     void drawArrows() {
         const int count = static_cast<int>(set_.transitions.size());
-        for (const bool marked : {false, true}) {  // what is marked lies on top
+        for (const bool marked : {false, true}) {  // highlighted arrows are drawn last
             for (int i = 0; i < count; ++i) {
                 const AnimationTransition& way = set_.transitions[static_cast<std::size_t>(i)];
                 const bool here = isChosen(Kind::Transition, i);
@@ -149,10 +149,10 @@ private:
                           : others ? palette::kBorder
                                    : palette::kTextDim,
                           here ? 2.5f : 1.5f);
-                const Vec2 spot = lerp(arrow.from, arrow.to, 0.35f);  // beside the crossing in the middle
+                const Vec2 spot = lerp(arrow.from, arrow.to, 0.35f);  // not at the middle, where arrows cross
                 const Vec2 half{ui_.px(3.0f), ui_.px(3.0f)};
                 ui_.widgets.mark(format("Animation/arrow/{}", i), AABB{spot - half, spot + half},
-                                 whenText(set_, way));
+                                 conditionsText(set_, way));
             }
         }
     }
@@ -194,12 +194,13 @@ private:
     }
 
     static std::string helpFor(int state) {
-        if (state == kAny) return "Any state: a drag from here to a state makes a transition from all others";
-        return format("{}A drag to another state makes a transition; a double click plays it",
-                      state == 0 ? "It begins here. " : "");
+        if (state == kAny)
+            return "Any state: drag from here to a state to add a transition from all other states";
+        return format("{}Drag to another state to add a transition; double-click to play it",
+                      state == 0 ? "Initial state. " : "");
     }
 
-    /// The mark of the first state.
+    /// Draws the mark of the initial state.
     void drawStart(Vec2 from, float height) {
         const float x = from.x - ui_.px(5.0f), y = from.y + height * 0.5f, arm = ui_.px(4.5f);
         list_.AddTriangleFilled({x, y - arm}, {x + arm * 1.6f, y}, {x, y + arm}, palette::kPlay);
@@ -217,7 +218,7 @@ private:
         ImGui::EndDragDropTarget();
     }
 
-    /// The transition that would be made.
+    /// Draws the arrow of the transition being dragged.
     void drawDragged() {
         const ImGuiPayload* payload = ImGui::GetDragDropPayload();
         if (payload == nullptr || !payload->IsDataType(kPayload)) return;
@@ -227,7 +228,8 @@ private:
         drawArrow(ui_, list_, {plan_.middleOf(from), {mouse.x, mouse.y}, true}, palette::kAccent, 2.0f);
     }
 
-    /// Lies below the states, so it comes after them.
+    /// Handles clicks on arrows and on the background. Called
+    /// after the states, so that these get clicks first.
     void takeArrows() {
         ImGui::SetCursorScreenPos(at_);
         const bool clicked = ImGui::InvisibleButton("canvas", room_);
@@ -246,7 +248,7 @@ private:
         const AnimationTransition& way = set_.transitions[static_cast<std::size_t>(nearest)];
         if (!isChosen(Kind::Transition, nearest))
             drawArrow(ui_, list_, plan_.arrowOf(nearest), palette::kText, 2.0f);
-        tooltip(format("{}: {}", wayText(set_, way), whenText(set_, way)));
+        tooltip(format("{}: {}", transitionText(set_, way), conditionsText(set_, way)));
     }
 
     Ui& ui_;
@@ -257,12 +259,12 @@ private:
     ImVec2 room_;
     GraphPlan plan_;
     ImDrawList& list_;
-    GraphHands hands_;
+    GraphInput hands_;
 };
 
 }  // namespace
 
-GraphHands drawStateGraph(Ui& ui, const AnimationSet& set, MachinePart chosen, int playing, ImVec2 room) {
+GraphInput drawStateGraph(Ui& ui, const AnimationSet& set, MachinePart chosen, int playing, ImVec2 room) {
     return Graph{ui, set, chosen, playing, room}.draw();
 }
 

@@ -8,7 +8,7 @@
 
 namespace plumb::editor::ui {
 
-/// A part of a state machine: what is chosen in its graph and shown beside it.
+/// A selectable part of a state machine.
 struct MachinePart {
     enum class Kind : unsigned char { None, State, Transition, Parameter };
     Kind kind = Kind::None;
@@ -17,17 +17,16 @@ struct MachinePart {
     friend bool operator==(const MachinePart&, const MachinePart&) = default;
 };
 
-/// What was done to the graph in this frame.
-struct GraphHands {
-    std::optional<MachinePart> chosen;          ///< a click; none beside everything
-    std::optional<std::pair<int, int>> joined;  ///< dragged from one state (-1: any) to another
-    int entered = -1;                           ///< the state of a double click
+/// User actions on the graph in this frame.
+struct GraphInput {
+    std::optional<MachinePart> chosen;          ///< the clicked part; Kind::None: a click on the background
+    std::optional<std::pair<int, int>> joined;  ///< new transition by drag: from a state (-1: any) to another
+    int entered = -1;                           ///< double-clicked state; -1: none
 };
 
-/// The states of an animation as a ring of boxes, "any" in their middle, and transitions as arrows between
-/// them.
-/// @param chosen   is marked, and what goes on from it
-/// @param playing  the state that plays now; -1: none
-GraphHands drawStateGraph(Ui& ui, const AnimationSet& set, MachinePart chosen, int playing, ImVec2 room);
+/// Draws an animation state machine: states as a ring of boxes around "any", transitions as arrows.
+/// @param chosen   the selected part; it is highlighted, and of a state also its outgoing transitions
+/// @param playing  the current state; -1: none
+GraphInput drawStateGraph(Ui& ui, const AnimationSet& set, MachinePart chosen, int playing, ImVec2 room);
 
 }  // namespace plumb::editor::ui

@@ -3,7 +3,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// ImGui asks for more room by this while a person types.
+/// Callback of ImGui::InputText that resizes the string while the user types.
 int grow(ImGuiInputTextCallbackData* data) {
     if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
     auto& text = *static_cast<std::string*>(data->UserData);

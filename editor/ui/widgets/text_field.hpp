@@ -6,7 +6,7 @@
 
 namespace plumb::editor::ui {
 
-/// One line of text that grows as it is typed. @return as ImGui::InputText
+/// Single-line text field for a std::string of any length. @return the result of ImGui::InputText
 bool textField(const char* label, std::string& text, ImGuiInputTextFlags flags = 0, const char* hint = "");
 
 }  // namespace plumb::editor::ui

@@ -14,7 +14,7 @@ void drawTile(Ui& ui, ImDrawList& list, const Tileset& tileset, TileCell cell, c
     const TileImage* own = tileset.imageOf(tile);
     const TexturePart part = ui.picture->part(own != nullptr ? own->texture : tileset.texture,
                                               own != nullptr ? own->source : tileset.sourceOf(tile));
-    // The corners of the picture change places.
+    // Flips exchange corners of the texture rectangle.
     std::array<Vec2, 4> uv{part.from, Vec2{part.to.x, part.from.y}, part.to, Vec2{part.from.x, part.to.y}};
     if ((cell & kTileFlipDiagonal) != 0) std::swap(uv[1], uv[3]);
     if ((cell & kTileFlipX) != 0) std::swap(uv[0], uv[1]), std::swap(uv[2], uv[3]);

@@ -9,8 +9,9 @@
 
 namespace plumb::editor::ui {
 
-/// Draws one tile, turned over as its cell says. Nothing where there is no graphics card, or no tile.
-/// @param box  px on screen
+/// Draws one tile with the flips and rotation of its cell. Draws
+/// nothing without a graphics device or for an empty cell.
+/// @param box  target rectangle, px on screen
 void drawTile(Ui& ui, ImDrawList& list, const Tileset& tileset, TileCell cell, const AABB& box,
               ImU32 tint = IM_COL32_WHITE);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr float kHeight = 40.0f;  // px at scale 1
 constexpr float kTicksPerSecond = 60.0f;
 
-/// Where the ticks of the recording are on the screen: all 30 s always take the whole length.
+/// Maps recorded ticks to screen positions; the track always spans 30 s.
 struct Track {
     ImVec2 from;
     ImVec2 to;
@@ -38,7 +38,7 @@ std::string speedText(int speed) {
     return speed < 0 ? format("1/{}x", 1 << -speed) : format("{}x", 1 << speed);
 }
 
-/// A button of an action with its icon.
+/// Draws an icon button that runs an action.
 void iconButton(Ui& ui, std::string_view id, const std::string& path) {
     const Action& action = *findAction(id);
     const bool enabled = action.enabled(ui.workspace);
@@ -56,7 +56,8 @@ void iconButton(Ui& ui, std::string_view id, const std::string& path) {
     ImGui::SameLine(0.0f, ui.px(2.0f));
 }
 
-/// Pauses and goes on. Always as wide as its longest word, so that the track stays where it is.
+/// Draws the button for pause and resume, always as wide
+/// as its longest label, so that the track does not move.
 void goButton(Ui& ui) {
     const PlayMode& play = ui.workspace.play;
     const bool past = play.inPast() && play.paused();
@@ -71,7 +72,8 @@ void goButton(Ui& ui) {
     if (past) ImGui::PopStyleColor(3);
     ui.widgets.mark("Timeline/go", label);
     tooltip(ui.workspace.settings.keys.labelOf(
-        *findAction("run.pause"), past ? "Plays on from this moment; what came after it is dropped" : label));
+        *findAction("run.pause"),
+        past ? "Resumes the game from this tick; the recording after it is discarded" : label));
     if (pressed) runAction(ui.workspace, "run.pause");
     ImGui::SameLine(0.0f, ui.px(2.0f));
 }
@@ -84,7 +86,7 @@ void drawSpeed(Ui& ui) {
         ImGui::OpenPopup("speeds");
     ImGui::PopStyleColor();
     ui.widgets.mark("Timeline/speed", now);
-    tooltip(format("How fast the game plays  ({} slower, {} faster)", keysFor(ui.workspace, "run.slower"),
+    tooltip(format("Game speed  ({} slower, {} faster)", keysFor(ui.workspace, "run.slower"),
                    keysFor(ui.workspace, "run.faster")));
     if (ImGui::BeginPopup("speeds")) {
         for (int speed = PlayMode::kFastest; speed >= PlayMode::kSlowest; --speed) {
@@ -144,7 +146,7 @@ void scrub(Ui& ui, ImVec2 from, ImVec2 size) {
         const std::int64_t under = std::clamp(track.tickAt(mouse), play.oldest(), play.newest());
         if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0.0f)
             play.seek(play.ticks() + (wheel > 0.0f ? 1 : -1));
-        tooltip(format("{} s ago, tick {}\nDrag to look at the past, the wheel goes tick by tick",
+        tooltip(format("{} s ago, tick {}\nDrag to show a past tick; the wheel moves tick by tick",
                        seconds(play.newest() - under), under));
     }
     drawTrack(ui, *ImGui::GetWindowDrawList(), track);

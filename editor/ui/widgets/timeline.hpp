@@ -4,11 +4,11 @@
 
 namespace plumb::editor::ui {
 
-/// px of the bar below the scene while a game plays.
+/// Height of the bar below the viewport while a game runs, px.
 float timelineHeight(const Ui& ui);
 
-/// The last 30 s of the game that plays: dragging along them shows what was, buttons go on from there.
-/// Marks: what was changed by hand.
+/// Draws the timeline of the last 30 s of the running game: dragging shows past ticks, buttons step or resume
+/// the game from there. Diamonds mark edits made during play.
 void drawTimeline(Ui& ui, ImVec2 from, ImVec2 size);
 
 }  // namespace plumb::editor::ui

@@ -12,10 +12,10 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kLeastError = 1.0e-5f;  // m: what is smaller lies at the lower edge
-constexpr float kDot = 4.5f;            // px at scale 1
+constexpr float kLeastError = 1.0e-5f;  // m, smaller errors are drawn at the lower edge
+constexpr float kDot = 4.5f;            // px at scale 1, radius
 
-/// A logarithmic axis.
+/// A logarithmic axis with limits computed from the data.
 struct Axis {
     float least = 1.0f;
     float most = 10.0f;
@@ -24,10 +24,10 @@ struct Axis {
         least = std::min(least, value);
         most = std::max(most, value);
     }
-    /// Some room beyond the outermost points, and so much that what is alike looks alike.
+    /// Adds a margin, and makes the axis span at least a factor of 20, so that similar values look similar.
     void widen() {
-        constexpr float kRoom = 1.6f;   // times
-        constexpr float kSpan = 20.0f;  // times, at least
+        constexpr float kRoom = 1.6f;   // factor of the margin at each end
+        constexpr float kSpan = 20.0f;  // minimum ratio of the axis limits
         const float more = std::sqrt(std::max(kSpan * least / most, 1.0f));
         least /= kRoom * more;
         most *= kRoom * more;
@@ -46,7 +46,7 @@ std::string tickWords(float value) {
     return fixedText(static_cast<double>(value), digits);
 }
 
-/// 1, 2 and 5 times the powers of ten; where these would be too many, the powers alone.
+/// Returns tick values 1, 2, 5 times powers of ten; on a long axis the powers of ten only.
 std::vector<float> ticksOf(const Axis& axis, float unit) {
     const bool many = axis.most / axis.least > 80.0f;
     std::vector<float> ticks;
@@ -62,12 +62,12 @@ std::vector<float> ticksOf(const Axis& axis, float unit) {
 float shownError(const WhatIfPoint& point) { return std::max(point.error(), kLeastError); }
 
 bool alike(const WhatIfPoint& a, const WhatIfPoint& b) {
-    constexpr float kAlike = 1.2f;  // times
+    constexpr float kAlike = 1.2f;  // maximum ratio of similar values
     const auto near = [](float x, float y) { return std::max(x, y) < kAlike * std::min(x, y); };
     return near(a.microseconds, b.microseconds) && near(shownError(a), shownError(b));
 }
 
-/// The plot: what draws into it and where what stands.
+/// Draw list, rectangle and axes of the plot.
 struct Plot {
     Ui& ui;
     const WhatIfResult& result;
@@ -92,7 +92,7 @@ void drawAxes(const Plot& plot) {
         list.AddRectFilled({plot.from.x, y}, plot.to, palette::kPast, plot.ui.px(3.0f));
         if (plot.to.y - y > line * 1.3f)
             list.AddText({plot.from.x + plot.ui.px(6.0f), plot.to.y - line - plot.ui.px(3.0f)},
-                         palette::kText, "cannot be seen");
+                         palette::kText, "invisible");
     }
     float last = 1.0e9f;
     for (const float metres : ticksOf(plot.error, 1.0e-3f)) {
@@ -118,7 +118,7 @@ void drawAxes(const Plot& plot) {
     }
 }
 
-/// @return whether it is under the mouse
+/// Draws a point with its label. @return true if it is under the mouse
 bool drawPoint(const Plot& plot, const WhatIfPoint& point, bool isPresent, const std::string& label) {
     const ImVec2 at = plot.place(point.microseconds, shownError(point));
     const float radius = plot.ui.px(kDot);
@@ -128,7 +128,7 @@ bool drawPoint(const Plot& plot, const WhatIfPoint& point, bool isPresent, const
     plot.list.AddCircleFilled(at, hovered ? radius * 1.4f : radius, color);
     if (isPresent) plot.list.AddCircle(at, radius * 2.0f, palette::kText, 0, plot.ui.px(1.5f));
     const ImVec2 size = ImGui::CalcTextSize(label.c_str());
-    // That of automatic quality goes below, on the free side of a curve that falls: near it lie others.
+    // The label of automatic quality is placed at the lower left, which is free at a falling curve.
     const bool automatic = point.kind == WhatIfKind::Automatic;
     const bool fits = at.x + radius * 2.4f + size.x < plot.to.x && !automatic;
     const float x = fits ? at.x + radius * 2.4f : at.x - radius * 2.4f - size.x;
@@ -167,7 +167,7 @@ int drawWorkPrecision(Ui& ui, const WhatIfResult& result, ImVec2 size) {
         plot.error.take(shownError(*point));
     }
     plot.cost.widen(), plot.error.widen();
-    plot.list.AddText(corner, palette::kTextDim, "largest error, by the time of a tick's physics");
+    plot.list.AddText(corner, palette::kTextDim, "largest error over the physics time of a tick");
     drawAxes(plot);
     std::vector<ImVec2> curve;
     for (const WhatIfPoint* point : shown) {
@@ -180,13 +180,13 @@ int drawWorkPrecision(Ui& ui, const WhatIfResult& result, ImVec2 size) {
     for (const WhatIfPoint* point : shown) {
         const bool isPresent = point == present;
         const bool automatic = point->kind == WhatIfKind::Automatic;
-        // Most often it lies on the quality that it begins with.
+        // Automatic quality is omitted where it coincides with the quality it starts from.
         const WhatIfPoint* plain = result.find(WhatIfKind::Quality, point->quality);
         if (automatic && !isPresent && plain != nullptr && alike(*point, *plain)) continue;
         const std::string name = automatic ? std::string{"auto"} : format("{}", point->quality);
         const bool hovered = drawPoint(plot, *point, isPresent, isPresent ? name + " now" : name);
         if (!hovered || !over) continue;
-        tooltip(format("{}{}: {} a tick, largest error {}, for a moment {}",
+        tooltip(format("{}{}: {} per tick, largest error {}, momentary peak {}",
                        automatic ? "Automatic, from quality " : "Quality ", point->quality,
                        costWords(point->microseconds), lengthWords(point->error(), result.scale)));
         if (pressed && !automatic) clicked = point->quality;

@@ -5,10 +5,10 @@
 
 namespace plumb::editor::ui {
 
-/// The error of each quality over what it costs, both axes logarithmic: what one buys for how much. The
-/// present one is marked, the band below half a pixel is what cannot be seen.
-/// @param size  px
-/// @return the quality that was clicked, or -1
+/// Draws the work-precision diagram: the error of each quality over its time, both axes logarithmic. The
+/// present quality is marked; a band shows errors below half a pixel, which are invisible.
+/// @param size  size of the diagram, px
+/// @return the clicked quality, or -1
 int drawWorkPrecision(Ui& ui, const WhatIfResult& result, ImVec2 size);
 
 }  // namespace plumb::editor::ui

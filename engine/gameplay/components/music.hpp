@@ -5,15 +5,19 @@
 
 namespace plumb {
 
-/// The tune of a scene: it plays over and over while an entity with it is there.
+/// Background music: the sound is looped while an entity with this component exists.
 struct Music {
     SoundId sound;
     float volume = 1.0f;  ///< ratio
 
     static void describe(TypeBuilder<Music>& type) {
-        type.name("Music").doc("The tune of a scene: it plays over and over while an entity with it is there.");
-        type.field<&Music::sound>("sound");
-        type.field<&Music::volume>("volume").unit(Unit::Ratio).range(0.0f, 1.0f);
+        type.name("Music").doc(
+            "Background music: the sound is looped while an entity with this component exists.");
+        type.field<&Music::sound>("sound").doc("Sound file of the music.");
+        type.field<&Music::volume>("volume")
+            .unit(Unit::Ratio)
+            .range(0.0f, 1.0f)
+            .doc("Volume of the music, as a ratio.");
     }
 };
 

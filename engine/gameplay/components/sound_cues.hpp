@@ -4,29 +4,34 @@
 
 namespace plumb {
 
-/// The sounds of an entity: what is heard when something happens to it.
+/// Sounds that an entity plays on events.
 struct SoundCues {
     SoundId jump;
     SoundId land;
-    SoundId step;  ///< at frame events named step
+    SoundId step;  ///< played at animation frame events named "step"
     SoundId hurt;
     SoundId die;
-    SoundId collect;      ///< when it is picked up
-    SoundId bounce;       ///< of a spring, or when stomped
-    SoundId activate;     ///< of a checkpoint, button, door or goal
+    SoundId collect;      ///< played when it is picked up
+    SoundId bounce;       ///< played when it is a spring that throws a body, or is stomped
+    SoundId activate;     ///< played when it is a checkpoint, button, door, goal, ... that is activated
     float volume = 1.0f;  ///< ratio
 
     static void describe(TypeBuilder<SoundCues>& type) {
-        type.name("SoundCues").doc("The sounds of an entity: what is heard when something happens to it.");
+        type.name("SoundCues").doc("Sounds that the entity plays on events.");
         type.field<&SoundCues::jump>("jump");
         type.field<&SoundCues::land>("land");
-        type.field<&SoundCues::step>("step").doc("At frame events named step.");
+        type.field<&SoundCues::step>("step").doc("Sound at animation frame events named step.");
         type.field<&SoundCues::hurt>("hurt");
         type.field<&SoundCues::die>("die");
-        type.field<&SoundCues::collect>("collect").doc("When it is picked up.");
-        type.field<&SoundCues::bounce>("bounce").doc("Of a spring, or when stomped.");
-        type.field<&SoundCues::activate>("activate").doc("Of a checkpoint, button, door or goal.");
-        type.field<&SoundCues::volume>("volume").unit(Unit::Ratio).range(0.0f, 1.0f);
+        type.field<&SoundCues::collect>("collect").doc("Sound when the entity is picked up.");
+        type.field<&SoundCues::bounce>("bounce").doc(
+            "Sound when a spring throws a body, or an enemy is stomped.");
+        type.field<&SoundCues::activate>("activate")
+            .doc("Sound when a checkpoint, button, door or goal is activated.");
+        type.field<&SoundCues::volume>("volume")
+            .unit(Unit::Ratio)
+            .range(0.0f, 1.0f)
+            .doc("Volume of all sounds, as a ratio.");
     }
 };
 

@@ -6,11 +6,9 @@ namespace plumb {
 
 class World;
 
-/// Tells state machines how characters move: the parameters speed, grounded, vy, dead and hurt, where they
-/// exist. Turns the picture to where the player faces.
-/// Reads: RigidBody, KinematicBody, PlayerController, Health. Writes: Animator, Sprite; emits PlaySound at
-/// steps.
-/// When: after physics, before animation.
+/// Sets the state machine parameters speed, vy, grounded, dead and hurt of characters, if they exist. Flips
+/// the player's sprite to its facing direction. Reads: RigidBody, KinematicBody, PlayerController, Health.
+/// Writes: Animator, Sprite. When: after physics, before animation.
 struct CharacterAnimationSystem {
     static constexpr std::string_view kName = "character animation";
 

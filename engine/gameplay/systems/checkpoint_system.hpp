@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Remembers the last checkpoint that a player touched.
+/// Activates checkpoints that a player touches and sets its respawn position.
 /// Reads: TriggerEntered. Writes: Checkpoint, Respawn, Animator; emits PlaySound.
 /// When: after physics.
 struct CheckpointSystem {

@@ -34,7 +34,8 @@ void count(World& world, const Collectible& collectible, EntityId player) {
     }
 }
 
-void letGo(World& world, EntityId child) {
+/// Detaches an emitter from its parent, plays it, and destroys it after its last particle.
+void detachEmitter(World& world, EntityId child) {
     const Pose pose = worldPose(world, child);
     setParent(world, child, {});
     world.add<Transform>(child, Transform{pose.position, pose.rotation, pose.scale});
@@ -57,8 +58,8 @@ void CollectSystem::update(World& world, float) {
     forEachTouch<TriggerEntered, Collectible, PlayerController>(world, [&](EntityId item, EntityId player) {
         count(world, std::as_const(world).get<Collectible>(item), player);
         playCue(world, item, &SoundCues::collect);
-        // What sends particles below an item that is taken stays where it is and ends with the last of them.
-        for (EntityId child; (child = emitterBelow(world, item)) != EntityId{};) letGo(world, child);
+        // Emitters below the item outlive it, to show their effect.
+        for (EntityId child; (child = emitterBelow(world, item)) != EntityId{};) detachEmitter(world, child);
         world.destroy(item);
     });
 }

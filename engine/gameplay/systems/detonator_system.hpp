@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Sets off explosions.
+/// Triggers the explosions of detonators.
 /// Reads: Input. Writes: Detonator, Explosion. Emits: PlaySound.
 /// When: before physics.
 struct DetonatorSystem {

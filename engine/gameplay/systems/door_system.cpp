@@ -20,8 +20,8 @@ namespace plumb {
 
 namespace {
 
-constexpr int kButtonTicks = 6;     // a button comes up this long after the last foot
-constexpr float kKeyReach = 2.0f;   // px around a door from which a key works
+constexpr int kButtonTicks = 6;     // ticks after the last contact until a button is released
+constexpr float kKeyReach = 2.0f;   // px, maximum distance from which a player opens a door with keys
 constexpr std::uint8_t kOpen = 60;  // opacity of an open door
 
 void press(World& world, EntityId id) {
@@ -33,7 +33,7 @@ void press(World& world, EntityId id) {
     playCue(world, id, &SoundCues::activate);
 }
 
-/// A body that sleeps on a button sends no event that it stays.
+/// True if a body is on the button; needed because sleeping bodies emit no TriggerStayed.
 bool isLoaded(World& world, EntityId button) {
     if (!std::as_const(world).has<BoxCollider>(button)) return false;
     std::vector<EntityId> found;

@@ -6,9 +6,9 @@ namespace plumb {
 
 class World;
 
-/// Opens doors by keys and buttons.
-/// Reads: ContactBegan, TriggerStayed. Writes: Button, Door, GameProgress, BoxCollider, Sprite.
-/// When: after physics.
+/// Opens doors with keys and buttons, and closes them when buttons are released.
+/// Reads: TriggerEntered, TriggerStayed, PlayerController. Writes: Button, Door, GameProgress, BoxCollider,
+/// Sprite. When: after physics.
 struct DoorSystem {
     static constexpr std::string_view kName = "door";
 

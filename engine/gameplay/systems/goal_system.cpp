@@ -37,7 +37,7 @@ void reach(World& world, EntityId goalId, EntityId player) {
     playCue(world, goalId, &SoundCues::activate);
 }
 
-/// Counts down to the next scene; 1 stays, so that one goal asks once.
+/// Counts down to the next scene. Stops at 1, so that a goal requests it only once.
 void leave(World& world, Goal& goal) {
     if (goal.leaving <= 1) return;
     if (--goal.leaving == 1 && !goal.next.empty()) request(world, goal.next, false);

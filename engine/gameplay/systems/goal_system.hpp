@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Ends the level for the player that touches its goal, and follows links of titles and endings.
+/// Completes the level when a player touches a Goal, and performs the scene changes of SceneLinks.
 /// Reads: TriggerEntered, Input. Writes: Goal, SceneLink, GameProgress, SceneRequests.
 /// Emits: PlaySound. When: after physics.
 struct GoalSystem {

@@ -23,9 +23,9 @@ namespace plumb {
 
 namespace {
 
-constexpr float kStompDepth = 0.6f;  // of the enemy's height: feet above this come from above
+constexpr float kStompDepth = 0.6f;  // ratio of the enemy's height, from its top, in which the feet must be
 
-/// Feet that come down on the upper part of an enemy stomp it.
+/// True if the player falls and its feet were above the lower part of the enemy before this tick.
 bool comesFromAbove(World& world, EntityId enemy, EntityId player) {
     if (!world.has<BoxCollider>(enemy) || !world.has<BoxCollider>(player)) return false;
     const auto* body = std::as_const(world).find<RigidBody>(player);
@@ -60,7 +60,7 @@ void touch(World& world, EntityId hazardId, EntityId other) {
         return;
     }
     if (!world.has<PlayerController>(other) && world.has<Stompable>(hazardId))
-        return;  // enemies spare enemies
+        return;  // enemies do not hurt enemies
     const Hazard hazard = std::as_const(world).get<Hazard>(hazardId);
     const Transform* mine = std::as_const(world).find<Transform>(hazardId);
     const Transform* theirs = std::as_const(world).find<Transform>(other);

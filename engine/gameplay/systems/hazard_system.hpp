@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Lets hazards hurt, and players stomp.
+/// Applies the damage of hazards and kill planes, and lets players stomp enemies.
 /// Reads: TriggerEntered, TriggerStayed, KillPlane. Writes: Health, RigidBody.
 /// When: after physics and springs.
 struct HazardSystem {

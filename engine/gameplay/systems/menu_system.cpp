@@ -25,7 +25,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMostItems = 32;
-constexpr float kPushed = 0.5f;  // of the axis
+constexpr float kPushed = 0.5f;  // axis value above which the stick counts as pushed
 
 using Items = FixedList<EntityId, kMostItems>;
 
@@ -57,7 +57,7 @@ void move(World& world, EntityId id, Menu& menu, const Input& input, int count) 
     menu.pushed = push;
 }
 
-/// Which item is at a place (px, world); -1 for none.
+/// Returns the index of the item at a position (px, world); -1 for none.
 int itemAt(const World& world, const Items& items, const View& view, Vec2 place) {
     const Vec2 corner = view.center - view.size * (0.5f / view.zoom);
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
@@ -72,8 +72,8 @@ int itemAt(const World& world, const Items& items, const View& view, Vec2 place)
     return -1;
 }
 
-/// The mouse points at an item, and presses it.
-/// @return whether it takes the selected one
+/// Selects the item under the mouse.
+/// @return true if it was clicked
 bool point(World& world, EntityId id, Menu& menu, const Input& input, const Items& items) {
     const bool pressed = input.isPressed(MouseButton::Left);
     if (!pressed && input.mouse() == input.previousFrame().mouse()) return false;

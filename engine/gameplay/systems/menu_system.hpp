@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Lets the player choose in menus.
+/// Handles the input of menus.
 /// Reads: Input, MenuItem. Writes: Menu, Label, Transform of the cursor, SceneRequests. Emits: PlaySound.
 /// When: after physics.
 struct MenuSystem {

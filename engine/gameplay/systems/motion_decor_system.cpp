@@ -12,7 +12,7 @@ namespace plumb {
 
 namespace {
 
-/// The picture is moved by its pivot, so that the collider, and what it costs to move one, stays out of it.
+/// Moves the sprite by its pivot, so that the collider is not moved, which would be slower.
 void showAt(Sprite& sprite, Bob& bob, Vec2 offset) {
     const Vec2 size{static_cast<float>(sprite.width), static_cast<float>(sprite.height)};
     if (size.x <= 0.0f || size.y <= 0.0f) return;

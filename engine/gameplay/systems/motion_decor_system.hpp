@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Bobs, spins and ends what is only there to be seen.
+/// Runs the components Bob, Spin and Lifetime.
 /// Reads: Bob, Spin, Lifetime. Writes: Sprite, Transform, Lifetime.
 /// When: any time.
 struct MotionDecorSystem {

@@ -27,8 +27,8 @@ namespace plumb {
 
 namespace {
 
-constexpr float kHertz = 5.0f;       ///< 1/s: how firmly it pulls
-constexpr float kDragReach = 10.0f;  ///< px: thin things can be taken a little beside them
+constexpr float kHertz = 5.0f;       ///< Hz, frequency of the mouse joint's spring
+constexpr float kDragReach = 10.0f;  ///< px, maximum distance from the mouse, to grab thin bodies
 
 Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
     const Vec2 picture = world.resource<PictureSize>().size;
@@ -36,7 +36,7 @@ Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
     return toWorld(view, input.mouse());
 }
 
-/// The first body within `reach` of a place, or the empty id.
+/// Returns the first body within `reach` (px) of a position, or the empty id.
 EntityId bodyAt(World& world, Vec2 place, float reach, std::uint32_t mask) {
     QueryFilter filter;
     filter.layers = 0xffffffffu;
@@ -75,15 +75,15 @@ bool takeBody(World& world, MouseDrag& hand, Vec2 place, float reach) {
     return true;
 }
 
-/// What is under the mouse goes before what is beside it, and what is solid before what is soft.
+/// Grabs a body. Bodies under the mouse have priority over bodies near it, and rigid over soft ones.
 void take(World& world, MouseDrag& hand, Vec2 place) {
     for (const float reach : {1.0f, kDragReach}) {
         if (takeBody(world, hand, place, reach) || takeSoftBody(world, hand, place, reach)) return;
     }
 }
 
-/// Takes what is held along with the mouse.
-/// @return whether anything is held
+/// Moves the target of the dragged body to the mouse.
+/// @return true if a body is dragged
 bool lead(World& world, const MouseDrag& hand, Vec2 place) {
     if (!world.alive(hand.held)) return false;
     auto* joint = world.find<MouseJoint>(hand.held);
@@ -101,7 +101,7 @@ void release(World& world, MouseDrag& hand) {
     hand.held = {};
 }
 
-/// Where the hand holds what it holds (px).
+/// Returns the point at which the dragged body is held (px).
 std::optional<Vec2> gripOf(const World& world, EntityId held) {
     if (!world.alive(held)) return std::nullopt;
     const auto* joint = world.find<MouseJoint>(held);
@@ -110,7 +110,8 @@ std::optional<Vec2> gripOf(const World& world, EntityId held) {
     return pose.position + rotated(joint->anchor, pose.rotation);
 }
 
-/// Stretches the sprites below the hand from what is held to the mouse; to nothing while nothing is held.
+/// Stretches the child sprites of the entity from the held
+/// point to the mouse; to length 0 if no body is dragged.
 void stretchLines(World& world, EntityId hand, Vec2 from, Vec2 to) {
     const Vec2 way = to - from;
     const float far = length(way);
@@ -121,7 +122,8 @@ void stretchLines(World& world, EntityId hand, Vec2 from, Vec2 to) {
         transform->position = from - to;
         transform->scale.x = far / static_cast<float>(std::max(sprite->width, 1));
         if (far > 0.0f) transform->rotation = arcTangent(way.y, way.x);
-        transform->previousRotation = transform->rotation;  // it swings with what is held, not by itself
+        transform->previousRotation =
+            transform->rotation;  // no interpolation, so that it follows the dragged body exactly
     }
 }
 

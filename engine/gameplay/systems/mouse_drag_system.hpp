@@ -6,9 +6,9 @@ namespace plumb {
 
 class World;
 
-/// Lets the player drag bodies by the mouse.
-/// Reads: Input, the camera, RigidBody. Writes: MouseDrag, MouseJoint, its own Transform and Hidden.
-/// When: before physics.
+/// Lets the player drag bodies with the mouse.
+/// Reads: Input, the camera, RigidBody. Writes: MouseDrag, MouseJoint, SoftGrip, its own Transform and
+/// Hidden. When: before physics.
 struct MouseDragSystem {
     static constexpr std::string_view kName = "mouse drag";
 

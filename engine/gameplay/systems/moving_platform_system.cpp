@@ -11,8 +11,8 @@ namespace plumb {
 
 namespace {
 
-/// Where on its way a platform is (0 home, 1 the other end) at a part of its period.
-float partOfWay(const MovingPlatform& platform, float seconds) {
+/// Returns the position of a platform on its path (0 initial position, 1 other end) at a time, s.
+float progressAt(const MovingPlatform& platform, float seconds) {
     const float travel = std::max(platform.period * 0.5f, 1.0f / 60.0f);
     const float half = travel + platform.wait;
     float t = seconds + platform.phase * half * 2.0f;
@@ -29,11 +29,11 @@ void MovingPlatformSystem::update(World& world, float dt) {
     for (auto [entity, platform, transform] : world.query<MovingPlatform, Transform>()) {
         const bool first = !platform.started;
         if (first) platform.started = true, platform.home = transform.position;
-        // From the count of ticks, not step by step: ten minutes later it is where it was.
+        // Computed from the tick count instead of accumulated, so that rounding errors do not add up.
         const std::uint32_t ticks = platform.ticks++;
         const float seconds = static_cast<float>(ticks) * dt;
-        transform.position = platform.home + platform.way * partOfWay(platform, seconds);
-        if (first) teleport(transform, transform.position);  // to its phase, without a way there
+        transform.position = platform.home + platform.way * progressAt(platform, seconds);
+        if (first) teleport(transform, transform.position);  // to its initial phase, without interpolation
     }
 }
 

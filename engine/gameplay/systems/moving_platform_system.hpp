@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Moves platforms along their ways, by the tick, so that they never drift.
+/// Moves platforms along their paths. Positions are computed from the tick count, so they do not drift.
 /// Reads: MovingPlatform. Writes: Transform of kinematic bodies.
 /// When: before players and physics.
 struct MovingPlatformSystem {

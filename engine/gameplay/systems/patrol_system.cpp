@@ -16,9 +16,9 @@ namespace plumb {
 
 namespace {
 
-constexpr float kLookAhead = 2.0f;  // px beyond its own step
-constexpr float kEdgeDepth = 6.0f;  // px: a step down as deep as this is an edge
-constexpr float kWallLift = 3.0f;   // px above the feet that walls are looked for, so that slopes are none
+constexpr float kLookAhead = 2.0f;  // px beyond its next step that are checked
+constexpr float kEdgeDepth = 6.0f;  // px, minimum depth of a ledge
+constexpr float kWallLift = 3.0f;   // px above the feet from which walls are detected, to ignore slopes
 
 bool leavesLimits(const Patrol& patrol, float x) {
     const float away = x - patrol.homeX;
@@ -29,7 +29,7 @@ bool leavesLimits(const Patrol& patrol, float x) {
 QueryFilter groundFilter(EntityId self) {
     QueryFilter filter;
     filter.except = self;
-    filter.movers = false;  // other enemies and the player do not turn it
+    filter.movers = false;  // other enemies and the player do not make it reverse
     return filter;
 }
 
@@ -69,7 +69,8 @@ void setSpeed(World& world, EntityId entity, float speed) {
 
 void PatrolSystem::update(World& world, float dt) {
     if (world.count<Patrol>() == 0) return;
-    if (world.count<PlayerController>() == 0) syncBodies(world, dt);  // else the player's system has done it
+    if (world.count<PlayerController>() == 0)
+        syncBodies(world, dt);  // otherwise PlayerControllerSystem has done it
     for (auto [entity, patrol] : world.query<Patrol>(with<Transform>)) {
         if (patrol.direction == 0) {
             patrol.direction = patrol.startLeft ? -1 : 1;
@@ -77,7 +78,7 @@ void PatrolSystem::update(World& world, float dt) {
         }
         if (mustTurn(world, entity, patrol, dt)) {
             patrol.direction = -patrol.direction;
-            // Between two walls, or on a ledge of its own width, it stands.
+            // It stands still between two walls or on ground as narrow as itself.
             if (mustTurn(world, entity, patrol, dt)) {
                 setSpeed(world, entity, 0.0f);
                 continue;

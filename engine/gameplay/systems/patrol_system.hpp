@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Lets enemies walk to and fro.
+/// Moves the entities with a Patrol component.
 /// Reads: colliders. Writes: Patrol, velocity of KinematicBody or RigidBody, Sprite.flipX.
 /// When: before physics.
 struct PatrolSystem {

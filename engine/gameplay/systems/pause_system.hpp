@@ -6,9 +6,9 @@ namespace plumb {
 
 class World;
 
-/// Lays the project's pause scene over a scene that is played.
-/// Reads: Input, PlayerController, PauseScene. Writes: SceneRequests.
-/// When: after what asks for other scenes, which goes first.
+/// Opens the project's pause scene as an overlay when the player presses Pause in a scene with a
+/// PlayerController. Reads: Input, PlayerController, PauseScene. Writes: SceneRequests. When: after the other
+/// systems that request scene changes, which have priority.
 struct PauseSystem {
     static constexpr std::string_view kName = "pause";
 

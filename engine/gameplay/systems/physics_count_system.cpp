@@ -10,7 +10,7 @@ namespace plumb {
 
 void PhysicsCountSystem::update(World& world, float) {
     if (world.count<Label>() == 0) return;
-    if (lowestPhysics(world) != world.findResource<PhysicsState>()) return;  // it is paused
+    if (lowestPhysics(world) != world.findResource<PhysicsState>()) return;  // the bottom scene is paused
     world.resource<PhysicsCounts>().detection = physics::detectionOf(world.resource<PhysicsState>().world);
 }
 

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Keeps the numbers of the physics for labels that show them.
+/// Stores the counters of collision detection for labels that show them.
 /// Reads: PhysicsState. Writes: PhysicsCounts.
 /// When: after physics.
 struct PhysicsCountSystem {

@@ -23,18 +23,18 @@ namespace plumb {
 
 namespace {
 
-constexpr float kSnap = 2.0f;          // px below the feet that still count as ground while walking
-constexpr float kHeldDown = 0.5f;      // of an axis: as good as a key
-constexpr int kDropTicks = 10;         // long enough to fall through a one-way platform
-constexpr float kAirGround = 0.0625f;  // px below the feet that count as ground when none was there before
+constexpr float kSnap = 2.0f;          // px, maximum distance to the ground while walking
+constexpr float kHeldDown = 0.5f;      // axis value above which down counts as held
+constexpr int kDropTicks = 10;         // ticks, enough to fall through a one-way platform
+constexpr float kAirGround = 0.0625f;  // px, maximum distance to the ground for landing
 
 float approach(float value, float target, float step) {
     return value < target ? std::min(value + step, target) : std::max(value - step, target);
 }
 
-/// What the player wants in this tick.
+/// Input of a character in this tick.
 struct Wishes {
-    float x = 0.0f;  // -1..1
+    float x = 0.0f;  // horizontal axis, -1..1
     bool down = false;
     bool jumpPressed = false;
     bool jumpHeld = false;
@@ -46,8 +46,8 @@ Wishes wishesOf(const Input& input) {
             input.isPressed(Action::Jump), input.isHeld(Action::Jump)};
 }
 
-/// One character in one tick: the chapters in order are in `run`. Speeds are px/s as in its components; the
-/// way through the world is metres, as physics has it.
+/// Moves one character in one tick; run() is the sequence of steps. Velocities are in px/s, as in the
+/// components; displacements and positions are in metres, as in the physics.
 class Character {
 public:
     Character(World& world, EntityId entity, const Wishes& wishes, float dt)
@@ -88,7 +88,8 @@ private:
     }
     [[nodiscard]] physics::WorldPosition place() const {
         const auto& collider = std::as_const(world_).get<BoxCollider>(entity_);
-        return placeInMetres(transform_.position + collider.offset + sizeOf(collider) * 0.5f, physics_.scale);
+        return positionInMetres(transform_.position + collider.offset + sizeOf(collider) * 0.5f,
+                                physics_.scale);
     }
     [[nodiscard]] physics::CharacterDefinition definitionOf() const {
         const auto& collider = std::as_const(world_).get<BoxCollider>(entity_);
@@ -107,14 +108,14 @@ private:
         for (int* ticks : {&player_.coyote, &player_.buffer, &player_.hold, &player_.dropping}) {
             *ticks = std::max(*ticks - 1, 0);
         }
-        // One more than the ticks that follow: this one counts too.
+        // + 1, as the current tick counts too.
         if (wishes_.jumpPressed) player_.buffer = player_.bufferTicks + 1;
         grounded_ = body_.grounded && body_.velocity.y >= 0.0f;
         if (grounded_) player_.coyote = player_.coyoteTicks + 1;
         mover_.probe().oneWay = player_.dropping == 0 && body_.velocity.y >= 0.0f;
     }
 
-    /// What it stands on, and where that goes in this tick.
+    /// Finds the ground body, and its displacement in this tick.
     void findGround() {
         player_.carry = {};
         if (!grounded_ || !world_.alive(player_.ground)) return;
@@ -130,9 +131,9 @@ private:
         }
     }
 
-    /// Goes along with what it stands on, and out of the way of what moves.
-    /// @param own  m: its own way in this tick
-    /// @return     what is left of it
+    /// Moves the character with the ground, and out of the path of moving bodies.
+    /// @param own  m, its own displacement in this tick
+    /// @return     m, the part of `own` that remains
     Vec2 ride(Vec2 own) {
         const auto pushes = mover_.probe().pushesAt(mover_.position(), ride_, own, ground_);
         mover_.probe().carrier = ground_;
@@ -172,14 +173,14 @@ private:
         if (grounded_ && wishes_.down && dropThrough()) return;
         player_.buffer = player_.coyote = 0;
         player_.hold = player_.jumpHoldTicks;
-        // What it stood on gives its speed along, but never takes from the height.
+        // Add the velocity of the ground, but do not let it reduce the height of the jump.
         body_.velocity.x += wishes_.x * player_.jumpBoost + player_.carry.x;
         body_.velocity.y = -player_.jumpSpeed + std::min(player_.carry.y, 0.0f);
         leaveGround();
         playCue(world_, entity_, &SoundCues::jump);
     }
 
-    /// Down and jump on one-way ground falls through it.
+    /// Starts falling through the ground if it is one-way. @return false if it is not
     bool dropThrough() {
         mover_.probe().oneWay = false;
         if (mover_.standsOn(metres(kSnap))) {
@@ -210,7 +211,7 @@ private:
         if (motion.ground) {
             land(motion.ground, walked);
         } else if (walked) {
-            body_.velocity += player_.carry;  // walked off: what it stood on gives its speed along
+            body_.velocity += player_.carry;  // walked off a ledge: keep the velocity of the ground
             body_.velocity.y = std::max(body_.velocity.y, 0.0f);
             leaveGround();
         }
@@ -240,7 +241,7 @@ private:
         playCue(world_, entity_, &SoundCues::land);
     }
 
-    /// Walls stop it; loose boxes give way.
+    /// Stops at walls; pushes dynamic bodies.
     void meetWall(const Touch& touch) {
         if (body_.velocity.x * touch.normal.x >= 0.0f) return;
         const EntityId wall = ownerOf(physics_, touch.body);
@@ -265,8 +266,8 @@ private:
     Transform& transform_;
     physics::CharacterDefinition definition_;
     physics::CharacterMover mover_;
-    physics::BodyId ground_;  // of what it stood on, when that may move
-    Vec2 ride_;               // m: where that takes it
+    physics::BodyId ground_;  // body of the ground, if it exists
+    Vec2 ride_;               // m, displacement of the ground in this tick
     bool grounded_ = false;
 };
 

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Moves every PlayerController through the world by what the player presses.
+/// Moves every PlayerController by the player's input, with collisions.
 /// Reads: Input, colliders. Writes: Transform, RigidBody, PlayerController; adds CharacterBody; emits
 /// PlaySound. When: after platforms and patrols, before physics.
 struct PlayerControllerSystem {

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Takes bodies from portals to where they lead.
+/// Teleports bodies that enter a Portal.
 /// Reads: trigger events, Portal. Writes: Transform, RigidBody.
 /// When: after physics.
 struct PortalSystem {

@@ -32,7 +32,7 @@ void enterLevel(World& world, GameProgress& progress, TextId level) {
     progress.coinsTotal += progress.levelCoinsTotal;
 }
 
-/// The scene that the player belongs to; empty when there is none.
+/// Returns the scene of the player; empty if there is none.
 TextId levelOfPlayer(World& world) {
     const Entity player = world.first<const PlayerController>();
     const auto* scene = player ? std::as_const(world).find<SceneEntity>(player) : nullptr;

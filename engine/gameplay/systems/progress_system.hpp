@@ -6,17 +6,18 @@ namespace plumb {
 
 class World;
 
-/// Counts the time, the levels and the coins that there are.
+/// Updates play time, entered levels and total coins of the GameProgress.
 /// Reads: PlayerController, SceneEntity, Collectible. Writes: GameProgress.
-/// When: before all others of this layer.
+/// When: before all other systems of this layer.
 struct ProgressSystem {
     static constexpr std::string_view kName = "progress";
 
     void update(World& world, float dt);
 };
 
-/// After a scene was opened: it is the level that its player is in, and its numbers are shown from the first
-/// picture on. A level that is begun anew before its goal gives back the coins taken in it.
+/// Enters the level of the player's scene. Call after a scene was opened, so
+/// that labels are correct from the first frame on. If a level is restarted
+/// before its goal was touched, the coins collected in it are subtracted.
 void beginLevel(World& world);
 
 }  // namespace plumb

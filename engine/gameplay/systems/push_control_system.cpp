@@ -13,7 +13,8 @@ namespace plumb {
 
 namespace {
 
-/// Nothing where it already moves that way fast enough.
+/// Returns the acceleration along an axis (px/s^2); 0 if the
+/// body already has the maximum speed in that direction.
 float pushOf(const PushControl& control, float axis, float velocity) {
     const bool fastEnough = axis * velocity > 0.0f && std::abs(velocity) >= control.maxSpeed;
     return fastEnough ? 0.0f : axis * control.acceleration;

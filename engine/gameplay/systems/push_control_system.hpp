@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Lets the player push bodies about.
+/// Applies the player's input to bodies with a PushControl.
 /// Reads: Input, PushControl. Writes: RigidBody. Emits: PlaySound.
 /// When: before physics.
 struct PushControlSystem {

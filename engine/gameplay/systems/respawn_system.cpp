@@ -19,7 +19,7 @@ namespace {
 constexpr int kBlinkTicks = 4;
 constexpr std::uint8_t kBlinkOpacity = 90;
 
-/// An animation that knows of death shows it; everything else disappears.
+/// True if the animation has a parameter "dead", so that it shows the death; other entities are hidden.
 bool showsDeath(World& world, EntityId entity) {
     const auto* animator = std::as_const(world).find<Animator>(entity);
     const auto* assets = world.service<AssetStore>();

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Brings the dead back, and lets the hurt blink.
+/// Respawns dead entities, and makes invulnerable ones blink.
 /// Reads: Health. Writes: Respawn, Transform, RigidBody, Sprite, GameProgress.
 /// When: after hazards.
 struct RespawnSystem {

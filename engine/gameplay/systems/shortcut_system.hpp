@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Actions that change scenes, or show and hide things.
+/// Performs the actions of SceneKey and ToggleKey: changes scenes, shows and hides entities.
 /// Reads: Input, SceneKey, ToggleKey. Writes: SceneRequests, Hidden.
 /// When: after physics.
 struct ShortcutSystem {

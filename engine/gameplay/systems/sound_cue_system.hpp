@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Lets feet be heard: the step sound at every frame of an animation whose event is "step".
+/// Plays the step sound at every animation frame with the event "step".
 /// Reads: AnimationFrameBegan, SoundCues. Emits: PlaySound.
 /// When: after animation.
 struct SoundCueSystem {

@@ -20,7 +20,7 @@ void throwUp(World& world, EntityId springId, EntityId other) {
     Spring& spring = world.get<Spring>(springId);
     RigidBody& body = world.get<RigidBody>(other);
     if (spring.onlyFromAbove && body.velocity.y < 0.0f) return;
-    if (spring.pressed > kPressedTicks / 2) return;  // it has just thrown
+    if (spring.pressed > kPressedTicks / 2) return;  // it has just launched a body
     if (spring.speed.x != 0.0f) body.velocity.x = spring.speed.x;
     if (spring.speed.y != 0.0f) body.velocity.y = spring.speed.y;
     body.grounded = false;

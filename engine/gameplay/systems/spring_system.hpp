@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Throws up what touches a spring.
-/// Reads: TriggerEntered, TriggerStayed. Writes: RigidBody, Animator; emits PlaySound.
+/// Launches bodies that touch a Spring.
+/// Reads: TriggerEntered, TriggerStayed. Writes: Spring, RigidBody, Animator; emits PlaySound.
 /// When: after physics.
 struct SpringSystem {
     static constexpr std::string_view kName = "spring";

@@ -28,7 +28,7 @@ void leave(World& world, EntityId id) {
 
 void TouchColorSystem::update(World& world, float) {
     if (world.count<TouchColor>() == 0) return;
-    // A body that left one and entered another in the same tick ends in its new color.
+    // Leave before enter, so that a body that moves from one trigger to another in one tick keeps the color.
     forEachTouch<TriggerLeft, Transform, TouchColor>(
         world, [&world](EntityId, EntityId visitor) { leave(world, visitor); });
     forEachTouch<TriggerEntered, Transform, TouchColor>(

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Colors what is in triggers.
+/// Changes the tint of sprites with a TouchColor while they are in triggers.
 /// Reads: trigger events. Writes: TouchColor, Sprite.
 /// When: after physics.
 struct TouchColorSystem {

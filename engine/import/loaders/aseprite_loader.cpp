@@ -82,7 +82,7 @@ Result<Sheet> parseSheet(std::string_view text, std::string_view where, std::vec
     Sheet sheet;
     if (frames != nullptr && meta != nullptr) readFrames(fields, *frames, sheet, warnings);
     if (sheet.frames.empty()) {
-        return Error{std::string{where}, "this is no sheet of Aseprite: it has no list of frames",
+        return Error{std::string{where}, "not an Aseprite sheet: it has no list of frames",
                      "export it with File, Export Sprite Sheet, Output: JSON Data"};
     }
     fields.warnUnknown();

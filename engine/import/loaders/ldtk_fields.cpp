@@ -24,7 +24,7 @@ std::string LdtkFields::text(std::string_view key, std::string_view fallback) co
     const Json* json = find(key);
     if (json == nullptr) return std::string{fallback};
     if (const std::string* found = jsonText(*json)) return *found;
-    warn(key, "expected a text, found " + briefText(*json), "save the project again in LDtk");
+    warn(key, "expected a string, found " + briefText(*json), "save the project again in LDtk");
     return std::string{fallback};
 }
 
@@ -36,7 +36,7 @@ double LdtkFields::real(std::string_view key, double fallback) const {
     const Json* json = find(key);
     if (json == nullptr) return fallback;
     if (isUsable(*json)) return json->get<double>();
-    warn(key, "expected a number of ordinary size, found " + briefText(*json),
+    warn(key, "expected a number between -1e9 and 1e9, found " + briefText(*json),
          "save the project again in LDtk");
     return fallback;
 }
@@ -75,7 +75,7 @@ std::vector<LdtkFields> LdtkFields::objects(std::string_view key) const {
     const Json* json = find(key);
     if (json == nullptr) return items;
     if (!json->is_array()) {
-        warn(key, "expected a list, found " + briefText(*json), "save the project again in LDtk");
+        warn(key, "expected an array, found " + briefText(*json), "save the project again in LDtk");
         return items;
     }
     items.reserve(json->size());

@@ -11,24 +11,24 @@
 
 namespace plumb {
 
-/// Reads the members of one object of LDtk's files. One that is missing or null gives its fallback; one that
-/// is wrong gives its fallback too and tells the problem. A key that no reader knows is reported by
-/// `tellUnknownKeys`.
+/// Reads the members of one JSON object of an LDtk file. Returns the fallback for a member that is missing or
+/// null, and also for one of the wrong type, which is reported. Unknown keys are reported by
+/// `reportUnknownKeys`.
 class LdtkFields {
 public:
     LdtkFields(const Json& object, std::string where, std::vector<Error>& problems)
         : object_{&object}, where_{std::move(where)}, problems_{&problems} {}
 
-    /// Null when it is missing or null.
+    /// Returns a member; a null pointer if it is missing or JSON null.
     [[nodiscard]] const Json* find(std::string_view key) const;
     [[nodiscard]] std::string text(std::string_view key, std::string_view fallback = {}) const;
     [[nodiscard]] int whole(std::string_view key, int fallback) const;
     [[nodiscard]] double real(std::string_view key, double fallback) const;
     [[nodiscard]] bool flag(std::string_view key, bool fallback) const;
     [[nodiscard]] Color color(std::string_view key, Color fallback) const;
-    /// Of two numbers in a list.
+    /// Reads an array of two numbers.
     [[nodiscard]] Vec2 pair(std::string_view key, Vec2 fallback) const;
-    /// The objects of a list.
+    /// Returns readers for the objects in an array.
     [[nodiscard]] std::vector<LdtkFields> objects(std::string_view key) const;
 
     [[nodiscard]] const std::string& where() const { return where_; }

@@ -9,15 +9,15 @@
 namespace plumb {
 namespace {
 
-/// What the importer knows of one kind of object in LDtk's files.
+/// The known keys of one kind of JSON object in LDtk files.
 struct Kind {
     std::string_view name;
-    std::string_view read;      ///< keys that reach the scene, with spaces between
-    std::string_view unneeded;  ///< keys that mean something only inside LDtk
-    std::string_view inner;     ///< "key:kind" of lists and objects that are looked into
+    std::string_view read;     ///< keys that are imported, separated by spaces
+    std::string_view ignored;  ///< keys that only LDtk uses, separated by spaces
+    std::string_view inner;    ///< "key:kind" of nested arrays and objects to check
 };
 
-// LDtk, "JSON format documentation", version 1.5.3.
+// Source: LDtk, "JSON format documentation", version 1.5.3.
 constexpr Kind kKinds[] = {
     {"project", "iid jsonVersion bgColor worldLayout defs levels worlds toc externalLevels",
      "__header__ __FORCED_REFS appBuildId nextUid identifierStyle worldGridWidth worldGridHeight "
@@ -86,8 +86,8 @@ const Kind* innerKind(const Kind& kind, std::string_view key) {
 
 class Walk {
 public:
-    Walk(std::string_view where, std::set<std::string>& idle, std::vector<Error>& problems)
-        : where_{where}, idle_{idle}, problems_{problems} {}
+    Walk(std::string_view where, std::set<std::string>& editorKeys, std::vector<Error>& problems)
+        : where_{where}, editorKeys_{editorKeys}, problems_{problems} {}
 
     void look(const Json& json, const Kind& kind) {
         if (json.is_array()) {
@@ -98,33 +98,33 @@ public:
         for (const auto& [key, value] : json.items()) {
             if (hasWord(kind.read, key)) {
                 if (const Kind* inner = innerKind(kind, key)) look(value, *inner);
-            } else if (hasWord(kind.unneeded, key)) {
-                idle_.insert(key);
+            } else if (hasWord(kind.ignored, key)) {
+                editorKeys_.insert(key);
             } else if (reported_.insert(format("{}.{}", kind.name, key)).second) {
                 problems_.push_back({format("{}: {}", where_, kind.name),
-                                     format("\"{}\" is not known here and was left out", key),
-                                     "nothing, if the levels look right without it"});
+                                     format("the key \"{}\" is unknown and was ignored", key),
+                                     "no action is needed if the levels look right"});
             }
         }
     }
 
 private:
     std::string_view where_;
-    std::set<std::string>& idle_;
+    std::set<std::string>& editorKeys_;
     std::vector<Error>& problems_;
     std::set<std::string> reported_;
 };
 
 }  // namespace
 
-void tellUnknownKeys(const Json& project, std::string_view where, std::set<std::string>& idle,
-                     std::vector<Error>& problems) {
-    Walk{where, idle, problems}.look(project, *kindOf("project"));
+void reportUnknownKeys(const Json& project, std::string_view where, std::set<std::string>& editorKeys,
+                       std::vector<Error>& problems) {
+    Walk{where, editorKeys, problems}.look(project, *kindOf("project"));
 }
 
-void tellUnknownLevelKeys(const Json& level, std::string_view where, std::set<std::string>& idle,
-                          std::vector<Error>& problems) {
-    Walk{where, idle, problems}.look(level, *kindOf("level"));
+void reportUnknownLevelKeys(const Json& level, std::string_view where, std::set<std::string>& editorKeys,
+                            std::vector<Error>& problems) {
+    Walk{where, editorKeys, problems}.look(level, *kindOf("level"));
 }
 
 }  // namespace plumb

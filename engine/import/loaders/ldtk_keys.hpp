@@ -10,13 +10,13 @@
 
 namespace plumb {
 
-/// Reports once per name every key of an LDtk project that no reader asks for.
-/// @param idle  gets the names of what means something only inside LDtk
-void tellUnknownKeys(const Json& project, std::string_view where, std::set<std::string>& idle,
-                     std::vector<Error>& problems);
+/// Reports unknown keys of an LDtk project, each name once.
+/// @param editorKeys  receives the names of known keys that only LDtk uses
+void reportUnknownKeys(const Json& project, std::string_view where, std::set<std::string>& editorKeys,
+                       std::vector<Error>& problems);
 
-/// The same for a level in a file of its own.
-void tellUnknownLevelKeys(const Json& level, std::string_view where, std::set<std::string>& idle,
-                          std::vector<Error>& problems);
+/// Reports unknown keys of an LDtk level that is stored in its own file.
+void reportUnknownLevelKeys(const Json& level, std::string_view where, std::set<std::string>& editorKeys,
+                            std::vector<Error>& problems);
 
 }  // namespace plumb

@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-constexpr float kBetweenLevels = 32.0f;  // px, in layouts that only have an order, as LDtk shows them
+constexpr float kBetweenLevels = 32.0f;  // px: gap between levels in linear layouts, as LDtk displays them
 constexpr std::array<std::string_view, 7> kFills{
     "", "Stretch", "FitInside", "Cover", "FullSizeUncropped", "Repeat", "NineSlice"};
 
@@ -27,7 +27,7 @@ std::vector<ldtk::Field> readFields(const LdtkFields& owner) {
     return fields;
 }
 
-/// Whether an area can be a part of a picture; what is none would be no whole number of px either.
+/// True if an area can be a region of an image, so that its sides can be converted to int without overflow.
 bool isPart(const Rect& area) {
     constexpr auto kSide = static_cast<float>(limits::kImageSide);
     return area.x >= 0.0f && area.y >= 0.0f && area.width >= 0.0f && area.height >= 0.0f && area.x <= kSide &&
@@ -42,10 +42,10 @@ std::optional<ldtk::TileRect> readTileRect(const LdtkFields& from, std::string_v
         return found == nullptr ? 0.0f : floatOf(*found).value_or(0.0f);
     };
     const Json* uid = findMember(*json, "tilesetUid");
-    const ldtk::TileRect tile{uid == nullptr ? 0 : wholeOf(*uid).value_or(0),
+    const ldtk::TileRect tile{uid == nullptr ? 0 : intOf(*uid).value_or(0),
                               {number("x"), number("y"), number("w"), number("h")}};
     if (isPart(tile.area)) return tile;
-    from.warn(key, "its area is no part of a picture", "choose the tile again in LDtk");
+    from.warn(key, "its area is not inside an image", "select the tile again in LDtk");
     return {};
 }
 
@@ -72,9 +72,9 @@ ldtk::Entity readEntity(const LdtkFields& from) {
 void readTiles(const LdtkFields& from, std::string_view key, std::vector<ldtk::Tile>& tiles) {
     for (const LdtkFields& item : from.objects(key)) {
         ldtk::Tile tile;
-        const Vec2 place = item.pair("px", {});
-        tile.x = static_cast<int>(place.x);
-        tile.y = static_cast<int>(place.y);
+        const Vec2 position = item.pair("px", {});
+        tile.x = static_cast<int>(position.x);
+        tile.y = static_cast<int>(position.y);
         tile.tile = item.whole("t", 0);
         const Vec2 source = item.pair("src", {-1.0f, -1.0f});
         tile.sourceX = static_cast<int>(source.x);
@@ -85,27 +85,27 @@ void readTiles(const LdtkFields& from, std::string_view key, std::vector<ldtk::T
     }
 }
 
-/// IntGrids are lists of numbers; before LDtk 0.8 they were lists of cells.
+/// Reads an IntGrid: an array of numbers, or an array of cells as written before LDtk 0.8.
 void readValues(const LdtkFields& from, ldtk::Layer& layer) {
     const std::size_t count = layer.cellCount();
     if (const Json* csv = from.find("intGridCsv"); csv != nullptr && csv->is_array() && !csv->empty()) {
-        for (const Json& value : *csv) layer.values.push_back(wholeOf(value).value_or(0));
+        for (const Json& value : *csv) layer.values.push_back(intOf(value).value_or(0));
         if (layer.values.size() != count)
             from.warn("intGridCsv",
-                      format("{} cells are there, the size says {}", layer.values.size(), count),
+                      format("found {} cells, expected {} for the layer's size", layer.values.size(), count),
                       "save the project again in LDtk");
         if (layer.values.size() > count) layer.values.resize(count);
     } else if (const Json* cells = from.find("intGrid"); cells != nullptr && !cells->empty()) {
         for (const LdtkFields& cell : from.objects("intGrid")) {
-            const auto place = static_cast<std::size_t>(std::max(cell.whole("coordId", 0), 0));
-            if (place >= count) continue;
-            if (layer.values.size() <= place) layer.values.resize(place + 1);
-            layer.values[place] = cell.whole("v", -1) + 1;
+            const auto index = static_cast<std::size_t>(std::max(cell.whole("coordId", 0), 0));
+            if (index >= count) continue;
+            if (layer.values.size() <= index) layer.values.resize(index + 1);
+            layer.values[index] = cell.whole("v", -1) + 1;
         }
     }
 }
 
-/// @param room  cells that the layers of this project may still have
+/// @param room  number of cells that further layers of the project may have; reduced by those of this layer
 std::optional<ldtk::Layer> readLayer(const LdtkFields& from, std::size_t& room) {
     ldtk::Layer layer;
     layer.name = from.text("__identifier");
@@ -119,13 +119,14 @@ std::optional<ldtk::Layer> readLayer(const LdtkFields& from, std::size_t& room) 
                       layer.rows <= limits::kTileSide && layer.grid >= 1 && layer.grid <= limits::kImageSide;
     if (!fits) {
         from.warn("__cWid",
-                  format("the layer has {} x {} cells of {} px", layer.columns, layer.rows, layer.grid),
-                  format("make it no larger than {} cells a side", limits::kTileSide));
+                  format("the layer's size of {} x {} cells of {} px is not supported", layer.columns,
+                         layer.rows, layer.grid),
+                  format("the maximum is {} cells per side", limits::kTileSide));
         return {};
     }
     if (layer.cellCount() > room) {
         from.warn("__cWid",
-                  format("with its {} x {} cells the layers of the project have more than {}", layer.columns,
+                  format("with its {} x {} cells, the layers of the project exceed {} cells", layer.columns,
                          layer.rows, limits::kTiledCells),
                   "split the project, or give the layer larger cells");
         return {};
@@ -159,7 +160,7 @@ void readBackground(const LdtkFields& from, ldtk::Level& level) {
         for (std::size_t i = 0; i < 4; ++i) sides[i] = floatOf((*crop)[i]).value_or(0.0f);
         level.imageCrop = {sides[0], sides[1], sides[2], sides[3]};
         if (isPart(level.imageCrop)) return;
-        from.warn("__bgPos.cropRect", "it is no part of a picture", "save the project again in LDtk");
+        from.warn("__bgPos.cropRect", "it is not inside an image", "save the project again in LDtk");
         level.imageCrop = {};
     }
 }
@@ -215,9 +216,9 @@ void readDefinitions(const LdtkFields& from, ldtk::Project& project) {
     }
 }
 
-/// The place in the picture says what a tile looks like, whatever its number: the picture may have become
-/// wider since the level was saved, or be no multiple of its tiles wide.
-/// @return false when its tileset has no such tile
+/// Recomputes a tile's id from its position in the image, because the saved id is wrong if the image's width
+/// changed after the level was saved or is not a multiple of the tile size.
+/// @return false if the tileset has no such tile
 bool settleTile(ldtk::Tile& tile, const ldtk::Tileset& tileset) {
     if (tileset.imageWidth == 0 || tileset.imageHeight == 0) return true;
     const int there = tileset.tileAt(tile.sourceX, tile.sourceY);
@@ -233,13 +234,13 @@ void settleTiles(const ldtk::Project& project, const ldtk::Level& level, ldtk::L
                                      [tileset](ldtk::Tile& tile) { return !settleTile(tile, *tileset); });
     if (lost == layer.tiles.end()) return;
     warnings.push_back({format("level {}: layer {}", level.name, layer.name),
-                        format("{} tiles have numbers that the tileset {} does not have, and were left out",
+                        format("{} tiles were left out, because tileset {} has no tiles of these ids",
                                layer.tiles.end() - lost, tileset->name),
-                        "look at the tileset's grid, spacing and padding in LDtk"});
+                        "check the tileset's grid, spacing and padding in LDtk"});
     layer.tiles.erase(lost, layer.tiles.end());
 }
 
-/// Reads the levels of a project, those in files of their own too.
+/// Reads the levels of a project, including those stored in separate files.
 class LevelReader {
 public:
     LevelReader(ldtk::Project& project, const FileReader& readFrom, std::vector<Error>& warnings)
@@ -254,7 +255,7 @@ public:
         for (const LdtkFields& item : from.objects("levels")) {
             std::optional<ldtk::Level> level = readNamed(item);
             if (!level) continue;
-            // Linear layouts give no places (-1), only an order.
+            // In linear layouts levels have an order but no valid positions (-1).
             if (world.layout == "LinearHorizontal") level->position = {along, 0.0f};
             if (world.layout == "LinearVertical") level->position = {0.0f, along};
             const int length = world.layout == "LinearVertical" ? level->height : level->width;
@@ -270,19 +271,19 @@ private:
         if (file.empty()) return readLevel(from);
         const Path path = (project_.folder / file).lexically_normal();
         const Result<std::string> text =
-            Path{file}.is_absolute()
-                ? Result<std::string>{Error{file, "the path is absolute", "save it again"}}
-                : readFrom_(path);
+            Path{file}.is_absolute() ? Result<std::string>{Error{file, "the path of the level is absolute",
+                                                                 "save the project again in LDtk"}}
+                                     : readFrom_(path);
         if (!text) {
             warnings_.push_back(text.error());
-            return readLevel(from);  // its size and fields at least
+            return readLevel(from);  // the project file contains its size and fields
         }
         const Result<Json> json = parseJson(*text, file, &warnings_);
         if (!json) {
             warnings_.push_back(json.error());
             return readLevel(from);
         }
-        tellUnknownLevelKeys(*json, file, project_.idle, warnings_);
+        reportUnknownLevelKeys(*json, file, project_.editorKeys, warnings_);
         return readLevel(LdtkFields{*json, file, warnings_});
     }
 
@@ -319,11 +320,11 @@ Result<ldtk::Project> parseLdtk(std::string_view text, const Path& file, const F
     if (!json) return json.error();
     const LdtkFields from{*json, where, warnings};
     if (from.find("jsonVersion") == nullptr || from.find("defs") == nullptr)
-        return Error{where, "this is no project of LDtk", "name a file that ends in .ldtk"};
+        return Error{where, "not an LDtk project", "select a file that ends in .ldtk"};
     ldtk::Project project;
     project.version = from.text("jsonVersion");
     project.folder = file.parent_path();
-    tellUnknownKeys(*json, where, project.idle, warnings);
+    reportUnknownKeys(*json, where, project.editorKeys, warnings);
     readDefinitions(LdtkFields{*from.find("defs"), where + ": defs", warnings}, project);
     if (const Json* contents = from.find("toc")) project.contents = *contents;
     LevelReader reader{project, readFrom, warnings};

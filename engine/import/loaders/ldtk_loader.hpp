@@ -8,15 +8,16 @@
 
 namespace plumb {
 
-/// Reads a project of the LDtk editor, with the levels that it keeps in files of their own.
-/// What is wrong inside is listed in `warnings` and left out; the rest is read.
+/// Reads an LDtk project, including levels stored in separate files.
+/// Invalid parts are reported in `warnings` and ignored; the rest is read.
 ///
-/// @param file  where the project lies: names in it are relative to its folder
-/// @error       no project of LDtk at all, or past a limit
+/// @param file      path of the project; paths in it are relative to its folder
+/// @param readFrom  reads the files of separate levels
+/// @error           not JSON, or not an LDtk project
 Result<ldtk::Project> parseLdtk(std::string_view text, const Path& file, const FileReader& readFrom,
                                 std::vector<Error>& warnings);
 
-/// The same for a file.
+/// Reads an LDtk project from a file.
 Result<ldtk::Project> loadLdtk(const Path& file, std::vector<Error>& warnings);
 
 }  // namespace plumb

@@ -11,11 +11,11 @@ namespace plumb {
 namespace {
 
 constexpr int kFoldersAround = 4;
-constexpr int kClassDepth = 8;  // classes inside classes
+constexpr int kClassDepth = 8;  // maximum nesting of members that are classes
 constexpr std::size_t kMaxTypes = 4096;
-constexpr std::size_t kMaxFilled = std::size_t{1} << 18;  // values that a map gets of its classes
+constexpr std::size_t kMaxFilled = std::size_t{1} << 18;  // default values added to a map, see weightOf()
 
-/// A member in the form that properties of maps have.
+/// Converts a class member to the form of map properties.
 Json memberValue(JsonFields& member) {
     const std::string type = member.text("type", "string");
     const std::string named = member.text("propertyType");
@@ -30,7 +30,7 @@ Json memberValue(JsonFields& member) {
     return typed;
 }
 
-/// How much a value takes, about in values of one number.
+/// Returns the approximate size of a value, in numbers.
 std::size_t weightOf(const Json& value) {
     std::size_t weight = 1;
     if (const std::string* text = jsonText(value)) weight += text->size() / 16;
@@ -39,8 +39,8 @@ std::size_t weightOf(const Json& value) {
     return weight;
 }
 
-/// Fills in what is missing. A class among its own members ends after some depth, and many of them when the
-/// map has got as many properties as may be.
+/// Adds missing properties. Limits the nesting depth, since classes can contain themselves, and the total
+/// size of the added values.
 class ClassFiller {
 public:
     explicit ClassFiller(const TiledClasses& classes) : classes_{classes} {}
@@ -80,7 +80,7 @@ TiledClasses readTiledClasses(std::string_view text, std::string_view where, std
     }
     JsonFields fields{*json, std::string{where}, warnings};
     for (JsonFields& item : fields.objects("propertyTypes", kMaxTypes)) {
-        if (item.text("type") != "class") continue;  // enums say which values there are; files have them
+        if (item.text("type") != "class") continue;  // enums have no default values
         Json members = Json::object();
         for (JsonFields& member : item.objects("members", kMaxTypes)) {
             const std::string name = member.text("name");

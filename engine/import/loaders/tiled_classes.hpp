@@ -11,18 +11,18 @@
 
 namespace plumb {
 
-/// What a project of Tiled says of its classes: the properties that everything of a class has, and their
-/// values where a file does not say others. By name; properties in the form that `tmxProperties` gives.
+/// Default properties of the classes of a Tiled project, by class name. A map stores only values that differ
+/// from them. The properties have the form returned by `tmxProperties`.
 using TiledClasses = std::map<std::string, Json, std::less<>>;
 
-/// Reads a `.tiled-project`. What is wrong inside is reported and left out.
+/// Reads a `.tiled-project`. Invalid parts are reported and ignored.
 TiledClasses readTiledClasses(std::string_view text, std::string_view where, std::vector<Error>& warnings);
 
-/// The classes of the project around a map: of the first `.tiled-project` in its folder or one of those
-/// around it. Empty when there is none.
+/// Reads the classes of the project of a map: of the nearest `.tiled-project` in its folder or up to three
+/// folders above. Empty if there is none.
 TiledClasses tiledClassesAround(const Path& map, std::vector<Error>& warnings);
 
-/// Gives everything in the map that has a class the properties that its file leaves to the class.
+/// Adds the default properties of their class to all items of a map, where the map does not set them.
 void applyClasses(tiled::Map& map, const TiledClasses& classes);
 
 }  // namespace plumb

@@ -8,8 +8,7 @@
 namespace plumb {
 namespace {
 
-/// How members of JSON objects that hold lists become elements: the element around them, if any, and each
-/// item.
+/// Element names for an array member of a JSON object: of the enclosing element, if any, and of each item.
 struct ListRule {
     std::string_view key;
     std::string_view parent;
@@ -69,7 +68,7 @@ std::string numberList(const Json& list) {
 
 void addProperty(XmlElement& property, const Json& value, std::string_view type);
 
-/// Members of a class without the list form: {"a": 1} says its types by its values.
+/// Adds the members of a class written as an object, {"a": 1}; their types follow from the JSON values.
 void addMembers(XmlElement& element, const Json& object) {
     XmlElement& properties = addChild(element, "properties");
     for (const auto& [key, value] : object.items()) {
@@ -103,7 +102,7 @@ void addProperty(XmlElement& property, const Json& value, std::string_view type)
 
 void addProperties(XmlElement& element, const Json& list) {
     XmlElement& properties = addChild(element, "properties");
-    if (list.is_object()) {  // before Tiled 1.2
+    if (list.is_object()) {  // the format before Tiled 1.2
         for (const auto& [key, value] : list.items()) {
             XmlElement& property = addChild(properties, "property");
             addAttribute(property, "name", key);
@@ -158,7 +157,7 @@ void addChunks(XmlElement& layer, const Json& chunks, const Json& owner) {
     addAttribute(data, "compression", memberText(owner, "compression"));
 }
 
-/// The depth of the elements is that of the JSON, which its reader limits.
+/// Recursion depth is limited, because the JSON reader limits nesting.
 void fill(XmlElement& element, const Json& object);
 
 void addImage(XmlElement& element, const Json& object) {
@@ -219,7 +218,7 @@ void fill(XmlElement& element, const Json& object) {
         } else if (key == "terrain" && value.is_array()) {
             addAttribute(element, key, numberList(value));
         } else {
-            addChild(element, key);  // so that it is reported as unknown
+            addChild(element, key);  // the reader of the elements reports it as unknown
         }
     }
 }
@@ -231,7 +230,7 @@ Result<XmlElement> tmjToXml(std::string_view text, std::string_view element, std
     const Result<Json> json = parseJson(text, where, &repeatedKeys);
     if (!json) return json.error();
     if (!json->is_object())
-        return Error{std::string{where}, "this is not a Tiled file", "export it from Tiled again"};
+        return Error{std::string{where}, "not a Tiled file", "export it from Tiled again"};
     XmlElement root;
     root.name = element;
     fill(root, *json);

@@ -7,9 +7,8 @@
 
 namespace plumb {
 
-/// The JSON form of a Tiled file as the elements that its XML form would have, so that one reader serves
-/// both.
-/// @param element  of the root: "map", "tileset" or "template"
+/// Converts a Tiled file in JSON format to the elements of the XML format, so that one reader serves both.
+/// @param element  name of the root element: "map", "tileset" or "template"
 Result<XmlElement> tmjToXml(std::string_view text, std::string_view element, std::string_view where);
 
 }  // namespace plumb

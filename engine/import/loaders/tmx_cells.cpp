@@ -13,7 +13,7 @@ namespace {
 using tiled::Gid;
 using Cells = std::vector<Gid>;
 
-/// Packed data may become so large whatever its ratio: empty layers pack very well.
+/// Uncompressed size up to which the compression ratio is not checked, since empty layers compress very well.
 constexpr std::size_t kAlwaysAllowedBytes = std::size_t{64} << 20;
 
 Error wrong(std::string_view where, std::string what, std::string remedy) {
@@ -28,7 +28,7 @@ std::string_view attribute(const XmlElement& element, std::string_view name) {
 Result<Gid> parseGid(std::string_view text, std::string_view where) {
     const std::optional<std::int64_t> value = parseInt(trimmed(text));
     if (value && *value >= 0 && *value <= 0xffffffffll) return static_cast<Gid>(*value);
-    return wrong(where, format("\"{}\" is no tile number", text.substr(0, 20)), "export the map again");
+    return wrong(where, format("\"{}\" is not a tile id", text.substr(0, 20)), "export the map again");
 }
 
 Result<Cells> cellsFromElements(const XmlElement& data, std::string_view where) {
@@ -55,7 +55,7 @@ Result<Cells> cellsFromCsv(std::string_view text, std::size_t count, std::string
         cells.push_back(*cell);
         if (end == text.size()) break;
         text.remove_prefix(end + 1);
-        if (text.empty()) return wrong(where, "a tile number is missing at the end", "export the map again");
+        if (text.empty()) return wrong(where, "a tile id is missing at the end", "export the map again");
     }
     return cells;
 }
@@ -65,13 +65,14 @@ Result<std::string> unpacked(std::string bytes, std::string_view compression, st
     if (compression.empty() || compression == "none") return bytes;
     const std::size_t plausible = std::max(kAlwaysAllowedBytes, bytes.size() * limits::kCompressionRatio);
     if (size > plausible) {
-        return wrong(where, "far too little data for so many cells", "the size of the layer may be damaged");
+        return wrong(where, "the data is too short for the number of cells",
+                     "check the size of the layer; export the map again");
     }
     if (compression == "zlib") return unpackZlib(bytes, size, where);
     if (compression == "gzip") return unpackGzip(bytes, size, where);
     if (compression == "zstd") return unpackZstd(bytes, size, where);
-    return wrong(where, format("the compression \"{}\" is not known", compression),
-                 "choose zlib, gzip or zstd in Tiled");
+    return wrong(where, format("the compression \"{}\" is not supported", compression),
+                 "select zlib, gzip or zstd in Tiled");
 }
 
 Result<Cells> cellsFromBase64(const XmlElement& data, std::string_view compression, std::size_t count,
@@ -91,7 +92,7 @@ Result<Cells> cellsFromBase64(const XmlElement& data, std::string_view compressi
     return cells;
 }
 
-/// The cells of `<data>` or `<chunk>`, exactly `count`.
+/// Reads exactly `count` cells from `<data>` or `<chunk>`. @param part  `data` or one of its chunks
 Result<Cells> readCells(const XmlElement& part, const XmlElement& data, std::size_t count,
                         std::string_view where) {
     const std::string_view encoding = attribute(data, "encoding");
@@ -99,10 +100,10 @@ Result<Cells> readCells(const XmlElement& part, const XmlElement& data, std::siz
                           : encoding == "csv" ? cellsFromCsv(part.text, count, where)
                           : encoding == "base64"
                               ? cellsFromBase64(part, attribute(data, "compression"), count, where)
-                              : wrong(where, format("the encoding \"{}\" is not known", encoding),
-                                      "choose csv or base64 in Tiled");
+                              : wrong(where, format("the encoding \"{}\" is not supported", encoding),
+                                      "select csv or base64 in Tiled");
     if (cells && cells->size() != count) {
-        return wrong(where, format("{} cells are there, the size says {}", cells->size(), count),
+        return wrong(where, format("found {} cells, expected {} for the layer's size", cells->size(), count),
                      "export the map again");
     }
     return cells;
@@ -120,7 +121,7 @@ Result<int> chunkNumber(const XmlElement& chunk, std::string_view name, int min,
                         std::string_view where) {
     const std::optional<std::int64_t> value = parseInt(attribute(chunk, name));
     if (value && *value >= min && *value <= max) return static_cast<int>(*value);
-    return wrong(where, format("a chunk's {} is \"{}\"", name, attribute(chunk, name)),
+    return wrong(where, format("a chunk's {} is \"{}\", out of range", name, attribute(chunk, name)),
                  "export the map again");
 }
 
@@ -153,7 +154,7 @@ std::size_t area(int width, int height) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-/// Makes the layer as large as all its chunks together.
+/// Sets the layer's position and size to the box around all chunks.
 Result<Done> encloseChunks(const std::vector<Chunk>& chunks, tiled::Layer& layer, std::size_t room,
                            std::string_view where) {
     const Chunk& first = chunks.front();
@@ -165,14 +166,15 @@ Result<Done> encloseChunks(const std::vector<Chunk>& chunks, tiled::Layer& layer
         right = std::max(right, chunk.x + chunk.width), bottom = std::max(bottom, chunk.y + chunk.height);
     }
     layer.width = right - layer.x, layer.height = bottom - layer.y;
-    // Two chunks at the ends of the world would ask for a grid of all the nothing between them.
+    // Two chunks far apart would need a huge grid, nearly all of it empty.
     constexpr std::size_t kSmall = std::size_t{1} << 22;
     std::size_t filled = 0;
     for (const Chunk& chunk : chunks) filled += area(chunk.width, chunk.height);
     const bool fits = layer.width <= limits::kTileSide && layer.height <= limits::kTileSide;
     const std::size_t cells = fits ? area(layer.width, layer.height) : 0;
     if (!fits || cells > room || (cells > kSmall && cells / 64 > filled)) {
-        return wrong(where, "the chunks lie too far apart", "move what lies far outside nearer to the rest");
+        return wrong(where, "its chunks are too far apart",
+                     "move the distant tiles closer to the others in Tiled");
     }
     return Done{};
 }

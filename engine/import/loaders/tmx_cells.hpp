@@ -10,12 +10,12 @@
 
 namespace plumb {
 
-/// Reads the `<data>` of a layer into its cells: XML tiles, csv or base64, packed or not, whole or in chunks.
-/// For chunks the layer's place and size become the box around them all.
+/// Reads the `<data>` of a layer to its cells: XML tiles, CSV or base64, with or without compression and
+/// chunks. For chunks, sets the layer's position and size to the box around all of them.
 ///
-/// @param layer  states its size; gets the cells
-/// @param room   cells that may still be read for this map; what was read is taken away
-/// @error        another count of cells than the size says, damaged data, an unknown encoding
+/// @param layer  receives the cells; its size must be set before, if there are no chunks
+/// @param room   number of cells that may still be read for this map; reduced by those read
+/// @error        the number of cells does not match the size, damaged data, or an unknown encoding
 Result<Done> readTmxCells(const XmlElement& data, tiled::Layer& layer, std::size_t& room,
                           std::string_view where);
 

@@ -5,8 +5,8 @@
 namespace plumb {
 namespace {
 
-// Tiled, "TMX Map Format" and "JSON Map Format", version 1.12. In the JSON form some things stand one level
-// higher (a layer's encoding), and lists say their length.
+// Source: Tiled, "TMX Map Format" and "JSON Map Format", version 1.12. In the JSON format some attributes are
+// one level higher (a layer's encoding), and lists have a length attribute.
 constexpr TmxElement kElements[] = {
     {"map",
      "version class orientation renderorder width height tilewidth tileheight parallaxoriginx "
@@ -68,7 +68,9 @@ constexpr TmxElement kElements[] = {
 }  // namespace
 
 bool TmxElement::reads(std::string_view attribute) const { return hasWord(read, attribute); }
-bool TmxElement::isIdle(std::string_view attribute) const { return idle || hasWord(unneeded, attribute); }
+bool TmxElement::isEditorOnly(std::string_view attribute) const {
+    return editorOnly || hasWord(ignored, attribute);
+}
 
 const TmxElement* findTmxElement(std::string_view name) {
     for (const TmxElement& element : kElements) {

@@ -4,18 +4,18 @@
 
 namespace plumb {
 
-/// What the importer knows of one element of Tiled's files, in their XML and their JSON form.
+/// The known attributes of one element of Tiled files, in XML and JSON format.
 struct TmxElement {
     std::string_view name;
-    std::string_view read;           ///< attributes that reach the scene, with spaces between
-    std::string_view unneeded = {};  ///< attributes that mean something only inside Tiled
-    bool idle = false;               ///< all of it means something only inside Tiled
+    std::string_view read;          ///< attributes that are imported, separated by spaces
+    std::string_view ignored = {};  ///< attributes that only Tiled uses, separated by spaces
+    bool editorOnly = false;        ///< only Tiled uses the element; it is skipped with its content
 
     [[nodiscard]] bool reads(std::string_view attribute) const;
-    [[nodiscard]] bool isIdle(std::string_view attribute) const;
+    [[nodiscard]] bool isEditorOnly(std::string_view attribute) const;
 };
 
-/// Null for an element that no version of Tiled wrote when this was written.
+/// Returns the known attributes of an element; null if no Tiled version up to 1.12 writes it.
 const TmxElement* findTmxElement(std::string_view name);
 
 }  // namespace plumb

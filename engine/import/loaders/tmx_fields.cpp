@@ -22,7 +22,8 @@ std::optional<bool> parseFlag(std::string_view text) {
     return {};
 }
 
-/// A text that is no value of its type stays a text, and is reported.
+/// Converts a property's text to a value of its type. Text that is not valid for the type is reported and
+/// kept as a string.
 Json plainValue(const std::string& type, const std::string& text, const TmxFields& fields) {
     if (type == "bool") {
         if (const std::optional<bool> value = parseFlag(text)) return Json(*value);
@@ -35,7 +36,7 @@ Json plainValue(const std::string& type, const std::string& text, const TmxField
     }
     fields.warn(format("the property {} has the type {} and the value \"{}\"", fields.text("name"), type,
                        text.substr(0, 40)),
-                "write a value of its type; it was kept as a text");
+                "enter a value of this type in Tiled; it was imported as a string");
     return Json(text);
 }
 
@@ -51,7 +52,7 @@ Json propertyValue(const XmlElement& property, std::string_view file, std::vecto
             if (item.name == "item") value.push_back(propertyValue(item, file, problems));
         }
     } else {
-        // A text of several lines stands between the tags.
+        // Text of several lines is the element's content instead of an attribute.
         value = plainValue(type, fields.has("value") ? *property.find("value") : property.text, fields);
     }
     const bool plain =
@@ -83,10 +84,10 @@ std::string TmxFields::text(std::string_view name, std::string_view fallback) co
 int TmxFields::whole(std::string_view name, int fallback, int min, int max) const {
     const std::string* found = value(name);
     if (!found) return fallback;
-    // Some versions write whole numbers with a fraction of nothing.
+    // Some versions of Tiled write integers with a fraction: 16.0.
     const std::optional<double> number = parseReal(*found);
     if (number && *number >= min && *number <= max) return static_cast<int>(*number);
-    warn(format("{} is \"{}\"", name, *found), format("write a whole number from {} to {}", min, max));
+    warn(format("{} is \"{}\"", name, *found), format("it must be an integer from {} to {}", min, max));
     return fallback;
 }
 
@@ -95,7 +96,7 @@ double TmxFields::real(std::string_view name, double fallback) const {
     if (!found) return fallback;
     const std::optional<double> number = parseReal(*found);
     if (number && std::abs(*number) <= 1e9) return *number;
-    warn(format("{} is \"{}\"", name, *found), "write a number of ordinary size");
+    warn(format("{} is \"{}\"", name, *found), "it must be a number between -1e9 and 1e9");
     return fallback;
 }
 
@@ -103,7 +104,7 @@ bool TmxFields::flag(std::string_view name, bool fallback) const {
     const std::string* found = value(name);
     if (!found) return fallback;
     if (const std::optional<bool> flag = parseFlag(*found)) return *flag;
-    warn(format("{} is \"{}\"", name, found->substr(0, 40)), "write 0 or 1");
+    warn(format("{} is \"{}\"", name, found->substr(0, 40)), "it must be 0 or 1");
     return fallback;
 }
 
@@ -114,7 +115,7 @@ std::optional<Color> TmxFields::color(std::string_view name) const {
     if (startsWith(digits, "#")) digits.remove_prefix(1);
     const std::optional<std::uint64_t> bits = parseHex(digits);
     if (!bits || (digits.size() != 6 && digits.size() != 8)) {
-        warn(format("{} is \"{}\"", name, *found), "write a color as #rrggbb or #aarrggbb");
+        warn(format("{} is \"{}\"", name, *found), "it must be a color as #rrggbb or #aarrggbb");
         return {};
     }
     const auto part = [&](int shift) { return static_cast<std::uint8_t>(*bits >> shift & 255); };
@@ -141,8 +142,8 @@ Json tmxProperties(const XmlElement& element, std::string_view file, std::vector
             continue;
         }
         if (properties.contains(*name)) {
-            TmxFields{property, file, problems}.warn(format("the property {} stands there twice", *name),
-                                                     "name one of them otherwise; the last one counts");
+            TmxFields{property, file, problems}.warn(format("there are two properties named {}", *name),
+                                                     "rename one of them; the last one was imported");
         }
         properties[*name] = propertyValue(property, file, problems);
     }

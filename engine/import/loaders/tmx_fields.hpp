@@ -12,8 +12,8 @@
 
 namespace plumb {
 
-/// Reads the attributes of one element of a Tiled file. One that is missing gives its fallback; one that is
-/// wrong gives its fallback too and tells the problem.
+/// Reads the attributes of one element of a Tiled file. Returns the fallback for an attribute that is missing
+/// or invalid, and reports invalid ones.
 class TmxFields {
 public:
     TmxFields(const XmlElement& element, std::string_view file, std::vector<Error>& problems)
@@ -24,15 +24,15 @@ public:
     [[nodiscard]] int whole(std::string_view name, int fallback, int min, int max) const;
     [[nodiscard]] double real(std::string_view name, double fallback) const;
     [[nodiscard]] bool flag(std::string_view name, bool fallback) const;
-    /// "#aarrggbb", "#rrggbb" or without '#'.
+    /// Reads a color: "#aarrggbb" or "#rrggbb", with or without '#'.
     [[nodiscard]] std::optional<Color> color(std::string_view name) const;
 
-    /// "file.tmx:12: object", the place of this element.
+    /// Returns the location of this element for messages: "file.tmx:12: object".
     [[nodiscard]] std::string where() const;
     void warn(std::string what, std::string remedy) const;
 
 private:
-    /// The attribute's value when it is there and not empty.
+    /// Returns the attribute's value; null if it is missing or empty.
     [[nodiscard]] const std::string* value(std::string_view name) const;
 
     const XmlElement* element_;
@@ -40,8 +40,8 @@ private:
     std::vector<Error>* problems_;
 };
 
-/// The `<properties>` inside an element as one JSON object: numbers, flags and texts by their type, classes
-/// as objects, lists as arrays. Types that JSON does not show are kept as {"type", "value"}.
+/// Converts the `<properties>` of an element to one JSON object: numbers, booleans, strings, classes as
+/// objects, lists as arrays. Other types (color, file, object) are stored as {"type", "value"}.
 Json tmxProperties(const XmlElement& element, std::string_view file, std::vector<Error>& problems);
 
 }  // namespace plumb

@@ -31,18 +31,18 @@ Result<TmxFile> TmxReader::open(std::string_view text, const Path& file, std::st
         looksLikeJson(text) ? tmjToXml(text, element, opened.name) : parseXml(text, opened.name);
     if (!root) return root.error();
     if (root->name != element) {
-        return Error{opened.name, format("the file begins with <{}>, not <{}>", root->name, element),
-                     "name a file that Tiled wrote for this"};
+        return Error{opened.name, format("found <{}>, expected <{}>", root->name, element),
+                     format("select a {} file written by Tiled", element)};
     }
     opened.root = std::move(*root);
-    tellUnknown(opened.root, opened);
+    reportUnknown(opened.root, opened);
     return opened;
 }
 
 Result<TmxFile> TmxReader::openNamed(const Path& folder, const std::string& name, std::string_view element) {
     if (Path{name}.is_absolute() || name.find('\0') != std::string::npos) {
         return Error{name, "the path is absolute",
-                     "move the file beside the map and choose it again in Tiled"};
+                     "move the file to the folder of the map and select it again in Tiled"};
     }
     const Path path = (folder / name).lexically_normal();
     const Result<std::string> text = (*readFrom_)(path);
@@ -50,27 +50,27 @@ Result<TmxFile> TmxReader::openNamed(const Path& folder, const std::string& name
     return open(*text, path, element);
 }
 
-void TmxReader::tellUnknown(const XmlElement& element, const TmxFile& file) {
+void TmxReader::reportUnknown(const XmlElement& element, const TmxFile& file) {
     const TmxElement* known = findTmxElement(element.name);
     const TmxFields from = fields(element, file);
     if (known == nullptr) {
         if (reported_.insert(element.name).second)
-            from.warn(format("<{}> is not known and was left out", element.name),
-                      "nothing, if the map looks right without it");
+            from.warn(format("the element <{}> is unknown and was ignored", element.name),
+                      "no action is needed if the map looks right");
         return;
     }
     for (const XmlAttribute& attribute : element.attributes) {
         if (known->reads(attribute.name)) continue;
-        if (known->isIdle(attribute.name)) {
-            map_.idle.insert(attribute.name);
+        if (known->isEditorOnly(attribute.name)) {
+            map_.editorKeys.insert(attribute.name);
         } else if (reported_.insert(format("{}@{}", element.name, attribute.name)).second) {
-            from.warn(format("\"{}\" is not known here and was left out", attribute.name),
-                      "nothing, if the map looks right without it");
+            from.warn(format("the attribute \"{}\" is unknown and was ignored", attribute.name),
+                      "no action is needed if the map looks right");
         }
     }
-    if (known->idle) map_.idle.insert(element.name);
+    if (known->editorOnly) map_.editorKeys.insert(element.name);
     for (const XmlElement& child : element.children) {
-        if (!known->idle) tellUnknown(child, file);
+        if (!known->editorOnly) reportUnknown(child, file);
     }
 }
 
@@ -82,13 +82,13 @@ Result<tiled::Map> TmxReader::readMap(std::string_view text, const Path& file) {
     const std::string orientation = from.text("orientation", "orthogonal");
     if (orientation != "orthogonal" && orientation != "isometric") {
         return Error{from.where(), format("the map is {}", orientation),
-                     "only orthogonal and isometric maps can be imported; choose one of them in Tiled: "
+                     "only orthogonal and isometric maps can be imported; select one of them in Tiled: "
                      "Map, Map Properties, Orientation"};
     }
     if (orientation == "isometric") map_.orientation = tiled::Orientation::Isometric;
     readMapFields(*opened);
     if (map_.tileWidth <= 0 || map_.tileHeight <= 0) {
-        return Error{from.where(), "the map has no size of tiles", "write tilewidth and tileheight in px"};
+        return Error{from.where(), "the map has no tile size", "set tilewidth and tileheight, in px"};
     }
     for (const XmlElement& child : root.children) {
         if (child.name == "tileset") readTileset(child, *opened);
@@ -124,7 +124,7 @@ void TmxReader::readLayers(const XmlElement& parent, const TmxFile& file, const 
     }
 }
 
-/// What a layer or a group says about itself goes on top of what its groups say.
+/// Combines the fields of a layer or group with those inherited from the groups that contain it.
 void TmxReader::inheritFields(const XmlElement& element, const TmxFile& file, Layer& layer) {
     const TmxFields from = fields(element, file);
     layer.id = from.whole("id", 0, 0, 1 << 30);
@@ -139,8 +139,8 @@ void TmxReader::inheritFields(const XmlElement& element, const TmxFile& file, La
     layer.locked = layer.locked || from.flag("locked", false);
     if (const std::string blend = from.text("mode", "normal"); blend != "normal") {
         layer.blend = blend;
-        from.warn(format("the layer is blended by \"{}\"", blend),
-                  "the engine draws it as usual; choose \"normal\" in Tiled, or tint it");
+        from.warn(format("the blend mode \"{}\" of the layer is not supported", blend),
+                  "it is drawn with normal blending; use \"normal\" in Tiled, or a tint color");
     }
     const Color tint = from.color("tintcolor").value_or(Color{});
     layer.tint = {multiplied(layer.tint.r, tint.r), multiplied(layer.tint.g, tint.g),
@@ -150,7 +150,7 @@ void TmxReader::inheritFields(const XmlElement& element, const TmxFile& file, La
 
 void TmxReader::readGroup(const XmlElement& element, const TmxFile& file, const Inherited& inherited) {
     if (inherited.depth >= kGroupDepth) {
-        fields(element, file).warn("groups are nested too deep", "take levels of groups out");
+        fields(element, file).warn("groups are nested too deep", "remove levels of groups");
         return;
     }
     Inherited inner = inherited;
@@ -212,10 +212,10 @@ void TmxReader::readImage(const XmlElement& element, const TmxFile& file, Layer&
     if (image) {
         layer.image = fields(*image, file).text("source");
         if (image->child("data"))
-            from.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
+            from.warn("the image is embedded in the file", "save it as a separate file in Tiled");
         layer.transparent = fields(*image, file).color("trans");
     }
-    if (layer.image.empty()) from.warn("the layer names no image", "choose its image in Tiled");
+    if (layer.image.empty()) from.warn("the layer has no image file", "select its image in Tiled");
 }
 
 Result<tiled::Map> parseTiledMap(std::string_view text, const Path& file, const FileReader& readFrom,
@@ -226,7 +226,7 @@ Result<tiled::Map> parseTiledMap(std::string_view text, const Path& file, const 
 Result<tiled::Map> loadTiledMap(const Path& file, std::vector<Error>& warnings) {
     const FileReader readFrom = [](const Path& path) -> Result<std::string> {
         Result<std::string> bytes = readFile(path);
-        // Linux distributions pack the files of Tiled's examples but not the names inside them.
+        // Linux distributions compress Tiled's example files, but references to them lack the ".gz".
         if (!bytes && readFile(path.string() + ".gz")) bytes = readFile(path.string() + ".gz");
         if (bytes && startsWith(*bytes, "\x1f\x8b"))
             return unpackGzip(*bytes, limits::kFileBytes, path.generic_string());

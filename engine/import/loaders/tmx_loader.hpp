@@ -11,18 +11,19 @@
 
 namespace plumb {
 
-/// How the files that a map names are read; tests give their own.
+/// Reads a file that a map references; tests pass their own function.
 using FileReader = std::function<Result<std::string>(const Path&)>;
 
-/// Reads a map of the Tiled editor (TMX or JSON), with the tilesets and templates that it names.
-/// What is wrong inside is listed in `warnings` and left out; the rest is read.
+/// Reads a Tiled map (TMX or JSON), with the tilesets and templates that it references.
+/// Invalid parts are reported in `warnings` and ignored; the rest is read.
 ///
-/// @param file  where the map lies: names in it are relative to its folder
-/// @error       no map at all, one of another form than orthogonal, or past a limit
+/// @param file      path of the map; paths in it are relative to its folder
+/// @param readFrom  reads the referenced files
+/// @error           not a map, neither orthogonal nor isometric, or without a tile size
 Result<tiled::Map> parseTiledMap(std::string_view text, const Path& file, const FileReader& readFrom,
                                  std::vector<Error>& warnings);
 
-/// The same for a file, which may be packed with gzip.
+/// Reads a Tiled map from a file, which may be compressed with gzip.
 Result<tiled::Map> loadTiledMap(const Path& file, std::vector<Error>& warnings);
 
 }  // namespace plumb

@@ -46,8 +46,8 @@ bool TmxReader::readObject(const XmlElement& element, const TmxFile& file, Objec
         return false;
     }
     --objectsLeft_;
-    // A template gives everything that the object itself does not say. Templates have no templates.
-    if (const std::string name = from.text("template"); !name.empty() && templateTileset == kOfMap) {
+    // A template supplies all fields that the object does not set. Templates cannot use templates.
+    if (const std::string name = from.text("template"); !name.empty() && templateTileset == kGlobalId) {
         object = templateOf(name, file).object;
         object.templateFile = name;
     }
@@ -76,14 +76,15 @@ void TmxReader::readTile(const TmxFields& from, Object& object, int templateTile
     }
     const auto cell = static_cast<tiled::Gid>(*gid);
     object.shape = Shape::Tile;
-    if (templateTileset == kOfMap) {
+    if (templateTileset == kGlobalId) {
         object.tile = map_.resolve(cell);
     } else if (templateTileset >= 0) {
-        // A template counts its tiles from the firstgid that it states itself.
+        // The id in a template includes the template's own firstgid, which templateOf() subtracts.
         object.tile = {templateTileset, static_cast<int>(cell & ~tiled::kFlags), cell & tiled::kFlags};
     }
     if (object.tile.empty())
-        from.warn(format("no tileset has the tile {}", cell & ~tiled::kFlags), "add the tileset");
+        from.warn(format("no tileset has the tile {}", cell & ~tiled::kFlags),
+                  "add the missing tileset to the map in Tiled");
 }
 
 void TmxReader::readShape(const XmlElement& element, const TmxFile& file, Object& object) {
@@ -110,7 +111,8 @@ bool TmxReader::readPoints(const XmlElement& element, const TmxFile& file, Objec
             comma == std::string_view::npos ? std::nullopt : parseFloat(pair.substr(comma + 1));
         const bool good = x && y && std::abs(*x) < 1e9f && std::abs(*y) < 1e9f;
         if (!good || object.points.size() >= kMaxPoints) {
-            from.warn(format("\"{}\" is no point", pair.substr(0, 40)), "write points as x,y x,y");
+            from.warn(format("\"{}\" is not a point", pair.substr(0, 40)),
+                      "points must have the form x,y x,y");
             object.points.clear();
             return false;
         }
@@ -134,7 +136,7 @@ const TmxReader::Template& TmxReader::templateOf(const std::string& name, const 
         fields(opened->root, *opened).warn("the template has no object", "save the template again in Tiled");
         return result;
     }
-    int tileset = kOfNone;
+    int tileset = kNoTileset;
     int first = 1;
     if (const XmlElement* reference = opened->root.child("tileset")) {
         tileset = tilesetOf(*reference, *opened);

@@ -14,14 +14,14 @@
 
 namespace plumb {
 
-/// An open file of Tiled: its elements, and what names in it are relative to.
+/// The parsed elements of a Tiled file, and the folder that paths in it are relative to.
 struct TmxFile {
     XmlElement root;
     Path folder;
-    std::string name;  ///< for messages
+    std::string name;  ///< path used in messages
 };
 
-/// Reads one map with everything that it names. Its parts are in tmx_loader, tmx_tilesets and tmx_objects.
+/// Reads one map with its tilesets and templates. Implemented in tmx_loader, tmx_tilesets and tmx_objects.
 class TmxReader {
 public:
     TmxReader(const FileReader& readFrom, std::vector<Error>& warnings)
@@ -30,12 +30,12 @@ public:
     Result<tiled::Map> readMap(std::string_view text, const Path& file);
 
 private:
-    /// What layers inherit from the groups around them.
+    /// Fields that layers inherit from the groups that contain them.
     struct Inherited {
         tiled::Layer layer;
         int depth = 0;
     };
-    /// A template: its object, already resolved against the template's own tileset.
+    /// A template's object, with its tile already resolved in the template's own tileset.
     struct Template {
         bool found = false;
         tiled::Object object;
@@ -46,8 +46,8 @@ private:
     [[nodiscard]] TmxFields fields(const XmlElement& element, const TmxFile& file) {
         return {element, file.name, *warnings_};
     }
-    /// Reports once per name every element and attribute of the file that no reader asks for.
-    void tellUnknown(const XmlElement& element, const TmxFile& file);
+    /// Reports unknown elements and attributes of the file, each name once.
+    void reportUnknown(const XmlElement& element, const TmxFile& file);
 
     void readMapFields(const TmxFile& file);
     void readLayers(const XmlElement& parent, const TmxFile& file, const Inherited& inherited);
@@ -59,19 +59,21 @@ private:
     void readImage(const XmlElement& element, const TmxFile& file, tiled::Layer& layer);
 
     void readTileset(const XmlElement& element, const TmxFile& file);
-    /// The place of an external tileset in the map; it is added with no numbers of its own when it is new.
+    /// Returns the index of an external tileset in the map; a new one is added with firstGid 0.
     int tilesetOf(const XmlElement& reference, const TmxFile& file);
     void readTilesetFields(const XmlElement& element, const TmxFile& file, tiled::Tileset& tileset);
     void readTile(const XmlElement& element, const TmxFile& file, tiled::Tileset& tileset);
     void readWangSets(const XmlElement& element, const TmxFile& file, tiled::Tileset& tileset);
 
-    /// To which tileset the number of an object's tile belongs, where it is not one of a template.
-    static constexpr int kOfMap = -1;
-    static constexpr int kOfNone = -2;
+    /// Values of `templateTileset` that are not an index in Map::tilesets.
+    static constexpr int kGlobalId = -1;   ///< the object is in a map: its tile id is global
+    static constexpr int kNoTileset = -2;  ///< the object is in a template without a tileset
 
-    /// @param templateTileset  that of the template in which the object stands, kOfNone when it has none
+    /// Reads an object of a map or of a template.
+    /// @param templateTileset  kGlobalId, or for an object in a template the index of its tileset or
+    /// kNoTileset
     bool readObject(const XmlElement& element, const TmxFile& file, tiled::Object& object,
-                    int templateTileset = kOfMap);
+                    int templateTileset = kGlobalId);
     void readShape(const XmlElement& element, const TmxFile& file, tiled::Object& object);
     void readTile(const TmxFields& from, tiled::Object& object, int templateTileset);
     bool readPoints(const XmlElement& element, const TmxFile& file, tiled::Object& object);

@@ -9,7 +9,7 @@ namespace {
 constexpr int kMaxTileId = (1 << 28) - 1;
 constexpr int kMaxOffset = 1 << 20;
 
-/// What stands in an element, as data.
+/// Converts an element to JSON: attributes as strings, child elements as arrays.
 Json attributesJson(const XmlElement& element) {
     Json json = Json::object();
     for (const XmlAttribute& attribute : element.attributes) json[attribute.name] = attribute.value;
@@ -19,9 +19,9 @@ Json attributesJson(const XmlElement& element) {
 
 void tellPicture(const XmlElement& image, const TmxFields& from) {
     if (image.child("data")) {
-        from.warn("the picture lies inside the file", "save it as a file of its own in Tiled");
+        from.warn("the image is embedded in the file", "save it as a separate file in Tiled");
     } else if (from.text("source").empty()) {
-        from.warn("the picture has no file", "choose its image in Tiled");
+        from.warn("the image has no file", "select its image in Tiled");
     }
 }
 
@@ -36,7 +36,8 @@ Json wangColor(const TmxFields& from, Json properties) {
     return color;
 }
 
-/// Eight colors in the order top, clockwise, top-left; before Tiled 1.5 they were the digits of one number.
+/// Reads the eight color indices of a Wang id, clockwise from top to top left: a list, or the digits of one
+/// hexadecimal number as written before Tiled 1.5.
 Json wangId(const std::string& text) {
     Json id = Json::array();
     if (startsWith(text, "0x")) {
@@ -67,14 +68,14 @@ void TmxReader::readTileset(const XmlElement& element, const TmxFile& file) {
         map_.tilesets.push_back(std::move(tileset));
         return;
     }
-    auto place = static_cast<std::size_t>(tilesetOf(element, file));
-    if (map_.tilesets[place].firstGid != 0) {
-        // The same file may stand twice under different numbers.
-        tiled::Tileset again = map_.tilesets[place];
-        place = map_.tilesets.size();
+    auto index = static_cast<std::size_t>(tilesetOf(element, file));
+    if (map_.tilesets[index].firstGid != 0) {
+        // A map may reference the same tileset file twice, with different first ids.
+        tiled::Tileset again = map_.tilesets[index];
+        index = map_.tilesets.size();
         map_.tilesets.push_back(std::move(again));
     }
-    map_.tilesets[place].firstGid = static_cast<tiled::Gid>(first);
+    map_.tilesets[index].firstGid = static_cast<tiled::Gid>(first);
 }
 
 int TmxReader::tilesetOf(const XmlElement& reference, const TmxFile& file) {
@@ -83,8 +84,8 @@ int TmxReader::tilesetOf(const XmlElement& reference, const TmxFile& file) {
     for (std::size_t i = 0; i < map_.tilesets.size(); ++i) {
         if (map_.tilesets[i].file == path) return static_cast<int>(i);
     }
-    // Its place is taken first: a template inside may name this very file, and more sets may follow.
-    const std::size_t place = map_.tilesets.size();
+    // Added before its content is read, because templates in it may reference this file or further tilesets.
+    const std::size_t index = map_.tilesets.size();
     tiled::Tileset tileset;
     tileset.firstGid = 0;
     tileset.file = path;
@@ -97,8 +98,8 @@ int TmxReader::tilesetOf(const XmlElement& reference, const TmxFile& file) {
         warnings_->push_back(opened.error());
         tileset.missing = true;
     }
-    map_.tilesets[place] = std::move(tileset);
-    return static_cast<int>(place);
+    map_.tilesets[index] = std::move(tileset);
+    return static_cast<int>(index);
 }
 
 void TmxReader::readTilesetFields(const XmlElement& element, const TmxFile& file, tiled::Tileset& tileset) {

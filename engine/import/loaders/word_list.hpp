@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// Whether a word stands in a list of words with spaces between.
+/// True if `words`, a list separated by spaces, contains `word`.
 constexpr bool hasWord(std::string_view words, std::string_view word) {
     for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
         const std::size_t end = at + word.size();

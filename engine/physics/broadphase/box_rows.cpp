@@ -7,13 +7,13 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::uint32_t kBehind = 8;
+constexpr std::uint32_t kBehind = 8;  // slots of padding at the end
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t kTestsPerSort = 8;     // cost of sorting one box, in tests of eight boxes
 constexpr std::uint32_t kSortsPerChoice = 32;  // the distribution of boxes changes slowly
 
 float usualExtent(const Proxies& proxies, std::span<const std::uint32_t> ids) {
-    std::array<std::uint32_t, 512> counts{};  // by exponent and first bit of the mantissa
+    std::array<std::uint32_t, 512> counts{};  // of sizes, by exponent and first mantissa bit
     for (const std::uint32_t id : ids) {
         const Vec2 size = usable(proxies.bounds[id]).size();
         ++counts[std::bit_cast<std::uint32_t>(std::max({size.x, size.y, 0.0f})) >> 22 & 511];
@@ -88,7 +88,7 @@ void BoxRows::write(const Proxies& proxies, std::uint32_t place, std::uint32_t i
     filters[place] = proxies.filters[id];
     ids[place] = id;
     free_ -= isFree(place) ? 1u : 0u;
-    states[place] = proxies.motions[id] == ProxyMotion::Awake ? kAwake : kThere;
+    states[place] = proxies.motions[id] == ProxyMotion::Awake ? kAwake : kInUse;
     all.add(filters[place]);
 }
 

@@ -10,7 +10,7 @@
 
 namespace plumb::physics {
 
-/// Statistics of the sizes and positions of boxes, roughly.
+/// Approximate statistics of the sizes and positions of boxes.
 struct BoxStatistics {
     float extent = 0.0f;   ///< m: third quartile of the sizes, but at most twice their median
     float spacing = 0.0f;  ///< m: distance between neighbours, if the boxes were spread evenly
@@ -23,20 +23,20 @@ struct BoxStatistics {
 /// common part of HierarchicalGrid and SweepAndPruneAxis. The right and bottom sides are negated, as in
 /// TreeBoxes. Free slots overlap nothing, nor do the eight slots of padding at the end.
 ///
-/// The boxes were sorted at some time. Those that were added since, or that moved too far from where they
-/// were sorted to, are stored after the sorted ones, where every search tests them all, until sorting again
-/// costs less than these tests.
+/// Boxes that were added since the last sort, or that moved too far from their sorted position, are stored
+/// after the sorted ones, where every search tests all of them, until sorting again costs less than these
+/// tests.
 class BoxRows {
 public:
-    static constexpr std::uint8_t kFree = 0;
-    static constexpr std::uint8_t kThere = 1;
+    static constexpr std::uint8_t kFree = 0;   ///< an empty slot
+    static constexpr std::uint8_t kInUse = 1;  ///< a proxy that is not awake
     static constexpr std::uint8_t kAwake = 3;  ///< ProxyMotion::Awake
 
     std::array<std::vector<float>, 4> low;  ///< m: left, top, -right, -bottom
     std::vector<Filter> filters;
     std::vector<std::uint32_t> ids;
-    std::vector<std::uint8_t> states;  ///< kFree, kThere or kAwake
-    FilterUnion all;                   ///< of all proxies that were stored since reset()
+    std::vector<std::uint8_t> states;  ///< kFree, kInUse or kAwake
+    FilterUnion all;                   ///< filters of all proxies that were stored since reset()
 
     [[nodiscard]] AABB boxAt(std::uint32_t place) const {
         return {{low[0][place], low[1][place]}, {-low[2][place], -low[3][place]}};
@@ -52,10 +52,10 @@ public:
     [[nodiscard]] std::uint32_t size() const { return count_ - free_; }
 
 protected:
-    /// @param share  all boxes are sorted again if more than one out of `share` of them moves
+    /// @param share  all boxes are sorted again in each step in which more than size() / share of them move
     explicit BoxRows(std::uint32_t share) : share_{share} { reset(0, 0); }
 
-    /// Clears the list and creates free slots for boxes that are sorted.
+    /// Clears the list and creates `places` free slots for a sorted list of `boxes` boxes.
     void reset(std::uint32_t places, std::size_t boxes);
     std::uint32_t addPlace();
     /// @param box  the bounds after usable()
@@ -64,14 +64,14 @@ protected:
     [[nodiscard]] bool mostMove(std::uint32_t moving) const {
         return moving > size() / share_ && size() > kFew;
     }
-    /// Statistics for choosing the parameters of the order anew, if the number of boxes
-    /// differs much from that at the last choice or the last choice is old; else nothing.
+    /// Returns statistics for a new choice of the sort parameters if the number of boxes differs much from
+    /// that at the last choice, or the last choice is old; else nothing.
     std::optional<BoxStatistics> newStatistics(const Proxies& proxies, std::span<const std::uint32_t> order);
 
     std::uint32_t sorted_ = 0;  ///< slots that are sorted
 
 private:
-    static constexpr std::uint32_t kFew = 32;  ///< this many boxes need no order
+    static constexpr std::uint32_t kFew = 32;  ///< so few boxes are not worth sorting
 
     void resize(std::uint32_t places);
 
@@ -79,12 +79,12 @@ private:
     std::uint32_t count_ = 0;  ///< number of slots, including free ones
     std::uint32_t free_ = 0;
     std::uint32_t sortedSize_ = 0;  ///< number of boxes at the last sort
-    std::uint64_t lost_ = 0;        ///< tests that searches have made among the unsorted boxes since then
-    std::size_t chosenFor_ = 0;     ///< number of boxes at the last choice
-    std::uint32_t sortsSince_ = 0;
+    std::uint64_t lost_ = 0;        ///< tests of unsorted boxes by searches since the last sort
+    std::size_t chosenFor_ = 0;     ///< number of boxes at the last choice of the sort parameters
+    std::uint32_t sortsSince_ = 0;  ///< sorts since that choice
 };
 
-struct Stretch {
+struct Stretch {  // a range of slots
     std::uint32_t begin;
     std::uint32_t end;
 };

@@ -1,4 +1,4 @@
-// What all searches for boxes share. box_searches.cpp includes this file once per instruction set, each time
+// The code of all searches for boxes. box_searches.cpp includes this file once per instruction set, each time
 // into a namespace of its own, with PLUMB_TARGET and the operations on eight floats defined. No includes, no
 // lambdas, no calls that are not inlined: all of this code must be compiled for that instruction set.
 //
@@ -29,7 +29,7 @@ PLUMB_TARGET inline std::uint32_t* appendBits(std::uint64_t bits, std::uint32_t 
     return to + count;
 }
 
-/// The lanes whose boxes, of which each side has eight floats, overlap.
+/// Returns the lanes whose boxes overlap. Each pointer refers to the sides of eight boxes.
 PLUMB_TARGET inline Mask overlaps(const float* left, const float* top, const float* right,
                                   const float* bottom, const Wide& wide) {
     return (load(left) <= wide.high[0]) & (load(right) <= wide.high[2]) & (load(top) <= wide.high[1]) &
@@ -53,7 +53,7 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
     PairKey found[kMaxRowHits];
     std::size_t count = 0;
     for (std::uint32_t h = 0; h < hitCount; ++h) {
-        const std::uint32_t i = search.lookers[hits[h] / 8 % 8];
+        const std::uint32_t i = search.searchers[hits[h] / 8 % 8];
         const std::uint32_t j = first + hits[h] / 64 * 8 + hits[h] % 8;
         const std::uint32_t a = own.ids[i];
         const std::uint32_t b = others.ids[j];
@@ -69,11 +69,11 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
     pairs.insert(pairs.end(), found, found + count);
 }
 
-/// For each searching proxy the bits of those of eight slots that come after its own.
+/// One byte per searching proxy: the bits of the eight slots from `place` on that follow its own slot.
 PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint32_t place) {
     std::uint64_t bits = 0;
     for (std::uint32_t i = 0; i < search.count; ++i) {
-        const std::uint32_t behind = search.lookers[i] + 1;
+        const std::uint32_t behind = search.searchers[i] + 1;
         const std::uint32_t skipped = behind > place ? behind - place : 0;
         bits |= std::uint64_t{0xffu << (skipped < kBranch ? skipped : kBranch) & 0xff} << 8 * i;
     }
@@ -83,8 +83,8 @@ PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint
 PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const Stretch> stretches,
                                   std::vector<PairKey>& pairs) {
     Wide boxes[RowSearch::kMaxLookers];
-    for (std::uint32_t i = 0; i < search.count; ++i) boxes[i] = widen(search.own->boxAt(search.lookers[i]));
-    const std::uint32_t last = search.lookers[search.count - 1];
+    for (std::uint32_t i = 0; i < search.count; ++i) boxes[i] = widen(search.own->boxAt(search.searchers[i]));
+    const std::uint32_t last = search.searchers[search.count - 1];
     std::uint32_t hits[kMaxRowHits + kSpare];
     for (const Stretch& stretch : stretches) {
         std::uint32_t* end = hits;
@@ -123,8 +123,8 @@ PLUMB_TARGET void findInRows(const BoxRows& rows, Stretch part, const AABB& box,
 // Bvh8.
 
 constexpr std::uint32_t kChunk = 8;                // nodes whose children are tested together
-constexpr std::uint32_t kMaxChildren = kChunk * kBranch;  // children of these nodes
-constexpr std::uint32_t kMany = 12;  // more children: the union of several lanes is too large, split it
+constexpr std::uint32_t kMaxChildren = kChunk * kBranch;  // children of kChunk nodes
+constexpr std::uint32_t kMany = 12;  // with more children, the lanes are split into two groups
 constexpr std::uint32_t kMaxHits =
     kMaxChildren * kBranch > kMany* kBranch* kBranch ? kMaxChildren* kBranch : kMany* kBranch* kBranch;
 
@@ -163,7 +163,7 @@ PLUMB_TARGET inline std::uint32_t mayCollide(const TreeNode& node, const WidePro
                   haveCommon(node.masks, probe.filters.layers) & overlaps(node.boxes, probe.box));
 }
 
-/// The lanes of a leaf that do not search themselves.
+/// Returns the lanes of a leaf that do not search.
 PLUMB_TARGET inline std::uint32_t unmovedLanes(const TreeLeaf& leaf, const std::uint8_t* isMoved) {
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBranch; ++i)
@@ -171,37 +171,37 @@ PLUMB_TARGET inline std::uint32_t unmovedLanes(const TreeLeaf& leaf, const std::
     return bits & leaf.live;
 }
 
-/// The searching lanes of a leaf: their boxes, and in 64 bits (one byte per lane) which of eight other lanes
-/// each may report.
+/// The searching lanes of a leaf: their boxes and, in 64 bits (one byte per searching lane), the bits of the
+/// eight lanes of another leaf that each may report.
 struct Lookers {
     Wide boxes[kBranch];
     std::uint32_t lanes[kBranch];
     std::uint32_t count = 0;
-    std::uint64_t all = 0;     ///< lookers that pair with every lane; the others only with awake lanes
-    std::uint64_t later = 0;   ///< by byte: the lanes after it in its own leaf
-    std::uint64_t others = 0;  ///< by byte: all lanes except itself
+    std::uint64_t all = 0;     ///< by byte: 0xff if it pairs with every lane, 0 if only with awake lanes
+    std::uint64_t later = 0;   ///< by byte: the lanes after the searching lane in its own leaf
+    std::uint64_t others = 0;  ///< by byte: all lanes except the searching lane
 };
 
-PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t lanes, Lookers& lookers) {
+PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t lanes, Lookers& searchers) {
     const TreeLeaf& own = search.own->leaves()[search.leaf];
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        const std::uint32_t shift = 8 * lookers.count;
-        lookers.all |= std::uint64_t{search.allCanPair | (own.awake >> i & 1u)} * 0xff << shift;
-        lookers.later |= std::uint64_t{0xfeu << i & 0xff} << shift;
-        lookers.others |= std::uint64_t{~(1u << i) & 0xff} << shift;
-        lookers.boxes[lookers.count] = widen(own.boxes.at(i));
-        lookers.lanes[lookers.count++] = i;
+        const std::uint32_t shift = 8 * searchers.count;
+        searchers.all |= std::uint64_t{search.allCanPair | (own.awake >> i & 1u)} * 0xff << shift;
+        searchers.later |= std::uint64_t{0xfeu << i & 0xff} << shift;
+        searchers.others |= std::uint64_t{~(1u << i) & 0xff} << shift;
+        searchers.boxes[searchers.count] = widen(own.boxes.at(i));
+        searchers.lanes[searchers.count++] = i;
     }
 }
 
-/// Which lanes of a leaf each searching lane has to report if they overlap: of two that search, one does.
-PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Lookers& lookers,
+/// By byte: the lanes of a leaf that each searching lane reports if they overlap (one of two that search).
+PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Lookers& searchers,
                                             std::uint32_t leaf) {
     const bool same = search.own == search.others;
     if (same ? leaf > search.leaf : search.ownMayBeAwake) return ~std::uint64_t{0};
     const std::uint64_t unmoved = unmovedLanes(search.others->leaves()[leaf], search.isMoved) * kEachByte;
-    return same && leaf == search.leaf ? (unmoved | lookers.later) & lookers.others : unmoved;
+    return same && leaf == search.leaf ? (unmoved | searchers.later) & searchers.others : unmoved;
 }
 
 /// Tests the searching lanes against leaves.
@@ -209,24 +209,24 @@ PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lane
                                     std::span<const std::uint32_t> candidates, std::vector<PairKey>& pairs) {
     const TreeLeaf& own = search.own->leaves()[search.leaf];
     const TreeLeaf* leaves = search.others->leaves();
-    Lookers lookers;
-    collectLookers(search, lanes, lookers);
+    Lookers searchers;
+    collectLookers(search, lanes, searchers);
     std::uint32_t hits[kMaxHits + kSpare];  // 6 bits: index of the candidate, 3 bits: index of the searching
                                             // lane, 3 bits: lane
     std::uint32_t* end = hits;
     for (std::uint32_t c = 0; c < candidates.size(); ++c) {
-        const std::uint64_t open = openLanes(search, lookers, candidates[c]);
+        const std::uint64_t open = openLanes(search, searchers, candidates[c]);
         if (open == 0) continue;
         const TreeLeaf& leaf = leaves[candidates[c]];
         std::uint64_t bits = 0;
-        for (std::uint32_t i = 0; i < lookers.count; ++i)
-            bits |= std::uint64_t{bitsOf(overlaps(leaf.boxes, lookers.boxes[i]))} << 8 * i;
-        end = appendBits(bits & open & (leaf.awake * kEachByte | lookers.all), c * 64, end);
+        for (std::uint32_t i = 0; i < searchers.count; ++i)
+            bits |= std::uint64_t{bitsOf(overlaps(leaf.boxes, searchers.boxes[i]))} << 8 * i;
+        end = appendBits(bits & open & (leaf.awake * kEachByte | searchers.all), c * 64, end);
     }
     PairKey found[kMaxHits];
     std::size_t count = 0;
     for (const std::uint32_t* hit = hits; hit != end; ++hit) {
-        const std::uint32_t i = lookers.lanes[*hit / 8 % 8];
+        const std::uint32_t i = searchers.lanes[*hit / 8 % 8];
         const std::uint32_t j = *hit % 8;
         const TreeLeaf& leaf = leaves[candidates[*hit / 64]];
         found[count] = pairKey(own.ids[i], leaf.ids[j]);
@@ -275,7 +275,7 @@ PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const Wide& wid
     return bitsOf(overlaps(boxes, wide));
 }
 
-/// The lanes that the sweep may hit; the same test as mayCollide(LineSweep, AABB).
+/// Returns the lanes that the sweep may hit, by the same test as mayCollide(LineSweep, AABB).
 PLUMB_TARGET inline std::uint32_t hitsOf(const TreeBoxes& boxes, const WideSweep& sweep) {
     const std::uint32_t near = bitsOf(overlaps(boxes, sweep.bounds));
     if (near == 0) return 0;

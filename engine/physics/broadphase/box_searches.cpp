@@ -8,15 +8,15 @@
 #include <arm_neon.h>
 #endif
 
-// Eight floats, as vectors of the compiler, with the operations that the searches need, for each instruction
-// set. Each lane is computed as a single float: results do not depend on the set.
+// For each instruction set: eight floats as compiler vectors, with the operations that the searches need.
+// Each lane is computed as a single float, so results do not depend on the instruction set.
 
 namespace plumb::physics {
 
 namespace boxes_of_four {
 namespace {
 
-// Two vectors of four, which every 64-bit processor has.
+// Two vectors of four floats, which every 64-bit processor supports.
 using FloatsAt [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = const float;
 using WordsAt [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = const std::uint32_t;
 using Four [[gnu::vector_size(16)]] = float;
@@ -25,7 +25,7 @@ using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 struct Floats {
     Four low, high;
 };
-/// -1 in a lane for true.
+/// Result of a comparison: each lane is -1 for true, 0 for false.
 struct Mask {
     FourInts low, high;
 };
@@ -42,7 +42,7 @@ inline Mask operator>(const Floats& a, const Floats& b) { return {a.low > b.low,
 inline Mask operator&(const Mask& a, const Mask& b) { return {a.low & b.low, a.high & b.high}; }
 inline Four absolute(Four a) { return reinterpret_cast<Four>(reinterpret_cast<FourInts>(a) & 0x7fffffff); }
 inline Floats absolute(const Floats& a) { return {absolute(a.low), absolute(a.high)}; }
-/// The lanes that have a bit in common with a word.
+/// Returns the lanes that have a bit in common with a word.
 inline Mask haveCommon(const std::uint32_t* at, std::uint32_t word) {
     return {(*reinterpret_cast<WordsAt*>(at) & word) != 0, (*reinterpret_cast<WordsAt*>(at + 4) & word) != 0};
 }
@@ -55,7 +55,7 @@ inline int signsOf(FourInts lanes) {
     return (lanes[0] & 1) | (lanes[1] & 2) | (lanes[2] & 4) | (lanes[3] & 8);
 #endif
 }
-/// One bit for each lane.
+/// Returns one bit for each lane.
 inline std::uint32_t bitsOf(const Mask& mask) {
     return static_cast<std::uint32_t>(signsOf(mask.low) | signsOf(mask.high) << 4);
 }

@@ -13,12 +13,12 @@ struct PartSearch {
     const Part* others = nullptr;  ///< may be equal to `own`; not empty
     bool ownMayBeAwake = false;
     bool allCanPair = false;  ///< one side moves and the other sleeps; else one of a pair must be awake
-    const std::uint8_t* isMoved = nullptr;  ///< by proxy: nonzero for all that search
+    const std::uint8_t* isMoved = nullptr;  ///< per proxy: nonzero if it searches
 };
 
 /// Some proxies of one leaf that search together.
 struct TreeSearch : PartSearch<Bvh8> {
-    std::uint32_t leaf = 0;   ///< leaf of `own`
+    std::uint32_t leaf = 0;   ///< index of the leaf in `own`
     std::uint32_t lanes = 0;  ///< bits: its lanes that search
 };
 
@@ -27,8 +27,8 @@ struct RowSearch : PartSearch<BoxRows> {
     static constexpr std::uint32_t kMaxLookers = 8;
 
     bool onlyLater = false;  ///< every proxy of the list searches, so each only tests the slots after its own
-    std::uint32_t lookers[kMaxLookers] = {};  ///< slots in `own`, ascending
-    std::uint32_t count = 0;
+    std::uint32_t searchers[kMaxLookers] = {};  ///< slots in `own` that search, ascending
+    std::uint32_t count = 0;                    ///< number of searchers
 };
 
 /// The functions of the broad phases that handle eight boxes at a time, compiled for one instruction set. The

@@ -34,8 +34,8 @@ enum class ProxyMotion : std::uint8_t {
     Awake       ///< dynamic, may move
 };
 
-/// The shapes as a broad phase sees them: three arrays indexed by shape. A view that owns nothing. Bounds are
-/// already enlarged by a margin; they change only when a shape leaves them.
+/// The proxies of all shapes: views of three arrays indexed by shape. Bounds are already enlarged by a
+/// margin; they change only when a shape leaves them.
 struct Proxies {
     std::span<const AABB> bounds;
     std::span<const Filter> filters;
@@ -44,10 +44,10 @@ struct Proxies {
 
 enum class Among : std::uint8_t { All, Static };
 
-/// Two shapes whose bounds overlap: the lower index in the high half, so that sorting keys sorts by it.
+/// Two shapes whose bounds overlap. The lower index is in the high half, so that sorting orders keys by it.
 using PairKey = std::uint64_t;
 constexpr PairKey pairKey(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t low = a < b ? a : b;  // unpredictable, so without a branch
+    const std::uint32_t low = a < b ? a : b;  // without a branch, as it would be unpredictable
     return PairKey{low} << 32 | (a ^ b ^ low);
 }
 
@@ -66,7 +66,7 @@ public:
     /// several times faster in this order; parts for threads should be contiguous ranges of it.
     virtual void arrange(std::span<std::uint32_t> moved) = 0;
     /// Appends each pair of a proxy in `moved` with any other proxy if their bounds overlap, their filters
-    /// match, one of them is dynamic and one moves. So a kinematic proxy pairs with sleeping ones as well,
+    /// match, at least one is dynamic and at least one moves. So a kinematic proxy pairs with sleeping ones,
     /// which it has to wake, but not with static or kinematic ones. A pair of two moved proxies is reported
     /// once. The order is arbitrary. Different parts of `moved` may be searched on several threads at once.
     /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread

@@ -8,8 +8,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::uint64_t kStretchUnit = 16;
-constexpr float kMaxStretch = 1e6f;
+constexpr std::uint64_t kStretchUnit = 16;  // fixed-point value of a leaf whose area has doubled
+constexpr float kMaxStretch = 1e6f;         // maximum ratio of sizes
 
 constexpr TreeBoxes emptyBoxes() {
     TreeBoxes boxes{};
@@ -49,7 +49,7 @@ void mergeInto(TreeNode& parent, std::size_t lane, const Child& child) {
     parent.masks[lane] = filters.masks;
 }
 
-/// Trees of bounding boxes with eight children per node. The default: no distribution of boxes degrades it.
+/// The default broad phase: trees with eight children per node, which no distribution of boxes degrades.
 class TreeBroadPhase final : public PartitionedBroadPhase<Bvh8> {
 public:
     void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
@@ -57,16 +57,16 @@ public:
         TreeSearch search;
         search.isMoved = isMoved.data();
         for (std::size_t i = 0; i < moved.size();) {
-            // Proxies of one leaf are searched for together.
-            const ProxyPlace place = placeOf(moved[i]);
+            // Proxies of one leaf search together.
+            const ProxyLocation place = placeOf(moved[i]);
             std::uint32_t lanes = 0;
             for (; i < moved.size(); ++i) {
-                const ProxyPlace next = placeOf(moved[i]);
+                const ProxyLocation next = placeOf(moved[i]);
                 if (next / kBranch != place / kBranch) break;
                 lanes |= 1u << next % kBranch;
             }
-            if (place == kNoPlace) continue;
-            const std::uint32_t part = partOfPlace(place);
+            if (place == kNoLocation) continue;
+            const std::uint32_t part = partOfLocation(place);
             search.own = &parts_[part];
             search.ownMayBeAwake = part == kMovingPart;
             search.leaf = inPart(place) / kBranch;
@@ -142,7 +142,7 @@ void Bvh8::erase(std::uint32_t lane) {
     ++holes_;
 }
 
-void Bvh8::add(const Proxies& proxies, std::span<std::uint32_t> ids, const PlaceList& list) {
+void Bvh8::add(const Proxies& proxies, std::span<std::uint32_t> ids, const LocationList& list) {
     curve_.sort(proxies.bounds, ids);
     makeRoom(used_ + static_cast<std::uint32_t>(ids.size()));
     for (const std::uint32_t id : ids) {
@@ -152,7 +152,8 @@ void Bvh8::add(const Proxies& proxies, std::span<std::uint32_t> ids, const Place
     }
 }
 
-void Bvh8::sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t, const PlaceList& list) {
+void Bvh8::sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t,
+                const LocationList& list) {
     for (auto& level : levels_) level.clear();
     for (auto& bits : stale_) bits.clear();
     leaves_.clear();
@@ -177,7 +178,7 @@ void Bvh8::noteSize(std::size_t leaf, const TreeNode& parent) {
         sortedSizes_.push_back(size);  // first visit after a sort
         return;
     }
-    // Leaves that were added later are compared with any one of the sorted leaves.
+    // Leaves that were added after the sort are compared with an arbitrary sorted leaf.
     const float wanted = sortedSizes_[leaf % sortedSizes_.size()];
     std::uint32_t stretch = 0;
     if (size > wanted) {

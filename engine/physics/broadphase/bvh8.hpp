@@ -11,12 +11,12 @@
 namespace plumb::physics {
 
 struct BoxSearches;
-struct PlaceList;
+struct LocationList;
 
 inline constexpr std::uint32_t kBranch = 8;  // children per node, and proxies per leaf
 
-/// Eight boxes. The right and bottom sides are negated, so that all four sides are compared and merged in the
-/// same way: two boxes overlap if each `low` of one is at most the opposite side of the other. Empty lanes
+/// Eight boxes. The right and bottom sides are negated, so that all four sides are compared and merged
+/// alike: two boxes overlap if each `low` of one is at most the opposite side of the other. Empty lanes
 /// contain +infinity and overlap no finite box.
 struct alignas(32) TreeBoxes {
     float low[4][kBranch];  ///< m: left, top, -right, -bottom
@@ -28,8 +28,8 @@ struct alignas(32) TreeBoxes {
 
 struct TreeNode {
     TreeBoxes boxes;
-    std::uint32_t layers[kBranch];  ///< FilterUnion of the leaves below
-    std::uint32_t masks[kBranch];
+    std::uint32_t layers[kBranch];  ///< by child: FilterUnion::layers of the leaves below
+    std::uint32_t masks[kBranch];   ///< by child: FilterUnion::masks
 };
 
 struct TreeLeaf {
@@ -46,10 +46,10 @@ struct TreeLeaf {
 /// sorting again costs less than the time that searches have lost.
 class Bvh8 {
 public:
-    // Interface for PartitionedBroadPhase; places are lanes.
+    // Interface for PartitionedBroadPhase; its slots are lanes here.
     void sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t moving,
-              const PlaceList& list);
-    void add(const Proxies& proxies, std::span<std::uint32_t> ids, const PlaceList& list);
+              const LocationList& list);
+    void add(const Proxies& proxies, std::span<std::uint32_t> ids, const LocationList& list);
     void erase(std::uint32_t lane);
     std::uint32_t move(const Proxies& proxies, std::uint32_t lane);
     void settle(std::size_t searches);
@@ -66,7 +66,7 @@ public:
               std::vector<std::uint32_t>& found) const;
     void visitRegions(const std::function<void(const AABB&)>& visit) const;
 
-    [[nodiscard]] std::uint32_t height() const { return height_; }  ///< levels of nodes; 0 for an empty tree
+    [[nodiscard]] std::uint32_t height() const { return height_; }  ///< node levels; 0 for an empty tree
     /// @param i  less than height(); the children of level 0 are the leaves
     [[nodiscard]] const TreeNode* level(std::uint32_t i) const { return levels_[i].data(); }
     [[nodiscard]] const TreeLeaf* leaves() const { return leaves_.data(); }
@@ -80,7 +80,7 @@ private:
 
     std::vector<TreeLeaf> leaves_;
     std::array<std::vector<TreeNode>, kMaxLevels> levels_;
-    /// Dirty bits: in [0] of leaves, in [i + 1] of nodes of level i whose parents have to be updated.
+    /// Dirty bits: [0] by leaf, [i + 1] by node of level i. Set if the parent has to be updated.
     std::array<std::vector<std::uint64_t>, kMaxLevels + 1> stale_;
     std::uint32_t height_ = 0;
     std::uint32_t used_ = 0;  ///< lanes, including empty ones
@@ -90,7 +90,7 @@ private:
     std::vector<float> sortedSizes_;        ///< m: width plus height of each leaf after the last sort
     std::vector<std::uint32_t> stretches_;  ///< by leaf: growth of its area since the sort, fixed point
     std::uint64_t stretch_ = 0;             ///< sum of stretches_
-    std::uint64_t lost_ = 0;  ///< cost of searches in disordered leaves since the sort, in the same unit
+    std::uint64_t lost_ = 0;  ///< cost of searches in stretched leaves since the sort, unit as stretches_
 
     HilbertOrder curve_;
 };

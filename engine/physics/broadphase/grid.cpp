@@ -20,8 +20,8 @@ std::uint32_t cellsFrom(std::int32_t first, std::int32_t last) {
 /// A hierarchical grid: a few grids, each with cells four times as large as the one before. The best choice
 /// where boxes have similar sizes and all move fast. A box is stored in the finest grid in which it spans at
 /// most two cells along each axis, in the cell of its top-left corner. Each grid is wrapped to a torus with
-/// about as many cells as it has boxes, so the world may have any size; boxes of different places in one cell
-/// are distinguished by their bounds. Cells may have a spare slot; a box that finds none in its new cell is
+/// about as many cells as it has boxes, so the world may have any size; distant boxes that share a cell are
+/// distinguished by their bounds. Cells may have a spare slot; a box without a free slot in its cell is
 /// stored after all cells. Source: C. Ericson, "Real-Time Collision Detection", 2005, 7.1.3 (hashed storage)
 /// and 7.2 (hierarchical grids)
 class HierarchicalGrid : public SortedRows<HierarchicalGrid> {
@@ -30,7 +30,7 @@ public:
 
     // Interface for PartitionedBroadPhase.
     void sort(const Proxies& proxies, std::span<const std::uint32_t> order, std::uint32_t moving,
-              const PlaceList& list) {
+              const LocationList& list) {
         chooseSizes(proxies, order);
         chooseCells(proxies, order);
         // Where most boxes move, they are sorted in each step anyway: no free slots in each cell.
@@ -91,7 +91,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNearCells = 12;
-    static constexpr std::uint32_t kLevels = 10;  // the last one is a single cell
+    static constexpr std::uint32_t kLevels = 10;  // the last level is a single cell
 
     struct Cell {
         std::int32_t x = 0;
@@ -101,7 +101,7 @@ private:
     };
     struct Level {
         float perMetre = 0.0f;      ///< cells per m
-        std::uint32_t columns = 1;  ///< powers of two, as `rows`
+        std::uint32_t columns = 1;  ///< a power of two, like `rows`
         std::uint32_t rows = 1;
         std::uint32_t firstCell = 0;  ///< index in starts_
         std::uint32_t count = 0;      ///< number of boxes
@@ -137,7 +137,7 @@ private:
         return level.firstCell + row * level.columns + column;
     }
 
-    /// Calls visit with the slots of `wide` cells of a row, beginning at column `left`.
+    /// Calls visit(begin, end) with the slots of `wide` cells of a row, beginning at column `left`.
     template <class Visit>
     void visitRow(const Level& level, std::int32_t row, std::int32_t left, std::uint32_t wide,
                   const Visit& visit) const {
@@ -161,7 +161,7 @@ private:
         const std::uint32_t begin = starts_[level.firstCell];
         const std::uint32_t end = starts_[level.firstCell + level.columns * level.rows];
         if (end <= from) return;
-        // A box spans at most two cells, so one of the next cell to the left or above may reach in.
+        // A box spans at most two cells, so boxes of the next cell to the left or above may reach in.
         const auto sides = cellsOf(box, level.perMetre);
         std::int32_t left = sides[0] - 1;
         const std::int32_t top = sides[1] - 1;
@@ -184,7 +184,7 @@ private:
         }
     }
 
-    /// The interval of x that the sweep covers while it may overlap boxes of a row.
+    /// Returns the interval of x that the sweep covers while it may overlap boxes of a row.
     static Vec2 alongRow(const LineSweep& sweep, double top, double bottom) {
         double first = 0.0;
         double last = 1.0;
@@ -215,7 +215,7 @@ private:
         levels_[kLevels - 1].perMetre = 0.0f;  // a single cell for boxes that are too large for all others
     }
 
-    /// Assigns a cell to each box, and gives each grid about as many cells as it has boxes.
+    /// Chooses a cell for each box, and creates about as many cells in each grid as it has boxes.
     void chooseCells(const Proxies& proxies, std::span<const std::uint32_t> order) {
         for (Level& level : levels_) level.count = 0;
         orderBoxes_.resize(order.size());
@@ -241,7 +241,7 @@ private:
         starts_.assign(cells + 1, 0);
     }
 
-    /// A free slot in the cell, or else a new one after all cells.
+    /// Returns a free slot in the cell, or else a new one after all cells.
     std::uint32_t placeIn(const Cell& cell) {
         const std::uint32_t index = indexOf(cell);
         if (levels_[cell.level].count > 0) {
@@ -255,11 +255,11 @@ private:
     }
 
     Level levels_[kLevels];
-    std::vector<std::uint32_t> starts_;  ///< by cell: its first slot; one more entry marks the end
-    std::vector<Cell> cells_;            ///< by slot
+    std::vector<std::uint32_t> starts_;  ///< first slot of each cell, then the end of the last cell
+    std::vector<Cell> cells_;            ///< cell of each slot
     float aspect_ = 1.0f;  ///< ratio of the width to the height of the area that the boxes are spread over
 
-    std::vector<AABB> orderBoxes_;  ///< of the ids that are sorted
+    std::vector<AABB> orderBoxes_;  ///< bounds of the boxes, during the sort
     std::vector<Cell> orderCells_;
 };
 

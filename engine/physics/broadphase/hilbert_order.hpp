@@ -8,11 +8,11 @@
 
 namespace plumb::physics {
 
-/// Sorts keys by their upper half, digit by digit; stable. Keeps its memory from one sort to the next.
+/// Sorts keys by their upper half, digit by digit; stable. Reuses its memory in the next sort.
 class RadixSort {
 public:
-    /// @param digits  of the upper half, from its lowest on; an even number
-    /// @param bits    of a digit
+    /// @param digits  number of digits of the upper half to sort by, from the lowest on; even
+    /// @param bits    bits per digit
     void sort(std::span<std::uint64_t> keys, int digits, int bits);
 
 private:
@@ -26,7 +26,7 @@ private:
 /// Source: I. Kamel, C. Faloutsos, "On Packing R-trees", CIKM 1993.
 class HilbertOrder {
 public:
-    /// @param bounds  by id; finite, or inverted ones anywhere
+    /// @param bounds  by id; finite, or inverted with any values
     void sort(std::span<const AABB> bounds, std::span<std::uint32_t> ids);
 
 private:

@@ -10,12 +10,12 @@
 
 namespace plumb::physics {
 
-/// Overlaps no box, not even itself or an infinite one.
+/// A box that overlaps no box, not even itself or an infinite one.
 inline constexpr AABB kNowhere{
     {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()},
     {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}};
 
-/// Bounds as all broad phases use them: inverted boxes and NaN become kNowhere, infinity the largest float.
+/// Returns valid bounds: inverted boxes and NaN become kNowhere, infinity becomes the largest float.
 constexpr AABB usable(const AABB& box) {
     constexpr float kMost = std::numeric_limits<float>::max();
     if (!(box.min.x <= box.max.x && box.min.y <= box.max.y)) return kNowhere;
@@ -39,7 +39,7 @@ struct FilterUnion {
         layers |= filter.layers | overruled;
         masks |= filter.mask | overruled;
     }
-    /// False if none of them can pass this filter.
+    /// False if no proxy of the union can collide with a proxy that has this filter.
     [[nodiscard]] constexpr bool mayCollide(const Filter& filter) const {
         FilterUnion other;
         other.add(filter);
@@ -50,7 +50,7 @@ struct FilterUnion {
 /// The centre of a box; does not overflow even if its size does.
 constexpr Vec2 middleOf(const AABB& box) { return box.min * 0.5f + box.max * 0.5f; }
 
-/// A moving box, as a broad phase searches for what it may hit, and a little more.
+/// A moving box, slightly enlarged, for a search for all boxes that it may hit.
 struct LineSweep {
     Vec2 from;          ///< m
     Vec2 displacement;  ///< m
@@ -68,7 +68,7 @@ inline LineSweep lineSweep(Vec2 from, Vec2 displacement, Vec2 half) {
     return {from, displacement, reach, usable({min(from, to) - reach, max(from, to) + reach})};
 }
 
-/// True if the sweep may hit a box that overlaps its bounds.
+/// True if the sweep may hit a box. @pre the box overlaps the bounds of the sweep
 /// Source: C. Ericson, "Real-Time Collision Detection", 2005, 5.3.3 (separating axis of a segment and a box)
 inline bool mayCollide(const LineSweep& sweep, const AABB& box) {
     const Vec2 middle = middleOf(box);

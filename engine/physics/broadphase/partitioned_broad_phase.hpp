@@ -10,7 +10,7 @@
 
 namespace plumb::physics {
 
-/// The three partitions of a broad phase. Resting proxies, apart from moving ones, cost a step nothing.
+/// The three partitions of a broad phase, so that resting proxies cost a step nothing.
 enum ProxyPart : std::uint32_t { kStaticPart, kAsleepPart, kMovingPart, kParts };
 
 constexpr std::uint32_t partOf(ProxyMotion motion) {
@@ -23,15 +23,15 @@ constexpr bool allCanPair(std::uint32_t own, std::uint32_t other) {
     return own == kAsleepPart || other == kAsleepPart;
 }
 
-/// The first partition that proxies of one can pair with: resting ones pair with moving ones only.
+/// The first partition with partners for proxies of `own`: resting proxies only pair with moving ones.
 constexpr std::uint32_t firstPartner(std::uint32_t own) { return own == kMovingPart ? 0u : kMovingPart; }
 
 /// The location of a proxy: the partition in the high 2 bits, its slot there in the others.
-using ProxyPlace = std::uint32_t;
-inline constexpr ProxyPlace kNoPlace = 0xffffffffu;
+using ProxyLocation = std::uint32_t;
+inline constexpr ProxyLocation kNoLocation = 0xffffffffu;
 inline constexpr std::uint32_t kPlaceBits = 30;
-constexpr std::uint32_t partOfPlace(ProxyPlace place) { return place >> kPlaceBits; }
-constexpr std::uint32_t inPart(ProxyPlace place) { return place & ((1u << kPlaceBits) - 1); }
+constexpr std::uint32_t partOfLocation(ProxyLocation place) { return place >> kPlaceBits; }
+constexpr std::uint32_t inPart(ProxyLocation place) { return place & ((1u << kPlaceBits) - 1); }
 
 inline void setBit(std::vector<std::uint64_t>& words, std::size_t i) {
     words[i / 64] |= std::uint64_t{1} << i % 64;
@@ -46,33 +46,33 @@ void takeBits(std::vector<std::uint64_t>& words, Call call) {
     }
 }
 
-/// Where the locations of the proxies of a partition are noted.
-struct PlaceList {
-    std::span<ProxyPlace> places;  ///< by proxy
+/// Stores the locations of the proxies of one partition in the list of all proxies.
+struct LocationList {
+    std::span<ProxyLocation> places;  ///< location of each proxy
     std::uint32_t part = 0;
 
     void set(std::uint32_t id, std::uint32_t slot) const { places[id] = part << kPlaceBits | slot; }
 };
 
-/// Keeps proxies in three partitions of one type and tracks the location of each: all of a broad phase but
-/// findPairs(). A Part has numbered slots and
+/// Keeps proxies in three partitions of one type and tracks the location of each: implements a broad phase
+/// except for findPairs(). A Part has numbered slots and
 ///
 ///   bool isDue(arrivals, moving)   true if sorting costs less than to add `arrivals` proxies and to move
 ///                                  `moving` others, and than the disorder that they would leave
-///   sort(proxies, ids, moving, list)  stores these proxies, and no others; sets their places
-///   add(proxies, ids, list)        stores more proxies; sets their places
+///   sort(proxies, ids, moving, list)  replaces all proxies with these; sets their locations
+///   add(proxies, ids, list)        stores more proxies; sets their locations
 ///   erase(place)
 ///   move(proxies, place)           reads the box and filter of the proxy again; returns its new slot
-///   settle(searches)               after all of these; adds up what disorder costs future searches
+///   settle(searches)               called after these; adds the cost of disorder for so many searches
 ///   places(), size()               upper limit of the slots, number of proxies
 ///   isFree(place), idAt(place)
-///   find(searches, box, sweep, mask, found)  query(), or cast() if `sweep` is not null: of its bounds
+///   find(searches, box, sweep, mask, found)  query(); cast() if `sweep` is not null (`box`: its bounds)
 ///   visitRegions(visit)
 template <class Part>
 class PartitionedBroadPhase : public BroadPhase {
 public:
     void rebuild(const Proxies& proxies) final {
-        places_.assign(proxies.bounds.size(), kNoPlace);
+        places_.assign(proxies.bounds.size(), kNoLocation);
         arranged_.fill(kUnknown);
         for (auto& arrivals : arrivals_) arrivals.clear();
         for (std::uint32_t id = 0; id < proxies.bounds.size(); ++id) {
@@ -88,14 +88,14 @@ public:
     void update(const Proxies& proxies, std::span<const std::uint32_t> changed) final {
         if (changed.empty()) return;
         arranged_.fill(kUnknown);
-        if (places_.size() < proxies.bounds.size()) places_.resize(proxies.bounds.size(), kNoPlace);
+        if (places_.size() < proxies.bounds.size()) places_.resize(proxies.bounds.size(), kNoLocation);
         const auto moving = sendToParts(proxies, changed);
         std::array<bool, kParts> isNew{};
         for (std::uint32_t i = 0; i < kParts; ++i) isNew[i] = take(i, proxies, arrivals_[i], moving[i]);
         for (const std::uint32_t id : changed) {
-            const ProxyPlace place = places_[id];
-            if (place == kNoPlace || isNew[partOfPlace(place)]) continue;
-            const std::uint32_t part = partOfPlace(place);
+            const ProxyLocation place = places_[id];
+            if (place == kNoLocation || isNew[partOfLocation(place)]) continue;
+            const std::uint32_t part = partOfLocation(place);
             listOf(part).set(id, parts_[part].move(proxies, inPart(place)));
         }
         for (std::uint32_t i = 0; i < kParts; ++i) {
@@ -110,12 +110,12 @@ public:
         arranged_ = {};
         std::size_t count = 0;
         for (const std::uint32_t id : moved) {
-            const ProxyPlace place = placeOf(id);
-            if (place == kNoPlace) {
+            const ProxyLocation place = placeOf(id);
+            if (place == kNoLocation) {
                 moved[count++] = id;
             } else {
-                ++arranged_[partOfPlace(place)];
-                setBit(marks_[partOfPlace(place)], inPart(place));
+                ++arranged_[partOfLocation(place)];
+                setBit(marks_[partOfLocation(place)], inPart(place));
             }
         }
         for (std::uint32_t i = 0; i < kParts; ++i)
@@ -137,10 +137,10 @@ public:
     }
 
 protected:
-    [[nodiscard]] ProxyPlace placeOf(std::uint32_t id) const {
-        return id < places_.size() ? places_[id] : kNoPlace;
+    [[nodiscard]] ProxyLocation placeOf(std::uint32_t id) const {
+        return id < places_.size() ? places_[id] : kNoLocation;
     }
-    /// True if the last arrange() was given every proxy of a partition, and nothing changed since.
+    /// True if the last arrange() included every proxy of a partition, and nothing has changed since.
     [[nodiscard]] bool areAllArranged(std::uint32_t part) const {
         return arranged_[part] == parts_[part].size();
     }
@@ -149,7 +149,7 @@ protected:
     const BoxSearches& searches_ = boxSearchesFor(simdWidth());
 
 private:
-    PlaceList listOf(std::uint32_t part) { return {places_, part}; }
+    LocationList listOf(std::uint32_t part) { return {places_, part}; }
 
     void find(const AABB& box, const LineSweep* sweep, std::uint32_t mask, Among among,
               std::vector<std::uint32_t>& found) const {
@@ -158,29 +158,29 @@ private:
             if (part.size() > 0) part.find(searches_, box, sweep, mask, found);
     }
 
-    /// Removes proxies from a partition that they left, and collects the arrivals of each.
-    /// @return  by partition, how many of its own proxies changed
+    /// Removes proxies from partitions that they left, and collects the arrivals of each partition.
+    /// @return  by partition: the number of changed proxies that stay in it
     std::array<std::uint32_t, kParts> sendToParts(const Proxies& proxies,
                                                   std::span<const std::uint32_t> changed) {
         for (auto& arrivals : arrivals_) arrivals.clear();
         std::array<std::uint32_t, kParts> moving{};
         for (const std::uint32_t id : changed) {
             const std::uint32_t wanted = partOf(proxies.motions[id]);
-            const ProxyPlace place = places_[id];
-            if (place != kNoPlace) {
-                if (partOfPlace(place) == wanted) {
+            const ProxyLocation place = places_[id];
+            if (place != kNoLocation) {
+                if (partOfLocation(place) == wanted) {
                     ++moving[wanted];
                     continue;
                 }
-                parts_[partOfPlace(place)].erase(inPart(place));
-                places_[id] = kNoPlace;
+                parts_[partOfLocation(place)].erase(inPart(place));
+                places_[id] = kNoLocation;
             }
             if (wanted < kParts) arrivals_[wanted].push_back(id);
         }
         return moving;
     }
 
-    /// Adds proxies to a partition, or sorts all of it where that is due.
+    /// Adds proxies to a partition, or sorts all of it if that is due.
     /// @return  true if all its proxies were read again
     bool take(std::uint32_t i, const Proxies& proxies, std::span<std::uint32_t> arrivals,
               std::uint32_t moving) {
@@ -200,9 +200,9 @@ private:
 
     static constexpr std::uint32_t kUnknown = 0xffffffffu;
 
-    std::vector<ProxyPlace> places_;                ///< by proxy
-    std::vector<std::uint32_t> order_;              ///< ids, while they are sorted
-    std::array<std::uint32_t, kParts> arranged_{};  ///< proxies of it in the last arrange(), or kUnknown
+    std::vector<ProxyLocation> places_;             ///< location of each proxy
+    std::vector<std::uint32_t> order_;              ///< ids of a partition, during its sort
+    std::array<std::uint32_t, kParts> arranged_{};  ///< number of ids in the last arrange(), or kUnknown
     std::array<std::vector<std::uint32_t>, kParts> arrivals_;
     std::array<std::vector<std::uint64_t>, kParts> marks_;  ///< bits, by slot; all 0 between calls
 };

@@ -23,7 +23,7 @@ float powerAbove(float x) {
 /// A loose quadtree: nested squares, each level half as wide as the one above. A square with many boxes
 /// passes those that are small enough on to its quarters. A box belongs to a square that contains its centre
 /// and is no smaller than the box, so the box may extend beyond it by half the width of the square. Therefore
-/// inserting, removing and moving a box cost the same in any world, and next to nothing while the centre
+/// inserting, removing and moving a box cost the same in any world, and almost nothing while the centre
 /// stays in its square.
 /// Source: T. Ulrich, "Loose Octrees", Game Programming Gems, 2000
 class LooseQuadtree {
@@ -39,8 +39,8 @@ public:
     };
 
     // Interface for PartitionedBroadPhase.
-    /// Along a curve, so that neighbours in space are neighbours in memory.
-    void sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t, const PlaceList& list) {
+    /// Inserts the boxes along a Hilbert curve, so that neighbours in space are neighbours in memory.
+    void sort(const Proxies& proxies, std::span<std::uint32_t> ids, std::uint32_t, const LocationList& list) {
         nodes_.assign(1, {});
         items_.clear();
         free_.clear();
@@ -50,7 +50,7 @@ public:
         add(proxies, ids, list);
     }
 
-    void add(const Proxies& proxies, std::span<const std::uint32_t> ids, const PlaceList& list) {
+    void add(const Proxies& proxies, std::span<const std::uint32_t> ids, const LocationList& list) {
         for (const std::uint32_t id : ids) {
             const std::uint32_t place = takeIndex(free_, items_);
             read(proxies, place, id);
@@ -93,7 +93,7 @@ public:
 
     void settle(std::size_t) {}
     [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t) const {
-        // Most boxes are new, or boxes that moved on have left too many empty squares behind.
+        // True if most boxes are new, or if moving boxes have left too many empty squares.
         return arrivals > size() || nodes_.size() > 2 * items_.size() + 4096;
     }
     [[nodiscard]] std::uint32_t places() const { return static_cast<std::uint32_t>(items_.size()); }
@@ -118,7 +118,7 @@ public:
     }
 
     [[nodiscard]] const Item& itemAt(std::uint32_t place) const { return items_[place]; }
-    /// Of all proxies that were stored since sort().
+    /// The filters of all proxies that were stored since sort().
     [[nodiscard]] const FilterUnion& all() const { return all_; }
     /// Calls visit(place) for each box that overlaps `box`. With a sweep, skips squares that it misses.
     template <class Visit>
@@ -156,8 +156,8 @@ private:
         std::uint32_t count = 0;  ///< number of items in it and below
     };
 
-    struct Goal {
-        Vec2 middle;
+    struct Goal {           ///< the square in which a box is stored
+        Vec2 middle;        ///< m: centre of the box
         float half = 0.0f;  ///< m: half the width of the square
     };
 
@@ -185,7 +185,7 @@ private:
         }
     }
 
-    /// Doubles the root until it holds the goal: the former root becomes a quarter of the new one, and so on.
+    /// Doubles the root until it holds the goal; each time, the former root becomes a quarter of the new one.
     void growRoot(const Goal& goal) {
         if (root_ == kNone) {
             root_ = static_cast<std::uint32_t>(nodes_.size());
@@ -300,15 +300,15 @@ private:
 };
 
 /// Loose quadtrees. A step never sorts all proxies again (unless most are new): the best choice where many
-/// proxies come and go and no single step may be slow.
+/// proxies are added and removed and no single step may be slow.
 class QuadtreeBroadPhase final : public PartitionedBroadPhase<LooseQuadtree> {
 public:
     void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
                    std::vector<PairKey>& pairs) const override {
         for (const std::uint32_t id : moved) {
-            const ProxyPlace place = placeOf(id);
-            if (place == kNoPlace) continue;
-            const std::uint32_t own = partOfPlace(place);
+            const ProxyLocation place = placeOf(id);
+            if (place == kNoLocation) continue;
+            const std::uint32_t own = partOfLocation(place);
             const LooseQuadtree::Item& looker = parts_[own].itemAt(inPart(place));
             if (looker.box == kNowhere) continue;
             for (std::uint32_t other = firstPartner(own); other < kParts; ++other) {

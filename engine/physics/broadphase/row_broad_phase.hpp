@@ -9,13 +9,13 @@ namespace plumb::physics {
 ///   uint32 freePlace(box)  a free slot for a box
 ///   void visitNear(box, sweep, from, visit)  calls visit(begin, end) with ranges, none before `from`, that
 ///                          contain all boxes that may overlap `box`, each slot once; if `sweep` is not null,
-///                          those that it may hit suffice
+///                          only boxes that it may hit are required
 template <class Rows>
 class SortedRows : public BoxRows {
 public:
     using BoxRows::BoxRows;
 
-    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const PlaceList& list) {
+    void add(const Proxies& proxies, std::span<const std::uint32_t> order, const LocationList& list) {
         for (const std::uint32_t id : order) {
             const AABB box = usable(proxies.bounds[id]);
             const std::uint32_t place = static_cast<Rows&>(*this).freePlace(box);
@@ -67,8 +67,8 @@ private:
     }
 
     static bool mayJoin(const RowSearch& search, const Part& own, std::uint32_t looker) {
-        return search.count < RowSearch::kMaxLookers && search.lookers[search.count - 1] < looker &&
-               own.areNear(search.lookers[0], looker);
+        return search.count < RowSearch::kMaxLookers && search.searchers[search.count - 1] < looker &&
+               own.areNear(search.searchers[0], looker);
     }
 
     void findPairsAmong(RowSearch& search, std::uint32_t part, std::uint32_t other,
@@ -77,15 +77,16 @@ private:
         const Part& others = parts_[other];
         AABB box = kNowhere;
         for (const std::uint32_t id : moved) {
-            const ProxyPlace place = this->placeOf(id);
-            if (place == kNoPlace || partOfPlace(place) != part || !looks(search, inPart(place))) continue;
+            const ProxyLocation place = this->placeOf(id);
+            if (place == kNoLocation || partOfLocation(place) != part || !looks(search, inPart(place)))
+                continue;
             const std::uint32_t looker = inPart(place);
             if (search.count > 0 && !mayJoin(search, own, looker)) {
                 findPairsNear(search, others, box, pairs);
                 search.count = 0;
                 box = kNowhere;
             }
-            search.lookers[search.count++] = looker;
+            search.searchers[search.count++] = looker;
             box = merged(box, search.own->boxAt(looker));
         }
         if (search.count > 0) findPairsNear(search, others, box, pairs);
@@ -95,7 +96,7 @@ private:
                        std::vector<PairKey>& pairs) const {
         std::array<Stretch, 32> stretches;
         std::size_t count = 0;
-        others.visitNear(box, nullptr, search.onlyLater ? search.lookers[0] + 1 : 0,
+        others.visitNear(box, nullptr, search.onlyLater ? search.searchers[0] + 1 : 0,
                          [&](std::uint32_t begin, std::uint32_t end) {
                              if (begin >= end) return;
                              if (count == stretches.size()) {

@@ -8,13 +8,13 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kLonger = 4.0f;         // ratio of the lengths of successive segments
-constexpr float kStray = 0.25f;         // ratio to the usual length
+constexpr float kLonger = 4.0f;         // ratio of the maximum box lengths of successive segments
+constexpr float kStray = 0.25f;         // ratio of the allowed displacement to the usual box length
 constexpr std::size_t kMaxShifts = 16;  // per key: with more shifts the keys are not nearly sorted
 
-/// An integer that sorts in the same order as the float. Not for NaN.
+/// Returns an integer that sorts in the same order as the float. Not for NaN.
 std::uint32_t sortable(float x) {
-    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);  // turns -0 into 0
+    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);  // makes -0 equal to 0
     return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
@@ -36,7 +36,7 @@ bool sortNearlySorted(std::vector<std::uint64_t>& keys) {
 /// Sweep and prune along one axis: boxes sorted by their lower end along the axis in which they are spread
 /// out further. The best choice where all bodies move fast along a line. Boxes that are much longer than most
 /// are stored in other segments, so that each segment has a limit for how far before a box its partners may
-/// begin. A box may move a little from where it was sorted to; one that moves further is stored after all
+/// begin. A box may move a little from its sorted position; one that moves further is stored after all
 /// segments. Source: D. Baraff, "Dynamic Simulation of Non-Penetrating Rigid Bodies", thesis, 1992 (sorted
 /// intervals that stay nearly sorted); C. Ericson, "Real-Time Collision Detection", 2005, 7.5
 class SweepAndPruneAxis : public SortedRows<SweepAndPruneAxis> {
@@ -45,7 +45,7 @@ public:
 
     // Interface for PartitionedBroadPhase.
     void sort(const Proxies& proxies, std::span<const std::uint32_t> order, std::uint32_t,
-              const PlaceList& list) {
+              const LocationList& list) {
         chooseAxis(proxies, order);
         for (Segment& segment : segments_) segment = {};
         for (auto& keys : keys_) keys.clear();
@@ -118,7 +118,7 @@ public:
 private:
     static constexpr std::uint32_t kNear = 16;
     static constexpr std::uint32_t kSegments = 6;
-    using Key = std::uint64_t;  ///< lower end as an integer of the same order << 32 | index of its id
+    using Key = std::uint64_t;  ///< sortable(lower end) << 32 | index in the list of ids
 
     struct Segment {
         std::uint32_t begin = 0;
@@ -147,7 +147,7 @@ private:
 
     [[nodiscard]] float startOf(const AABB& box) const { return axis_ == 0 ? box.min.x : box.min.y; }
     [[nodiscard]] float endOf(const AABB& box) const { return axis_ == 0 ? box.max.x : box.max.y; }
-    /// The first slot from `begin` on whose lower end is above x.
+    /// The first slot from `begin` on whose box starts above x.
     [[nodiscard]] std::uint32_t firstAbove(float x, std::uint32_t begin, std::uint32_t end) const {
         if (begin >= end) return end;
         const float* at = starts_.data() + begin;
@@ -162,11 +162,11 @@ private:
 
     /// The slots of a segment, none before `from`, with the boxes that `box` may overlap.
     [[nodiscard]] Stretch findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
-        // Boxes may have moved from where they were sorted to; lengths and positions may have been rounded.
+        // Boxes may have moved since the sort; lengths and positions may have been rounded.
         const float lower = startOf(box) - segment.longest - stray_;
         const float upper = endOf(box) + stray_ + std::fabs(endOf(box)) * (2.0f * kRounding);
         if (from > segment.begin) {
-            // The search is for boxes after one in this segment, so the last one is not far away.
+            // The search starts after a box of this segment, so the last partner is near.
             std::uint32_t step = 8;
             while (from + step < segment.end && starts_[from + step] <= upper) step *= 2;
             return {from, firstAbove(upper, from, std::min(from + step, segment.end))};
@@ -180,9 +180,9 @@ private:
     std::vector<float> starts_;  ///< m: by slot, the lower end at the last sort
     int axis_ = 0;               ///< 0: x, 1: y
     float usual_ = 0.0f;         ///< m: length that most boxes do not exceed
-    float stray_ = 0.0f;         ///< m: maximum distance of a box from where it was sorted to
+    float stray_ = 0.0f;         ///< m: maximum distance of a box from its sorted position
 
-    std::vector<AABB> boxes_;  ///< of the ids that are sorted
+    std::vector<AABB> boxes_;  ///< bounds of the boxes, during the sort
     std::vector<Key> keys_[kSegments];
     RadixSort sorter_;
 };

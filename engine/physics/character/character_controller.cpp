@@ -11,7 +11,7 @@
 
 namespace plumb::physics {
 
-static_assert(std::is_trivially_copyable_v<CharacterController>, "a part of snapshots");
+static_assert(std::is_trivially_copyable_v<CharacterController>, "games copy it for snapshots");
 
 namespace {
 
@@ -21,7 +21,8 @@ Result<Done> checkOutline(const Geometry& outline) {
     const bool known = outline.kind == ShapeKind::Box || outline.kind == ShapeKind::Circle ||
                        outline.kind == ShapeKind::Capsule;
     if (known) return checkGeometry(outline, {});
-    return wrong("CharacterDefinition.outline", "expected a box, a circle or a capsule, found another kind",
+    return wrong("CharacterDefinition.outline",
+                 "expected a box, a circle or a capsule, found another kind of shape",
                  "use physics::box(), circle() or capsule()");
 }
 
@@ -45,13 +46,13 @@ Result<Done> check(const CharacterDefinition& definition) {
         checkNumber("CharacterDefinition.gap", definition.gap, kSmallest, 0.1));
 }
 
-/// In double precision: it puts a rider back in each tick, and must not drift.
+/// Rotates in double precision, so that a character on rotating ground does not drift from tick to tick.
 WorldPosition turned(Rot rotation, WorldPosition arm) {
     const auto cosine = static_cast<double>(rotation.cos), sine = static_cast<double>(rotation.sin);
     return {cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y};
 }
 
-/// The ground that has moved up to a character in flight.
+/// Returns ground that has moved up to a character in the air.
 CharacterTouch caughtBy(CharacterMover& mover, const CharacterProbe::Pushes& pushes) {
     const CharacterDefinition& definition = mover.probe().definition();
     const WorldPosition place = mover.position();
@@ -68,7 +69,7 @@ CharacterTouch caughtBy(CharacterMover& mover, const CharacterProbe::Pushes& pus
 
 Result<CharacterController> CharacterController::create(const CharacterDefinition& definition,
                                                         WorldPosition position) {
-    const auto checked = firstOf(check(definition), checkPlace("CharacterController position", position));
+    const auto checked = firstOf(check(definition), checkPosition("CharacterController position", position));
     if (!checked) return checked.error();
     return CharacterController{definition, position};
 }
@@ -80,7 +81,7 @@ Result<Done> CharacterController::setDefinition(const CharacterDefinition& defin
 }
 
 Result<Done> CharacterController::setPosition(WorldPosition position) {
-    const auto checked = checkPlace("CharacterController::setPosition", position);
+    const auto checked = checkPosition("CharacterController::setPosition", position);
     if (!checked) return checked;
     leaveGround();
     position_ = position;
@@ -111,13 +112,13 @@ bool CharacterController::dropThrough(World& world) {
     mover.probe().oneWay = false;
     const float sink = 2.0f * definition_.gap;
     if (mover.standsOn(definition_.snap + sink)) return false;
-    // A one-way shape does not hold what is inside it.
+    // A one-way shape does not support a character inside it.
     position_ = position_ + definition_.up * -sink;
     leaveGround();
     return true;
 }
 
-/// Position to which its ground carries it in the next step.
+/// Returns the position to which the ground carries the character in the next step.
 WorldPosition CharacterController::heldPlace(const CharacterProbe& probe) const {
     if (!ground_ || probe.world().bodies.info[ground_.body.index].kind == BodyKind::Static) return position_;
     const BodyPose pose = probe.poseOf(ground_.body.index);
@@ -125,7 +126,7 @@ WorldPosition CharacterController::heldPlace(const CharacterProbe& probe) const 
     return WorldPosition{pose.centre.x + arm.x, pose.centre.y + arm.y} + definition_.up * height_;
 }
 
-/// Attaches it to the point of the ground below its center.
+/// Attaches the character to the point of the ground below its center.
 void CharacterController::holdOn(const CharacterProbe& probe) {
     const BodyPose pose = probe.poseOf(ground_.body.index);
     height_ = dot(position_ - ground_.point, ground_.normal) / rise(ground_.normal);
@@ -147,7 +148,7 @@ bool CharacterController::ride(CharacterMover& mover, WorldPosition held) {
     return arrived;
 }
 
-/// Walls stop the character; light bodies are pushed with limited force.
+/// Stops the character at a wall; pushes light bodies with limited force.
 void CharacterController::stopAt(World& world, const CharacterTouch& touch, float dt) {
     if (!touch) return;
     const Vec2 own = velocity_ + groundVelocity_;
@@ -167,7 +168,8 @@ CharacterMotion CharacterController::walk(CharacterMover& mover, float dx) const
     CharacterMotion motion = mover.walkOnGround(dx, ground_.normal);
     if (motion.ground) return motion;
     const WorldPosition place = mover.position();
-    motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap)).ground;  // a pit between two slopes
+    motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap))
+                        .ground;  // it may stand in a pit between two slopes
     if (!motion.ground) mover.setPosition(place);
     return motion;
 }
@@ -183,7 +185,7 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     position_ = mover.position();
     placed_ = false;
 
-    // Motion by its ground and other moving bodies.
+    // Displacement by the ground and by other moving bodies.
     const bool stood = grounded();
     const bool walks = stood && !(rise(velocity_) > kTakeOff);
     const Vec2 gravity = world.settings.gravity * definition_.gravityScale;
@@ -202,7 +204,7 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     const CharacterTouch squeezedBy = mover.pushOut();
     const WorldPosition start = mover.position();
 
-    // Its own motion.
+    // Displacement by its own velocity.
     const CharacterTouch caught = walks ? CharacterTouch{} : caughtBy(mover, pushes);
     if (walks) {
         motion = walk(mover, dx);

@@ -4,36 +4,38 @@
 
 namespace plumb::physics {
 
-/// A game character that walks, jumps, rides on platforms, pushes and is pushed, without a body in the
-/// world's step. Plain data: a copy together with a copy of the world is a snapshot. Allocates nothing.
+/// A game character that walks, jumps, rides on platforms and pushes bodies, without a body in the world.
+/// Plain data: a copy, together with a copy of the world, is a snapshot. Allocates nothing.
 class CharacterController {
 public:
     /// @error a number that is not finite or out of range, or an outline that is not a box, circle or capsule
     static Result<CharacterController> create(const CharacterDefinition& definition, WorldPosition position);
 
-    /// Advances by one tick: rides on its ground, gives way to moving bodies, then walks or flies by its own
-    /// velocity. Call it before step(world, dt), when kinematic bodies have their velocities or targets.
-    /// Applies impulses to the bodies that it pushes or stands on.
-    /// @param dt  s, up to 1; other values do nothing
+    /// Advances by one tick: moves with its ground, is displaced by moving bodies, then walks or flies by its
+    /// own velocity. Call it before step(world, dt), after setting the velocities or targets of kinematic
+    /// bodies. Applies impulses to the bodies that it pushes or stands on.
+    /// @param dt  s, above 0 and up to 1; for other values the call does nothing
     CharacterMotion update(World& world, float dt);
-    /// Adds an upward speed (m/s). On the ground this leaves it, with the ground's velocity added.
+    /// Adds an upward speed (m/s). A character on the ground leaves it; the ground's velocity is then added.
     Result<Done> jump(float speed);
-    /// Falls through the one-way shapes that it stands on.
-    /// @return false if it also stands on something else
+    /// Makes it fall through the one-way shapes that it stands on.
+    /// @return false if it also stands on another shape, or is not on the ground
     bool dropThrough(World& world);
 
     [[nodiscard]] WorldPosition position() const { return position_; }  ///< m
-    /// Teleports; it is in flight afterwards.
+    /// Teleports the character, which is in the air afterwards.
     Result<Done> setPosition(WorldPosition position);
-    /// m/s: relative to its ground while it stands, else relative to the world.
+    /// Returns its velocity (m/s), relative to the ground while on the ground, else relative to the world.
     [[nodiscard]] Vec2 velocity() const { return velocity_; }
-    /// On the ground, an upward component leaves it.
+    /// Sets the velocity (m/s). An upward component makes a character leave the ground.
     Result<Done> setVelocity(Vec2 velocity);
     [[nodiscard]] bool grounded() const { return static_cast<bool>(ground_); }
     [[nodiscard]] const CharacterTouch& ground() const { return ground_; }
-    [[nodiscard]] Vec2 groundVelocity() const { return groundVelocity_; }  ///< m/s, in the last tick
+    [[nodiscard]] Vec2 groundVelocity() const {
+        return groundVelocity_;
+    }  ///< m/s, of its ground in the last tick
     [[nodiscard]] const CharacterDefinition& definition() const { return definition_; }
-    /// @error as create()
+    /// @error the same errors as create()
     Result<Done> setDefinition(const CharacterDefinition& definition);
 
 private:
@@ -56,9 +58,9 @@ private:
     Vec2 velocity_;
     CharacterTouch ground_;
     Vec2 groundVelocity_;
-    WorldPosition hold_;   // m: point of the ground below it, in the frame of the ground's body
-    float height_ = 0.0f;  // m: its position above that point
-    bool placed_ = true;   // teleported since the last tick
+    WorldPosition hold_;   // m: point of the ground below the character, in the frame of the ground's body
+    float height_ = 0.0f;  // m: height of position_ above the point hold_
+    bool placed_ = true;   // true if it was created, changed or teleported since the last tick
 };
 
 }  // namespace plumb::physics

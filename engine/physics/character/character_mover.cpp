@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kMaxPushes = 16;  // iterations out of overlaps
+constexpr int kMaxPushes = 16;  // maximum number of iterations of pushOut()
 
 /// Removes the component of a displacement that leads into a surface.
 Vec2 alongSurface(Vec2 displacement, Vec2 normal) {
@@ -27,7 +27,7 @@ CharacterMover::CharacterMover(World& world, const CharacterDefinition& definiti
       steepest_{cosine(definition.steepest) - kSlopeSlack},
       feet_{reachAlong(convexOf(definition.outline, {}), -definition.up)} {}
 
-bool CharacterMover::isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
+bool CharacterMover::isBackground(Vec2 normal) const { return rise(normal) >= steepest_; }
 
 float CharacterMover::steepestSlope() const {
     return std::sqrt(std::max(1.0f - steepest_ * steepest_, 0.0f)) / std::max(steepest_, 0.01f);
@@ -38,16 +38,16 @@ Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
     return perpendicular(normal) * dx;
 }
 
-/// At the corner of a floor a round outline has any normal. The slope that counts is that of the floor.
+/// On a corner of a floor, a round outline has a normal between those of two faces; uses that of the floor.
 std::optional<Vec2> CharacterMover::groundNormalOf(const CastHit& hit) const {
     const Vec2 normal = hit.normal;
-    if (isGround(normal)) return normal;
+    if (isBackground(normal)) return normal;
     if (definition_.outline.radius == 0.0f || rise(normal) < kRoundCorner) return std::nullopt;
     const float gap = definition_.gap;
     const float inward = along(normal) > 0.0f ? -3.0f * gap : 3.0f * gap;
     const WorldPosition over = hit.point + (right_ * inward + definition_.up * (5.0f * gap));
     const auto floor = probe_.cast(circle(gap), over, definition_.up * (-8.0f * gap));
-    if (!floor || !isGround(floor->normal)) return std::nullopt;
+    if (!floor || !isBackground(floor->normal)) return std::nullopt;
     return floor->normal;
 }
 
@@ -56,7 +56,7 @@ void CharacterMover::note(CharacterMotion& motion, const CharacterTouch& touch) 
     (up > kAxisAligned ? motion.slope : up < -kSolidSide ? motion.ceiling : motion.wall) = touch;
 }
 
-/// Moves up to the first hit.
+/// Moves by a displacement, but only up to the first hit, and returns the hit.
 std::optional<CastHit> CharacterMover::advance(Vec2 displacement) {
     const auto hit = cast(displacement);
     shift(displacement * (hit ? hit->fraction : 1.0f));
@@ -97,7 +97,7 @@ bool CharacterMover::carryTo(WorldPosition place) {
     Vec2 displacement = place - position_;
     for (int turn = 0; turn < kMoverTurns; ++turn) {
         const auto hit = advance(displacement);
-        if (!hit && turn == 0) position_ = place;  // exactly, without rounding
+        if (!hit && turn == 0) position_ = place;  // the exact target, without rounding
         if (!hit) return turn == 0;
         displacement = alongSurface(displacement * (1.0f - hit->fraction), hit->normal);
     }
@@ -126,8 +126,8 @@ void CharacterMover::settle(float reach) {
     if (floor) position_ = from + definition_.up * (-(raised + reach) * floor->fraction);
 }
 
-/// Moves up, forward and down.
-/// @return false, and moves nothing, if there is no step that is low enough
+/// Climbs a step: moves up, forward and down.
+/// @return false if there is no step that is low enough; the position is then unchanged
 bool CharacterMover::stepUp(float dx) {
     if (!(definition_.stepHeight > 0.0f)) return false;
     const Vec2 up = definition_.up;
@@ -142,7 +142,7 @@ bool CharacterMover::stepUp(float dx) {
     place = place + forward * (ahead ? ahead->fraction : 1.0f);
     const auto floor = probe_.cast(place, up * -raised);
     if (!floor || !groundNormalOf(*floor)) return false;
-    // A round outline may get over the corner of a higher step.
+    // A round outline could also slide over the corner of a higher step.
     const float height = rise(floor->point - position_) + feet_ + gap;
     if (height > definition_.stepHeight + 0.5f * gap) return false;
     place = place + up * (-raised * floor->fraction);
@@ -153,12 +153,12 @@ bool CharacterMover::stepUp(float dx) {
 
 CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
-    Vec2 normal = isGround(groundNormal) ? groundNormal : definition_.up;
+    Vec2 normal = isBackground(groundNormal) ? groundNormal : definition_.up;
     for (int turn = 0; turn < kMoverTurns && dx != 0.0f; ++turn) {
         const auto hit = advance(onGround(dx, normal));
         if (!hit) break;
         dx *= 1.0f - hit->fraction;
-        if (isGround(hit->normal)) {
+        if (isBackground(hit->normal)) {
             normal = hit->normal;
             continue;
         }
@@ -170,7 +170,7 @@ CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
 
 CharacterMotion CharacterMover::fly(Vec2 displacement) {
     CharacterMotion motion;
-    Vec2 before;  // normal of the surface that it slid along last
+    Vec2 before;  // normal of the last surface along which it slid
     for (int turn = 0; turn < kMoverTurns && displacement != Vec2{}; ++turn) {
         const auto hit = advance(displacement);
         if (!hit) break;
@@ -189,7 +189,7 @@ CharacterMotion CharacterMover::fly(Vec2 displacement) {
         const bool wedged =
             before != Vec2{} && dot(before, normal) < 0.999f && dot(displacement, before) < 0.0f;
         if (wedged && rise(before) > kAxisAligned && rise(normal) > kAxisAligned) {
-            // Wedged between two slopes, it stands as in a pit.
+            // A character wedged between two slopes counts as standing.
             motion.ground = touchOf(*hit, definition_.up);
         }
         if (wedged) break;
@@ -205,7 +205,7 @@ bool CharacterMover::passCorner(Vec2 displacement) {
     const Vec2 rising = definition_.up * std::max(rise(displacement), 4.0f * definition_.gap);
     for (int i = 1; i <= kCornerTries && step > 0.0f; ++i) {
         for (const float side : {first, -first}) {
-            // A correction against its direction only helps where it has none.
+            // Corrections against the direction of motion are tried only without a sideways motion.
             if (side != first && aim != 0.0f) continue;
             const Vec2 aside = right_ * (side * step * static_cast<float>(i));
             const WorldPosition place = position_ + aside;
@@ -222,7 +222,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     auto hit = cast(definition_.up * -reach);
     auto normal = hit ? groundNormalOf(*hit) : std::nullopt;
     if (hit && !normal) {
-        // Its rear may rest on the corner that it has just left.
+        // The rear of the outline may rest on the corner that it has just passed.
         const Vec2 aside = right_ * (along(hit->normal) < 0.0f ? -definition_.gap : definition_.gap);
         const WorldPosition place = position_ + aside;
         hit = cast(aside) ? std::nullopt : probe_.cast(place, definition_.up * -reach);
@@ -231,7 +231,7 @@ CharacterMotion CharacterMover::snapDown(float reach) {
     }
     if (!normal) return motion;
     const float drop = reach * hit->fraction;
-    // At rest it is not moved, otherwise it would creep.
+    // Ignores small drops, or a character at rest would creep.
     if (drop > 0.0625f * definition_.gap) shift(definition_.up * -drop);
     motion.ground = touchOf(*hit, *normal);
     return motion;

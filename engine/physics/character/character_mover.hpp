@@ -4,47 +4,47 @@
 
 namespace plumb::physics {
 
-/// Moves a character's outline through a world: along ground, up steps, down slopes without hops, around
-/// corners that it only grazes. Changes nothing but its own position. Lives for one tick, before step():
-/// kinematic bodies are where that step takes them.
+/// Moves a character's outline through a world: along the ground, up steps, down slopes without hops, around
+/// corners that it only grazes. Changes only its own position. Used for one tick, before step(); it treats
+/// kinematic bodies as if they were already at their poses after that step.
 class CharacterMover {
 public:
     /// @param definition  must outlive the mover
     /// @param position  m
-    /// @param dt  s, of the next step; 0: all bodies are where they are now
+    /// @param dt  s, length of the next step; 0: use the current poses of all bodies
     CharacterMover(World& world, const CharacterDefinition& definition, WorldPosition position, float dt);
 
     [[nodiscard]] WorldPosition position() const { return position_; }
     void setPosition(WorldPosition position) { position_ = position; }
-    /// What it collides with, and what carries it.
+    /// The collision queries of this character.
     [[nodiscard]] CharacterProbe& probe() { return probe_; }
-    [[nodiscard]] bool isGround(Vec2 normal) const;
+    [[nodiscard]] bool isBackground(Vec2 normal) const;
 
-    /// Moves out of all overlaps.
-    /// @return what it could not get out of, if anything; then it has not moved
+    /// Moves the outline out of all overlaps.
+    /// @return a shape that still overlaps it, in which case it has not moved; without a shape on success
     CharacterTouch pushOut();
-    /// Finds free space nearby if it is stuck, e.g. after a teleport.
+    /// Moves to free space nearby if it is stuck, e.g. after a teleport. Returns false if there is none.
     bool escape();
-    /// Moves to where a platform takes it, or along what is in between.
-    /// @return whether it arrived
+    /// Moves to the position to which a platform carries it, sliding along obstacles.
+    /// @return true if it reached that position
     bool carryTo(WorldPosition place);
     void carry(Vec2 displacement) { carryTo(position_ + displacement); }
-    /// Gives way to what the next step moves, given by CharacterProbe::pushesAt().
-    /// @param own  m: its own displacement, of which the part before the collision is taken
-    /// @return the rest of `own`
+    /// Moves out of the paths of bodies that the next step moves, as found by CharacterProbe::pushesAt().
+    /// @param own  m: its own displacement; it first moves by the part of it before the collision
+    /// @return the remaining part of `own`
     Vec2 giveWay(const CharacterProbe::Pushes& pushes, Vec2 own);
     /// Walks horizontally by dx (m, positive to the right of `up`), follows the ground up and climbs steps.
     CharacterMotion walk(float dx, Vec2 groundNormal);
-    /// Flies by a displacement (m); slides along what it hits.
+    /// Flies by a displacement (m); slides along surfaces that it hits.
     CharacterMotion fly(Vec2 displacement);
     /// Finds ground within `reach` (m) below it and moves down to it.
     CharacterMotion snapDown(float reach);
-    /// walk() that stays on the ground: over crests, down slopes, and down steps up to its snap. It moves in
-    /// pieces that are short enough to distinguish a slope from a ledge.
+    /// Walks like walk(), but stays on the ground: over crests, down slopes and down steps up to `snap`.
+    /// Moves in pieces that are short enough to distinguish a slope from a ledge.
     CharacterMotion walkOnGround(float dx, Vec2 groundNormal);
-    /// True if there is ground within `reach` (m) below. Moves nothing.
+    /// True if there is ground within `reach` (m) below. Does not change the position.
     [[nodiscard]] bool standsOn(float reach) const;
-    /// Adjusts its height to ground that rotates under it, without a horizontal displacement.
+    /// Adjusts the height to ground that rotates below the character, without a horizontal displacement.
     void settle(float reach);
 
 private:
@@ -67,7 +67,7 @@ private:
     CharacterProbe probe_;
     WorldPosition position_;
     Vec2 right_;
-    float steepest_;  // cosine
+    float steepest_;  // cosine of CharacterDefinition::steepest
     float feet_;      // m: distance from its position to its feet
 };
 

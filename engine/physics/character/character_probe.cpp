@@ -16,7 +16,7 @@ bool contains(const FixedList<std::uint32_t, 8>& shapes, std::uint32_t shape) {
     return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
 }
 
-/// Bounds of a sweep (m), enlarged for rounding errors far from the origin.
+/// Returns the bounds of a sweep (m), enlarged for rounding errors far from the origin.
 AABB boxAlong(const AABB& bounds, WorldPosition from, Vec2 displacement, float gap) {
     const Vec2 start = toVec2(from);
     const float margin = gap + 2.0f * kRounding * (std::fabs(start.x) + std::fabs(start.y));
@@ -60,7 +60,7 @@ bool CharacterProbe::ignores(std::uint32_t shape) const {
            contains(behind_, shape);
 }
 
-/// A one-way shape stops a hit from the front on its open side, or on a corner below the feet.
+/// True if the shape stops this hit. A one-way shape stops hits on a face or corner of its open side.
 bool CharacterProbe::stops(const CastHit& hit, const BodyPose& pose, const MovingOutline& moving) const {
     const ShapeInfo& info = world_.shapes.info[hit.shape.index];
     if ((info.flags & kOneWay) == 0) return true;
@@ -106,7 +106,7 @@ std::optional<CastHit> CharacterProbe::cast(const Geometry& outline, WorldPositi
 std::optional<CastHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition at, float within) const {
     const BodyPose pose = poseOf(world_.shapes.info[shape].body);
     const Geometry& geometry = world_.shapes.geometry[shape];
-    const Frame frame = seenFrom(pose, at, Rot{});
+    const Frame frame = relativeFrame(pose, at, Rot{});
     CastHit hit{.shape = idOfShape(world_, shape), .body = bodyOf(world_, idOfShape(world_, shape))};
     if (geometry.kind == ShapeKind::ChainSegment) {
         const Manifold manifold =

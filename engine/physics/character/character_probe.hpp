@@ -9,50 +9,50 @@ namespace plumb::physics {
 [[nodiscard]] inline CharacterTouch touchOf(const CastHit& hit) {
     return {hit.shape, hit.body, hit.normal, hit.point};
 }
-/// @param normal  of the ground below it
+/// @param normal  normal of the ground, which replaces that of the hit
 [[nodiscard]] inline CharacterTouch touchOf(const CastHit& hit, Vec2 normal) {
     return {hit.shape, hit.body, normal, hit.point};
 }
 
-/// The world as a character collides with it: kinematic bodies up to 60 m/s are where the next step takes
-/// them, and one-way shapes stop only what is in front of them.
+/// Collision queries of a character. Kinematic bodies up to 60 m/s are tested at their poses after the next
+/// step, and one-way shapes stop the character only if it is in front of them.
 class CharacterProbe {
 public:
-    /// @param dt  s, of the next step
+    /// @param dt  s, length of the next step
     CharacterProbe(World& world, const CharacterDefinition& definition, float dt);
 
     QueryFilter filter;
-    bool oneWay = true;  ///< collides with one-way shapes
-    ShapeId floor;       ///< the one-way shape that it stands on: supports it however deep it sank in
-    BodyId carrier;      ///< a body that carries the character, and does not collide with it meanwhile
+    bool oneWay = true;  ///< whether the character collides with one-way shapes
+    ShapeId floor;       ///< the one-way shape that it stands on; supports it even if they overlap deeply
+    BodyId carrier;      ///< the body that carries the character: it is ignored in collisions
 
-    /// First hit of a straight displacement. After its fraction of that the character still keeps its gap.
+    /// Returns the first hit of a straight displacement. At its fraction the character keeps its gap.
     [[nodiscard]] std::optional<CastHit> cast(WorldPosition from, Vec2 displacement) const {
         return cast(definition_.outline, from, displacement);
     }
-    /// The same for another outline.
+    /// Casts another outline than that of the character.
     [[nodiscard]] std::optional<CastHit> cast(const Geometry& outline, WorldPosition from,
                                               Vec2 displacement) const;
-    /// The shape with the deepest overlap, or else the nearest one, within a distance of `within` (m).
+    /// Returns the shape with the deepest overlap, else the nearest one up to a distance of `within` (m).
     [[nodiscard]] std::optional<CastHit> nearest(WorldPosition at, float within) const;
-    /// Collision with a body that the next step moves, while the character moves by itself.
+    /// Collision with a body that moves in the next step, while the character also moves.
     struct Push {
         BodyId body;
         ShapeId shape;
-        Vec2 displacement;      ///< m: displacement that the character has to give way by
-        float fraction = 0.0f;  ///< ratio of its own displacement until the collision
+        Vec2 displacement;      ///< m: displacement that moves the character out of the body's path
+        float fraction = 0.0f;  ///< fraction of the character's own displacement before the collision
     };
     using Pushes = FixedList<Push, 16>;
-    /// Collisions with moving bodies. Overlaps with shapes that move past the character are ignored until
-    /// the next call.
-    /// @param ride  m: displacement by its ground
-    /// @param own  m: its own displacement
-    /// @param except  its ground
+    /// Finds collisions with moving bodies. Until the next call, shapes that move past it are ignored.
+    /// @param ride  m: displacement by the motion of its ground
+    /// @param own  m: the character's own displacement
+    /// @param except  body of its ground, which is ignored
     Pushes pushesAt(WorldPosition at, Vec2 ride, Vec2 own, BodyId except);
 
-    /// Pose of a body after the next step, as far as it is known.
+    /// Returns the pose of a kinematic body after the next step; for other bodies the current pose.
     [[nodiscard]] BodyPose poseOf(std::uint32_t body) const;
-    [[nodiscard]] bool isCarried(std::uint32_t body) const;  ///< kinematic and moves in the next step
+    [[nodiscard]] bool isCarried(
+        std::uint32_t body) const;  ///< true if kinematic and moving in the next step
 
     [[nodiscard]] const CharacterDefinition& definition() const { return definition_; }
     [[nodiscard]] World& world() const { return world_; }
@@ -67,7 +67,7 @@ private:
     World& world_;
     const CharacterDefinition& definition_;
     float dt_;
-    // Shapes that move past it in this tick, and one-way shapes that it is inside or behind of.
+    // Shapes that move past the character in this tick; one-way shapes that it is inside of or behind.
     FixedList<std::uint32_t, 8> passed_;
     FixedList<std::uint32_t, 8> behind_;
 };

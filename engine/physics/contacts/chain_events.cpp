@@ -23,9 +23,9 @@ PairKey keyOf(const World& world, const Contact& contact) {
     return pairKey(sideOf(world, contact.shapeA), sideOf(world, contact.shapeB));
 }
 
-/// Combined result of the changes of one pair.
+/// Combined result of all changes of a pair in a step.
 struct Outcome {
-    std::int32_t count = 0;  // of contacts
+    std::int32_t count = 0;  // number of contacts after the step
     const ContactEvent* first = nullptr;
     const ContactEvent* last = nullptr;
     float impulse = 0.0f;  // N s
@@ -44,7 +44,7 @@ void publish(World& world, std::int32_t before, const Outcome& now) {
     }
 }
 
-/// m/s: maximum approach speed of a pair, which may have begun to touch several times. The list is sorted.
+/// Returns the maximum approach speed (m/s) of a pair, which may have begun to touch several times.
 float approachOf(const Workspace& work, const Contact& contact) {
     const PairKey pair = pairKey(contact.shapeA, contact.shapeB);
     const auto after = std::upper_bound(work.approaches.begin(), work.approaches.end(),

@@ -12,18 +12,18 @@ namespace plumb::physics {
 
 namespace {
 
-/// Relative pose of the two bodies of a contact: B seen from A's centre of mass.
+/// Pose of body B relative to the centre of mass of body A.
 struct Encounter {
-    Rot turnA;
-    Rot turn;      // B's rotation seen from A
-    Vec2 between;  // m: from A's centre to B's, in A's frame
+    Rot rotationA;
+    Rot turn;      // B's rotation relative to A
+    Vec2 between;  // m: from A's centre of mass to B's, in A's frame
 };
 
 Encounter encounterOf(const BodyPose& a, const BodyPose& b) {
     return {a.rotation, between(a.rotation, b.rotation), unrotate(a.rotation, b.centre - a.centre)};
 }
 
-/// The encounter after `time` (s) if both bodies keep their velocities.
+/// Predicts the relative pose after `time` (s) at constant velocities.
 Encounter ahead(const World& world, const Contact& contact, float time) {
     const auto moved = [&](std::uint32_t body) {
         BodyPose pose = world.bodies.pose[body];
@@ -43,7 +43,7 @@ float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 nor
 
 float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
 
-/// True if the bodies have hardly moved relative to each other since the points were found.
+/// True if the bodies have hardly moved relative to each other since the points were computed.
 /// @param normal  the contact's normal, in A's current frame
 bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
     if (std::fabs(cross(contact.normalInA, normal)) > kMaxTurn) return false;
@@ -55,20 +55,20 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
     return std::fabs(cross(normal, apart)) <= tolerance;
 }
 
-/// Reuses the points of the last step: updates their separations, but keeps the world directions of
-/// the normal and the arms (see prepare() of the kernels). So a slight lean of a column does not
-/// change how it carries a load, and high stacks do not buckle on their contacts, which are springs.
-/// @return false if the points have to be computed again
+/// Reuses the points of the last step: updates their separations, but keeps the world directions of the
+/// normal and the arms (see prepare() of the kernels). So a slightly tilted column carries loads like an
+/// upright one, and high stacks do not buckle on their contacts, which are springs.
+/// @return false if the points must be recomputed
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
-    // A contact that does not push could move along its normal, out to the far side, without being noticed.
+    // Without contact forces a body could pass through the other along the normal.
     if ((contact.flags & (kTouching | kRound | kTriggered | kPassing | kDisabled)) != kTouching) return false;
     const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
     if (contact.count > all) return false;
     const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
-    const float maximum = std::min(settings.recycleDistance, kMaxOfSize * size);  // less for small bodies
+    const float maximum = std::min(settings.recycleDistance, kMaxOfSize * size);  // smaller for small bodies
     // With one point out of two, the second may be about to touch: use a smaller tolerance.
     const float tolerance = contact.count == all ? maximum : kOnePointPart * maximum;
-    const Vec2 normal = unrotate(now.turnA, contact.normal);
+    const Vec2 normal = unrotate(now.rotationA, contact.normal);
     if (!hardlyMoved(contact, now, normal, tolerance)) return false;
     const float separation0 = separationOf(now, contact.anchors[0], normal);
     if (separation0 > settings.slop) return false;
@@ -87,7 +87,7 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
     contact.count = static_cast<std::uint8_t>(manifold.count);
     contact.turn = now.turn;
     contact.normalInA = manifold.normal;
-    contact.normal = rotate(now.turnA, manifold.normal);
+    contact.normal = rotate(now.rotationA, manifold.normal);
     contact.roundA = manifold.roundA;
     contact.roundB = manifold.roundB;
     for (int i = 0; i < 2; ++i) {
@@ -109,7 +109,7 @@ Frame frameInA(const World& world, const Contact& contact, const Encounter& now)
     return {a.localCentre + now.between - rotate(now.turn, b.localCentre), now.turn};
 }
 
-/// Without rotation all points of a contact approach at the same speed: the deepest one stands for both.
+/// Keeps only the deepest point: without rotation both points approach at the same speed.
 void keepDeepest(Manifold& manifold) {
     if (manifold.count < 2) return;
     if (manifold.points[1].separation < manifold.points[0].separation)
@@ -117,8 +117,8 @@ void keepDeepest(Manifold& manifold) {
     manifold.count = 1;
 }
 
-/// True for a contact of a bullet that is so fast that its sweep detects the hit in this step. The sweep
-/// finds the time of impact; the solver would keep the body at the surface for the rest of the step.
+/// True if a bullet is so fast that its sweep will detect the hit in this step. The sweep finds the time of
+/// impact, while the solver would stop the bullet at the surface for the rest of the step.
 bool isLeftToSweep(const World& world, const Contact& contact, const Manifold& manifold,
                    const Encounter& now) {
     if ((contact.flags & (kTouching | kTriggered)) != 0 || !world.settings.continuous) return false;
@@ -132,8 +132,8 @@ bool isLeftToSweep(const World& world, const Contact& contact, const Manifold& m
     const std::vector<BodyMotion>& motion = world.bodies.motion;
     const Vec2 speed = motion[contact.bodyB].velocity - motion[contact.bodyA].velocity;
     const float closing =
-        std::min(-dot(rotate(now.turnA, manifold.normal), speed), length(motion[swept].velocity));
-    // So fast that its core passes the surface, and that it is swept at all.
+        std::min(-dot(rotate(now.rotationA, manifold.normal), speed), length(motion[swept].velocity));
+    // It is swept, and its core would pass the surface.
     return closing * world.stepLength > gap + kSweptCore * world.bodies.info[swept].reach;
 }
 
@@ -143,7 +143,7 @@ void take(const World& world, Contact& contact, const Encounter& now, Manifold m
     if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
     if (manifold.count == 0 || isLeftToSweep(world, contact, manifold, now)) {
         ++counts.apartByAxes;
-        forgetPoints(contact);
+        clearPoints(contact);
         return;
     }
     ++counts.touching;
@@ -152,10 +152,10 @@ void take(const World& world, Contact& contact, const Encounter& now, Manifold m
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
 }
 
-/// Contact of a round shape, computed at the middle of the step. While a round shape rolls, its contact point
-/// moves and the normal rotates, but a step uses a single direction. With the direction at its start, a body
-/// that rocks on a round one would swing higher and higher, and piles with balls would never come to rest.
-/// @return false if it no longer touches there then, or touches something else, as at a seam
+/// Computes the contact of a round shape at the middle of the step. While a round shape rolls, its contact
+/// point moves and the normal rotates, but a step uses a single direction. With the direction at the start, a
+/// body that rocks on a round one would gain energy, and piles with balls would never come to rest.
+/// @return false if by then it no longer touches there, or touches another feature, as at a seam
 bool takeHalfway(const World& world, Contact& contact, const Encounter& now, float halfStep,
                  DetectionCounts& counts) {
     const Geometry& a = world.shapes.geometry[contact.shapeA];
@@ -170,12 +170,12 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
         return false;
     ++counts.touching;
     takeManifold(world, contact, manifold, then);
-    // A round shape rotates in place: only its center moves with its body.
+    // A round feature can rotate in place: only its center moves with the body.
     const ContactAnchors centers{
         contact.anchors[0].a - contact.roundA * manifold.normal,
         contact.anchors[0].b + contact.roundB * unrotate(then.turn, manifold.normal)};
     contact.separation0 =
-        separationOf(now, centers, unrotate(now.turnA, contact.normal)) - contact.roundA - contact.roundB;
+        separationOf(now, centers, unrotate(now.rotationA, contact.normal)) - contact.roundA - contact.roundB;
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
     return true;
 }
@@ -185,7 +185,7 @@ struct AxisAlignedPair {
     const Geometry& a;
     const Geometry& b;
     Vec2 between;       // m: from A's centre of mass to B's
-    Vec2 displacement;  // m: from A's middle to B's
+    Vec2 displacement;  // m: from the middle of box A to that of box B
 };
 
 AxisAlignedPair uprightPairOf(const World& world, const Contact& contact) {
@@ -204,7 +204,7 @@ Manifold manifoldOf(const World& world, const AxisAlignedPair& pair) {
     return manifold;
 }
 
-/// Fast path: while the same two faces touch, only the separation changes. pointOf() computes the point.
+/// Fast path while the same two faces touch: updates only the separation. pointOf() computes the point.
 bool slideUpright(Contact& contact, const AxisAlignedPair& pair, float speculative) {
     if ((contact.flags & (kTouching | kTriggered)) != kTouching || contact.count != 1) return false;
     const Vec2 gap = gapOf(pair.a.b, pair.b.b, pair.displacement);
@@ -231,7 +231,7 @@ bool endsByBounds(const World& world, Contact& contact, DetectionCounts& counts)
     return true;
 }
 
-/// Complete narrow phase for two boxes that stay axis-aligned.
+/// Performs the narrow phase for two boxes that stay axis-aligned.
 void touchUpright(const World& world, Contact& contact, DetectionCounts& counts) {
     const AxisAlignedPair pair = uprightPairOf(world, contact);
     if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
@@ -242,7 +242,7 @@ void touchUpright(const World& world, Contact& contact, DetectionCounts& counts)
     take(world, contact, {{}, {}, pair.between}, manifold, counts);
 }
 
-/// Decides without the outlines, if possible: points reused, contact gone, or bodies too far apart.
+/// True if no test of outlines is needed: points reused, contact ended or bodies too far apart.
 bool isSettled(const World& world, Contact& contact, const Encounter& now, DetectionCounts& counts) {
     if (recycle(contact, now, world.settings)) {
         noteRecycled(world, contact, counts);
@@ -253,13 +253,13 @@ bool isSettled(const World& world, Contact& contact, const Encounter& now, Detec
                         world.settings.speculativeDistance;
     if ((contact.flags & kFixedA) == 0 && !(lengthSquared(now.between) <= reach * reach)) {
         ++counts.apartByCircles;
-        forgetPoints(contact);
+        clearPoints(contact);
         return true;
     }
     return false;
 }
 
-/// Collects pairs of boxes until there are eight of them.
+/// Collects pairs of boxes and collides eight of them at once.
 class BoxBatch {
 public:
     BoxBatch(const World& world, DetectionCounts& counts) : world_{world}, counts_{counts} {}
@@ -287,12 +287,12 @@ private:
     const SolverKernels& kernels_ = solverKernels();
     Contact* contacts_[kLanes] = {};
     Encounter encounters_[kLanes];
-    BoxPairs pairs_{};  // unused lanes keep their former content, which is harmless
+    BoxPairs pairs_{};  // lanes without a pair have old values and are ignored
     BoxTouches touches_;
     int count_ = 0;
 };
 
-/// True if the shape stays axis-aligned until its body is rotated by a setter.
+/// True if the shape is axis-aligned and only a setter can rotate its body.
 bool staysUpright(const World& world, std::uint32_t body, const Geometry& outline) {
     return world.bodies.info[body].kind != BodyKind::Kinematic && outline.kind == ShapeKind::Box &&
            outline.radius == 0.0f && outline.turn == Rot{} && world.bodies.pose[body].rotation == Rot{};
@@ -300,8 +300,8 @@ bool staysUpright(const World& world, std::uint32_t body, const Geometry& outlin
 
 constexpr std::size_t kAhead = 4;  // contacts: prefetch distance
 
-/// Prefetches the data of later contacts: their bodies and shapes are scattered in memory.
-/// Forced inline, because GCC removes a call that only prefetches as one without effect.
+/// Prefetches the bodies and shapes of later contacts, which are scattered in memory. Always inlined, because
+/// GCC removes calls of a function that only prefetches.
 [[gnu::always_inline]] inline void fetchAhead(const World& world, std::span<const Contact> contacts,
                                               std::size_t i) {
     const Shapes& shapes = world.shapes;
@@ -325,13 +325,13 @@ constexpr std::size_t kAhead = 4;  // contacts: prefetch distance
 
 }  // namespace
 
-void forgetPoints(Contact& contact) {
+void clearPoints(Contact& contact) {
     contact.count = 0;
     contact.impulse0 = contact.impulse1 = 0.0f;
     contact.frictionImpulse = contact.rollingImpulse = 0.0f;
 }
 
-bool canTurn(const World& world, std::uint32_t body) {
+bool canRotate(const World& world, std::uint32_t body) {
     const BodyInfo& info = world.bodies.info[body];
     return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) == 0;
 }
@@ -351,7 +351,7 @@ void copyMaterials(const World& world, Contact& contact) {
     const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
     const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
     const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
-    const bool unturned = !canTurn(world, contact.bodyA) && !canTurn(world, contact.bodyB);
+    const bool unturned = !canRotate(world, contact.bodyA) && !canRotate(world, contact.bodyB);
     const bool upright = unturned && staysUpright(world, contact.bodyA, outlineA) &&
                          staysUpright(world, contact.bodyB, outlineB);
     if (contact.friction == 0.0f) contact.frictionImpulse = 0.0f;
@@ -364,7 +364,7 @@ void copyMaterials(const World& world, Contact& contact) {
         (unturned ? kUnturned : 0) | (upright ? kAlongAxes : 0));
 }
 
-bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+bool needsContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const Shapes& shapes = world.shapes;
     const auto isStopped = [&](const ShapeExtras& border, const Filter& other) {
         return (border.frontLayers & other.mask) != 0 && (border.frontMask & other.layers) != 0;
@@ -372,7 +372,7 @@ bool comesTo(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
     const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
     if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
-        // Bodies that are not dynamic have contacts with triggers only. One is awake, or a trigger wakes it.
+        // Two bodies that are not dynamic have contacts only with triggers, and one of them must be awake.
         const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
         const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
         const bool someAwake = a.place != kNone || b.place != kNone;
@@ -405,7 +405,7 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
         const Encounter now = encounterOf(world.bodies.pose[contact.bodyA], world.bodies.pose[contact.bodyB]);
         const bool alongAxes = (contact.flags & kAlongAxes) != 0;
         const bool settled = !alongAxes && isSettled(world, contact, now, counts);
-        contact.flags &= static_cast<std::uint16_t>(~kDisabled);  // of the last step
+        contact.flags &= static_cast<std::uint16_t>(~kDisabled);  // flag of the last step
         if (alongAxes) touchUpright(world, contact, counts);
         if (settled || alongAxes) continue;
         if (takeHalfway(world, contact, now, 0.5f * dt, counts)) continue;
@@ -432,11 +432,11 @@ void touchFaceOnly(const World& world, Contact& contact, const OnlyFace& face) {
     const Side sideB = moved.moved(convexB, frameInA(world, contact, now));
     Manifold manifold = touchFace(sideOf(convexA), faceAgainst(convexA.corners(), -face.normal), sideB,
                                   face.distance, face.beyond);
-    if (a.kind == ShapeKind::Box && b.kind == ShapeKind::Box) {  // corners in the order of BoxTouch::id
+    if (a.kind == ShapeKind::Box && b.kind == ShapeKind::Box) {  // corner numbers as in BoxTouchOf::id
         for (ManifoldPoint& point : manifold.points)
             point.id = static_cast<std::uint16_t>(point.id ^ (point.id >> 1 & 0x0101));
     }
-    DetectionCounts counts;  // it has been counted
+    DetectionCounts counts;  // unused: this contact was counted before
     take(world, contact, now, manifold, counts);
 }
 

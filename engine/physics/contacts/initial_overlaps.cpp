@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: generous upper bound of the depth that a new contact can reach by the motion of a step.
+/// Returns an upper bound (m) of the depth that a new contact can reach by the motion of a step.
 float depthByMotion(const World& world, const Contact& contact) {
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
     const BodyMotion& b = world.bodies.motion[contact.bodyB];
@@ -18,7 +18,7 @@ float depthByMotion(const World& world, const Contact& contact) {
 
 float depthOf(const Contact& contact) { return -std::min(contact.separation0, contact.separation1); }
 
-/// The entry of the pair in the sorted list, or the position where it would be inserted.
+/// Returns the entry of the pair in the sorted list, or the position to insert it.
 template <class Overlaps>
 auto findPair(Overlaps& overlaps, PairKey pair) {
     return std::lower_bound(overlaps.begin(), overlaps.end(), pair,
@@ -34,7 +34,7 @@ void hide(Contact& contact, float hidden) {
 
 void markInitialOverlap(const World& world, Contact& contact) {
     contact.flags &= static_cast<std::uint16_t>(~kInitialOverlap);
-    // A body inside a one-way shape falls through it, and triggers exert no forces.
+    // Excludes contacts without forces: one-way shapes (a body inside falls through) and triggers.
     if ((contact.flags & (kOneWayA | kOneWayB | kTriggered)) != 0) return;
     const float depth = depthOf(contact);
     if (depth > 2.0f * world.settings.slop && depth > depthByMotion(world, contact))

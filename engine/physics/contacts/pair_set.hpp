@@ -9,7 +9,7 @@
 
 namespace plumb::physics {
 
-/// The pairs that have a contact: a hash set with open addressing, never iterated.
+/// A set of shape pairs: a hash set with open addressing, never iterated.
 /// Source: D. Knuth, The Art of Computer Programming 3, 6.4, algorithms L and R.
 class PairSet {
 public:
@@ -18,7 +18,7 @@ public:
         size_ = 0;
     }
     [[nodiscard]] bool has(PairKey key) const { return size_ > 0 && keys_[find(key)] == key; }
-    /// @return false if it was there already
+    /// @return false if the set already had the key
     bool add(PairKey key) {
         if (2 * (size_ + 1) > keys_.size()) grow();
         const std::size_t i = find(key);
@@ -32,7 +32,7 @@ public:
         std::size_t i = find(key);
         if (keys_[i] == kFree) return;
         --size_;
-        // Moves later keys of the sequence into the hole if they may be there: no search may stop at it.
+        // Moves a later key into the hole if the hole is in its probe sequence: searches stop at holes.
         for (std::size_t next = (i + 1) & mask_; keys_[next] != kFree; next = (next + 1) & mask_) {
             const std::size_t home = placeOf(keys_[next]);
             if (((next - home) & mask_) >= ((next - i) & mask_)) {
@@ -51,7 +51,7 @@ private:
     [[nodiscard]] std::size_t placeOf(PairKey key) const {
         return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ull) >> shift_);
     }
-    /// The slot of a key, or the free one in which it belongs.
+    /// Returns the slot of a key, or the free slot for it.
     [[nodiscard]] std::size_t find(PairKey key) const {
         std::size_t i = placeOf(key);
         while (keys_[i] != key && keys_[i] != kFree) i = (i + 1) & mask_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSeamGrain = 32;
 
-/// Position of a point relative to an outline, and the normals of the first and last edge at it, in order.
+/// Position of a point relative to an outline; normals of the first and the last edge at the point.
 struct EdgesAt {
     Vec2 first, last;
     bool isAt = false;
@@ -38,20 +38,21 @@ EdgesAt edgesAt(const Convex& outline, Vec2 point, float tolerance) {
         if (!is && before) edges.last = corners[i > 0 ? i - 1 : corners.size() - 1].normal;
         before = is;
     }
-    edges.isAt = edges.isInside || edges.first != Vec2{};  // else the outline is smaller than the tolerance
+    edges.isAt =
+        edges.isInside || edges.first != Vec2{};  // false if the outline is smaller than the tolerance
     return edges;
 }
 
-/// The sector of directions at a point that the outlines around it leave free. Adjacent outlines have
-/// one common border: contacts have the normals of that border, not those of the interior edges.
+/// The sector of directions at a point that no outline around it covers. Adjacent outlines have one common
+/// border: contacts must have normals of this border, not of interior edges.
 class FreeSector {
 public:
-    /// @param inside  a free direction: towards the middle of the body that touches the outlines there
-    /// @param tolerance  m: outlines closer than this to the point cover a part of its surroundings
+    /// @param inside  a free direction: towards the middle of the body that touches the outlines at the point
+    /// @param tolerance  m: outlines closer than this to the point cover a sector
     FreeSector(Vec2 point, Vec2 inside, float tolerance)
         : point_{point}, inside_{inside}, tolerance_{tolerance} {}
 
-    /// Removes the sector that an outline covers. Begin with the outline of the contact itself.
+    /// Removes the sector that an outline covers. Must first be called for the outline of the contact.
     /// @return false if the outline is not at the point
     bool cover(const Convex& outline, const Frame& frame) {
         const Vec2 place = applyInverse(frame, point_);
@@ -74,13 +75,13 @@ public:
     [[nodiscard]] bool isClosed() const { return isCovered_ || end_.angle + 4.0f - start_.angle < kParallel; }
     /// True if the common border is straight.
     [[nodiscard]] bool isFlat() const { return dot(start_.normal, end_.normal) > 1.0f - kSameNormal; }
-    /// True if the normal is one of the common border or, at a corner, between its two normals.
+    /// True if the normal is a normal of the common border or, at a corner, between the two normals.
     [[nodiscard]] bool allows(Vec2 normal) const {
-        // A normal between two others is within half of their angle from their middle.
+        // A normal between two others differs from their middle by at most half of their angle.
         const Vec2 middle = normalized(start_.normal + end_.normal);
         return dot(normal, middle) >= dot(start_.normal, middle) - kSameNormal;
     }
-    /// The border normal of the first outline that is nearest to a given one, if it has a part of the border.
+    /// Returns the first outline's border normal nearest to a given one, if it has a part of the border.
     [[nodiscard]] std::optional<Vec2> ownNormal(Vec2 normal) const {
         const bool starts = ownStart_->angle > start_.angle - kParallel;
         const bool ends = ownEnd_->angle < end_.angle + kParallel;
@@ -92,10 +93,10 @@ public:
 private:
     /// A border of a covered sector.
     struct Border {
-        float angle;  ///< from `inside`, counterclockwise, see angleFrom()
+        float angle;  ///< counterclockwise from `inside`, see angleFrom()
         Vec2 normal;  ///< outward
     };
-    /// Grows with the angle from 0 to 4, each quarter by 1.
+    /// Returns a measure of the angle that increases by 1 for each quarter turn, from 0 to 4.
     [[nodiscard]] float angleFrom(Vec2 direction) const {
         const float along = dot(inside_, direction), across = cross(inside_, direction);
         const float part = along / (std::fabs(along) + std::fabs(across));
@@ -111,7 +112,7 @@ private:
     std::optional<Border> ownEnd_, ownStart_;
 };
 
-/// Chains have ghost vertices instead, and round shapes do not abut.
+/// True for shapes that may have seams with adjacent ones. Chains have ghost vertices instead.
 bool abuts(ShapeKind kind) { return kind == ShapeKind::Box || kind == ShapeKind::Polygon; }
 
 struct BodyContacts {
@@ -125,15 +126,15 @@ struct BodyContacts {
     }
 };
 
-/// What the shapes adjacent to A imply for a contact.
+/// Result of testing a contact against the shapes adjacent to A.
 struct Verdict {
-    bool abut = false;           ///< some are at its points
-    bool touch = false;          ///< one of these touches B too
-    bool isValid = true;         ///< its normal is one of the common border
-    std::optional<Vec2> normal;  ///< in A's frame: if not valid, A's nearest border normal
+    bool abut = false;           ///< there are adjacent shapes at its points
+    bool touch = false;          ///< one of these shapes also touches B
+    bool isValid = true;         ///< its normal is a normal of the common border
+    std::optional<Vec2> normal;  ///< in A's frame, if invalid: A's nearest border normal
 };
 
-/// True if two bodies have equal velocities at a point: plates that close on a body are not a seam.
+/// True if two bodies have equal velocities at a point. Otherwise their shapes have no seam.
 bool moveAsOne(const World& world, std::uint32_t a, std::uint32_t b, Vec2 place) {
     if (a == b) return true;
     const auto velocityAt = [&](std::uint32_t body) {
@@ -145,9 +146,9 @@ bool moveAsOne(const World& world, std::uint32_t a, std::uint32_t b, Vec2 place)
     return lengthSquared(velocityAt(a) - velocityAt(b)) <= apart * apart;
 }
 
-/// Removes the sectors that other static or kinematic shapes cover.
+/// Removes the sectors covered by other static or kinematic shapes from the free sector.
 /// @param point  in the frame of A's shapes
-/// @param others  calls a function with each of them and with a flag whether it touches B
+/// @param others  calls a function with each of these shapes, and true if it touches B
 template <class Others>
 void coverByOthers(const World& world, const Contact& contact, Vec2 point, const Others& others,
                    FreeSector& sector, Verdict& verdict) {
@@ -160,14 +161,14 @@ void coverByOthers(const World& world, const Contact& contact, Vec2 point, const
         const Geometry& geometry = shapes.geometry[shape];
         if (shape == contact.shapeA || !abuts(geometry.kind) || !touch(shapes.bounds[shape], box)) return;
         if (!moveAsOne(world, contact.bodyA, shapes.info[shape].body, place)) return;
-        const Frame frame = seenFrom(pose, world.bodies.pose[shapes.info[shape].body]);
+        const Frame frame = relativeFrame(pose, world.bodies.pose[shapes.info[shape].body]);
         if (!sector.cover(convexOf(geometry, shapes.corners), frame)) return;
         verdict.abut = true;
         verdict.touch = verdict.touch || touches;
     });
 }
 
-/// The point on the face with this normal that is nearest to another point.
+/// Returns the point nearest to `place` on the face with this normal.
 Vec2 nearestOnFace(const Convex& outline, Vec2 normal, Vec2 place) {
     const std::span<const Corner> corners = outline.corners();
     const std::size_t face = faceAgainst(corners, -normal);
@@ -176,7 +177,7 @@ Vec2 nearestOnFace(const Convex& outline, Vec2 normal, Vec2 place) {
     return from + std::clamp(dot(place - from, edge) / lengthSquared(edge), 0.0f, 1.0f) * edge;
 }
 
-/// True if a shape contains the middle of B: then B is squeezed, and no contact of it is interior.
+/// True if a shape contains the middle of B. Then B is squeezed, and none of its contacts is interior.
 /// @param middle  in the frame of A's shapes
 template <class Others>
 bool isInside(const World& world, const Contact& contact, Vec2 middle, const Others& others) {
@@ -185,7 +186,7 @@ bool isInside(const World& world, const Contact& contact, Vec2 middle, const Oth
     const auto look = [&](std::uint32_t shape) {
         const Convex outline = convexOf(shapes.geometry[shape], shapes.corners);
         const BodyPose& pose = world.bodies.pose[shapes.info[shape].body];
-        const Vec2 point = apply(seenFrom(pose, world.bodies.pose[contact.bodyA]), middle);
+        const Vec2 point = apply(relativeFrame(pose, world.bodies.pose[contact.bodyA]), middle);
         const std::span<const Corner> corners = outline.corners();
         inside = inside || std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
                      return dot(corner.normal, point - corner.point) < 0.0f;
@@ -198,14 +199,14 @@ bool isInside(const World& world, const Contact& contact, Vec2 middle, const Oth
     return inside;
 }
 
-/// Judges a contact by its deepest point that is not inside the other shapes.
+/// Tests a contact at its deepest point that is not inside the other shapes.
 template <class Others>
 Verdict judge(const World& world, const Contact& contact, const Others& others) {
     const BodyPose& poseA = world.bodies.pose[contact.bodyA];
     const Vec2 normal = unrotate(poseA.rotation, contact.normal);
     const Convex a = convexOf(world.shapes.geometry[contact.shapeA], world.shapes.corners);
     const Convex b = convexOf(world.shapes.geometry[contact.shapeB], world.shapes.corners);
-    const Vec2 middle = apply(seenFrom(poseA, world.bodies.pose[contact.bodyB]), b.centre);
+    const Vec2 middle = apply(relativeFrame(poseA, world.bodies.pose[contact.bodyB]), b.centre);
     const float tolerance = kFlush * world.settings.slop;
     Verdict verdict;
     std::optional<FreeSector> deepest;
@@ -214,21 +215,21 @@ Verdict judge(const World& world, const Contact& contact, const Others& others) 
         const Vec2 point = contact.anchors[i].a + poseA.localCentre;
         FreeSector sector{point, middle - point, tolerance};
         if (!sector.cover(a, {})) continue;
-        const bool isDeep = sector.isClosed();  // the middle of B is behind the border of A
+        const bool isDeep = sector.isClosed();  // true if the middle of B is behind the border of A
         Verdict here;
         coverByOthers(world, contact, point, others, sector, here);
         if (isDeep && (!here.abut || isInside(world, contact, middle, others))) return {};
         verdict.abut = verdict.abut || here.abut;
         verdict.touch = verdict.touch || here.touch;
         if (sector.isClosed()) {
-            // B is deep in a corner between two faces: check A's face near B too.
+            // B is deep in a corner between two faces: tests A's face near B too.
             const Vec2 place = nearestOnFace(a, normal, middle);
             FreeSector beside{place, middle - place, tolerance};
             if (beside.cover(a, {})) coverByOthers(world, contact, place, others, beside, here);
             if (!beside.isClosed() && beside.allows(normal)) return {};
             continue;
         }
-        // Of two points of equal depth, one may be too far below the border to be recognized as part of it.
+        // Of two points of nearly equal depth, prefers the one with an allowed normal.
         const float separation =
             (i == 0 ? contact.separation0 : contact.separation1) + (sector.allows(normal) ? tolerance : 0.0f);
         if (separation >= depth) continue;
@@ -253,13 +254,14 @@ void correct(const BodyContacts& all, Contact& contact) {
         touchFaceOnly(world, contact,
                       {*verdict.normal, {tolerance, tolerance}, world.settings.speculativeDistance});
     } else {
-        forgetPoints(contact);
+        clearPoints(contact);
     }
     const bool overlaps = std::min(before.separation0, before.separation1) <= 0.0f;
-    if (contact.count == 0 && overlaps && !verdict.touch) contact = before;  // no other contact would hold it
+    if (contact.count == 0 && overlaps && !verdict.touch)
+        contact = before;  // otherwise no contact would support B
 }
 
-/// If all normals of a body's contacts are equal, none of them comes from an interior edge.
+/// True if all contacts of a body have equal normals. Then none of them is of an interior edge.
 bool agree(const BodyContacts& all) {
     Vec2 normal;
     bool agrees = true;
@@ -271,7 +273,7 @@ bool agree(const BodyContacts& all) {
     return agrees;
 }
 
-/// Links the contacts of each body to a list, and collects the bodies with several contacts.
+/// Builds a linked list of the contacts of each body, and collects bodies with several contacts.
 void link(const World& world, Workspace& work) {
     work.fixedPairs.clear();
     work.seamBodies.clear();
@@ -283,7 +285,7 @@ void link(const World& world, Workspace& work) {
     const std::span<std::uint32_t> firsts{work.firstFixedPair};
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
         std::uint32_t& first = firsts[pairs[i].body];
-        if (first < i && pairs[first].body == pairs[i].body) {  // else the entry is of an earlier step
+        if (first < i && pairs[first].body == pairs[i].body) {  // otherwise the entry is from an earlier step
             if (pairs[first].next == kNone) work.seamBodies.push_back(pairs[i].body);
             pairs[i].next = first;
         }
@@ -291,7 +293,7 @@ void link(const World& world, Workspace& work) {
     }
 }
 
-/// The static and kinematic shapes near B that it collides with.
+/// Finds the static and kinematic shapes near B with which B may collide.
 const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& contact, float distance) {
     const World& world = step.world;
     const Shapes& shapes = world.shapes;
@@ -302,15 +304,15 @@ const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& co
     std::erase_if(found, [&](std::uint32_t shape) {
         const ShapeInfo& info = shapes.info[shape];
         return world.bodies.info[info.body].kind == BodyKind::Dynamic ||
-               !comesTo(world, shape, contact.shapeB) || (info.flags & (kTrigger | kOneWay)) != 0 ||
+               !needsContact(world, shape, contact.shapeB) || (info.flags & (kTrigger | kOneWay)) != 0 ||
                !meet(shapes.filter[shape], shapes.filter[contact.shapeB]);
     });
     std::sort(found.begin(), found.end());
     return found;
 }
 
-/// True if a face of A continues in another shape.
-/// @param point  the end of the face
+/// True if another shape continues a face of A.
+/// @param point  end of the face
 template <class Others>
 bool goesOn(const World& world, const Contact& contact, const Convex& a, Vec2 point, Vec2 normal,
             const Others& others) {

@@ -11,7 +11,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: maximum distance of the outline's corners from the centre of rotation. Round corners rotate in place.
+/// Returns the maximum distance (m) of the outline's corners, without rounding, from the centre of rotation.
 float armOf(const SweptOutline& swept) {
     const auto squareOf = [&](const Corner& corner) {
         return lengthSquared(corner.point - swept.sweep.localCentre);
@@ -19,7 +19,7 @@ float armOf(const SweptOutline& swept) {
     return std::sqrt(largestOf(swept.outline.corners(), squareOf).value);
 }
 
-/// True if the target lets the mover through because of the side that it comes from.
+/// True if the target is one-way or a chain segment and does not stop a mover from this side.
 bool opensFor(const World& world, const Mover& mover, const Mover& target) {
     const Geometry& outline = world.shapes.geometry[target.shape];
     if ((world.shapes.info[target.shape].flags & kOneWay) != 0) {
@@ -40,13 +40,13 @@ bool opensFor(const World& world, const Mover& mover, const Mover& target) {
 bool mayCollide(const World& world, std::uint32_t a, std::uint32_t b) {
     const Shapes& shapes = world.shapes;
     if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
-    if (!meet(shapes.filter[a], shapes.filter[b]) || !comesTo(world, a, b)) return false;
+    if (!meet(shapes.filter[a], shapes.filter[b]) || !needsContact(world, a, b)) return false;
     const std::uint32_t bodyA = shapes.info[a].body, bodyB = shapes.info[b].body;
     return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
 }
 
-/// Fast path: true if a core stays in front of a face of a target at rest up to a part of its path,
-/// as most bodies on a floor do. Rotation moves no corner of the core further than along its arc.
+/// Fast path: true if a core stays in front of a face of a target at rest up to fraction `end` of its path,
+/// like most bodies on a floor. Uses arc lengths as upper bounds of displacements by rotation.
 bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs, const Sweep& target,
                      float end) {
     if (target.displacement != Vec2{} || target.turn != 0.0f) return false;
@@ -83,7 +83,7 @@ Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float tu
     return {pose.centre + displacement * -part, displacement, before, turn, pose.localCentre, part};
 }
 
-Frame seenFrom(const BodyPose& a, const BodyPose& b) {
+Frame relativeFrame(const BodyPose& a, const BodyPose& b) {
     const auto originOf = [](const BodyPose& pose) {
         return pose.centre + -rotate(pose.rotation, pose.localCentre);
     };
@@ -91,14 +91,14 @@ Frame seenFrom(const BodyPose& a, const BodyPose& b) {
 }
 
 float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest) {
-    // Upper bound of the approach along a normal in a whole step.
+    // Terms of the maximum approach along a normal in a whole step.
     const Vec2 displacement = a.sweep.displacement - b.sweep.displacement;
     const float turning = std::fabs(a.sweep.turn) * armOf(a) + std::fabs(b.sweep.turn) * armOf(b);
     SimplexCache cache;
     float part = std::max(a.sweep.begin, b.sweep.begin);
     for (int i = 0; i < kMaxRounds && part <= latest; ++i) {
         const BodyPose poseA = a.sweep.at(part), poseB = b.sweep.at(part);
-        const Distance now = distanceBetween(a.outline, b.outline, seenFrom(poseA, poseB), &cache);
+        const Distance now = distanceBetween(a.outline, b.outline, relativeFrame(poseA, poseB), &cache);
         if (now.distance <= gap + 2.0f * kTouchDistance) return part;
         const float closing = dot(rotate(poseA.rotation, now.normal), displacement) + turning;
         part = closing > 0.0f ? part + (now.distance - gap) / closing : kNever;
@@ -120,7 +120,7 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     float part = impactOf(own, kSweptGap, latest);
     const bool isPressed = part <= begin;
     if (isPressed) {
-        // The core already touches at the start (the body spins or is pressed): try smaller cores.
+        // The core touches at the start already (the body spins or is pressed): tries smaller cores.
         for (float size = kSweptCore; size > kLeastCore; size *= 0.5f) {
             part = impactOf(ScaledConvex{own, own.centre, size}.outline(), 0.0f, latest);
             if (part > begin) break;
@@ -128,8 +128,8 @@ void meetOnPath(const World& world, const Mover& mover, const Mover& target, Pat
     }
     if (part >= next.part || part <= begin) return;
     if (!isPressed) {
-        // Head-on or grazing? Only if the core would touch too, in this step or, if the body
-        // continues after the hit, within its own length of path after that, it is a hit.
+        // Ignores grazing: it is a hit only if the core would touch too, in this step or, if the body
+        // continues after the hit, within a path of its own length after the hit.
         const float displacement = length(mover.sweep.displacement - target.sweep.displacement);
         const float size = 2.0f * world.bodies.info[world.shapes.info[mover.shape].body].reach;
         const float further = mover.goesOn ? (displacement > size ? size / displacement : 1.0f) : 0.0f;

@@ -15,7 +15,7 @@ namespace {
 
 Rot turnOf(const Float4& deltaPosition) { return normalized(Rot{1.0f + deltaPosition.w, deltaPosition.z}); }
 
-/// m: half the side of a square that contains the body at any angle, and a margin.
+/// Returns half the side (m) of a square that contains the body at any angle, with a margin.
 float reachOf(const StepContext& step, const SweptBody& swept) {
     const Vec2 from = toVec2(swept.sweep.start);
     const float rounding = kRounding * std::max(std::fabs(from.x), std::fabs(from.y));
@@ -24,7 +24,7 @@ float reachOf(const StepContext& step, const SweptBody& swept) {
 Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacement * sweep.begin); }
 Vec2 displacementLeft(const Sweep& sweep) { return sweep.displacement * std::max(1.0f - sweep.begin, 0.0f); }
 
-/// Appends the indices of swept bodies on these layers whose paths may cross that of a box.
+/// Appends the indices of swept bodies on these layers whose paths may cross the path of a box.
 void findPaths(const Workspace& work, Vec2 from, Vec2 displacement, Vec2 half, std::uint32_t layers,
                std::vector<std::uint32_t>& found) {
     const BoxProxies& paths = work.sweptProxies;
@@ -37,8 +37,8 @@ void findPaths(const Workspace& work, Vec2 from, Vec2 displacement, Vec2 half, s
     }
 }
 
-/// m: upper bound of the displacement of any point in the step. Infinite for a
-/// body that was deflected by a hit: its bounds do not contain its new path.
+/// Returns an upper bound (m) of the displacement of any point in the step. Infinite for a body deflected by
+/// a hit, as its bounds do not contain its new path.
 float longestPath(const World& world, const SweptBody& swept) {
     if (swept.hits > 0) return std::numeric_limits<float>::max();
     return length(swept.sweep.displacement) +
@@ -74,7 +74,7 @@ SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
     swept.sweep = pathOf(step, body);
     swept.isHeld = isDynamic(step.world, body) && isHeld(step, body);
     if (!isDynamic(step.world, body) || swept.isHeld) return swept;
-    // The straight path has the mean velocity; the acceleration explains the difference to the final one.
+    // The path has the mean velocity: the acceleration follows from its difference to the final velocity.
     const Vec2 velocity = step.world.bodies.motion[body].velocity;
     swept.pull = (2.0f / step.dt) * (velocity - (1.0f / step.dt) * swept.sweep.displacement);
     return swept;
@@ -136,7 +136,7 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
         if (work.bodyScratch[body] == kNone && (all || !isDynamic(world, body))) meetAll(shape);
     }
     if (work.sweptProxies.bounds.empty()) return;
-    // Bullets hit everything. A body deflected by a hit searches for bullets, which only saw its first path.
+    // Bullets hit all bodies. Bodies deflected by a hit search for bullets, which tested only the old path.
     const std::uint32_t layers =
         kKinematicLayer | (all || swept.hits > 0 ? kBulletLayer : 0) | (all ? kFastLayer : 0);
     found.clear();

@@ -9,13 +9,13 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr float kFanPart = 0.6f;      // ratio to the arm: radius of the sector of a hinge's limits
+constexpr float kFanPart = 0.6f;      // ratio to the arm: radius of the sector that shows a hinge's limits
 constexpr float kMinFan = 0.08f;      // m
 constexpr float kLargestFan = 0.35f;  // m
 constexpr float kTick = 0.1f;         // m: half the length of the ticks at limits
-constexpr float kFreeWay = 0.5f;      // m: drawn range of a slider without limits, to either side
+constexpr float kFreeWay = 0.5f;      // m: drawn half length of a slider without limits
 
-/// A joint with its anchors, m from the view's origin.
+/// A joint with its anchors, in m relative to the origin of the canvas.
 struct JointPlace {
     const Joint& joint;
     const JointDefinition& definition;
@@ -28,7 +28,7 @@ void drawTick(const Picture& picture, Vec2 at, Vec2 along) {
     picture.canvas.line(at - side, at + side, DebugRole::JointLimit);
 }
 
-/// The angles that a hinge's limits allow for B's center.
+/// Draws the sector of angles that a hinge's limits allow for B's center.
 void drawFan(const Picture& picture, const JointPlace& at) {
     const JointLimit& limit = at.definition.limit;
     if (!limit.on) return;
@@ -44,7 +44,7 @@ void drawFan(const Picture& picture, const JointPlace& at) {
         picture.canvas.line(at.b, at.b + radius * Vec2{side.cos, side.sin}, DebugRole::JointLimit);
 }
 
-/// The line that B's anchor moves along.
+/// Draws the line along which B's anchor moves.
 void drawWay(const Picture& picture, const JointPlace& at) {
     const JointLimit& limit = at.definition.limit;
     const Vec2 axis = rotate(picture.pose(at.joint.bodyA).rotation, at.definition.axis);
@@ -56,7 +56,7 @@ void drawWay(const Picture& picture, const JointPlace& at) {
     drawTick(picture, to, axis);
 }
 
-/// Minimum and maximum length of a rod.
+/// Draws ticks at the minimum and maximum length of a rod.
 void drawReach(const Picture& picture, const JointPlace& at) {
     const Vec2 displacement = at.b - at.a;
     const JointLimit& limit = at.definition.limit;
@@ -76,7 +76,7 @@ void drawLimits(const Picture& picture, const JointPlace& at) {
     }
 }
 
-/// From a body to its anchor. Not for static bodies, which may be far away.
+/// Draws a line from a body to its anchor, except for static bodies, which may be far away.
 void drawArm(const Picture& picture, std::uint32_t body, Vec2 to) {
     if (picture.world.bodies.info[body].kind != BodyKind::Static)
         picture.canvas.line(picture.centre(body), to, DebugRole::Joint);
@@ -129,8 +129,8 @@ void forPoints(const Picture& picture, Draw&& draw) {
     });
 }
 
-/// Number of substeps whose impulses make up a step: contacts keep that of the last one. Sleeping bodies, and
-/// worlds without a last step, use the quality that they ask for.
+/// Returns the number of substeps of a step, because contacts store the impulse of one substep. Estimated
+/// from the quality settings for sleeping bodies and if there is no last step.
 float partsOfStep(const Picture& picture, const Contact& contact) {
     const Bodies& bodies = picture.world.bodies;
     const BodyInfo& pushed = bodies.info[contact.bodyB];
@@ -142,7 +142,7 @@ float partsOfStep(const Picture& picture, const Contact& contact) {
     return static_cast<float>(substepsOf(std::max(wished, picture.world.settings.quality)));
 }
 
-/// m: length of the arrow of an impulse, by the acceleration of the lighter body over the step.
+/// Returns the length (m) of an impulse's arrow: proportional to the acceleration of the lighter body.
 float lengthOf(const Picture& picture, const Contact& contact, float impulse) {
     const auto& masses = picture.world.bodies.mass;
     const float lightest = std::max(masses[contact.bodyA].inverseMass, masses[contact.bodyB].inverseMass);
@@ -195,7 +195,7 @@ void drawImpulses(const Picture& picture) {
 void drawFriction(const Picture& picture) {
     picture.forContacts(false, [&](const Contact& contact) {
         if (contact.frictionImpulse == 0.0f || contact.count == 0) return;
-        Vec2 from;  // one friction impulse acts for all points
+        Vec2 from;  // the friction impulse is drawn at the mean of the points
         for (int i = 0; i < contact.count; ++i)
             from += picture.place(contact.bodyA, pointOf(picture.world, contact, i));
         from = from / static_cast<float>(contact.count);

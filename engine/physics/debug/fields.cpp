@@ -10,7 +10,7 @@ constexpr float kLevelWidth = 4.0f;   // m: half the drawn width of an unbounded
 constexpr float kPullRadius = 0.25f;  // m: size of the symbol of an attractor
 constexpr float kSpringEnd = 0.06f;   // m
 
-/// The point of a body to which a spring is attached, or its fixed end.
+/// Returns the point of a body to which a spring is attached, or the fixed end of the spring.
 Vec2 endOf(const Picture& picture, BodyId body, Vec2 anchor, WorldPosition place) {
     return alive(picture.world, body) ? apply(picture.frame(body.index), anchor) : picture.seen(place);
 }
@@ -33,13 +33,13 @@ void drawRegion(const Picture& picture, const FieldDefinition& field) {
         picture.canvas.line(middle - side, middle + side, DebugRole::Field);
 }
 
-/// m: arrow of a flow or acceleration.
+/// Returns the arrow (m) for a flow or an acceleration.
 Vec2 arrowOf(const FieldDefinition& field) {
     return limited(field.kind == FieldKind::AreaGravity ? kArrowPerAcceleration * field.acceleration
                                                         : kFlowLength * field.velocity);
 }
 
-/// Four arrows towards the center of an attractor, or away from it.
+/// Draws four arrows towards the center of an attractor, or away from it.
 void drawPull(const Picture& picture, Vec2 centre, bool inwards) {
     for (const Vec2 side : {Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}, Vec2{-1.0f, 0.0f}, Vec2{0.0f, -1.0f}}) {
         const Vec2 far = centre + 2.0f * kPullRadius * side, near = centre + kPullRadius * side;

@@ -6,17 +6,16 @@
 
 namespace plumb::physics {
 
-/// Length (m) of an arrow per acceleration (m/s2) of the lighter body by a force: 0.2 m for its weight on
-/// Earth.
+/// Length (m) of a force's arrow per acceleration (m/s2) of the lighter body: 0.2 m for its weight.
 inline constexpr float kArrowPerAcceleration = 0.02f;
-inline constexpr float kLongestArrow = 1.0f;  ///< m: keeps hard landings from crossing the screen
+inline constexpr float kLongestArrow = 1.0f;  ///< m: otherwise arrows of hard impacts would cross the screen
 inline constexpr float kPointRadius = 0.02f;  ///< m
-inline constexpr float kOneWayArrow = 0.25f;  ///< m: nothing else is drawn so far from its shape
+inline constexpr float kOneWayArrow = 0.25f;  ///< m: the farthest that anything is drawn from its shape
 
 struct Picture {
     const World& world;
     DebugCanvas& canvas;
-    const DebugChoice& choice;
+    const DebugOptions& choice;
 
     [[nodiscard]] BodyPose pose(std::uint32_t body) const {
         BodyPose pose = world.bodies.pose[body];
@@ -31,11 +30,11 @@ struct Picture {
     }
     [[nodiscard]] Vec2 seen(WorldPosition place) const { return place - choice.origin; }
     [[nodiscard]] Vec2 centre(std::uint32_t body) const { return seen(pose(body).centre); }
-    /// A point given relative to a body's center of mass, in the body's frame.
+    /// Position on the canvas of a point given relative to a body's center of mass, in its frame.
     [[nodiscard]] Vec2 place(std::uint32_t body, Vec2 arm) const {
         return centre(body) + rotate(pose(body).rotation, arm);
     }
-    /// Frame of a body's shapes for a pose.
+    /// Frame of a body's shapes on the canvas, if the body is at `pose`.
     [[nodiscard]] Frame frame(const BodyPose& pose) const {
         return {seen(pose.centre) - rotate(pose.rotation, pose.localCentre), pose.rotation};
     }
@@ -43,13 +42,13 @@ struct Picture {
     [[nodiscard]] Convex outline(std::uint32_t shape) const {
         return convexOf(world.shapes.geometry[shape], world.shapes.corners);
     }
-    /// The enlarged bounds of a shape that the broad phase keeps.
+    /// Bounds of a shape in the broad phase (enlarged by its margin), relative to the origin of the canvas.
     [[nodiscard]] AABB box(std::uint32_t shape) const {
         const auto& box = world.shapes.bounds[shape];
         return {seen(box.min), seen(box.max)};
     }
     /// True if a shape of the body may reach into the visible area.
-    /// @param box  of the shape
+    /// @param box  bounds of the shape
     [[nodiscard]] bool isInSight(const AABB& box, std::uint32_t body) const {
         if (choice.sight == nullptr) return true;
         const float speed = moves(body) ? length(world.bodies.motion[body].velocity) : 0.0f;
@@ -61,9 +60,9 @@ struct Picture {
         return size.x < choice.minimum && size.y < choice.minimum;
     }
     [[nodiscard]] bool shows(std::uint32_t body) const { return isAmong(choice.bodies, body); }
-    /// True if an object is selected, or if all of its kind are shown.
+    /// True if the object with this index is selected, or if all objects are shown.
     [[nodiscard]] bool isAmong(std::span<const std::uint8_t> chosen, std::size_t index) const {
-        return !choice.chosenOnly || (index < chosen.size() && chosen[index] != 0);
+        return !choice.selectedOnly || (index < chosen.size() && chosen[index] != 0);
     }
 
     /// Calls draw(body) for all bodies that are shown.
@@ -82,7 +81,7 @@ struct Picture {
                 draw(s, body);
         }
     }
-    /// Calls draw(contact) for all touching contacts that are shown: those with a trigger, or those without.
+    /// Calls draw(contact) for all touching contacts that are shown: either with or without a trigger.
     template <class Draw>
     void forContacts(bool triggered, Draw&& draw) const {
         forTouching(world, triggered, [&](const Contact& contact) {
@@ -91,15 +90,15 @@ struct Picture {
     }
 };
 
-/// An arrow that is no longer than kLongestArrow.
+/// Returns the arrow, shortened to at most kLongestArrow.
 inline Vec2 limited(Vec2 arrow) {
     const float size = length(arrow);
     return size > kLongestArrow ? (kLongestArrow / size) * arrow : arrow;
 }
 
-/// An outline as a polygon, a circle with a spoke, or a line.
+/// Draws an outline as a polygon, a circle with a spoke, or a line.
 void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, DebugInk ink);
-/// Circular arc of `angle` (rad) that begins in direction `from`, as lines.
+/// Draws a circular arc of `angle` (rad) that begins in direction `from`, as lines.
 void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink);
 
 // One function for each DebugPart.

@@ -12,7 +12,7 @@ namespace {
 constexpr int kArcHalvings = 3;
 constexpr int kArcPoints = 1 << kArcHalvings;
 
-/// Directions between two outward normals, in the order of the corners.
+/// Computes directions between two outward normals, in the order of the corners.
 void fillArc(Vec2* directions, Vec2 from, Vec2 to, int halvings) {
     if (halvings == 0) {
         *directions = from;
@@ -25,7 +25,7 @@ void fillArc(Vec2* directions, Vec2 from, Vec2 to, int halvings) {
     fillArc(directions + (1 << (halvings - 1)), middle, to, halvings - 1);
 }
 
-/// The faces, offset by the radius, with arcs between them.
+/// Draws a rounded outline: its faces, offset by the radius, with arcs between them.
 void drawRounded(DebugCanvas& canvas, std::span<const Corner> corners, const Frame& frame, float radius,
                  DebugInk ink) {
     std::array<Vec2, kMaxCorners*(kArcPoints + 1)> points;
@@ -58,7 +58,7 @@ void drawSoftBodies(const Picture& picture) {
     }
 }
 
-/// Identifies the island of a body: the root of its tree, or the first body of its sleeping island.
+/// Returns a body that identifies the island: the root of its tree, or the first body of a sleeping island.
 std::uint32_t headOfIsland(const World& world, std::uint32_t body) {
     const std::uint32_t asleep = world.sleepers.islandOf[body];
     if (asleep != kNone) return world.sleepers.islands[asleep].firstBody;
@@ -70,7 +70,7 @@ Vec2 middleOf(const Picture& picture, std::uint32_t shape, std::uint32_t body) {
     return apply(picture.frame(body), picture.outline(shape).centre);
 }
 
-/// The outlines of all shapes that are triggers, or that are not; of small ones the bounds.
+/// Draws the outlines of all triggers, or of all other shapes; for small shapes only the bounds.
 void drawOutlines(const Picture& picture, bool triggers) {
     const Shapes& shapes = picture.world.shapes;
     picture.forShapes([&](std::uint32_t s, std::uint32_t body) {
@@ -146,7 +146,7 @@ void drawBounds(const Picture& picture) {
 
 void drawBroadPhase(const Picture& picture) {
     const Workspace* work = picture.choice.lastStep;
-    if (work != nullptr && work->broadPhase != nullptr && !picture.choice.chosenOnly) {
+    if (work != nullptr && work->broadPhase != nullptr && !picture.choice.selectedOnly) {
         work->broadPhase->visitRegions([&picture](const AABB& region) {
             picture.canvas.box({picture.seen(region.min), picture.seen(region.max)}, DebugRole::Region);
         });
@@ -185,7 +185,7 @@ void drawVelocities(const Picture& picture) {
     });
 }
 
-// As predictTransform(), but relative to the view's origin, and so exact far from the world's.
+// Like predictTransform(), but relative to the origin of the canvas, so exact far from the world's origin.
 void drawPaths(const Picture& picture) {
     const World& world = picture.world;
     picture.forBodies([&](std::uint32_t body) {

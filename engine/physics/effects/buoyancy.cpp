@@ -8,9 +8,9 @@ namespace plumb::physics {
 
 namespace {
 
-// By Green's theorem the area under the surface is the integral of the depth along the outline. The depth is
-// 0 above the surface and that of the bottom below it; the vertical sides of the fluid contribute nothing. So
-// each piece of the outline is integrated by itself, cut where it crosses a border of the fluid.
+// By Green's theorem the submerged area is the integral of the depth d along the outline (s: position along
+// the surface). d is clamped to the range from surface to bottom; the vertical sides of the fluid contribute
+// nothing. So each piece of the outline is integrated separately, cut at the borders of the fluid.
 
 struct Sums {
     double area = 0.0;     // integral of d ds
@@ -74,7 +74,7 @@ struct Arc {
     float sweep;
 };
 
-/// Adds cuts where an arc crosses a line along or across the surface, `offset` (m) from the center.
+/// Adds cuts at which an arc crosses a line along or across the surface, `offset` (m) from the center.
 void cutAtLine(Cuts& cuts, const Arc& arc, float offset, bool isAcross) {
     const float part = offset / arc.radius, sign = arc.sweep < 0.0f ? -1.0f : 1.0f;
     if (!(part > -1.0f && part < 1.0f)) return;
@@ -87,7 +87,7 @@ void cutAtLine(Cuts& cuts, const Arc& arc, float offset, bool isAcross) {
     }
 }
 
-/// Adds the part of an arc from angle a to b (rad), in closed form.
+/// Adds the integrals of an arc from angle a to b (rad), in closed form.
 void addRound(Sums& sums, const Arc& arc, double a, double b) {
     const SinCos at = sinCos(static_cast<float>(a)), bt = sinCos(static_cast<float>(b));
     const double sinA = at.sin, cosA = at.cos, sinB = bt.sin, cosB = bt.cos;
@@ -144,14 +144,14 @@ Sums alongEdge(const Convex& convex, const Frame& toFluid, const AABB& fluid) {
     return sums;
 }
 
-/// m: half width and depth that stand for an unbounded fluid.
+/// Half width and depth (m) of an unbounded fluid.
 constexpr float kEndlessPool = 1.0e7f;
 
 /// A fluid in a frame whose y axis points along gravity.
 struct Fluid {
     WorldPosition surface;  // m: middle of the surface
     Rot turn;               // from the fluid's frame to the world: x along the surface, y down
-    AABB box;               // from the surface, y = 0, to the bottom
+    AABB box;               // m: from the surface, y = 0, to the bottom
 };
 
 Fluid fluidOf(const World& world, const FieldDefinition& field) {
@@ -185,8 +185,8 @@ Submerged submergedPart(const Geometry& geometry, std::span<const Corner> corner
             bounds.size().x};
 }
 
-/// Archimedes' principle: each shape is lifted by the weight of the fluid that it displaces, at the centroid
-/// of its submerged part. Drag is proportional to the displaced mass.
+/// Archimedes' principle: the weight of the displaced fluid lifts each shape at the centroid of its submerged
+/// part. Drag is proportional to the displaced mass.
 FieldForce buoyancy(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
     const World& world = view.world;
     const FieldDefinition& field = world.fields.all[f].definition;
@@ -196,7 +196,7 @@ FieldForce buoyancy(const FieldView& view, std::uint32_t f, std::uint32_t body, 
         state.centre - fluid.surface - rotate(state.rotation, world.bodies.pose[body].localCentre);
     const Frame toFluid{unrotate(fluid.turn, origin), between(fluid.turn, state.rotation)};
     Acceleration sum;
-    float displaced = 0.0f;  // kg
+    float displaced = 0.0f;  // kg: mass of the displaced fluid
     float stiffness = 0.0f;
     for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) {
         const Submerged part =

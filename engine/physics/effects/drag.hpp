@@ -5,10 +5,10 @@
 
 namespace plumb::physics {
 
-/// Motion under drag for h seconds, v' = -drag v + a, solved exactly: v becomes keep * v + drive * a.
+/// Exact solution of motion under drag, v' = -drag v + a, after h seconds: v becomes keep * v + drive * a.
 struct Decay {
-    float keep;   ///< ratio of the speed that is left
-    float drive;  ///< s: speed gained by 1 m/s2; also the distance at 1 m/s
+    float keep;   ///< ratio of the remaining speed
+    float drive;  ///< s: speed gained under 1 m/s2; also the distance covered from 1 m/s
 };
 
 inline Decay decayOf(float drag, float h) {
@@ -22,7 +22,7 @@ inline Decay decayOf(float drag, float h) {
     return {keep, (1.0f - keep) / drag};
 }
 
-/// s2: distance from rest under an acceleration of 1 m/s2: h^2 / 2 without drag.
+/// Returns the distance covered in h seconds from rest under 1 m/s2 (so in s2): h^2 / 2 without drag.
 inline float distanceUnder(float drag, float h) {
     const float x = drag * h;
     if (x >= kSlowDrag) return (h - decayOf(drag, h).drive) / drag;

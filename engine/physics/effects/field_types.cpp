@@ -31,14 +31,14 @@ FieldForce areaGravity(const FieldView& view, std::uint32_t f, std::uint32_t bod
     return {{view.world.bodies.driveOf(body).gravityScale * pull, 0.0f}};
 }
 
-/// -1..1: gust number `turn` of a seed.
+/// Returns gust number `turn` of a seed, from -1 to 1.
 float gustAt(std::uint32_t seed, std::uint64_t turn) {
     const auto bits = static_cast<std::uint32_t>(mixBits(mixBits(seed) ^ turn) >> 40);
     return static_cast<float>(bits) * 0x1p-23f - 1.0f;
 }
 
-/// -1..1: smooth interpolation between consecutive gusts. Only the step number counts: a repeated one gets
-/// the same wind.
+/// Returns the gust in a step, -1 to 1, interpolated between consecutive gusts. Depends only on the step
+/// number, so that a repeated step has the same wind.
 float gustiness(const FieldDefinition& field, std::uint64_t step) {
     const std::uint64_t turn = step / field.gustSteps;
     const float t = static_cast<float>(step % field.gustSteps) / static_cast<float>(field.gustSteps);
@@ -46,7 +46,7 @@ float gustiness(const FieldDefinition& field, std::uint64_t step) {
     return lerp(gustAt(field.seed, turn), gustAt(field.seed, turn + 1), smooth);
 }
 
-/// F = density * width * speed^2, along the apparent wind.
+/// Wind: F = density * width * speed^2, along the apparent wind.
 FieldForce wind(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
     const FieldDefinition& field = fieldOf(view, f);
     const Vec2 felt = airOf(field, view.world.steps) - state.velocity;
@@ -57,7 +57,7 @@ FieldForce wind(const FieldView& view, std::uint32_t f, std::uint32_t body, cons
     return {{rate * felt, 0.0f}, rate * view.h};
 }
 
-/// a = strength / distance^2 (Newton), or strength * distance. Softened as by H. Plummer, 1911.
+/// Attractor: a = strength / distance^2 (Newton), or strength * distance. Softened after H. Plummer, 1911.
 FieldForce attractor(const FieldView& view, std::uint32_t f, std::uint32_t, const BodyState& state) {
     const FieldDefinition& field = fieldOf(view, f);
     const WorldPosition centre = field.a ? view.stateOf(view, field.a.index).centre : field.place;
@@ -80,7 +80,7 @@ End endOf(const World& world, std::uint32_t body, const BodyState& state, Vec2 a
     return {state.centre + arm, state.velocity + cross(state.angularVelocity, arm), arm};
 }
 
-/// F = strength * (length - rest) + damping * speed.
+/// Spring: F = strength * (length - rest) + damping * speed.
 FieldForce spring(const FieldView& view, std::uint32_t f, std::uint32_t body, const BodyState& state) {
     const FieldDefinition& field = fieldOf(view, f);
     const bool isA = field.a.index == body;
@@ -102,7 +102,7 @@ FieldForce spring(const FieldView& view, std::uint32_t f, std::uint32_t body, co
             view.springScales[f] * springStiffness(view.world, field, body, view.h)};
 }
 
-/// In the order of FieldKind.
+/// Field types in the order of FieldKind.
 constexpr std::array<FieldType, static_cast<std::size_t>(FieldKind::Count)> kFieldTypes{{
     {Effect::AreaGravity, areaGravity},
     {Effect::Wind, wind},
@@ -112,11 +112,10 @@ constexpr std::array<FieldType, static_cast<std::size_t>(FieldKind::Count)> kFie
     {Effect::Springs, spring},
 }};
 
-/// Up to this many fields a look at each costs less than a search.
+/// Up to this number of fields, testing each costs less than a search.
 constexpr std::size_t kFew = 8;
 
-/// Box around a place, larger by the rounding of floats here and in actsOn(): 16 times 2^-24 of the largest
-/// number at most.
+/// Returns a box around a position, enlarged by rounding errors (16 times 2^-24 of the largest coordinate).
 AABB boxAround(WorldPosition place, Vec2 half) {
     const Vec2 at = toVec2(place);
     const float far = std::max(std::fabs(at.x) + half.x, std::fabs(at.y) + half.y);

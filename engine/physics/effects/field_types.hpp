@@ -12,7 +12,7 @@ struct BodyState {
     float angularVelocity = 0.0f;  ///< rad/s
 };
 
-/// Integrators use it for displacements (m, rad) and velocities, too.
+/// An acceleration; integrators use the type for displacements (m, rad) and velocities, too.
 struct Acceleration {
     Vec2 linear;           ///< m/s2
     float angular = 0.0f;  ///< rad/s2
@@ -24,22 +24,23 @@ inline Acceleration operator*(float s, const Acceleration& a) { return {s * a.li
 inline Acceleration operator-(const Acceleration& a, const Acceleration& b) { return a + -1.0f * b; }
 inline Acceleration& operator+=(Acceleration& a, const Acceleration& b) { return a = a + b; }
 
-/// What a field may read besides the state of the body that it acts on.
+/// Input of FieldType::force besides the state of the body on which the field acts.
 struct FieldView {
     const World& world;
-    float h;                                   ///< s: step of the integrator
-    std::span<const float> springScales = {};  ///< by field, see SmoothForces
-    /// Current state of another body. One that is not integrated with this is where stateAfter() expects it.
+    float h;                                   ///< s: step length of the integrator
+    std::span<const float> springScales = {};  ///< by field, see SmoothForces::springScales
+    /// Returns the current state of another body: that of the integrator, or for a body that is not
+    /// integrated together with this one, stateAfter().
     BodyState (*stateOf)(const FieldView& view, std::uint32_t body) = nullptr;
     const void* flight = nullptr;  ///< context of stateOf
     float elapsed = 0.0f;          ///< s since the start of the step
 };
 
-/// What a field does to a body in a state.
+/// The effect of a field on a body.
 struct FieldForce {
     Acceleration acceleration;
-    /// h c + (h w)^2 / 2 of its damping (c, 1/s) and of the oscillation that it causes (w, rad/s), an upper
-    /// bound: an explicit step can follow up to 1, and becomes unstable from 2.
+    /// Upper bound of h c + (h w)^2 / 2, with the field's damping c (1/s) and the angular frequency w (rad/s)
+    /// of the oscillation that it causes. An explicit step of h is accurate up to 1, and unstable from 2 on.
     float stiffness = 0.0f;
     float angularDrag = 0.0f;  ///< 1/s
 
@@ -54,7 +55,7 @@ struct FieldForce {
 /// One kind of field: a row of the table in field_types.cpp.
 struct FieldType {
     Effect effect;
-    /// Null if it is not a smooth force (explosions).
+    /// Computes the force; null if the field is not a smooth force (explosions).
     FieldForce (*force)(const FieldView& view, std::uint32_t field, std::uint32_t body,
                         const BodyState& state) = nullptr;
 };
@@ -63,53 +64,52 @@ const FieldType& fieldTypeOf(FieldKind kind);
 
 /// True if a field acts on a body at its current position.
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
-/// m: center of the region of a field. That of an Attractor moves with its body.
+/// Returns the center (m) of the region of a field. The center of an Attractor moves with its body.
 [[nodiscard]] WorldPosition centreOf(const World& world, const FieldDefinition& field);
-/// The shape of the region of a field; that of an explosion is always a circle.
+/// Returns the kind of region of a field; explosions always have a circle.
 constexpr RegionKind regionOf(const FieldDefinition& field) {
     return field.kind == FieldKind::Explosion ? RegionKind::Circle : field.region;
 }
 [[nodiscard]] bool isInRegion(const FieldDefinition& field, WorldPosition place);
-/// m/s: velocity of the air of a Wind in a given step, gusts included.
+/// Returns the velocity (m/s) of the air of a Wind in a given step, gusts included.
 [[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
-/// True if its acceleration depends on no position or velocity: trajectories have a closed form.
+/// True if the acceleration depends on neither position nor velocity: trajectories have a closed form.
 [[nodiscard]] bool isConstant(const FieldDefinition& field);
 
-/// True if a body has a shape on one of these layers, or if they are all.
+/// True if a body has a shape on one of these layers, or if `layers` has all bits.
 [[nodiscard]] bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body);
 
-/// Acceleration of a body in a state by those of a list of fields that are not constant, m/s2 and rad/s2. The
-/// only evaluation of smooth forces: for all integrators, and for bodies that touch something. If the fields
-/// together are too stiff for the step, the body reacts as if it was heavier: what it comes to rest at and
-/// its terminal velocity remain.
-/// @param other  all that acts on the body besides these fields
+/// Returns the acceleration of a body by all fields of a list that are not constant: for all integrators, and
+/// for bodies with contacts or joints. If the fields together are too stiff for the step, the body reacts as
+/// if it was heavier; its position of rest and its terminal velocity do not change.
+/// @param other  acceleration by everything except these fields
 Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,
                             const BodyState& state, const Acceleration& other);
-/// State of a body some time (s) after the start of the step, if nothing acts on it.
+/// Returns the state of a body `elapsed` seconds after the start of the step, if no forces act on it.
 BodyState stateAfter(const World& world, std::uint32_t body, float elapsed);
 
 FieldForce buoyancy(const FieldView&, std::uint32_t, std::uint32_t, const BodyState&);
-/// FieldForce::stiffness of a spring for one of its ends.
+/// Returns FieldForce::stiffness of a spring for the body at one of its ends.
 [[nodiscard]] float springStiffness(const World& world, const FieldDefinition& field, std::uint32_t body,
                                     float h);
 
-/// m: width of a shape across a unit direction in the shape's frame.
+/// Returns the width (m) of a shape across a unit direction in the shape's frame.
 [[nodiscard]] float widthAcross(const Geometry& geometry, std::span<const Corner> corners, Vec2 direction);
-/// m: width of a whole body across a direction in the world: the sum over its solid shapes.
+/// Returns the width (m) of a body across a direction in the world: the sum over its solid shapes.
 [[nodiscard]] float widthAcross(const World& world, std::uint32_t body, Rot rotation, Vec2 direction);
 
-/// A body in a field, without contacts and joints: integrated by Settings::integrator.
-struct Flyer {
+/// A body in a field that has neither contacts nor joints: integrated by Settings::integrator.
+struct FreeBody {
     std::uint32_t slot = 0;
     std::uint32_t body = 0;
-    Acceleration steady;    ///< the part that does not depend on the state
-    bool isSteady = false;  ///< all of it is steady: the trajectory has a closed form
+    Acceleration steady;    ///< acceleration that depends on neither position nor velocity
+    bool isSteady = false;  ///< true if there is no other acceleration: the trajectory has a closed form
     float linearDrag = 0.0f;
     float angularDrag = 0.0f;
     BodyState now;
-    float turned = 0.0f;  ///< rad since the start of the step
-    BodyState trial;      ///< state in which its forces are evaluated
-    Acceleration at[4];   ///< accelerations of the stages, see each integrator
+    float turned = 0.0f;  ///< rad: rotation since the start of the step
+    BodyState trial;      ///< state for which the integrator evaluates forces
+    Acceleration at[4];   ///< accelerations of the integrator's stages
 };
 
 /// Ratio by which drag reduces a constant acceleration over a substep.
@@ -118,21 +118,21 @@ struct DriveScale {
     float angular = 1.0f;
 };
 
-/// How a body is integrated.
+/// The method by which a body is integrated.
 enum class FieldMotion : std::uint8_t {
-    Steady,  ///< by the solver; constant accelerations alone
-    Driven,  ///< by the solver, as contacts or joints hold it: its fields are evaluated before each substep
+    Steady,  ///< by the solver: only constant accelerations act on it
+    Driven,  ///< by the solver, because it has contacts or joints; fields are evaluated before each substep
     Free,    ///< by Settings::integrator
 };
 
-/// A body in a field that contacts or joints hold: the solver integrates it.
+/// A body in a field that has contacts or joints: the solver integrates it.
 struct Driven {
     std::uint32_t slot = 0;
     std::uint32_t body = 0;
-    Acceleration steady;  ///< as of a Flyer
+    Acceleration steady;  ///< acceleration that depends on neither position nor velocity
     DriveScale scale;
     Acceleration moved;  ///< m, rad: displacement before the current substep
-    float work = 0.0f;   ///< J: of all accelerations so far
+    float work = 0.0f;   ///< J: work of all accelerations in this step so far
 };
 
 /// Which fields act on which bodies in a step, and which bodies are integrated freely.
@@ -144,13 +144,13 @@ struct SmoothForces {
     std::vector<Pull> pulls;
     std::vector<std::uint32_t> begins;  ///< by slot: start of its list in `fields`; one more entry at the end
     std::vector<std::uint32_t> fields;
-    /// By field: ratio by which a spring is softened, as its ends hang on more, or stiffer, springs than a
-    /// step can follow. One for both ends, so that momentum is kept.
+    /// By field: factor below 1 on the force of a spring if the springs at one of its ends are together too
+    /// stiff for a step. The same factor for both ends, so that momentum is conserved.
     std::vector<float> springScales;
     std::vector<FieldMotion> motions;  ///< by slot; empty in a step without fields
-    std::vector<Flyer> flyers;         ///< in order of their slots
+    std::vector<FreeBody> flyers;      ///< in order of their slots
     std::vector<Driven> driven;        ///< in order of their slots
-    /// By slot, J: work on a driven body beyond that of the accelerations of the last substep.
+    /// By slot, J: work on a driven body minus the work that the accelerations of the last substep would do.
     std::vector<float> works;
     std::vector<std::int32_t> flyerOf;  ///< by body: index in `flyers`, or -1
 
@@ -159,18 +159,18 @@ struct SmoothForces {
     }
 };
 
-// Finds the fields that may act on a body by the boxes in which they act: many small fields cost no more than
-// what they overlap. Fields without bounds may act on all. Springs know their bodies.
+// Finds the fields that may act on a body by their bounding boxes: a small field costs time only where it
+// overlaps bodies. Fields without bounds may act on all bodies, springs only on their own.
 
-/// Updates Workspace::fieldBoxes to fields that were changed, and bodies of attractors that moved.
+/// Updates Workspace::fieldBoxes after changes of fields and movements of attractors' bodies.
 void updateFieldBoxes(const World& world, Workspace& work);
 
-/// Fields that may act on a body, ascending, until the next call: at least those for which actsOn() holds.
-/// @param kinds  bits, 1 << FieldKind: those to search for; others may be among the result
+/// Returns the fields that may act on a body, ascending: a superset of actsOn(). Valid until the next call.
+/// @param kinds  bits, 1 << FieldKind: kinds to find; the result may contain other kinds
 std::span<const std::uint32_t> fieldsNear(const World& world, Workspace& work, std::uint32_t body,
                                           std::uint32_t kinds);
 
-/// Calls act(body, field) for all awake bodies and the fields that act on them; `kinds` as above.
+/// Calls act(body, field) for all awake bodies and the fields that act on them; `kinds` as for fieldsNear().
 template <class Act>
 void forFieldsOnBodies(const World& world, Workspace& work, std::uint32_t kinds, Act&& act) {
     updateFieldBoxes(world, work);

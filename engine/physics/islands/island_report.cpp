@@ -11,8 +11,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// By body: the body with the lowest index in its island. Recomputed from scratch,
-/// because the world's own islands may be larger than necessary, and lookups change them.
+/// Returns, by body, the body with the lowest index in its island. Recomputed from scratch, because the
+/// islands stored in the world may be larger than necessary, and lookups modify them.
 std::vector<std::uint32_t> firstBodies(const World& world) {
     std::vector<std::uint32_t> firsts(world.bodies.size());
     std::iota(firsts.begin(), firsts.end(), 0u);
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> firstBodies(const World& world) {
     return firsts;
 }
 
-/// Quality of a body in the last step.
+/// Returns the quality of a body in the last step.
 Quality qualityOf(const World& world, std::uint32_t body) {
     const std::vector<SubstepController>& substepControllers = world.bodies.substepControllers;
     if (body < substepControllers.size() && substepControllers[body].quality != kQualityOfWorld)
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> indicesOf(const World& world, std::vector<IslandRepor
     for (std::uint32_t body = 0; body < indices.size(); ++body) {
         if (!isUp(world, body)) continue;
         std::uint32_t& index = indices[firsts[body]];
-        if (index == kNone) {  // the first body itself: none is lower
+        if (index == kNone) {  // this is the first body of its island
             index = static_cast<std::uint32_t>(islands.size());
             islands.emplace_back().first = idOfBody(world, body);
         }
@@ -68,7 +68,7 @@ std::vector<IslandReport> reportIslands(const World& world) {
         island.quality = std::max(island.quality, qualityOf(world, body));
         island.speed = std::max(island.speed, length(world.bodies.motion[body].velocity));
     }
-    // The island of B, or of A if B has none because it is not dynamic.
+    // Returns the island of B, or of A if B is not dynamic.
     const auto islandFor = [&](std::uint32_t a, std::uint32_t b) {
         const std::uint32_t index = indices[b] != kNone ? indices[b] : indices[a];
         return index != kNone ? &islands[index] : nullptr;

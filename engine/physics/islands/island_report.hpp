@@ -4,11 +4,11 @@
 
 namespace plumb::physics {
 
-/// An awake island after a step: bodies connected by contacts or joints.
+/// Statistics of an awake island (bodies connected by contacts or joints) after a step.
 struct IslandReport {
-    BodyId first;                ///< the body with the lowest index
-    std::uint32_t bodies = 0;    ///< dynamic ones
-    std::uint32_t contacts = 0;  ///< that push, those with the ground included
+    BodyId first;                ///< its body with the lowest index
+    std::uint32_t bodies = 0;    ///< number of dynamic bodies
+    std::uint32_t contacts = 0;  ///< number of contacts that exert forces, including those with static bodies
     std::uint32_t joints = 0;
     Quality quality = 0;      ///< 2^quality substeps in the last step
     float overlap = 0.0f;     ///< m: maximum over its contacts
@@ -16,11 +16,10 @@ struct IslandReport {
     float speed = 0.0f;       ///< m/s: maximum over its bodies
 };
 
-/// All awake islands, sorted by their first body. For tools, not each step: it recomputes them and allocates.
+/// Returns all awake islands, sorted by their first body. For tools: slow, recomputes islands and allocates.
 [[nodiscard]] std::vector<IslandReport> reportIslands(const World& world);
 
-/// Index in `reportIslands(world)` of each body's island, by BodyId::index; kNone if it sleeps or is not
-/// dynamic.
+/// Returns, by BodyId::index, the body's index in reportIslands(world); kNone if asleep or not dynamic.
 [[nodiscard]] std::vector<std::uint32_t> islandIndices(const World& world);
 
 }  // namespace plumb::physics

@@ -12,7 +12,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// One level for a value above a limit, and one more for each `factor` above it, up to three.
+/// Returns one level for a value above a limit, and one more for each further `factor`, up to three.
 int stepsAbove(float value, float limit, float factor) {
     int steps = 0;
     for (; steps < 3 && value > limit; limit *= factor) ++steps;
@@ -31,10 +31,10 @@ void addTo(SubstepEstimate& island, const World& world, const Workspace& work, s
     island.highest = std::max(island.highest, depth);
     island.size += world.bodies.info[body].core;
     island.bodies += 1.0f;
-    forJointsOf(world, body, [&](std::uint32_t) { island.joints += 0.5f; });  // each body adds a half
+    forJointsOf(world, body, [&](std::uint32_t) { island.joints += 0.5f; });  // a half for each of two bodies
 }
 
-/// Kinds of islands that are solved with equal parameters: by quality, and again without rotation.
+/// Number of kinds of islands that are solved with equal parameters: by quality, with or without rotation.
 constexpr std::size_t kKindsWithRotation = kMaxQuality + 1;
 constexpr std::size_t kContactKinds = 2 * kKindsWithRotation;
 
@@ -46,13 +46,13 @@ void addGroup(Workspace& work, std::size_t kind, int bodies) {
     group.bodies = bodies;
 }
 
-/// Quality of each body, equal within an island: work.bodyScratch.
+/// Computes the quality of each body, equal within an island: work.bodyScratch.
 void judgeIslands(World& world, Workspace& work) {
     std::vector<std::uint32_t>& qualities = work.bodyScratch;
     qualities.assign(world.bodies.size(), static_cast<std::uint32_t>(world.settings.quality));
     for (const std::uint32_t body : world.awake) {
         std::uint32_t& best = qualities[work.roots[body]];
-        const Quality wish = std::max(world.settings.quality, wishOf(world, body));
+        const Quality wish = std::max(world.settings.quality, requestedQualityOf(world, body));
         best = std::max(best, static_cast<std::uint32_t>(wish));
     }
     if (world.settings.automaticQuality) {
@@ -61,7 +61,7 @@ void judgeIslands(World& world, Workspace& work) {
             const std::uint32_t root = work.roots[body];
             const auto extra = static_cast<std::uint32_t>(extraQuality(work.estimate[root]));
             qualities[root] = std::min(qualities[root] + extra, static_cast<std::uint32_t>(kMaxQuality));
-            work.estimate[root].bodies = 0.0f;  // done
+            work.estimate[root].bodies = 0.0f;  // marks the estimate as used
         }
     }
     for (const std::uint32_t body : world.awake) qualities[body] = qualities[work.roots[body]];
@@ -75,7 +75,7 @@ bool mixesRotation(const StepContext& step) {
     return step.runs(Effect::Rotation) && !pinned && callers(Effect::Rotation) < callers(Effect::Continuous);
 }
 
-/// Solves the islands that one group of soft bodies may push with equal parameters.
+/// Gives all islands that a group of soft bodies may push the same quality, so that they are solved together.
 void addSoftGroups(Workspace& work, std::span<const std::uint32_t> awake) {
     SoftSurroundings& around = work.softSurroundings;
     for (const SoftGroup& group : around.groups) {
@@ -91,8 +91,8 @@ void addSoftGroups(Workspace& work, std::span<const std::uint32_t> awake) {
     for (const std::uint32_t body : awake) work.bodyScratch[body] = work.bodyScratch[work.roots[body]];
 }
 
-/// Marks islands that the reduced kernels cannot solve: those with a body that rotates or has joints, or
-/// with bounces, rolling resistance or soft bodies nearby. Kinematic bodies may rotate, so they count too.
+/// Marks islands that the kernels without rotation cannot solve: with a body that can rotate or has joints,
+/// with bounces, rolling resistance or soft bodies nearby. Kinematic bodies count as rotating.
 void findRotating(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -118,7 +118,7 @@ void sortByIsland(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
     const bool judges = world.qualityCallers != 0 || world.settings.automaticQuality;
-    // A division by rotation alone must not rebuild islands earlier, which would change what sleeps when.
+    // A division by rotation alone must not rebuild islands, which would change when bodies fall asleep.
     findRoots(step, judges || world.settings.tolerance > 0.0f);
     if (world.settings.tolerance > 0.0f) {
         holdTolerance(world, work);
@@ -134,7 +134,7 @@ void sortByIsland(StepContext& step) {
         for (const std::uint32_t body : world.awake)
             if (work.needsRotation[work.roots[body]] == 0) kinds[body] += kKindsWithRotation;
     }
-    // Counting sort: count the bodies of each kind, find where each kind begins, then place the bodies.
+    // Counting sort by kind: counts the bodies, computes the start of each kind, then stores the bodies.
     std::array<int, kContactKinds> counts{}, begins{};
     std::array<std::uint8_t, kContactKinds> groups{};
     for (const std::uint32_t body : world.awake) ++counts[kinds[body]];
@@ -183,7 +183,7 @@ void findRoots(const StepContext& step, bool exact) {
     if (world.islandsStale && exact) rebuildIslands(world, step.pool);
     work.roots.resize(world.bodies.size());
     std::iota(work.roots.begin(), work.roots.end(), 0u);
-    // A lookup with path compression writes to the forest, so it is not done by several threads.
+    // Only lookups without path compression, which writes to the forest, run on several threads.
     const auto isFar = [&](std::size_t i) {
         const std::uint32_t body = world.awake[i];
         const BodyInfo& info = world.bodies.info[body];
@@ -191,8 +191,8 @@ void findRoots(const StepContext& step, bool exact) {
         work.roots[body] = info.island;
         return world.bodies.info[info.island].island != info.island;
     };
-    forThose(step, world.awake.size(), isFar,
-             [&](std::uint32_t i) { work.roots[world.awake[i]] = islandOf(world, world.awake[i]); });
+    forEachIf(step, world.awake.size(), isFar,
+              [&](std::uint32_t i) { work.roots[world.awake[i]] = islandOf(world, world.awake[i]); });
     work.rootsKnown = !world.islandsStale;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kIslandGrain = 512;
 
-// The free lists have capacity for all entries, so that waking up allocates nothing.
+// The free lists have capacity for all entries, so that waking an island allocates nothing.
 
 std::uint32_t takeIsland(Sleepers& sleepers) {
     const std::uint32_t island = takeIndex(sleepers.freeIslands, sleepers.islands);
@@ -39,9 +39,9 @@ void putInIsland(Sleepers& sleepers, std::uint32_t island, const Contact& contac
     sleepers.nextContact[place] = std::exchange(sleepers.islands[island].firstContact, place);
 }
 
-/// True for contacts that are not stored with a sleeping island. A kinematic body can begin or end a
-/// contact while the other body sleeps, unless that rests on it: then it wakes the sleeper when it
-/// starts to move (wakeForMotion). Contacts of destroyed shapes stay too: the next step ends them.
+/// True for contacts that are not stored with a sleeping island. A kinematic body can begin or end a contact
+/// while the other body sleeps, except if that body rests on it: then it wakes the body when it starts to
+/// move (wakeForMotion). Contacts of destroyed shapes stay too: the next step ends them.
 bool staysInStep(const World& world, const Contact& contact) {
     for (const std::uint32_t shape : {contact.shapeA, contact.shapeB}) {
         if (world.shapes.motion[shape] == ProxyMotion::Gone) return true;
@@ -51,7 +51,7 @@ bool staysInStep(const World& world, const Contact& contact) {
            world.bodies.info[contact.bodyB].kind == BodyKind::Kinematic;
 }
 
-/// Stores touching contacts with their sleeping islands; removes the others, which are found again later.
+/// Moves touching contacts to their sleeping islands; removes others, which are found again later.
 void takeContactsAlong(World& world) {
     std::vector<Contact>& contacts = world.contacts;
     for (std::size_t i = contacts.size(); i-- > 0;) {
@@ -62,7 +62,7 @@ void takeContactsAlong(World& world) {
         const std::uint32_t island = islandB != kNone ? islandB : world.sleepers.islandOf[contact.bodyA];
         if (island == kNone) continue;
         if ((contact.flags & kTouching) != 0) {
-            contact.flags &= static_cast<std::uint16_t>(~kBegan);  // no second Began when it wakes
+            contact.flags &= static_cast<std::uint16_t>(~kBegan);  // no second Began event after waking
             putInIsland(world.sleepers, island, contact);
         } else if (!world.work.stale()) {
             world.work.get().pairs.remove(pairKey(contact.shapeA, contact.shapeB));
@@ -96,7 +96,7 @@ void wakeIsland(World& world, std::uint32_t island) {
     sleepers.freeIslands.push_back(island);
 }
 
-/// Removes a member from a list. @param members store their positions in the list
+/// Removes a member from a list. @param members  objects that store their index in the list as `place`
 template <class Member>
 void takeOut(std::vector<std::uint32_t>& list, std::vector<Member>& members, std::uint32_t index) {
     const std::uint32_t place = members[index].place;
@@ -174,8 +174,8 @@ void wakeForMotion(World& world, std::uint32_t body) {
 }
 
 void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots) {
-    // One pass over bodies, contacts and joints, whatever the number of islands. `sleepingRoots`
-    // is kNone for a root that stays awake, anything else for one that goes to sleep.
+    // A single pass over bodies, contacts and joints for any number of islands. `sleepingRoots` is kNone for
+    // a root that stays awake, otherwise kIslandToBe or the index of its sleeping island.
     std::vector<std::uint32_t>& awake = world.awake;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < awake.size(); ++i) {
@@ -202,7 +202,7 @@ void sleepNow(World& world, std::uint32_t body) {
     std::vector<std::uint32_t> roots(world.bodies.size(), kNone);
     rebuildIslands(world);
     const std::uint32_t root = islandOf(world, body);
-    // An edit may have ended one of its contacts: the next step reports that, and wakes the body.
+    // An edit may have ended one of its contacts. Then it stays awake, and the next step ends the contact.
     const auto mayEnd = [&](const Contact& contact) {
         if ((contact.flags & kFixedA) == 0 || islandOf(world, contact.bodyB) != root) return false;
         return world.filtersStale || (world.shapes.info[contact.shapeA].flags & kLeftBounds) != 0;
@@ -234,7 +234,7 @@ void rebuildIslands(World& world, TaskPool* pool) {
     });
     forAll(world.joints.awake,
            [&](std::uint32_t j) { join(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB); });
-    // Replaces each parent by its root, so that the result does not depend on the order of joining.
+    // Replaces parents by roots, so that the result does not depend on the order of joins by threads.
     forAll(world.awake, [&](std::uint32_t body) {
         std::atomic_ref{info[body].island}.store(islandOf(world, body), std::memory_order_relaxed);
     });

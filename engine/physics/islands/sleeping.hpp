@@ -11,34 +11,34 @@ class TaskPool;
 
 namespace plumb::physics {
 
-/// Adds a new awake body.
+/// Adds a new body to the list of awake bodies.
 void addAwake(World& world, std::uint32_t body);
-/// Adds a new sleeping body, as an island of its own.
+/// Adds a new sleeping body as a separate island.
 void addAsleep(World& world, std::uint32_t body);
 /// Removes a body that is destroyed or disabled from the list of awake bodies.
-/// @pre it is awake or can never be
+/// @pre the body is awake or static
 void removeAwake(World& world, std::uint32_t body);
 
-/// Wakes the whole island of a body; one that is awake stays so for another Settings::sleepTime.
+/// Wakes the whole island of a body; an awake body stays awake for at least another Settings::sleepTime.
 void wake(World& world, std::uint32_t body);
 void wakeAll(World& world);
-/// Wakes a body and everything that touches it or has a joint with it.
+/// Wakes a body and all bodies that touch it or have a joint with it.
 void wakeTouching(World& world, std::uint32_t body);
-/// Wakes a body that is about to move; if it was at rest, also what touches it or has a joint with it.
+/// Wakes a body that is about to move; if it was at rest, also bodies that touch it or have a joint with it.
 void wakeForMotion(World& world, std::uint32_t body);
 void sleepNow(World& world, std::uint32_t body);
 
 inline constexpr std::uint32_t kIslandToBe = kNone - 1;
 /// Puts islands to sleep.
-/// @param sleepingRoots  by body: kIslandToBe for the root of an island that goes to sleep, else kNone
+/// @param sleepingRoots  by body: kIslandToBe for the root of an island to put to sleep, else kNone
 void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots);
 
-/// Does nothing for joints that are not solved: filters, and those of disabled bodies.
+/// Adds a joint to Joints::awake, unless it is never solved: a filter, or a joint of a disabled body.
 void addAwakeJoint(World& world, std::uint32_t joint);
 void removeAwakeJoint(World& world, std::uint32_t joint);
 
-// Islands as a union-find forest: bodies that touch or have a joint have the same root.
-// Islands may be larger than necessary until the forest is rebuilt. Source: R. Tarjan,
+// Islands are a union-find forest: bodies connected by contacts or joints have the same root. After contacts
+// or joints end, islands may be larger than necessary until the forest is rebuilt. Source: R. Tarjan,
 // "Efficiency of a good but not linear set union algorithm", 1975 (path halving).
 
 /// @param parent  returns a reference to the parent of a member (std::uint32_t&); a root is its own parent
@@ -49,12 +49,12 @@ std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
         const std::uint32_t next = AtomicParent{parent(member)}.load(std::memory_order_relaxed);
         const std::uint32_t after = AtomicParent{parent(next)}.load(std::memory_order_relaxed);
         if (next == after) return next;
-        // Races are harmless: every thread writes an ancestor. Only a root that was just joined must be kept.
+        // Races are harmless: every thread writes an ancestor. joinTrees() changes roots atomically.
         AtomicParent{parent(member)}.store(after, std::memory_order_relaxed);
         member = after;
     }
 }
-/// Safe to call from several threads. The lower root stays the root, whatever the order of joining.
+/// Joins two trees. Thread-safe. The lower root remains the root, so the order does not matter.
 template <class Parent>
 void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
     for (;;) {
@@ -69,8 +69,8 @@ void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
 
 std::uint32_t islandOf(World& world, std::uint32_t body);
 void joinIslands(World& world, std::uint32_t a, std::uint32_t b);
-/// Rebuilds the forest without contacts and joints that ended.
-/// @param pool  threads to share the work
+/// Rebuilds the forest from the current contacts and joints.
+/// @param pool  threads that share the work
 void rebuildIslands(World& world, TaskPool* pool = nullptr);
 
 }  // namespace plumb::physics

@@ -24,7 +24,7 @@ struct Terms {
     }
 };
 
-/// Number of additional quality levels that an error calls for.
+/// Returns the number of additional quality levels with which an error falls below the tolerance.
 int levelsFor(float error, float tolerance) {
     int levels = 0;
     for (float left = error; levels < kMaxQuality && left > kRoom * tolerance; left *= 1.0f / kMinGain)
@@ -53,7 +53,7 @@ SubstepController resigned(SubstepController controller, float error, const Term
     return changed(controller, SubstepPhase::Resigned, wait, error);
 }
 
-/// Quality that a rise aims at.
+/// Returns the quality up to which a rise continues.
 Quality goalOf(const SubstepController& controller, const Terms& terms) {
     const int levels = std::max(1, levelsFor(controller.first, terms.tolerance));
     return static_cast<Quality>(std::min(controller.before + levels, int{kMaxQuality}));
@@ -76,11 +76,11 @@ SubstepController strained(const SubstepController& controller, const Terms& ter
     return changed(controller, SubstepPhase::Strained, terms.stepsIn(kBlow), controller.error);
 }
 
-/// Within the tolerance, as far as is known.
+/// Next state while the error is within the tolerance.
 SubstepController whileCalm(SubstepController controller, float error, const Terms& terms) {
     controller.error = std::max(controller.error, error);
     if (controller.patience > 0 &&
-        error < kVanished * controller.first) {  // what was learned belongs to another load
+        error < kVanished * controller.first) {  // earlier failures were with another load
         controller.patience = 0;
         controller.wait = std::min(controller.wait, terms.stepsIn(kWatch));
     }
@@ -97,7 +97,7 @@ SubstepController whileCalm(SubstepController controller, float error, const Ter
 
 SubstepController whileTrying(SubstepController controller, float error, const Terms& terms) {
     if (error <= kRoom * terms.tolerance) return whileCalm(controller, error, terms);
-    // An impact would prove nothing, but cannot be distinguished here: it will be tried again.
+    // Perhaps an impact caused the error, which cannot be detected here: tries the lower quality again later.
     const std::uint8_t patience = oneMore(controller.patience);
     controller = risen(controller, error, terms);
     controller.patience = patience;
@@ -127,10 +127,10 @@ bool isRoot(const World& world, std::uint32_t body) {
     return isDynamic(world, body) && world.bodies.info[body].island == body;
 }
 
-/// What is known before errors are measured.
+/// Result of openCases().
 struct Findings {
-    bool someNew = false;      // some bodies have no state yet
-    bool someChanged = false;  // some island merges bodies of different quality
+    bool someNew = false;      // true if a body has no controller yet
+    bool someChanged = false;  // true if an island merges bodies of different quality
 };
 
 /// Collects the bodies of each island and merges their states.
@@ -147,7 +147,7 @@ Findings openCases(World& world, Workspace& work) {
         const Quality others = island.controller.quality;
         found.someChanged |= others != kQualityOfWorld && others != controller.quality;
         island.controller = merged(island.controller, controller);
-        if (wishes) island.minimum = std::max(island.minimum, wishOf(world, body));
+        if (wishes) island.minimum = std::max(island.minimum, requestedQualityOf(world, body));
         if (controller.quality == kQualityOfWorld) island.isNew = found.someNew = true;
     }
     return found;
@@ -173,7 +173,7 @@ void measure(World& world, Workspace& work) {
     }
 }
 
-/// New islands begin with the estimate, so that nothing has to sink in before an error shows.
+/// Starts new islands with the estimated quality, so that bodies do not have to overlap before it rises.
 void guess(World& world, Workspace& work) {
     estimateSubsteps(world, work);
     for (const std::uint32_t body : world.awake) {
@@ -202,7 +202,7 @@ bool judge(World& world, Workspace& work) {
     return changed;
 }
 
-/// Contacts store impulses per substep: a longer substep needs larger ones. Joints store forces instead.
+/// Scales the impulses per substep of contacts to the new substep length. Joints store forces instead.
 void scaleImpulses(World& world, Workspace& work) {
     for (Contact& contact : world.contacts) {
         if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
@@ -217,7 +217,8 @@ void scaleImpulses(World& world, Workspace& work) {
     }
 }
 
-/// A joint to a kinematic body is accurate only if both bodies are solved in the same group.
+/// Gives kinematic bodies the quality of the bodies that are joined to them, so that they are in the same
+/// group. Otherwise the joint would be inaccurate.
 void takeAlong(const World& world, Workspace& work) {
     if (!world.manifest.runs(Effect::Kinematics)) return;
     for (const std::uint32_t j : world.joints.awake) {
@@ -280,7 +281,7 @@ SubstepController judged(SubstepController controller, float error, float tolera
     return controller;
 }
 
-Quality wishOf(const World& world, std::uint32_t body) {
+Quality requestedQualityOf(const World& world, std::uint32_t body) {
     Quality wish = world.bodies.info[body].quality;
     forJointsOf(world, body, [&](std::uint32_t j) { wish = std::max(wish, world.joints.hot[j].quality); });
     return wish;

@@ -22,7 +22,7 @@ inline Grip gripOf(const Softness& soft) {
     return {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
 }
 
-/// The same for eight joints. Springs keep them in the relax pass; other joints are rigid there.
+/// The Grip of eight joints. Springs keep it in the relax pass; other joints are rigid there.
 struct GripLanes {
     float take[kLanes];
     float pull[kLanes];
@@ -33,28 +33,28 @@ struct GripLanes {
 
 /// The two bodies of eight joints of one color.
 struct JointBodies {
-    std::uint32_t a[kLanes];  ///< bytes: of their slots, from the first
+    std::uint32_t a[kLanes];  ///< byte offset of the body's slot from the first slot
     std::uint32_t b[kLanes];
     float inverseInertiaA[kLanes];
     float inverseInertiaB[kLanes];
-    std::uint32_t own[kLanes];  ///< of the only body that a one-sided joint moves
-    float ownIsA[kLanes];       ///< 1 if that is A, else 0
+    std::uint32_t own[kLanes];  ///< byte offset of the only body that a one-sided joint moves
+    float ownIsA[kLanes];       ///< 1 if that body is A, else 0
 };
 
-/// Two anchors, with the arms of the start of the step.
+/// The anchors of eight joints at the start of the step.
 struct AnchorLanes {
-    VecLanes armA;  ///< m, world, from the center of mass
+    VecLanes armA;  ///< m, world: from the center of mass of A to its anchor
     VecLanes armB;
     VecLanes apart;  ///< m: from A's anchor to B's, at the start of the step
 };
 
-/// Constraints on a value: what holds it, a motor, and two limits.
+/// Constraints on a value: a rigid or soft constraint that holds it, a motor, and two limits.
 struct RowLanes {
-    std::int32_t uses;       ///< bits of RowUse, of all lanes together
+    std::int32_t uses;       ///< bits of RowUse that any lane uses
     float value[kLanes];     ///< m or rad, as of the last biased pass
-    float rest[kLanes];      ///< value at which it is held
-    float speed[kLanes];     ///< m/s or rad/s: of the motor
-    float maxMotor[kLanes];  ///< N s or N m s: maximum impulse per substep
+    float rest[kLanes];      ///< m or rad: value at which it is held
+    float speed[kLanes];     ///< m/s or rad/s: target speed of the motor
+    float maxMotor[kLanes];  ///< N s or N m s: maximum motor impulse per substep
     float lower[kLanes];
     float upper[kLanes];
     GripLanes grip;
@@ -72,10 +72,10 @@ struct PointBlock {
 
     JointBodies bodies;
     AnchorLanes anchors;
-    VecLanes impulse;     ///< N s, on B
-    float turnA[kLanes];  ///< N m s: after a biased pass, torque of the impulse; after a relax pass, its
-                          ///< correction along the current arms
-    float turnB[kLanes];
+    VecLanes impulse;         ///< N s, on B
+    float rotationA[kLanes];  ///< N m s: after a biased pass, angular part of the impulse; after a relax
+                              ///< pass, the correction of that part for the current arms
+    float rotationB[kLanes];
 };
 
 /// Eight joints that constrain a point, possibly softly or with limited force, and the angle.
@@ -88,12 +88,12 @@ struct HingeBlock : PointBlock {
     RowLanes turning;
 };
 
-/// Correction of impulses whose directions rotate with the bodies: along the current directions, minus what
-/// was applied.
+/// Correction of impulses whose directions rotate with the bodies: the impulse along the current directions
+/// minus the applied one.
 struct CarryLanes {
-    VecLanes impulse;     ///< N s
-    float turnA[kLanes];  ///< N m s
-    float turnB[kLanes];
+    VecLanes impulse;         ///< N s
+    float rotationA[kLanes];  ///< N m s
+    float rotationB[kLanes];
 };
 
 /// Eight joints that act along the line through their anchors.
@@ -111,12 +111,12 @@ struct SliderBlock : RodBlock {
     static constexpr bool kSlides = true;
 
     VecLanes axis;                ///< at the start of the step
-    float angle[kLanes];          ///< rad, at the start of the step, relative to where it is held
+    float angle[kLanes];          ///< rad, at the start of the step, minus the angle at which it is held
     float holdsAngle[kLanes];     ///< 1 or 0
-    float acrossImpulse[kLanes];  ///< N s
+    float acrossImpulse[kLanes];  ///< N s: across the axis
     float angleImpulse[kLanes];   ///< N m s
     std::int32_t spins;           ///< nonzero if some lane has a rotational motor
-    float spin[kLanes];           ///< rad/s: target speed of that motor
+    float spin[kLanes];           ///< rad/s: target speed of the rotational motor
     float maxSpin[kLanes];        ///< N m s: maximum impulse per substep
     float spinImpulse[kLanes];
 };

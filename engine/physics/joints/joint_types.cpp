@@ -15,23 +15,23 @@ JointView viewOf(const World& world, std::uint32_t index, const JointTiming& tim
 
 JointParts anchorsOf(const JointView& view) {
     JointParts parts;
-    parts.armA = rotate(view.turnA, view.joint.anchorA);
-    parts.armB = rotate(view.turnB, view.joint.anchorB);
+    parts.armA = rotate(view.rotationA, view.joint.anchorA);
+    parts.armB = rotate(view.rotationB, view.joint.anchorB);
     parts.apart = view.between + (parts.armB - parts.armA);
     parts.grip = view.timing.rigid;
     return parts;
 }
 
 float angleOf(const JointView& view) {
-    const float angle = angleOf(between(view.turnA, view.turnB)) - view.definition.referenceAngle;
+    const float angle = angleOf(between(view.rotationA, view.rotationB)) - view.definition.referenceAngle;
     return angle - kTau * std::floor((angle + kPi) / kTau);
 }
 
 namespace {
 
-// Parts that several kinds have.
+// Constraints that several kinds of joints use.
 
-/// N s or N m s: of a force or torque in a substep.
+/// Returns the impulse of a force or torque in a substep, N s or N m s.
 float impulseOf(float force, const JointView& view) { return std::min(force * view.timing.h, kNoLimit); }
 
 /// Soft constraint parameters of a spring with a given frequency (1/s) and damping ratio, on the effective
@@ -47,7 +47,7 @@ Grip springGrip(float hertz, float dampingRatio, float h) {
     return {1.0f - kept, turn * turn * kept / h, kept};
 }
 
-/// Of the joint itself: rigid, or a spring if JointDefinition::hertz is below JointTiming::stiffest.
+/// Sets `grip` to rigid, or to a spring if JointDefinition::hertz is below JointTiming::stiffest.
 /// @return true for a spring
 bool ownGrip(const JointView& view, Grip& grip) {
     const float hertz = view.definition.hertz;
@@ -56,7 +56,7 @@ bool ownGrip(const JointView& view, Grip& grip) {
     return springs;
 }
 
-/// Motor, limits and spring of the definition; the spring is what holds the value.
+/// Returns motor, limits and spring of the definition; a spring holds the value at its rest value.
 ValueParts valueParts(const JointView& view) {
     const JointDefinition& definition = view.definition;
     ValueParts value;
@@ -78,7 +78,7 @@ ValueParts valueParts(const JointView& view) {
     return value;
 }
 
-// What each kind of joint is made of.
+// The constraints of each kind of joint.
 
 template <JointBlockKind kKind>
 JointBlockKind always(std::uint8_t) {
@@ -96,7 +96,7 @@ JointParts distance(const JointView& view) {
     return parts;
 }
 
-/// A point alone, unless it has more, which needs the larger block.
+/// Returns point blocks for a plain hinge, hinge blocks for one with a limit, a motor or a spring.
 JointBlockKind hinge(std::uint8_t flags) {
     return (flags & (kLimited | kDriven | kSprung | kSoft)) != 0 ? kHingeBlocks : kPointBlocks;
 }
@@ -112,7 +112,7 @@ JointParts revolute(const JointView& view) {
 
 JointParts prismatic(const JointView& view) {
     JointParts parts = anchorsOf(view);
-    parts.axis = rotate(view.turnA, view.definition.axis);
+    parts.axis = rotate(view.rotationA, view.definition.axis);
     parts.value = valueParts(view);
     parts.angle = angleOf(view);
     parts.holdsAngle = true;
@@ -137,7 +137,7 @@ JointParts weld(const JointView& view) {
 
 JointParts wheel(const JointView& view) {
     JointParts parts = anchorsOf(view);
-    parts.axis = rotate(view.turnA, view.definition.axis);
+    parts.axis = rotate(view.rotationA, view.definition.axis);
     parts.value = valueParts(view);
     parts.spin = parts.value.speed;
     parts.maxSpin = parts.value.maxMotor;
@@ -164,25 +164,25 @@ JointParts mouse(const JointView& view) {
 JointParts motor(const JointView& view) {
     const JointDefinition& definition = view.definition;
     JointParts parts = anchorsOf(view);
-    // Soft in both passes: the relax pass must not take back what the limited force corrected.
+    // Soft in both passes: the relax pass must not undo the correction by the limited force.
     parts.springs = true;
     parts.maximum = impulseOf(definition.maxForce, view);
     parts.angle = angleOf(view);
     if (definition.motor.on) {
         parts.grip = {1.0f, kSteering, 0.0f};
-        parts.apart = (-1.0f / kSteering) * rotate(view.turnA, definition.velocity);
+        parts.apart = (-1.0f / kSteering) * rotate(view.rotationA, definition.velocity);
         parts.value.driven = true;
         parts.value.speed = definition.motor.speed;
         parts.value.maxMotor = impulseOf(definition.maxTorque, view);
         return parts;
     }
-    const Vec2 offset = rotate(view.turnA, definition.offset);
+    const Vec2 offset = rotate(view.rotationA, definition.offset);
     parts.armA += offset;
     parts.apart -= offset;
     const bool own = definition.hertz > 0.0f;
     parts.grip = springGrip(own ? definition.hertz : kDefaultHertz, own ? definition.dampingRatio : 1.0f,
                             view.timing.h);
-    if (!own) {  // no spring of the owner's: it closes no faster than other joints
+    if (!own) {  // no spring is defined: the error closes no faster than in other joints
         const float most = kJointPushing * view.world.settings.pushSpeed * parts.grip.take / parts.grip.pull;
         parts.apart *= most / std::max(length(parts.apart), most);
         parts.angle = std::clamp(parts.angle, -most, most);
@@ -210,7 +210,7 @@ void addCoordinate(const World& world, std::uint32_t index, float ratio, NBodyCo
     constraint.add({joint.bodyB, axis.x, axis.y, cross(armB, axis)});
 }
 
-/// The error adds up over all steps (Joint::rows[1]): angles are not limited to one revolution.
+/// The error accumulates over all steps (Joint::rows[1]): angles are not limited to one revolution.
 NBodyConstraint gear(const World& world, const Joint& joint, const JointDefinition& definition) {
     NBodyConstraint constraint;
     addCoordinate(world, definition.jointA.index, 1.0f, constraint);
@@ -219,8 +219,8 @@ NBodyConstraint gear(const World& world, const Joint& joint, const JointDefiniti
     return constraint;
 }
 
-/// Adds one side of the rope.
-/// @return its length times `ratio`
+/// Adds the Jacobian of one side of the rope.
+/// @return the length of that side times `ratio`
 float addSide(const World& world, std::uint32_t body, Vec2 anchor, Vec2 ground, float ratio,
               NBodyConstraint& constraint) {
     const BodyPose& pose = world.bodies.pose[body];
@@ -240,7 +240,7 @@ NBodyConstraint pulley(const World& world, const Joint& joint, const JointDefini
     return constraint;
 }
 
-/// In the order of JointKind.
+/// The joint types, in the order of JointKind.
 constexpr std::array<JointType, static_cast<std::size_t>(JointKind::Count)> kJointTypes{{
     {always<kRodBlocks>, distance, nullptr, true},
     {hinge, revolute, nullptr, true},
@@ -251,7 +251,7 @@ constexpr std::array<JointType, static_cast<std::size_t>(JointKind::Count)> kJoi
     {always<kHingeBlocks>, motor, nullptr, true},
     {nullptr, nullptr, gear},
     {nullptr, nullptr, pulley},
-    {always<kRodBlocks>, anchorsOf},  // filters are never awake, so never solved: addAwakeJoint()
+    {always<kRodBlocks>, anchorsOf},  // filter joints are never solved: see addAwakeJoint()
 }};
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace plumb::physics {
 
 struct JointTiming {
-    float h = 0.0f;         ///< s
+    float h = 0.0f;         ///< s: length of a substep
     float stiffest = 0.0f;  ///< 1/s: a spring at or above this frequency counts as rigid
     Grip rigid;             ///< soft constraint parameters of a joint that is as stiff as the substeps allow
 };
@@ -17,8 +17,8 @@ struct JointView {
     const Joint& joint;
     const JointDefinition& definition;
     const JointTiming& timing;
-    Rot turnA;
-    Rot turnB;
+    Rot rotationA;
+    Rot rotationB;
     Vec2 between;  ///< m: from A's center of mass to B's
 };
 
@@ -33,7 +33,7 @@ struct ValueParts {
     float rest = 0.0f;         ///< m or rad: the value at which it is held
     float maximum = kNoLimit;  ///< N s or N m s: maximum impulse per substep
     bool driven = false;
-    float speed = 0.0f;     ///< m/s or rad/s
+    float speed = 0.0f;     ///< m/s or rad/s: target speed of the motor
     float maxMotor = 0.0f;  ///< N s or N m s: maximum motor impulse per substep
     bool limited = false;
     float lower = -kNoLimit;  ///< m or rad
@@ -42,16 +42,16 @@ struct ValueParts {
 
 /// A joint in terms of the solver's constraints. Its block kind decides which of them apply.
 struct JointParts {
-    Vec2 armA;  ///< m, world, from the center of mass
+    Vec2 armA;  ///< m, world: from the center of mass of A to its anchor
     Vec2 armB;
     Vec2 apart;  ///< m: from A's anchor to B's
     Grip grip;   ///< soft constraint parameters of the point constraint
     bool springs = false;
     float maximum = kNoLimit;  ///< N s: maximum impulse per substep
     float angle = 0.0f;        ///< rad: rotation of B relative to A, minus the reference angle
-    ValueParts value;          ///< on the angle (hinges) or the length (rods, sliders)
+    ValueParts value;          ///< constraints on the angle (hinges) or the length (rods, sliders)
     Vec2 axis;                 ///< world: sliding axis
-    bool holdsAngle = false;   ///< rigidly
+    bool holdsAngle = false;   ///< rigidly, at 0
     float spin = 0.0f;         ///< rad/s: target speed of a slider's rotational motor (wheel)
     float maxSpin = 0.0f;      ///< N m s: maximum impulse of that motor per substep
 };
@@ -68,9 +68,9 @@ struct NBodyJacobian {
 /// solved one by one. Jacobians are those of the start of the step.
 struct NBodyConstraint {
     NBodyJacobian ends[4];
-    std::int32_t count = 0;     ///< of ends
+    std::int32_t count = 0;     ///< number of ends in use
     std::int32_t reported = 0;  ///< the end whose force jointForce() reports
-    float error = 0.0f;         ///< at the start of the step
+    float error = 0.0f;         ///< value of the sum at the start of the step
     std::int32_t slots[4] = {};
     float inverseInertia[4] = {};
     float mass = 0.0f;
@@ -81,11 +81,11 @@ struct NBodyConstraint {
     void add(const NBodyJacobian& end) { ends[count++] = end; }
 };
 
-/// One kind of joint: a row of the table in joint_types.cpp.
+/// Properties of one kind of joint: an entry of the table in joint_types.cpp.
 struct JointType {
     JointBlockKind (*block)(std::uint8_t flags);  ///< block layout, by bits of JointFlag
     JointParts (*parts)(const JointView& view);
-    /// Replaces both for joints that are not defined by two bodies and their anchors (gears, pulleys).
+    /// Replaces `block` and `parts` for joints that are not defined by two anchors (gears, pulleys).
     NBodyConstraint (*constraint)(const World& world, const Joint& joint,
                                   const JointDefinition& definition) = nullptr;
     bool hasMotor = false;  ///< JointDefinition::motor has an effect
@@ -93,12 +93,12 @@ struct JointType {
 
 const JointType& jointType(JointKind kind);
 
-/// A joint at the current poses of its bodies. It refers to `timing`.
+/// Returns a joint with the current poses of its bodies. The view refers to `timing`.
 JointView viewOf(const World& world, std::uint32_t joint, const JointTiming& timing);
 
-/// Arms and separation of both anchors in world space.
+/// Returns the arms and the separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
-/// rad, -pi..pi: rotation of B relative to A, minus the reference angle.
+/// Returns the rotation of B relative to A, minus the reference angle (rad, -pi..pi).
 float angleOf(const JointView& view);
 
 }  // namespace plumb::physics

@@ -58,7 +58,7 @@ double energyOfField(const World& world, const Field& field) {
     return spreads ? energyOfAttractor(world, definition) : 0.0;
 }
 
-/// Deviation of a length or an angle from where it is held, or excess over its limits.
+/// Returns the deviation of a length or an angle from its fixed value, or the excess over its limits.
 float missOf(const ValueParts& parts, float value) {
     float miss = parts.held && !parts.springs ? std::fabs(value - parts.rest) : 0.0f;
     if (parts.limited) miss = std::max({miss, parts.lower - value, value - parts.upper});
@@ -84,7 +84,7 @@ float openingOf(const JointParts& parts, JointBlockKind kind) {
     }
 }
 
-/// A joint with a frequency of its own is a spring, however stiff.
+/// Timing with which a joint with JointDefinition::hertz counts as a spring at any stiffness.
 constexpr JointTiming kTiming{1.0f / 60.0f, std::numeric_limits<float>::infinity(), {}};
 
 }  // namespace

@@ -4,28 +4,27 @@
 
 namespace plumb::physics {
 
-// Measures of the quality of a simulation. Computed on request: a step does not pay for them.
+// Measures of the quality of a simulation. Computed only by calls of these functions, not in each step.
 
-/// J: of all dynamic bodies, kinetic and in the world's gravity, springs and linear attractors. A world
-/// without friction, drag and motors conserves it; any change is an error of the simulation.
+/// Returns the energy (J) of all dynamic bodies: kinetic, and potential in the world's gravity, springs and
+/// linear attractors. Without friction, drag and motors any change of it is an error of the simulation.
 [[nodiscard]] double energyOf(const World& world);
 
-/// m: maximum overlap of two solid shapes at the start of the last step; 0 if there is none. What
-/// initial_overlaps.cpp hides does not count.
+/// Returns the maximum overlap (m) of two solid shapes at the start of the last step; 0 if there is none.
+/// Overlap hidden by initial_overlaps.cpp does not count.
 [[nodiscard]] float deepestOverlapOf(const World& world);
 
-/// m: maximum distance of a dynamic body of `world` from the same body of `other`. Bodies of one alone do not
-/// count.
+/// Returns the maximum distance (m) of a dynamic body from the same body in `other`, if it exists in both.
 [[nodiscard]] double largestDistanceOf(const World& world, const World& other);
 
 // Constraint errors of contacts and joints, m, never negative.
 
-/// Overlap of the two shapes of a contact at the start of the last step, without what initial_overlaps.cpp
-/// hides. 0 for contacts that do not push.
+/// Returns the overlap of the two shapes of a contact at the start of the last step, without overlap hidden
+/// by initial_overlaps.cpp. 0 for contacts that exert no forces.
 [[nodiscard]] float overlapOf(const Contact& contact);
 
-/// Current error of a joint: distance of its anchors, deviation of its length, excess over a limit; an angle
-/// counts by how far it moves the anchor. Springs have no error, and gears and pulleys are not measured.
+/// Returns the current error of a joint: distance of its anchors, deviation from its length or excess over a
+/// limit; for angles, the displacement that they cause. 0 for springs, gears and pulleys.
 [[nodiscard]] float openingOf(const World& world, std::uint32_t joint);
 
 }  // namespace plumb::physics

@@ -19,8 +19,9 @@ void append(Bytes& to, const void* from, std::size_t count) {
     to.insert(to.end(), at, at + count);
 }
 
-/// Passes the whole state to an archive, in the order of the hash. The bindings name every member: a new
-/// one does not compile. Hashes skip members added later if unused, so old worlds keep their hashes.
+/// Passes the whole state to an archive, in the order of the hash. The bindings name every member, so that a
+/// new member causes a compile error. Hashes skip later members with default values, so that old worlds keep
+/// their hashes.
 template <class Archive, class AnyWorld>
 void visit(Archive& archive, AnyWorld& world) {
     auto& [settings, bodies, shapes, joints, fields, softBodies, awake, moved, altered, contacts, sleepers,
@@ -52,13 +53,13 @@ void visit(Archive& archive, AnyWorld& world) {
     auto& [islands, freeIslands, sleeping, nextContact, freeContacts, nextBody, islandOf] = sleepers;
     archive.lists(islands, freeIslands, sleeping, nextContact, freeContacts, nextBody, islandOf,
                   initialOverlaps);
-    // Events belong to the last step: the next one does not depend on them.
+    // Omits events, on which the next step does not depend.
     archive.values(qualityCallers, newJoints, filtersStale, islandsStale, islandsAge, gravityOfLastStep,
                    steps, manifest);
     if (Archive::kIsExact) archive.values(stepLength);
 }
 
-/// True for types without padding: reading undefined padding bytes makes this not a constant expression.
+/// True for types without padding; with padding, this is not a constant expression and does not compile.
 template <class T>
 constexpr bool isDense() {
     unsigned sum = 0;
@@ -66,7 +67,7 @@ constexpr bool isDense() {
     return sum < sizeof(T) * 256;
 }
 
-/// Hashes lists as raw bytes, but types that have or had padding value by value.
+/// Hashes lists as raw bytes, except types that have or had padding: these value by value.
 class HashArchive {
 public:
     static constexpr bool kIsExact = false;
@@ -195,7 +196,7 @@ private:
     template <class T>
     void write(const std::vector<T>& list) {
         static_assert(std::is_trivially_copyable_v<T>);
-        values(std::uint64_t{sizeof(T)});  // of another version of the library it may differ
+        values(std::uint64_t{sizeof(T)});  // may differ in another version of the library
         append(parts.back(), list.data(), list.size() * sizeof(T));
     }
 };
@@ -219,7 +220,7 @@ public:
     void resize(std::vector<T>& list) {
         std::uint64_t count = 0;
         values(count);
-        ok_ = ok_ && count <= parts_.size();  // each element has parts of its own
+        ok_ = ok_ && count <= parts_.size();  // each element has separate parts
         if (ok_) list.resize(count);
     }
     template <class... T>
@@ -257,7 +258,7 @@ Parts partsOf(const World& world) {
 }
 
 Error broken() {
-    return {"worldFrom", "the bytes are not of this version of the library, or damaged", "save them anew"};
+    return {"worldFrom", "the data is corrupted or of another library version", "save it again"};
 }
 
 Result<World> worldOf(const Parts& parts) {
@@ -270,7 +271,7 @@ Result<World> worldOf(const Parts& parts) {
 
 constexpr std::uint64_t kFormat = 3;
 
-/// Format, the parts with their sizes, and a checksum.
+/// Serializes the format number, the parts with their sizes, and a checksum.
 Bytes joined(const Parts& parts) {
     Bytes bytes;
     const auto addNumber = [&](std::uint64_t number) { append(bytes, &number, sizeof number); };
@@ -349,8 +350,8 @@ void WorldRecording::step(World& world, float dt, const StepOptions& options) {
 
 Result<World> WorldRecording::replay(std::size_t count, const StepOptions& options) const {
     if (count > steps_.size())
-        return Error{"WorldRecording::replay", "there are only " + std::to_string(steps_.size()) + " steps",
-                     "ask for no more than steps()"};
+        return Error{"WorldRecording::replay", "it has only " + std::to_string(steps_.size()) + " steps",
+                     "pass at most steps() as count"};
     Result<World> world = worldOf(start_);
     for (std::size_t i = 0; world && i < count; ++i) {
         if (!steps_[i].changes.empty()) {
@@ -364,8 +365,9 @@ Result<World> WorldRecording::replay(std::size_t count, const StepOptions& optio
         }
         physics::step(*world, steps_[i].dt, options);
         if (hashOf(*world) != steps_[i].hash)
-            return Error{"WorldRecording::replay", "step " + std::to_string(i) + " gave another state",
-                         "pass the hooks of the recording, and change the world only between its steps"};
+            return Error{"WorldRecording::replay",
+                         "step " + std::to_string(i) + " gave another state than recorded",
+                         "use the hooks of the recording, and change the world only between its steps"};
     }
     return world;
 }

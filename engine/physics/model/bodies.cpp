@@ -18,7 +18,7 @@ namespace {
 Result<Done> check(const BodyDefinition& definition) {
     return firstOf(
         checkKind("BodyDefinition.kind", definition.kind),
-        checkPlace("BodyDefinition.position", definition.position),
+        checkPosition("BodyDefinition.position", definition.position),
         checkNumber("BodyDefinition.angle", definition.angle, -1.0e5, 1.0e5),
         checkVector("BodyDefinition.velocity", definition.velocity, kFastest),
         checkNumber("BodyDefinition.angularVelocity", definition.angularVelocity, -kFastest, kFastest),
@@ -44,7 +44,7 @@ BodyDrive driveOf(const BodyDefinition& definition) {
             .angularDrag = definition.angularDrag};
 }
 
-/// Changes a property that a body's effects depend on, and updates the manifest.
+/// Changes a property on which the effects of a body depend, and updates the manifest.
 template <class Change>
 void change(World& world, BodyId body, Change&& change) {
     countEffectsOfBody(world, body.index, -1);
@@ -52,7 +52,7 @@ void change(World& world, BodyId body, Change&& change) {
     countEffectsOfBody(world, body.index, 1);
 }
 
-/// Changes the drag or permanent acceleration of a body. A changed acceleration wakes it.
+/// Changes BodyDrive of a body. A changed acceleration wakes it.
 template <class Change>
 Result<Done> setDrive(World& world, const char* where, BodyId body, const Result<Done>& value, Change&& set) {
     const auto checked = firstOf(checkAlive(where, world, body), value);
@@ -67,7 +67,7 @@ Result<Done> setDrive(World& world, const char* where, BodyId body, const Result
     return checked;
 }
 
-/// Adds to the forces or the motion of a dynamic body, and wakes it.
+/// Changes the forces or the motion of a dynamic body by add(), and wakes the body.
 template <class Add>
 Result<Done> push(World& world, const char* where, BodyId body, const Result<Done>& value, Add&& add) {
     const auto checked = firstOf(checkAlive(where, world, body), value);
@@ -77,7 +77,7 @@ Result<Done> push(World& world, const char* where, BodyId body, const Result<Don
     return checked;
 }
 
-/// @return false if it has that value already, or the body is gone
+/// @return false if the flag has this value already, or the body was destroyed
 bool setFlag(World& world, BodyId body, BodyFlag flag, bool on) {
     if (!mayChange(world, body)) return false;
     std::uint8_t& flags = world.bodies.info[body.index].flags;
@@ -187,8 +187,9 @@ Frame predictTransform(const World& world, BodyId body, float dt) {
 }
 
 Result<Done> setPosition(World& world, BodyId body, WorldPosition position, float angle) {
-    const auto checked = firstOf(checkAlive("setPosition", world, body), checkPlace("setPosition", position),
-                                 checkNumber("setPosition angle", angle, -1.0e5, 1.0e5));
+    const auto checked =
+        firstOf(checkAlive("setPosition", world, body), checkPosition("setPosition", position),
+                checkNumber("setPosition angle", angle, -1.0e5, 1.0e5));
     if (!checked) return checked;
     wakeTouching(world, body.index);
     BodyPose& pose = world.bodies.pose[body.index];
@@ -197,7 +198,7 @@ Result<Done> setPosition(World& world, BodyId body, WorldPosition position, floa
     refreshBounds(world, body.index);
     forJointsOf(world, body.index, [&](std::uint32_t j) { world.joints.hot[j].flags |= kEdited; });
     // Contacts of bodies that cannot rotate assume a constant rotation (kAlongAxes).
-    if (!(pose.rotation == before) && !canTurn(world, body.index)) refreshContactsOf(world, body.index);
+    if (!(pose.rotation == before) && !canRotate(world, body.index)) refreshContactsOf(world, body.index);
     return Done{};
 }
 
@@ -266,7 +267,7 @@ Result<Done> applyForce(World& world, BodyId body, Vec2 force) {
 }
 
 Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, WorldPosition point) {
-    if (const auto checked = checkPlace("applyForceAt point", point); !checked) return checked;
+    if (const auto checked = checkPosition("applyForceAt point", point); !checked) return checked;
     const Result<Done> applied = applyForce(world, body, force);
     if (!applied || !isDynamic(world, body.index)) return applied;
     world.bodies.ownDriveOf(body.index).torque += cross(point - world.bodies.pose[body.index].centre, force);
@@ -308,7 +309,7 @@ Result<Done> setSleepSpeed(World& world, BodyId body, float speed) {
 }
 
 Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPosition point) {
-    if (const auto checked = checkPlace("applyImpulseAt point", point); !checked) return checked;
+    if (const auto checked = checkPosition("applyImpulseAt point", point); !checked) return checked;
     const Result<Done> applied = applyImpulse(world, body, impulse);
     if (!applied || !isDynamic(world, body.index)) return applied;
     world.bodies.motion[body.index].angularVelocity +=
@@ -318,12 +319,12 @@ Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPositi
 }
 
 Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float angle, float dt) {
-    const auto checked = firstOf(checkAlive("moveTo", world, body), checkPlace("moveTo", position),
+    const auto checked = firstOf(checkAlive("moveTo", world, body), checkPosition("moveTo", position),
                                  checkNumber("moveTo angle", angle, -1.0e5, 1.0e5),
                                  checkNumber("moveTo dt", dt, 1.0e-6, 1.0e6));
     if (!checked) return checked;
     if (world.bodies.info[body.index].kind != BodyKind::Kinematic) {
-        return wrong("moveTo", "expected a kinematic body, found one of another kind",
+        return wrong("moveTo", "expected a kinematic body, found a static or dynamic one",
                      "set the velocity of a dynamic body, or the position of a static one");
     }
     const BodyPose& pose = world.bodies.pose[body.index];
@@ -379,11 +380,11 @@ Result<Done> setKind(World& world, BodyId id, BodyKind kind) {
     bool holds = true;
     forJointsOf(world, body, [&](std::uint32_t j) {
         const Joint& joint = world.joints.hot[j];
-        holds &= canHold(joint.kind, kindOf(joint.bodyA), kindOf(joint.bodyB));
+        holds &= canActOn(joint.kind, kindOf(joint.bodyA), kindOf(joint.bodyB));
     });
     if (!holds)
-        return wrong("setKind", "one of its joints would have no dynamic body to move",
-                     "destroy that joint first");
+        return wrong("setKind", "one of the body's joints would have no dynamic body",
+                     "destroy this joint first");
     wakeTouching(world, body);
     forJointsOf(world, body, [&](std::uint32_t j) {
         releaseColour(world, j);

@@ -13,11 +13,10 @@ void destroyBody(World& world, BodyId body);
 
 [[nodiscard]] std::size_t bodyCount(const World& world);
 
-// Getters. For a body that was destroyed or never created they return
-// defaults: at the origin, at rest, without mass, neither awake nor enabled.
+// Getters. For a stale id they return defaults: at the origin, at rest, mass 0, neither awake nor enabled.
 
-/// m: a point that is given in the frame of the body's shapes, and the inverse. The difference of positions
-/// is taken first, so that the result is as accurate far from the origin.
+/// Converts a point (m) from the frame of the body's shapes to the world; localPoint() is the inverse.
+/// Positions are subtracted first, so the result is as accurate far from the origin.
 [[nodiscard]] inline WorldPosition worldPoint(const BodyPose& pose, Vec2 point) {
     return pose.centre + rotate(pose.rotation, point - pose.localCentre);
 }
@@ -31,7 +30,7 @@ void destroyBody(World& world, BodyId body);
     return localPoint(readOf(world, world.bodies.pose, body), point);
 }
 [[nodiscard]] inline WorldPosition positionOf(const World& world, BodyId body) {
-    return worldPoint(world, body, {});  ///< m, of the frame of its shapes
+    return worldPoint(world, body, {});  ///< m: origin of the frame of its shapes
 }
 [[nodiscard]] inline WorldPosition centreOf(const World& world, BodyId body) {
     return readOf(world, world.bodies.pose, body).centre;
@@ -45,7 +44,7 @@ void destroyBody(World& world, BodyId body);
 [[nodiscard]] inline float angularVelocityOf(const World& world, BodyId body) {
     return readOf(world, world.bodies.motion, body).angularVelocity;
 }
-/// m/s: velocity of the point of the body that is currently at this position (m).
+/// Returns the velocity (m/s) of the point of the body that is currently at this position (m).
 [[nodiscard]] inline Vec2 velocityAt(const World& world, BodyId body, WorldPosition point) {
     const BodyMotion& motion = readOf(world, world.bodies.motion, body);
     return motion.velocity + cross(motion.angularVelocity, point - centreOf(world, body));
@@ -67,10 +66,10 @@ using MassData = MassProperties;
 [[nodiscard]] inline const BodyDrive& driveOf(const World& world, BodyId body) {
     return world.bodies.drives[readOf(world, world.bodies.info, body).drive];
 }
-/// The pose after dt (s, 0 to a million; NaN counts as 0) if only gravity, drag, the body's own
-/// acceleration and the forces and torques applied for the next step act on it during that time.
+/// Predicts the pose after dt (s, 0 to a million; NaN counts as 0) if only gravity, drag, setAcceleration(),
+/// applied forces and applied torques act on the body for all that time.
 [[nodiscard]] Frame predictTransform(const World& world, BodyId body, float dt);
-/// The same as the displacement of its center of mass (m) and the angle (rad) by which it rotates.
+/// The motion computed by predictTransform(): displacement of the center of mass (m) and rotation (rad).
 struct FreeMotion {
     Vec2 displacement;
     float angle = 0.0f;
@@ -81,47 +80,47 @@ struct FreeMotion {
 // called from a callback of StepOptions::hooks, and then change nothing. A setter that
 // moves or accelerates a body wakes it. Setters without a result do nothing in these cases.
 
-/// Makes a body static, kinematic or dynamic. Discards a mass that was set. Shapes
-/// that touch it get Ended, and Began if they still touch, in the next step.
-/// @error a joint of it would be left without a dynamic body
+/// Makes a body static, kinematic or dynamic. Discards a mass that was set. In the next step its contacts
+/// report Ended, and Began if the shapes still touch.
+/// @error one of its joints would have no dynamic body any more
 Result<Done> setKind(World& world, BodyId body, BodyKind kind);
 /// A disabled body keeps its properties, but steps, contacts, joints and queries ignore it until enabled.
 void setEnabled(World& world, BodyId body, bool enabled);
 
 Result<Done> setPosition(World& world, BodyId body, WorldPosition position,
-                         float angle);                                       ///< m, rad; a teleport
+                         float angle);                                       ///< m, rad: teleports the body
 Result<Done> setVelocity(World& world, BodyId body, Vec2 velocity);          ///< m/s
 Result<Done> setAngularVelocity(World& world, BodyId body, float velocity);  ///< rad/s
 Result<Done> setAcceleration(World& world, BodyId body, Vec2 acceleration);  ///< m/s2, added to gravity
 Result<Done> setGravityScale(World& world, BodyId body, float scale);
 Result<Done> setDrag(World& world, BodyId body, float linear, float angular);  ///< 1/s, at least 0
-/// kg: replaces the mass computed from the shapes; its distribution stays. 0 restores the computed mass.
+/// Sets the mass (kg) and scales the inertia. 0 restores the values computed from the shapes.
 Result<Done> setMass(World& world, BodyId body, float mass);
-/// Replaces all mass properties computed from the shapes, also of shapes to come. A mass of 0 restores them.
+/// Replaces the mass properties computed from the shapes, also from shapes added later. Mass 0 restores them.
 Result<Done> setMassData(World& world, BodyId body, const MassData& data);
 Result<Done> setQuality(World& world, BodyId body, Quality quality);
-/// Acts in the next step only. `point` is in the world (m); without it, the force acts at the centre of mass.
+/// Forces and torques act in the next step only. `point`: in the world (m); otherwise the centre of mass.
 Result<Done> applyForce(World& world, BodyId body, Vec2 force);  ///< N
 Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, WorldPosition point);
 Result<Done> applyTorque(World& world, BodyId body, float torque);   ///< N m
 Result<Done> applyImpulse(World& world, BodyId body, Vec2 impulse);  ///< N s
 Result<Done> applyImpulseAt(World& world, BodyId body, Vec2 impulse, WorldPosition point);
 Result<Done> applyAngularImpulse(World& world, BodyId body, float impulse);  ///< N m s
-void clearForces(World& world, BodyId body);  ///< forces and torques that were applied for the next step
-/// Gives a kinematic body the velocity that reaches the target within dt (s), as far as Settings::maxSpeed
-/// allows; it stops after that step, and then reads 0.
+void clearForces(World& world, BodyId body);  ///< removes applied forces and torques
+/// Sets the velocity with which a kinematic body reaches the target in a step of dt (s), limited to
+/// Settings::maxSpeed. After that step its velocity is 0.
 Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float angle, float dt);
-/// Does not put the island to sleep if an edit since the last step may have ended one of its contacts.
+/// Wakes the body's island or puts it to sleep, unless an edit since the last step may have ended a contact.
 void setAwake(World& world, BodyId body, bool awake);
 void setFixedRotation(World& world, BodyId body, bool fixed);
 void setBullet(World& world, BodyId body, bool bullet);
 Result<Done> setSleepSpeed(World& world, BodyId body, float speed);  ///< m/s
 inline void setUser(World& world, BodyId body, std::uint64_t user) {
-    if (!world.work.isAsking && alive(world, body)) world.bodies.info[body.index].user = user;
+    if (!world.work.isInCallback && alive(world, body)) world.bodies.info[body.index].user = user;
 }
 void setCanSleep(World& world, BodyId body, bool canSleep);
-void setLocks(World& world, BodyId body, bool lockX, bool lockY);  ///< its velocity along an axis stays 0
-/// While on, one-way shapes let the body through, including those that it stands on.
+void setLocks(World& world, BodyId body, bool lockX, bool lockY);  ///< locked: velocity along the axis is 0
+/// While `drops` is true, one-way shapes do not stop the body, including those that it stands on.
 void setDropThrough(World& world, BodyId body, bool drops);
 
 }  // namespace plumb::physics

@@ -7,11 +7,12 @@
 
 namespace plumb::physics {
 
-/// What moves a body: nothing, its own velocity only, or forces and contacts. `None` marks a free slot.
+/// Static bodies do not move, kinematic ones move by their own velocity only, dynamic ones by forces and
+/// contacts too. `None` marks a free slot.
 enum class BodyKind : std::uint8_t { None, Static, Kinematic, Dynamic };
 
 /// A position in the world (m). Double precision, so that a scene 1000 km from the origin is as accurate as
-/// one at the origin. Code takes the difference of two positions first and computes in float from there on.
+/// one at the origin. Code subtracts two positions first and then computes in float.
 struct WorldPosition {
     double x = 0.0;
     double y = 0.0;
@@ -30,16 +31,16 @@ constexpr Vec2 operator-(WorldPosition a, WorldPosition b) {
 }
 constexpr Vec2 toVec2(WorldPosition a) { return {static_cast<float>(a.x), static_cast<float>(a.y)}; }
 
-/// Accuracy of a body, a joint or a scene: 2^value substeps, with the stiffness to match. An island uses the
-/// maximum that one of its members asks for.
+/// Accuracy of a body, a joint or a scene: 2^value substeps, with contact and joint springs of matching
+/// stiffness. An island uses the maximum of its members.
 using Quality = std::int8_t;
 inline constexpr Quality kQualityOfWorld = -1;  ///< use Settings::quality
 inline constexpr Quality kMaxQuality = 6;
 
-/// Everything that a new body needs besides its shapes.
+/// Properties of a new body, except its shapes.
 struct BodyDefinition {
     BodyKind kind = BodyKind::Dynamic;
-    WorldPosition position{};      ///< m, of the frame that its shapes are defined in
+    WorldPosition position{};      ///< m: origin of the frame in which its shapes are defined
     float angle = 0.0f;            ///< rad
     Vec2 velocity{};               ///< m/s, of the centre of mass
     float angularVelocity = 0.0f;  ///< rad/s
@@ -47,18 +48,18 @@ struct BodyDefinition {
     float gravityScale = 1.0f;     ///< ratio; 0: no gravity
     float linearDrag = 0.0f;   ///< 1/s: decay rate; without forces the velocity falls as exp(-linearDrag t)
     float angularDrag = 0.0f;  ///< 1/s
-    /// m/s: it may fall asleep when slower than this for Settings::sleepTime. Faster motion takes off as much
-    /// of that time as its energy exceeds that of this speed. What only fields push has to be slower than
-    /// Settings::slop per sleepTime (1 cm/s), too.
+    /// m/s: it may fall asleep after moving slower than this for Settings::sleepTime. Faster motion reduces
+    /// the accumulated time by the ratio of its energy to that at this speed. Bodies that only fields push
+    /// must also be slower than Settings::slop per sleepTime (1 cm/s).
     float sleepSpeed = 0.05f;
     bool fixedRotation = false;
-    bool lockX = false;  ///< its velocity along x stays 0
+    bool lockX = false;  ///< locked: velocity along x is 0
     bool lockY = false;
-    bool bullet = false;  ///< continuous collision detection against moving bodies too
+    bool bullet = false;  ///< continuous collision detection also against moving bodies
     bool canSleep = true;
     bool awake = true;
     Quality quality = kQualityOfWorld;
-    std::uint64_t user = 0;  ///< the owner's own number for it, returned in events
+    std::uint64_t user = 0;  ///< user data: a number of the caller, not used by the library
 };
 
 }  // namespace plumb::physics

@@ -10,13 +10,13 @@ Error wrong(const char* where, const std::string& what, const char* remedy) { re
 
 namespace {
 
-constexpr float kMaxSetting = 1.0e9f;  // upper limit of every setting but gravity, whatever its unit
+constexpr float kMaxSetting = 1.0e9f;  // upper limit of every setting except gravity, in its unit
 
 float usable(float value, float low, float high, float usual) {
     return std::isnan(value) ? usual : std::clamp(value, low, high);
 }
 
-/// Most values come from floats and are printed as such, to avoid the digits of the conversion to double.
+/// Prints values that are floats as such, to avoid the digits of the conversion to double.
 std::string textOf(double value) {
     const auto near = static_cast<float>(value);
     return double{near} == value ? shortestText(near) : shortestText(value);
@@ -28,7 +28,7 @@ Result<Done> checkNumber(const char* where, double value, double low, double hig
     if (value >= low && value <= high) return Done{};
     return wrong(where,
                  "expected a number from " + textOf(low) + " to " + textOf(high) + ", found " + textOf(value),
-                 "check how the value was computed");
+                 "check the computation of this value");
 }
 
 Result<Done> checkVector(const char* where, Vec2 value, float maximum) {
@@ -36,14 +36,14 @@ Result<Done> checkVector(const char* where, Vec2 value, float maximum) {
                    checkNumber(where, value.y, -maximum, maximum));
 }
 
-Result<Done> checkPlace(const char* where, WorldPosition value) {
+Result<Done> checkPosition(const char* where, WorldPosition value) {
     return firstOf(checkNumber(where, value.x, -kFarthest, kFarthest),
                    checkNumber(where, value.y, -kFarthest, kFarthest));
 }
 
 Result<Done> checkKind(const char* where, BodyKind kind) {
     if (kind != BodyKind::None && kind <= BodyKind::Dynamic) return Done{};
-    return wrong(where, "expected Static, Kinematic or Dynamic, found another kind", "choose one of them");
+    return wrong(where, "expected Static, Kinematic or Dynamic, found another kind", "pass one of these");
 }
 
 Result<Done> checkQuality(const char* where, int quality) {
@@ -51,13 +51,13 @@ Result<Done> checkQuality(const char* where, int quality) {
 }
 
 Result<Done> checkOutside(const char* where, const World& world) {
-    if (!world.work.isAsking) return Done{};
-    return wrong(where, "called from a callback within a step", "note it there, and do it after the step");
+    if (!world.work.isInCallback) return Done{};
+    return wrong(where, "called from a callback during a step", "apply the change after the step");
 }
 
-Error goneError(const char* where, const std::string& what) {
-    return wrong(where, "expected a living " + what + ", found one that was destroyed or never made",
-                 "check alive() first, or drop the id when its object is destroyed");
+Error staleIdError(const char* where, const std::string& what) {
+    return wrong(where, "expected an existing " + what + ", found a null or stale id",
+                 "check alive() first, or reset the id when its object is destroyed");
 }
 
 void bringIntoRange(Settings& settings) {

@@ -11,14 +11,14 @@ namespace plumb::physics {
 
 Error wrong(const char* where, const std::string& what, const char* remedy);
 
-/// Checks that a number is within a range; NaN is not.
+/// Checks that a number is within a range and not NaN.
 Result<Done> checkNumber(const char* where, double value, double low, double high);
 Result<Done> checkVector(const char* where, Vec2 value, float maximum);
-Result<Done> checkPlace(const char* where, WorldPosition value);
+Result<Done> checkPosition(const char* where, WorldPosition value);
 Result<Done> checkKind(const char* where, BodyKind kind);
 Result<Done> checkQuality(const char* where, int quality);
 
-/// @error a callback of the step is running, which must not change the world
+/// @error called from a callback of StepOptions::hooks, which must not change the world
 Result<Done> checkOutside(const char* where, const World& world);
 
 constexpr const char* nameOf(BodyId) { return "body"; }
@@ -26,19 +26,19 @@ constexpr const char* nameOf(ShapeId) { return "shape"; }
 constexpr const char* nameOf(JointId) { return "joint"; }
 constexpr const char* nameOf(FieldId) { return "field"; }
 constexpr const char* nameOf(SoftBodyId) { return "soft body"; }
-Error goneError(const char* where, const std::string& what);
-/// Checks that an object lives and may be changed now.
+Error staleIdError(const char* where, const std::string& what);
+/// Checks that an object exists and may be changed now.
 template <class Thing>
 Result<Done> checkAlive(const char* where, const World& world, Id<Thing> id) {
-    return alive(world, id) ? checkOutside(where, world) : goneError(where, nameOf(id));
+    return alive(world, id) ? checkOutside(where, world) : staleIdError(where, nameOf(id));
 }
-/// The same for functions that return no Error.
+/// True if an object exists and may be changed now: checkAlive() for functions that return no Error.
 template <class Thing>
 [[nodiscard]] bool mayChange(const World& world, Id<Thing> id) {
-    return !world.work.isAsking && alive(world, id);
+    return !world.work.isInCallback && alive(world, id);
 }
 
-/// The first Error of several checks, or Done.
+/// Returns the first Error of several checks, or Done.
 template <class... Checks>
 Result<Done> firstOf(Checks... checks) {
     Result<Done> result = Done{};

@@ -11,8 +11,8 @@ namespace {
 
 Result<Done> checkKinds(const FieldDefinition& d) {
     if (d.kind < FieldKind::Count && d.region < RegionKind::Count) return Done{};
-    return wrong("FieldDefinition.kind", "expected one of the kinds, found another number",
-                 "use a FieldKind and a RegionKind");
+    return wrong("FieldDefinition.kind", "expected a valid FieldKind and RegionKind, found another number",
+                 "use the constants of these enums");
 }
 
 Result<Done> checkEnds(const World& world, const FieldDefinition& d) {
@@ -22,14 +22,14 @@ Result<Done> checkEnds(const World& world, const FieldDefinition& d) {
     if (!checked || !d.b) return checked;
     if (d.a == d.b) {
         return wrong("FieldDefinition.b", "expected a body other than a, found the same one",
-                     "pass two bodies, or leave b out to attach a to a fixed point");
+                     "pass two bodies, or omit b to attach a to a fixed point");
     }
     return checkAlive("FieldDefinition.b", world, d.b);
 }
 
 Result<Done> check(const World& world, const FieldDefinition& d) {
     return firstOf(checkOutside("FieldDefinition", world), checkKinds(d),
-                   checkPlace("FieldDefinition.place", d.place),
+                   checkPosition("FieldDefinition.place", d.place),
                    checkNumber("FieldDefinition.half.x", d.half.x, 0.0, kFarthest),
                    checkNumber("FieldDefinition.half.y", d.half.y, 0.0, kFarthest),
                    checkNumber("FieldDefinition.radius", d.radius, 0.0, kFarthest),
@@ -48,7 +48,7 @@ Result<Done> check(const World& world, const FieldDefinition& d) {
 }
 
 void wakeThoseIn(World& world, const FieldDefinition& definition) {
-    if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;  // none sleeps
+    if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;  // no body is asleep
     for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
         const BodyInfo& info = world.bodies.info[body];
         if (info.kind == BodyKind::Dynamic && info.place == kNone && actsOn(world, definition, body)) {
@@ -89,7 +89,7 @@ void destroyField(World& world, FieldId field) {
 Result<Done> setField(World& world, FieldId field, const FieldDefinition& definition) {
     if (const auto checked = check(world, definition); !checked) return checked;
     if (!alive(world, field) || definitionOf(world, field).kind != definition.kind) {
-        return wrong("setField", "expected a living field of the same kind, found none",
+        return wrong("setField", "expected an existing field of the same kind",
                      "destroy the field and create one of the other kind");
     }
     wakeThoseIn(world, definitionOf(world, field));

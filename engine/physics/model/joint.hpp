@@ -10,15 +10,15 @@ namespace plumb::physics {
 /// The kinds of joints. Each has a row in joints/joint_types.cpp.
 enum class JointKind : std::uint8_t {
     Distance,   ///< keeps two points at a distance: a rod, a rope (only an upper limit) or a spring
-    Revolute,   ///< a hinge: two points coincide; angle with spring, limit and motor
+    Revolute,   ///< a hinge: two points coincide; spring, limit and motor act on the angle
     Prismatic,  ///< a slider: B moves along A's axis without rotating; spring, limit and motor
     Weld,       ///< keeps the relative pose of both bodies, rigid or springy
     Wheel,      ///< B rotates freely and moves along A's axis on a spring; a motor rotates it
     Mouse,      ///< pulls a point of B to `target` by a spring of limited force
-    Motor,      ///< drives B to an offset from A, or at a velocity, with limited force and torque
+    Motor,      ///< moves B to an offset from A, or at a velocity, with limited force and torque
     Gear,       ///< keeps angle of jointA + ratio * angle of jointB constant
     Pulley,     ///< keeps lengthA + ratio * lengthB constant
-    Filter,     ///< only keeps the two bodies from colliding
+    Filter,     ///< disables collisions between the two bodies
     Count
 };
 
@@ -38,40 +38,40 @@ struct JointSpring {
     bool on = false;
     float hertz = 0.0f;         ///< Hz: frequency of the spring with the effective mass of the two bodies
     float dampingRatio = 0.0f;  ///< 1: critically damped
-    float rest = 0.0f;          ///< rad or m: rest position; of Distance it is `length`
+    float rest = 0.0f;          ///< rad or m: rest position; Distance uses `length` instead
 };
 
-/// Everything that a new joint needs. Members that a kind does not use are ignored.
+/// Properties of a new joint. Members that a kind does not use are ignored.
 struct JointDefinition {
     JointKind kind = JointKind::Revolute;
     BodyId a{};
     BodyId b{};
     Vec2 anchorA{};               ///< m, in A's frame
     Vec2 anchorB{};               ///< m, in B's frame
-    Vec2 axis{1.0f, 0.0f};        ///< in A's frame: of Prismatic and Wheel
+    Vec2 axis{1.0f, 0.0f};        ///< sliding axis of Prismatic and Wheel, in A's frame
     float referenceAngle = 0.0f;  ///< rad: difference of angles (B minus A) that counts as 0
-    float length = 1.0f;          ///< m: of Distance; total length of Pulley
-    float ratio = 1.0f;           ///< of Gear and Pulley
-    Vec2 groundA{};  ///< m, in the world: fixed ends of Pulley; float, so they must be near the origin
+    float length = 1.0f;          ///< m: length of Distance; total length of Pulley
+    float ratio = 1.0f;           ///< ratio of Gear and Pulley, see JointKind
+    Vec2 groundA{};               ///< m, in the world: fixed ends of Pulley; must be near the origin (float)
     Vec2 groundB{};
-    WorldPosition target{};  ///< m: of Mouse
-    Vec2 offset{};           ///< m, in A's frame: of Motor
-    /// m/s, in A's frame: of Motor with motor.on, which then keeps B's anchor at this velocity and
-    /// motor.speed relative to A, instead of at the offset.
+    WorldPosition target{};  ///< m: target of Mouse
+    Vec2 offset{};           ///< m, in A's frame: offset of Motor
+    /// m/s, in A's frame: velocity of Motor with motor.on. It then moves B's anchor relative to A at this
+    /// velocity and motor.speed, instead of to the offset.
     Vec2 velocity{};
-    JointId jointA{};  ///< of Gear
+    JointId jointA{};  ///< first joint of Gear
     JointId jointB{};
     JointLimit limit{};
     JointMotor motor{};
-    JointSpring spring{};  ///< of Weld: its angle, if that is not as stiff as the rest of it
-    /// N: of Mouse and Motor. No mouse pulls B at more than 1000 m/s2: contacts win.
+    JointSpring spring{};  ///< Weld: spring of its angle
+    /// N: force limit of Mouse and Motor. Mouse accelerates B by at most 1000 m/s2, so that contacts hold.
     float maxForce = std::numeric_limits<float>::infinity();
-    float maxTorque = std::numeric_limits<float>::infinity();     ///< N m: of Motor
+    float maxTorque = std::numeric_limits<float>::infinity();     ///< N m: limit of Motor
     float breakForce = std::numeric_limits<float>::infinity();    ///< N: a larger force breaks the joint
     float breakTorque = std::numeric_limits<float>::infinity();   ///< N m: a larger torque breaks the joint
     float reportForce = std::numeric_limits<float>::infinity();   ///< N: see World::strainedJoints
     float reportTorque = std::numeric_limits<float>::infinity();  ///< N m
-    float hertz = 0.0f;         ///< Hz: stiffness of the joint itself; 0: as stiff as the substeps allow
+    float hertz = 0.0f;         ///< Hz: stiffness of the constraint itself; 0: the maximum for the substeps
     float dampingRatio = 2.0f;  ///< used with `hertz`
     bool collideConnected = false;
     Quality quality = kQualityOfWorld;

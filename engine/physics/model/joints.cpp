@@ -27,7 +27,7 @@ Result<Done> checkNumbers(const JointDefinition& d) {
                    checkNumber("JointDefinition.ratio", d.ratio, -kLargest, kLargest),
                    checkVector("JointDefinition.groundA", d.groundA, 1.0e9f),
                    checkVector("JointDefinition.groundB", d.groundB, 1.0e9f),
-                   checkPlace("JointDefinition.target", d.target),
+                   checkPosition("JointDefinition.target", d.target),
                    checkVector("JointDefinition.offset", d.offset, kLargest),
                    checkVector("JointDefinition.velocity", d.velocity, kFastest),
                    checkNumber("JointDefinition.limit.lower", d.limit.lower, -kLargest, kLargest),
@@ -53,15 +53,15 @@ Result<Done> checkAngles(const JointDefinition& d) {
     const float limit = d.limit.on ? std::max(-d.limit.lower, d.limit.upper) : 0.0f;
     if (std::max(limit, d.spring.on ? std::fabs(d.spring.rest) : 0.0f) <= kPi) return Done{};
     return wrong("JointDefinition",
-                 "expected limits and a rest angle from -pi to pi, since a hinge knows its "
-                 "angle within a turn only",
-                 "to stop after several turns, add up angularVelocityOf() and stop the motor");
+                 "expected limits and a rest angle from -pi to pi, because a hinge measures its "
+                 "angle only within one revolution",
+                 "to stop after several revolutions, integrate angularVelocityOf() and stop the motor");
 }
 
 Result<Done> check(const World& world, const JointDefinition& d) {
     if (d.kind >= JointKind::Count)
-        return wrong("JointDefinition.kind", "expected a kind of joint, found another number",
-                     "use a JointKind");
+        return wrong("JointDefinition.kind", "expected a JointKind, found another number",
+                     "use a constant of it");
     const auto living =
         firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
     if (!living) return living;
@@ -69,9 +69,9 @@ Result<Done> check(const World& world, const JointDefinition& d) {
         return wrong("createJoint", "expected two bodies, found the same one twice",
                      "connect it to another body, such as a static one");
     }
-    if (!canHold(d.kind, world.bodies.info[d.a.index].kind, world.bodies.info[d.b.index].kind)) {
-        return wrong("createJoint", "expected at least one dynamic body, of a mouse joint b, found none",
-                     "make one of them dynamic; pass the body that a mouse joint pulls as b");
+    if (!canActOn(d.kind, world.bodies.info[d.a.index].kind, world.bodies.info[d.b.index].kind)) {
+        return wrong("createJoint", "expected a dynamic body (for a mouse joint: body b), found none",
+                     "make a body dynamic; for a mouse joint pass the pulled body as b");
     }
     const auto gears = [&](JointId joint) {
         if (!alive(world, joint)) return false;
@@ -80,12 +80,12 @@ Result<Done> check(const World& world, const JointDefinition& d) {
     };
     if (d.kind == JointKind::Gear && (d.jointA == d.jointB || !(gears(d.jointA) && gears(d.jointB)))) {
         return wrong("createJoint",
-                     "expected two different living revolute or prismatic joints to gear together",
+                     "expected two different existing revolute or prismatic joints for the gear",
                      "create both first, and pass their ids as jointA and jointB");
     }
     if ((d.kind == JointKind::Gear && d.ratio == 0.0f) || (d.kind == JointKind::Pulley && d.ratio <= 0.0f)) {
-        return wrong("JointDefinition.ratio", "expected a ratio that is not 0, of a pulley above 0",
-                     "use 1 for equal motion of both sides");
+        return wrong("JointDefinition.ratio", "expected a ratio other than 0 (for a pulley: above 0)",
+                     "use 1 for equal displacements of both sides");
     }
     return firstOf(checkNumbers(d), checkAngles(d));
 }
@@ -105,7 +105,7 @@ void unlink(World& world, std::uint32_t body, std::uint32_t joint, std::uint32_t
     *link = next;
 }
 
-/// Searches the pairs of both bodies again, because the joint changed whether they may collide.
+/// Makes the broad phase search the pairs of both bodies again, after a joint enabled their collisions.
 void refreshPairs(World& world, const Joint& joint) {
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB})
         forShapesOf(world, body, [&](std::uint32_t s) { noteMoved(world, s); });
@@ -119,8 +119,8 @@ std::uint8_t flagsOf(const JointDefinition& d) {
                                      (d.collideConnected || d.kind == JointKind::Mouse ? 0 : kKeepsApart));
 }
 
-/// Copies a new definition, except its bodies.
-/// @param axis  of unit length
+/// Applies a definition to a joint, except kind and bodies.
+/// @param axis  JointDefinition::axis with unit length
 void take(World& world, std::uint32_t index, const JointDefinition& definition, Vec2 axis) {
     Joint& joint = world.joints.hot[index];
     joint.anchorA = definition.anchorA - world.bodies.pose[joint.bodyA].localCentre;
@@ -134,7 +134,7 @@ void take(World& world, std::uint32_t index, const JointDefinition& definition, 
     wake(world, joint.bodyB);
 }
 
-/// Destroys the gears that couple this joint.
+/// Destroys the gears that use this joint.
 void destroyGearsOf(World& world, JointId joint) {
     for (std::uint32_t j = 0; j < world.joints.size(); ++j) {
         const JointDefinition& gear = world.joints.definition[j];
@@ -169,7 +169,7 @@ void releaseColour(World& world, std::uint32_t index) {
 }
 
 void joinIslandsOf(World& world, const Joint& joint) {
-    if (joint.place == kNone) return;  // a filter, or one of a disabled body, which is in no island
+    if (joint.place == kNone) return;  // a filter, or a joint of a disabled body, which is in no island
     if (isDynamic(world, joint.bodyA) && isDynamic(world, joint.bodyB))
         joinIslands(world, joint.bodyA, joint.bodyB);
 }
@@ -215,7 +215,7 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     const JointDefinition& before = definitionOf(world, id);
     if (definition.kind != before.kind || definition.a != before.a || definition.b != before.b ||
         definition.jointA != before.jointA || definition.jointB != before.jointB) {
-        return wrong("setDefinition", "the kind, bodies and geared joints of a joint cannot be changed",
+        return wrong("setDefinition", "the kind, the bodies and the joints of a gear cannot be changed",
                      "destroy the joint and create another");
     }
     Joint& joint = world.joints.hot[id.index];
@@ -229,8 +229,8 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     }
     callFor(world, before, -1);
     take(world, id.index, definition, axis);
-    if (joint.colour != kNoColour) joint.flags |= kEdited;  // it has been solved in a step
-    // A part that was switched on starts without an old impulse. A gear stores its error there.
+    if (joint.colour != kNoColour) joint.flags |= kEdited;  // the joint has been solved in a step
+    // An enabled limit, motor or spring starts without an old impulse. A gear stores its error in rows.
     if (rearms && joint.kind != JointKind::Gear)
         std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
     return Done{};
@@ -238,7 +238,7 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
 
 Result<Done> setMotorSpeed(World& world, JointId joint, float speed) {
     if (alive(world, joint) && !jointType(definitionOf(world, joint).kind).hasMotor) {
-        return wrong("setMotorSpeed", "joints of this kind have no motor",
+        return wrong("setMotorSpeed", "this kind of joint has no motor",
                      "use a distance, revolute, prismatic, wheel or motor joint");
     }
     return change(world, joint, [&](JointDefinition& definition) { definition.motor.speed = speed; });
@@ -246,7 +246,7 @@ Result<Done> setMotorSpeed(World& world, JointId joint, float speed) {
 
 Result<Done> setTarget(World& world, JointId joint, WorldPosition target) {
     if (alive(world, joint) && definitionOf(world, joint).kind != JointKind::Mouse)
-        return wrong("setTarget", "expected a mouse joint, found another kind", "use a mouse joint");
+        return wrong("setTarget", "expected a mouse joint, found another kind", "pass a mouse joint");
     return change(world, joint, [&](JointDefinition& definition) { definition.target = target; });
 }
 

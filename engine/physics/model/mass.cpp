@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// The mass properties of all shapes together, in the body's frame.
+/// Returns the total mass properties of all shapes, in the body's frame.
 MassProperties sumOfShapes(const World& world, std::uint32_t body) {
     const Shapes& shapes = world.shapes;
     MassProperties sum;
@@ -28,7 +28,8 @@ MassProperties sumOfShapes(const World& world, std::uint32_t body) {
     return sum;
 }
 
-constexpr float kMinInertia = 1.0e-20f;  // kg m2: the solver cannot use the inverse of a smaller one
+constexpr float kMinInertia =
+    1.0e-20f;  // kg m2: the inverse of a smaller inertia would be too large for the solver
 
 void setMassOf(BodyMass& mass, const MassProperties& sum, const BodyInfo& info) {
     const float ofShapes = sum.mass > 0.0f ? sum.mass : 1.0f;
@@ -40,7 +41,7 @@ void setMassOf(BodyMass& mass, const MassProperties& sum, const BodyInfo& info) 
     mass.inverseInertia = turns ? 1.0f / std::max(mass.inertia, kMinInertia) : 0.0f;
 }
 
-/// Anchors are relative to the center of mass, and effective masses may have changed.
+/// Updates the anchors of joints, which are relative to the center of mass.
 void updateJoints(World& world, std::uint32_t body) {
     const Vec2 centre = world.bodies.pose[body].localCentre;
     forJointsOf(world, body, [&](std::uint32_t j) {
@@ -64,7 +65,7 @@ void updateExtent(World& world, std::uint32_t body) {
     }
 }
 
-/// Contacts keep their points, which are relative to the center of mass.
+/// Updates contact points, which are relative to the center of mass, so that they stay fixed to the shapes.
 void moveAnchors(World& world, std::uint32_t body, Vec2 displacement) {
     if (displacement == Vec2{}) return;
     for (std::vector<Contact>* contacts : {&world.contacts, &world.sleepers.contacts}) {
@@ -84,7 +85,7 @@ void moveCentre(World& world, std::uint32_t body, Vec2 centre) {
     BodyMotion& motion = world.bodies.motion[body];
     const BodyInfo& info = world.bodies.info[body];
     const bool mayTouch =
-        info.reach > 0.0f && info.firstShape != kNone;  // it had shapes before, and has some
+        info.reach > 0.0f && info.firstShape != kNone;  // it had shapes before and has shapes now
     if (mayTouch) moveAnchors(world, body, centre - pose.localCentre);
     const Vec2 displacement = rotate(pose.rotation, centre - pose.localCentre);
     pose.centre = pose.centre + displacement;

@@ -24,7 +24,7 @@ Result<Done> applyWind(World& world, ShapeId shape, Vec2 air, float drag, float 
     const auto armOf = [&](Vec2 point) { return rotate(pose.rotation, point - pose.localCentre); };
     Vec2 force;           // N
     float torque = 0.0f;  // N m, about the center of mass
-    // The force on a piece of the outline with a width (m) across the air: F = q * width * speed^2.
+    // Adds the force on a piece of the outline with a width (m) across the air: F = q * width * speed^2.
     const auto add = [&](Vec2 arm, Vec2 felt, float width, Vec2 lifting) {
         const Vec2 own = (width * length(felt)) * (drag * felt + length(felt) * lifting);
         force += own;
@@ -38,9 +38,9 @@ Result<Done> applyWind(World& world, ShapeId shape, Vec2 air, float drag, float 
         if (!(facing > 0.0f)) continue;
         add(arm, felt, facing * length(to - corners[i].point), lift * (-normal - facing * along));
     }
-    const Vec2 middle = armOf(outline.centre);  // round corners have no lift
+    const Vec2 middle = armOf(outline.centre);  // rounded corners only have drag
     add(middle, feltAt(middle), 2.0f * outline.radius, {});
-    // No step gives it more than the speed of the air.
+    // Limits the force: in a step the body reaches at most the speed of the air.
     const float maximum = massOf(world, body) * length(feltAt(middle)) / world.stepLength;
     const float part = std::min(1.0f, maximum / std::max(length(force), 1.0e-30f));
     const Result<Done> pushed = applyForce(world, body, part * force);

@@ -18,8 +18,9 @@ namespace {
 
 Result<Done> checkDirection(const ShapeDefinition& definition) {
     if (!definition.oneWay || definition.oneWayDirection != Vec2{}) return Done{};
-    return wrong("ShapeDefinition.oneWayDirection", "expected a direction, found (0, 0)",
-                 "point it out of the solid side, as (0, -1) does where y points down");
+    return wrong(
+        "ShapeDefinition.oneWayDirection", "expected a direction, found (0, 0)",
+        "use the outward normal of the solid side, e.g. (0, -1) if y points down and the top is solid");
 }
 
 Result<Done> check(const ShapeDefinition& definition) {
@@ -32,14 +33,14 @@ Result<Done> check(const ShapeDefinition& definition) {
                    checkDirection(definition));
 }
 
-/// Corners of polygons are not in Shapes::corners before createPolygon() stores them.
+/// Checks an outline other than a polygon, whose corners only createPolygon() stores in Shapes::corners.
 Result<Done> check(const Geometry& geometry) {
     if (geometry.kind != ShapeKind::Polygon) return checkGeometry(geometry, {});
     return wrong("createShape", "expected a circle, capsule, box or segment, found a polygon",
-                 "use createPolygon for polygons");
+                 "use createPolygon()");
 }
 
-/// Copies the members of a definition that `info` stores; leaves the rest unchanged.
+/// Copies the members of a definition that ShapeInfo stores; other members of `info` do not change.
 void take(const ShapeDefinition& definition, ShapeInfo& info) {
     info.flags = static_cast<std::uint8_t>(
         (info.flags & (kLeftBounds | kAltered | kShapeOff)) | (definition.isTrigger ? kTrigger : 0) |
@@ -59,7 +60,7 @@ ShapeExtras extrasOf(const ShapeDefinition& definition) {
             .frontMask = definition.frontMask};
 }
 
-/// Adds a shape that was checked already. Does not update the body's mass.
+/// Adds a shape after all checks. Does not update the body's mass.
 ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefinition& definition) {
     Shapes& shapes = world.shapes;
     const std::uint32_t index =
@@ -80,12 +81,12 @@ ShapeId add(World& world, BodyId body, const Geometry& geometry, const ShapeDefi
     return {index, info.generation};
 }
 
-/// Blocks of corners have power-of-two sizes, so that a freed block fits other polygons.
+/// Returns the size class n of a block of 2^n corners. Free blocks can thus be reused by other polygons.
 std::size_t sizeClass(std::size_t corners) {
     return static_cast<std::size_t>(std::bit_width(std::max<std::size_t>(corners, 4) - 1));
 }
 
-/// Stores the corners of a hull, if possible in a block that freeCornersOf() returned.
+/// Stores the corners of a hull, if possible in a free block.
 Geometry storePolygon(Shapes& shapes, const Hull& hull, float radius) {
     const std::size_t block = sizeClass(hull.corners.size());
     std::vector<std::uint32_t>& free = shapes.freeCorners[block];
@@ -106,7 +107,7 @@ void freeCornersOf(Shapes& shapes, std::uint32_t shape) {
         shapes.freeCorners[sizeClass(geometry.count)].push_back(geometry.first);
 }
 
-/// The index becomes free once the next step has ended the shape's contacts.
+/// Removes a shape. Its index becomes free after the next step has ended its contacts.
 void remove(World& world, std::uint32_t shape) {
     Shapes& shapes = world.shapes;
     countEffectsOfShape(world, shape, -1);
@@ -158,7 +159,7 @@ void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found) 
         if (s == chain.index || (info.surface != 0 && other.surface == info.surface))
             found.push_back({s, other.generation});
     });
-    std::reverse(found.begin(), found.end());  // the list of a body is in reverse order
+    std::reverse(found.begin(), found.end());  // a body lists its shapes in reverse order
 }
 
 Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
@@ -200,9 +201,9 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
     const std::size_t segments = closed ? count : count - 3, first = closed ? 0 : 1;
     if (definitions.size() != 1 && definitions.size() != segments) {
         return wrong("createChain",
-                     "expected a definition, or one for each of " + std::to_string(segments) +
+                     "expected 1 definition, or one for each of " + std::to_string(segments) +
                          " segments, found " + std::to_string(definitions.size()),
-                     "pass one for all, or a list of that length");
+                     "pass one definition for all segments, or a list of this length");
     }
     for (const ShapeDefinition& definition : definitions) {
         if (const auto checked = check(definition); !checked) return checked.error();
@@ -327,7 +328,7 @@ Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& d
     const ShapeDefinition before = definitionOf(world, shape);
     if (definition == before) return checked;
     if (definition.surface != before.surface)
-        return wrong("ShapeDefinition.surface", "it cannot be changed",
+        return wrong("ShapeDefinition.surface", "the surface of a shape cannot be changed",
                      "destroy the shape and create another");
     Shapes& shapes = world.shapes;
     ShapeInfo& info = shapes.info[shape.index];
@@ -341,7 +342,7 @@ Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& d
         definition.group != before.group)
         setFilter(world, shape, definition.layers, definition.mask, definition.group);
     if (definition.density != before.density) updateMass(world, info.body);
-    // These are evaluated when a contact begins.
+    // Properties that are evaluated only when a contact begins.
     const auto atBegin = [](const ShapeDefinition& d) {
         return std::tuple{d.isTrigger,       d.oneWay,      d.oneWayDirection.x, d.oneWayDirection.y,
                           d.reportsContacts, d.frontLayers, d.frontMask};

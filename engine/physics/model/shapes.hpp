@@ -12,42 +12,41 @@ Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
 /// @error points without area, too many corners (kMaxCorners), a number that is not finite
 Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius = 0.0f,
                               const ShapeDefinition& definition = {});
-/// Adds a chain of segments, solid on one side (see normalOfChain); bodies slide over its joints without
-/// catching. The first and the last point of an open chain are ghost vertices: they only define the direction
-/// in which it would go on.
+/// Adds a chain of segments, solid on one side (see normalOfChain); bodies slide over its vertices without
+/// catching. The first and last point of an open chain are ghost vertices: they define its direction at the
+/// ends.
 /// @error fewer than 3 points (closed) or 4 (open), coincident points, a number that is not finite
-/// @return its first segment, which stands for the chain
+/// @return its first segment, whose id identifies the chain
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             const ShapeDefinition& definition = {});
-/// The same with a definition for each segment.
+/// Adds a chain with one definition for each segment.
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             std::span<const ShapeDefinition> definitions);
-/// Finds the segments of a chain, given by any of them, in
-/// order; none if it is gone. Replaces the content of `found`.
+/// Replaces `found` by the segments of a chain, in order, from the id of any segment; empty for a stale id.
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found);
-/// Destroys all segments of a chain, given by any of them.
+/// Destroys all segments of a chain; `chain` is the id of any segment.
 void destroyChain(World& world, ShapeId chain);
-/// Adds many shapes at once, each with its own definition: all of them, or none if one is invalid.
-/// @error as createShape(), or a number of definitions that differs from that of outlines
+/// Adds many shapes at once, each with its own definition; adds none if one is invalid.
+/// @error the same errors as createShape(), or different numbers of outlines and definitions
 Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> geometries,
                           std::span<const ShapeDefinition> definitions);
 void destroyShapes(World& world, BodyId body);
 /// Destroys a shape; its contacts end in the next step. A stale id does nothing.
 void destroyShape(World& world, ShapeId shape);
 
-/// Returns the null id for a shape that is gone.
+/// Returns the body of a shape, or the null id if the shape was destroyed.
 [[nodiscard]] BodyId bodyOf(const World& world, ShapeId shape);
 
-// Edits of an existing shape. The body behaves as if the shape had been created so: masses are
-// updated, and bodies that rest on it wake. Contacts that a new outline, trigger flag or one-way
-// direction affects start again: the next step reports Ended, and Began for what still touches.
+// Edits of an existing shape. The result is as if the shape had been created with the new values: masses are
+// updated, and bodies that rest on it wake. Contacts affected by a new outline, trigger flag or one-way
+// direction restart: the next step reports Ended, and Began for shapes that still touch.
 
-/// Replaces the outline by another of any kind; setPolygon() by the convex hull of the points (m).
+/// Replaces the outline; it may have another kind. setPolygon() uses the convex hull of the points (m).
 Result<Done> setGeometry(World& world, ShapeId shape, const Geometry& geometry);
 Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> points, float radius = 0.0f);
-/// Returns a default definition for a shape that is gone.
+/// Returns the definition of a shape, or the default if the shape was destroyed.
 [[nodiscard]] ShapeDefinition definitionOf(const World& world, ShapeId shape);
-/// Replaces material, filter and the rest; only `surface` must stay the same. See also change().
+/// Replaces material, filter and all other members except `surface`, which cannot change. See also change().
 Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& definition);
 
 /// Changes members of the definition of a shape or joint: change(world, shape, [](auto& d) { d.density = 2;

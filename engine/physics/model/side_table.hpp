@@ -20,8 +20,7 @@ std::uint32_t takeIndex(std::vector<std::uint32_t>& free, First& first, Others&.
     return index;
 }
 
-/// Rare properties, stored outside the main arrays to keep these small: each object has the index of a row,
-/// and kNone stands for a row of defaults.
+/// Rarely used properties, outside the main arrays. Objects have the index of a row, or kNone for defaults.
 template <class Row>
 struct SideTable {
     std::vector<Row> rows;
@@ -31,7 +30,7 @@ struct SideTable {
         return index == kNone ? kUsual : rows[index];
     }
 
-    /// A writable row. Creates one for an object that has none; it is kept until release().
+    /// Returns the object's row for writing; creates it if the object has none. It is kept until release().
     Row& own(std::uint32_t& index) {
         if (index != kNone) return rows[index];
         index = takeIndex(free, rows);

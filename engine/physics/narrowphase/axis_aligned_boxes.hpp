@@ -7,23 +7,23 @@
 
 namespace plumb::physics {
 
-/// m: separation of two axis-aligned boxes along x and along y; below 0: overlap.
+/// Returns the separation (m) of two axis-aligned boxes along x and along y; below 0: overlap.
 /// @param displacement  m, from A's centre to B's
 inline Vec2 gapOf(Vec2 halfA, Vec2 halfB, Vec2 displacement) {
     return {std::fabs(displacement.x) - halfA.x - halfB.x, std::fabs(displacement.y) - halfA.y - halfB.y};
 }
 
-/// True if the contact normal is along y. As for rotated boxes, a tolerance makes the choice the same every
-/// time where both separations are nearly equal.
+/// True if the contact normal is along y, else x. If both separations are nearly equal, it is along x (a
+/// tolerance, as for rotated boxes), so that the axis does not alternate.
 inline bool goesAlongY(Vec2 halfA, Vec2 halfB, Vec2 gap) {
     const float smallest = std::min(std::min(halfA.x, halfA.y), std::min(halfB.x, halfB.y));
     return gap.y > gap.x + std::min(kMaxFaceTie, kFaceTie * smallest);
 }
 
-/// The features that touch, as the id of the point.
+/// The touching features: ManifoldPoint::id.
 enum UprightFeature : std::uint16_t { kFaceX = 0, kFaceY = 2, kCorner = 4 };
 
-/// The boxes are separated along both axes: corner to corner.
+/// Collides boxes that are separated along both axes: corner to corner.
 inline Manifold collideUprightCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 displacement, float speculative) {
     const float square = lengthSquared(gap);
     if (square > speculative * speculative || square <= kBlur * kBlur * lengthSquared(displacement))
@@ -36,12 +36,12 @@ inline Manifold collideUprightCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 disp
     return {normal, {{corner + (0.5f * distance) * normal, distance, id}, {}}, 1};
 }
 
-/// The middle of the intersection of two intervals, centred at 0 and at a displacement.
+/// Returns the middle of the intersection of two intervals, centred at 0 and at `displacement`.
 inline float middleOfOverlap(float halfA, float halfB, float displacement) {
     return 0.5f * (std::max(-halfA, displacement - halfB) + std::min(halfA, displacement + halfB));
 }
 
-/// Collides two axis-aligned boxes without rounded corners: a single contact point, in a frame at A's centre.
+/// Collides two axis-aligned boxes without rounded corners: one contact point, in a frame at A's centre.
 /// @param displacement  m, from A's centre to B's
 [[nodiscard]] inline Manifold collideUpright(Vec2 halfA, Vec2 halfB, Vec2 displacement, float speculative) {
     const Vec2 gap = gapOf(halfA, halfB, displacement);

@@ -1,5 +1,4 @@
-// Eight pairs of boxes, in lanes; without branches on values. Included in a namespace that has the lanes of
-// solver/lanes.hpp.
+// Part of kernels.inl: collides eight pairs of boxes in SIMD lanes, without branches on values.
 //
 // Source: separating axes of boxes after S. Gottschalk, M. Lin, D. Manocha, "OBBTree", 1996, 5; the incident
 // edge is clipped after E. Catto, "Contact Manifolds", GDC 2007.
@@ -7,10 +6,10 @@
 using BoxPair = BoxPairOf<Float8, Two8>;
 using BoxTouch = BoxTouchOf<Float8, Two8>;
 
-/// The axis of maximum separation.
+/// The axis of maximum separation, for eight pairs of boxes.
 struct BoxAxis {
-    Float8 gap;         // m: separation of the cores along it
-    Mask8 ofB, alongY;  // an axis of B; the y axis of that box
+    Float8 gap;         // m: separation of the cores along the axis
+    Mask8 ofB, alongY;  // true for an axis of B; true for the y axis of its box
 };
 
 inline Float8 oneIn(Mask8 mask) { return select(mask, all(1.0f), all(0.0f)); }
@@ -22,7 +21,7 @@ BoxAxis bestAxis(const BoxPair& p, Float8 qx, Float8 qy) {
     const Float8 aY = abs(p.place.y) - p.halfA.y - (s * p.halfB.x + c * p.halfB.y);
     const Float8 bX = abs(qx) - p.halfB.x - (c * p.halfA.x + s * p.halfA.y);
     const Float8 bY = abs(qy) - p.halfB.y - (s * p.halfA.x + c * p.halfA.y);
-    // As faceTieOf() of the smallest half size.
+    // Like faceTieOf() for the smallest half size.
     const Float8 tie =
         min(all(kMaxFaceTie), all(kFaceTie) * min(min(p.halfA.x, p.halfA.y), min(p.halfB.x, p.halfB.y)));
     const auto aIsY = aY > aX + tie;
@@ -33,16 +32,16 @@ BoxAxis bestAxis(const BoxPair& p, Float8 qx, Float8 qy) {
     return {select(isB, b, a), isB, select(isB, oneIn(bIsY), oneIn(aIsY)) > all(0.0f)};
 }
 
-/// The boxes seen from the reference face: n is its normal, towards the other box, t the direction along it.
+/// The boxes in coordinates of the reference face: n along its normal to the other box, t along the face.
 struct BoxView {
     Float8 n, t;             // centre of the other box
-    Float8 half, halfAlong;  // of the reference box
+    Float8 half, halfAlong;  // half sizes of the reference box
     Float8 flip;             // -1 if n is a negative axis of the reference box, else 1
     Float8 lowN, lowT;       // ends of the incident edge; t increases from low to high
     Float8 highN, highT;
-    Float8 slope, midN, midT;      // of the incident edge
-    Float8 cornerLow, cornerHigh;  // of the reference box
-    Float8 otherLow, otherHigh;    // of the other
+    Float8 slope, midN, midT;      // slope and middle of the incident edge
+    Float8 cornerLow, cornerHigh;  // corners of the reference box
+    Float8 otherLow, otherHigh;    // corners of the other box at low and high
 };
 
 BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
@@ -66,19 +65,19 @@ BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
     v.half = select(alongY, halfY, halfX);
     v.halfAlong = select(alongY, halfX, halfY);
 
-    // The other box's axes x and y: their components along n and t.
+    // Components of the other box's axes x and y along n and t.
     const Float8 xN = v.flip * select(alongY, sine, p.cosine);
     const Float8 xT = select(alongY, p.cosine, sine);
     const Float8 yN = v.flip * select(alongY, p.cosine, -sine);
     const Float8 yT = select(alongY, -sine, p.cosine);
-    const auto byX = abs(xN) > abs(yN);  // the incident face is perpendicular to x, not to y
+    const auto byX = abs(xN) > abs(yN);  // true if the incident face is perpendicular to x
     const Float8 faceN = select(byX, xN, yN);
     const Float8 faceT = select(byX, xT, yT);
     const Float8 sideN = select(byX, yN, xN);
     const Float8 sideT = select(byX, yT, xT);
     const Float8 halfFace = select(byX, otherX, otherY);
     const Float8 halfSide = select(byX, otherY, otherX);
-    const auto backwards = faceN > zero;  // the incident face is on the negative side of its axis
+    const auto backwards = faceN > zero;  // true if it is on the negative side of its axis
     const auto sideBackwards = sideT < zero;
     v.midN = v.n - abs(faceN) * halfFace;
     v.midT = v.t + select(backwards, -faceT, faceT) * halfFace;
@@ -100,12 +99,12 @@ BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
     return v;
 }
 
-/// A manifold in the coordinates of the reference face, before its transformation to A's frame.
+/// A manifold in (n, t) coordinates of the reference face.
 struct BoxPlaces {
     Float8 normalN, normalT;
     Float8 n[2], t[2], separation[2];
     Float8 corner[2], other[2];
-    Float8 keep[2];  // 1 for a point, 0 for none
+    Float8 keep[2];  // 1 if the point exists, else 0
     Float8 roundOther, roundReference;
 };
 
@@ -143,8 +142,7 @@ BoxPlaces touchFaces(const BoxView& v, Float8 radius, Float8 otherRadius, Float8
     return w;
 }
 
-/// A single point instead, between two corners, where the cores are separated and a corner of each is
-/// nearest.
+/// In lanes in which separated cores are nearest at two corners, replaces the points by a single point.
 void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Float8 otherRadius,
                   Float8 speculative) {
     const Float8 zero = all(0.0f);
@@ -162,14 +160,14 @@ void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Flo
     const auto atLow = nearT < zero;
     const Float8 cornerT = select(atLow, -v.halfAlong, v.halfAlong);
     const Float8 displacementT = nearT - cornerT;
-    // The incident edge may pass in front of the corner: then the edge touches, unless it ends before.
+    // If the incident edge passes in front of the corner, the edge touches, not its end.
     const Float8 passes = -(nearN * (farN - nearN) + displacementT * (farT - nearT));
     const auto apart = (v.lowT > v.halfAlong) | (-v.halfAlong > v.highT);
     const Float8 square = nearN * nearN + displacementT * displacementT;
     const Float8 blur = all(kBlur * kBlur) * (v.n * v.n + v.t * v.t);
     const Float8 beyond = select(isHigh, highBeyond, lowBeyond);
-    // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
-    // that stacked boxes of equal size keep both points. This costs 0.01 % of the distance.
+    // A corner that extends only slightly beyond the end of a nearly parallel face counts as in front of it,
+    // so that stacked boxes of equal size keep both points. The error is 0.01 % of the distance.
     const Float8 rise = (farN - nearN) * beyond;
     const Float8 minimum = all(kParallel * kParallel) * nearN * abs(farT - nearT);
     const auto past = (beyond > all(kParallel) * nearN) | (rise > minimum);
@@ -195,7 +193,7 @@ void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Flo
     w.roundReference = select(isCorner, radius, w.roundReference);
 }
 
-/// Transforms from the reference face's (n, t) to A's frame.
+/// Transforms a manifold from (n, t) coordinates to A's frame.
 BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const BoxAxis& axis) {
     const Float8 zero = all(0.0f);
     const Float8 one = all(1.0f);
@@ -217,7 +215,7 @@ BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const Bo
         point[i] = origin + inA(v.flip * w.n[i], w.t[i]);
         id[i] = select(ofB, w.other[i] * shift + w.corner[i], w.corner[i] * shift + w.other[i]);
     }
-    const auto first = w.keep[0] > zero;  // otherwise the second point becomes the first
+    const auto first = w.keep[0] > zero;  // if false, the second point becomes the first
     touch.point[0] = {select(first, point[0].x, point[1].x), select(first, point[0].y, point[1].y)};
     touch.separation[0] = select(first, w.separation[0], w.separation[1]);
     touch.id[0] = select(first, id[0], id[1]);
@@ -230,7 +228,7 @@ BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const Bo
     return touch;
 }
 
-/// @return  count 0 if the boxes are further apart than `speculative`
+/// @return manifolds; count is 0 if the boxes are further apart than `speculative`
 BoxTouch touchBoxes(const BoxPair& p, Float8 speculative) {
     const Float8 zero = all(0.0f);
     const Float8 qx = p.cosine * p.place.x + p.sine * p.place.y;  // B's centre along B's axes

@@ -34,12 +34,12 @@ Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a) {
 
 namespace {
 
-/// m: two centres closer than this have no direction from one to the other.
+/// Minimum distance (m) of two centres at which the direction between them is defined.
 constexpr float kNoDistance = 1.0e-9f;
 
-/// A manifold with a single point.
-/// @param normal   from the circle to the other outline
-/// @param feature  of the other outline
+/// Returns a manifold with a single point.
+/// @param normal  unit length, from the circle to the other outline
+/// @param feature  id of the touching feature of the other outline
 Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB,
                   std::uint16_t feature) {
     Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = roundB};
@@ -47,7 +47,7 @@ Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float r
     return manifold;
 }
 
-/// The face or corner of a box that is on that side of it.
+/// Returns an id for the face or corner of a box in direction `out`.
 std::uint16_t featureTowards(Vec2 out) {
     const auto side = [](float way) { return way < 0.0f ? 0 : (way > 0.0f ? 2 : 1); };
     return static_cast<std::uint16_t>(side(out.x) + 3 * side(out.y));
@@ -89,8 +89,7 @@ Manifold collideCircleBox(const Geometry& circle, const Geometry& box, const Fra
 }
 
 Manifold collideBoxes(const Geometry& a, const Geometry& b, const Frame& bInA, float speculative) {
-    constexpr float kFar =
-        1.0e9f;  // m: lanes without a pair are apart, so the kernel may skip what others need
+    constexpr float kFar = 1.0e9f;  // m: boxes in unused lanes are apart, so the kernel can skip work
     BoxPairs pairs{};
     std::fill_n(pairs.place.x, kLanes, kFar);
     BoxTouches touches;

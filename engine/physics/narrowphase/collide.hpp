@@ -13,7 +13,7 @@ namespace plumb::physics {
 struct ManifoldPoint {
     Vec2 point;               ///< m, in the frame of the first outline: midway between the two surfaces
     float separation = 0.0f;  ///< m along the normal; negative: overlap
-    std::uint16_t id = 0;     ///< of the touching features: an equal id in the next step is the same point
+    std::uint16_t id = 0;     ///< identifies the touching features: a point keeps its id between steps
 };
 
 /// The contact points of two outlines and their common normal.
@@ -21,8 +21,8 @@ struct Manifold {
     Vec2 normal;  ///< unit length, in the frame of the first outline, from the first to the second
     ManifoldPoint points[2];
     int count = 0;  ///< 0: the outlines are further apart than the limit
-    /// m: radius of the round feature of each outline at these points; 0 for a face or a sharp corner. A
-    /// round feature can rotate about its centre without moving the contact point.
+    /// m: radius of the outline's round feature at these points; 0 for a face or a sharp corner. A round
+    /// feature can rotate about its centre without moving the contact point.
     float roundA = 0.0f;
     float roundB = 0.0f;
 };
@@ -31,38 +31,38 @@ struct Manifold {
 /// omitted. Two chain segments never collide.
 /// @param corners  Shapes::corners
 /// @param bInA     B's frame relative to A's
-/// @return         in A's frame
+/// @return the manifold in A's frame
 Manifold collide(const Geometry& a, const Geometry& b, std::span<const Corner> corners, const Frame& bInA,
                  float speculative);
 
-/// A manifold with A and B exchanged.
+/// Exchanges A and B in a manifold.
 /// @param aInB  the frame of the former A relative to the former B
 Manifold swapped(const Manifold& manifold, const Frame& aInB);
 
 // The parts of collide().
-/// A circle and any convex outline.
+/// Collides a circle with any convex outline.
 Manifold collideCircleConvex(const Geometry& circle, const Geometry& other, std::span<const Corner> corners,
                              const Frame& bInA, float speculative);
-/// Any two convex outlines, neither of them a circle.
+/// Collides two convex outlines, neither of them a circle.
 Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Corner> corners,
                        const Frame& bInA, float speculative);
-/// Any outline and a chain segment. The segment is solid on one side, and its joints with its neighbours are
-/// smooth: they stop no body that slides over them.
+/// Collides any outline with a chain segment. The segment is solid on one side. Vertices shared with
+/// neighbouring segments do not stop bodies that slide over them.
 Manifold collideChain(const Geometry& a, const Geometry& chain, std::span<const Corner> corners,
                       const Frame& bInA, float speculative);
 
-/// Eight pairs of boxes, each in a frame with the centre and the axes of its box A.
-/// @tparam Row  eight numbers: in memory, or in a register of the kernel
-/// @tparam Pair  eight vectors
+/// Eight pairs of boxes A and B. Each pair is in a frame with the centre and the axes of A.
+/// @tparam Row  eight numbers: an array, or the SIMD type of the kernel
+/// @tparam Pair  eight vectors: arrays, or the SIMD type of the kernel
 template <class Row, class Pair>
 struct BoxPairOf {
     Pair halfA, halfB;     // m
-    Pair place;            // m: B's centre
+    Pair place;            // m: position of B's centre
     Row cosine, sine;      // B's rotation
     Row radiusA, radiusB;  // m
 };
 
-/// Their manifolds.
+/// The manifolds of eight pairs of boxes.
 template <class Row, class Pair>
 struct BoxTouchOf {
     Pair normal;  // from A to B

@@ -4,14 +4,14 @@ namespace plumb::physics {
 
 namespace {
 
-/// True if the chain is convex where its normal changes from `from` to `to`; nearly 180 degrees is a spike.
+/// True if the chain is convex at a vertex where its normal changes from `from` to `to`.
 bool isSharp(Vec2 from, Vec2 to) { return cross(from, to) > (dot(from, to) > 0.0f ? kParallel : 0.0f); }
 
-/// A joint of a chain. At a convex joint, contact normals between those of the two segments are valid. To
-/// avoid duplicates, the segment that starts at a joint handles it, the last one also the end of the chain.
+/// A vertex of a chain. At a convex vertex, contact normals between those of its two segments are valid. To
+/// avoid duplicates, the segment that starts at a vertex handles it; the last segment also handles its end.
 struct ChainJoint {
     Vec2 point;
-    Vec2 from, to;       ///< normals of both segments, in the order of rotation
+    Vec2 from, to;       ///< normals of both segments, in the direction of rotation
     Vec2 neighbour;      ///< far end of the other segment; `point` if there is none
     bool sharp = false;  ///< convex
     bool ours = true;
@@ -40,14 +40,15 @@ Chain chainIn(const Geometry& geometry, const Frame& frame) {
     const Vec2 normal = normalBetween(start, end);
     const bool starts = beforeOf(geometry) == geometry.a;
     const bool ends = geometry.after == geometry.b;
-    const Vec2 from = starts ? -perpendicular(normal) : normalBetween(before, start);  // a free end is square
+    const Vec2 from = starts ? -perpendicular(normal)
+                             : normalBetween(before, start);  // the normals at a free end are perpendicular
     const Vec2 to = ends ? perpendicular(normal) : normalBetween(end, after);
     return {{{start, normal}, {end, -normal}},
             {{start, from, normal, before, isSharp(from, normal), true},
              {end, normal, to, after, isSharp(normal, to), ends}}};
 }
 
-/// A joint of the chain that touches a face or a corner of the other side.
+/// Returns the contact of a vertex of the chain with a face or a corner of the other side.
 Manifold touchJoint(const ChainJoint& joint, std::size_t end, Vec2 direction, float gap, float radius,
                     std::size_t corner, float speculative) {
     if (!joint.ours) return {};
@@ -58,7 +59,7 @@ Manifold touchJoint(const ChainJoint& joint, std::size_t end, Vec2 direction, fl
     return maker.manifold;
 }
 
-/// The maximum separation of a joint along a face normal of the other side.
+/// The maximum separation of a vertex of the chain along a face normal of the other side.
 struct JointGap {
     float gap = -1.0e30f;
     std::size_t face = 0;
@@ -79,7 +80,7 @@ JointGap widestJointGap(const Chain& chain, const Side& other) {
     return widest;
 }
 
-/// Corner against corner, if the joint is convex and the direction is between its normals.
+/// Returns the contact of a chain vertex with a corner, if the direction is between the vertex's normals.
 Manifold touchCorner(const Chain& chain, const Side& other, std::size_t end, std::size_t corner,
                      Vec2 displacement, float speculative) {
     const float distance = length(displacement);
@@ -91,7 +92,7 @@ Manifold touchCorner(const Chain& chain, const Side& other, std::size_t end, std
     return manifold;
 }
 
-/// A face of the other side that touches a joint.
+/// Returns the contact of a face of the other side with a chain vertex.
 Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap& joint, float speculative) {
     const Corner& face = other.corners[joint.face];
     const std::size_t next = joint.face + 1 < other.corners.size() ? joint.face + 1 : 0;
@@ -108,7 +109,7 @@ Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap&
     return touchCorner(chain, other, joint.end, corner, other.corners[corner].point - point, speculative);
 }
 
-/// The separating axis is the normal of a neighbour: the contact is ours if our joint is nearest.
+/// Returns the contact if the shared vertex with a neighbour in front of the outline is nearest.
 Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, float speculative) {
     const ChainJoint& joint = chain.joints[end];
     if (!joint.ours || !joint.sharp) return {};
@@ -121,7 +122,7 @@ Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, flo
     return touchCorner(chain, other, end, pair->other, pair->displacement, speculative);
 }
 
-/// A contact with the front face of the chain segment.
+/// Returns the contact with the front face of the chain segment.
 Manifold touchFace(const Chain& chain, const Side& other, float gap, float speculative) {
     const EdgeOnEdge edges = edgeOnEdge(chain.side(), 0, other);
     if (gap > 0.0f) {
@@ -129,13 +130,13 @@ Manifold touchFace(const Chain& chain, const Side& other, float gap, float specu
             return touchCorner(chain, other, pair->reference, pair->other, pair->displacement, speculative);
         }
     }
-    // Beyond an end the contact belongs to the neighbour, unless the corner between both is nearest.
+    // Beyond an end the contact belongs to the neighbour, unless the shared vertex is nearest.
     const bool before = edges.high.x < 0.0f;
     if (before || edges.low.x > edges.length) return touchBeside(chain, other, before ? 0 : 1, speculative);
     return touchEdge(edges, chain.side(), other, true, speculative);
 }
 
-/// The maximum separation along the normal of a neighbour at a convex joint.
+/// Returns the maximum separation along the normal of a neighbour at a convex vertex.
 JointGap widestNeighbourGap(const Chain& chain, const Side& other) {
     JointGap widest;
     for (std::size_t end = 0; end < 2; ++end) {
@@ -179,7 +180,7 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     const auto isBefore = [&](Vec2 normal, Vec2 point) { return dot(normal, other.centre - point) >= 0.0f; };
     const bool inFront = isBefore(chain.normal(), chain.corners[0].point);
     if (convex.count == 1) return touchDisc(chain, other, inFront, gap, speculative);
-    // At a convex joint an outline in front of the neighbour only may still touch the corner or this segment.
+    // An outline in front of only the neighbour can still touch this segment at a convex vertex.
     const auto isAround = [&](const ChainJoint& side, Vec2 normal) {
         return side.sharp && isBefore(normal, side.point);
     };
@@ -195,7 +196,8 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     if (beside.gap > (byFace ? gap + tie : joint.gap)) {
         return touchBeside(chain, other, beside.end, speculative);
     }
-    if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // it came from the back side
+    if (!inFront && (byFace ? gap : joint.gap) < -speculative)
+        return {};  // it comes from the back, which is not solid
     if (byFace) return touchFace(chain, other, gap, speculative);
     return touchFaceOnJoint(chain, other, joint, speculative);
 }

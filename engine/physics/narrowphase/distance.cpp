@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// A vertex of the Minkowski difference B - A, and the corners of A and B that it comes from.
+/// A vertex of the Minkowski difference B - A, and the corners of A and B whose difference it is.
 struct Way {
     Vec2 displacement;
     Vec2 a, b;
@@ -20,7 +20,7 @@ struct Way {
     }
 };
 
-/// The Minkowski difference B - A: the outlines overlap if it contains the origin. In A's frame.
+/// The Minkowski difference B - A in A's frame. The outlines overlap if it contains the origin.
 struct Displacements {
     const Convex& a;
     const Convex& b;
@@ -37,17 +37,16 @@ struct Displacements {
     }
 };
 
-/// The point of the Minkowski difference nearest to the origin, on the edge between two vertices: `part` is 0
-/// at the first, 1 at the second.
+/// Nearest point of the Minkowski difference to the origin: `part` is 0 at the first vertex, 1 at the second.
 struct DisplacementBetween {
     Way first, second;
     float part = 0.0f;
     Vec2 normal = kAnyNormal;  ///< unit length, from A to B
-    float distance = 0.0f;     ///< m along it; negative: overlap
+    float distance = 0.0f;     ///< m along the normal; negative: overlap
     int iterations = 0;
 };
 
-/// More than any pair of outlines with kMaxCorners needs; a safeguard against endless loops due to rounding.
+/// Limit against endless loops due to rounding; larger than necessary for any outlines with kMaxCorners.
 constexpr int kMaxIterations = 2 * kMaxCorners;
 
 float largestOf(Vec2 v) { return std::max(std::fabs(v.x), std::fabs(v.y)); }
@@ -63,7 +62,7 @@ struct Points {
 };
 
 struct Simplex : Points<3> {
-    float part = 0.0f;  ///< of two points: where between them is the point nearest to the origin
+    float part = 0.0f;  ///< with two points: position of the nearest point, 0 to 1 between them
 
     void keep(int i) {
         displacements[0] = displacements[i];
@@ -71,7 +70,7 @@ struct Simplex : Points<3> {
     }
 };
 
-/// Reduces a segment to the point of it that is nearest to the origin: an end, or `part` between 0 and 1.
+/// Reduces a segment to the end nearest to the origin, or computes `part` between 0 and 1.
 void reduceTwo(Simplex& simplex) {
     const Vec2 first = simplex.displacements[0].displacement;
     const Vec2 edge = simplex.displacements[1].displacement - first;
@@ -82,7 +81,7 @@ void reduceTwo(Simplex& simplex) {
     simplex.part = along / square;
 }
 
-/// Reduces a triangle to the corner or side that is nearest to the origin; keeps all three if that is inside.
+/// Reduces a triangle to the corner or side nearest to the origin; keeps all three if the origin is inside.
 void reduceThree(Simplex& simplex) {
     Simplex best;
     float minimum = 1.0e30f;
@@ -130,8 +129,8 @@ float sizeOf(const Simplex& simplex) {
     return size;
 }
 
-/// The distance of the simplex from the origin. Along a segment it is measured by the perpendicular, which
-/// stays accurate when the outlines almost touch.
+/// Computes the distance of the simplex from the origin. For a segment it uses the perpendicular, which is
+/// accurate when the outlines almost touch.
 DisplacementBetween nearestOf(const Simplex& simplex) {
     DisplacementBetween nearest{simplex.displacements[0], simplex.displacements[0]};
     if (simplex.count == 1) {
@@ -151,8 +150,7 @@ DisplacementBetween nearestOf(const Simplex& simplex) {
     return nearest;
 }
 
-/// The GJK iteration. @return  the shortest connection of the cores; if they overlap, the simplex has three
-/// points or the distance is near 0
+/// GJK. Returns the shortest connection of the cores; at an overlap three points, or a distance near 0.
 DisplacementBetween nearestWay(const Displacements& displacements, Simplex& simplex) {
     DisplacementBetween nearest;
     for (int iteration = 1;; ++iteration) {
@@ -174,11 +172,10 @@ DisplacementBetween nearestWay(const Displacements& displacements, Simplex& simp
     }
 }
 
-/// The Minkowski difference has at most as many vertices as both outlines together.
+/// Capacity of a Polytope: the Minkowski difference has at most the vertices of both outlines together.
 constexpr int kMaxWays = 2 * kMaxCorners + 4;
 
-/// A polygon inside the Minkowski difference that is expanded towards its boundary. Its vertices are in the
-/// order in which normals rotate.
+/// A polygon inside the Minkowski difference that EPA expands to its boundary. Orientation: from x to y.
 struct Polytope : Points<kMaxWays> {
     float size = 0.0f;  ///< m: maximum coordinate of its vertices
 
@@ -190,8 +187,8 @@ struct Polytope : Points<kMaxWays> {
     }
 };
 
-/// The extreme vertices along both axes: a polygon, or two points if the difference is a segment. It need not
-/// contain the origin; if it does not, the origin is outside of the edge that is expanded first.
+/// Returns the extreme vertices along both axes: a polygon, or two points if the difference is a segment. It
+/// may not contain the origin, which is then outside of the edge that is expanded first.
 Polytope polytopeOf(const Displacements& set) {
     Polytope polytope;
     for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
@@ -225,7 +222,7 @@ NearestSide nearestSide(const Polytope& polytope) {
     return nearest;
 }
 
-/// The shortest displacement that separates two overlapping cores.
+/// Computes the shortest displacement that separates two overlapping cores (EPA).
 DisplacementBetween deepestOverlap(const Displacements& displacements) {
     Polytope polytope = polytopeOf(displacements);
     DisplacementBetween result{polytope.displacements[0], polytope.displacements[0]};
@@ -241,7 +238,7 @@ DisplacementBetween deepestOverlap(const Displacements& displacements) {
     }
     result.first = polytope.displacements[side.index];
     result.second = polytope.displacements[side.index + 1 < polytope.count ? side.index + 1 : 0];
-    // The origin lies this deep inside B - A, so B has to move in the opposite direction to separate.
+    // The origin is at this depth inside B - A, so B has to move in the opposite direction to separate.
     result.normal = -side.normal;
     result.distance = -side.distance;
     const Vec2 edge = result.second.displacement - result.first.displacement;

@@ -6,7 +6,8 @@
 
 namespace plumb::physics {
 
-/// The simplex of the last search, in which the next one between the same outlines starts. Any is valid.
+/// The final simplex of the last distance search between two outlines, from which the next search between
+/// them starts. Any valid corner indices are allowed.
 struct SimplexCache {
     std::uint8_t count = 0;
     std::uint8_t a[3] = {};
@@ -16,13 +17,13 @@ struct SimplexCache {
 struct Distance {
     float distance = 0.0f;  ///< m between the surfaces; negative: penetration depth
     Vec2 normal;            ///< unit length, from A to B
-    Vec2 pointA;            ///< m: on A's surface, nearest to B, or deepest inside B
+    Vec2 pointA;            ///< m: point of A's surface nearest to B, or deepest inside B
     Vec2 pointB;
-    int iterations = 0;  ///< of both algorithms together
+    int iterations = 0;  ///< iterations of GJK plus EPA
 };
 
-/// The distance between two outlines, rounded corners included, in A's frame.
-/// @param cache  the simplex to start from; updated to the final one
+/// Computes the distance between two outlines, rounded corners included, in A's frame.
+/// @param cache  start simplex; replaced by the final simplex
 /// Source: E. Gilbert, D. Johnson, S. Keerthi, "A fast procedure for computing the distance between complex
 /// objects in three-dimensional space", 1988 (GJK); overlaps after G. van den Bergen, "Proximity Queries and
 /// Penetration Depth Computation on 3D Game Objects", GDC 2001 (expanding polytope, EPA)

@@ -10,7 +10,7 @@ std::size_t next(std::span<const Corner> corners, std::size_t i) {
     return i + 1 < corners.size() ? i + 1 : 0;
 }
 
-/// A manifold with a single point between two (rounded) corners.
+/// Returns a manifold with a single point between two (rounded) corners.
 Manifold touchAtCorners(const CornerPair& pair, const Side& reference, const Side& other, bool isB,
                         float speculative) {
     const Vec2 direction = pair.displacement / pair.distance;
@@ -25,7 +25,7 @@ Manifold touchAtCorners(const CornerPair& pair, const Side& reference, const Sid
     return maker.manifold;
 }
 
-/// Collides any two convex sides with at least two corners.
+/// Collides two convex outlines with at least two corners each.
 /// Source: separating axes after C. Ericson, "Real-Time Collision Detection", 2005, 4.4; clipping of edges
 /// after E. Catto, "Contact Manifolds", GDC 2007
 Manifold collideSides(const Side& a, const Side& b, float speculative) {
@@ -72,7 +72,7 @@ EdgeOnEdge edgeOnEdge(const Side& reference, std::size_t face, const Side& other
         .origin = corner.point, .normal = corner.normal, .tangent = perpendicular(corner.normal)};
     edges.face = face;
     edges.length = dot(reference.corners[next(reference.corners, face)].point - corner.point, edges.tangent);
-    // Corners of both are in one order of rotation: reference and incident edge run in opposite directions.
+    // Both outlines have the same orientation, so the incident edge runs against the reference edge.
     edges.end = faceAgainst(other.corners, corner.normal);
     edges.start = next(other.corners, edges.end);
     const auto seen = [&](std::size_t i) {
@@ -102,11 +102,11 @@ std::optional<CornerPair> nearestCorners(const EdgeOnEdge& edges, const Side& re
     const Vec2 far = high ? edges.low : edges.high;
     const bool atStart = near.x < 0.0f;
     const Vec2 corner{atStart ? 0.0f : edges.length, 0.0f};
-    // The incident edge may pass in front of the corner: then the edge touches, unless it ends before.
+    // If the incident edge passes in front of the corner, the edge touches, not its end.
     const bool apart = edges.high.x < 0.0f || edges.low.x > edges.length;
     if (!apart && dot(corner - near, far - near) > 0.0f) return std::nullopt;
-    // A corner that extends only slightly beyond the end of a nearly parallel face stays with the face, so
-    // that boxes of equal size keep both points. This costs 0.01 % of the distance.
+    // A corner that extends only slightly beyond the end of a nearly parallel face counts as in front of the
+    // face, so that boxes of equal size keep both points. The error is 0.01 % of the distance.
     const bool past =
         nearBeyond > kParallel * near.y ||
         (far.y - near.y) * nearBeyond > kParallel * kParallel * near.y * std::fabs(far.x - near.x);
@@ -142,7 +142,7 @@ Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& o
     const bool cutLow = edges.low.x < 0.0f;
     const bool cutHigh = edges.high.x > edges.length;
     if (edges.high.x < 0.0f || edges.low.x > edges.length) {
-        // Due to rounding the edges just miss each other: use the deeper end only.
+        // The edges just miss each other due to rounding: uses the deeper end only.
         const bool low = edges.low.y < edges.high.y;
         const float along = edges.high.x < 0.0f ? 0.0f : edges.length;
         add({along, low ? edges.low.y : edges.high.y}, edges.face, low ? edges.start : edges.end, true);
@@ -178,7 +178,7 @@ Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Cor
                        const Frame& bInA, float speculative) {
     const Convex convexA = convexOf(a, corners);
     const Convex convexB = convexOf(b, corners);
-    if (convexA.count == 1) {  // a capsule so short that it is a disc
+    if (convexA.count == 1) {  // a capsule without length is a disc
         return collideCircleConvex(circle(a.radius, convexA.centre), b, corners, bInA, speculative);
     }
     if (convexB.count == 1) {

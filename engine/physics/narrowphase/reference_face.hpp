@@ -8,7 +8,7 @@
 
 namespace plumb::physics {
 
-/// One of two colliding outlines, in the frame of the first: a convex core, enlarged by a radius.
+/// One of two colliding outlines, in the frame of the first outline: a convex core, enlarged by a radius.
 struct Side {
     std::span<const Corner> corners;
     float radius = 0.0f;  ///< m
@@ -17,7 +17,7 @@ struct Side {
 
 inline Side sideOf(const Convex& convex) { return {convex.corners(), convex.radius, convex.centre}; }
 
-/// The corners of a convex outline, transformed to another frame.
+/// Memory for the corners of a convex outline that are transformed to another frame.
 struct MovedCorners {
     CornerRoom room;
 
@@ -28,49 +28,49 @@ struct MovedCorners {
     }
 };
 
-/// The face with the maximum separation from another core, and that separation.
+/// The face of a core with the maximum separation from another core, and this separation.
 struct FaceGap {
     std::size_t face = 0;
     float gap = 0.0f;  ///< m; negative: overlap
 };
 
 FaceGap widestGap(std::span<const Corner> faces, std::span<const Corner> other);
-/// The face whose normal is most opposed to a direction.
+/// Returns the face whose normal is most opposed to a direction.
 std::size_t faceAgainst(std::span<const Corner> faces, Vec2 direction);
 
-/// m: the second outline provides the reference face only if its separation is larger by this.
+/// Minimum advantage (m) in separation with which a face of the second outline is the reference face.
 inline float faceTieOf(float halfSize) { return std::min(kMaxFaceTie, kFaceTie * halfSize); }
 
-/// The incident edge in the coordinates of the reference edge: along it and in front of it.
+/// The incident edge in coordinates along the reference edge and in front of it.
 struct EdgeOnEdge {
     Vec2 origin;   ///< start of the reference edge
-    Vec2 normal;   ///< of the reference edge, outward
+    Vec2 normal;   ///< outward normal of the reference edge
     Vec2 tangent;  ///< from its start to its end
     float length = 0.0f;
     std::size_t face = 0;   ///< index of the reference edge
-    std::size_t start = 0;  ///< corners of the incident edge: at the lower position on the tangent,
-    std::size_t end = 0;    ///< and at the higher one
-    Vec2 low, high;         ///< x along the tangent, y in front of the edge
+    std::size_t start = 0;  ///< corner of the incident edge with the lower position on the tangent
+    std::size_t end = 0;    ///< corner of the incident edge with the higher position
+    Vec2 low, high;         ///< start and end: x along the tangent, y in front of the edge
 };
 
 EdgeOnEdge edgeOnEdge(const Side& reference, std::size_t face, const Side& other);
 
-/// Two separated cores that are nearest at a corner of each, not at a face.
+/// The nearest corners of two separated cores that are nearest at corners, not at a face.
 struct CornerPair {
     std::size_t reference = 0;
     std::size_t other = 0;
-    Vec2 displacement;  ///< from the corner of the reference to the other one
+    Vec2 displacement;  ///< m, from the corner of the reference to the other corner
     float distance = 0.0f;
 };
 
 std::optional<CornerPair> nearestCorners(const EdgeOnEdge& edges, const Side& reference, const Side& other);
 
-/// Collects the points of a manifold whose separation is within the limit.
+/// Builds a manifold from the points whose separation is within `speculative` (m).
 struct ManifoldMaker {
     Manifold manifold;
     float speculative = 0.0f;
 
-    /// @return  true if the point was added; not for NaN
+    /// @return true if the point was added; false also for a separation of NaN
     bool add(Vec2 point, float separation, std::size_t cornerA, std::size_t cornerB) {
         if (!(separation <= speculative)) return false;
         manifold.points[manifold.count++] = {point, separation,
@@ -79,13 +79,13 @@ struct ManifoldMaker {
     }
 };
 
-/// Clips the incident edge to the part in front of the reference edge.
-/// @param isB  the reference is the second side
+/// Clips the incident edge to the part in front of the reference edge; returns the contact points.
+/// @param isB  true if the reference face is of outline B
 Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& other, bool isB,
                    float speculative);
 
-/// The points of another side in front of a given face of the first: their normal is that of the face.
-/// @param beyond  m: by how much the face is longer at its start and at its end
+/// Returns the contact points of `b` in front of a given face of `a`, with the normal of the face.
+/// @param beyond  m: extension of the face at its start and its end
 Manifold touchFace(const Side& a, std::size_t face, const Side& b, float speculative, Vec2 beyond);
 
 }  // namespace plumb::physics

@@ -13,7 +13,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: bounds are float, so a position and bounds there may each be rounded by this much.
+/// Returns the maximum rounding error (m) of float positions and bounds at this position.
 float roundingAt(Vec2 place) { return std::max(std::fabs(place.x), std::fabs(place.y)) * kRounding; }
 
 bool passes(const World& world, std::uint32_t shape, const QueryFilter& filter) {
@@ -62,7 +62,7 @@ std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from,
     return choose(world, filter);
 }
 
-Frame seenFrom(const BodyPose& body, WorldPosition position, Rot rotation) {
+Frame relativeFrame(const BodyPose& body, WorldPosition position, Rot rotation) {
     return {localPoint(body, position), between(body.rotation, rotation)};
 }
 
@@ -89,7 +89,7 @@ void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filt
     for (const std::uint32_t other :
          candidatesIn(world, shape.position + box.min, shape.position + box.max, filter)) {
         const Convex theirs = convexOf(world.shapes.geometry[other], world.shapes.corners);
-        const Frame frame = seenFrom(poseOf(world, other), shape.position, shape.rotation);
+        const Frame frame = relativeFrame(poseOf(world, other), shape.position, shape.rotation);
         if (distanceBetween(theirs, outline, frame).distance <= 0.0f)
             found.push_back(idOfShape(world, other));
     }

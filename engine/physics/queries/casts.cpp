@@ -12,8 +12,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// The first hit among some shapes; at equal distances that of the lowest index.
-/// @param hitOf  the hit of a shape, if there is one
+/// Returns the first hit among candidate shapes; at equal distances that of the lowest index.
+/// @param hitOf  returns the hit of a shape, if there is one
 template <class HitOf>
 std::optional<CastHit> firstHit(std::span<const std::uint32_t> shapes, HitOf&& hitOf) {
     std::optional<CastHit> first;
@@ -23,7 +23,7 @@ std::optional<CastHit> firstHit(std::span<const std::uint32_t> shapes, HitOf&& h
     }
     return first;
 }
-/// All hits: nearest first; at equal distances the lowest index first.
+/// Finds all hits: nearest first; at equal distances the lowest index first.
 template <class HitOf>
 void allHits(std::span<const std::uint32_t> shapes, std::vector<CastHit>& hits, HitOf&& hitOf) {
     for (const std::uint32_t shape : shapes) {
@@ -65,7 +65,7 @@ MovingOutline outlineOf(const World& world, const QueryShape& shape, Vec2 displa
     return {convexOf(shape.geometry, cornersOf(world, shape)), shape.position, shape.rotation, displacement};
 }
 
-/// m: distance that counts as a hit: the accuracy of floats at this distance from the origin.
+/// Returns the distance (m) that counts as a hit, which includes the rounding of floats at these positions.
 float touchOf(const Convex& a, const Frame& bInA) {
     const Vec2 far = bInA.position;
     const Vec2 own = a.centre;
@@ -73,8 +73,8 @@ float touchOf(const Convex& a, const Frame& bInA) {
            4.0f * kRounding * (std::fabs(far.x) + std::fabs(far.y) + std::fabs(own.x) + std::fabs(own.y));
 }
 
-/// Moves B by a displacement, without rotation, until it touches A. In A's frame. An initial overlap is a hit
-/// at 0; an initial touch is no hit if the displacement leads away or along the surface.
+/// Moves B by a displacement, without rotation, until it touches A (in A's frame). An initial overlap is a
+/// hit at 0; an initial touch is no hit if the displacement leads away or along the surface.
 /// Source: conservative advancement, see sweep.hpp; for a straight path it converges quadratically
 std::optional<CastHit> castShape(const Convex& a, const Convex& b, const Frame& bInA, Vec2 displacement) {
     SimplexCache cache;
@@ -97,7 +97,7 @@ std::optional<CastHit> castShape(const Convex& a, const Convex& b, const Frame& 
         if (next == hit.fraction) return hit;
         hit.fraction = next;
     }
-    return std::nullopt;  // it misses narrowly
+    return std::nullopt;  // too many iterations: a narrow miss
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyP
                             const MovingOutline& moving) {
     const Geometry& geometry = world.shapes.geometry[shape];
     const bool isChain = geometry.kind == ShapeKind::ChainSegment;
-    const Frame frame = seenFrom(pose, moving.position, moving.rotation);
+    const Frame frame = relativeFrame(pose, moving.position, moving.rotation);
     const Vec2 displacement = unrotate(pose.rotation, moving.displacement);
     const Vec2 front = isChain ? normalOfChain(geometry) : Vec2{};
     if (isChain) {
@@ -139,7 +139,7 @@ std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyP
     hit->shape = idOfShape(world, shape);
     hit->body = bodyOf(world, hit->shape);
     hit->point = worldPoint(pose, toVec2(hit->point));
-    // The direction of minimum penetration of a chain segment may point to its back.
+    // At an overlap with a chain segment the computed normal may point to its back.
     hit->normal = rotate(pose.rotation, isChain && hit->separation < 0.0f ? front : hit->normal);
     hit->distance = hit->fraction * length(moving.displacement);
     return hit;

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Both corners (0, 0) if nothing was merged into kNowhere.
+/// Replaces kNowhere (no bounds were merged) by a box at the origin.
 AABB finished(const AABB& bounds) { return bounds == kNowhere ? AABB{} : bounds; }
 
 }  // namespace
@@ -19,7 +19,7 @@ void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found) {
     found.clear();
     if (!alive(world, body)) return;
     forShapesOf(world, body.index, [&](std::uint32_t s) { found.push_back(idOfShape(world, s)); });
-    std::reverse(found.begin(), found.end());  // the last one is the first of the list
+    std::reverse(found.begin(), found.end());  // a body lists its shapes in reverse order
 }
 
 void jointsOf(const World& world, BodyId body, std::vector<JointId>& found) {

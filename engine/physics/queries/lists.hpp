@@ -5,9 +5,9 @@
 
 namespace plumb::physics {
 
-// Relations between objects. Results replace the content of `found`; for an object that is gone it is empty.
+// Lists of objects that belong together. Results replace the content of `found`; empty for a stale id.
 
-/// In the order in which they were created.
+/// Shapes and joints in the order of their creation.
 void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found);
 void jointsOf(const World& world, BodyId body, std::vector<JointId>& found);
 
@@ -15,25 +15,24 @@ void jointsOf(const World& world, BodyId body, std::vector<JointId>& found);
 /// the world changes. Visits all contacts of the world: to track many bodies, use World::events.
 void contactsOf(const World& world, BodyId body, std::vector<const Contact*>& found);
 void contactsOf(const World& world, ShapeId shape, std::vector<const Contact*>& found);
-/// The shapes that overlap a trigger, as of the last step.
+/// Finds the shapes that overlapped a trigger in the last step.
 void overlapsOf(const World& world, ShapeId trigger, std::vector<ShapeId>& found);
 
-/// The bodies that the last step moved. Those in World::fellAsleep have now come to rest.
+/// Finds the bodies that the last step moved, including those that fell asleep in it.
 void movedBodies(const World& world, std::vector<BodyId>& found);
 
-/// Where two shapes touch.
+/// A point at which two shapes touch.
 struct ContactPoint {
     WorldPosition point;      ///< m: midway between the two surfaces
     float separation = 0.0f;  ///< m along the normal of the contact; negative: overlap
     float impulse = 0.0f;     ///< N s along the normal, of the last substep
 };
-/// The points of a contact: Contact::count of them, 0 to 2.
+/// Returns the 0 to 2 points of a contact.
 [[nodiscard]] FixedList<ContactPoint, 2> contactPoints(const World& world, const Contact& contact);
 
-/// m: bounding box of the shapes of a body, as the broad phase has them (with margins); all 0 if there is
-/// none.
+/// Returns the bounding box (m) of a body's shapes, with margins; all 0 without shapes.
 [[nodiscard]] AABB boundsOf(const World& world, BodyId body);
-/// m: of all shapes of the world; both corners (0, 0) if there is none.
+/// Returns the bounding box (m) of all shapes of the world, with margins; all 0 without shapes.
 [[nodiscard]] AABB boundsOf(const World& world);
 
 }  // namespace plumb::physics

@@ -25,8 +25,8 @@ struct ClosestHit {
     Vec2 normal;            ///< unit length, outward from the shape
     float distance = 0.0f;  ///< m; negative: depth inside the shape
 };
-/// The shape nearest to a point; at equal distances the one with the lowest index. Inside several shapes, the
-/// one with the greatest depth.
+/// Finds the shape nearest to a point; at equal distances the lowest index. If the point is inside several
+/// shapes, the one in which it is deepest.
 /// @param within  m: maximum distance; must be finite
 std::optional<ClosestHit> closestPoint(World& world, WorldPosition place, float within,
                                        const QueryFilter& filter = {});

@@ -4,13 +4,12 @@
 
 namespace plumb::physics {
 
-// Queries see the world as it is between two steps, including changes since the last step, and never affect
-// the result of the next one. They update the broad phase first and use the world's scratch memory, so only
-// one query may run at a time.
+// Queries use the current state of the world, including changes since the last step, and never affect the
+// result of the next step. They use scratch memory of the world, so only one query may run at a time.
 
 struct QueryFilter {
-    std::uint32_t layers = 0xffffffffu;  ///< bits: layers of the query; a shape's mask must have one of them
-    std::uint32_t mask = 0xffffffffu;    ///< bits: layers that the query considers
+    std::uint32_t layers = 0xffffffffu;  ///< bits: layers of the query, for the masks of shapes
+    std::uint32_t mask = 0xffffffffu;    ///< bits: layers of the shapes to find
     bool triggers = false;               ///< include triggers
     bool movers = true;                  ///< include shapes of dynamic and kinematic bodies
     bool fixed = true;                   ///< include shapes of static bodies
@@ -20,9 +19,9 @@ struct QueryFilter {
 /// An outline in the world, for a query.
 struct QueryShape {
     Geometry geometry{};
-    WorldPosition position{};  ///< m, of the frame that the geometry is defined in
+    WorldPosition position{};  ///< m: origin of the frame in which `geometry` is defined
     Rot rotation{};
-    std::span<const Corner> corners = {};  ///< of a polygon, by Geometry::first; if empty, Shapes::corners
+    std::span<const Corner> corners = {};  ///< corners of a polygon; if empty, Shapes::corners
 };
 
 struct CastHit {
@@ -31,8 +30,8 @@ struct CastHit {
     WorldPosition point;    ///< m, on the shape's surface
     Vec2 normal;            ///< unit length, outward from the shape
     float fraction = 0.0f;  ///< fraction of the displacement, 0..1; 0 if it started inside
-    float distance = 0.0f;  ///< m travelled
-    /// m between both at the start, for a moving outline; negative: penetration depth along the normal
+    float distance = 0.0f;  ///< m: distance travelled before the hit
+    /// m: distance at the start, for a moving outline; negative: penetration depth along the normal
     float separation = 0.0f;
 };
 

@@ -8,11 +8,11 @@ namespace plumb::physics {
 // positions further than 1e9 m from the origin hit nothing. A ray that starts inside a shape hits
 // it at fraction 0. A segment has no inside, and a chain segment is only hit on its solid side.
 
-/// The first shape hit; at equal distances the one with the lowest index.
+/// Finds the first shape hit; at equal distances the one with the lowest index.
 std::optional<CastHit> castRay(World& world, WorldPosition from, Vec2 displacement,
                                const QueryFilter& filter = {});
 bool isRayBlocked(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter = {});
-/// All shapes hit, each once: nearest first; at equal distances the lowest index first.
+/// Finds all shapes hit, each once: nearest first; at equal distances the lowest index first.
 void castRayAll(World& world, WorldPosition from, Vec2 displacement, const QueryFilter& filter,
                 std::vector<CastHit>& hits);
 

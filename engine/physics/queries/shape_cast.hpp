@@ -5,19 +5,19 @@
 
 namespace plumb::physics {
 
-// Shape casts: an outline moves in a straight line without rotating. It hits shapes that it overlaps at the
-// start at fraction 0. It does not hit a shape that it only touches there if the displacement leads away or
+// Shape casts: an outline moves in a straight line without rotating. Shapes that it overlaps at the start are
+// hit at fraction 0. A shape that it only touches at the start is not hit if the displacement leads away or
 // along the surface. A chain segment is only hit from its solid side. Values that are not finite or out of
 // range hit nothing.
 
-/// The first shape hit; at equal distances the one with the lowest index.
+/// Finds the first shape hit; at equal distances the one with the lowest index.
 std::optional<CastHit> castShape(World& world, const QueryShape& shape, Vec2 displacement,
                                  const QueryFilter& filter = {});
-/// All shapes hit, each once: nearest first; at equal distances the lowest index first.
+/// Finds all shapes hit, each once: nearest first; at equal distances the lowest index first.
 void castShapeAll(World& world, const QueryShape& shape, Vec2 displacement, const QueryFilter& filter,
                   std::vector<CastHit>& hits);
 
-/// An outline that moves in a straight line, to be cast against shapes one at a time.
+/// An outline that moves in a straight line: argument of meet().
 struct MovingOutline {
     Convex outline;
     WorldPosition position;  ///< m
@@ -25,7 +25,7 @@ struct MovingOutline {
     Vec2 displacement;  ///< m
 };
 
-/// The first contact with a shape, if the shape's body is at `pose`.
+/// Casts the outline against a single shape whose body is at `pose`.
 std::optional<CastHit> meet(const World& world, std::uint32_t shape, const BodyPose& pose,
                             const MovingOutline& moving);
 

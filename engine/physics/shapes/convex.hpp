@@ -8,13 +8,13 @@
 namespace plumb::physics {
 
 /// Any outline in a common form: the convex hull of its corners, enlarged by a radius. One corner is a disc;
-/// two are a segment or a capsule, with a face on either side; more are a polygon. It may be copied, and is
-/// valid until the pool that it was made from changes.
+/// two are a segment or a capsule, with a face on either side; more are a polygon. Valid until the pool
+/// changes.
 struct Convex {
     float radius = 0.0f;           ///< m
     Vec2 centre;                   ///< m, a point inside
     int count = 0;                 ///< number of corners
-    const Corner* pool = nullptr;  ///< the corners of a polygon; other outlines have them in `own`
+    const Corner* pool = nullptr;  ///< corners of a polygon; other outlines use `own`
     std::array<Corner, 4> own;
 
     [[nodiscard]] std::span<const Corner> corners() const {
@@ -22,7 +22,7 @@ struct Convex {
     }
 };
 
-/// Room for the corners of any outline. Not initialized: few have so many.
+/// Memory for the corners of any outline, not initialized to save time.
 union CornerRoom {
     CornerRoom() {}
     Corner corners[kMaxCorners];
@@ -41,26 +41,26 @@ private:
     CornerRoom room_;
 };
 
-/// The normal that is used where geometry defines none, as for two discs with the same centre.
+/// The normal that is used if the geometry defines none, as for two discs with the same centre.
 inline constexpr Vec2 kAnyNormal{1.0f, 0.0f};
 
 /// @param pool  Shapes::corners; used for polygons only
 Convex convexOf(const Geometry& geometry, std::span<const Corner> pool);
 
-/// The corners of a box, beginning with (-, -), in the order in which normals rotate, as for all outlines.
+/// Returns the corners of a box from (-, -) on, in the direction of rotation from x to y like all outlines.
 std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn);
 
-/// The support point: the index of the corner that is farthest along a direction; the first of equal ones.
+/// Support function: returns the index of the corner farthest along a direction; the first of equal ones.
 int farthest(std::span<const Corner> corners, Vec2 direction);
-/// m: extent of an outline along a direction of unit length, from the origin of its frame.
+/// Returns the extent (m) of an outline along a direction of unit length, from the origin of its frame.
 float reachAlong(const Convex& outline, Vec2 direction);
 
-/// A corner and what it is chosen by.
+/// Index of a corner and the value for which largestOf() selected it.
 struct BestCorner {
     std::size_t index = 0;
     float value = 0.0f;
 };
-/// The corner with the largest value; the first of equal ones.
+/// Returns the corner with the largest valueOf(corner); the first of equal ones.
 template <class ValueOf>
 BestCorner largestOf(std::span<const Corner> corners, ValueOf&& valueOf) {
     BestCorner best{0, valueOf(corners[0])};

@@ -12,14 +12,14 @@ namespace {
 
 using Loop = std::vector<Vec2>;
 
-/// Twice the signed area of a triangle: positive if c is on the side of a-b towards which normals rotate.
-/// Computed in double precision: products of differences of floats fit, so its sign is exact.
+/// Returns twice the signed area of a triangle: positive if a, b, c are in the direction of rotation from x
+/// to y. In double precision products of differences of floats are exact, and so is the sign.
 double areaOf(Vec2 a, Vec2 b, Vec2 c) { return cross(wide(b) - wide(a), wide(c) - wide(a)); }
 
-/// The corners of a loop follow each other in a circle.
+/// Returns corner i of a loop, modulo its size.
 Vec2 at(const Loop& loop, std::size_t i) { return loop[i % loop.size()]; }
 
-/// The part of the hull below all points, or above them if the points are sorted in descending order.
+/// Appends the lower part of the hull, or the upper part if the points are sorted in descending order.
 void appendChain(std::span<const Vec2> sorted, Loop& loop) {
     const std::size_t start = loop.size();
     for (const Vec2 point : sorted) {
@@ -27,7 +27,7 @@ void appendChain(std::span<const Vec2> sorted, Loop& loop) {
             loop.pop_back();
         loop.push_back(point);
     }
-    loop.pop_back();  // it is the first corner of the other part
+    loop.pop_back();  // the other part begins with this corner
 }
 
 Loop loopAround(std::vector<Vec2> points) {
@@ -42,14 +42,14 @@ Loop loopAround(std::vector<Vec2> points) {
     return loop;
 }
 
-/// m: distance of `point` from the line through a and b; from a if both are equal.
+/// Returns the distance (m) of `point` from the line through a and b; from a if both are equal.
 double heightOver(Vec2 a, Vec2 b, Vec2 point) {
     const Double2 side = wide(b) - wide(a);
     const double size = std::sqrt(dot(side, side));
     return size > 0.0 ? std::fabs(areaOf(a, b, point)) / size : static_cast<double>(distance(a, point));
 }
 
-/// Removes the flattest corner repeatedly, as long as it protrudes by less than `height`.
+/// Repeatedly removes the flattest corner while it protrudes by less than `height` (m).
 void dropFlat(Loop& loop, double height) {
     while (loop.size() >= 3) {
         std::size_t flattest = 0;
@@ -72,7 +72,7 @@ Vec2 normalOfFace(Vec2 from, Vec2 to) {
     return {static_cast<float>(normal.x / size), static_cast<float>(normal.y / size)};
 }
 
-/// Area and centroid, relative to the first corner: as accurate far from the origin.
+/// Computes area and centroid, relative to the first corner for accuracy far from the origin.
 void measure(Hull& hull) {
     const Vec2 origin = hull.corners[0].point;
     double twice = 0.0;
@@ -90,7 +90,7 @@ void measure(Hull& hull) {
 
 std::string text(Vec2 v) { return format("({}, {})", v.x, v.y); }
 
-/// The points without duplicates and without those in the middle of a straight side.
+/// Returns the points without duplicates and without points in the middle of a straight side.
 Loop cleaned(std::span<const Vec2> outline) {
     Loop loop;
     for (const Vec2 point : outline) {
@@ -130,14 +130,14 @@ std::optional<Error> findCrossing(const Loop& loop) {
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 a = loop[i], b = at(loop, i + 1);
         if (areaOf(a, b, at(loop, i + 2)) == 0.0) {
-            return Error{"decompose", format("turns back on itself at {}", text(b)), "remove the spike"};
+            return Error{"decompose", format("it turns back on itself at {}", text(b)), "remove the spike"};
         }
         for (std::size_t k = i + 2; k < n; ++k) {
             if (i == 0 && k == n - 1) continue;  // neighbours
             if (!meet(a, b, loop[k], at(loop, k + 1))) continue;
             return Error{"decompose",
-                         format("the sides from {} and from {} cross or touch", text(a), text(loop[k])),
-                         "move a point, or cut the outline in two"};
+                         format("the sides that start at {} and {} cross or touch", text(a), text(loop[k])),
+                         "move a point, or split the outline"};
         }
     }
     return std::nullopt;
@@ -158,7 +158,7 @@ bool isEar(const Loop& loop, std::size_t i) {
     });
 }
 
-/// Ear clipping. After each ear comes the next corner but one: not all triangles share one corner.
+/// Ear clipping. Skips a corner after each ear, so that not all triangles share one corner.
 std::optional<std::vector<Loop>> triangles(Loop loop) {
     std::vector<Loop> pieces;
     std::size_t i = 0;
@@ -179,7 +179,7 @@ std::optional<std::vector<Loop>> triangles(Loop loop) {
     return pieces;
 }
 
-/// The union of two loops, if they share a side and the union is convex.
+/// Returns the union of two loops, if they share a side and the union is convex.
 std::optional<Loop> joined(const Loop& a, const Loop& b) {
     if (a.size() + b.size() - 2 > kMaxCorners) return std::nullopt;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -203,7 +203,7 @@ void joinPieces(std::vector<Loop>& pieces) {
             if (auto whole = joined(pieces[i], pieces[k])) {
                 pieces[i] = std::move(*whole);
                 pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k));
-                k = i + 1;  // pieces that could not be joined before may be joined now
+                k = i + 1;  // retries pieces that could not be joined before
             } else {
                 ++k;
             }
@@ -217,27 +217,27 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 point = points[i];
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return Error{"hull", format("point {} is {}, not within {} m", i, text(point), kLargest),
+        return Error{"hull", format("point {} is {}, further than {} m", i, text(point), kLargest),
                      "use metres, not pixels, relative to the origin of the body"};
     }
     Loop loop = loopAround({points.begin(), points.end()});
     if (loop.size() < 3) {
         return Error{"hull", format("the {} points form no area", points.size()),
-                     "pass at least 3 that are not on one line"};
+                     "pass at least 3 points that are not on one line"};
     }
     constexpr std::size_t kAbsurd = 4096;
     AABB box{loop[0], loop[0]};
     for (const Vec2 point : loop) box = merged(box, {point, point});
     const float size = std::max(box.size().x, box.size().y);
     if (!(size >= kSmallest)) {
-        return Error{"hull", format("it is only {} m large", size), "make it at least 0.1 mm large"};
+        return Error{"hull", format("the hull is only {} m large", size), "make it at least 0.1 mm large"};
     }
     if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
     if (loop.size() < 3)
-        return Error{"hull", "it is too thin to have an inside", "use a segment or a capsule"};
+        return Error{"hull", "the hull is too thin to have an area", "use a segment or a capsule"};
     if (loop.size() > kMaxCorners) {
-        return Error{"hull", format("it has {} corners, the maximum is {}", loop.size(), kMaxCorners),
-                     "remove some, use a circle, or decompose()"};
+        return Error{"hull", format("found {} corners, expected at most {}", loop.size(), kMaxCorners),
+                     "remove points, use a circle, or decompose()"};
     }
     Hull hull;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -258,13 +258,12 @@ Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
 
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
     if (outline.size() > kMaxOutline) {
-        return Error{"decompose",
-                     format("the outline has {} points, the maximum is {}", outline.size(), kMaxOutline),
-                     "remove some"};
+        return Error{"decompose", format("found {} points, expected at most {}", outline.size(), kMaxOutline),
+                     "remove points"};
     }
     for (const Vec2 point : outline) {
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
-        return Error{"decompose", format("the point {} is not within {} m", text(point), kLargest),
+        return Error{"decompose", format("the point {} is further than {} m", text(point), kLargest),
                      "use metres, not pixels"};
     }
     Loop loop = cleaned(outline);
@@ -289,7 +288,7 @@ Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
         if (hull) hulls.push_back(*hull);
     }
     if (hulls.empty())
-        return Error{"decompose", "the outline is too thin to have an inside", "use segments or a capsule"};
+        return Error{"decompose", "the outline is too thin to have an area", "use segments or a capsule"};
     return hulls;
 }
 

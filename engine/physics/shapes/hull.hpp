@@ -9,16 +9,15 @@
 
 namespace plumb::physics {
 
-/// A convex polygon: its corners in the order in which normals rotate, each with the face that follows it.
+/// A convex polygon: its corners in the direction of rotation from x to y, each with the face after it.
 struct Hull {
     FixedList<Corner, kMaxCorners> corners;
     Vec2 centroid;      ///< m
     float area = 0.0f;  ///< m2
 };
 
-/// The convex hull of some points in any order. A corner that protrudes by less than a hundred-thousandth of
-/// the size of the hull is omitted: duplicates, and points on a straight line.
-/// The same points give the same corners, whatever their order.
+/// Computes the convex hull of points, in any order. Corners that protrude by less than a hundred-thousandth
+/// of the size of the hull are omitted: duplicates, and points on a straight line.
 /// @error   fewer than 3 corners, no area, NaN, a size out of range, more than kMaxCorners corners
 /// Source:  A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979
 Result<Hull> makeHull(std::span<const Vec2> points);
@@ -33,7 +32,7 @@ inline constexpr std::size_t kMaxOutline = 2048;  ///< maximum number of points 
 /// Cost:    grows with the square of the number of points
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline);
 
-/// The geometry of a hull whose corners are in Shapes::corners from `first` on.
+/// Returns the geometry of a hull whose corners are in Shapes::corners from `first` on.
 Geometry polygon(const Hull& hull, std::uint32_t first, float radius = 0.0f);
 
 }  // namespace plumb::physics

@@ -4,13 +4,13 @@ namespace plumb::physics {
 
 namespace {
 
-/// Moments of area of all parts about one point: of order zero, one and two.
+/// Area, first and second moment of area of all parts about one point.
 struct Moments {
     double area = 0.0;
     Double2 first;
     double second = 0.0;
 
-    void addTriangle(Double2 a, Double2 b) {  // with the third corner at the origin
+    void addTriangle(Double2 a, Double2 b) {  // its third corner is the origin
         const double part = 0.5 * cross(a, b);
         area += part;
         first = first + (a + b) * (part / 3.0);
@@ -27,19 +27,20 @@ struct Moments {
     void addSector(Double2 corner, Double2 from, Double2 to, double angle, double radius) {
         const double part = 0.5 * angle * radius * radius;
         const double cube = radius * radius * radius / 3.0;
-        const Double2 moment{cube * (to.y - from.y), cube * (from.x - to.x)};  // about the corner
+        const Double2 moment{cube * (to.y - from.y),
+                             cube * (from.x - to.x)};  // first moment about the corner
         area += part;
         first = first + moment + corner * part;
         second += 0.5 * part * radius * radius + 2.0 * dot(corner, moment) + part * dot(corner, corner);
     }
 };
 
-/// rad, 0..pi: the angle between successive normals of a convex outline.
+/// Returns the angle (rad, 0..pi) between successive normals of a convex outline.
 double turnBetween(Vec2 from, Vec2 to) {
     return static_cast<double>(arcTangent(std::fabs(cross(from, to)), dot(from, to)));
 }
 
-/// The sum of the core, a strip along each face and a sector at each corner.
+/// Sums the moments of the core, of a strip along each face and of a sector at each corner.
 Moments momentsOf(const Convex& convex) {
     const std::span<const Corner> corners = convex.corners();
     const Double2 origin = wide(corners[0].point);

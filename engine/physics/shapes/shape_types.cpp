@@ -40,10 +40,10 @@ AABB aroundPolygon(const Geometry& geometry, Corners pool, const Frame& frame) {
     return grown({frame.position + box.min, frame.position + box.max}, geometry.radius);
 }
 
-/// m: the square of a smaller distance loses its digits.
+/// Distance (m) below which the square of a float loses digits.
 constexpr float kNoGap = 1.0e-18f;
 
-/// The point of a segment that is nearest: 0 at its start, 1 at its end.
+/// Returns the position of the nearest point of a segment: 0 at its start, 1 at its end.
 float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
     const Vec2 displacement = end - start;
     const float along = dot(place - start, displacement);
@@ -52,13 +52,14 @@ float nearestOn(Vec2 start, Vec2 end, Vec2 place) {
     return along < square ? along / square : 1.0f;
 }
 
-/// Keeps the earliest of several hits.
+/// Replaces the first hit if the new hit is earlier.
 void keep(std::optional<RayHit>& first, float fraction, Vec2 normal) {
     if (fraction >= 0.0f && fraction <= 1.0f && (!first || fraction < first->fraction))
         first = RayHit{fraction, normal};
 }
 
-/// Relative to the point of the ray nearest to the centre: rounding of long rays misses no small disc.
+/// Relative to the point of the ray nearest to the centre, so that rounding of long rays misses no small
+/// disc.
 void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>& first) {
     const float length = plumb::length(ray.displacement);
     if (!(length > 0.0f)) return;
@@ -80,7 +81,7 @@ void castAtFace(const Ray& ray, const Corner& corner, Vec2 next, float radius, s
     if (along >= 0.0f && along <= lengthSquared(edge)) keep(first, fraction, corner.normal);
 }
 
-/// Faces and the discs at the corners overlap, so no ray passes between them.
+/// Tests the offset faces and the discs at the corners, which overlap, so that no ray passes between them.
 std::optional<RayHit> castAtRounded(const Convex& convex, const Ray& ray) {
     const Corners corners = convex.corners();
     std::optional<RayHit> first;
@@ -122,17 +123,17 @@ bool isPlace(Vec2 v) { return std::fabs(v.x) <= kLargest && std::fabs(v.y) <= kL
 Error badPlace(const char* where, Vec2 found) {
     return {where,
             format("expected a position within {} m of the body, found ({}, {})", kLargest, found.x, found.y),
-            "use metres, not pixels, and move the body rather than its shapes"};
+            "use metres, not pixels, and move the body instead of its shapes"};
 }
 
-/// @param minimum  m; 0 for an optional size
+/// @param minimum  m; 0 if the size may be 0
 Result<Done> checkSize(const char* where, float found, float minimum) {
     if (found >= minimum && found <= kLargest) return Done{};
     return Error{where, format("expected {} to {} m, found {}", minimum, kLargest, found),
                  "use metres, not pixels, and a size within this range"};
 }
 
-/// True if normals have unit length, perpendicular to their faces, and corners are behind all faces.
+/// True if normals are of unit length and perpendicular to their faces, and all corners are behind all faces.
 bool isConvex(Corners corners) {
     float size = 0.0f;
     for (const Corner& corner : corners) {
@@ -167,7 +168,7 @@ Result<Done> checkBox(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("box.a", geometry.a);
     const Rot turn = geometry.turn;
     if (!(std::fabs(turn.cos * turn.cos + turn.sin * turn.sin - 1.0f) < 1.0e-3f)) {
-        return Error{"box.turn", format("({}, {}) is not a cosine and sine", turn.cos, turn.sin),
+        return Error{"box.turn", format("expected a cosine and sine, found ({}, {})", turn.cos, turn.sin),
                      "use rotFromAngle()"};
     }
     if (auto checked = checkSize("box.radius", geometry.radius, 0.0f); !checked) return checked;
@@ -179,10 +180,10 @@ Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
     if (geometry.count < 3 || geometry.count > kMaxCorners) {
         return Error{"polygon.count",
                      format("expected 3 to {} corners, found {}", kMaxCorners, int{geometry.count}),
-                     "make it with makeHull()"};
+                     "create it with makeHull()"};
     }
     if (geometry.first > pool.size() || pool.size() - geometry.first < geometry.count) {
-        return Error{"polygon.first", "its corners are not in the world",
+        return Error{"polygon.first", "the corners are not in Shapes::corners",
                      "use createPolygon(), which stores them"};
     }
     const Corners corners = pool.subspan(geometry.first, geometry.count);
@@ -192,7 +193,7 @@ Result<Done> checkPolygon(const Geometry& geometry, Corners pool) {
     }
     if (!isConvex(corners)) {
         return Error{"polygon.corners", "the corners do not form a convex polygon with outward normals",
-                     "make it with makeHull(); split a concave outline with decompose()"};
+                     "create it with makeHull(); split a concave outline with decompose()"};
     }
     return checkSize("polygon.radius", geometry.radius, 0.0f);
 }
@@ -210,7 +211,7 @@ Result<Done> checkSegment(const Geometry& geometry, Corners) {
     return checkSize("segment length", distance(geometry.a, geometry.b), kSmallest);
 }
 
-/// In the order of ShapeKind.
+/// Shape types in the order of ShapeKind.
 constexpr ShapeType kShapeTypes[] = {
     {"circle", true, aroundCircle, checkCircle},
     {"capsule", true, aroundTwoPoints, checkCapsule},
@@ -283,7 +284,7 @@ std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const R
 
 Result<Done> checkGeometry(const Geometry& geometry, Corners corners) {
     if (geometry.kind < ShapeKind::Count) return shapeTypeOf(geometry.kind).check(geometry, corners);
-    return Error{"shape.kind", "expected a kind of shape, found another number", "use a ShapeKind"};
+    return Error{"shape.kind", "expected a ShapeKind, found another number", "use a constant of it"};
 }
 
 }  // namespace plumb::physics

@@ -11,7 +11,7 @@ namespace plumb::physics {
 /// The functions that differ between kinds of outlines. `corners` is Shapes::corners everywhere.
 struct ShapeType {
     std::string_view name;
-    bool solid = true;  ///< it has an inside, and so a mass
+    bool solid = true;  ///< it has an area, and therefore a mass
     AABB (*bounds)(const Geometry& geometry, std::span<const Corner> corners, const Frame& frame) = nullptr;
     Result<Done> (*check)(const Geometry& geometry, std::span<const Corner> corners) = nullptr;
 };
@@ -21,20 +21,20 @@ const ShapeType& shapeTypeOf(ShapeKind kind);
 /// @error  a member is NaN, infinite or out of range; a polygon is not convex, or not in the pool
 Result<Done> checkGeometry(const Geometry& geometry, std::span<const Corner> corners);
 
-/// Exact, rounded corners included.
+/// Computes exact mass properties, including rounded corners.
 /// @param density  kg/m2; negative values and NaN count as 0
 MassProperties massProperties(const Geometry& geometry, std::span<const Corner> corners, float density);
 
-/// The bounding box of the outline, in the parent space of `frame` (m).
+/// Returns the bounding box (m) of the outline in the parent space of `frame`.
 AABB boundsOf(const Geometry& geometry, std::span<const Corner> corners, const Frame& frame);
 
-/// m: maximum distance of a point of the outline from `from`.
+/// Returns the maximum distance (m) of a point of the outline from `from`.
 float reachOf(const Geometry& geometry, std::span<const Corner> corners, Vec2 from);
 
-/// m: radius of the largest disc around `at` inside the outline; 0 if `at` is outside.
+/// Returns the radius (m) of the largest disc around `at` inside the outline; 0 if `at` is outside.
 float coreOf(const Geometry& geometry, std::span<const Corner> corners, Vec2 at);
 
-/// The boundary counts as inside; a segment has no inside.
+/// True if the outline contains the point. The boundary counts as inside; a segment has no inside.
 bool containsPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 point);
 
 /// The point on the boundary of an outline that is nearest to a given point.
@@ -43,7 +43,7 @@ struct ClosestPoint {
     Vec2 normal;            ///< unit length, outward at that point
     float distance = 0.0f;  ///< m; negative inside
     bool atCorner = false;  ///< the nearest feature is a corner, rounded or sharp, not a face
-    std::size_t index = 0;  ///< of that corner, or of the one at which the face starts
+    std::size_t index = 0;  ///< index of this corner, or of the start of the face
 };
 
 ClosestPoint closestPointOf(const Convex& convex, Vec2 place);
@@ -60,7 +60,8 @@ struct RayHit {
     Vec2 normal;            ///< unit length, outward
 };
 
-/// The point at which a ray enters; fraction 0 if it starts inside. Chain segments are only hit in front.
+/// Finds the point at which a ray enters; fraction 0 if it starts inside. Chain segments: only from the
+/// front.
 std::optional<RayHit> castRay(const Geometry& geometry, std::span<const Corner> corners, const Ray& ray);
 
 }  // namespace plumb::physics

@@ -7,30 +7,30 @@ namespace plumb::physics {
 
 struct StepContext;
 
-// Contacts of particles with rigid bodies: constraints of the solver's substeps, with the mass of both sides.
-// As accelerate() does for bodies, particles repeat the impulses of the previous substep (warm starting).
+// Contacts of particles with rigid bodies: constraints that the solver solves in each substep, with the
+// masses of both sides. Each substep begins with the impulses of the previous one (warm starting).
 
-/// A rigid body near soft bodies of one group.
+/// A rigid body near soft bodies of a group.
 struct SoftObstacle {
     std::uint32_t body = 0;
     bool isPushed = false;        ///< it is dynamic and awake
-    std::int32_t slot = -1;       ///< in the solver, if it is pushed
+    std::int32_t slot = -1;       ///< solver slot, if it is pushed
     Vec2 inverseMass;             ///< 1/kg along x and y; 0 if it is locked or not pushed
     float inverseInertia = 0.0f;  ///< 1/(kg m2)
-    WorldPosition centre;         ///< m: at the start of the substep
+    WorldPosition centre;         ///< m: center of mass at the start of the substep
     Rot rotation;
-    float pressed = 0.0f;  ///< N s: sum of the impulses of its contacts, without their directions
-    Float4 motion;         ///< m/s, m/s, rad/s: of a body without a slot
+    float pressed = 0.0f;  ///< N s: sum of the magnitudes of its contact impulses
+    Float4 motion;         ///< m/s, m/s, rad/s: motion, if it has no slot
 };
 
-/// A particle that a shape may touch in this step.
+/// Potential contact of a particle with a shape in this step.
 struct SoftContact {
     SoftBody* soft = nullptr;
     SoftParticle* particle = nullptr;
     std::uint32_t shape = 0;
     std::uint32_t obstacle = 0;
     Vec2 impulse;      ///< N s: on the particle, in a substep
-    Vec2 normal;       ///< away from the body
+    Vec2 normal;       ///< unit length, from the body to the particle
     Vec2 arm;          ///< m: from the body's center to the particle
     float gap = 0.0f;  ///< m: at the start of the substep
 };
@@ -45,25 +45,25 @@ struct SoftRange {
     }
 };
 
-/// Soft bodies that may touch each other or the same island in this step: solved together.
+/// Soft bodies that may touch each other or the same island in this step, and are therefore solved together.
 struct SoftGroup {
-    SoftRange bodies;     ///< of SoftSoftContacts::order
-    SoftRange meetings;   ///< of SoftSoftContacts::all
-    SoftRange obstacles;  ///< of the following lists
+    SoftRange bodies;     ///< range of SoftSoftContacts::order
+    SoftRange meetings;   ///< range of SoftSoftContacts::all
+    SoftRange obstacles;  ///< range of SoftSurroundings::obstacles
     SoftRange contacts;
-    int substeps = 1;            ///< number that it needs
+    int substeps = 1;            ///< number of substeps that it requires
     std::uint32_t body = kNone;  ///< one of the bodies that it may push
 };
 
 struct SoftSurroundings {
-    std::vector<std::uint32_t> shapes;  ///< near soft bodies, in the order of these
+    std::vector<std::uint32_t> shapes;  ///< shapes near soft bodies, by soft body
     std::vector<std::uint32_t> ends;    ///< by soft body: end of its range in `shapes`
-    /// Islands near soft bodies that can push them: root and index in World::softBodies, sorted.
+    /// Islands near soft bodies that can push them: root, and index in World::softBodies. Sorted.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
     std::vector<SoftObstacle> obstacles;  ///< by group, then by body
     std::vector<SoftContact> contacts;    ///< by group and soft body, then by shape and particle
     std::vector<SoftGroup> groups;
-    std::vector<std::uint32_t> obstacleOf;  ///< by body: index in `obstacles` + 1, until they are solved
+    std::vector<std::uint32_t> obstacleOf;  ///< by body: index in `obstacles` + 1; 0: none
 
     [[nodiscard]] std::span<const std::uint32_t> shapesOf(std::uint32_t soft) const {
         const std::uint32_t begin = soft > 0 ? ends[soft - 1] : 0;
@@ -75,32 +75,32 @@ struct SoftSurroundings {
     }
 };
 
-/// Finds the shapes near all soft bodies, wakes bodies that they hit, and finds islands that they share.
+/// Finds the shapes and islands near all soft bodies, and wakes bodies that they hit.
 void findSurroundings(StepContext& step);
 void findSoftContacts(StepContext& step, SoftGroup& group);
-/// Number of substeps of a group, such that its links can carry the loads on them.
+/// Returns the number of substeps of a group with which its links can carry the loads on them.
 [[nodiscard]] int substepsOf(const StepContext& step, const SoftGroup& group);
-/// Updates positions at the start of a substep. @param elapsed s since the start of the step
+/// Updates normals, arms and gaps at the start of a substep, `elapsed` seconds after the start of the step.
 void measureSoftContacts(StepContext& step, const SoftGroup& group, float elapsed);
-/// Applies the impulses of the last substep: to the particles, and in the first one to the bodies too.
+/// Applies the impulses of the last substep to the particles; in the first substep also to the bodies.
 void warmStartSoft(StepContext& step, const SoftGroup& group, float h, bool first);
-/// One pass over soft contacts. The biased pass moves particles, the relax pass changes their velocities.
+/// Performs one pass over soft contacts. The biased pass moves particles, the relax pass changes velocities.
 void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pass, bool relax);
 /// Stores the forces of the last substep for the next step.
 void storeSoftContacts(StepContext& step, const SoftGroup& group, float h);
 
 // Contacts between soft bodies: particles of one against the edges of another, and vice versa. An edge is a
-// link of SoftBody::edges, with the radii of both bodies.
+// link with SoftLink::isEdge, with the radii of both bodies.
 
-/// Bounds over a step, m.
+/// Bounding box over a step, m.
 struct SoftBox {
     WorldPosition min;
     WorldPosition max;
 };
 
-/// A particle that an edge of another soft body may touch in this step.
+/// Potential contact of a particle with an edge of another soft body in this step.
 struct SoftSoftContact {
-    std::uint32_t body = 0;  ///< in World::softBodies: body of the particle
+    std::uint32_t body = 0;  ///< body of the particle: index in World::softBodies
     std::uint32_t particle = 0;
     std::uint32_t other = 0;  ///< body of the edge
     std::uint32_t a = 0;      ///< ends of the edge: particles of `other`
@@ -115,25 +115,24 @@ struct SoftEdge {
 };
 
 struct SoftSoftContacts {
-    std::vector<SoftBox> boxes;  ///< by index of the soft body
-    std::vector<std::uint32_t>
-        leaders;  ///< by index: lowest index among those that it may touch, directly or through others
-    std::vector<std::uint32_t> order;  ///< existing soft bodies, sorted by leader
-    std::vector<SoftEdge> edges;       ///< of one soft body near another, from left to right
-    std::vector<SoftSoftContact> all;  ///< by group
+    std::vector<SoftBox> boxes;          ///< by index of the soft body
+    std::vector<std::uint32_t> leaders;  ///< by index of the soft body: lowest index in its group
+    std::vector<std::uint32_t> order;    ///< existing soft bodies, sorted by leader
+    std::vector<SoftEdge> edges;         ///< edges of a soft body near another, from left to right
+    std::vector<SoftSoftContact> all;    ///< all potential contacts, by group
 };
 
-/// Bounds of a soft body over dt seconds, without its radius.
+/// Returns the bounds of a soft body over dt seconds, without its radius.
 [[nodiscard]] SoftBox boxOf(const SoftBody& body, float dt);
 [[nodiscard]] inline AABB rounded(const SoftBox& box) { return {toVec2(box.min), toVec2(box.max)}; }
 
-/// Makes soft bodies that may touch within a step of dt seconds, or push one island, adjacent in `order`.
+/// Sorts soft bodies into groups that may touch within dt seconds, or push one island: adjacent in `order`.
 void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,
                      SoftSoftContacts& meetings);
 /// Adds all potential contacts within a group of `order`.
 void findMeetings(const World& world, float dt, std::span<const std::uint32_t> group,
                   SoftSoftContacts& meetings);
-/// Separates what is too close at the end of a substep of h seconds. Conserves momentum.
+/// Separates particles and edges that are too close after a substep of h seconds. Conserves momentum.
 void keepSoftApart(World& world, float h, std::span<const SoftSoftContact> meetings);
 
 }  // namespace plumb::physics

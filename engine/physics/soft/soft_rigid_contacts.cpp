@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: distance from a particle within which shapes are considered.
+/// Returns the distance (m) from particles within which shapes are tested.
 float reachOf(const SoftBody& body) { return body.radius + kSoftSlack; }
 
 void findShapes(StepContext& step, const SoftBody& body) {
@@ -79,14 +79,14 @@ void rouse(const StepContext& step, SoftBody& soft, std::uint32_t shape) {
 std::uint32_t addObstacle(const World& world, SoftSurroundings& around, SoftGroup& group,
                           std::uint32_t body) {
     std::uint32_t& known = around.obstacleOf[body];
-    if (known > group.obstacles.begin) return known - 1;  // otherwise it belongs to an earlier group
+    if (known > group.obstacles.begin) return known - 1;  // otherwise it is of an earlier group
     around.obstacles.push_back(obstacleOf(world, body));
     known = static_cast<std::uint32_t>(around.obstacles.size());
     if (around.obstacles.back().isPushed) group.body = body;
     return known - 1;
 }
 
-/// N: force of a shape on a particle at the end of the last step.
+/// Returns the force (N) of a shape on a particle at the end of the last step.
 Vec2 forceOf(const SoftBody& soft, std::uint32_t shape, std::uint32_t particle) {
     const auto at = std::lower_bound(
         soft.touches.begin(), soft.touches.end(), shape, [&](const SoftTouch& touch, std::uint32_t) {
@@ -124,7 +124,7 @@ void measure(const StepContext& step, SoftObstacle& obstacle, float elapsed) {
     obstacle.rotation = normalized(turn * pose.rotation);
 }
 
-/// 1/kg: inverse effective mass of both sides along a direction.
+/// Returns the inverse effective mass (1/kg) of particle and body along a direction.
 float weightOf(const SoftContact& contact, const SoftObstacle& obstacle, Vec2 direction) {
     const float lever = cross(contact.arm, direction);
     return contact.particle->inverseMass + obstacle.inverseMass.x * direction.x * direction.x +
@@ -137,8 +137,7 @@ void pushBody(const SoftContact& contact, const SoftObstacle& obstacle, Float4& 
     motion.z -= obstacle.inverseInertia * cross(contact.arm, impulse);
 }
 
-/// Change of the impulse of a contact in response to a relative velocity: the normal part as those of other
-/// contacts (SoftPush8), and Coulomb friction.
+/// Computes the change of a contact's impulse for a relative velocity: SoftPush8, and Coulomb friction.
 Vec2 answer(SoftContact& contact, const SoftObstacle& obstacle, Vec2 velocity, float bias,
             const Softness& softness) {
     const Vec2 normal = contact.normal, along = perpendicular(normal), before = contact.impulse;
@@ -152,8 +151,8 @@ Vec2 answer(SoftContact& contact, const SoftObstacle& obstacle, Vec2 velocity, f
     return contact.impulse - before;
 }
 
-/// Damps the motion of a body that lies on a soft body by the soft body's damping, in proportion to the
-/// part of its weight that this contact bears. Otherwise a heavy load on a soft spring would swing on.
+/// Damps a body that lies on a soft body by the soft body's damping, in proportion to the fraction of its
+/// weight on this contact. Otherwise a heavy load on a soft spring would oscillate.
 void calm(StepContext& step, const SoftContact& contact, SoftObstacle& obstacle, float h) {
     const float damping = contact.soft->damping;
     if (!obstacle.isPushed || contact.impulse == Vec2{} || damping == 0.0f) return;
@@ -166,7 +165,7 @@ void calm(StepContext& step, const SoftContact& contact, SoftObstacle& obstacle,
     if (!(weight > 0.0f && inverse > 0.0f)) return;
     const Vec2 impulse =
         part * dot(velocityAt(motion, contact.arm), contact.normal) / inverse * contact.normal;
-    // It is not to be repeated in the next substep.
+    // Added to both, so that warm starting does not repeat it in the next substep.
     for (Float4* row : {&step.work.velocity[slot], &step.work.velocityBeforeImpulses[slot]})
         pushBody(contact, obstacle, *row, impulse);
 }
@@ -243,7 +242,7 @@ void warmStartSoft(StepContext& step, const SoftGroup& group, float h, bool firs
         if (contact.impulse == Vec2{}) continue;
         SoftObstacle& obstacle = around.obstacles[contact.obstacle];
         if (first) {
-            contact.impulse *= h;  // it was a force
+            contact.impulse *= h;  // converts a force to an impulse
             pushBody(contact, obstacle, motionOf(step, obstacle), contact.impulse);
         }
         SoftParticle& p = *contact.particle;
@@ -267,7 +266,7 @@ void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pas
         const Vec2 velocity = relax ? p.velocity : rate * (p.place - p.before);
         const Vec2 impulse = answer(contact, obstacle, velocity - velocityAt(motion, contact.arm), bias,
                                     hard ? Softness{} : pass.softness);
-        if (!isFinite(impulse)) contact.impulse = {};  // a bad number on one side stays there
+        if (!isFinite(impulse)) contact.impulse = {};  // a non-finite value must not spread to the other side
         if (impulse == Vec2{} || !isFinite(impulse)) continue;
         pushBody(contact, obstacle, motion, impulse);
         if (relax) {

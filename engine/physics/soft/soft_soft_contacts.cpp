@@ -35,8 +35,8 @@ bool mayCollide(const SoftBody& a, const SoftBody& b) {
     return (a.mask & b.layers) != 0 && (b.mask & a.layers) != 0;
 }
 
-/// The edge by which a point inside a ring leaves it: the nearest, or the first along an axis.
-/// @return the number of edges if it is not inside
+/// Finds the edge through which a point leaves a ring: the nearest, or the first along an axis.
+/// @return the edge; the number of edges if the point is not inside
 std::size_t wayOut(const SoftBody& body, WorldPosition from, Vec2 axis, bool alongAxis) {
     const std::vector<std::uint32_t>& ring = body.ring;
     const auto seen = [&](std::size_t i) {
@@ -61,7 +61,7 @@ std::size_t wayOut(const SoftBody& body, WorldPosition from, Vec2 axis, bool alo
     return inside ? found : ring.size();
 }
 
-/// Finds the potential contacts of one body's particles with another's edges.
+/// Finds the potential contacts of a soft body's particles with the edges of another.
 class Finder {
 public:
     Finder(const World& world, float dt, std::uint32_t body, std::uint32_t other, SoftSoftContacts& meetings)
@@ -122,8 +122,8 @@ private:
         return true;
     }
 
-    /// If two bodies are half inside each other, their nearest edges could push either
-    /// through the other: then they are separated along the line between their centres.
+    /// If two bodies are half inside each other, their nearest edges could push one through the other. Then
+    /// they are separated along the line between their centres.
     void findAxis() {
         if (own_.ring.empty() || other_.ring.empty()) return;
         const WorldPosition own = middleOf(meetings_.boxes[ids_.body]);
@@ -178,7 +178,8 @@ bool aim(const SoftSoftContact& which, Meeting& meeting) {
     meeting.t = std::clamp(dot(meeting.p.place - meeting.a.place, edge) / square, 0.0f, 1.0f);
     meeting.normal = (which.side / std::sqrt(square)) * perpendicular(edge);
     if (which.inside || (meeting.t > 0.0f && meeting.t < 1.0f)) return true;
-    const Vec2 displacement = meeting.between(&SoftParticle::place);  // around its end
+    const Vec2 displacement =
+        meeting.between(&SoftParticle::place);  // at an end of the edge the normal depends on the position
     const float size = length(displacement);
     if (!(size > 0.0f)) return false;
     meeting.normal = displacement / size;
@@ -244,7 +245,7 @@ void keepSoftApart(World& world, float h, std::span<const SoftSoftContact> meeti
         SoftBody& other = world.softBodies.all[which.other];
         Meeting meeting{own.particles[which.particle], other.particles[which.a], other.particles[which.b]};
         if (!aim(which, meeting)) continue;
-        // An overlap from before the substep is pushed out at a limited speed.
+        // Overlap from before the substep is removed at a limited speed.
         const float before = dot(meeting.between(&SoftParticle::before), meeting.normal);
         const float apart = std::min(own.radius + other.radius, before + world.settings.pushSpeed * h);
         const float depth = apart - dot(meeting.between(&SoftParticle::place), meeting.normal);

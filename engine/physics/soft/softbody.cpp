@@ -42,12 +42,12 @@ void link(SoftBody& body, int a, int b, float compliance, bool isEdge = false) {
         {i, j, length(body.particles[j].place - body.particles[i].place), compliance, isEdge});
 }
 
-/// A link that other soft bodies collide with.
+/// Adds a link with which other soft bodies collide.
 void edge(SoftBody& body, int a, int b, float compliance) { link(body, a, b, compliance, true); }
 
-/// Sorts links by color, so that two neighbors in the list share no particle. In the order of a chain,
-/// each link would pass its correction on to the next: such a ring oscillates by itself, as the
-/// remaining error runs around it. A particle of a cloth has up to 12 links, so that 23 colors suffice.
+/// Sorts links by color, so that adjacent links in the list share no particle. In the order of a chain, each
+/// link would pass its correction to the next, and the error would run around a ring, which oscillates. A
+/// particle of a cloth has up to 12 links, so that 23 colors suffice.
 void sortByColor(SoftBody& body) {
     std::vector<std::uint32_t> used(body.particles.size(), 0);  // colors
     std::vector<SoftLink> byColor[32];
@@ -71,7 +71,7 @@ SoftBodyId take(World& world, SoftBody&& body) {
     return {index, soft.all[index].generation};
 }
 
-/// Wakes the bodies near a soft body; otherwise bodies that sleep on it would stay in the air.
+/// Wakes the bodies near a soft body; otherwise bodies that sleep on it would hang in the air.
 void wakeNeighbours(World& world, const SoftBody& body) {
     const AABB bounds = grown(rounded(boxOf(body, 0.0f)), 2.0f * body.radius);
     for (std::size_t s = 0; s < world.shapes.size(); ++s) {
@@ -91,11 +91,12 @@ Result<Done> checkParticle(const char* where, const World& world, SoftBodyId bod
 Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to, int count,
                               const SoftMaterial& material) {
     const auto checked =
-        firstOf(checkOutside("createRope", world), check(material), checkPlace("createRope from", from),
-                checkPlace("createRope to", to), checkNumber("createRope count", count, 2.0, 10000.0));
+        firstOf(checkOutside("createRope", world), check(material), checkPosition("createRope from", from),
+                checkPosition("createRope to", to), checkNumber("createRope count", count, 2.0, 10000.0));
     if (!checked) return checked.error();
     if (from.x == to.x && from.y == to.y)
-        return wrong("createRope", "expected two ends, found one place twice", "let them differ");
+        return wrong("createRope", "expected two different ends, found equal positions",
+                     "pass different positions");
     SoftBody body = bodyOf(material);
     const double parts = count - 1;
     for (int i = 0; i < count; ++i) {
@@ -111,8 +112,8 @@ Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to
 Result<SoftBodyId> createCloth(World& world, WorldPosition corner, Vec2 size, int columns, int rows,
                                const SoftMaterial& material) {
     const auto checked =
-        firstOf(checkOutside("createCloth", world), check(material), checkPlace("createCloth corner", corner),
-                checkVector("createCloth size", size, kLargest),
+        firstOf(checkOutside("createCloth", world), check(material),
+                checkPosition("createCloth corner", corner), checkVector("createCloth size", size, kLargest),
                 checkNumber("createCloth columns", columns, 2.0, 200.0),
                 checkNumber("createCloth rows", rows, 2.0, 200.0));
     if (!checked) return checked.error();
@@ -142,9 +143,9 @@ Result<SoftBodyId> createCloth(World& world, WorldPosition corner, Vec2 size, in
 
 Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<const Vec2> outline,
                                const SoftMaterial& material) {
-    auto checked =
-        firstOf(checkOutside("createJelly", world), check(material), checkPlace("createJelly place", place),
-                checkNumber("createJelly points", static_cast<double>(outline.size()), 3.0, 500.0));
+    auto checked = firstOf(
+        checkOutside("createJelly", world), check(material), checkPosition("createJelly place", place),
+        checkNumber("createJelly points", static_cast<double>(outline.size()), 3.0, 500.0));
     for (const Vec2 point : outline) {
         if (checked) checked = checkVector("createJelly point", point, kLargest);
     }
@@ -158,8 +159,8 @@ Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<cons
         body.area += 0.5f * cross(outline[i], outline[(i + 1) % outline.size()]);
     }
     if (!(body.area > kSmallest * kSmallest || body.area < -kSmallest * kSmallest)) {
-        return wrong("createJelly", "expected an outline with a nonzero area, found none",
-                     "list its points in order around the area");
+        return wrong("createJelly", "expected an outline with a nonzero area",
+                     "pass the points in the order of the outline");
     }
     for (int i = 0; i < count; ++i) edge(body, i, (i + 1) % count, material.stretchCompliance);
     if (count > 4) {
@@ -188,7 +189,7 @@ Result<Done> pinParticle(World& world, SoftBodyId body, int particle, bool pinne
 
 Result<Done> moveParticle(World& world, SoftBodyId body, int particle, WorldPosition place) {
     const auto checked = firstOf(checkParticle("moveParticle", world, body, particle),
-                                 checkPlace("moveParticle place", place));
+                                 checkPosition("moveParticle place", place));
     if (!checked) return checked;
     world.softBodies.all[body.index].particles[static_cast<std::size_t>(particle)].place = place;
     return Done{};

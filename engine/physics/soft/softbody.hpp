@@ -6,35 +6,35 @@ namespace plumb::physics {
 
 /// Material of ropes, cloth and jellies.
 struct SoftMaterial {
-    float mass = 1.0f;                 ///< kg, of the whole body
-    float radius = 0.05f;              ///< m: distance from shapes; from other soft bodies that of both
-    float stretchCompliance = 0.0f;    ///< m/N; 0: a rope of 20 gives way by 10 % to 8 times its mass
-    float bendCompliance = 1.0e-2f;    ///< m/N: larger bends more easily; negative: no resistance to bending
+    float mass = 1.0f;     ///< kg, of the whole body
+    float radius = 0.05f;  ///< m: distance of particles from shapes; sum of both between soft bodies
+    float stretchCompliance = 0.0f;    ///< m/N; 0: a rope of 20 stretches by 10 % under 8 times its mass
+    float bendCompliance = 1.0e-2f;    ///< m/N: larger is easier to bend; negative: no bending constraints
     float areaCompliance = 0.0f;       ///< m/N, of a jelly: larger is easier to compress
-    float damping = 0.5f;              ///< 1/s: of its motion through space
+    float damping = 0.5f;              ///< 1/s: decay rate of its velocity
     float friction = 0.5f;             ///< Coulomb coefficient
-    std::uint32_t layers = 1;          ///< bits: layers that it is on
+    std::uint32_t layers = 1;          ///< bits: layers of the soft body
     std::uint32_t mask = 0xffffffffu;  ///< bits: layers of the shapes and soft bodies that it collides with
     std::uint8_t substeps = 8;         ///< per step; more is stiffer
 };
 
-/// A chain of particles.
-/// @param count  of particles, 2..10000
+/// Creates a rope: a chain of particles.
+/// @param count  number of particles, 2..10000
 Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to, int count,
                               const SoftMaterial& material = {});
-/// A grid of particles. Particle (column, row) has the index row * columns + column; (0, 0) is at `corner`.
+/// Creates a cloth. Particle (column, row) has the index row * columns + column; (0, 0) is at `corner`.
 /// @param size  m: displacement to the opposite corner
 /// @param columns, rows  2..200 each
 Result<SoftBodyId> createCloth(World& world, WorldPosition corner, Vec2 size, int columns, int rows,
                                const SoftMaterial& material = {});
-/// A closed outline that keeps its area.
+/// Creates a jelly: a closed outline that keeps its area.
 /// @param outline  m, relative to `place`; 3..500 points, one particle each; must not intersect itself
 Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<const Vec2> outline,
                                const SoftMaterial& material = {});
 /// Destroys a soft body. A stale id does nothing.
 void destroySoftBody(World& world, SoftBodyId body);
 
-/// Returns a body without particles if it is gone.
+/// Returns a soft body, or one without particles if it was destroyed.
 [[nodiscard]] inline const SoftBody& softBodyOf(const World& world, SoftBodyId body) {
     return readOf(world, world.softBodies.all, body);
 }

@@ -36,7 +36,7 @@ void noteImpulses(const Block& block, BounceBlock& bounce) {
     }
 }
 
-/// Restitution at one of the two points of a contact.
+/// Applies restitution at one of the two points of a contact.
 template <class Block>
 void bouncePoint(StepContext& step, Block& block, const BounceBlock& bounce, int p, int i) {
     if (bounce.approach[p][i] > -step.world.settings.bounceSpeed || bounce.largest[p][i] == 0.0f) return;
@@ -64,7 +64,7 @@ void bounceBlock(StepContext& step, Block& block, const BlockLanes& lanes, const
 float inverseInertiaOf(const RotatingSide& side, int i) { return side.inverseInertia[i]; }
 float inverseInertiaOf(const FixedSide<2>&, int) { return 0.0f; }
 
-/// rad/s: spin of a side. Blocks do not store that of a static or kinematic body.
+/// Returns the angular velocity (rad/s) of a side. For static and kinematic bodies RollingBlock stores it.
 float spinOf(Workspace& work, const RotatingSide& side, const RollingBlock&, int i) {
     return work.velocity[static_cast<std::size_t>(side.slot[i])].z;
 }
@@ -108,7 +108,7 @@ void relaxBlock(Workspace& work, const Block& block, RollingBlock& rolling) {
     }
 }
 
-// Impulses of events.
+// Impulse sums for events.
 
 float impulseOf(const ImpulseSum& sum) {
     return std::fabs(*sum.points[0]) + (sum.points[1] != nullptr ? std::fabs(*sum.points[1]) : 0.0f);
@@ -218,7 +218,7 @@ void addImpulses(Workspace& work) {
 void finishImpulseSums(Workspace& work) {
     for (const ImpulseSum& sum : work.impulseSums) {
         float& all = work.stepImpulses[static_cast<std::size_t>(sum.contact)];
-        // The propagation of an impact replaced the impulses of the substeps: simultaneous_impacts.cpp.
+        // Negative: a propagated impact, which replaces the sum (simultaneous_impacts.cpp).
         all = std::signbit(*sum.points[0]) ? -*sum.points[0] : all + (impulseOf(sum) - sum.last);
     }
 }
@@ -228,7 +228,7 @@ void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a,
     Workspace& work = step.work;
     for (const std::uint32_t j : world.joints.awake) {
         Joint& joint = world.joints.hot[j];
-        // Gears and pulleys also act on bodies of other joints: their impulses may be non-finite there.
+        // Gears and pulleys may spread non-finite impulses to the joints of other bodies.
         if (std::isfinite(joint.rows[0] + joint.rows[1]) && !isBad(joint.bodyA, joint.bodyB)) continue;
         joint.force = {};
         joint.torque = 0.0f;

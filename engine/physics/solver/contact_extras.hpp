@@ -6,50 +6,49 @@
 
 namespace plumb::physics {
 
-// Parts of the solver besides the passes of passes.hpp. They cost nothing if no contact needs them.
+// Optional parts of the solver, which run only if a contact needs them.
 
-// Restitution: what arrives fast enough leaves with a fraction of its speed, once the
-// substeps have stopped it. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).
+// Restitution: after the substeps have stopped bodies that approached fast enough, they get a fraction of
+// their approach speed. Source: E. Catto, "Solver2D", 2024 (restitution after the substeps).
 
-/// Records the approach speeds of contacts that bounce. After prepareConstraints, before the substeps.
+/// Records the approach speeds of contacts that bounce. Called after prepareConstraints, before the substeps.
 void prepareRestitution(StepContext& step);
-/// After each substep.
+/// Records the largest impulses for restitution. Called after each substep.
 void noteLargestImpulses(StepContext& step, const SolveGroup& group);
-/// After all substeps.
+/// Applies restitution. Called after all substeps.
 void applyRestitution(StepContext& step, const SolveGroup& group);
 
-/// BounceBlock::sum of a contact that does not propagate impacts.
+/// Value of BounceBlock::sum for a contact that does not propagate impacts.
 inline constexpr float kNoChain = -1.0f;
 
-/// Propagation of simultaneous impacts: a ball that hits a row of balls which touch without load ejects the
-/// last one. The substeps stop all balls at once and share out the momentum, so their impulses are taken
-/// back, and the pairs collide sequentially until none approaches. Only for round contacts that bounce:
-/// bodies that rest on two points, or under a load, do not transmit an impact as a whole. Source: B. Smith et
-/// al., "Reflections on Simultaneous Impact", SIGGRAPH 2012, section 3, on what a sequence of pairwise
-/// impacts gets right.
+/// Propagates simultaneous impacts: a ball that hits a row of touching balls ejects the last one. The
+/// substeps distribute the momentum among all balls, so their impulses are removed, and the pairs collide
+/// sequentially until none approaches. Only for contacts of circles that bounce: bodies that rest on two
+/// points, or under a load, do not transmit an impact as a whole. Source: B. Smith et al., "Reflections on
+/// Simultaneous Impact", SIGGRAPH 2012, section 3, on what a sequence of pairwise impacts gets right.
 void runImpactsOn(StepContext& step, const SolveGroup& group);
 
-// Rolling resistance: a torque against rotation, at most the resistance (m) times the force.
+// Rolling resistance: a torque against rotation, at most the resistance (m) times the normal force.
 
 void prepareRolling(StepContext& step);
 void warmStartRolling(StepContext& step, const SolveGroup& group);
-/// After the contacts' relax pass of a substep.
+/// Relax pass of rolling resistance. Called after that of the contacts.
 void relaxRolling(StepContext& step, const SolveGroup& group);
 void storeRolling(StepContext& step);
 
-// Blocks only keep the impulses of the last substep. For contacts with
-// an event they are summed over all substeps: Workspace::stepImpulses.
+// Impulses of contacts with an event, summed over all substeps (blocks only store those of the last substep):
+// Workspace::stepImpulses.
 
-/// Before the first group: clears the sums of the last step.
+/// Clears the sums of the last step. Called before the first group.
 void clearImpulseSums(StepContext& step);
-/// Before the substeps of a group: finds its contacts with an event.
+/// Finds the contacts of a group with an event. Called before its substeps.
 void startImpulseSums(StepContext& step, const SolveGroup& group);
-/// After each substep.
+/// Adds the impulses of a substep. Called after each substep.
 void addImpulses(Workspace& work);
-/// After restitution.
+/// Adds the impulses of restitution and stores the sums.
 void finishImpulseSums(Workspace& work);
 
-/// Clears the stored impulses of contacts and joints between bad bodies, which warm starting would repeat.
+/// Clears the stored impulses of contacts and joints with isBad(bodyA, bodyB), against warm starting.
 void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a, std::uint32_t b)>& isBad);
 
 }  // namespace plumb::physics

@@ -1,4 +1,4 @@
-// Part of kernels.inl: contacts. The kernels of steps without rotation are the same source with other sides:
+// Part of kernels.inl: contacts. The kernels without rotation have the same source with other types of sides:
 // the omitted terms are zero, so both give the same bits.
 
 /// One body of eight contacts while a block is solved.
@@ -13,14 +13,14 @@ struct Body8 {
     }
 };
 
-/// Velocity of a body's point along a direction with lever arm `lever`.
+/// Returns the velocity of a body's point along a direction with lever arm `lever`.
 inline Float8 speedAlong(const Body8& body, Two8 direction, Float8 lever) {
     return body.lane[0] * direction.x + body.lane[1] * direction.y + body.lane[2] * lever;
 }
 
-// Each side of eight contacts while a block is solved: its velocity, and in a biased pass (kPush) its motion
-// since the start of the step. An "arm" is the data needed to compute or change the velocity of a point: a
-// lever, nothing for a body that does not rotate, or the velocity itself for a static or kinematic surface.
+// One side of eight contacts while a block is solved: its velocity, and in a biased pass (kPush) its motion
+// since the start of the step. An "arm" is the data with which the velocity of a point is computed: a lever,
+// nothing for a body that does not rotate, or the velocity itself for a static or kinematic surface.
 
 template <class Lanes, bool kPush>
 struct Mover8;
@@ -44,7 +44,7 @@ struct Mover8<RotatingSide, kPush> {
     [[nodiscard]] Float8 speed(Two8 direction, Float8 lever) const {
         return speedAlong(body, direction, lever);
     }
-    /// Displacement of a point along the normal since the start of the step.
+    /// Returns the displacement of a point along the normal since the start of the step.
     [[nodiscard]] Float8 moved(Two8 normal, Float8 lever) const {
         return shift[0] * normal.x + shift[1] * normal.y + (shift[2] * lever + shift[3] * turns);
     }
@@ -97,7 +97,7 @@ struct Mover8<FixedSide<kPoints>, kPush> {
     [[gnu::always_inline]] Mover8(const Bodies&, const FixedSide<kPoints>& lanes, Float8 since)
         : side{lanes}, elapsed{since} {}
     [[nodiscard]] Float8 arm(int p) const { return load(side.approach[p]); }
-    [[nodiscard]] Float8 slideArm() const { return all(0.0f); }  // its motion is in slideSpeed
+    [[nodiscard]] Float8 slideArm() const { return all(0.0f); }  // slideSpeed includes its motion
     [[nodiscard]] Float8 speed(Two8, Float8 approach) const { return approach; }
     [[nodiscard]] Float8 moved(Two8, Float8 approach) const { return approach * elapsed; }
     void pull(Two8, Float8) const {}
@@ -111,7 +111,7 @@ inline void exchange(MoverA& a, MoverB& b, Float8 impulse, Two8 direction, ArmA 
     b.push(impulse * direction, impulse * armB);
 }
 
-/// Torque of all impulses of a block on one side.
+/// Returns the torque of all impulses of a block on one side.
 template <bool kHasFriction, class Block, class Mover>
 auto torqueOn(const Mover& mover, const Block& block) {
     auto torque = load(block.points[0].impulse) * mover.arm(0);
@@ -154,9 +154,9 @@ struct SoftPush8 {
           massScale{all(pass.softness.massScale)},
           impulseScale{all(pass.softness.impulseScale)} {}
 
-    /// Change of the normal impulse in response to a relative velocity `speed` along the normal; adds it to
-    /// `impulse`. Separated bodies may close their gap within the substep; overlapping ones are pushed out by
-    /// a spring.
+    /// Returns the change of the normal impulse for a relative velocity `speed` along the normal, and adds it
+    /// to `impulse`. Separated bodies may close their gap in the substep; a spring separates overlapping
+    /// ones.
     Float8 operator()(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
         const Mask8 apart = gap > all(0.0f);
         const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, gap * deepRate - pushSpeed));
@@ -180,7 +180,7 @@ struct RigidPush8 {
     }
 };
 
-/// Coulomb friction: the impulse that stops sliding, limited by the normal impulse.
+/// Coulomb friction: returns the change of the impulse that stops sliding, limited to `maximum`.
 inline Float8 rubbed(Float8 speed, Float8 mass, Float8 maximum, float* total) {
     const Float8 before = load(total);
     const Float8 after = clamp(before - mass * speed, -maximum, maximum);
@@ -188,7 +188,7 @@ inline Float8 rubbed(Float8 speed, Float8 mass, Float8 maximum, float* total) {
     return after - before;
 }
 
-/// Friction of a whole contact, whose points together have the normal impulse `pressed`.
+/// Applies friction of a contact; `pressed` is the sum of the normal impulses of its points.
 template <class Block, class MoverA, class MoverB>
 inline void rub(Block& block, Two8 normal, Float8 pressed, MoverA& a, MoverB& b) {
     const Two8 along{-normal.y, normal.x};
@@ -200,8 +200,8 @@ inline void rub(Block& block, Two8 normal, Float8 pressed, MoverA& a, MoverB& b)
     exchange(a, b, change, along, armA, armB);
 }
 
-/// One pass over the points of the contacts, and over their friction.
-/// @param answer  the change of the impulse of a point: answer(point, speed, gap, impulse)
+/// Performs one pass over the points of the contacts, and over their friction.
+/// @param answer  returns the change of the impulse of a point: answer(point, speed, gap, impulse)
 template <bool kHasFriction, bool kPush, class Block, class Bodies, class Answer>
 [[gnu::always_inline]] inline void solve(const Bodies& bodies, Float8 elapsed, const BlockLanes* lanes,
                                          Block* blocks, int begin, int end, const Answer& answer) {

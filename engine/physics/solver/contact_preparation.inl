@@ -1,7 +1,6 @@
 // Part of kernels.inl: transposes rows of contacts and bodies into SIMD lanes.
 
-/// Row indices of eight contacts and their bodies. Idle lanes repeat those of the first contact and are
-/// masked out.
+/// Row indices of eight contacts and their bodies. Idle lanes repeat the first contact and are masked out.
 struct Rows8 {
     std::int32_t contact[kLanes];
     std::int32_t a[kLanes];
@@ -53,7 +52,7 @@ inline Side8 prepareSide(const ContactSource& source, const BlockLanes& lanes, c
     return {mass[0], inverseInertia};
 }
 
-/// @return the inverse mass
+/// @return the inverse mass of the body
 inline Float8 prepareSide(const ContactSource& source, const BlockLanes& lanes, const std::int32_t* body,
                           SideWithoutRotation& side) {
     std::int32_t slots[kLanes];
@@ -66,10 +65,10 @@ inline Float8 prepareSide(const ContactSource& source, const BlockLanes& lanes, 
     return mass[0];
 }
 
-/// Geometry of eight contacts, at the orientations that the bodies had when the points were found.
+/// Geometry of eight contacts, at the rotations of the bodies when the points were computed.
 struct Places8 {
     Two8 normal;
-    Two8 turnA, turnB;  // cosine and sine
+    Two8 rotationA, rotationB;  // cosine and sine
     Float8 friction, slideImpulse;
     Float8 anchors[2][4];
     Float8 impulses[4];
@@ -87,8 +86,8 @@ inline Places8 placesOf(const ContactSource& source, const Rows8& rows) {
     gather(source.contacts + kRoundRow, rows.contact, places.rounds);
     places.normal = {first[0], first[1]};
     const Two8 normalInA{places.rounds[2], places.rounds[3]};
-    places.turnA = {dot8(normalInA, places.normal), cross8(normalInA, places.normal)};
-    places.turnB = turned(places.turnA.x, places.turnA.y, turn[0], turn[1]);
+    places.rotationA = {dot8(normalInA, places.normal), cross8(normalInA, places.normal)};
+    places.rotationB = turned(places.rotationA.x, places.rotationA.y, turn[0], turn[1]);
     places.friction = first[2];
     places.slideImpulse = first[3];
     return places;
@@ -101,7 +100,7 @@ inline Float8 surfaceSpeeds(const ContactSource& source, const Rows8& rows) {
     return surface[3] * rows.used;
 }
 
-/// Velocity of the surface of a static or kinematic body.
+/// Velocity and angular velocity of static or kinematic bodies.
 struct Surface8 {
     Two8 velocity;
     Float8 spin;
@@ -115,7 +114,7 @@ inline Surface8 surfaceOf(const ContactSource& source, const std::int32_t* body)
     return {{motion[0], motion[1]}, motion[2]};
 }
 
-/// @param response  1/kg: change of the relative velocity along the normal by an impulse of 1 N s
+/// @param response  1/kg: change of the relative velocity along the normal per N s
 inline void preparePoint(const Rows8& rows, Float8 separation, Float8 impulse, Float8 response,
                          ContactBlockPoint& point) {
     store(point.separation, separation);
@@ -133,7 +132,7 @@ void prepareFriction(const Rows8& rows, Float8 friction, Float8 impulse, Float8 
     store(block.slideMass, rows.used * inverseOrZero(response));
 }
 
-/// Contacts of bodies that can rotate.
+/// Prepares contacts of bodies that can rotate.
 template <bool kHasFriction, class SideA>
 void prepare(const ContactSource& source, const BlockLanes* lanes,
              ContactBlockOf<SideA, RotatingSide, 2>* blocks, int begin, int end) {
@@ -149,17 +148,17 @@ void prepare(const ContactSource& source, const BlockLanes* lanes,
             a = prepareSide(source, lanes[n], rows.a, block.a);
         }
         const auto response = [&](Float8 leverA, Float8 leverB) {
-            const Float8 turnB = b.inverseInertia * leverB * leverB;
-            if constexpr (SideA::kFixed) return b.inverseMass + turnB;
-            return a.inverseMass + b.inverseMass + a.inverseInertia * leverA * leverA + turnB;
+            const Float8 rotationB = b.inverseInertia * leverB * leverB;
+            if constexpr (SideA::kFixed) return b.inverseMass + rotationB;
+            return a.inverseMass + b.inverseMass + a.inverseInertia * leverA * leverA + rotationB;
         };
         const Places8 places = placesOf(source, rows);
         const Two8 normal = places.normal;
         Float8 slideA = all(0.0f), slideB = all(0.0f);
         for (int p = 0; p < 2; ++p) {
             const Float8(&anchors)[4] = places.anchors[p];
-            const Two8 armA = turned(places.turnA.x, places.turnA.y, anchors[0], anchors[1]);
-            const Two8 armB = turned(places.turnB.x, places.turnB.y, anchors[2], anchors[3]);
+            const Two8 armA = turned(places.rotationA.x, places.rotationA.y, anchors[0], anchors[1]);
+            const Two8 armB = turned(places.rotationB.x, places.rotationB.y, anchors[2], anchors[3]);
             const Float8 leverA = cross8(armA, normal), leverB = cross8(armB, normal);
             slideA += all(0.5f) * dot8(armA, normal);
             slideB += all(0.5f) * dot8(armB, normal);
@@ -188,7 +187,7 @@ void prepare(const ContactSource& source, const BlockLanes* lanes,
     }
 }
 
-/// Contribution of a kinematic body's own motion.
+/// Adds the velocity of a kinematic body's surface.
 template <bool kHasFriction>
 void prepareSurface(const ContactSource& source, const Rows8& rows, Two8 normal,
                     BodiesWithoutRotation::FixedBlock& block) {
@@ -206,7 +205,7 @@ void prepareSurface(const ContactSource& source, const Rows8& rows, Two8 normal,
     }
 }
 
-/// Contacts in a step without rotation.
+/// Prepares contacts in a group without rotation.
 template <bool kHasFriction, class SideA>
 void prepare(const ContactSource& source, const BlockLanes* lanes,
              ContactBlockOf<SideA, SideWithoutRotation, 1>* blocks, int begin, int end) {

@@ -6,9 +6,9 @@
 
 namespace plumb::physics {
 
-// Scalar access to single contacts of a block, for what is too rare to be vectorized.
+// Scalar access to single contacts of a block, for rare cases. p: index of the point, i: lane.
 
-/// m/s: velocity of a point of one side along the normal.
+/// Returns the velocity (m/s) of a point of one body along the normal.
 inline float speedAlong(const Workspace& work, const RotatingSide& side, int p, int i, Vec2 normal) {
     const Float4& velocity = work.velocity[static_cast<std::size_t>(side.slot[i])];
     return velocity.x * normal.x + velocity.y * normal.y + velocity.z * side.lever[p][i];
@@ -25,7 +25,7 @@ inline void pushAlong(Workspace& work, const RotatingSide& side, int p, int i, V
 }
 inline void pushAlong(Workspace&, const FixedSide<2>&, int, int, Vec2, float) {}
 
-/// m/s: velocity of B relative to A along the normal.
+/// Returns the velocity (m/s) of B relative to A along the normal.
 template <class Block>
 float approachOf(const Workspace& work, const Block& block, int p, int i) {
     const Vec2 normal = block.normal.at(i);
@@ -38,7 +38,7 @@ void pushApart(Workspace& work, const Block& block, int p, int i, float impulse)
     pushAlong(work, block.b, p, i, block.normal.at(i), impulse);
 }
 
-/// Motion of a point during the step.
+/// Motion of a contact point of a body during the step.
 struct PointMotion {
     float displacement;  // m, along the normal
     Vec2 acceleration;   // m/s2
@@ -69,20 +69,20 @@ Approach approachIn(const Workspace& work, const Block& block, int p, int i, flo
     return {b.displacement - a.displacement, dot(b.acceleration - a.acceleration, normal)};
 }
 
-/// m2/s2: square of a speed after a displacement: v^2 = v0^2 + 2 a s.
+/// Returns the square of a speed (m2/s2) after a displacement: v^2 = v0^2 + 2 a s.
 inline float squareAfter(float square, float acceleration, float displacement) {
     return std::max(square + 2.0f * acceleration * displacement, 0.0f);
 }
 
-/// m/s: relative velocity at the impact. Gravity acts between the start of the step and the impact: without
-/// it a ball would lose or gain height in each bounce.
+/// Returns the relative velocity (m/s) at the impact, including gravity between the start of the step and the
+/// impact. Without it a ball would lose or gain height in each bounce.
 inline float speedOfImpact(float before, const Approach& approach) {
     return -std::sqrt(squareAfter(before * before, approach.acceleration, approach.displacement));
 }
 
-/// m/s: relative velocity at the end of the step. The bounce happens where the bodies touch, be that before
-/// the step or within it, and gravity acts from there on; otherwise a bounce that is detected deep inside
-/// would lose that depth in height. Never faster than a bounce without loss.
+/// Returns the relative velocity (m/s) at the end of the step. The bounce takes place where the bodies touch,
+/// before or within the step, and gravity acts from there on; otherwise a bounce that is detected at an
+/// overlap would lose that height. Never faster than a bounce without loss.
 /// @param gap  m, at the start of the step
 inline float speedOfBounce(float before, float bounciness, float gap, const Approach& approach) {
     const float pull = approach.acceleration,

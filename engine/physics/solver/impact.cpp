@@ -13,10 +13,10 @@ struct ImpactPoint {
     Vec2 armB;
     float massAlong = 0.0f;   // kg: effective mass along the normal
     float massAcross = 0.0f;  // kg: effective mass along the surface
-    Vec2 approach;            // m/s, before: along the normal and along the surface
-    float closing = 0.0f;     // m/s: maximum speed at which it may still approach
+    Vec2 approach;            // m/s, before the impact: along the normal and along the surface
+    float closing = 0.0f;     // m/s: maximum approach speed after the impact
     float push = 0.0f;        // N s, normal impulse
-    float stopping = 0.0f;    // N s: of that, without restitution
+    float stopping = 0.0f;    // N s: part of `push` without restitution
     float rub = 0.0f;         // N s, friction impulse
 };
 
@@ -61,7 +61,7 @@ public:
         }
     }
 
-    /// Keeps a fraction of the impulses of bounce().
+    /// Scales the impulses of bounce() by a factor.
     void keep(float part) {
         for (ImpactPoint& point : points()) {
             const float back = (1.0f - part) * (point.push - point.stopping);
@@ -70,7 +70,7 @@ public:
         }
     }
 
-    /// J: change of the energy of both bodies, from the work of the impulses at their points.
+    /// Returns the change of energy (J) of both bodies, from the work of the impulses at their points.
     [[nodiscard]] float gain() {
         float gain = 0.0f;
         for (const ImpactPoint& point : points())
@@ -83,12 +83,13 @@ public:
 
 private:
     [[nodiscard]] float massAt(const ImpactPoint& point, Vec2 direction) const {
-        const float turnA = cross(point.armA, direction), turnB = cross(point.armB, direction);
+        const float rotationA = cross(point.armA, direction), rotationB = cross(point.armB, direction);
         const float inverse = a_.mass.inverseMass + b_.mass.inverseMass +
-                              a_.mass.inverseInertia * turnA * turnA + b_.mass.inverseInertia * turnB * turnB;
+                              a_.mass.inverseInertia * rotationA * rotationA +
+                              b_.mass.inverseInertia * rotationB * rotationB;
         return inverse > 0.0f ? 1.0f / inverse : 0.0f;
     }
-    /// m/s, B relative to A: along the normal, and along the surface relative to its surface speed.
+    /// Velocity (m/s) of B relative to A: along the normal, and along the surface minus surfaceSpeed.
     [[nodiscard]] Vec2 speedAt(const ImpactPoint& point) const {
         const Vec2 speed = b_.motion.velocity + cross(b_.motion.angularVelocity, point.armB) -
                            a_.motion.velocity - cross(a_.motion.angularVelocity, point.armA);
@@ -122,10 +123,10 @@ void exchangeImpulses(Contact& contact, ImpactBody& a, ImpactBody& b, float time
     impact.stop();
     const float before = impact.gain();
     impact.bounce(settings.bounceSpeed);
-    // Where friction rotates bodies, a bounce at full speed may need energy. Energy is convex in the fraction
-    // of the bounce that is applied, so with this fraction there is no gain.
+    // If friction rotates bodies, a bounce at full speed may add energy. The energy is a convex function of
+    // the applied fraction of the bounce, so this fraction adds none.
     if (const float after = impact.gain(); after > 0.0f) impact.keep(before / (before - after));
-    contact.impulse0 = -impact.points()[0].push;  // negative: an impact, not a load
+    contact.impulse0 = -impact.points()[0].push;  // negative: not for warm starting
     contact.impulse1 = contact.count == 2 ? -impact.points()[1].push : 0.0f;
 }
 

@@ -8,14 +8,14 @@ namespace plumb::physics {
 struct ImpactBody {
     BodyPose pose;
     BodyMotion motion;
-    BodyMass mass;  ///< inverse mass 0 if it is static or kinematic
+    BodyMass mass;  ///< static or kinematic: inverse mass 0
 };
 
 /// Applies the impulses of an impact, with friction and restitution, to the two bodies of a contact, and
-/// stores them in the contact. Never adds energy, whatever the outlines and masses.
-/// @param contact  its points at these poses
-/// @param timeLeft  s of the step after the impact: a second point that is still separated may close its gap
-/// in this time, but not sooner; a body that lands nearly flat lands on both points
+/// stores them in the contact. Never adds energy, for any outlines and masses.
+/// @param contact  contact with its points at these poses
+/// @param timeLeft  s: rest of the step after the impact. A second point that is still separated may close
+///         its gap in this time, so that a body that lands nearly flat lands on both points.
 void exchangeImpulses(Contact& contact, ImpactBody& a, ImpactBody& b, float timeLeft,
                       const Settings& settings);
 

@@ -11,14 +11,14 @@ float totalOf(const RowLanes& rows, int i) {
     return rows.holdImpulse[i] + rows.motorImpulse[i] + (rows.lowerImpulse[i] - rows.upperImpulse[i]);
 }
 
-/// Rotation of a body since the start of the step.
-/// @param offset  bytes: as in JointBodies
+/// Returns the rotation of a body since the start of the step.
+/// @param offset  bytes: offset of the body's state, as in JointBodies
 Rot turnOf(const StepContext& step, std::uint32_t offset) {
     const Float4& deltaPosition = step.work.deltaPosition[offset / sizeof(Float4)];
     return {1.0f + deltaPosition.w, deltaPosition.z};
 }
 
-/// N m: torque at B's anchor by a force at the point that replaces it (see balance()).
+/// Returns the torque (N m) about B's anchor of a force at the point by which balance() replaces it.
 template <class Block>
 float momentOf(const StepContext& step, const Joint& joint, const Block& block, int i, Vec2 force) {
     const Vec2 shift =
@@ -86,7 +86,7 @@ void noteInTree(StepContext& step, const SolveGroup& group, BreakableJoint& brea
 }  // namespace
 
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate) {
-    if (!step.world.manifest.runs(Effect::Joints)) return;  // breakables are those of an earlier step
+    if (!step.world.manifest.runs(Effect::Joints)) return;  // then breakables is from an earlier step
     JointWork& joints = step.work.joints;
     for (BreakableJoint& breakable : joints.breakables) {
         if (breakable.kind == kInTree) noteInTree(step, group, breakable);

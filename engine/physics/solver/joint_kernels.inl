@@ -1,17 +1,17 @@
 // Part of kernels.inl: joints.
 //
-// Arms rotate with the bodies in every substep, so that chains stay accurate however fast they swing. Warm
-// starting repeats the velocity change of the previous substep (accelerate), along the arms of then; the
-// difference to the current arms is added in the biased pass.
+// Arms rotate with the bodies in every substep, so that fast swinging chains stay accurate. Warm starting
+// repeats the velocity change of the previous substep (accelerate), which used the previous arms; the biased
+// pass adds the difference to the current arms.
 
-/// The bodies of eight joints while a block is solved. `shift` is their motion since the start of the step.
+/// The bodies of eight joints while a block is solved. shiftA and shiftB: motion since the start of the step.
 struct Couple8 {
     Body8 a, b;
     Float8 shiftA[4], shiftB[4];
 
-    void push(Two8 impulse, Float8 turnA, Float8 turnB) {
-        a.push({-impulse.x, -impulse.y}, -turnA);
-        b.push(impulse, turnB);
+    void push(Two8 impulse, Float8 rotationA, Float8 rotationB) {
+        a.push({-impulse.x, -impulse.y}, -rotationA);
+        b.push(impulse, rotationB);
     }
     void turn(Float8 impulse) {
         a.lane[2] -= a.inverseInertia * impulse;
@@ -24,7 +24,7 @@ struct Couple8 {
     }
 };
 
-// As gather() and scatter(): else sixteen registers would go through memory.
+// Always inlined: a call would pass sixteen registers through memory.
 [[gnu::always_inline]] inline Couple8 coupleOf(const SolverBodies& bodies, const JointBodies& block) {
     Couple8 couple;
     gather(bodies.velocity, block.a, couple.a.lane);
@@ -36,7 +36,7 @@ struct Couple8 {
     return couple;
 }
 
-/// Does not write the body that the joint leaves alone: other threads may read it.
+/// Stores the velocities, except of a body that the joint does not move: other threads may read it.
 template <bool kOneSided>
 [[gnu::always_inline]] inline void write(const SolverBodies& bodies, const JointBodies& block,
                                          const Couple8& couple, int count) {
@@ -51,7 +51,7 @@ template <bool kOneSided>
     }
 }
 
-/// Change of an arm by the rotation of its body since the start of the step.
+/// Returns the change of an arm by the rotation of its body since the start of the step.
 inline Two8 changeOf(Two8 arm, const Float8 (&deltaPosition)[4]) {
     return {deltaPosition[3] * arm.x - deltaPosition[2] * arm.y,
             deltaPosition[2] * arm.x + deltaPosition[3] * arm.y};
@@ -60,7 +60,7 @@ inline Two8 changeOf(Two8 arm, const Float8 (&deltaPosition)[4]) {
 /// Two anchors at the current poses.
 struct Anchors8 {
     Two8 armA, armB;
-    Two8 apart;  // from A's to B's
+    Two8 apart;  // from A's anchor to B's
 };
 
 inline Anchors8 anchorsAt(const AnchorLanes& lanes, const Couple8& couple) {
@@ -89,7 +89,7 @@ inline Grip8 gripOf(const GripLanes& lanes) {
 
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
-/// Maximum speed at which joint errors are closed, times `take`. Springs are not limited.
+/// Returns the maximum speed at which joint errors are closed, times `take`. Springs are not limited.
 inline Float8 maxPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
     return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.take * all(pass.pushSpeed));
 }
@@ -97,18 +97,18 @@ inline Float8 maxPull(const JointPass& pass, const Grip8& grip) { return grip.ta
 
 // Point constraint: two rows, solved together.
 
-/// The impulse that changes the velocity between the anchors by `wanted`: inverse of a 2 x 2 matrix.
+/// Returns the impulse that changes the velocity between the anchors by `wanted`: solves a 2 x 2 system.
 inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
-    const Float8 turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
+    const Float8 rotationA = couple.a.inverseInertia, rotationB = couple.b.inverseInertia;
     const Float8 masses = couple.a.lane[3] + couple.b.lane[3];
-    const Float8 xx = masses + (turnA * at.armA.y * at.armA.y + turnB * at.armB.y * at.armB.y);
-    const Float8 yy = masses + (turnA * at.armA.x * at.armA.x + turnB * at.armB.x * at.armB.x);
-    const Float8 xy = -(turnA * at.armA.x * at.armA.y + turnB * at.armB.x * at.armB.y);
+    const Float8 xx = masses + (rotationA * at.armA.y * at.armA.y + rotationB * at.armB.y * at.armB.y);
+    const Float8 yy = masses + (rotationA * at.armA.x * at.armA.x + rotationB * at.armB.x * at.armB.x);
+    const Float8 xy = -(rotationA * at.armA.x * at.armA.y + rotationB * at.armB.x * at.armB.y);
     const Float8 inverse = inverseOrZero(xx * yy - xy * xy);
     return {inverse * (yy * wanted.x - xy * wanted.y), inverse * (xx * wanted.y - xy * wanted.x)};
 }
 
-/// `grip.pull` times the error, limited to `maximum`: maxPull().
+/// Returns `grip.pull` times the error, limited to `maximum` (from maxPull()).
 inline Two8 closing(const Grip8& grip, Two8 apart, Float8 maximum) {
     const Two8 pull = grip.pull * apart;
     const Float8 square = dot8(pull, pull);
@@ -121,8 +121,8 @@ inline Float8 closing(const Grip8& grip, Float8 apart, Float8 maximum) {
     return clamp(grip.pull * apart, -maximum, maximum);
 }
 
-/// Impulse of a soft point constraint.
-/// @param pull  velocity that corrects the error: closing()
+/// Returns the change of the impulse of a soft point constraint.
+/// @param pull  velocity that corrects the error, from closing()
 inline Two8 answerPoint(const Couple8& couple, const Anchors8& at, const Grip8& grip, Two8 pull,
                         Two8 impulse) {
     const Two8 speed = couple.velocityBetween(at.armA, at.armB);
@@ -134,24 +134,24 @@ inline void givePoint(Couple8& couple, const Anchors8& at, Two8 impulse) {
     couple.push(impulse, cross8(at.armA, impulse), cross8(at.armB, impulse));
 }
 
-/// Before a biased pass: adds what the repeated impulses lack along the current arms.
+/// Before a biased pass: adds the torques that warm starting misses because the arms have changed.
 inline void makeUp(Couple8& couple, const PointBlock& block) {
-    couple.a.lane[2] -= couple.a.inverseInertia * load(block.turnA);
-    couple.b.lane[2] += couple.b.inverseInertia * load(block.turnB);
+    couple.a.lane[2] -= couple.a.inverseInertia * load(block.rotationA);
+    couple.b.lane[2] += couple.b.inverseInertia * load(block.rotationB);
 }
 
 inline void noteTurns(PointBlock& block, const Anchors8& at, Two8 impulse) {
-    store(block.turnA, cross8(at.armA, impulse));
-    store(block.turnB, cross8(at.armB, impulse));
+    store(block.rotationA, cross8(at.armA, impulse));
+    store(block.rotationB, cross8(at.armB, impulse));
 }
 
-/// In the relax pass: records how the torques of the biased pass differ from those along the current arms.
+/// In the relax pass: stores the torques along the current arms minus those of the biased pass.
 inline void noteLack(PointBlock& block, const Anchors8& at, Two8 impulse) {
-    store(block.turnA, cross8(at.armA, impulse) - load(block.turnA));
-    store(block.turnB, cross8(at.armB, impulse) - load(block.turnB));
+    store(block.rotationA, cross8(at.armA, impulse) - load(block.rotationA));
+    store(block.rotationB, cross8(at.armB, impulse) - load(block.rotationB));
 }
 
-// Constraints on a value: an angle, or a length along a direction. A Line has a speed and accepts impulses.
+// Constraints on a value: an angle, or a length along a direction. A Line has speed() and applies impulses.
 
 inline Float8 totalOf(const RowLanes& rows) {
     return (load(rows.holdImpulse) + load(rows.motorImpulse)) +
@@ -169,17 +169,16 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
     line.push(after - before);
 }
 
-/// Maximum speed of a value towards a limit: it may reach the limit within the substep but not pass it, and
-/// returns from beyond it as fast as the limit itself pushes it back.
+/// Returns the maximum speed of a value towards a limit: within the substep it may reach but not pass the
+/// limit; beyond the limit it returns at the speed of the limit's error correction.
 template <bool kPush>
 inline Float8 speedTo(const JointPass& pass, Float8 gap) {
     const float back = kPush ? pass.rigid.pull / pass.rigid.take : 0.0f;
     return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.pushSpeed));
 }
 
-/// A motor stops at a limit, whatever its strength. If both worked against each other their impulses would
-/// grow to the maximum, and the limit, which is slightly compliant, would give way by a lot. All other forces
-/// are left to the limit: the motor does not brake for it.
+/// Motor, which stops at a limit. If it acted against the limit, both impulses would grow to the maximum, and
+/// the limit, which is slightly compliant, would yield. The limit alone acts against all other forces.
 template <bool kPush, class Line>
 inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mass, Line line) {
     const Float8 before = load(rows.motorImpulse), maximum = load(rows.maxMotor), speed = line.speed();
@@ -197,8 +196,7 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
     line.push(after - before);
 }
 
-/// One limit, as an impulse that only pushes away from it. A value apart from it may reach it within the
-/// substep.
+/// A limit, as a one-sided impulse. A value at a distance from the limit may reach it within the substep.
 template <bool kPush>
 inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 mass, float* total) {
     const Mask8 apart = gap > all(0.0f);
@@ -241,7 +239,7 @@ inline Float8 arcTangent8(Float8 y, Float8 x) {
     return select(y < zero, -angle, angle);
 }
 
-/// rad: rotation of B relative to A since the start of the step.
+/// Returns the rotation (rad) of B relative to A since the start of the step.
 inline Float8 turnBetween(const Couple8& couple) {
     const Float8 sineA = couple.shiftA[2], versineA = couple.shiftA[3];
     const Float8 sineB = couple.shiftB[2], versineB = couple.shiftB[3];
@@ -260,7 +258,7 @@ inline Float8 angleMass(const Couple8& couple) {
     return inverseOrZero(couple.a.inverseInertia + couple.b.inverseInertia);
 }
 
-// Joints that constrain a point: hinges, and with an angle those with a limit, motor or spring, and others.
+// Joints that constrain a point: hinges without (PointBlock) and with a constraint on the angle (HingeBlock).
 
 template <class Block>
 concept HasPoint = requires { Block::kHasAngle; };
@@ -277,7 +275,7 @@ void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLa
     }
 }
 
-/// An impulse, limited to a magnitude of `maximum`.
+/// Returns an impulse, limited to a magnitude of `maximum`.
 inline Two8 shortened(Two8 impulse, Float8 maximum) {
     const Float8 square = dot8(impulse, impulse);
     if (!any(square > maximum * maximum)) return impulse;
@@ -285,11 +283,11 @@ inline Two8 shortened(Two8 impulse, Float8 maximum) {
     return min(ratio, all(1.0f)) * impulse;
 }
 
-/// Solves what precedes the point of a joint: its angle.
+/// Solves the angle of a joint, before its point.
 template <bool kPush>
 inline void answerAngle(HingeBlock& block, const JointPass& pass, Couple8& couple, Anchors8& at) {
     if constexpr (kPush) {
-        if ((block.turning.uses & (kHolds | kLimits)) != 0)  // a motor alone turns at any angle
+        if ((block.turning.uses & (kHolds | kLimits)) != 0)  // a motor alone does not read the angle
             store(block.turning.value, load(block.angle) + turnBetween(couple));
         store2(block.apart, at.apart);
     } else {

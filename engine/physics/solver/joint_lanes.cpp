@@ -15,8 +15,7 @@ constexpr std::size_t kKeysOfGroup = (kColours + 1) * kJointBlockKinds;
 
 // Layout.
 
-/// Group, color and block kind of a joint; -1 if it is not solved here, -2 - group for a multi-body
-/// constraint.
+/// Returns a key of group, color and block kind of a joint; -1: not solved here, -2 - group: gear or pulley.
 std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t index) {
     const Joint& joint = world.joints.hot[index];
     if (joint.colour > kOverflow || work.joints.trees.isDirect[index] != 0) return -1;
@@ -32,7 +31,7 @@ std::int32_t keyOf(const World& world, const Workspace& work, std::uint32_t inde
            type.block(joint.flags);
 }
 
-/// @return whether some can break or report their load
+/// @return true if a joint can break or report its load
 bool count(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -54,13 +53,13 @@ bool count(StepContext& step) {
     return !work.pieceFound.empty();
 }
 
-/// Assigns ranges of blocks to groups and colors. Turns counts into indices of the next free lane.
+/// Assigns ranges of blocks to groups and colors. Converts counts to indices of the next free lane.
 template <class Store>
 void layOut(Workspace& work, Store& store, JointBlockKind kind) {
     std::int32_t blocks = 0;
     store.groups.clear();
     for (std::size_t g = 0; g < work.groups.size(); ++g) {
-        // N-body constraints are of no color and have no blocks.
+        // Gears and pulleys have no color and no blocks.
         std::uint64_t rest = work.groups[g].jointColours | std::uint64_t{1} << kOverflow;
         for (; rest != 0; rest &= rest - 1) {
             const int colour = std::countr_zero(rest);
@@ -101,7 +100,7 @@ void fill(const World& world, Workspace& work, bool someBreak) {
     }
 }
 
-/// Lists breakable joints of trees: `block` is an index into links, then into holds.
+/// Lists breakable joints of trees. `block` is an index in links, or links.size() plus an index in holds.
 void noteBreakables(const World& world, JointWork& joints) {
     const auto note = [&](const std::vector<Link>& links, std::size_t first) {
         for (std::size_t i = 0; i < links.size(); ++i) {
@@ -135,7 +134,7 @@ struct Preparation {
     JointTiming timing;
 };
 
-/// bytes: a slot below 0 stands for the idle slot of the lane
+/// Returns the offset (bytes) of a slot; for negative slots that of the idle slot of the lane.
 std::uint32_t offsetOf(const Preparation& all, std::int32_t slot, int lane) {
     const int place = slot < 0 ? static_cast<int>(all.work.bodyOf.size()) + lane : slot;
     return static_cast<std::uint32_t>(place) * std::uint32_t{sizeof(Float4)};
@@ -153,15 +152,15 @@ void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, 
     bodies.ownIsA[lane] = pushesA ? 1.0f : 0.0f;
 }
 
-/// For joints that also hold the angle, replaces the anchors by a point of B at which the
-/// rows are decoupled: there a force does not rotate the bodies relative to each other and a
-/// torque does not move the point, so rows that are solved sequentially are solved exactly.
-/// At an anchor at distance L from a body of gyration radius k, each iteration would leave 1
-/// / (1 + (k / L)^2) of an error, and a motor with that arm would bend the angle.
+/// For joints that also hold the angle, replaces the anchors by a point of B at which the rows are decoupled:
+/// there a force does not rotate the bodies relative to each other and a torque does not move the point, so
+/// solving the rows sequentially is exact. At an anchor at distance L from a body of gyration radius k, each
+/// iteration would leave 1 / (1 + (k / L)^2) of an error, and a motor with this arm would bend the angle.
 void balance(JointParts& parts, const JointBodies& bodies, int lane) {
     const float ofA = bodies.inverseInertiaA[lane], ofB = bodies.inverseInertiaB[lane];
     if (!parts.holdsAngle || !(ofA + ofB > 0.0f)) return;
-    const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) * parts.axis;  // including how far B has slid
+    const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) *
+                                       parts.axis;  // including the displacement of B on the axis
     const Vec2 shift = (-1.0f / (ofA + ofB)) * (ofA * armA + ofB * parts.armB);
     const Vec2 shiftA = rotate(rotFromAngle(-parts.angle), shift);
     parts.armA += shiftA;
@@ -169,16 +168,16 @@ void balance(JointParts& parts, const JointBodies& bodies, int lane) {
     parts.apart += shift - shiftA;
 }
 
-/// A force F along an arm r acts as a rotational spring of frequency sqrt(F r / I). If
-/// substeps cannot follow it, the joint uses the smallest inertia that they can follow,
-/// as in trees. Not needed for a hinge alone, both rows of which are solved together.
+/// A force F along an arm r acts as a rotational spring of angular frequency sqrt(F r / I). If substeps are
+/// too long for it, the joint uses the smallest stable inertia, as in trees. Not necessary for a hinge alone,
+/// both rows of which are solved together.
 float calmed(float inverseInertia, float straining, float h) {
     const float least = static_cast<float>(kCalm) * h * h * std::fabs(straining);  // kg m2
     return inverseInertia * least > 1.0f ? 1.0f / least : inverseInertia;
 }
 
 void calm(const JointParts& parts, Vec2 force, float h, JointBodies& bodies, int lane) {
-    if (parts.holdsAngle) return;  // its arms are short, see balance()
+    if (parts.holdsAngle) return;  // balance() makes its arms short
     bodies.inverseInertiaA[lane] = calmed(bodies.inverseInertiaA[lane], dot(parts.armA, force), h);
     bodies.inverseInertiaB[lane] = calmed(bodies.inverseInertiaB[lane], dot(parts.armB, force), h);
 }
@@ -193,7 +192,7 @@ void setGrip(const Grip& grip, bool springs, float maximum, GripLanes& lanes, in
 
 void setRows(const Preparation& all, const Joint& joint, const ValueParts& value, RowLanes& rows, int lane) {
     rows.uses |= (value.held ? kHolds : 0) | (value.driven ? kDrives : 0) | (value.limited ? kLimits : 0);
-    // A value that is not held is a spring without force, in both passes.
+    // A value that is not fixed is a spring without force, in both passes.
     setGrip(value.held ? value.grip : Grip{}, value.springs || !value.held, value.maximum, rows.grip, lane);
     rows.rest[lane] = value.rest;
     rows.speed[lane] = value.speed;
@@ -207,8 +206,8 @@ void setRows(const Preparation& all, const Joint& joint, const ValueParts& value
     rows.upperImpulse[lane] = value.limited ? joint.rows[3] * h : 0.0f;
 }
 
-// What the lanes of each kind have besides bodies and anchors.
-// `moment`, N m: of the force of the joint about its anchor, see balance().
+// Fill the data of a lane except bodies and anchors, for each kind of block. `moment` (N m): torque of the
+// joint's force about its anchor, see balance().
 
 void setLane(const Preparation& all, const Joint& joint, const JointParts&, float, PointBlock& block,
              int lane) {
@@ -305,7 +304,7 @@ void solveJoints(const StepContext& step, const SolverBodies& bodies, const Join
             return forRange(step, range, kJointGrain,
                             [=](int first, int last) { run(colour >= kFirstFixedColour, first, last); });
         }
-        // Joints without a color share bodies, so they are solved one by one, each in a block of its own.
+        // Joints without a color may share bodies, so they are solved sequentially, each in a separate block.
         for (int n = range.begin; n < range.end; ++n) {
             const auto joint = static_cast<std::size_t>(store.lanes[static_cast<std::size_t>(n)].index[0]);
             run(pushedBodies(step.world, step.world.joints.hot[joint]).a == kNone, n, n + 1);

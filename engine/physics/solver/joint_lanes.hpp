@@ -5,10 +5,10 @@
 
 namespace plumb::physics {
 
-/// BreakableJoint::kind of a joint in a tree.
+/// Value of BreakableJoint::kind for a joint in a tree.
 inline constexpr std::int32_t kInTree = kJointBlockKinds + 1;
 
-/// Calls act(store, kind) for the blocks of each kind.
+/// Calls act(store, kind) for each kind of blocks.
 template <class Act>
 void forKinds(JointWork& joints, Act&& act) {
     act(joints.points, kPointBlocks);
@@ -19,7 +19,7 @@ void forKinds(JointWork& joints, Act&& act) {
 
 inline constexpr int kJointGrain = 24;  ///< blocks
 
-/// 1/s: substeps of a group.
+/// Returns the substep rate (1/s) of a group.
 inline float rateOf(const StepContext& step, std::uint8_t group) {
     return static_cast<float>(step.work.groups[group].substeps) / step.dt;
 }
@@ -33,30 +33,30 @@ void forJointBlocks(StepContext& step, Act&& act) {
     });
 }
 
-/// Packs awake joints into blocks. After gatherBodies.
+/// Packs awake joints into blocks. Called after gatherBodies.
 void prepareJoints(StepContext& step);
 
-/// Parameters of joints for a substep of h seconds.
+/// Returns the parameters of joints for a substep of h seconds.
 JointPass jointPass(const Settings& settings, float h);
-/// One pass over the joints of one color of a group.
+/// Performs one pass over the joints of one color of a group.
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
                  const SolveGroup& group, int colour, PassKind kind);
 
 // joint_forces.cpp
 
-/// After each substep: records the largest forces on breakable joints.
+/// Records the largest forces on breakable joints. Called after each substep.
 void noteJointForces(StepContext& step, const SolveGroup& group, float substepRate);
 
-/// Writes forces back to the joints.
+/// Stores forces in World::joints.
 void storeJoints(StepContext& step);
 
 // n_body_joints.cpp
 
-/// Adds a gear or pulley to the multi-body constraints of the step.
+/// Adds a gear or pulley to JointWork::nBodyConstraints.
 void addTie(StepContext& step, std::uint32_t joint, std::uint8_t group);
-/// One pass over the multi-body constraints of a group, in order.
+/// Performs one pass over the gears and pulleys of a group, sequentially.
 void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, PassKind kind);
-/// Writes forces and errors back to the joints.
+/// Stores forces and errors of gears and pulleys in World::joints.
 void storeTies(StepContext& step);
 
 }  // namespace plumb::physics

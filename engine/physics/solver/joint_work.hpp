@@ -15,18 +15,18 @@ struct JointStore {
     std::vector<std::uint8_t> groups;  ///< by block
 };
 
-/// A joint that can break, and where it is solved.
+/// A joint that can break, and its location in the blocks.
 struct BreakableJoint {
     std::uint32_t joint;
     std::int32_t kind;
     std::int32_t block;
     std::int32_t lane;
-    float force = 0.0f;   ///< N: largest of all substeps
+    float force = 0.0f;   ///< N: maximum of all substeps
     float torque = 0.0f;  ///< N m
 };
 
-/// A further JointFlag: the joint has not closed since it was created open, its definition was changed or one
-/// of its bodies was put elsewhere. To close it may do work, as a rope that is shortened does.
+/// A further JointFlag: the joint has had a gap since it was created, its definition was changed or one of
+/// its bodies was teleported. Closing the gap may do work, as shortening a rope does.
 inline constexpr std::uint8_t kEdited = 128;
 
 /// Joint data of a step, in Workspace.

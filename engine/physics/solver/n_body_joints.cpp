@@ -78,7 +78,7 @@ void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, 
             continue;
         }
         const Grip grip = kind == PassKind::Push ? pass.rigid : Grip{1.0f, 0.0f, 0.0f};
-        const float maximum = grip.take * pass.pushSpeed;  // as of other joints
+        const float maximum = grip.take * pass.pushSpeed;  // as for other joints
         const float pull = std::clamp(grip.pull * errorNow(work, constraint), -maximum, maximum);
         const float wanted = grip.take * speedOf(work, constraint) + pull;
         const float change = -(constraint.mass * wanted + grip.give * constraint.impulse);

@@ -9,7 +9,7 @@ namespace plumb::physics {
 // Passes over the bodies and constraints of a group, distributed over threads.
 
 inline constexpr int kBlockGrain = 8;
-inline constexpr int kSequential = 1 << 30;  ///< as a grain: one piece
+inline constexpr int kSequential = 1 << 30;  ///< value of a grain: one piece
 inline constexpr int kBodyGrain = 256;
 
 /// @param h  s: substep
@@ -40,7 +40,7 @@ void forBodies(const StepContext& step, const SolveGroup& group, Act&& act) {
     forRange(step, {group.begin, group.end}, kBodyGrain, act);
 }
 
-/// Runs `act(colour, grain)` for each of these colors: the overflow first, in one sequential piece.
+/// Runs `act(colour, grain)` for each color of a bit set: the overflow first, in one sequential piece.
 template <class Act>
 void forColours(std::uint64_t colours, Act&& act) {
     if ((colours >> kOverflow & 1) != 0) act(int{kOverflow}, kSequential);
@@ -55,7 +55,7 @@ void forStores(Workspace& work, const ContactRanges& ranges, Act&& act) {
     act(work.fixed, ranges.fixed);
 }
 
-/// The blocks of groups with rotation, or of those without, which come last.
+/// Returns the blocks of groups with rotation, or of groups without, which follow them.
 inline ContactRanges blocksOf(const Workspace& work, bool withoutRotation) {
     ContactRanges ranges;
     for (const SolveGroup& group : work.groups) {
@@ -91,7 +91,7 @@ struct ContactSet {
     const ContactKernels<Block, Bodies>& kernels;
     const std::vector<BlockLanes>& lanes;
     std::vector<Block>& blocks;
-    BlockRange used;  ///< the others are those of the other kernels
+    BlockRange used;  ///< blocks of these kernels
     ContactPass pass{};
 
     void prepare(const StepContext& step, const ContactSource& source) const {
@@ -108,7 +108,7 @@ struct ContactSet {
                                                            last);
         });
     }
-    /// Writes impulses back to the contacts.
+    /// Stores impulses in World::contacts.
     void store(const StepContext& step) const {
         auto* contacts = reinterpret_cast<Float4*>(step.world.contacts.data());
         forRange(step, used, kBlockGrain, [&](int first, int last) {
@@ -117,7 +117,7 @@ struct ContactSet {
     }
 };
 
-/// Both kinds of contacts: between dynamic bodies, and with static or kinematic ones.
+/// Both kinds of contacts: between dynamic bodies, and with static or kinematic bodies.
 template <class Bodies>
 struct ContactSets {
     ContactSet<typename Bodies::TwoBlock, Bodies> two;

@@ -16,7 +16,7 @@ void visit(Workspace& work, const ImpactPlace& impact, Act&& act) {
     impact.fixed ? actIn(work.fixed) : actIn(work.two);
 }
 
-/// The same for all impacts, in order.
+/// Calls act(block, bounce, lane) for all impacts, in order.
 template <class Act>
 void visitAll(Workspace& work, Act&& act) {
     for (const ImpactPlace& impact : work.impacts) visit(work, impact, act);
@@ -35,13 +35,13 @@ void gather(const Store& store, BlockRange range, std::vector<ImpactPlace>& impa
             impacts.push_back({kFixed, static_cast<std::uint8_t>(i), static_cast<std::uint32_t>(n)});
         }
     }
-    // The order of solving does not depend on the lanes: within a color, sort by contact index.
+    // Sorted by contact index within a color, so that the order does not depend on the lanes.
     const auto numberOf = [&](const ImpactPlace& impact) { return lanes[impact.block].index[impact.lane]; };
     std::sort(impacts.begin() + static_cast<std::ptrdiff_t>(before), impacts.end(),
               [&](const ImpactPlace& a, const ImpactPlace& b) { return numberOf(a) < numberOf(b); });
 }
 
-/// Keeps the impacts that share a body with another one.
+/// Keeps only impacts that share a body with another impact.
 void keepChains(Workspace& work) {
     work.hits.resize(work.velocity.size());
     const auto forHits = [&](const ImpactPlace& impact, auto&& act) {
@@ -69,7 +69,7 @@ bool anyHits(Workspace& work, float slowest) {
     return hits;
 }
 
-/// Takes back the impulses of the substeps.
+/// Removes the impulses of the substeps.
 void takeBack(Workspace& work) {
     visitAll(work, [&](auto& block, BounceBlock& bounce, int lane) {
         pushApart(work, block, 0, lane, -bounce.sum[lane]);
@@ -77,7 +77,7 @@ void takeBack(Workspace& work) {
     });
 }
 
-/// Reduces velocities to those at the impact: what accelerated the bodies afterwards would be a gain.
+/// Reduces velocities to those at the impact: acceleration after it would be a gain of energy.
 void endAtImpact(Workspace& work, float slowest, float dt) {
     visitAll(work, [&](auto& block, BounceBlock& bounce, int lane) {
         float& before = bounce.approach[0][lane];
@@ -86,11 +86,11 @@ void endAtImpact(Workspace& work, float slowest, float dt) {
             const float gain = approachOf(work, block, 0, lane) - met;
             pushApart(work, block, 0, lane, -block.points[0].mass[lane] * gain);
         }
-        before = 0.0f;  // nothing is left for applyRestitution()
+        before = 0.0f;  // so that applyRestitution() does nothing
     });
 }
 
-/// @return true if any pair approached
+/// Collides all approaching pairs sequentially. @return true if any pair approached
 bool collideInTurn(Workspace& work, float slowest) {
     bool approached = false;
     visitAll(work, [&](auto& block, const BounceBlock& bounce, int lane) {
@@ -125,13 +125,12 @@ void part(Workspace& work, const Block& block, int lane, float depth) {
     }
 }
 
-/// Removes the overlaps that arose before the impact was stopped: pushed out gradually, they would speed up
-/// the balls.
+/// Removes the overlaps of this step at once; removed gradually, they would accelerate the balls.
 /// @return true if there were any
 bool partInTurn(Workspace& work, float dt) {
     bool overlapped = false;
     visitAll(work, [&](const auto& block, const BounceBlock&, int lane) {
-        // Overlap from before the step is pushed out as usual: removed at once, it would add height.
+        // Overlap from before the step is left to the solver; removed at once, it would add height.
         const float start = std::max(block.points[0].separation[lane], 0.0f);
         const float depth = -(start + approachIn(work, block, 0, lane, dt).displacement);
         if (depth <= kTouchDistance) return;
@@ -141,7 +140,7 @@ bool partInTurn(Workspace& work, float dt) {
     return overlapped;
 }
 
-/// An impact is not a load: marks its impulses (negative), so that the next step does not start with them.
+/// Negates the impulses of impacts, so that warm starting does not use them.
 void markBlows(Workspace& work) {
     visitAll(work, [&](auto& block, const BounceBlock&, int lane) {
         block.points[0].impulse[lane] = -block.points[0].impulse[lane];

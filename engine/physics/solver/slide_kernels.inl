@@ -1,6 +1,6 @@
 // Part of joint_kernels.inl: joints that act along a direction, rods and sliders.
 
-// Lengths along a direction.
+// Constraints on lengths along a direction.
 
 struct SlideLine8 {
     Couple8& couple;
@@ -17,37 +17,37 @@ struct SlideLine8 {
     }
 };
 
-/// All impulses of a block along the current directions.
+/// Sum of all impulses of a block along the current directions.
 struct Carry8 {
     Two8 impulse;
-    Float8 turnA, turnB;
+    Float8 rotationA, rotationB;
 
     void add(const SlideLine8& line, Float8 size) {
         impulse = impulse + size * line.axis;
-        turnA += size * line.leverA;
-        turnB += size * line.leverB;
+        rotationA += size * line.leverA;
+        rotationB += size * line.leverB;
     }
 };
 
 inline void makeUp(Couple8& couple, const CarryLanes& carry) {
-    couple.push(load2(carry.impulse), load(carry.turnA), load(carry.turnB));
+    couple.push(load2(carry.impulse), load(carry.rotationA), load(carry.rotationB));
 }
 inline void note(CarryLanes& lanes, const Carry8& carry) {
     store2(lanes.impulse, carry.impulse);
-    store(lanes.turnA, carry.turnA);
-    store(lanes.turnB, carry.turnB);
+    store(lanes.rotationA, carry.rotationA);
+    store(lanes.rotationB, carry.rotationB);
 }
 inline void noteLack(CarryLanes& lanes, const Carry8& carry) {
     store2(lanes.impulse, carry.impulse - load2(lanes.impulse));
-    store(lanes.turnA, carry.turnA - load(lanes.turnA));
-    store(lanes.turnB, carry.turnB - load(lanes.turnB));
+    store(lanes.rotationA, carry.rotationA - load(lanes.rotationA));
+    store(lanes.rotationB, carry.rotationB - load(lanes.rotationB));
 }
 
 inline Carry8 carryOf(const SlideLine8& line, Float8 size) {
     return {size * line.axis, size * line.leverA, size * line.leverB};
 }
 
-/// A rod at the current poses: its line, and its length.
+/// A rod at the current poses: its line and its length.
 struct Rod8 {
     SlideLine8 along;
     Float8 value;
@@ -67,8 +67,8 @@ inline Carry8 carryOf(const Rod8& rod, const RodBlock& block) {
 /// A slider at the current poses.
 struct Slider8 {
     SlideLine8 along, across;
-    Float8 value;   // displacement of B's anchor along the axis,
-    Float8 offWay;  // and across it
+    Float8 value;   // displacement of B's anchor along the axis
+    Float8 offWay;  // displacement across the axis
 };
 
 inline Slider8 placeOf(Couple8& couple, const SliderBlock& block) {
@@ -97,13 +97,13 @@ inline void spin(SliderBlock& block, Couple8& couple) {
     couple.turn(after - before);
 }
 
-/// Position across the axis, and the angle if it is held: two rows, solved together.
+/// Solves the position across the axis, and the angle if it is fixed: two rows, solved together.
 template <bool kPush>
 [[gnu::always_inline]] inline void keepOnWay(SliderBlock& block, Couple8& couple, const Slider8& slider,
                                              const JointPass& pass) {
     const SlideLine8& across = slider.across;
     const Mask8 held = load(block.holdsAngle) > all(0.5f);
-    const Float8 zero = all(0.0f), turnA = couple.a.inverseInertia, turnB = couple.b.inverseInertia;
+    const Float8 zero = all(0.0f), rotationA = couple.a.inverseInertia, rotationB = couple.b.inverseInertia;
     const Float8 ww = across.inverseMass();
     const Grip8 soft = gripOf(kPush ? pass.rigid : kRelaxed);
     Float8 displacement = soft.take * across.speed();
@@ -114,9 +114,9 @@ template <bool kPush>
         couple.push(change * across.axis, change * across.leverA, change * across.leverB);
     };
     if (!any(held)) return give(-(inverseOrZero(ww) * displacement + soft.give * displacementBefore));
-    const Float8 wa = select(held, turnA * across.leverA + turnB * across.leverB, zero);
-    const Mask8 turns = held & (turnA + turnB > zero);
-    const Float8 aa = select(turns, turnA + turnB, all(1.0f));
+    const Float8 wa = select(held, rotationA * across.leverA + rotationB * across.leverB, zero);
+    const Mask8 turns = held & (rotationA + rotationB > zero);
+    const Float8 aa = select(turns, rotationA + rotationB, all(1.0f));
     Float8 turning = soft.take * couple.spin();
     if constexpr (kPush)
         turning += closing(soft, load(block.angle) + turnBetween(couple), maxPull(pass, soft));
@@ -139,7 +139,7 @@ void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLa
         const Block& block = blocks[n];
         Couple8 couple = coupleOf(bodies, block.bodies);
         const Carry8 carry = carryOf(placeOf(couple, block), block);
-        couple.push(carry.impulse, carry.turnA, carry.turnB);
+        couple.push(carry.impulse, carry.rotationA, carry.rotationB);
         if constexpr (Block::kSlides) couple.turn(load(block.angleImpulse) + load(block.spinImpulse));
         write<kOneSided>(bodies, block.bodies, couple, lanes[n].count);
     }

@@ -12,7 +12,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kStripGrain = 512;
-constexpr std::size_t kWorthStrips = 256;  // bodies: the data of fewer fits into the first-level cache
+constexpr std::size_t kWorthStrips = 256;  // bodies: the data of fewer fits into the L1 cache
 
 std::uint8_t stripOf(const Strips& strips, double at) {
     const double place = strips.rate * (at - strips.begin) + 1.0;
@@ -20,7 +20,7 @@ std::uint8_t stripOf(const Strips& strips, double at) {
     return static_cast<std::uint8_t>(place > 0.0 ? std::min(place, kLast) : 0.0);
 }
 
-/// Sets the strips of the next step. Evenly spread bodies reach 1.7 standard deviations from their mean.
+/// Computes the strips of the next step: evenly distributed bodies reach 1.7 standard deviations.
 void place(Strips& strips, const std::vector<PositionSums>& pieces, double count) {
     double mean[2] = {}, deviation[2] = {};
     for (int axis = 0; axis < 2; ++axis) {

@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Removes the fields of bodies that are gone.
+/// Removes the springs and attractors of destroyed bodies.
 void dropOrphans(World& world) {
     for (std::uint32_t i = 0; i < world.fields.all.size(); ++i) {
         const Field& field = world.fields.all[i];
@@ -41,33 +41,33 @@ void findPulls(const World& world, Workspace& work) {
     }
 }
 
-/// Sorts the pulls by slot, and those of one slot by field.
+/// Sorts the pulls by slot and field.
 void sortPulls(Workspace& work, bool hasSprings) {
     SmoothForces& smooth = work.smooth;
     smooth.begins.assign(work.bodyOf.size() + 1, 0);
     for (const SmoothForces::Pull& pull : smooth.pulls) ++smooth.begins[pull.slot + 1];
     for (std::size_t i = 1; i < smooth.begins.size(); ++i) smooth.begins[i] += smooth.begins[i - 1];
     smooth.fields.resize(smooth.pulls.size());
-    // In reverse, so that pulls of one slot keep their order.
+    // In reverse, so that the pulls of a slot keep their order.
     std::vector<std::uint32_t>& ends = work.bodyScratch;
     ends.assign(smooth.begins.begin() + 1, smooth.begins.end());
     for (std::size_t i = smooth.pulls.size(); i-- > 0;) {
         smooth.fields[--ends[smooth.pulls[i].slot]] = smooth.pulls[i].field;
     }
-    if (!hasSprings) return;  // they were found last
+    if (!hasSprings) return;  // springs were appended last
     for (std::size_t slot = 0; slot + 1 < smooth.begins.size(); ++slot) {
         const auto begin = smooth.fields.begin();
         std::sort(begin + smooth.begins[slot], begin + smooth.begins[slot + 1]);
     }
 }
 
-/// True for a body that no contact, joint or soft body holds.
+/// True for a body without contacts, joints and soft bodies on it.
 bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
     return work.colourMasks[body] == 0 && !work.softSurroundings.holds(body) &&
            world.bodies.info[body].firstJoint == kNone;
 }
 
-/// As in gatherBodies().
+/// Returns the factors by which gatherBodies() scales constant accelerations because of drag.
 DriveScale scaleOf(const StepContext& step, std::uint32_t body, float h) {
     if (step.work.keep.empty()) return {};
     const BodyDrive& drive = step.world.bodies.driveOf(body);
@@ -92,12 +92,12 @@ bool hasChangingFields(const StepContext& step, std::size_t slot) {
                        [&](std::uint32_t f) { return !isConstant(step.world.fields.all[f].definition); });
 }
 
-/// Bodies that hang by springs on a driven one are driven, too: both ends of a spring must see the same
-/// states, or momentum is lost.
+/// Selects the FieldMotion of each body. Bodies with springs to a driven body are driven too: the force at
+/// both ends of a spring must be computed from the same states, or momentum is lost.
 void chooseMotions(StepContext& step) {
     std::vector<FieldMotion>& motions = step.work.smooth.motions;
     motions.assign(step.work.bodyOf.size(), FieldMotion::Steady);
-    std::vector<std::uint32_t>& driven = step.work.bodyScratch;  // slots whose springs have to be followed
+    std::vector<std::uint32_t>& driven = step.work.bodyScratch;  // slots whose springs must be visited
     driven.clear();
     forPulledSlots(step, [&](std::size_t slot, std::uint32_t body, float) {
         if (isFree(step.world, step.work, body)) {
@@ -123,8 +123,8 @@ void chooseMotions(StepContext& step) {
     }
 }
 
-/// Sums the stiffness of all springs at each body; a step can follow a spring if the sums at its two ends are
-/// at most 1 (Gershgorin's bound for a net of springs).
+/// Computes springScales. A spring is stable if the total stiffness of the springs at its two ends is at most
+/// 1 (Gershgorin's bound for a net of springs).
 void softenSprings(StepContext& step) {
     SmoothForces& smooth = step.work.smooth;
     std::vector<float>& scales = smooth.springScales;
@@ -144,7 +144,7 @@ void softenSprings(StepContext& step) {
     for (float& scale : scales) scale = 1.0f / std::max(1.0f, scale);
 }
 
-/// Gravity, forces and constant fields.
+/// Returns the acceleration by gravity, forces and constant fields.
 Acceleration steadyAcceleration(const StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     const DriveScale scale = scaleOf(step, body, h);
     const Float4& row = step.work.drive[slot];
@@ -169,13 +169,13 @@ void setDrive(StepContext& step, std::size_t slot, const DriveScale& scale, cons
 
 void launch(StepContext& step, std::size_t slot, std::uint32_t body, const Acceleration& steady) {
     SmoothForces& smooth = step.work.smooth;
-    Flyer flyer{.slot = static_cast<std::uint32_t>(slot),
-                .body = body,
-                .steady = steady,
-                .isSteady = !hasChangingFields(step, slot),
-                .linearDrag = step.world.bodies.driveOf(body).linearDrag,
-                .angularDrag = step.world.bodies.driveOf(body).angularDrag,
-                .now = stateAfter(step.world, body, 0.0f)};
+    FreeBody flyer{.slot = static_cast<std::uint32_t>(slot),
+                   .body = body,
+                   .steady = steady,
+                   .isSteady = !hasChangingFields(step, slot),
+                   .linearDrag = step.world.bodies.driveOf(body).linearDrag,
+                   .angularDrag = step.world.bodies.driveOf(body).angularDrag,
+                   .now = stateAfter(step.world, body, 0.0f)};
     flyer.now.velocity = unlocked(step.world, body, flyer.now.velocity);
     smooth.flyerOf[body] = static_cast<std::int32_t>(smooth.flyers.size());
     smooth.flyers.push_back(flyer);
@@ -197,7 +197,7 @@ void wakeOtherEnds(World& world) {
     }
 }
 
-/// A group while its substeps are solved.
+/// Context of stateInSolver(): a group while its substeps are solved.
 struct Solved {
     const Workspace& work;
     const SolveGroup& group;
@@ -218,7 +218,7 @@ BodyState stateInSolver(const FieldView& view, std::uint32_t body) {
     return {pose.centre + Vec2{moved.x, moved.y}, turn, {velocity.x, velocity.y}, velocity.z};
 }
 
-/// Calls act(driven) for the bodies of a group.
+/// Calls act(driven) for the driven bodies of a group.
 template <class Act>
 void forDriven(Workspace& work, const SolveGroup& group, Act&& act) {
     for (Driven& driven : work.smooth.driven) {
@@ -227,7 +227,7 @@ void forDriven(Workspace& work, const SolveGroup& group, Act&& act) {
     }
 }
 
-/// J: work of the current accelerations over a displacement.
+/// Returns the work (J) of the current accelerations over a displacement.
 float workOver(const StepContext& step, const Driven& driven, const Acceleration& displacement) {
     const BodyMass& mass = step.world.bodies.mass[driven.body];
     const Float4& row = step.work.drive[driven.slot];

@@ -13,7 +13,7 @@ void note(const World& world, Workspace& work, std::uint32_t body, std::uint8_t 
         work.colourMasks[body] |= 1u << colour;
 }
 void note(const World& world, Workspace& work, const Contact& contact) {
-    // kFixedA is the kind when the contact was created: setKind() only ends it in the next step.
+    // Reads kFixedA, not the body's kind, which setKind() may have changed after the color was assigned.
     if ((contact.flags & kFixedA) == 0) note(world, work, contact.bodyA, contact.colour);
     note(world, work, contact.bodyB, contact.colour);
 }

@@ -8,8 +8,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// J = strength * width * (1 - distance / radius), with the width of the shape seen from the explosion and
-/// the distance of its closest point. The impulse acts at the center of the shape, away from the explosion.
+/// Impulse J = strength * width * (1 - distance / radius): width of the shape as seen from the explosion,
+/// distance of its closest point. It acts at the center of the shape, away from the explosion.
 void pushAway(World& world, const FieldDefinition& explosion, std::uint32_t body) {
     const BodyPose& pose = world.bodies.pose[body];
     const BodyMass& mass = world.bodies.mass[body];

@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// m: extent of an outline along a direction, from `origin`.
+/// Returns the extent (m) of an outline along a direction, from `origin`.
 float farEnd(const World& world, std::uint32_t shape, Vec2 direction, WorldPosition origin) {
     const BodyPose& pose = world.bodies.pose[world.shapes.info[shape].body];
     const Convex convex = convexOf(world.shapes.geometry[shape], world.shapes.corners);
@@ -17,7 +17,7 @@ float farEnd(const World& world, std::uint32_t shape, Vec2 direction, WorldPosit
     return dot(direction, pose.centre - origin) + dot(local, corner - pose.localCentre) + convex.radius;
 }
 
-/// m: clearance of `other` above the platform one step ago, along the open direction; below 0 if not above.
+/// Returns the height (m) of `other` above the platform `dt` seconds ago, along the open direction.
 float heightBefore(const World& world, const Contact& contact, bool platformIsA, float dt) {
     const std::uint32_t platform = platformIsA ? contact.shapeA : contact.shapeB;
     const std::uint32_t other = platformIsA ? contact.shapeB : contact.shapeA;
@@ -34,7 +34,7 @@ float heightBefore(const World& world, const Contact& contact, bool platformIsA,
     return -farEnd(world, other, -open, origin) - farEnd(world, platform, open, origin) + before;
 }
 
-/// True if the other body is set to fall through one-way shapes: kDropsThrough.
+/// True if the other body has the flag kDropsThrough.
 bool dropsThrough(const World& world, const Contact& contact) {
     const auto asks = [&](std::uint32_t body) {
         return (world.bodies.info[body].flags & kDropsThrough) != 0;
@@ -43,9 +43,9 @@ bool dropsThrough(const World& world, const Contact& contact) {
            ((contact.flags & kOneWayB) != 0 && asks(contact.bodyA));
 }
 
-/// True if a one-way shape lets the other shape through when they begin to touch, because it comes from
-/// behind or is already inside. In a contact of two one-way shapes both have to be solid.
-/// @param dt  s: how far back it looks, as bodies begin to touch with some overlap
+/// True if a one-way shape does not stop the other shape when they begin to touch, because it comes from
+/// behind or is already inside. In a contact of two one-way shapes both have to stop each other.
+/// @param dt  s: time before now at which positions are compared, as bodies begin to touch with an overlap
 bool passesThrough(const World& world, const Contact& contact, float dt) {
     const float on = -kOnTop * world.settings.slop;
     return dropsThrough(world, contact) ||
@@ -53,8 +53,7 @@ bool passesThrough(const World& world, const Contact& contact, float dt) {
            ((contact.flags & kOneWayB) != 0 && heightBefore(world, contact, false, dt) < on);
 }
 
-/// Decides once, when a contact begins, whether a one-way shape lets the
-/// other through: a body that is halfway through must not be caught.
+/// Decides only when a contact begins whether a one-way shape stops the other: not a body halfway through.
 void decideOneWay(StepContext& step, Contact& contact) {
     World& world = step.world;
     if ((contact.flags & (kOneWayA | kOneWayB)) == 0) return;

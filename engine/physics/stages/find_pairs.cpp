@@ -23,7 +23,7 @@ void search(StepContext& step) {
                 work.broadPhase->findPairs(moved.subspan(begin, end - begin), work.isMoved, found);
                 std::erase_if(found, [&](PairKey key) { return work.pairs.has(key); });
             });
-    // Contacts are created in an order that does not depend on which thread found a pair first.
+    // Sorted, so that the order of contacts does not depend on threads.
     std::sort(work.newPairs.begin(), work.newPairs.end());
     for (const std::uint32_t shape : world.moved) {
         work.isMoved[shape] = 0;
@@ -40,16 +40,16 @@ void makeContacts(StepContext& step) {
         const bool joined =
             world.bodies.info[bodyA].firstJoint != kNone && world.bodies.info[bodyB].firstJoint != kNone;
         if (joined && keptApart(world, bodyA, bodyB)) continue;
-        if (!comesTo(world, a, b) || !mayMeet(step, a, b)) continue;
+        if (!needsContact(world, a, b) || !mayMeet(step, a, b)) continue;
         const auto isAwake = [&](std::uint32_t body) { return world.bodies.info[body].place != kNone; };
-        // A resting trigger overlaps a sleeping body: wake it, as only awake contacts are updated.
+        // A resting trigger overlaps a sleeping body: wakes it, because only awake contacts are updated.
         if (!isAwake(bodyA) && !isAwake(bodyB)) wake(world, isDynamic(world, bodyA) ? bodyA : bodyB);
         step.work.pairs.add(key);
         world.contacts.push_back(makeContact(world, a, b));
     }
 }
 
-/// Wakes bodies that a fast kinematic body may pass in this step: an overlap would be found too late.
+/// Wakes bodies on the path of a fast kinematic body, as an overlap would be found too late.
 void wakeOnPaths(World& world, Workspace& work, float dt) {
     if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;
     std::vector<std::uint32_t>& found = work.candidates;
@@ -66,7 +66,7 @@ void wakeOnPaths(World& world, Workspace& work, float dt) {
                               0xffffffffu, found, Among::All);
         std::erase_if(found,
                       [&](std::uint32_t shape) { return world.shapes.motion[shape] != ProxyMotion::Asleep; });
-        // The order of the broad phase is arbitrary.
+        // The order of the broad phase's results is arbitrary.
         std::sort(found.begin(), found.end());
         for (const std::uint32_t shape : found) wake(world, world.shapes.info[shape].body);
     }
@@ -78,9 +78,9 @@ void findPairs(StepContext& step) {
     updateBroadPhase(step.world, step.work);
     if (!step.world.altered.empty()) {
         endAltered(step);
-        updateBroadPhase(step.world, step.work);  // for bodies that this woke
+        updateBroadPhase(step.world, step.work);  // for bodies woken by endAltered()
     }
-    if (step.runs(Effect::Kinematics)) {  // maximum size, so that a steady step allocates nothing
+    if (step.runs(Effect::Kinematics)) {  // maximum size, so that later steps allocate nothing
         step.work.candidates.reserve(step.world.shapes.info.capacity());
         step.work.passedBodies.reserve(step.world.bodies.info.capacity());
         step.work.fastBodies.reserve(step.world.bodies.info.capacity());

@@ -21,7 +21,7 @@ bool isSound(const Workspace& work, std::size_t slot) {
     return isFinite(work.velocity[slot]) && isFinite(work.deltaPosition[slot]);
 }
 
-/// Turns -0.0 into +0.0, so that hashes do not depend on how a zero was computed.
+/// Converts -0.0 to +0.0, so that hashes do not depend on how a zero was computed.
 Vec2 unsigned0(Vec2 a) { return a + Vec2{}; }
 
 Vec2 shortened(Vec2 a, float maximum) {
@@ -34,13 +34,13 @@ FieldMotion fieldMotionOf(const StepContext& step, std::size_t slot) {
     return motions.empty() ? FieldMotion::Steady : motions[slot];
 }
 
-/// True for a body that falls: it is accelerated, and no contact or soft body holds it.
+/// True for a body in free flight: accelerated and without contacts.
 bool isBallistic(const Workspace& work, std::size_t slot) {
     return work.ballisticDrift[slot].x != 0.0f || work.ballisticDrift[slot].y != 0.0f;
 }
 
-/// m/s: a body that is at rest is slower. What only fields push may move on for ever at any speed, as a
-/// bubble does: it has to stay within the slop for the time after which it sleeps. What falls is not at rest.
+/// Returns the speed (m/s) below which a body is at rest. A body that only fields push, such as a bubble, may
+/// move at any speed for ever, so it must move by less than the slop per sleepTime. 0 for falling bodies.
 float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
     const BodyInfo& info = step.world.bodies.info[body];
     const Settings& settings = step.world.settings;
@@ -49,25 +49,25 @@ float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
     return info.firstJoint == kNone && isBallistic(step.work, slot) ? 0.0f : info.sleepSpeed;
 }
 
-/// s: how long the body has rested. Time in which it is slower than `restSpeed` counts; faster motion takes
-/// off as much as its energy exceeds that of this speed. So what sways about its place comes to rest as well,
-/// such as a tall pyramid, in which a single box is too fast for a moment now and then.
+/// Returns the time (s) for which the body has been at rest, i.e. slower than `restSpeed`. Faster motion
+/// reduces it by the ratio of the energies, so that a swaying pile also comes to rest, such as a tall pyramid
+/// in which single boxes are too fast from time to time.
 float restTimeAfter(const BodyMotion& motion, float reach, float restSpeed, float dt) {
-    const float spin = motion.angularVelocity * reach;  // m/s: of the farthest point, an upper bound
+    const float spin = motion.angularVelocity * reach;  // m/s: upper bound, of the farthest point
     const float square = std::max(lengthSquared(motion.velocity), spin * spin);
     const float maximum = restSpeed * restSpeed;
     if (square <= maximum) return motion.restTime + dt;
     return maximum > 0.0f ? std::max(0.0f, motion.restTime - dt * (square / maximum - 1.0f)) : 0.0f;
 }
 
-/// True if the filters of its shapes allow the body to collide with anything.
+/// True if the filters of the body's shapes allow any collisions.
 bool meetsSome(const World& world, std::uint32_t body) {
     FilterUnion filters;
     forShapesOf(world, body, [&](std::uint32_t s) { filters.add(world.shapes.filter[s]); });
     return filters.layers != 0 && filters.masks != 0;
 }
 
-/// As boundsOf(), with a fast path for axis-aligned boxes.
+/// Like boundsOf(), with a fast path for axis-aligned boxes.
 AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) {
     const Geometry& outline = shapes.geometry[shape];
     const bool upright = outline.kind == ShapeKind::Box && frame.rotation == Rot{} && outline.turn == Rot{};
@@ -87,9 +87,9 @@ void updateShapes(World& world, std::uint32_t body, std::vector<std::uint32_t>& 
     });
 }
 
-/// m: error of the displacement of a sliding or rolling body under a constant force. A substep moves by its
-/// final velocity, which is too large by h/2 times the acceleration; over a step that adds up to h/2 times
-/// the change of the velocity. Free bodies move exactly already, and an impact is not a constant force.
+/// Returns the error (m) of the displacement of a sliding or rolling body under a constant force. A substep
+/// moves by its final velocity, which is too large by h/2 times the acceleration; over a step the sum is h/2
+/// times the change of velocity. 0 for free bodies, which move exactly, and for impacts.
 Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Vec2 before, Vec2 velocity) {
     const Vec2 gained = velocity - before;
     const Float4& pull = step.work.drive[slot];
@@ -97,12 +97,13 @@ Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Ve
     const float rounding = lengthSquared(velocity) > slowest * slowest ? kRounded : 1.0f;
     const float maximum = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
     if (isBallistic(step.work, slot) || lengthSquared(gained) > maximum) return {};
-    if (fieldMotionOf(step, slot) == FieldMotion::Driven) return {};  // not constant
-    if (step.world.bodies.info[body].firstJoint != kNone) return {};  // else rotation needs a correction too
+    if (fieldMotionOf(step, slot) == FieldMotion::Driven) return {};  // its force is not constant
+    if (step.world.bodies.info[body].firstJoint != kNone)
+        return {};  // otherwise the rotation would also need a correction
     return (0.5f * step.work.ballisticDrift[slot].z) * gained;
 }
 
-/// Moves a body to its new pose. @return false if its state is not finite: it stays and stops
+/// Moves a body to its new pose. @return false if its state is not finite; then it stops at its old pose
 bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     Bodies& bodies = step.world.bodies;
     BodyMotion& motion = bodies.motion[body];
@@ -153,7 +154,7 @@ void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFinding
     updateShapes(world, body, found.left);
 }
 
-/// Destroys joints whose maximum was exceeded. After keepEnergy, which takes back what they gave.
+/// Destroys joints whose breakForce or breakTorque was exceeded. Called after keepEnergy.
 void breakJoints(StepContext& step) {
     World& world = step.world;
     for (const BreakableJoint& breakable : step.work.joints.breakables) {
@@ -192,13 +193,14 @@ void finishBodies(StepContext& step) {
         work.fastBodies.insert(work.fastBodies.end(), found.fast.begin(), found.fast.end());
         for (const std::uint32_t body : found.broken) world.quarantined.push_back(idOfBody(world, body));
     }
-    // The impulses on them are not finite either and would be reused: clear them.
+    // Clears impulses on bodies with a non-finite state, which are not finite either.
     const auto isBroken = [&](std::uint32_t body) {
         return work.slots[body] >= 0 && !isSound(work, static_cast<std::size_t>(work.slots[body]));
     };
     if (!world.quarantined.empty())
         forgetImpulses(step, [&](std::uint32_t a, std::uint32_t b) { return isBroken(a) || isBroken(b); });
-    if (step.runs(Effect::Joints)) breakJoints(step);  // last: it may wake bodies that were not in this step
+    if (step.runs(Effect::Joints))
+        breakJoints(step);  // last, because it may wake bodies that were not in this step
 }
 
 }  // namespace plumb::physics

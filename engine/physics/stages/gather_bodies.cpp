@@ -8,18 +8,18 @@ namespace {
 
 constexpr int kGatherGrain = 512;
 
-/// Exact displacement of free flight over h, as the offset to `z * (velocity at the end)`.
+/// Returns the exact displacement of free flight over h: (x, y) + z * (velocity at the end).
 Float4 flightOf(const Float4& drive, const Decay& decay, float drag, float h) {
     // x = v0 D + a (h - D) / k with D = decay.drive; v1 = v0 keep + a D. Without drag: x = v1 h - a h2 / 2.
-    // So little of v0 (2^-20) is lost in the rounding of v1, which is then the speed all the time.
+    // Below 2^-20, v0 is lost in the rounding of v1, so the body moves at v1 all the time.
     if (decay.keep < 0x1p-20f) return {0.0f, 0.0f, h, 0.0f};
     const float along = decay.drive / decay.keep;
     const float rest = distanceUnder(drag, h) - decay.drive * along;
     return {rest * drive.x, rest * drive.y, along, 0.0f};
 }
 
-/// True for bodies that move ballistically: no contacts, and no joints but those
-/// solved by trees. For resting bodies the closed form would inject upward velocity.
+/// True for bodies in free flight: no contacts, and no joints except those in trees. For resting bodies the
+/// closed form would add an upward velocity.
 bool isFree(const World& world, const Workspace& work, std::uint32_t body) {
     return (work.colourMasks[body] == 0 || isInTree(world, work, body)) && !work.softSurroundings.holds(body);
 }
@@ -68,7 +68,7 @@ void makeRoom(StepContext& step, std::size_t slots) {
     work.smooth.driven.clear();
     work.smooth.works.clear();
     work.smooth.motions.clear();
-    // Eight additional idle slots serve SIMD lanes without a body.
+    // Eight additional idle slots for SIMD lanes without a body.
     const std::size_t count = slots + kLanes;
     for (std::vector<Float4>* array : {&work.velocity, &work.deltaPosition, &work.drive, &work.ballisticDrift,
                                        &work.velocityBeforeImpulses}) {

@@ -21,7 +21,7 @@ bool moves(const World& world, std::uint32_t body) {
     return !isDynamic(world, body) && (motion.velocity != Vec2{} || motion.angularVelocity != 0.0f);
 }
 
-/// True for joints that store energy or add some. A motor of speed 0 is a brake.
+/// True for joints that store or add energy. A motor of speed 0 is a brake.
 bool isPowered(const Joint& joint, const JointDefinition& definition) {
     const bool drives = (joint.flags & kDriven) != 0 && definition.motor.speed != 0.0f;
     return drives || (joint.flags & (kSprung | kSoft | kEdited)) != 0 || joint.kind == JointKind::Mouse ||
@@ -36,7 +36,7 @@ float energyOf(const BodyMass& mass, Vec2 velocity, float spin) {
     return 0.5f * (mass.mass * lengthSquared(velocity) + mass.inertia * spin * spin);
 }
 
-/// J: work of external forces on a body in this step.
+/// Returns the work (J) of external forces on a body in this step.
 float workOn(const BodyMass& mass, const Workspace& work, std::size_t slot) {
     const Float4 &deltaPosition = work.deltaPosition[slot], &drive = work.drive[slot];
     const float ofFields = work.smooth.works.empty() ? 0.0f : work.smooth.works[slot];
@@ -44,26 +44,26 @@ float workOn(const BodyMass& mass, const Workspace& work, std::size_t slot) {
            mass.inertia * drive.z * deltaPosition.z + ofFields;
 }
 
-/// J: kinetic energy of a body before this step.
+/// Returns the kinetic energy (J) of a body before this step.
 float energyBefore(const World& world, std::uint32_t body) {
     const BodyMotion& before = world.bodies.motion[body];
     return energyOf(world.bodies.mass[body], before.velocity, before.angularVelocity);
 }
 
-/// Slots of groups with rotation, which come first: no others can gain energy.
+/// Returns the number of slots of groups with rotation, which come first. Other bodies cannot gain energy.
 std::size_t slotsWithRotation(const Workspace& work) {
     std::int32_t end = 0;
     for (const SolveGroup& group : work.groups) end = group.withoutRotation ? end : group.end;
     return static_cast<std::size_t>(end);
 }
 
-/// Finds bodies that gained kinetic energy by their contacts: from other bodies, or from solver error.
+/// Finds bodies that gained kinetic energy by contacts, from other bodies or by solver errors.
 void findGainers(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
     work.gainers.clear();
     if (!step.runs(Effect::Contacts)) return;
-    const std::size_t room = world.bodies.info.capacity();  // for all: so an impact allocates nothing
+    const std::size_t room = world.bodies.info.capacity();  // maximum, so that impacts allocate nothing
     work.accounts.reserve(room);
     for (auto* list : {&work.gainers, &work.openAccounts, &work.roots, &work.bookedBodies})
         list->reserve(room);
@@ -72,7 +72,7 @@ void findGainers(StepContext& step) {
     const Float4* const velocities = work.velocity.data();
     const auto gains = [&](std::size_t slot) {
         const Float4& velocity = velocities[slot];
-        // Roughly, with the angular velocity as the speed at a radius of 1 m. Idle slots are slow.
+        // Coarse test, with the angular velocity as the speed at a radius of 1 m. Idle slots have speed 0.
         const float square = velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z;
         if (square <= slow * slow) return false;
         const std::uint32_t body = work.bodyOf[slot];
@@ -105,7 +105,7 @@ void openAccounts(const World& world, Workspace& work) {
     for (const std::uint32_t body : work.gainers) open(work, work.roots[body], false);
 }
 
-/// Looks up the island only for the few joints that are powered or attached to a static or kinematic body.
+/// Sets isDriven and isRooted for joints that are powered or attached to a static or kinematic body.
 void noteJoints(StepContext& step) {
     World& world = step.world;
     const std::vector<std::uint32_t>& awake = world.joints.awake;
@@ -115,7 +115,7 @@ void noteJoints(StepContext& step) {
     const auto matters = [&](std::size_t i) {
         return world.joints.hot[awake[i]].colour >= kFirstFixedColour || powered(awake[i]);
     };
-    forThose(step, awake.size(), matters, [&](std::uint32_t i) {
+    forEachIf(step, awake.size(), matters, [&](std::uint32_t i) {
         const std::uint32_t j = awake[i];
         Joint& joint = world.joints.hot[j];
         EnergyAccount& account = accountOf(world, step.work, joint.bodyA, joint.bodyB);
@@ -130,7 +130,8 @@ bool hasDrivers(const StepContext& step) {
     return step.runs(Effect::Kinematics) || step.runs(Effect::Conveyor);
 }
 
-/// A kinematic body or conveyor does work on the island; any static or kinematic contact exchanges momentum.
+/// Sets isDriven for contacts with moving kinematic bodies and conveyors, which do work on the island, and
+/// isRooted for all contacts with static or kinematic bodies, which exchange momentum.
 void noteHolders(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -151,21 +152,21 @@ void noteHolders(StepContext& step) {
             const EnergyAccount& account = accountAt(i);
             return (kFixed && !account.isRooted) || (!account.isDriven && drives(contactAt(i)));
         };
-        forThose(step, static_cast<std::size_t>(range.end) * kLanes, matters, [&](std::uint32_t i) {
+        forEachIf(step, static_cast<std::size_t>(range.end) * kLanes, matters, [&](std::uint32_t i) {
             accountAt(i).isRooted |= kFixed;
             accountAt(i).isDriven |= drives(contactAt(i));
         });
     });
 }
 
-/// Soft bodies do work on the bodies that they touch.
+/// Sets isDriven for islands that soft bodies may touch, because these do work on them.
 void noteSoft(const StepContext& step) {
     if (!step.runs(Effect::SoftBodies)) return;
     for (const auto& [root, soft] : step.work.softSurroundings.neighbours)
         step.work.accounts[step.work.roots[root]].isDriven = true;
 }
 
-/// Without rotation and bounces contacts cannot add energy. Islands without rotation have no account.
+/// Sets isLively for islands with bounces. Without rotation and bounces contacts cannot add energy.
 void noteBounces(StepContext& step) {
     if (!step.runs(Effect::Restitution)) return;
     const World& world = step.world;
@@ -173,7 +174,7 @@ void noteBounces(StepContext& step) {
     const auto bounces = [&](std::size_t i) {
         return pushes(work.contactKeys[i]) && world.contacts[i].bounciness != 0.0f;
     };
-    forThose(step, work.contactKeys.size(), bounces, [&](std::uint32_t i) {
+    forEachIf(step, work.contactKeys.size(), bounces, [&](std::uint32_t i) {
         accountOf(world, work, world.contacts[i].bodyA, world.contacts[i].bodyB).isLively = true;
     });
 }
@@ -207,17 +208,17 @@ void add(const EnergySums& body, const EnergyShare& share, EnergyAccount& accoun
     account.peak += share.peak;
 }
 
-/// Factor by which a value that decays within `memory` seconds shrinks in a step.
+/// Returns the factor in a step of a value that decays within `memory` seconds.
 float fade(float dt, float memory) { return std::max(0.0f, 1.0f - dt / memory); }
 
-/// Contacts, unlike joints, store no energy that could come back: there is no credit.
+/// Computes the excess energy by contacts, which unlike joints store no energy: there is no credit.
 void settleContacts(EnergyAccount& account) {
-    // A body with a non-finite state is handled alone, by finishBodies().
+    // finishBodies() handles bodies with a non-finite state.
     if (!std::isfinite(account.gain)) return;
     if (account.gain > kContactGain * account.energy) account.excess = account.gain;
 }
 
-/// Joints may return energy that they took shortly before: the credit.
+/// Computes the excess energy by joints, which may return energy that they took shortly before (credit).
 void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float pushed = 0.5f * account.mass * pushSpeed * pushSpeed;
     const float wildPush = kWild * kJointPushing * kJointPushing;
@@ -237,12 +238,12 @@ void settleJoints(EnergyAccount& account, float pushSpeed, float dt) {
     const float farthest = (account.peak / (kWhipped * kWhipped) + pushed) * dt * dt;
     if (!account.isDriven && account.displacement > farthest)
         account.part = std::sqrt(farthest / account.displacement);
-    // Energy up to `maximum` does not fade, because a swing takes and returns it within half a period.
+    // A credit up to `maximum` does not fade, because a pendulum takes and returns it in half a period.
     const float fading = account.credit - maximum;
     if (fading > 0.0f) account.credit = maximum + fading * fade(dt, kMemory);
 }
 
-/// Closing joint errors in this step may move bodies: allow for that displacement.
+/// Allows for the displacements by which joints close their errors in this step.
 void allowClosing(StepContext& step) {
     const World& world = step.world;
     const float maximum = kJointPushing * world.settings.pushSpeed * step.dt;
@@ -256,7 +257,7 @@ void allowClosing(StepContext& step) {
     }
 }
 
-/// Adds the energy of a body that can be removed, and the minimum that it keeps in any case.
+/// Adds the kinetic energy of a body to `own`, and the part that is never removed to `minimum`.
 void bookOwn(const World& world, const Workspace& work, std::uint32_t body, EnergyAccount& account) {
     const Float4& velocity = work.velocity[static_cast<std::size_t>(work.slots[body])];
     const BodyMass& mass = world.bodies.mass[body];
@@ -266,13 +267,13 @@ void bookOwn(const World& world, const Workspace& work, std::uint32_t body, Ener
     account.minimum += std::min(own, 0.5f * mass.mass * creeping * creeping);
 }
 
-/// The velocity factor that leaves an island no more energy than it had or received.
+/// Returns the velocity factor that removes the excess energy of an island.
 float keptOf(const EnergyAccount& account) {
     if (!(account.own > account.minimum)) return 1.0f;
     return std::sqrt(std::max(account.own - account.excess, account.minimum) / account.own);
 }
 
-/// The same for displacements: otherwise bodies reach heights that their velocities cannot account for.
+/// Returns the displacement factor, without which bodies would keep height from the removed energy.
 float partOf(const EnergyAccount& account) {
     const float kept = account.keep * account.keep * account.own;
     const float unpaid = account.excess - (account.own - kept), raised = -account.work;
@@ -284,7 +285,7 @@ void findParts(EnergyAccount& account) {
     if (account.excess > 0.0f) account.keep = keptOf(account);
     if (account.isJointed && account.keep < kWhipped) account.part = partOf(account);
     if (account.part == 1.0f) return;
-    // A body that falls less far also gains less energy from gravity.
+    // With a smaller displacement gravity also does less work.
     account.excess += (1.0f - account.part) * std::max(account.work, 0.0f);
     account.keep = keptOf(account);
 }
@@ -294,7 +295,7 @@ void scaleAbout(Vec2 middle, float factor, Float4& row) {
     row.y = middle.y + factor * (row.y - middle.y);
 }
 
-/// Freezes a body of an island with implausible energy for this step, at its former velocity.
+/// Keeps a body of an island with implausible energy at its pose and former velocity for this step.
 void hold(const World& world, Workspace& work, std::uint32_t body) {
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     const BodyMotion& motion = world.bodies.motion[body];
@@ -303,7 +304,7 @@ void hold(const World& world, Workspace& work, std::uint32_t body) {
     work.deltaPosition[slot] = {};
 }
 
-/// Scales a body and stores its share of the island's account, by mass, because islands split and merge.
+/// Scales a body's motion and stores its share of the account, by mass, because islands split and merge.
 void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -317,7 +318,7 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
         velocity.z *= account.keep;
     }
     if (account.part < 1.0f) {
-        // Otherwise the body would gain potential energy from the unstable substep.
+        // Otherwise the body would keep potential energy from the unstable substep.
         Float4& deltaPosition = work.deltaPosition[slot];
         scaleAbout(step.dt * account.middle, account.part, deltaPosition);
         deltaPosition.z *= account.part;
@@ -325,7 +326,7 @@ void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) 
     }
 }
 
-/// Lists the bodies of islands with an account. A body without joints has no stored share.
+/// Lists the bodies of islands with an account. Clears the shares of bodies in islands without joints.
 void findBooked(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -337,7 +338,7 @@ void findBooked(StepContext& step) {
         const std::uint32_t body = world.awake[i];
         const bool rotates = static_cast<std::size_t>(work.slots[body]) < rotating;
         const EnergyAccount* account = rotates ? &work.accounts[work.roots[body]] : nullptr;
-        // A driven island may gain any energy from its contacts.
+        // The energy that contacts add to a driven island is not limited.
         const bool isBooked =
             account != nullptr && account->isOpen && (account->isJointed || !account->isDriven);
         if (hasJoints && !(isBooked && account->isJointed)) shares[body] = {};
@@ -346,7 +347,7 @@ void findBooked(StepContext& step) {
     for (std::uint32_t& booked : work.bookedBodies) booked = world.awake[booked];
 }
 
-/// Sums up the accounts, each in the order of its bodies. Threads only compute the summands.
+/// Computes the sums of the accounts, in the order of bodies. Threads only compute the summands.
 void bookAll(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -364,7 +365,7 @@ void bookAll(StepContext& step) {
 
 bool exceeds(const EnergyAccount& account) { return account.excess > 0.0f || account.part < 1.0f; }
 
-/// Computes the factors of islands that have to lose energy.
+/// Computes the factors of islands with excess energy.
 void limit(World& world, Workspace& work) {
     for (const std::uint32_t root : work.openAccounts) {
         EnergyAccount& account = work.accounts[root];
@@ -382,10 +383,10 @@ void limit(World& world, Workspace& work) {
 
 }  // namespace
 
-// Energy guard. Joints do no work and contacts only dissipate, but the iterative solver seems to add
-// energy where substeps are too long for fast or squeezed bodies. So each island with joints has an
-// account: energy gained without a force is removed by scaling all velocities, except for what it lost
-// shortly before. An island without joints has an account only in steps in which a body gained energy.
+// Energy guard. Real joints do no work and contacts only dissipate, but the iterative solver adds energy if
+// substeps are too long for fast or squeezed bodies. So each island with joints has an account: energy gained
+// without a force is removed by scaling all velocities, except energy lost shortly before. An island without
+// joints has an account only in steps in which a body gained energy.
 // Source: the "energy tanks" of passive control, e.g. B. Hannaford and J.-H. Ryu, "Time-Domain
 // Passivity Control of Haptic Interfaces", IEEE Transactions on Robotics and Automation 18, 2002.
 void keepEnergy(StepContext& step) {
@@ -397,7 +398,7 @@ void keepEnergy(StepContext& step) {
     findRoots(step);
     openAccounts(world, work);
     if (hasJoints) noteJoints(step);
-    // Without joints and drivers, contacts need to be visited only if an island has too much energy.
+    // Without joints and drivers, contacts must be visited only if an island has too much energy.
     const bool asksFirst = hasJoints || hasDrivers(step);
     if (asksFirst) noteHolders(step);
     noteSoft(step);

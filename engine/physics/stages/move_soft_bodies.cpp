@@ -12,7 +12,7 @@ struct SoftStep {
     float h;  // s
 };
 
-/// Limits a particle's velocity to the maximum speed; 0 if it is not finite.
+/// Returns a particle's velocity, limited to the maximum speed; 0 if it is not finite.
 Vec2 allowed(const SoftStep& soft, Vec2 velocity) {
     World& world = soft.step.world;
     const float maximum = world.settings.maxSpeed, speed = length(velocity);
@@ -25,7 +25,7 @@ Vec2 allowed(const SoftStep& soft, Vec2 velocity) {
     return {};
 }
 
-/// The width of a particle in the wind is the length of a link.
+/// Applies wind to the particles. The width of a particle is the length of a link.
 void blowOn(const SoftStep& soft, const FieldDefinition& wind) {
     if ((wind.layers & soft.body.layers) == 0) return;
     const Vec2 air = airOf(wind, soft.step.world.steps);
@@ -57,7 +57,7 @@ void moveFreely(const SoftStep& soft) {
     }
 }
 
-/// C = |b - a| - length. One iteration per substep, so the multiplier starts at 0 (XPBD, Eq. 18).
+/// Length constraints C = |b - a| - length. One iteration, so the multiplier starts at 0 (XPBD, Eq. 18).
 void keepLengths(const SoftStep& soft) {
     const float perStep = 1.0f / (soft.h * soft.h);
     for (const SoftLink& link : soft.body.links) {
@@ -73,7 +73,7 @@ void keepLengths(const SoftStep& soft) {
     }
 }
 
-/// C = area - rest area; its gradient is half the vector between a particle's neighbours, rotated by 90°.
+/// Area constraint C = area - rest area. Gradient: half the vector between both neighbours, rotated by 90°.
 void keepArea(const SoftStep& soft) {
     const std::vector<std::uint32_t>& ring = soft.body.ring;
     if (ring.empty()) return;
@@ -89,7 +89,7 @@ void keepArea(const SoftStep& soft) {
     }
     if (!(weight > 0.0f)) return;
     const float push = -(area - soft.body.area) / weight;
-    // All gradients are evaluated before any particle moves: keep the former positions of neighbours.
+    // Gradients use the positions before this loop, so `first` and `last` store old positions.
     const Vec2 first = at(0);
     Vec2 last = at(count - 1);
     for (std::size_t i = 0; i < count; ++i) {
@@ -155,8 +155,8 @@ void finishSoft(StepContext& step, const SoftGroup& group, float h) {
 }
 
 /// Position-based dynamics with compliance, in small substeps. Soft bodies that may touch are stepped
-/// together, along with the islands that they may push (solve). Source: M. Macklin, M. Mueller, N.
-/// Chentanez, "XPBD: Position-Based Simulation of Compliant Constrained Dynamics", MIG 2016.
+/// together; those that may push islands are stepped with them, in solve(). Source: M. Macklin, M. Mueller,
+/// N. Chentanez, "XPBD: Position-Based Simulation of Compliant Constrained Dynamics", MIG 2016.
 void moveSoftBodies(StepContext& step) {
     SoftSoftContacts& meetings = step.work.softSoftContacts;
     findSurroundings(step);

@@ -8,24 +8,24 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kCountGrain = 2048;  // contacts: each piece counts all kinds
+constexpr int kCountGrain = 2048;  // contacts; large, because each piece has a counter for each kind
 
 /// Contact keys without kKeyBegan: contacts of a group with equal keys are solved together.
 constexpr std::size_t kSolveKinds = kKeyColour + kKeyFixed + 1;
 constexpr std::size_t kOfKind = kSolveKinds - 1;
 
-/// For each piece of work and kind of contact: first their number, then the index of the next one.
+/// For each piece of work and kind of contact: first the number of contacts, then the index of the next one.
 struct Cursors {
     std::vector<std::int32_t>& all;
-    std::size_t kinds;   // of all groups
-    std::size_t strips;  // that each kind is divided into
+    std::size_t kinds;   // number of kinds, of all groups
+    std::size_t strips;  // number of strips of each kind
     std::size_t pieces;
 
     [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds * strips; }
 
-    /// Turns the numbers of a kind into indices.
+    /// Converts the numbers of a kind to indices.
     /// @param size  indices per contact
-    /// @return the index after the last
+    /// @return the index after the last contact
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
         std::int32_t* const own = of(0) + kind * strips;
         for (std::size_t strip = 0; strip < strips; ++strip) {
@@ -83,7 +83,7 @@ void fillLanes(const StepContext& step) {
                 std::size_t kind = keys[i] & kOfKind;
                 if (many)
                     kind += kSolveKinds * work.groupOf[world.contacts[static_cast<std::size_t>(i)].bodyB];
-                // Contacts without a color are solved in the order of their indices.
+                // Contacts without a color are solved in the order of their indices, not by strip.
                 if (strips != nullptr) kind = kind * Strips::kCount + (colour == kOverflow ? 0 : strips[i]);
                 act(own[kind], keys[i], i);
             }
@@ -103,7 +103,7 @@ bool areAlike(const SolveGroup& a, const SolveGroup& b) {
     return a.begin == b.begin && a.end == b.end && a.bodies == b.bodies;
 }
 
-/// A resting scene uses the same blocks in step after step.
+/// Reuses the blocks of the last step if contacts and groups are equal, as in a resting scene.
 /// @return true if the blocks of the last step are reused
 bool takeLayout(Workspace& work) {
     const ContactLayout& layout = work.layout;
@@ -161,7 +161,7 @@ void prepareConstraints(StepContext& step) {
     prepareContacts(step, source, solverKernels().rotating);
     prepareContacts(step, source, solverKernels().withoutRotation);
     if (step.runs(Effect::Joints)) prepareJoints(step);
-    // The kernels are chosen by friction; joints with a motor have blocks of their own.
+    // Counts the runs of effects that select kernels and blocks.
     for (const Effect effect : {Effect::Friction, Effect::Motors}) static_cast<void>(step.starts(effect));
 }
 

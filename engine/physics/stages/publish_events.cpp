@@ -10,7 +10,7 @@ void publishEvents(StepContext& step) {
     const std::vector<std::uint16_t>& keys = step.work.contactKeys;
     std::sort(step.work.approaches.begin(), step.work.approaches.end());
     for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-        // Contacts of islands woken after the narrow phase, e.g. by an explosion, have no key.
+        // Contacts of islands that woke after the narrow phase, e.g. by an explosion, have no key.
         const bool began = i < keys.size() && (keys[i] & kKeyBegan) != 0;
         if (!began && !world.settings.stayEvents) continue;
         const Contact& contact = world.contacts[i];

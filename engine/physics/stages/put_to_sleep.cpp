@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// False if something keeps the island of a body awake: Workspace::bodyScratch.
+/// True if the island of a body may sleep, by Workspace::bodyScratch.
 bool maySleep(const StepContext& step, std::uint32_t body) {
     return isDynamic(step.world, body) && step.work.bodyScratch[step.work.roots[body]] != kNone;
 }
@@ -18,7 +18,7 @@ void keepAwake(StepContext& step, std::uint32_t body) {
     if (isDynamic(step.world, body)) step.work.bodyScratch[step.work.roots[body]] = kNone;
 }
 
-/// Bodies that a moving platform carries or pulls stay awake, however slow: they could be left in the air.
+/// Keeps bodies awake that a moving platform carries or pulls; asleep they could be left in the air.
 void keepCarriedAwake(StepContext& step) {
     const World& world = step.world;
     const auto moves = [&](std::uint32_t body) {
@@ -34,26 +34,26 @@ void keepCarriedAwake(StepContext& step) {
         const Contact& contact = world.contacts[i];
         return (contact.flags & kTouching) != 0 && (moves(contact.bodyA) || moves(contact.bodyB));
     };
-    forThose(step, world.contacts.size(), carries,
-             [&](std::uint32_t i) { keepBoth(world.contacts[i].bodyA, world.contacts[i].bodyB); });
+    forEachIf(step, world.contacts.size(), carries,
+              [&](std::uint32_t i) { keepBoth(world.contacts[i].bodyA, world.contacts[i].bodyB); });
     for (const std::uint32_t j : world.joints.awake)
         keepBoth(world.joints.hot[j].bodyA, world.joints.hot[j].bodyB);
 }
 
-/// A body that is pushed out of an initial overlap (initial_overlaps.cpp) is slow, but not at rest.
+/// Keeps bodies awake that are slowly pushed out of an initial overlap (initial_overlaps.cpp).
 void keepOverlappingAwake(StepContext& step) {
     const World& world = step.world;
     if (world.initialOverlaps.empty()) return;
     const auto overlaps = [&](std::size_t i) {
         return (world.contacts[i].flags & (kTouching | kInitialOverlap)) == (kTouching | kInitialOverlap);
     };
-    forThose(step, world.contacts.size(), overlaps, [&](std::uint32_t i) {
+    forEachIf(step, world.contacts.size(), overlaps, [&](std::uint32_t i) {
         keepAwake(step, world.contacts[i].bodyA);
         keepAwake(step, world.contacts[i].bodyB);
     });
 }
 
-/// Closing a joint error moves bodies without leaving a velocity. An error that cannot close may sleep.
+/// Keeps bodies awake that move because joint errors close, which leaves no velocity.
 void keepClosingAwake(StepContext& step) {
     const World& world = step.world;
     const auto moved = [&](std::uint32_t body) {
@@ -70,7 +70,7 @@ void keepClosingAwake(StepContext& step) {
     }
 }
 
-/// A body that falls asleep while it overlaps too deeply would keep that overlap.
+/// Keeps islands awake whose quality is being raised, because asleep they would keep their overlap.
 void keepStrainedAwake(StepContext& step) {
     const World& world = step.world;
     if (world.bodies.substepControllers.empty()) return;
@@ -86,16 +86,17 @@ void putToSleep(StepContext& step) {
     if (world.islandsStale) world.islandsAge += step.dt;
     if (!step.work.sleepy) return;
     if (world.islandsAge >= kRebuildPart * world.settings.sleepTime) rebuildIslands(world, step.pool);
-    // An island sleeps when each of its bodies has rested long enough.
+    // An island falls asleep when all its bodies have been at rest for Settings::sleepTime.
     std::vector<std::uint32_t>& verdict = step.work.bodyScratch;  // by root
     verdict.assign(world.bodies.size(), kIslandToBe);
-    step.work.rootsKnown = false;  // hits may have joined islands since then
+    step.work.rootsKnown = false;  // hits may have joined islands since findRoots()
     findRoots(step, false);
     const auto isRestless = [&](std::size_t i) {
         return isDynamic(world, world.awake[i]) &&
                world.bodies.motion[world.awake[i]].restTime < world.settings.sleepTime;
     };
-    forThose(step, world.awake.size(), isRestless, [&](std::uint32_t i) { keepAwake(step, world.awake[i]); });
+    forEachIf(step, world.awake.size(), isRestless,
+              [&](std::uint32_t i) { keepAwake(step, world.awake[i]); });
     if (world.manifest.runs(Effect::Kinematics)) keepCarriedAwake(step);
     keepOverlappingAwake(step);
     keepClosingAwake(step);

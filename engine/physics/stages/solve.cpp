@@ -10,7 +10,7 @@ namespace plumb::physics {
 
 namespace {
 
-// Bodies locked along x or y: after each pass their velocity along it is set to 0 again.
+// Axis locks: after each pass the velocity along a locked axis is reset to 0.
 
 void lock(Float4& row, std::uint8_t flags) {
     if ((flags & kLockX) != 0) row.x = 0.0f;
@@ -42,11 +42,11 @@ struct Solver {
     ContactSets<Bodies>& contacts;
     JointPass joints;
     float h;         // s
-    int iterations;  // of each substep
+    int iterations;  // per substep
     bool hasTrees;
 };
 
-/// Calls act(soft group) for the soft groups whose rigid bodies are in the group that is solved.
+/// Calls act(soft group) for the soft groups that push bodies of the solver's group.
 template <class Solver, class Act>
 void forSoft(const Solver& solver, Act&& act) {
     if (!solver.step.runs(Effect::SoftBodies)) return;
@@ -56,7 +56,7 @@ void forSoft(const Solver& solver, Act&& act) {
     }
 }
 
-/// One pass over all constraints of a group, color by color: joints, then contacts.
+/// Performs one pass over all constraints of a group, color by color: joints, then contacts.
 template <class Bodies>
 void forConstraints(Solver<Bodies>& solver, PassKind kind) {
     forColours(solver.group.contactColours | solver.group.jointColours, [&](int colour, int grain) {
@@ -79,7 +79,7 @@ void lock(Solver<Bodies>& solver) {
     }
 }
 
-/// Solves for velocities that satisfy the constraints; the biased pass also corrects position errors.
+/// Computes velocities that satisfy the constraints; the biased pass also corrects position errors.
 template <PassKind kKind, class Bodies>
 void iterate(Solver<Bodies>& solver, int substep) {
     constexpr bool kRelaxes = kKind == PassKind::Relax;
@@ -97,16 +97,16 @@ void iterate(Solver<Bodies>& solver, int substep) {
     }
 }
 
-/// Sub-stepped soft constraints (TGS soft): many small steps converge better than many iterations,
-/// and the relax pass removes the velocity that only served to separate bodies. Directions and
-/// arms are those of the start of the step, so all impulses of a substep change a body's velocity
-/// as in the next one: from the second substep on, warm starting is a single sum per body
-/// (accelerate). Groups without rotation have no joints, soft bodies or restitution. Sources: M.
-/// Macklin et al., "Small Steps in Physics Simulation", SCA 2019; E. Catto, "Solver2D", 2024.
+/// Substepped soft constraints (TGS soft): many small steps converge better than many iterations, and the
+/// relax pass removes the velocity that only corrected overlap. Normals and arms of contacts are constant in
+/// a step, so the same impulses change a body's velocity equally in each substep: from the second substep on,
+/// warm starting is a single sum per body (accelerate). Groups without rotation have no joints, soft bodies
+/// or restitution. Sources: M. Macklin et al., "Small Steps in Physics Simulation", SCA 2019; E. Catto,
+/// "Solver2D", 2024.
 template <class Bodies>
 void solveGroup(Solver<Bodies>& solver) {
     auto move = solver.kernels.move;
-    // A kinematic body may rotate even if no impulse can rotate a body.
+    // Kinematic bodies may rotate even if no dynamic body can.
     if constexpr (Bodies::kRotate) {
         if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
             move = solverKernels().moveUnturned;
@@ -145,8 +145,7 @@ void solveGroup(Solver<Bodies>& solver) {
     }
 }
 
-/// Solves the groups with rotation, or those without. Both kernels give
-/// the same bits, because the terms omitted without rotation are zero.
+/// Solves the groups with rotation (SolverBodies), or those without (BodiesWithoutRotation).
 template <class Bodies>
 void solveGroups(StepContext& step, const GroupKernels<Bodies>& kernels, const Bodies& bodies) {
     const Settings& settings = step.world.settings;
@@ -187,7 +186,7 @@ void solveWithRotation(StepContext& step) {
     if (step.runs(Effect::Joints)) storeJoints(step);
 }
 
-/// Rotates kinematic bodies in a step in which no impulse can rotate a body.
+/// Rotates kinematic bodies in a step in which no dynamic body can rotate.
 void turnBodies(StepContext& step) {
     const SolverBodies bodies = bodiesOf(step.work);
     for (const SolveGroup& group : step.work.groups) {

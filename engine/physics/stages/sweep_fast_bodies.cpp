@@ -21,15 +21,14 @@ constexpr int kFillGrain = 256;  // bodies
 
 // Handling of a hit.
 
-/// True if the hit has to be left to the solver, because other constraints hold or move the body.
+/// True if the solver must handle the hit, because other constraints hold or move the body.
 bool needsSolver(const StepContext& step, std::uint32_t body) {
     if (!isDynamic(step.world, body)) return false;
     return step.work.slots[body] < 0 || isHeld(step, body) || hitsOf(step.work, body) >= kMaxImpacts ||
            (step.world.bodies.info[body].flags & (kLockX | kLockY)) != 0;
 }
 
-/// Removes the energy that a held body gained from forces on the part of its path that
-/// it is moved back by. An estimate, because the constraints that hold it do work too.
+/// Removes the energy that forces added to a held body after the hit (estimate without constraints' work).
 void takeBackGain(StepContext& step, const SweptBody& swept, float part) {
     const Float4& drive = step.work.drive[static_cast<std::size_t>(step.work.slots[swept.body])];
     Vec2& velocity = step.world.bodies.motion[swept.body].velocity;
@@ -38,7 +37,7 @@ void takeBackGain(StepContext& step, const SweptBody& swept, float part) {
     if (gain > 0.0f) velocity *= std::sqrt(std::max(before - gain, 0.0f) / std::max(before, gain));
 }
 
-/// Leaves a body at a fraction of its path, with the velocity that it has there.
+/// Stops a body at a fraction of its path, with its velocity at this point.
 void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     const float part = hit.part;
     const std::uint32_t place = step.work.bodyScratch[body];
@@ -50,8 +49,8 @@ void stop(StepContext& step, std::uint32_t body, const PathHit& hit) {
     swept.hits = kMaxImpacts + 1;
 }
 
-/// Moves a held body that a kinematic body hit along with it to the end of the step, where the
-/// solver finds them touching. At the place of the hit the kinematic body would pass through it.
+/// Moves a held body together with the kinematic body that hit it to the end of the step, where the solver
+/// finds them touching. Left at the position of the hit, it would end up inside or behind the kinematic body.
 void carryAlong(StepContext& step, std::uint32_t body, std::uint32_t by, const PathHit& hit, Vec2 normal) {
     const std::uint32_t place = step.work.bodyScratch[body];
     const float left = (1.0f - hit.part) * step.dt;
@@ -69,8 +68,8 @@ void carryAlong(StepContext& step, std::uint32_t body, std::uint32_t by, const P
     velocity += std::max(along / left - dot(velocity, normal), 0.0f) * normal;
 }
 
-/// s: time from the hit of a fixed surface to the end of the step. The path is straight but the real motion
-/// is accelerated, so along the normal the body was there at a different time than the fraction says.
+/// Returns the time (s) from the hit of a surface to the end of the step. The path has constant speed, but
+/// the motion is accelerated, so the hit is at a different time than the fraction of the path.
 float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, float dt) {
     const float displacement = (left / dt) * dot(swept.sweep.displacement, normal),
                 speed = dot(velocity, normal);
@@ -80,7 +79,7 @@ float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, f
                                      : left;
 }
 
-/// State of a body at a hit, `left` seconds before the end of the step.
+/// Returns the state of a body at a hit, `left` seconds before the end of the step.
 ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& sweep, float part, float left) {
     const World& world = step.world;
     if (!isDynamic(world, body))
@@ -91,8 +90,8 @@ ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& swee
 }
 
 /// Continues the motion of a body after a hit.
-/// @param out  normal of the static or kinematic surface that it hit, else 0: a body that forces pull onto
-/// this surface, and that does not leave it again in this step, stays on it
+/// @param out  normal of the static or kinematic surface that it hit, else 0. A body that forces pull onto
+///         this surface and that does not leave it in this step stays on it
 void sendOn(StepContext& step, std::uint32_t body, const ImpactBody& after, float left, Vec2 out) {
     if (!isDynamic(step.world, body)) return;
     SweptBody& swept = step.work.swept[step.work.bodyScratch[body]];
@@ -108,7 +107,7 @@ void sendOn(StepContext& step, std::uint32_t body, const ImpactBody& after, floa
     ++swept.hits;
 }
 
-/// The contact of a hit, at the time of the hit.
+/// Returns the contact of a hit, at the poses of the hit.
 Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std::uint32_t met) {
     World& world = step.world;
     Contact contact = makeContact(world, hit.shape, hit.met);
@@ -130,7 +129,7 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
     Workspace& work = step.work;
     Contact contact = contactOf(step, hit, own, met);
     if (hitsOf(work, own) < kMaxImpacts &&
-        !(mayMeet(step, hit.shape, hit.met) && mayPush(step, contact))) {  // the owner lets them pass
+        !(mayMeet(step, hit.shape, hit.met) && mayPush(step, contact))) {  // a callback lets them pass
         SweptBody& swept = work.swept[work.bodyScratch[own]];
         swept.passed = hit.met;
         swept.sweep.begin = hit.part;
@@ -158,7 +157,7 @@ void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const Path
     ImpactBody b = bodyAt(step, contact.bodyB, pathOfMet(step, contact.bodyB), hit.part, left);
     noteApproach(step.world, work, contact, a.motion, b.motion);
     exchangeImpulses(contact, a, b, left, step.world.settings);
-    const Vec2 out = fixed ? contact.normal : Vec2{};  // a static or kinematic body is A
+    const Vec2 out = fixed ? contact.normal : Vec2{};  // A is the static or kinematic body
     sendOn(step, contact.bodyA, a, left, {});
     sendOn(step, contact.bodyB, b, left, out);
     if (!hit.isPressed) work.madeHits.push_back(contact);
@@ -180,7 +179,7 @@ void note(Workspace& work, std::uint32_t place) {
     std::push_heap(work.dueHits.begin(), work.dueHits.end(), std::greater{});
 }
 
-/// Handles all hits of the step in the order of time.
+/// Handles all hits of the step in chronological order.
 void goThroughHits(StepContext& step) {
     Workspace& work = step.work;
     work.dueHits.clear();
@@ -204,7 +203,7 @@ void goThroughHits(StepContext& step) {
     }
 }
 
-/// Contacts of hits create events and exist in the next step.
+/// Adds the contacts of hits to the world, with events.
 void beginHits(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -227,7 +226,7 @@ void beginHits(StepContext& step) {
         const Contact& contact = world.contacts[i];
         return work.bodyScratch[contact.bodyB] != kNone && (contact.flags & kTouching) == 0;
     };
-    forThose(step, world.contacts.size(), mayBegin, [&](std::uint32_t i) {
+    forEachIf(step, world.contacts.size(), mayBegin, [&](std::uint32_t i) {
         const PairKey key = pairKey(world.contacts[i].shapeA, world.contacts[i].shapeB);
         const auto hit = std::lower_bound(order.begin(), order.end(), std::pair{key, std::size_t{0}});
         if (hit != order.end() && hit->first == key) begin(i, work.madeHits[hit->second]);
@@ -240,7 +239,7 @@ void beginHits(StepContext& step) {
     }
 }
 
-/// Sets the poses of bodies that hit something at the end of the step.
+/// Sets the poses of bodies with hits at the end of the step.
 void placeHitBodies(StepContext& step) {
     World& world = step.world;
     Shapes& shapes = world.shapes;
@@ -256,8 +255,8 @@ void placeHitBodies(StepContext& step) {
     }
 }
 
-/// Prepares the swept bodies of the step. Other moving bodies that they may hit are found
-/// by the bounds of their paths: bullets search for all, other bodies for kinematic ones.
+/// Prepares the swept bodies of the step, and a broad phase of the bounds of their paths: bullets search for
+/// all moving bodies, other bodies for kinematic ones.
 void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
     Workspace& work = step.work;
     work.bodyScratch.assign(step.world.bodies.size(), kNone);
@@ -281,7 +280,7 @@ void fillSwept(StepContext& step, bool hasKinematics, bool hasBullets) {
     proxies.search->rebuild(proxies.view());
 }
 
-/// Adds bodies that a fast kinematic body may have passed: relative to it they are as fast.
+/// Adds bodies that a fast kinematic body may have passed through.
 void addPassedBodies(StepContext& step) {
     const World& world = step.world;
     Workspace& work = step.work;
@@ -304,7 +303,7 @@ void addPassedBodies(StepContext& step) {
             return known[other] == kNone && isDynamic(world, other) && work.slots[other] >= 0 &&
                    isFastBeside(pathOf(step, other), path, world.bodies.info[other]);
         };
-        forThose(step, work.candidates.size(), isPassed, [&](std::uint32_t i) {
+        forEachIf(step, work.candidates.size(), isPassed, [&](std::uint32_t i) {
             if (std::exchange(known[bodyAt(i)], 0) == kNone) passed.push_back(bodyAt(i));
         });
     }
@@ -314,11 +313,10 @@ void addPassedBodies(StepContext& step) {
 
 }  // namespace
 
-// Continuous collision detection: sweeps fast bodies along their paths. Where a
-// free body hits a static or kinematic one, or a bullet hits another free body,
-// the impulses of the impact act at that time and both continue for the rest of
-// the step. A body held by contacts or joints stops at the hit with its velocity
-// there: the solver has to handle the hit together with them, in the next step.
+// Continuous collision detection: sweeps fast bodies along their paths. If a free body hits a static or
+// kinematic one, or a bullet hits another free body, the impulses of the impact act at this time and both
+// continue for the rest of the step. A body held by contacts or joints stops at the hit with its velocity
+// there: the solver has to handle the hit together with these constraints, in the next step.
 void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -331,8 +329,8 @@ void sweepFastBodies(StepContext& step) {
         return std::any_of(work.fastBodies.begin(), work.fastBodies.end(), is);
     };
     const bool moves = some([&](std::uint32_t body) { return isDynamic(world, body); });
-    if (!moves || !step.runs(Effect::Contacts)) return;  // nothing to stop, or nothing that stops it
-    // Moving kinematic bodies are in fastBodies; the broad phase has to search only for resting ones.
+    if (!moves || !step.runs(Effect::Contacts)) return;  // no bodies, or no contacts
+    // Moving kinematic bodies are in fastBodies; the broad phase must find only those at rest.
     const auto moving = std::count_if(work.fastBodies.begin(), work.fastBodies.end(),
                                       [&](std::uint32_t body) { return !isDynamic(world, body); });
     work.kinematicsAtRest = static_cast<std::uint32_t>(moving) <

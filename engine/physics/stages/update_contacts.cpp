@@ -10,21 +10,21 @@ namespace plumb::physics {
 namespace {
 
 constexpr int kContactGrain = 256;
-constexpr int kAtOnce = 128;  // contacts: as many as fit into the first-level cache along with their shapes
+constexpr int kAtOnce = 128;  // contacts: these and their shapes fit into the L1 cache
 
 bool touches(const Contact& contact) {
     if (contact.count == 0) return false;
-    // Triggers touch when they overlap; solid shapes touch as soon as the solver may have to act.
+    // Triggers touch if they overlap; solid shapes also at separations that the solver needs.
     return (contact.flags & kTriggered) == 0 || std::min(contact.separation0, contact.separation1) <= 0.0f;
 }
 
-/// @param asked  filters have changed: check again whether the shapes may collide
+/// @param asked  true if filters have changed: checks again whether the shapes may collide
 void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked, ContactFindings& found) {
     World& world = step.world;
     const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);
     findTouches(world, contacts, step.dt, found.counts);
     std::uint16_t* keys = step.work.contactKeys.data() + first;
-    Strips& strips = step.work.strips;  // of the last step
+    Strips& strips = step.work.strips;  // strips of the last step
     for (std::size_t i = 0; i < count; ++i) {
         Contact& contact = contacts[i];
         if (strips.areUsed && contact.bodyB < strips.ofBody.size())
@@ -43,7 +43,7 @@ void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked,
     }
 }
 
-/// Updates every contact: Workspace::contactFindings.
+/// Updates every contact; results are in Workspace::contactFindings.
 void lookAtAll(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;
@@ -75,14 +75,13 @@ void end(World& world, Workspace& work, Contact& contact) {
     world.islandsStale = true;
     report(world, work, contact, ContactPhase::Ended);
     if ((contact.flags & kTriggered) != 0) return;
-    // A sleeping body must wake when something that it touches goes away. This may move the contacts.
+    // Wakes sleeping bodies when a contact of theirs ends. May reallocate World::contacts.
     for (const std::uint32_t body : {contact.bodyA, contact.bodyB}) {
         if (world.sleepers.islandOf[body] != kNone) wake(world, body);
     }
 }
 
-/// Removes contacts whose bounds no longer overlap or whose shapes
-/// are gone. In reverse, so that the remaining indices stay valid.
+/// Removes contacts with kGone. In reverse, so that the remaining indices stay valid.
 void removeGone(World& world, Workspace& work) {
     for (std::size_t piece = work.contactFindings.size(); piece-- > 0;) {
         const std::vector<std::uint32_t>& changed = work.contactFindings[piece].changed;
@@ -134,7 +133,7 @@ void endAltered(StepContext& step) {
     World& world = step.world;
     if (world.altered.empty()) return;
     std::vector<ShapeInfo>& info = world.shapes.info;
-    // The body may have fallen asleep since, with its contacts: wake it.
+    // Wakes bodies that fell asleep with their contacts since the edit.
     for (const std::uint32_t shape : world.altered) wakeTouching(world, info[shape].body);
     endContactsOf(step, [&](std::uint32_t shape) { return (info[shape].flags & kAltered) != 0; });
     for (const std::uint32_t shape : world.altered) info[shape].flags &= static_cast<std::uint8_t>(~kAltered);
@@ -150,7 +149,7 @@ void beginContact(World& world, Workspace& work, std::size_t index) {
     const std::uint32_t bodyA = pushableA(begun), bodyB = begun.bodyB;
     if ((begun.flags & kTriggered) == 0) {
         begun.colour = takeColour(work, bodyA, bodyB);
-        for (const std::uint32_t body : {bodyA, bodyB})  // this may move the contacts
+        for (const std::uint32_t body : {bodyA, bodyB})  // may reallocate World::contacts
             if (body != kNone && world.bodies.info[body].place == kNone) wake(world, body);
     }
     if (bodyA != kNone) joinIslands(world, bodyA, bodyB);
@@ -176,7 +175,7 @@ void updateContacts(StepContext& step) {
         end(world, work, world.contacts[i]);
         work.contactKeys[i] = keyOf(world.contacts[i]);
     }
-    // Contacts of woken islands were appended.
+    // Contacts of islands woken in this stage were appended.
     for (std::size_t i = work.contactKeys.size(); i < world.contacts.size(); ++i) {
         work.contactKeys.push_back(keyOf(world.contacts[i]));
     }

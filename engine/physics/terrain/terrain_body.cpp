@@ -8,8 +8,8 @@ namespace plumb::physics {
 
 namespace {
 
-/// Distinguishes the surface numbers of terrains from those of chains.
-constexpr std::uint32_t kOfTerrain = kOwnSurfaces << 1;
+/// Bit that distinguishes the surface numbers of terrains from those of chains.
+constexpr std::uint32_t kTerrainBit = kOwnSurfaces << 1;
 
 WorldPosition placeOf(const TerrainOutlines& terrain, const TerrainDefinition& definition,
                       std::uint32_t chunk) {
@@ -46,7 +46,7 @@ ShapeDefinition definitionOf(const TilePalette& palette, EdgeKind kind, const Te
 Result<TerrainBody> TerrainBody::create(World& world, const TerrainOutlines& terrain,
                                         const TerrainDefinition& definition) {
     const auto checked =
-        firstOf(checkPlace("TerrainDefinition.position", definition.position),
+        firstOf(checkPosition("TerrainDefinition.position", definition.position),
                 checkNumber("TerrainDefinition.cellSize.x", definition.cellSize.x, kSmallest, kLargest),
                 checkNumber("TerrainDefinition.cellSize.y", definition.cellSize.y, kSmallest, kLargest));
     if (!checked) return checked.error();
@@ -62,7 +62,7 @@ Result<TerrainBody> TerrainBody::create(World& world, const TerrainOutlines& ter
         }
         body.bodies_.push_back(*made);
     }
-    if (!body.bodies_.empty()) body.surface_ = kOfTerrain | body.bodies_.front().index;
+    if (!body.bodies_.empty()) body.surface_ = kTerrainBit | body.bodies_.front().index;
     return body;
 }
 

@@ -6,10 +6,10 @@
 namespace plumb::physics {
 
 struct TerrainDefinition {
-    WorldPosition position;     ///< m, of its top-left corner
-    Vec2 cellSize{1.0f, 1.0f};  ///< m
+    WorldPosition position;     ///< m: top-left corner of the terrain
+    Vec2 cellSize{1.0f, 1.0f};  ///< m: width and height of a cell
     bool reportsContacts = true;
-    std::uint64_t user = 0;  ///< the owner's own number for its bodies and shapes
+    std::uint64_t user = 0;  ///< user data, stored in all bodies and shapes of the terrain
 };
 
 /// A tile terrain in a world: one static body per chunk, located at the chunk's top-left corner, so that all
@@ -17,7 +17,7 @@ struct TerrainDefinition {
 /// events report when a body begins and ends to touch the terrain, whatever seams of cells, materials or
 /// chunks lie between.
 ///
-/// A copy of it, together with a copy of its world, is a snapshot.
+/// A copy of a TerrainBody and a copy of its World together are a snapshot.
 class TerrainBody {
 public:
     TerrainBody() = default;
@@ -26,7 +26,7 @@ public:
     static Result<TerrainBody> create(World& world, const TerrainOutlines& terrain,
                                       const TerrainDefinition& definition);
 
-    /// Replaces the shapes of some chunks, and wakes the bodies that rest on them.
+    /// Replaces the shapes of the changed chunks, and wakes the bodies that rest on them.
     /// @param changed  the result of TerrainOutlines::update()
     /// @pre   the terrain has as many chunks as in create()
     Result<Done> update(World& world, const TerrainOutlines& terrain, std::span<const std::uint32_t> changed);
@@ -36,7 +36,7 @@ private:
     Result<Done> makeChunk(World& world, const TerrainOutlines& terrain, std::uint32_t chunk);
 
     TerrainDefinition definition_;
-    std::vector<BodyId> bodies_;  // by chunk
+    std::vector<BodyId> bodies_;  // one per chunk
     std::uint32_t surface_ = 0;
     std::vector<Geometry> geometries_;
     std::vector<ShapeDefinition> definitions_;

@@ -9,7 +9,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::size_t kWorthSharing = 1024;  // chunks: fewer are built before another thread wakes
+constexpr std::size_t kWorthSharing = 1024;  // chunks: fewer are built faster than another thread wakes
 constexpr std::size_t kPart = 64;            // chunks that a thread takes at a time
 
 bool touches(CellRect rect, GridPoint point) {
@@ -18,7 +18,7 @@ bool touches(CellRect rect, GridPoint point) {
     return point.x >= low.x && point.y >= low.y && point.x <= high.x && point.y <= high.y;
 }
 
-/// Appends the edges of the cells around `rect` that end at its border. They depend on the same ring.
+/// Appends the edges of the ring of cells around `rect` that touch its border.
 void appendBorder(const TilePalette& palette, const CellWindow& window, CellRect rect,
                   std::vector<TileEdge>& edges) {
     const std::size_t own = edges.size();
@@ -37,8 +37,8 @@ void appendBorder(const TilePalette& palette, const CellWindow& window, CellRect
 }  // namespace
 
 Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin) {
-    const auto place = [&](GridPoint point) { return toMetres(point, cellSize, origin); };
-    return chainSegment(place(segment.before), place(segment.a), place(segment.b), place(segment.after));
+    const auto metres = [&](GridPoint point) { return toMetres(point, cellSize, origin); };
+    return chainSegment(metres(segment.before), metres(segment.a), metres(segment.b), metres(segment.after));
 }
 
 /// True if the next edge belongs to the same chain.

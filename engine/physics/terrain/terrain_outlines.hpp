@@ -17,15 +17,15 @@ namespace plumb::physics {
 
 /// The properties of an edge. Edges with different properties are never merged.
 struct EdgeKind {
-    std::uint8_t material = 0;  ///< index in the palette
-    std::uint8_t layers = 0;    ///< index in the palette
+    std::uint8_t material = 0;  ///< index of the material in the palette
+    std::uint8_t layers = 0;    ///< index of the collision layers in the palette
     OneWay oneWay = OneWay::No;
-    /// Nonzero for an inner border: 1 + the index of the layers of the cell in front. The edge only stops
-    /// bodies that do not collide with those layers; all others are stopped before they reach it.
+    /// Nonzero for a border between two solid cells: 1 + the index of the layers of the cell in front. The
+    /// edge stops only bodies that pass through the cell in front; all others are stopped by that cell.
     std::uint8_t behind = 0;
 
     [[nodiscard]] bool isInner() const { return behind != 0; }
-    /// A solid edge that faces open space: these edges form closed outlines.
+    /// True for a solid edge that faces open space. These edges form closed outlines.
     [[nodiscard]] bool isPlain() const { return behind == 0 && oneWay == OneWay::No; }
     friend constexpr bool operator==(EdgeKind, EdgeKind) = default;
 };
@@ -44,7 +44,7 @@ struct TileEdge {
 class CellWindow {
 public:
     void read(const TileMask& mask, CellRect rect);
-    /// The number of a cell, see MaskCell; that of the cell below is `width()` further.
+    /// Returns a pointer to a cell (see MaskCell); the cell below is `width()` elements further.
     [[nodiscard]] const TileCell* cell(int x, int y) const {
         return cells_.data() + std::ptrdiff_t{y - rect_.y0} * rect_.width() + (x - rect_.x0);
     }
@@ -66,7 +66,7 @@ void appendEdges(const TilePalette& palette, const CellWindow& window, CellRect 
 /// The successors of an edge at one of its ends.
 struct EdgeLink {
     std::uint32_t outline = kNone;  ///< the next edge of the outline
-    std::uint32_t ghost = kNone;    ///< the edge that bodies slide on to; kNone: the end is free
+    std::uint32_t ghost = kNone;    ///< the edge that sliding bodies reach next; kNone: the end is free
 };
 
 /// Finds how edges are connected.
@@ -87,27 +87,27 @@ public:
     [[nodiscard]] EdgeLink before(std::uint32_t edge) const { return find(edge, 0); }
 
 private:
-    /// @param end  0 for what is before the edge, 1 for what is after it
+    /// @param end  0: the edges before its start, 1: the edges after its end
     [[nodiscard]] EdgeLink find(std::uint32_t edge, std::size_t end) const;
-    [[nodiscard]] bool hasOneLayer(GridPoint place) const;
+    [[nodiscard]] bool hasOneLayer(GridPoint point) const;
     [[nodiscard]] std::size_t bucketOf(GridPoint point) const;
-    /// Calls visit(number, edge) for the edges that start (0) or end (1) at a place.
+    /// Calls visit(index, edge) for the edges that start (end = 0) or end (end = 1) at a point.
     template <class Visit>
-    void forEdgesAt(GridPoint place, std::size_t end, const Visit& visit) const;
+    void forEdgesAt(GridPoint point, std::size_t end, const Visit& visit) const;
 
     const std::vector<TileEdge>* edges_ = nullptr;
     CellRect cells_;
     std::size_t rowLength_ = 0;  // number of buckets per row
-    // Linked lists of the edges by the cell in which they start (0), and by that in which they end (1): the
-    // first of each cell, the others by `next`.
+    // Linked lists of the edges that start [0] or end [1] in the same cell: the first edge of each cell, and
+    // for each edge the next one of its cell.
     std::vector<std::uint32_t> first_[2];
     std::vector<std::uint32_t> next_[2];
 };
 
-/// A straight part of an outline of one kind, as long as possible within its chunk. It is solid on the side
-/// of its normal, see normalOfChain(). The ghost vertices are the far ends of the segments before and after,
-/// even if their kind differs; outside the chunk, the far end of the edge in the next cell. At a free end
-/// they continue straight on.
+/// A straight part of an outline of one kind, as long as possible within its chunk. Bodies collide with the
+/// side of its normal, see normalOfChain(). Ghost vertices `before` and `after`: the far ends of the adjacent
+/// segments of any kind; beyond the chunk's border, the far end of the edge in the next cell; at a free end,
+/// a point on the segment's straight extension.
 struct TerrainSegment {
     GridPoint a;
     GridPoint b;
@@ -118,17 +118,17 @@ struct TerrainSegment {
     friend bool operator==(const TerrainSegment&, const TerrainSegment&) = default;
 };
 
-/// The merged edges of a chunk; connected ones of one kind follow each other, whatever edits came first.
+/// The merged edges of a chunk. Connected edges of one kind are consecutive, for any order of edits.
 using TerrainOutline = std::vector<TerrainSegment>;
 
-/// @param cellSize  m
-/// @param origin    of the body's frame
+/// Returns the segment as a chain segment in meters. @param cellSize  size of a cell, m
+/// @param origin  the point of the terrain that is the origin of the body's frame
 Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin = {});
 
-/// Builds the outlines of chunks, and keeps its memory from one to the next. Not thread-safe.
+/// Builds the outlines of chunks, and reuses its memory for the next chunk. Not thread-safe.
 class OutlineBuilder {
 public:
-    /// Builds the outline of the cells of `rect`, which depends on these and the ring of cells around them.
+    /// Builds the outline of the cells of `rect`. It depends on these and the ring around them.
     void build(const TileMask& mask, CellRect rect, TerrainOutline& outline);
 
 private:
@@ -148,7 +148,7 @@ private:
     std::vector<TileEdge> edges_;  // the chunk's own edges, then those around it that touch its border
     std::uint32_t own_ = 0;
     std::vector<EdgePlace> places_;                              // parallel to the chunk's own edges
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  // by segment: its first and its last edge
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  // first and last edge of a segment
 };
 
 /// A terrain in chunks. Only chunks whose cells or neighbouring cells changed are rebuilt. The result of
@@ -158,15 +158,15 @@ public:
     static constexpr int kChunkCells = TileGrid::kChunkSide;
 
     TerrainOutlines() = default;
-    /// All chunks are built by the first update().
+    /// Creates a terrain; the first update() builds all its chunks.
     /// @param chunkCells  the side of a chunk (cells, 4..128)
     explicit TerrainOutlines(TileMask mask, int chunkCells = kChunkCells);
 
     [[nodiscard]] const TileMask& mask() const { return mask_; }
-    /// For adding the forms, materials and layers of later set() calls.
+    /// The palette, to add forms, materials and layers before set() uses them.
     [[nodiscard]] TilePalette& palette() { return mask_.palette; }
 
-    /// As TileMask::set(). Takes effect with the next update().
+    /// Sets a cell, like TileMask::set(). Takes effect with the next update().
     void set(int x, int y, MaskCell cell);
 
     /// Rebuilds the chunks that changed.
@@ -174,7 +174,7 @@ public:
     /// @return the chunks whose outlines changed, ascending; valid until the next call
     std::span<const std::uint32_t> update(TaskPool* pool = nullptr);
 
-    /// Row by row.
+    /// The outlines of all chunks, row by row.
     [[nodiscard]] const std::vector<TerrainOutline>& chunks() const { return chunks_; }
     [[nodiscard]] CellRect cellsOf(std::uint32_t chunk) const;
 
@@ -192,10 +192,10 @@ private:
     int columns_ = 0;
     int rows_ = 0;
     std::vector<TerrainOutline> chunks_;
-    std::vector<std::uint8_t> isDirty_;  // by chunk; in update(): its outline changed
+    std::vector<std::uint8_t> isDirty_;  // per chunk: 1 if it needs a rebuild; in update(): if changed
     std::vector<std::uint32_t> dirty_;
     std::vector<std::uint32_t> changed_;
-    std::vector<Maker> makers_{1};  // by thread
+    std::vector<Maker> makers_{1};  // one per thread
 };
 
 }  // namespace plumb::physics

@@ -8,7 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// The edge along a part of a side, clockwise.
+/// Returns the edge along a part of a cell's side, clockwise.
 TileEdge alongSide(GridPoint corner, CellSide side, FaceSpan span, EdgeKind kind) {
     if (side == kBottom || side == kLeft) std::swap(span.from, span.to);
     const auto at = [&](std::int32_t along) { return corner + alongFirst(side, {along, lineOf(side)}); };
@@ -75,7 +75,7 @@ private:
     std::ptrdiff_t toNeighbour_[4];
 };
 
-/// The angle from `from` to `to`, clockwise on screen: less than 180 degrees, 180, more, 360.
+/// A clockwise rotation on screen: by less than 180 degrees, 180, more than 180, or 360.
 enum class Turn : std::uint8_t { Less, Half, More, Full };
 
 Turn turnOf(GridPoint from, GridPoint to) {
@@ -97,12 +97,12 @@ public:
 
     explicit Vertex(GridPoint back) : back_{back} {}
 
-    /// Each of the four cells at a grid point has at most one edge there.
+    /// There are at most four: each cell at a grid point has at most one edge that starts (or ends) there.
     void add(const Candidate& candidate) {
         if (!candidates_.full()) candidates_.push(candidate);
     }
 
-    /// The first wanted edge when rotating through the open side, or the solid one; kNone if there is none.
+    /// The first wanted edge that a rotation through the open (or the solid) side reaches; kNone for none.
     template <class Wanted>
     [[nodiscard]] Candidate first(const Wanted& wanted, bool throughSolid = false) const {
         Candidate found;
@@ -123,8 +123,8 @@ public:
     }
     /// True if a clockwise rotation reaches `a` before `b`.
     [[nodiscard]] bool isEarlier(const Candidate& a, const Candidate& b) const {
-        const Turn turnA = turnTo(a), turnB = turnTo(b);
-        return turnA != turnB ? turnA < turnB : cross(a.displacement, b.displacement) > 0;
+        const Turn rotationA = turnTo(a), rotationB = turnTo(b);
+        return rotationA != rotationB ? rotationA < rotationB : cross(a.displacement, b.displacement) > 0;
     }
 
 private:
@@ -135,7 +135,7 @@ private:
 bool isPlain(EdgeKind kind) { return kind.isPlain(); }
 bool isOneWay(EdgeKind kind) { return kind.oneWay != OneWay::No; }
 
-/// @param joined  solids that touch in this point count as one
+/// @param joined  true if solids that touch in this point count as one solid
 EdgeLink linkOfPlain(const Vertex& vertex, bool joined) {
     const Vertex::Candidate outline = vertex.first(isPlain, !joined);
     if (vertex.turnTo(outline) != Turn::More) return {outline.edge, outline.edge};
@@ -193,9 +193,9 @@ std::size_t EdgeLinks::bucketOf(GridPoint point) const {
 }
 
 template <class Visit>
-void EdgeLinks::forEdgesAt(GridPoint place, std::size_t end, const Visit& visit) const {
-    for (std::uint32_t i = first_[end][bucketOf(place)]; i != kNone; i = next_[end][i]) {
-        if ((*edges_)[i].end(end) == place) visit(i, (*edges_)[i]);
+void EdgeLinks::forEdgesAt(GridPoint point, std::size_t end, const Visit& visit) const {
+    for (std::uint32_t i = first_[end][bucketOf(point)]; i != kNone; i = next_[end][i]) {
+        if ((*edges_)[i].end(end) == point) visit(i, (*edges_)[i]);
     }
 }
 
@@ -212,11 +212,11 @@ void EdgeLinks::connect(const std::vector<TileEdge>& edges, CellRect cells) {
 }
 
 /// True if all plain edges at a vertex have the same layers.
-bool EdgeLinks::hasOneLayer(GridPoint place) const {
+bool EdgeLinks::hasOneLayer(GridPoint point) const {
     int layers = -1;
     bool same = true;
     for (std::size_t end = 0; end < 2; ++end) {
-        forEdgesAt(place, end, [&](std::uint32_t, const TileEdge& edge) {
+        forEdgesAt(point, end, [&](std::uint32_t, const TileEdge& edge) {
             if (!edge.kind.isPlain()) return;
             same = same && (layers < 0 || layers == edge.kind.layers);
             layers = edge.kind.layers;
@@ -228,7 +228,7 @@ bool EdgeLinks::hasOneLayer(GridPoint place) const {
 EdgeLink EdgeLinks::find(std::uint32_t number, std::size_t end) const {
     const TileEdge& edge = (*edges_)[number];
     const GridPoint place = edge.end(end);
-    const auto seen = [&](GridPoint far) {  // mirrored at the start
+    const auto seen = [&](GridPoint far) {  // mirrored at the start of the edge
         return GridPoint{end == 0 ? place.x - far.x : far.x - place.x, far.y - place.y};
     };
     Vertex vertex{seen(edge.end(1 - end))};

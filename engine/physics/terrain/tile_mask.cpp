@@ -10,7 +10,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr std::int32_t kSnap = kCellUnits / 256;
-constexpr std::size_t kMaxPoints = 256;  // maximum input; at most 8 of them remain
+constexpr std::size_t kMaxPoints = 256;  // maximum number of input points; at most 8 of them remain
 
 CellSide sideOf(GridPoint a, GridPoint b) {
     for (const CellSide side : {kTop, kRight, kBottom, kLeft}) {
@@ -20,7 +20,7 @@ CellSide sideOf(GridPoint a, GridPoint b) {
     return kInside;
 }
 
-/// The part of a side that a solid outline fills, or the point at which it touches the side.
+/// Returns the part of a side that a solid outline fills, or the point at which it touches the side.
 FaceSpan spanOf(const TileOutline& outline, CellSide side) {
     FaceSpan span{kCellUnits, 0};
     for (int i = 0; i < outline.count && outline.isSolid(); ++i) {
@@ -66,7 +66,7 @@ void dropNeedless(std::vector<GridPoint>& points) {
     }
 }
 
-/// True if no corner lies outside of an edge; so also false for outlines that wind around twice.
+/// True if no corner lies outside any edge. False also for outlines that wind around twice.
 bool isConvex(std::span<const GridPoint> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const GridPoint a = points[i];
@@ -78,8 +78,8 @@ bool isConvex(std::span<const GridPoint> points) {
     return true;
 }
 
-/// The outline of corners in units; count 0 if they are not convex. It starts at its topmost, then leftmost
-/// corner, so that equal forms have equal indices.
+/// Returns the outline of corners in units, with count 0 if it is not convex. It starts at the topmost
+/// corner (of several, the leftmost), so that forms of equal shape are equal.
 TileOutline outlineFrom(std::vector<GridPoint> points, OneWay oneWay) {
     dropNeedless(points);
     if (doubleAreaOf(points) < 0) std::reverse(points.begin(), points.end());
@@ -98,7 +98,7 @@ TileOutline outlineFrom(std::vector<GridPoint> points, OneWay oneWay) {
     return completed(outline);
 }
 
-/// @return -1 for a position outside the cell, or NaN
+/// Converts a fraction of the cell to units. @return -1 for a position outside the cell, or NaN
 std::int32_t toUnits(float part) {
     if (!(part > -1.0f && part < 2.0f)) return -1;
     const auto units = static_cast<std::int32_t>(std::floor(part * static_cast<float>(kCellUnits) + 0.5f));
@@ -107,7 +107,7 @@ std::int32_t toUnits(float part) {
     return units >= kCellUnits - kSnap ? kCellUnits : units;
 }
 
-/// The index of a value in a list, to which it is added if it is new and there are fewer than `maximum`.
+/// Returns the index of a value in a list; appends it if it is new. @error the list has `maximum` values
 template <class Index, class T>
 Result<Index> indexIn(std::vector<T>& list, const T& value, std::size_t maximum, const char* what) {
     const auto known = std::find(list.begin(), list.end(), value);
@@ -133,14 +133,14 @@ TileMask::TileMask(int width, int height)
              std::clamp(height, 0, std::min(kMaxSide, kMaxCells / std::clamp(width, 1, kMaxSide)))} {}
 
 bool TileMask::set(int x, int y, MaskCell cell) {
-    PLUMB_ASSERT(knows(cell), "set a cell whose form, material and layers are in the palette");
+    PLUMB_ASSERT(knows(cell), "the form, material or layers of the cell are not in the palette");
     if (!cells_.has(x, y) || !knows(cell) || at(x, y) == cell) return false;
     cells_.set(x, y, numberOf(cell));
     return true;
 }
 
 void TileMask::putPlain(int column, int row, MaskCell cell) {
-    PLUMB_ASSERT(knows(cell), "put cells whose form, material and layers are in the palette");
+    PLUMB_ASSERT(knows(cell), "the form, material or layers of a cell are not in the palette");
     if (cell == MaskCell{} || !knows(cell)) return cells_.put(column, row, nullptr);
     auto known = std::find_if(plains_.begin(), plains_.end(),
                               [&](const auto& plain) { return plain->cells.front() == numberOf(cell); });
@@ -152,7 +152,7 @@ void TileMask::putChunk(int column, int row, const Chunk& cells) {
     if (std::all_of(cells.begin(), cells.end(), [&](MaskCell cell) { return cell == cells.front(); }))
         return putPlain(column, row, cells.front());
     PLUMB_ASSERT(std::all_of(cells.begin(), cells.end(), [this](MaskCell cell) { return knows(cell); }),
-                 "put cells whose form, material and layers are in the palette");
+                 "the form, material or layers of a cell are not in the palette");
     auto chunk = std::make_shared<TileGrid::Chunk>();
     std::transform(cells.begin(), cells.end(), chunk->cells.begin(), numberOf);
     cells_.put(column, row, std::move(chunk));
@@ -178,7 +178,7 @@ TilePalette::TilePalette() : forms_(1), materials_(1), layers_(1) {
     const auto put = [this](std::vector<GridPoint> points, OneWay oneWay = OneWay::No) {
         forms_.push_back(outlineFrom(std::move(points), oneWay));
     };
-    // In the order of TileForm.
+    // The forms, in the order of TileForm.
     put({{0, 0}, {kOne, 0}, {kOne, kOne}, {0, kOne}});
     put({{0, 0}, {kOne, 0}, {kOne, kOne}, {0, kOne}}, OneWay::Up);
     put({{kOne, 0}, {kOne, kOne}, {0, kOne}});
@@ -194,7 +194,7 @@ TilePalette::TilePalette() : forms_(1), materials_(1), layers_(1) {
 }
 
 Result<TileForm> TilePalette::add(const TileOutline& outline) {
-    return indexIn<TileForm>(forms_, outline, kMaxForms, "outlines of tiles");
+    return indexIn<TileForm>(forms_, outline, kMaxForms, "tile forms");
 }
 
 Result<TileForm> TilePalette::addPolygon(std::span<const Vec2> points, OneWay oneWay) {
@@ -217,7 +217,7 @@ Result<TileForm> TilePalette::addPolygon(std::span<const Vec2> points, OneWay on
 }
 
 Result<TileForm> TilePalette::flipped(TileForm form, TileCell flips) {
-    PLUMB_ASSERT(hasForm(form), "flip a form of this palette");
+    PLUMB_ASSERT(hasForm(form), "the form is not in this palette");
     if (!hasForm(form) || form == TileForm::Empty || (flips & kTileFlips) == 0) return form;
     const TileOutline& outline = forms_[static_cast<std::size_t>(form)];
     std::vector<GridPoint> corners;
@@ -227,7 +227,7 @@ Result<TileForm> TilePalette::flipped(TileForm form, TileCell flips) {
 }
 
 Result<TileForm> TilePalette::withOneWay(TileForm form, OneWay oneWay) {
-    PLUMB_ASSERT(hasForm(form), "make a form of this palette one-way");
+    PLUMB_ASSERT(hasForm(form), "the form is not in this palette");
     if (!hasForm(form) || form == TileForm::Empty) return form;
     TileOutline outline = forms_[static_cast<std::size_t>(form)];
     outline.oneWay = oneWay;

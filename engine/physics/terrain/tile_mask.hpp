@@ -37,9 +37,9 @@ constexpr std::int64_t cross(GridPoint a, GridPoint b) {
 
 constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }
 
-/// @param cellSize  m
-/// @param origin    maps to {0, 0}; the origin of a chunk keeps the numbers small, so that floats stay
-/// accurate
+/// Converts units to meters. @param cellSize  size of a cell, m
+/// @param origin  the point that maps to {0, 0}; the origin of a chunk keeps the numbers small, so that
+/// floats stay accurate
 constexpr Vec2 toMetres(GridPoint point, Vec2 cellSize, GridPoint origin = {}) {
     const GridPoint from = point - origin;
     return {static_cast<float>(static_cast<double>(from.x) / kCellUnits * static_cast<double>(cellSize.x)),
@@ -47,7 +47,7 @@ constexpr Vec2 toMetres(GridPoint point, Vec2 cellSize, GridPoint origin = {}) {
 }
 
 /// The outline of a cell. Slopes go "Up" or "Down" from left to right; Low and High are the two halves of a
-/// slope that spans two cells. Forms that a palette adds come after `Count`.
+/// slope that spans two cells. Forms that are added to a palette follow from `Count` on.
 enum class TileForm : std::uint16_t {
     Empty,
     Full,
@@ -65,7 +65,7 @@ enum class TileForm : std::uint16_t {
     Count
 };
 
-/// The side on which a one-way form stops bodies; they pass from all others.
+/// The side on which a one-way form stops bodies; bodies pass through it from all other sides.
 enum class OneWay : std::uint8_t { No, Up, Right, Down, Left };
 
 /// The outward normal of the side that stops bodies, for ShapeDefinition::oneWayDirection. {0, 0} for No.
@@ -84,14 +84,14 @@ struct TileMaterial {
 
 /// The collision filter of cells, as in a ShapeDefinition.
 struct TileLayers {
-    std::uint32_t layers = 1;          ///< bits: the layers that they are on
-    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that they collide with
+    std::uint32_t layers = 1;          ///< bits: the layers that the cells are on
+    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that the cells collide with
 
     friend constexpr bool operator==(const TileLayers&, const TileLayers&) = default;
 };
 
 /// The part of a side of a cell that a solid form fills (units, from left to right or from top to bottom).
-/// Empty where only a corner touches the side, and, at a corner of the cell, where nothing does.
+/// Empty if only a corner touches the side (both numbers are its position), or nothing does (both are 0).
 struct FaceSpan {
     std::int32_t from = 0;
     std::int32_t to = 0;
@@ -100,12 +100,12 @@ struct FaceSpan {
     friend constexpr bool operator==(FaceSpan, FaceSpan) = default;
 };
 
-/// The sides of a cell, clockwise on screen, as its outline.
+/// The sides of a cell, clockwise on screen like the corners of an outline; kInside: on none of them.
 enum CellSide : std::int8_t { kTop, kRight, kBottom, kLeft, kInside = -1 };
 
-/// The position (units) of a side across its direction.
+/// The constant coordinate (units) of a side: y of the top and bottom, x of the left and right side.
 constexpr std::int32_t lineOf(CellSide side) { return side == kRight || side == kBottom ? kCellUnits : 0; }
-/// A point with its coordinates in the order along a side, across it; and the reverse.
+/// Orders the coordinates of a point as {along the side, across the side}, or back to {x, y}.
 constexpr GridPoint alongFirst(CellSide side, GridPoint point) {
     return side == kTop || side == kBottom ? point : GridPoint{point.y, point.x};
 }
@@ -115,10 +115,10 @@ struct TileOutline {
     static constexpr int kMaxCorners = 8;
 
     std::array<GridPoint, kMaxCorners> corners{};
-    std::array<CellSide, kMaxCorners> sides{};  ///< by edge: the side that the edge from each corner lies on
-    std::array<FaceSpan, 4> spans{};  ///< the part of each side that it fills; empty for a one-way form
+    std::array<CellSide, kMaxCorners> sides{};  ///< by corner: the side on which the edge from it lies
+    std::array<FaceSpan, 4> spans{};  ///< the part of each side that the form fills; empty for one-way forms
     std::uint8_t count = 0;
-    std::uint8_t stops = 0;  ///< bits: edges that stop bodies; all except for one-way forms
+    std::uint8_t stops = 0;  ///< bits: edges that stop bodies; all of them if the form is solid
     OneWay oneWay = OneWay::No;
 
     [[nodiscard]] bool isSolid() const { return count > 0 && oneWay == OneWay::No; }
@@ -144,12 +144,12 @@ public:
     /// @error not a convex polygon of 3 to 8 corners inside the cell, or too many forms
     Result<TileForm> addPolygon(std::span<const Vec2> points, OneWay oneWay = OneWay::No);
 
-    /// The form, flipped like a cell of a TileGrid. A one-way form stays solid on the same side.
+    /// Returns the form flipped like a cell of a TileGrid. A one-way form stays solid on the same side.
     /// @param flips  bits of kTileFlips
     /// @error too many forms
     Result<TileForm> flipped(TileForm form, TileCell flips);
 
-    /// The form, solid on one side only, or (No) on all sides.
+    /// Returns the form that stops bodies on one side only, or (OneWay::No) on all sides.
     /// @error too many forms
     Result<TileForm> withOneWay(TileForm form, OneWay oneWay);
 
@@ -180,7 +180,7 @@ private:
     std::vector<TileLayers> layers_;
 };
 
-/// A cell of a terrain: indices in its palette. A TileGrid holds it as a number, 0 if it is empty.
+/// A cell of a terrain: indices in its palette. A TileGrid stores it as a TileCell; 0 is the empty cell.
 struct MaskCell {
     TileForm form = TileForm::Empty;
     std::uint8_t material = 0;
@@ -215,10 +215,10 @@ public:
     TilePalette palette;
 
     TileMask() = default;
-    /// All cells are empty. Sides are clamped to 0..kMaxSide; rows beyond kMaxCells are dropped.
+    /// Creates a grid of empty cells. Sides are clamped to 0..kMaxSide; rows beyond kMaxCells are dropped.
     TileMask(int width, int height);
 
-    /// The numbers of all cells.
+    /// All cells as TileCell values; maskCellOf() converts them.
     [[nodiscard]] const TileGrid& cells() const { return cells_; }
     [[nodiscard]] int width() const { return cells_.width(); }
     [[nodiscard]] int height() const { return cells_.height(); }
@@ -233,10 +233,10 @@ public:
     /// outside the grid are ignored. Uniform chunks with equal cells share their memory.
     /// @pre the cells' forms, materials and layers are in the palette
     void putChunk(int column, int row, const Chunk& cells);
-    /// The same with equal cells.
+    /// Replaces all cells of a chunk with the same cell, like putChunk().
     void putPlain(int column, int row, MaskCell cell);
-    /// Fast check that a chunk has no edges: it is empty, or it and its eight neighbours are uniformly the
-    /// same full cell. May return false although they are.
+    /// True if a fast test shows that a chunk has no edges: it is empty, or it and its eight neighbours are
+    /// filled with the same full cell. May be false for a chunk without edges.
     [[nodiscard]] bool isPlain(int column, int row) const;
 
 private:
@@ -245,7 +245,7 @@ private:
     }
 
     TileGrid cells_;
-    /// Each uniform chunk; so they count as shared and are never modified.
+    /// Every uniform chunk. With this reference they count as shared, so they are copied before a change.
     std::vector<std::shared_ptr<TileGrid::Chunk>> plains_;
 };
 

@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// False for joints with a limit, motor or spring, for soft joints and for bodies locked along an axis.
+/// True if a joint can be solved directly: no limit, motor, spring, softness or locked axis of its bodies.
 bool canBeInTree(const World& world, const Joint& joint) {
     if (joint.place == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0) return false;
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
@@ -27,7 +27,7 @@ public:
         joints = world_.joints.awake;
         std::sort(joints.begin(), joints.end());
         trees_.reached.assign(world_.bodies.size(), 0);
-        // First trees that hang on a static or kinematic body, their root, then floating ones from any body.
+        // First trees that hang on a static or kinematic body, then floating trees with any body as root.
         for (const bool hanging : {true, false}) {
             for (const std::uint32_t index : joints) {
                 const Joint& joint = world_.joints.hot[index];
@@ -50,17 +50,18 @@ private:
         if (isTree && canBeHeld()) keep();
     }
 
-    /// Adds the bodies that joints connect to a body reached before.
-    /// @return false if a joint closes a loop, or cannot be solved in a tree.
-    /// Solved alternately with a rigid tree, a motor, limit or spring in SIMD lanes
-    /// would see only the inertia of its two bodies: linkages tear, and arms shake.
+    /// Adds the bodies that joints connect to an already reached body.
+    /// @return false if a joint closes a loop, or cannot be solved in a tree. A motor, limit or spring in
+    ///         SIMD lanes would use the inertia of its two bodies only, not of the rigid tree: linkages would
+    ///         tear, and arms shake.
     bool reachFrom(std::uint32_t place) {
         const ReachedBody from = reached_[place];
         bool isTree = true;
         forJointsOf(world_, from.body, [&](std::uint32_t index) {
             const Joint& joint = world_.joints.hot[index];
             const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
-            if (index == from.joint || joint.place == kNone) return;  // filter, or a disabled body
+            if (index == from.joint || joint.place == kNone)
+                return;  // a filter, or a joint of a disabled body
             const bool can = canBeInTree(world_, joint);
             if (can && !isDynamic(world_, other)) {
                 held_.push_back({other, place, index});
@@ -74,7 +75,7 @@ private:
         return isTree;
     }
 
-    /// True if the joints to static and kinematic bodies leave the tree some freedom: a
+    /// True if the tree has degrees of freedom left with all joints to static and kinematic bodies: a
     /// redundant constraint makes the system singular. The root already has one of these joints.
     [[nodiscard]] bool canBeHeld() const {
         int freedom = 0;
@@ -128,8 +129,8 @@ private:
 
 bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
 
-/// Leaves a tree to the SIMD solver. Resets warm starting, because the forces in a taut
-/// tree that is held at several ends are larger than soft constraints should start with.
+/// Hands a tree over to the SIMD solver. Resets warm starting of trees held at several ends, because their
+/// forces when taut are too large for soft constraints.
 void leave(World& world, JointTrees& trees, const JointTree& tree) {
     forLinks(trees, tree, [&](const Link& link) {
         Joint& joint = world.joints.hot[link.joint];
@@ -138,9 +139,8 @@ void leave(World& world, JointTrees& trees, const JointTree& tree) {
     });
 }
 
-/// Takes a tree back from the SIMD solver unless that left a joint open: closing it at once would
-/// throw bodies.
-/// @return true if all joints are closed, as in all trees that were never left to the SIMD solver
+/// Returns a tree to the direct solver, unless a joint has a gap: closing it at once would throw bodies.
+/// @return true if all joints are closed, as in all trees that the SIMD solver never solved
 bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     bool stretched = false, closed = true;
     forLinks(trees, tree, [&](const Link& link) {
@@ -155,9 +155,9 @@ bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
     return true;
 }
 
-/// Decides which trees are solved directly in this step. A tree that touches something is left to the SIMD
-/// solver, which solves contacts and joints sequentially (Gauss-Seidel): against a tree that is rigid at once
-/// contacts converge too slowly, and heaps of chains tremble (measured).
+/// Decides which trees are solved directly in this step. A tree with contacts is solved by the SIMD solver,
+/// sequentially with its contacts (Gauss-Seidel): contacts of a directly solved, rigid tree converge too
+/// slowly, and heaps of chains tremble (measured).
 void choose(World& world, Workspace& work) {
     JointTrees& trees = work.joints.trees;
     trees.some = false;
@@ -193,7 +193,7 @@ void growTrees(World& world, Workspace& work) {
     for (const std::uint32_t joint : world.joints.awake) {
         if (trees.isDirect[joint] == 0) world.joints.hot[joint].flags |= kStretched;
     }
-    // The colors of each body's joints: any further color of the body then belongs to a contact.
+    // Stores the colors of each body's joints: any other color of the body belongs to a contact.
     for (TreeBody& treeBody : trees.treeBodies) {
         forJointsOf(world, treeBody.body, [&](std::uint32_t j) {
             const std::uint8_t colour = world.joints.hot[j].colour;

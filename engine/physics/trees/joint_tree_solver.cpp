@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTreeGrain = 8;  // trees
 
-/// Compliance of a row with zero effective mass; large enough that its impulse is zero.
+/// Compliance of a row that no impulse can change; so large that its impulse is zero.
 constexpr double kNoAnswer = 1.0e30;
 
 struct Trees {
@@ -19,8 +19,8 @@ struct Trees {
     JointTrees& all;
     double h;         // s
     double rate;      // 1/h
-    double elapsed;   // s since the start of the step, of the poses at which rows are evaluated
-    double farthest;  // m or rad: that a gap closes in a substep
+    double elapsed;   // s: time in the step at which rows are evaluated
+    double farthest;  // m or rad: maximum reduction of a gap in a substep
 
     [[nodiscard]] TreeBody& treeBodyOf(const Link& link) const { return all.treeBodies[link.treeBody]; }
     [[nodiscard]] TreeBody* parentOf(const Link& link) const {
@@ -44,10 +44,10 @@ double offered(const TreeBody& treeBody, const Triple& row) {
     return (row.x * row.x + row.y * row.y) / treeBody.mass + turned;
 }
 
-/// Computed at the start of the step only: it hardly changes.
+/// Computes the softness of rows, only at the start of the step because it hardly changes.
 void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
     const auto softness = [&](int r, Triple onTreeBody, Triple onParent) {
-        // Rows that a joint does not have get no impulse, nor do angle rows of two bodies that cannot rotate.
+        // Unused rows, and angle rows of two bodies that cannot rotate, must get no impulse.
         if (r >= rowsOf(link.kind)) return 1.0;
         const double all =
             offered(treeBody, onTreeBody) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
@@ -68,7 +68,7 @@ void setLink(const Trees& trees, Link& link) {
     TreeBody& treeBody = trees.treeBodyOf(link);
     link.gap = setRows(link, treeBody.pose, parentPose(link, parent, trees.elapsed));
     if (trees.elapsed == 0.0) soften(treeBody, link, parent);
-    // Only joints that hold a point have these arms.
+    // Only joints that fix a point have these arms.
     if (link.kind != JointKind::Revolute && link.kind != JointKind::Weld) return;
     treeBody.straining += link.force.x * link.limb.x + link.force.y * link.limb.y;
     if (parent != nullptr)
@@ -118,7 +118,7 @@ void lookAhead(const Trees& trees, TreeBody& treeBody) {
     treeBody.pose.y += treeBody.velocity.y * time + static_cast<double>(ballisticDrift.y);
 }
 
-/// Velocities to be removed so that the gaps are closed at the predicted poses.
+/// Computes the velocities to remove so that the gaps are closed at the predicted poses.
 void aimAtGaps(const Trees& trees, Link& link) {
     const TreePose parent = parentPose(link, trees.parentOf(link), trees.elapsed + trees.h);
     const Triple ahead = gapsOf(link, trees.treeBodyOf(link).pose, parent);
@@ -137,7 +137,7 @@ void findSpeeds(const Trees& trees, Link& link) {
     link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
 
-/// Not warm started: the next substep computes tree impulses anew, along its own arms.
+/// Adds a change of velocity. Changes both values, so that warm starting does not repeat it.
 void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
     for (Float4* velocity : {&trees.work.velocity[slot], &trees.work.velocityBeforeImpulses[slot]}) {
@@ -147,14 +147,14 @@ void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& chang
     }
 }
 
-/// J: change of a tree body's kinetic energy by a change of its velocity.
+/// Returns the change of a tree body's kinetic energy (J) by a change of its velocity.
 double gainOf(const TreeBody& treeBody, const Triple& change) {
     return treeBody.mass * ((treeBody.velocity.x + 0.5 * change.x) * change.x +
                             (treeBody.velocity.y + 0.5 * change.y) * change.y) +
            treeBody.inertia * (treeBody.velocity.turn + 0.5 * change.turn) * change.turn;
 }
 
-/// Back substitution, from the root to the leaves: velocity changes and impulses of links.
+/// Back substitution, from the root to the leaves: computes velocity changes and impulses of links.
 void giveTree(const Trees& trees, JointTree& tree) {
     for (std::uint32_t i = tree.end; i-- > tree.begin;) {
         TreeBody& treeBody = trees.all.treeBodies[i];
@@ -172,7 +172,7 @@ void giveTree(const Trees& trees, JointTree& tree) {
     }
 }
 
-/// True if a body that a tree hangs on moves, which does work.
+/// True if a kinematic body on which the tree hangs moves, which does work.
 bool isDriven(const Trees& trees, const JointTree& tree) {
     bool driven = false;
     forLinks(trees.all, tree, [&](const Link& link) {
@@ -182,8 +182,8 @@ bool isDriven(const Trees& trees, const JointTree& tree) {
     return driven;
 }
 
-/// Takes energy from a tree that gained too much. All velocities are scaled alike, which opens no joint;
-/// those of a floating tree relative to its center of mass.
+/// Removes energy from a tree that gained too much, by scaling all velocities equally, which opens no joint.
+/// Velocities of a floating tree are scaled relative to its center of mass.
 void calmTree(const Trees& trees, JointTree& tree) {
     Triple middle;
     double mass = 0.0, energy = 0.0;
@@ -204,7 +204,7 @@ void calmTree(const Trees& trees, JointTree& tree) {
     tree.gain -= excess;
 }
 
-/// Removes the errors of all links, which `find` writes to Link::error.
+/// Solves a tree: removes the errors of all links, which `find` stores in Link::error.
 template <class Find>
 void solveTree(const Trees& trees, JointTree& tree, Find&& find) {
     for (Link& hold : trees.all.holdsOf(tree)) {
@@ -264,7 +264,7 @@ void prepareArms(const World& world, Link& link) {
         link.reach += 0.25f * view.definition.length;
     }
     if (link.kind == JointKind::Weld || link.kind == JointKind::Prismatic) link.angle = sign * angleOf(view);
-    if (link.kind == JointKind::Prismatic) link.axis = rotate(view.turnA, view.definition.axis);
+    if (link.kind == JointKind::Prismatic) link.axis = rotate(view.rotationA, view.definition.axis);
     const Vec2 force = sign * view.joint.force;
     link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
 }
@@ -335,7 +335,7 @@ void storeTrees(StepContext& step) {
             const JointForce force = forceOf(link);
             joint.force = force.force;
             joint.torque = force.torque;
-            // Warm starting in SIMD lanes, in case the tree is left to them in the next step.
+            // Warm starting values, in case the SIMD solver solves the tree in the next step.
             const float sign = link.treeBodyIsB ? rate : -rate;
             const auto row = [&](double given) { return static_cast<float>(given) * sign; };
             if (link.kind == JointKind::Weld) joint.rows[0] = row(link.given.turn);

@@ -9,7 +9,7 @@
 
 namespace plumb::physics {
 
-/// Components along x, y and of the rotation: of a velocity, an impulse or a row of a Jacobian.
+/// A velocity, an impulse or a row of a Jacobian: components along x and y, and of the rotation.
 struct Triple {
     double x = 0.0;
     double y = 0.0;
@@ -36,7 +36,7 @@ inline Triple operator*(const Symmetric& m, const Triple& v) {
             m.xt * v.x + m.yt * v.y + m.tt * v.turn};
 }
 
-/// Inverse of a positive definite matrix by L D L^T: positive definite too, whatever the condition number.
+/// Returns the inverse of a positive definite matrix by L D L^T: positive definite for any condition number.
 inline Symmetric inverse(const Symmetric& m) {
     const double d0 = 1.0 / m.xx, l10 = m.xy * d0, l20 = m.xt * d0;
     const double d1 = 1.0 / (m.yy - m.xy * l10), below = m.yt - m.xt * l10, l21 = below * d1;
@@ -52,15 +52,14 @@ inline Symmetric inverse(const Symmetric& m) {
     return w;
 }
 
-/// The same for a body that cannot rotate.
+/// Returns the inverse of a mass matrix of a body that cannot rotate.
 inline Symmetric inverseUnturned(const Symmetric& m) {
     const double scale = 1.0 / (m.xx * m.yy - m.xy * m.xy);
     return {m.yy * scale, -m.xy * scale, m.xx * scale, 0.0, 0.0, 0.0};
 }
 
-// Data of the direct solver for trees of joints, see joint_tree_solver.hpp.
-// A link is a joint between a tree body and its parent in the tree; a hold
-// is a further joint of a tree body to a static or kinematic body: a loop.
+// Data of the direct solver for trees of joints, see joint_tree_solver.hpp. A link is a joint between a tree
+// body and its parent; a hold is a further joint of a tree body to a static or kinematic body: a loop.
 
 /// Motion of a body since the start of the step: m, m, sine and (cosine - 1) of its rotation.
 struct TreePose {
@@ -73,83 +72,83 @@ struct TreePose {
 struct TreeBody {
     std::uint32_t body = 0;
     std::int32_t slot = 0;
-    std::uint32_t colours = 0;  ///< of all its joints
+    std::uint32_t colours = 0;  ///< bits: colors of all its joints
     double mass = 0.0;          ///< kg
     double inertia = 0.0;       ///< kg m2; 0 if it cannot rotate
-    double straining = 0.0;     ///< N m/rad: rotational stiffness by the tension of its joints
+    double straining = 0.0;     ///< N m/rad: rotational stiffness due to the tension of its joints
     TreePose pose;
     Triple velocity;
-    Symmetric own;   ///< its mass matrix with its subtree as felt here; after factoring, the inverse
-    Triple impulse;  ///< on it, by its subtree; then the change of its velocity
+    Symmetric own;   ///< effective mass matrix of body and subtree; after factoring, the inverse
+    Triple impulse;  ///< impulse of its subtree on it; later the change of its velocity
 };
 
-/// A joint of a tree, between a tree body and its parent or a static or kinematic body. Everything
-/// is relative to the parent: a gap grows with the velocity of the tree body, on which impulses act.
+/// A joint between a tree body and its parent or a static or kinematic body. Signs: a gap grows with the
+/// velocity of the tree body, and impulses act on the tree body.
 struct Link {
     std::uint32_t joint = 0;  ///< kNone at the root of a floating tree
     JointKind kind = JointKind::Revolute;
     bool treeBodyIsB = true;
-    std::uint32_t treeBody = 0;    ///< in JointTrees::treeBodies
-    std::uint32_t parent = kNone;  ///< in JointTrees::treeBodies; kNone for a static or kinematic body
-    std::uint32_t ground = 0;      ///< in that case: the body
+    std::uint32_t treeBody = 0;    ///< index in JointTrees::treeBodies
+    std::uint32_t parent = kNone;  ///< index in JointTrees::treeBodies; kNone for a static or kinematic body
+    std::uint32_t ground = 0;      ///< the static or kinematic body, if parent is kNone
     // At the start of the step.
-    Vec2 treeBodyArm;  ///< m, world, from the center of mass
+    Vec2 treeBodyArm;  ///< m, in the world, from the center of mass to the anchor
     Vec2 parentArm;
-    Vec2 apart;          ///< m: from the parent's anchor to the tree body's
+    Vec2 apart;          ///< m: from the parent's anchor to the tree body's anchor
     Vec2 axis;           ///< sliding axis
-    float angle = 0.0f;  ///< rad, relative to where it is held
+    float angle = 0.0f;  ///< rad, relative to the joint's reference angle
     float rest = 0.0f;   ///< m: length of rods
     float reach = 0.0f;  ///< m: largest gap that is closed within a substep
     // At the current poses.
     Double2 limb;  ///< m: arms of point constraints
     Double2 parentLimb;
-    Symmetric stiffness;  ///< effective mass: impulse per velocity removed
-    Triple across[3];     ///< by row: change of the body's velocity by an impulse
+    Symmetric stiffness;  ///< effective mass: impulse per change of velocity
+    Triple across[3];     ///< by row: change of the tree body's velocity by a unit impulse
     Triple softness;
     Triple gap;     ///< m or rad
-    Triple error;   ///< m/s: velocity to be removed
-    Triple answer;  ///< N s: with the parent fixed
-    Triple given;   ///< N s: in this substep
-    Triple force;   ///< N, N, N m: in the last substep
+    Triple error;   ///< m/s: relative velocity to remove
+    Triple answer;  ///< N s: impulse if the parent could not move
+    Triple given;   ///< N s: total impulse in this substep
+    Triple force;   ///< N, N, N m: force in the last substep
     Triple groundVelocity;
-    Triple onTreeBody[3];  ///< by row: Jacobian of the tree body, and of its parent
+    Triple onTreeBody[3];  ///< by row: Jacobian of the tree body; below, that of its parent
     Triple onParent[3];
 
-    /// Whether it is a point constraint, computed from its arms instead of rows.
+    /// True for a point constraint, which is computed from its arms instead of rows.
     [[nodiscard]] bool byArms() const { return kind == JointKind::Revolute; }
 };
 
-/// A tree: its bodies, ordered from the leaves to the root.
+/// A tree of joints; its bodies are ordered from the leaves to the root.
 struct JointTree {
-    std::uint32_t begin = 0;  ///< tree bodies and their links
+    std::uint32_t begin = 0;  ///< range of tree bodies and their links
     std::uint32_t end = 0;
-    std::uint32_t holdBegin = 0;  ///< further links to static or kinematic bodies, besides that of the root
+    std::uint32_t holdBegin = 0;  ///< range of holds
     std::uint32_t holdEnd = 0;
-    bool direct = true;   ///< in this step: false while its bodies touch something
-    bool rooted = false;  ///< the last body has a link too, to a static or kinematic body
+    bool direct = true;   ///< solved directly in this step; false while its bodies have contacts
+    bool rooted = false;  ///< the last body has a link, to a static or kinematic body
     std::uint8_t group = 0;
-    bool powered = false;  ///< a definition was changed, which may do work
+    bool powered = false;  ///< the definition of a joint was changed, which may do work
     double gain = 0.0;     ///< J: energy added by its joints in this substep
 };
 
-/// A body found while a tree is built, from the root outwards; or the one that a hold is to.
+/// A body found while a tree is built, from the root outwards; or the body at the other end of a hold.
 struct ReachedBody {
     std::uint32_t body = 0;
     std::uint32_t parent = kNone;  ///< index among the bodies found, or kNone
     std::uint32_t joint = 0;       ///< to the parent or the ground; kNone at the root of a floating tree
 };
 
-/// All trees. Link i connects tree body i to its parent.
+/// All trees of joints. Link i connects tree body i to its parent.
 struct JointTrees {
     std::vector<JointTree> trees;
     std::vector<TreeBody> treeBodies;
     std::vector<Link> links;
     std::vector<Link> holds;
     std::vector<std::uint8_t> isDirect;    ///< by joint: 1 if a tree solves it in this step
-    std::vector<std::uint32_t> freeMasks;  ///< by body: colors of its constraints, if all are in its tree
-    bool some = false;                     ///< some tree is solved directly in this step
-    bool stale = true;                     ///< joints were created or destroyed, woke or fell asleep
-    bool wanted = false;                   ///< Settings::directJoints, when the trees were built
+    std::vector<std::uint32_t> freeMasks;  ///< by body: colors of its constraints if all are in its tree
+    bool some = false;                     ///< true if a tree is solved directly in this step
+    bool stale = true;    ///< to be rebuilt: joints were created or destroyed, woke or fell asleep
+    bool wanted = false;  ///< Settings::directJoints when the trees were built
     std::vector<std::uint32_t> candidates;
     std::vector<std::uint8_t> reached;  ///< by body
     std::vector<ReachedBody> reachedBodies;
@@ -163,17 +162,17 @@ struct JointTrees {
     }
 };
 
-/// What a joint of a tree constrains: a length (1), a point and an angle (3), a point, or a slider (2).
+/// Returns the number of constraint rows of a joint: distance 1, weld 3 (point and angle), others 2.
 constexpr int rowsOf(JointKind kind) {
     return kind == JointKind::Distance ? 1 : kind == JointKind::Weld ? 3 : 2;
 }
 
-/// True if a tree body has a link: all but the root of a floating tree.
+/// True if a tree body has a link, i.e. is not the root of a floating tree.
 inline bool hasLink(const JointTree& tree, std::uint32_t treeBody) {
     return tree.rooted || treeBody + 1 < tree.end;
 }
 
-/// Calls act(link) for all joints of a tree.
+/// Calls act(link) for all links and holds of a tree.
 template <class Act>
 void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
     for (std::uint32_t i = tree.begin; i < tree.end; ++i) {
@@ -182,11 +181,11 @@ void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
     for (Link& hold : trees.holdsOf(tree)) act(hold);
 }
 
-/// A pose, rotated further by an angle (rad).
+/// Returns a pose, rotated further by an angle (rad).
 TreePose turnedBy(const TreePose& pose, double angle);
 
 /// Computes the arms or rows of a link at two poses.
-/// @return gaps of its rows: m or rad
+/// @return the gaps of its rows, m or rad
 Triple setRows(Link& link, const TreePose& treeBody, const TreePose& parent);
 Triple gapsOf(const Link& link, const TreePose& treeBody, const TreePose& parent);
 

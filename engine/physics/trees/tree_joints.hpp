@@ -4,11 +4,10 @@
 
 namespace plumb::physics {
 
-// Effect of a link on its tree body and the parent of that, i.e. between a subtree and
-// the rest of its tree. Points, of which nearly all trees are made, are computed from
-// their arms; others from three rows, of which those that a joint does not have are 0.
+// Equations of a link between a tree body and its parent. Point constraints, the most frequent ones, are
+// computed from their arms; other joints from three Jacobian rows, of which unused ones are 0.
 
-/// Effective mass of a link on its tree body with the subtree. @pre TreeBody::own is inverted
+/// Computes the effective mass of a point link, as seen from the parent. @pre TreeBody::own is inverted
 inline void stiffenPoint(const TreeBody& treeBody, Link& link) {
     const Symmetric& own = treeBody.own;
     const double x = link.limb.x, y = link.limb.y;
@@ -30,7 +29,7 @@ inline void stiffenRows(const TreeBody& treeBody, Link& link) {
                               give(0, 2), give(1, 2), give(2, 2) + link.softness.turn});
 }
 
-/// Adds J^T K J.
+/// Adds J^T K J of a point constraint at (x, y) to a mass matrix.
 inline void addPoint(double x, double y, const Symmetric& k, Symmetric& own) {
     const double xt = x * k.xy - y * k.xx, yt = x * k.yy - y * k.xy;
     own.xx += k.xx;
@@ -53,7 +52,7 @@ inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own)
     own.tt += dot(k * turn, turn);
 }
 
-/// Adds the subtree behind a link to the mass matrix of the parent.
+/// Computes a link's effective mass and adds its subtree to the mass matrix of the parent.
 inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     if (link.byArms()) {
         stiffenPoint(treeBody, link);
@@ -64,7 +63,7 @@ inline void stiffen(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     }
 }
 
-/// Velocity of the rows of a link by a velocity of the tree body, or of its parent.
+/// Returns the velocity of a link's rows for a velocity of the tree body, or of its parent.
 inline Triple seenBy(const Triple (&rows)[3], const Triple& v) {
     return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
@@ -77,7 +76,7 @@ inline Triple seenFromParent(const Link& link, const Triple& v) {
     return seenBy(link.onParent, v);
 }
 
-/// Impulse along x and y and torque on the parent or the tree body, of the impulses of the rows.
+/// Returns the impulse (x, y, angular) on a body for given impulses of the rows.
 inline Triple sumOf(const Triple (&rows)[3], const Triple& impulse) {
     return impulse.x * rows[0] + impulse.y * rows[1] + impulse.turn * rows[2];
 }
@@ -91,7 +90,7 @@ inline Triple onTreeBody(const Link& link, const Triple& impulse) {
     return sumOf(link.onTreeBody, impulse);
 }
 
-/// Impulse that removes Link::error with the parent fixed, and its reaction on the parent.
+/// Computes the impulse that removes Link::error if the parent is fixed, and its reaction on the parent.
 inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     Triple wanted{-link.error.x - dot(link.across[0], treeBody.impulse),
                   -link.error.y - dot(link.across[1], treeBody.impulse), 0.0};
@@ -105,8 +104,7 @@ inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     if (parent != nullptr) parent->impulse += onParent(link, link.answer);
 }
 
-/// Final impulse of a link, when the change of the parent's velocity is
-/// known. Replaces TreeBody::impulse by the change of the body's velocity.
+/// Computes a link's final impulse from the parent's velocity change. TreeBody::impulse becomes this body's.
 inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
     Triple impulse = link.answer;
     if (parent != nullptr) {

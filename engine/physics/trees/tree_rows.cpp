@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-/// Change of a direction or arm by a rotation.
+/// Returns the change of a direction or arm by a rotation.
 Double2 changeOf(Vec2 arm, const TreePose& pose) {
     const auto [x, y] = wide(arm);
     return {pose.versine * x - pose.sine * y, pose.sine * x + pose.versine * y};
@@ -27,7 +27,7 @@ Anchors anchorsAt(const Link& link, const TreePose& treeBody, const TreePose& pa
             wide(link.apart) + (moved + (changeOfLimb - changeOfParent))};
 }
 
-/// Direction across the axis of a slider, which rotates with A.
+/// Returns the direction across the axis of a slider, which rotates with body A.
 Double2 acrossOf(const Link& link, const TreePose& treeBody, const TreePose& parent) {
     const Double2 axis = wide(link.axis) + changeOf(link.axis, link.treeBodyIsB ? parent : treeBody);
     return {-axis.y, axis.x};
@@ -70,7 +70,7 @@ void setRod(Link& link, const Anchors& at) {
 }
 
 void setSlider(Link& link, const Anchors& at, Double2 across) {
-    // The force acts at B's anchor, wherever that is along A.
+    // The force acts at B's anchor at any displacement along the axis.
     if (link.treeBodyIsB) {
         setLine(link, 0, across, at.treeBodyArm, at.parentArm + at.apart);
     } else {

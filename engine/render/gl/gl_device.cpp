@@ -12,15 +12,15 @@
 namespace plumb {
 namespace {
 
-// Software renderers sample every slot of the switch for every pixel: 1000 sprites on three
-// backdrops take 7 ms with one slot, 10 with 4, 36 with 16. There, batches have at most 4 textures.
+// Maximum number of textures per batch in software renderers, which sample every slot of the switch for
+// every pixel: 1000 sprites on three backdrops take 7 ms with 1 slot, 10 ms with 4, 36 ms with 16.
 constexpr std::size_t kSoftwareSlots = 4;
 constexpr std::array<std::size_t, 8> kProgramSlots{1, 2, 3, 4, 6, 8, 12, kTextureSlots};
 constexpr int kOldestVersion = 33;
 
 const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);
-}  // GL's own convention
+}  // OpenGL passes offsets as pointers
 
 /// Sets the instance attributes of the bound vertex array to an offset in the bound buffer.
 void pointAtInstances(std::size_t first) {
@@ -73,7 +73,7 @@ bool isSoftware(const std::string& renderer) {
     return false;
 }
 
-/// OpenGL stores the lowest row first, we the highest.
+/// Reverses the order of rows: OpenGL stores the lowest row first, Image the highest.
 void flipRows(Image& image) {
     const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * 4;
     for (int y = 0; y < image.height / 2; ++y) {
@@ -86,7 +86,7 @@ void flipRows(Image& image) {
 
 Result<std::unique_ptr<GlDevice>> GlDevice::create() {
     if (epoxy_gl_version() < kOldestVersion) {
-        return Error{"OpenGL", format("version {} is too old", epoxy_gl_version()),
+        return Error{"OpenGL", format("version {} is too old, expected at least 33", epoxy_gl_version()),
                      "update the graphics driver; Plumb needs OpenGL 3.3"};
     }
     std::unique_ptr<GlDevice> device{new GlDevice};
@@ -134,10 +134,10 @@ Result<Done> GlDevice::buildPrograms() {
     Result<GlProgram> program = buildProgram(sources.vertex, sources.fragment);
     if (!program) return program.error();
     geometryProgram_ = *program;
-    const ShaderSources picture = pictureShaders();
+    const ShaderSources picture = textureShaders();
     program = buildProgram(picture.vertex, picture.fragment);
     if (!program) return program.error();
-    pictureProgram_ = *program;
+    textureProgram_ = *program;
     return Done{};
 }
 
@@ -158,10 +158,10 @@ GlDevice::~GlDevice() {
     glDeleteVertexArrays(1, &emptyArray_);
     for (const GlProgram& program : spritePrograms_) glDeleteProgram(program.name);  // 0 is ignored
     glDeleteProgram(geometryProgram_.name);
-    glDeleteProgram(pictureProgram_.name);
+    glDeleteProgram(textureProgram_.name);
 }
 
-TextureHandle GlDevice::keep(Texture texture) {
+TextureHandle GlDevice::storeTexture(Texture texture) {
     if (freeTextures_.empty()) {
         textures_.push_back(texture);
         return {static_cast<std::uint32_t>(textures_.size() - 1)};
@@ -175,11 +175,11 @@ TextureHandle GlDevice::keep(Texture texture) {
 TextureHandle GlDevice::createTexture(const Image& image, TextureFilter filter) {
     const PixelSize size{image.width, image.height};
     if (image.empty() || size.width > maxTextureSide_ || size.height > maxTextureSide_) {
-        logWarning("Render", Error{"texture", format("{}x{} px cannot be drawn", size.width, size.height),
-                                   format("keep images between 1 and {} px a side", maxTextureSide_)});
+        logWarning("Render", Error{"texture", format("{}x{} px is not supported", size.width, size.height),
+                                   format("each side of an image must be 1 to {} px", maxTextureSide_)});
         return {};
     }
-    return keep({makeTexture(size, filter, image.rgba.data()), size});
+    return storeTexture({makeTexture(size, filter, image.rgba.data()), size});
 }
 
 void GlDevice::updateTexture(TextureHandle texture, int x, int y, const Image& image) {
@@ -206,7 +206,7 @@ std::uintptr_t GlDevice::nativeTexture(TextureHandle texture) const { return tex
 TargetHandle GlDevice::createTarget(int width, int height) {
     Target target;
     const PixelSize size{std::clamp(width, 1, maxTextureSide_), std::clamp(height, 1, maxTextureSide_)};
-    target.texture = keep({makeTexture(size, TextureFilter::Nearest, nullptr), size});
+    target.texture = storeTexture({makeTexture(size, TextureFilter::Nearest, nullptr), size});
     glGenFramebuffers(1, &target.name);
     glBindFramebuffer(GL_FRAMEBUFFER, target.name);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
@@ -218,10 +218,10 @@ TargetHandle GlDevice::createTarget(int width, int height) {
 
 void GlDevice::destroyTarget(TargetHandle target) {
     if (target.index == 0) return;
-    Target& gone = targets_[target.index];
-    glDeleteFramebuffers(1, &gone.name);
-    destroyTexture(gone.texture);
-    gone = {};
+    Target& removed = targets_[target.index];
+    glDeleteFramebuffers(1, &removed.name);
+    destroyTexture(removed.texture);
+    removed = {};
 }
 
 TextureHandle GlDevice::targetTexture(TargetHandle target) const { return targets_[target.index].texture; }
@@ -249,10 +249,10 @@ void GlDevice::destroyInstances(InstanceBufferHandle buffer) {
     freeBuffers_.push_back(buffer.index);
 }
 
-void GlDevice::smoothWindow(int samples) {
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    windowSamples_ = std::clamp(samples, 1, static_cast<int>(most));
+void GlDevice::enableMultisampling(int samples) {
+    GLint maximum = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &maximum);
+    windowSamples_ = std::clamp(samples, 1, static_cast<int>(maximum));
     if (windowSamples_ == 1 || targets_[0].name != 0) return;
     glGenFramebuffers(1, &targets_[0].name);
     glGenRenderbuffers(1, &windowSamplesBuffer_);
@@ -271,7 +271,7 @@ void GlDevice::setWindowSize(PixelSize size) {
     windowSize_ = size;
 }
 
-void GlDevice::finishWindow() {
+void GlDevice::resolveWindow() {
     if (windowSamplesBuffer_ == 0) return;
     const int width = windowSize_.width, height = windowSize_.height;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, targets_[0].name);
@@ -281,7 +281,7 @@ void GlDevice::finishWindow() {
 }
 
 void GlDevice::setViewport(const Viewport& viewport) {
-    // Others (the editor's widgets) draw in the same context: set all relevant state again.
+    // Other code, such as the editor's ImGui, draws in the same context: set all relevant state again.
     glBindFramebuffer(GL_FRAMEBUFFER, targets_[viewport.target.index].name);
     flipped_ = viewport.target.index != 0;
     const int y = flipped_ ? viewport.y : windowSize_.height - viewport.y - viewport.height;
@@ -300,8 +300,8 @@ void GlDevice::clear(Color color) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-/// Switches to the least recently written buffer, or allocates another one if the card still reads it.
-/// Orphaning memory for every list instead would cost the clearing of its pages, more than all the rest.
+/// Switches to the least recently written buffer, with new memory if the card still reads it.
+/// Orphaning the buffer every time would be slower, because the driver would clear the new memory's pages.
 GlDevice::FrameBuffer& GlDevice::nextFrameBuffer(std::size_t count) {
     frames_[frame_].fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     frame_ = (frame_ + 1) % frames_.size();
@@ -324,7 +324,7 @@ GlDevice::FrameBuffer& GlDevice::nextFrameBuffer(std::size_t count) {
 std::span<SpriteInstance> GlDevice::mapInstances(std::size_t count) {
     if (count == 0) return {};
     nextFrameBuffer(count);
-    // Unsynchronized: the fence guarantees that the GPU no longer reads it.
+    // Unsynchronized: nextFrameBuffer() made sure that the GPU does not read this memory.
     void* memory =
         glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(SpriteInstance)),
                          GL_MAP_WRITE_BIT | GL_MAP_UNSYNCHRONIZED_BIT);
@@ -405,9 +405,9 @@ void GlDevice::drawGeometry(const GeometryBatch& batch) {
 
 void GlDevice::show(TargetHandle source, const Viewport& viewport) {
     setViewport(viewport);
-    glDisable(GL_BLEND);  // without it software drawing takes a third of the time
-    glUseProgram(pictureProgram_.name);
-    glUniform1f(pictureProgram_.up, flipped_ ? -1.0f : 1.0f);
+    glDisable(GL_BLEND);  // software rendering takes a third of the time without blending
+    glUseProgram(textureProgram_.name);
+    glUniform1f(textureProgram_.up, flipped_ ? -1.0f : 1.0f);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, textures_[targetTexture(source).index].name);
     glBindVertexArray(emptyArray_);

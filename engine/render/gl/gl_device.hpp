@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// Draws with OpenGL 3.3 core, in the context that is current when it is created and whenever it is used.
+/// Draws with OpenGL 3.3 core. The same context must be current at its creation and at every call.
 class GlDevice final : public RenderDevice {
 public:
     /// @error the context is older than 3.3
@@ -29,11 +29,11 @@ public:
     [[nodiscard]] TextureHandle targetTexture(TargetHandle target) const override;
     InstanceBufferHandle createInstances(std::span<const SpriteInstance> instances) override;
     void destroyInstances(InstanceBufferHandle buffer) override;
-    /// Enables multisampling of the window with this number of samples (as many as the card
-    /// supports), which smooths edges. Call finishWindow() before the window is shown or read.
-    void smoothWindow(int samples);
+    /// Enables multisampling of the window, which smooths edges, with up to `samples` samples per
+    /// pixel. Call resolveWindow() before the window is shown or read.
+    void enableMultisampling(int samples);
     /// Resolves the samples of the window; does nothing without multisampling.
-    void finishWindow();
+    void resolveWindow();
     void setWindowSize(PixelSize size) override;
     void setViewport(const Viewport& viewport) override;
     void clear(Color color) override;
@@ -60,7 +60,7 @@ private:
     struct FrameBuffer {
         GlName name = 0;
         std::size_t capacity = 0;  ///< instances
-        void* fence = nullptr;     ///< signaled when the card has read it
+        void* fence = nullptr;     ///< signaled when the card no longer reads the buffer
     };
 
     GlDevice() = default;
@@ -70,31 +70,31 @@ private:
     void bindTextures(const SpriteBatch& batch, const GlProgram& program);
     void setTransform(const GlProgram& program, const ViewTransform& transform) const;
     FrameBuffer& nextFrameBuffer(std::size_t count);
-    [[nodiscard]] TextureHandle keep(Texture texture);
+    [[nodiscard]] TextureHandle storeTexture(Texture texture);
 
-    /// By number of slots; built on first use.
+    /// Programs for sprites by number of texture slots, built on first use.
     std::array<GlProgram, kTextureSlots + 1> spritePrograms_{};
     std::size_t batchTextures_ = kTextureSlots;
     bool software_ = false;
     GlProgram geometryProgram_;
-    GlProgram pictureProgram_;
+    GlProgram textureProgram_;
     std::vector<Texture> textures_;
     std::vector<std::uint32_t> freeTextures_;
     std::vector<Target> targets_;
-    std::vector<GlName> buffers_;  ///< 0 stays empty: it stands for the frame's own memory
+    std::vector<GlName> buffers_;  ///< indexed by handle; 0 is unused, it means the frame's memory
     std::vector<std::uint32_t> freeBuffers_;
     GlName spriteArray_ = 0;
     GlName geometryArray_ = 0;
     GlName geometryBuffer_ = 0;
     GlName emptyArray_ = 0;
     std::array<FrameBuffer, 3> frames_{};
-    std::size_t frame_ = 0;                  ///< the one written last
+    std::size_t frame_ = 0;                  ///< index in frames_ of the buffer written last
     std::vector<SpriteInstance> ownMemory_;  ///< used if the driver cannot map buffers
     std::size_t ownCount_ = 0;
     PixelSize windowSize_{1, 1};
     int windowSamples_ = 1;
-    GlName windowSamplesBuffer_ = 0;  ///< of targets_[0], which is the window itself without multisampling
-    bool flipped_ = false;  ///< targets are drawn upside down, so that their first row is the top one
+    GlName windowSamplesBuffer_ = 0;  ///< multisampled renderbuffer of targets_[0]; 0: no multisampling
+    bool flipped_ = false;  ///< drawing to a texture: upside down, so that its first row is the top one
     int maxTextureSide_ = 1024;
 };
 

@@ -40,7 +40,8 @@ Result<GlProgram> buildProgram(const std::string& vertexSource, const std::strin
     glDeleteShader(*fragment);
     GLint linked = 0;
     glGetProgramiv(program.name, GL_LINK_STATUS, &linked);
-    if (linked == 0) return Error{"shader", "the driver could not link it", "update the graphics driver"};
+    if (linked == 0)
+        return Error{"shader", "the driver could not link the program", "update the graphics driver"};
 
     program.viewX = glGetUniformLocation(program.name, "viewX");
     program.viewY = glGetUniformLocation(program.name, "viewY");

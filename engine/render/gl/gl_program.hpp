@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// Name of an OpenGL object: GL headers stay inside the sources of this folder.
+/// Name of an OpenGL object, like GLuint; OpenGL headers are included only in .cpp files of this folder.
 using GlName = std::uint32_t;
 
-/// A linked pair of shaders and its uniform locations.
+/// A linked shader program and its uniform locations.
 struct GlProgram {
     GlName name = 0;
     int viewX = -1;
@@ -22,7 +22,7 @@ struct GlProgram {
     std::size_t slots = 0;
 };
 
-/// @error the driver's message about the source
+/// Compiles and links a program. @error the driver's message
 Result<GlProgram> buildProgram(const std::string& vertexSource, const std::string& fragmentSource);
 
 }  // namespace plumb

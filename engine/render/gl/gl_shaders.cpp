@@ -10,7 +10,7 @@ precision highp float;
 precision highp int;
 )";
 
-// The corner comes from the vertex number: 0 1 / 2 3, a strip of two triangles.
+// The corner is computed from gl_VertexID: 0 1 / 2 3, a strip of two triangles.
 constexpr const char* kSpriteVertex = R"(
 layout(location = 0) in vec2 center;
 layout(location = 1) in vec2 extent;
@@ -50,7 +50,7 @@ void main() {
 }
 )";
 
-// Samplers may only be indexed by constants before GL 4: hence a switch.
+// Uses a switch, because before OpenGL 4 arrays of samplers can be indexed only by constants.
 constexpr const char* kSpriteFragment = R"(
 uniform sampler2D slots[SLOTS];
 in vec2 uv;
@@ -81,15 +81,15 @@ void main() {
 }
 )";
 
-// Premultiplied in the vertex shader: if the pixel shader does it, Mesa's
-// software renderer (22.3) gives wrong colors in fully covered squares of 64 px.
+// The vertex shader premultiplies the color: if the fragment shader does it, Mesa's
+// software renderer (22.3) draws wrong colors in fully covered squares of 64 px.
 constexpr const char* kGeometryFragment = R"(
 in vec4 color;
 out vec4 pixel;
 void main() { pixel = color; }
 )";
 
-// The picture's first row is the top one; `up` is the direction of up in the target.
+// The texture's first row is the top one. `up` is 1 if clip space y points up in the target, else -1.
 constexpr const char* kPictureVertex = R"(
 uniform float up;
 out vec2 uv;
@@ -116,7 +116,8 @@ std::string withSlots(std::string source, std::size_t slots) {
     return source;
 }
 
-/// textureLod needs no derivatives, which are undefined inside a switch.
+/// Returns the code that samples the texture of a slot. textureLod needs no derivatives, which would be
+/// undefined inside a switch.
 std::string samples(std::size_t slots) {
     if (slots == 1) return "    return textureLod(slots[0], at, 0.0);";
     std::string lines = "    switch (textureSlot) {\n";
@@ -139,7 +140,7 @@ ShaderSources geometryShaders() {
     return {std::string{kFirstLines} + kGeometryVertex, std::string{kFirstLines} + kGeometryFragment};
 }
 
-ShaderSources pictureShaders() {
+ShaderSources textureShaders() {
     return {std::string{kFirstLines} + kPictureVertex, std::string{kFirstLines} + kPictureFragment};
 }
 

@@ -5,17 +5,17 @@
 
 namespace plumb {
 
-/// The source of a pair of shaders. Written for GLSL 3.30; with another first line it is GLSL ES 3.00.
+/// Sources of a vertex and a fragment shader in GLSL 3.30; with another first line valid GLSL ES 3.00.
 struct ShaderSources {
     std::string vertex;
     std::string fragment;
 };
 
-/// Sprites with up to `slots` textures.
+/// Returns the shaders for sprites with up to `slots` textures.
 ShaderSources spriteShaders(std::size_t slots);
-/// Plain colored triangles.
+/// Returns the shaders for colored triangles without texture.
 ShaderSources geometryShaders();
-/// A picture that fills the viewport.
-ShaderSources pictureShaders();
+/// Returns the shaders that fill the viewport with a texture.
+ShaderSources textureShaders();
 
 }  // namespace plumb

@@ -5,18 +5,19 @@
 
 namespace plumb {
 
-/// Remembers where the bodies of its scene began. An action of the player, or a Slider that was let go, puts
-/// them back there; ghosts and plots begin anew. One in a scene is enough.
+/// Stores the initial state of the scene's bodies. An input action, or releasing a Slider, restores it and
+/// restarts ghosts and plots. Only the first one in a scene is used.
 struct Experiment {
-    TextId action;            ///< one of project.json
-    bool afterSlider = true;  ///< a slider that is let go begins it anew, too
+    TextId action;            ///< name of the input action (project.json) that restarts the experiment
+    bool afterSlider = true;  ///< releasing a moved slider restarts the experiment too
 
     static void describe(TypeBuilder<Experiment>& type) {
         type.name("Experiment")
-            .doc("Puts the bodies back where they began, by an action or after a slider was moved.");
-        type.field<&Experiment::action>("action").doc("One of project.json.");
+            .doc("Restores the initial state of all bodies, by an input action or after a slider was moved.");
+        type.field<&Experiment::action>("action").doc(
+            "Input action that restarts the experiment, by its name in project.json.");
         type.field<&Experiment::afterSlider>("afterSlider")
-            .doc("A slider that is let go begins it anew, too.");
+            .doc("Releasing a moved slider restarts the experiment too.");
     }
 };
 

@@ -5,13 +5,13 @@
 
 namespace plumb {
 
-/// What people call the entity. Names need not be unique. Saved as the entity's own "name".
+/// Display name of the entity; not necessarily unique. Saved as the entity's "name" in the scene file.
 struct Name {
     TextId text;
 
     static void describe(TypeBuilder<Name>& type) {
-        type.name("Name").doc("What people call the entity; need not be unique.");
-        type.field<&Name::text>("text").doc("Shown in the scene tree and in messages.");
+        type.name("Name").doc("Display name of the entity; not necessarily unique.");
+        type.field<&Name::text>("text").doc("Name shown in the scene tree and in messages.");
     }
 };
 

@@ -4,10 +4,11 @@
 
 namespace plumb {
 
-/// Survives the change to another scene.
+/// Keeps the entity and its children alive when the game changes to another scene.
 struct Persistent {
     static void describe(TypeBuilder<Persistent>& type) {
-        type.name("Persistent").doc("Survives the change to another scene.");
+        type.name("Persistent")
+            .doc("Keeps the entity and its children alive when the game changes to another scene.");
     }
 };
 

@@ -6,24 +6,24 @@
 
 namespace plumb {
 
-/// On the first entity of a prefab instance. Saved as the entity's "prefab"; what equals the prefab is not
-/// saved.
+/// Marks the root entity of a prefab instance. Saved as the entity's
+/// "prefab"; only values that differ from the prefab are saved.
 struct PrefabInstance {
     PrefabId prefab;
 
     static void describe(TypeBuilder<PrefabInstance>& type) {
-        type.name("PrefabInstance").doc("This entity and its parts come from a prefab.");
+        type.name("PrefabInstance").doc("The root of a prefab instance.");
         type.field<&PrefabInstance::prefab>("prefab").transient();
     }
 };
 
-/// On every other entity that a prefab instance made.
+/// Marks the other entities of a prefab instance.
 struct PrefabPart {
-    std::uint64_t instance = 0;  ///< stable id of the instance's first entity
+    std::uint64_t instance = 0;  ///< stable id of the instance's root entity
     std::uint64_t part = 0;      ///< id of this entity inside the prefab
 
     static void describe(TypeBuilder<PrefabPart>& type) {
-        type.name("PrefabPart").doc("This entity was made by the prefab of another one.");
+        type.name("PrefabPart").doc("A part of a prefab instance.");
         type.field<&PrefabPart::instance>("instance").transient();
         type.field<&PrefabPart::part>("part").transient();
     }

@@ -6,14 +6,14 @@
 
 namespace plumb {
 
-/// Ties an entity to the scene file it came from. Entities that game code makes have none and are not saved.
+/// Connects an entity to its scene file. Entities created by game code do not have it and are not saved.
 struct SceneEntity {
-    std::uint64_t id = 0;    ///< random and never reused: what files, references and undo call the entity
-    std::int32_t order = 0;  ///< place in the file; equal places are sorted by id
-    SceneId scene;
+    std::uint64_t id = 0;    ///< stable id, random and never reused: used by files, references and undo
+    std::int32_t order = 0;  ///< index in the file; entities with equal values are sorted by id
+    SceneId scene;           ///< the scene that the entity is saved with
 
     static void describe(TypeBuilder<SceneEntity>& type) {
-        type.name("SceneEntity").doc("Ties the entity to its scene file; written as the entity's \"id\".");
+        type.name("SceneEntity").doc("Connects the entity to its scene file; saved as the entity's \"id\".");
         type.field<&SceneEntity::id>("id").transient();
         type.field<&SceneEntity::order>("order").transient();
         type.field<&SceneEntity::scene>("scene").transient();

@@ -6,38 +6,45 @@
 
 namespace plumb {
 
-/// How the physics of this scene differs from the project's. One in a scene is enough; the first one counts.
+/// Physics settings of this scene, in place of the project's. Only the first one in a scene is used.
 struct ScenePhysics {
-    Vec2 gravity{0.0f, 980.0f};  ///< px/s^2
-    int quality = 2;             ///< 2^quality substeps in a tick
+    Vec2 gravity{0.0f, 980.0f};  ///< px/s^2, positive y is down
+    int quality = 2;             ///< 2^quality substeps per tick
     physics::IntegratorKind integrator = physics::IntegratorKind::SemiImplicitEuler;
-    int iterations = 1;             ///< of each substep
-    bool automaticQuality = false;  ///< hard cases get more substeps by themselves
-    float tolerance = 0.0f;         ///< px: the largest error of what touches or is joined; 0: quality counts
-    bool continuous = true;         ///< fast bodies never pass through what stands still
-    bool sleeping = true;           ///< what rests costs nothing
+    int iterations = 1;             ///< solver iterations per substep
+    bool automaticQuality = false;  ///< more substeps for islands that are hard to solve
+    float tolerance = 0.0f;         ///< px: maximum error of contacts and joints; 0: fixed quality
+    bool continuous = true;         ///< continuous collision detection of fast bodies against static shapes
+    bool sleeping = true;           ///< bodies at rest fall asleep and cost no time
 
     static void describe(TypeBuilder<ScenePhysics>& type) {
-        type.name("ScenePhysics").doc("How the physics of this scene differs from the project's.");
-        type.field<&ScenePhysics::gravity>("gravity").unit(Unit::PixelsPerSecondSquared);
+        type.name("ScenePhysics").doc("Physics settings of this scene, in place of the project's.");
+        type.field<&ScenePhysics::gravity>("gravity")
+            .unit(Unit::PixelsPerSecondSquared)
+            .doc("Gravity of the scene, px/s2; positive y is down.");
         type.field<&ScenePhysics::quality>("quality")
             .range(0.0f, 6.0f)
-            .doc("2^quality substeps in a tick: each step more is slower and several times as exact.");
+            .doc(
+                "Quality: 2^quality substeps per tick. Each level is slower and several times more "
+                "accurate.");
         type.field<&ScenePhysics::integrator>("integrator")
             .names({{"ExplicitEuler", 0}, {"SemiImplicitEuler", 1}, {"Verlet", 2}, {"Rk4", 3}})
-            .doc("How bodies move in fields and on springs.");
-        type.field<&ScenePhysics::iterations>("iterations").range(1.0f, 64.0f).doc("Of each substep.");
+            .doc("Numerical integrator of bodies in fields and on springs.");
+        type.field<&ScenePhysics::iterations>("iterations")
+            .range(1.0f, 64.0f)
+            .doc("Solver iterations per substep.");
         type.field<&ScenePhysics::automaticQuality>("automaticQuality")
-            .doc("Hard cases get more substeps by themselves.");
+            .doc("More substeps for islands that are hard to solve: mass ratios, stacks, chains.");
         type.field<&ScenePhysics::tolerance>("tolerance")
             .range(0.0f, 16.0f)
             .unit(Unit::Pixels)
             .doc(
-                "The largest error: what overlaps or comes apart by more gets more substeps, and the rest as "
-                "few as do. 0: all get those of quality.");
+                "Maximum error, px: islands whose contacts or joints exceed it get more substeps, all others "
+                "as few "
+                "as suffice. 0: all use the substeps of quality.");
         type.field<&ScenePhysics::continuous>("continuous")
-            .doc("Fast bodies never pass through what stands still.");
-        type.field<&ScenePhysics::sleeping>("sleeping").doc("What rests costs nothing.");
+            .doc("Continuous collision detection: fast bodies do not pass through static shapes.");
+        type.field<&ScenePhysics::sleeping>("sleeping").doc("Bodies at rest fall asleep and cost no time.");
     }
 };
 

@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Where an entity is: in the world, or in its parent when it has one.
-/// The `previous` fields are the pose one tick ago; drawing goes from there to here.
+/// Position, rotation and scale of an entity, relative to its parent, or to the world if it has none.
+/// The `previous` fields are the pose one tick ago; drawing interpolates between the two.
 struct Transform {
     Vec2 position;                   ///< px, y down
     float rotation = 0.0f;           ///< rad, clockwise on screen
@@ -26,19 +26,24 @@ struct Transform {
           previousScale{size} {}
 
     static void describe(TypeBuilder<Transform>& type) {
-        type.name("Transform").doc("Where the entity is: in the world, or in its parent when it has one.");
+        type.name("Transform")
+            .doc("Position, rotation and scale, relative to the parent, or to the world without one.");
         type.field<&Transform::position>("position")
             .unit(Unit::Pixels)
-            .doc("The entity's origin; y points down.");
-        type.field<&Transform::rotation>("rotation").unit(Unit::Radians).doc("Clockwise on screen.");
-        type.field<&Transform::scale>("scale").unit(Unit::Ratio).doc("1 is the natural size.");
+            .doc("Position of the entity's origin, px; y points down.");
+        type.field<&Transform::rotation>("rotation")
+            .unit(Unit::Radians)
+            .doc("Rotation, degrees, clockwise on screen.");
+        type.field<&Transform::scale>("scale")
+            .unit(Unit::Ratio)
+            .doc("Scale as a ratio; 1 is the natural size.");
         type.field<&Transform::previousPosition>("previousPosition").unit(Unit::Pixels).transient();
         type.field<&Transform::previousRotation>("previousRotation").unit(Unit::Radians).transient();
         type.field<&Transform::previousScale>("previousScale").unit(Unit::Ratio).transient();
     }
 };
 
-/// Puts a transform somewhere without drawing the way there.
+/// Sets the position without interpolating the motion from the old one when drawing.
 inline void teleport(Transform& transform, Vec2 position) {
     transform.position = position;
     transform.previousPosition = position;

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// The color behind everything in a world without scenes; a scene's file has its own. A resource.
+/// Background color of a world without scenes; scene files define their own. A world resource.
 struct Background {
     Color color{0, 0, 0, 255};
 };

@@ -23,7 +23,7 @@
 namespace plumb {
 namespace {
 
-constexpr float kLinesOfThinStrokes = 1080.0f;  // px: on twice that height they are twice as wide
+constexpr float kLinesOfThinStrokes = 1080.0f;  // px: screen height per pixel of stroke width
 
 Rect sourceOf(const Sprite& sprite) {
     if (!sprite.source.empty()) return sprite.source;
@@ -33,7 +33,7 @@ Rect sourceOf(const Sprite& sprite) {
             height};
 }
 
-/// The sprite as a quad at a pose. A negative scale mirrors.
+/// Returns the quad of a sprite at a pose. A negative scale mirrors it.
 [[gnu::always_inline]] inline SpriteQuad quadOf(const Sprite& sprite, const Pose& pose,
                                                 const TextureRegion& picture) {
     const Vec2 size{static_cast<float>(sprite.width) * pose.scale.x,
@@ -52,15 +52,15 @@ Rect sourceOf(const Sprite& sprite) {
     return quad;
 }
 
-/// How many times the picture is enlarged, when that is a whole number; else 0.
+/// Returns the factor by which the game image is enlarged if it is an integer, otherwise 0.
 int wholeFactor(Vec2 picture, const Viewport& viewport) {
     const auto factor = static_cast<int>(static_cast<float>(viewport.width) / std::max(picture.x, 1.0f));
     const auto enlarged = [factor](float side) { return static_cast<int>(side) * factor; };
     return enlarged(picture.x) == viewport.width && enlarged(picture.y) == viewport.height ? factor : 0;
 }
 
-/// How many times fewer px a side are drawn and enlarged where every pixel costs: as many as leave three for
-/// each px of the picture, fine enough for what moves slowly.
+/// Returns the divisor of `factor` by which the resolution is reduced for software rendering. At least three
+/// target px remain per px of the game image, which is fine enough for slow motion.
 int shrinkOf(int factor) {
     int shrink = 1;
     for (int i = 2; factor / i >= 3; ++i) {
@@ -69,17 +69,18 @@ int shrinkOf(int factor) {
     return shrink;
 }
 
-/// A backdrop looks the same drawn small and enlarged when its texels are whole px of the picture.
+/// True if texels of backdrops are whole px of the game
+/// image, so that drawing at low resolution looks the same.
 bool isWholeZoom(float zoom) { return zoom >= 1.0f && zoom == std::floor(zoom); }
 
 Vec2 topLeftOf(const View& view) { return view.center - view.size * (0.5f / view.zoom); }
 
-/// Neither turned nor enlarged: drawn texel for px.
+/// True if the pose neither rotates nor scales: one texel is one px.
 bool isPlain(const Pose& pose) {
     return pose.rotation == 0.0f && std::fabs(pose.scale.x) == 1.0f && std::fabs(pose.scale.y) == 1.0f;
 }
 
-/// Where the quad's center comes to lie when its corner is moved onto the nearest px.
+/// Returns the quad's center after its corner is moved to the nearest px.
 Vec2 centerOnGrid(const SpriteQuad& quad, const View& view, float grid) {
     if (!(grid > 0.0f) || quad.rotation != 0.0f) return quad.center;
     const float pxPerWorld = grid * view.zoom;
@@ -88,7 +89,7 @@ Vec2 centerOnGrid(const SpriteQuad& quad, const View& view, float grid) {
     return origin + Vec2{std::floor(place.x + 0.5f), std::floor(place.y + 0.5f)} / pxPerWorld;
 }
 
-/// How far a layer lies from its place because the camera has moved (px).
+/// Returns the parallax displacement of a layer (px).
 Vec2 parallaxOf(const SceneLayer& layer, const SceneView& how) {
     if (!how.parallax) return {};
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
@@ -96,35 +97,35 @@ Vec2 parallaxOf(const SceneLayer& layer, const SceneView& how) {
 }
 
 bool isAt(const World& world, EntityId entity, int place) {
-    return place == kEveryScene || placeOf(world, entity) == static_cast<std::size_t>(place);
+    return place == kAllScenes || placeOf(world, entity) == static_cast<std::size_t>(place);
 }
 
-/// A quick look whether a sprite can be in a view at all, before its quad is made.
+/// Quick test if a sprite can be in the view, before its quad is computed.
 struct Sight {
     AABB visible;          // px, world
-    bool isExact = false;  // no layer is drawn elsewhere than it lies
+    bool isExact = false;  // no layer is displaced by parallax
 
     [[nodiscard]] bool mayShow(const Sprite& sprite, const Pose& pose) const {
         if (!isExact) return true;
-        // However it is turned, no corner is farther from its origin than this.
+        // Maximum distance of a corner from the origin, for any rotation.
         const float wide =
             (1.0f + std::fabs(sprite.pivot.x)) * std::fabs(static_cast<float>(sprite.width) * pose.scale.x);
         const float high =
             (1.0f + std::fabs(sprite.pivot.y)) * std::fabs(static_cast<float>(sprite.height) * pose.scale.y);
         const float reach = wide + high;
-        // Written so that NaN is looked at more closely.
+        // NaN gives true, so that such sprites are not culled here.
         return !(pose.position.x + reach < visible.min.x || pose.position.x - reach > visible.max.x ||
                  pose.position.y + reach < visible.min.y || pose.position.y - reach > visible.max.y);
     }
 };
 
-/// Poses of entities of which many have the same parent, one after the other: it is walked up to once. The
-/// same bits as worldPose.
+/// World poses of entities, with a cache of the last parent's pose, as consecutive entities often have the
+/// same parent. Bit-identical to worldPose().
 class FamilyPoses {
 public:
     explicit FamilyPoses(const World& world) : world_{world} {}
 
-    /// @param own  in the parent
+    /// @param own  pose relative to the parent
     Pose of(const Pose& own, EntityId parent, float alpha) {
         if (!parent) return own;
         if (parent != parent_ || alpha != alpha_) {
@@ -159,7 +160,7 @@ View cameraView(const World& world, Vec2 picture, float alpha, int place) {
         view.zoom = lerp(camera.previousZoom, camera.zoom, between);
         if (!(view.zoom > 0.0f)) view.zoom = 1.0f;
         if (!camera.settled && world.alive(camera.follow)) {
-            // No tick has brought it to its target yet: look from there already.
+            // No tick has moved the camera to its target yet: use the target.
             const Vec2 target = cameraTarget(world, camera, view.center);
             view.center = keptInLimits(target, picture / view.zoom, camera.limits);
         }
@@ -176,7 +177,7 @@ SceneRenderer::SceneRenderer(RenderDevice& device, AssetStore& assets, TextureFi
       textures_{device, assets, filter},
       tiles_{device, assets, textures_},
       labels_{device, assets},
-      far_{device},
+      backdropTarget_{device},
       canvas_{device} {}
 
 void SceneRenderer::draw(const World& world, Vec2 picture, float alpha, const Viewport& viewport,
@@ -192,13 +193,13 @@ void SceneRenderer::draw(const World& world, Vec2 picture, float alpha, const Vi
     }
     const auto* loaded = world.findResource<LoadedScenes>();
     const int scenes = loaded == nullptr ? 0 : static_cast<int>(loaded->scenes.size());
-    // What an overlay paused is shown where it stands until it moves again.
+    // Scenes that an overlay had paused are drawn without interpolation until the next tick.
     const bool resumed = loaded != nullptr && loaded->resumedAt == world.tick && world.tick > 0;
     SceneView how;
     how.alpha = resumed ? 1.0f : alpha;
     how.labelText = labelText;
     for (int place = 0; place < std::max(scenes, 1); ++place) {
-        how.place = scenes > 1 ? place : kEveryScene;
+        how.place = scenes > 1 ? place : kAllScenes;
         drawInto(world, picture, how, canvas);
         if (place == 0) sceneView_ = how;
     }
@@ -208,7 +209,7 @@ void SceneRenderer::draw(const World& world, Vec2 picture, float alpha, const Vi
 void SceneRenderer::drawInto(const World& world, Vec2 picture, SceneView& how, const Viewport& viewport) {
     const float pixelScale = picture.x > 0.0f ? static_cast<float>(viewport.width) / picture.x : 1.0f;
     how.view = snappedToPixels(cameraView(world, picture, how.alpha, how.place), pixelScale);
-    // An overlay lets what is below be seen, so it has no backdrop of its own to draw first.
+    // The scenes below an overlay are visible, so its backdrops cannot be drawn separately.
     const bool farIsSmall = how.place <= 0 && renderer_.device().drawsInSoftware() &&
                             wholeFactor(picture, viewport) > 1 && isWholeZoom(how.view.zoom);
     how.grid = farIsSmall ? 1.0f : pixelScale;
@@ -216,8 +217,8 @@ void SceneRenderer::drawInto(const World& world, Vec2 picture, SceneView& how, c
     list_.begin(how.view);
     collect(world, how, list_);
     if (farIsSmall) {
-        const Viewport& far = far_.whole(static_cast<int>(picture.x), static_cast<int>(picture.y));
-        renderer_.draw(list_, viewport, {far, nearLayer_});
+        const Viewport& far = backdropTarget_.whole(static_cast<int>(picture.x), static_cast<int>(picture.y));
+        renderer_.draw(list_, viewport, {far, lowestFrontLayer_});
     } else {
         renderer_.draw(list_, viewport);
     }
@@ -245,7 +246,7 @@ void SceneRenderer::collect(const World& world, const SceneView& how, DrawList& 
     anyPaused_ = world.count<Paused>() > 0;
     readLayers(world, how);
     collectBackground(world, how, list);
-    nearLayer_ = kHighestLayer;
+    lowestFrontLayer_ = kHighestLayer;
     collectBackdrops(world, how, list);
     const std::size_t backdrops = list.items().size();
     collectTiles(world, how, list);
@@ -255,7 +256,7 @@ void SceneRenderer::collect(const World& world, const SceneView& how, DrawList& 
     collectLabels(world, how, list);
     drawLab(world, how, labels_, list);
     for (const DrawItem& item : list.items().subspan(backdrops)) {
-        nearLayer_ = std::min(nearLayer_, layerOfKey(item.key));
+        lowestFrontLayer_ = std::min(lowestFrontLayer_, layerOfKey(item.key));
     }
 }
 
@@ -277,7 +278,7 @@ void SceneRenderer::readLayers(const World& world, const SceneView& how) {
     if (loaded == nullptr) return;
     for (std::size_t i = 0; i < loaded->scenes.size(); ++i) {
         const std::vector<SceneLayer>& layers = loaded->scenes[i].layers;
-        const bool wanted = how.place == kEveryScene || static_cast<std::size_t>(how.place) == i;
+        const bool wanted = how.place == kAllScenes || static_cast<std::size_t>(how.place) == i;
         if (wanted) layers_.insert(layers_.end(), layers.begin(), layers.end());
     }
 }
@@ -296,8 +297,8 @@ const SceneLayer* SceneRenderer::layerOf(int order) const {
 template <class... T, class Draw>
 void SceneRenderer::forSeen(const Query<const T...>& query, const World& world, const SceneView& how,
                             const Draw& draw) const {
-    // Their ids are looked up only where they decide something.
-    if (how.place == kEveryScene && how.hidden.empty() && !anyPaused_)
+    // Entity ids are looked up only if they are needed.
+    if (how.place == kAllScenes && how.hidden.empty() && !anyPaused_)
         return query.each([&](const T&... parts) { draw(how.alpha, parts...); });
     query.each([&](Entity entity, const T&... parts) {
         if (isSeen(world, entity, how)) draw(alphaOf(world, entity, how), parts...);
@@ -320,11 +321,11 @@ void SceneRenderer::collectSprites(const World& world, const SceneView& how, Dra
     TextureId lastTexture;
     TextureRegion picture = textures_.regionOf(lastTexture);
     const auto collect = [&](const Sprite& sprite, const Pose& pose) {
-        // What is out of sight is on the card all the same: coming into sight must not take longer.
+        // Textures of invisible sprites are uploaded too, so that there is no delay when they become visible.
         if (sprite.texture != lastTexture) picture = textures_.regionOf(lastTexture = sprite.texture);
         if (sight.mayShow(sprite, pose)) add(quadOf(sprite, pose, picture), pose.position.y, how, list);
     };
-    // Most sprites have no parent; they skip the walk up.
+    // Most sprites have no parent and need no world pose.
     forSeen(world.query<const Sprite, const Transform>(without<Hidden, ParallaxLayer, Parent>, withPaused),
             world, how, [&](float alpha, const Sprite& sprite, const Transform& transform) {
                 collect(sprite, interpolated(transform, alpha));
@@ -349,13 +350,13 @@ void SceneRenderer::collectBackdrops(const World& world, const SceneView& how, D
         if (!isSeen(world, entity, how)) continue;
         const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
         SpriteQuad quad = quadOf(sprite, pose, textures_.regionOf(sprite.texture));
-        if (!isPlain(pose)) nearLayer_ = std::min(nearLayer_, quad.layer);
+        if (!isPlain(pose)) lowestFrontLayer_ = std::min(lowestFrontLayer_, quad.layer);
         if (how.parallax)
             quad.center += {moved.x * (1.0f - backdrop.factor.x), moved.y * (1.0f - backdrop.factor.y)};
         const Vec2 size = quad.half * 2.0f;
         if (!(size.x >= 1.0f) || !(size.y >= 1.0f)) continue;
         quad.center = centerOnGrid(quad, how.view, how.grid);
-        // The first copy is the leftmost that is seen; without repetition there is one.
+        // Start at the first visible copy; without repetition there is only one.
         const Vec2 first = quad.center;
         const auto start = [](bool repeats, float center, float step, float from) {
             return repeats ? center + std::ceil((from - center) / step - 0.5f) * step : center;

@@ -17,58 +17,58 @@
 
 namespace plumb {
 
-/// For a place in the stack of scenes: all of them.
-inline constexpr int kEveryScene = -1;
+/// Scene index that stands for all scenes of the stack.
+inline constexpr int kAllScenes = -1;
 
-/// The view of the first enabled camera between its last two ticks, shake included; without one, the view
-/// whose top-left corner is the world's origin.
-/// @param picture  px, size of the game's picture
-/// @param place    in the stack of scenes: only a camera of that scene
-View cameraView(const World& world, Vec2 picture, float alpha, int place = kEveryScene);
+/// Returns the view of the first enabled camera, interpolated between its last two ticks, with shake. Without
+/// a camera: the view whose top-left corner is the world's origin.
+/// @param picture  px, size of the game image
+/// @param alpha    ratio between the last two ticks, 0..1
+/// @param place    index in the scene stack; only cameras of that scene are considered
+View cameraView(const World& world, Vec2 picture, float alpha, int place = kAllScenes);
 
-/// How a world is looked at.
+/// Parameters for drawing a world.
 struct SceneView {
     View view;
-    float alpha = 1.0f;    ///< between the last two ticks (ratio, 0..1)
-    Vec2 parallaxOrigin;   ///< px, world: where the view's top-left corner shows backdrops at their place
-    bool parallax = true;  ///< false draws backdrops where they are, as part of the world
-    float grid = 0.0f;     ///< px of the target for each px of the picture: backdrops keep to them; 0: they
-                           ///< lie where they come to lie
-    int place = kEveryScene;               ///< in the stack of scenes: what is drawn
-    LabelText labelText = nullptr;         ///< null shows texts as they are written
-    double ahead = 0.0;                    ///< s by which animated tiles are shown ahead of the world's time
-    std::span<const EntityId> hidden;      ///< entities not drawn (sorted), without those below them
-    const Particles* particles = nullptr;  ///< drawn in place of the world's own
-    float particleBack = 0.0f;             ///< s before the last step of `particles` that is drawn
+    float alpha = 1.0f;      ///< ratio between the last two ticks, 0..1
+    Vec2 parallaxOrigin;     ///< px, world: top-left corner of the view at which parallax shifts nothing
+    bool parallax = true;    ///< false: draw backdrops at their world positions
+    float grid = 0.0f;       ///< target px per px of the game image, to align backdrops to; 0: no alignment
+    int place = kAllScenes;  ///< index in the scene stack of the scene to draw
+    LabelText labelText = nullptr;     ///< fills in placeholders of labels; null: texts are drawn unchanged
+    double ahead = 0.0;                ///< s by which animated tiles are ahead of the world's time
+    std::span<const EntityId> hidden;  ///< sorted entities that are not drawn; their children are drawn
+    const Particles* particles = nullptr;  ///< drawn instead of the world's own particles
+    float particleBack = 0.0f;             ///< s from the drawn moment to the last step of `particles`
 };
 
-inline constexpr double kSecondsPerTick = 1.0 / 60.0;  ///< of the fixed rate
+inline constexpr double kSecondsPerTick = 1.0 / 60.0;  ///< s, fixed length of a tick
 
-/// Whether a view shows an entity, as far as scenes and hiding go.
+/// True if the entity is in a drawn scene and not in `how.hidden`. Does not check if it is inside the view.
 [[nodiscard]] bool isSeen(const World& world, EntityId entity, const SceneView& how);
 
-/// Turns a world into draw lists: sprites, backdrops, tile layers, texts. Keeps what is costly to make
-/// between frames; changes nothing in the world.
+/// Draws a world: sprites, backdrops, tile layers, labels, particles and soft bodies. Caches GPU resources
+/// between frames; does not change the world.
 class SceneRenderer {
 public:
-    /// @param filter  of pictures that are drawn enlarged, turned or between px
+    /// @param filter  filter of textures that are enlarged, rotated or not aligned to pixels
     SceneRenderer(RenderDevice& device, AssetStore& assets, TextureFilter filter = TextureFilter::Nearest);
 
-    /// Fills `list` with what `how` sees of the world.
+    /// Adds the visible part of the world to `list`.
     void collect(const World& world, const SceneView& how, DrawList& list);
 
-    /// Collects and draws each scene by its own camera, overlays over those below. Where no graphics card
-    /// helps, what can be drawn small and enlarged without showing it is: backdrops, and everything in large
-    /// windows.
-    /// @param picture  px of the game's picture
+    /// Collects and draws each scene with its own camera, overlays on top. With
+    /// software rendering, backdrops and, in large windows, whole scenes are
+    /// drawn at a lower resolution and enlarged where the result looks the same.
+    /// @param picture  px, size of the game image
     void draw(const World& world, Vec2 picture, float alpha, const Viewport& viewport,
               LabelText labelText = nullptr);
 
-    /// Draws the physics over what is there already, with a legend.
-    /// @param how  as the scene was looked at
+    /// Draws the physics debug view with a legend over the current image.
+    /// @param how  parameters with which the scene was drawn
     void drawPhysics(const World& world, const PhysicsShown& shown, const SceneView& how,
                      const Viewport& viewport);
-    /// How the last draw looked at the lowest scene.
+    /// Parameters with which the last draw() drew the bottom scene.
     [[nodiscard]] const SceneView& sceneView() const { return sceneView_; }
 
     [[nodiscard]] TextureLibrary& textures() { return textures_; }
@@ -77,16 +77,17 @@ public:
 private:
     void drawInto(const World& world, Vec2 picture, SceneView& how, const Viewport& viewport);
     void readLayers(const World& world, const SceneView& how);
-    /// What is paused stands where its last tick left it.
+    /// Returns the interpolation ratio of an entity; 1 if it
+    /// is paused, as it stays at the pose of its last tick.
     [[nodiscard]] float alphaOf(const World& world, EntityId entity, const SceneView& how) const;
-    /// Calls draw(alpha, components...) for those of a query that are not left out.
+    /// Calls draw(alpha, components...) for every entity of the query that isSeen().
     template <class... T, class Draw>
     void forSeen(const Query<const T...>& query, const World& world, const SceneView& how,
                  const Draw& draw) const;
     void collectBackground(const World& world, const SceneView& how, DrawList& list);
-    /// What its scene says of a layer number; null draws it plainly.
+    /// Returns the scene's settings of a layer number; null if there are none.
     [[nodiscard]] const SceneLayer* layerOf(int order) const;
-    /// Adds a sprite as its layer wants it. @param y  px, world: where it stands, for layers sorted by y
+    /// Adds a sprite with the settings of its layer. @param y  px, world: sort position in layers sorted by y
     void add(const SpriteQuad& quad, float y, const SceneView& how, DrawList& list) const;
     void collectSprites(const World& world, const SceneView& how, DrawList& list);
     void collectBackdrops(const World& world, const SceneView& how, DrawList& list);
@@ -102,10 +103,10 @@ private:
     ParticleDrawing particles_;
     PhysicsDrawing physics_;
     DrawList list_;
-    std::vector<SceneLayer> layers_;  ///< of the scenes, by order
-    int nearLayer_ = 0;               ///< the lowest layer of the last collect that is no plain backdrop
-    SizedTarget far_;                 ///< the backdrops, one px for each px of the picture
-    SizedTarget canvas_;              ///< everything, before it is enlarged to a large window
+    std::vector<SceneLayer> layers_;  ///< layer settings of the drawn scenes, bottom scene first
+    int lowestFrontLayer_ = 0;        ///< lowest layer of the last collect() that is not only backdrops
+    SizedTarget backdropTarget_;      ///< target for backdrops, at the resolution of the game image
+    SizedTarget canvas_;              ///< target for whole scenes, before they are enlarged to a large window
     SceneView sceneView_;
     bool anyPaused_ = false;
 };

@@ -25,9 +25,9 @@ namespace {
 
 constexpr int kGhostLayer = 40;
 constexpr float kSliderTextSize = 15.0f;  // px
-constexpr float kTextAbove = 30.0f;       // px over the track
+constexpr float kTextAbove = 30.0f;       // px, from the text's top to the track
 
-/// The outlines of one ghost, in its colour.
+/// Draws the outlines of one ghost in its colour.
 class GhostCanvas final : public physics::DebugCanvas {
 public:
     GhostCanvas(DrawList& list, PixelScale scale, const Ghost& ghost, Vec2 origin)
@@ -54,7 +54,7 @@ public:
     void arrow(Vec2, Vec2, physics::DebugInk) override {}
 
 private:
-    /// What stands still is seen in the scene already.
+    /// Static and kinematic shapes are not drawn, as the scene shows them already.
     static bool isShown(physics::DebugInk ink) {
         return ink.role != physics::DebugRole::Fixed && ink.role != physics::DebugRole::Driven;
     }
@@ -76,19 +76,19 @@ void drawGhosts(const World& world, const SceneView& how, DrawList& list) {
         const auto* ghost = world.find<Ghost>(one.ghost);
         if (ghost == nullptr || world.has<Hidden>(one.ghost) || one.made == 0) continue;
         GhostCanvas canvas{list, state->scale, *ghost, how.view.center + ghost->offset};
-        physics::DebugChoice choice;
+        physics::DebugOptions choice;
         choice.parts = physics::kDrawShapes;
-        choice.origin = placeInMetres(how.view.center, state->scale);
+        choice.origin = positionInMetres(how.view.center, state->scale);
         choice.behind =
             world.count<Paused>() > 0 ? 0.0f : (1.0f - how.alpha) * static_cast<float>(kSecondsPerTick);
         physics::debugDraw(one.world, canvas, choice);
     }
 }
 
-/// What is to be read beside a slider: its value, or what is wrong with it.
+/// Returns the text beside a slider: its value, or an error.
 std::string valueText(const World& world, const Slider& slider, const NumberField* number, float value) {
     if (number == nullptr)
-        return format("there is no number {}.{}", world.texts().find(slider.component),
+        return format("no numeric field {}.{}", world.texts().find(slider.component),
                       world.texts().find(slider.field));
     if (number->field().kind == FieldKind::Bool) return value != 0.0f ? "on" : "off";
     for (const EnumName& name : number->field().names) {
@@ -98,7 +98,7 @@ std::string valueText(const World& world, const Slider& slider, const NumberFiel
     return format("{}{}{}", roughNumber(value), unit.empty() ? "" : " ", unit);
 }
 
-/// The value that a slider stands on; that of the first entity with the component.
+/// Returns the current value of a slider; without a target that of the first entity with the component.
 float valueOf(const World& world, const Slider& slider, const NumberField& number) {
     if (slider.target) {
         const auto* lab = world.findResource<Lab>();

@@ -48,7 +48,7 @@ Vec2 LabelDrawing::measure(const World& world, const Label& label, LabelText lab
 
 FontId LabelDrawing::ownFont(std::string_view path, bool& held) {
     const FontId id{textId(path)};
-    if (!held) {  // no entity names it, so nothing else keeps it loaded
+    if (!held) {  // no entity references it, so nothing else keeps it loaded
         assets_.loadFont(path);
         assets_.acquire(AssetKind::Font, id.path);
         held = true;
@@ -68,7 +68,7 @@ const Font* LabelDrawing::fontOf(FontId id) {
     Face& face = known != faces_.end() ? *known : faces_.emplace_back();
     face.id = id;
     face.revision = assets_.revisionOf(AssetKind::Font, id.path);
-    // A font that comes back as it was keeps the letters that were drawn of it.
+    // Keep the rasterized glyphs if the reloaded file is unchanged.
     const std::uint64_t content = hashText(file->bytes);
     if (face.content == content) return face.font.get();
     face.content = content;

@@ -12,28 +12,28 @@
 
 namespace plumb {
 
-/// Gives the text that a label shows: placeholders like {coins} filled in.
+/// Function that writes a label's text to `out` with placeholders like {coins} replaced by their values.
 using LabelText = void (*)(const World& world, std::string_view text, std::string& out);
 
-/// Draws the labels of a world; keeps their fonts.
+/// Draws the labels of a world; caches their fonts.
 class LabelDrawing {
 public:
     LabelDrawing(RenderDevice& device, AssetStore& assets) : assets_{assets}, painter_{device} {}
 
-    /// @param pixelScale  window px for each px of the picture
+    /// @param pixelScale  window px per px of the game image
     void setPixelScale(float pixelScale) { painter_.setPixelScale(pixelScale); }
     void draw(const World& world, const Label& label, const Pose& pose, LabelText labelText, DrawList& list);
-    /// A text of the engine itself, with digits of one width. @return  px: its size
+    /// Draws a text in the engine's own font, whose digits have the same width. @return  size of the text, px
     Vec2 write(std::string_view text, Vec2 position, const TextStyle& style, DrawList& list);
-    /// The size that draw would give (px), e.g. for selecting it.
+    /// Returns the size that draw() would give the label (px), e.g. for selecting it.
     Vec2 measure(const World& world, const Label& label, LabelText labelText);
 
 private:
     struct Face {
         FontId id;
         std::uint32_t revision = 0;
-        std::uint64_t content = 0;   ///< hash of the file
-        std::unique_ptr<Font> font;  ///< null when the file is no font
+        std::uint64_t content = 0;   ///< hash of the font file
+        std::unique_ptr<Font> font;  ///< null if the file is not a font
     };
 
     FontId ownFont(std::string_view path, bool& held);
@@ -45,7 +45,7 @@ private:
     std::vector<Face> faces_;
     bool holdsDefault_ = false;
     bool holdsPlain_ = false;
-    std::string text_;  // reused, so that a steady frame allocates nothing
+    std::string text_;  // a member, so that its memory is reused in every frame
 };
 
 }  // namespace plumb

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kPiece = 512;  // particles
+constexpr std::uint32_t kPiece = 512;  // particles per run
 
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, float t) {
     return static_cast<std::uint8_t>(lerp(static_cast<float>(from), static_cast<float>(to), t) + 0.5f);
@@ -18,19 +18,19 @@ Color mixed(Color from, Color to, float t) {
     return {mixed(from.r, to.r, t), mixed(from.g, to.g, t), mixed(from.b, to.b, t), mixed(from.a, to.a, t)};
 }
 
-/// The part of the texture that a particle shows (texels of the page).
+/// Returns the rectangle of the texture page that a particle shows (texels).
 Rect sourceOf(const ParticleEmitter& emitter, const TextureRegion& picture) {
     if (picture.texture == TextureHandle{}) return {0.0f, 0.0f, 1.0f, 1.0f};
     return emitter.source.empty() ? picture.whole() : picture.part(emitter.source);
 }
 
-/// Half of a particle of size 1 (ratio): the longer side of the picture is 1.
+/// Returns the half extents of a particle of size 1, whose longer side is 1.
 Vec2 halfOf(const Rect& source) {
     const float longer = std::max(source.width, source.height);
     return longer > 0.0f ? Vec2{source.width, source.height} * (0.5f / longer) : Vec2{0.5f, 0.5f};
 }
 
-/// From a stream's own space to the world.
+/// Transform from particle space to world space.
 struct Placing {
     Vec2 x{1.0f, 0.0f};
     Vec2 y{0.0f, 1.0f};
@@ -54,8 +54,8 @@ Placing placingOf(const ParticleEmitter& emitter, const ParticleLook& look) {
 }  // namespace
 
 const ParticleDrawing::Table& ParticleDrawing::tableOf(const ParticleEmitter& emitter, Color tint) {
-    if (used_ == tables_.size()) tables_.emplace_back();
-    Table& table = tables_[used_++];
+    if (usedTables_ == tables_.size()) tables_.emplace_back();
+    Table& table = tables_[usedTables_++];
     const bool same = table.made && table.sizes == emitter.sizeOverLife &&
                       table.opacities == emitter.opacityOverLife && table.start == emitter.colorStart &&
                       table.end == emitter.colorEnd && table.tint == tint;
@@ -85,7 +85,7 @@ void ParticleDrawing::draw(const Particles& particles, const ParticleStream& str
                                           uvFromTexels(source.x + source.width),
                                           uvFromTexels(source.y + source.height)};
     const std::uint32_t slot = emitter.blend == ParticleBlend::Additive ? kSpriteAdditive : 0u;
-    // The way back from the end of the tick to the moment that is drawn.
+    // The inverse motion, from the end of the tick back to the drawn moment.
     const ParticleTravel travel =
         ParticleTravel::over(look.back, gravityIn(emitter, look.pose, look.gravity), emitter.drag);
     const float reach = travel.reach / travel.keep;
@@ -97,7 +97,7 @@ void ParticleDrawing::draw(const Particles& particles, const ParticleStream& str
         SpriteInstance* out = room;
         for (std::uint32_t i = from; i < to; ++i) {
             const float t = particles.progress[i] - particles.pace[i] * look.back;
-            if (!(t >= 0.0f)) continue;  // not born yet at this moment
+            if (!(t >= 0.0f)) continue;  // not yet emitted at the drawn moment
             const auto step = static_cast<std::uint32_t>(std::min(t, 1.0f) * kLast + 0.5f);
             const float x = particles.x[i] - particles.velocityX[i] * reach - fall.x;
             const float y = particles.y[i] - particles.velocityY[i] * reach - fall.y;
@@ -112,7 +112,7 @@ void ParticleDrawing::draw(const Particles& particles, const ParticleStream& str
         }
         return static_cast<std::size_t>(out - room);
     };
-    // Piece by piece: the list clears the room that it gives, which then is still in the nearest cache.
+    // In small runs: the list clears the memory it provides, which is then still in the L1 cache.
     const std::uint32_t end = stream.first + stream.count;
     for (std::uint32_t from = stream.first; from < end; from += kPiece) {
         const std::uint32_t to = std::min(from + kPiece, end);

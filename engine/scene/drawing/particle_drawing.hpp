@@ -9,27 +9,27 @@
 
 namespace plumb {
 
-/// How one stream is looked at.
+/// Parameters for drawing one particle stream.
 struct ParticleLook {
     TextureRegion picture;
-    Pose pose;          ///< of the emitter, as it is drawn
-    float back = 0.0f;  ///< s from what is drawn to the end of the last tick
-    Vec2 gravity;       ///< px/s^2 of the scene
-    Color tint;         ///< of its layer
-    Vec2 offset;        ///< px, world: by how much its layer is moved
+    Pose pose;          ///< interpolated pose of the emitter
+    float back = 0.0f;  ///< s from the drawn moment to the end of the last tick
+    Vec2 gravity;       ///< px/s^2, gravity of the scene
+    Color tint;         ///< tint of the drawing layer
+    Vec2 offset;        ///< px, world: displacement of the drawing layer by parallax
     float sortY = kNoSortY;
 };
 
-/// Adds particles to draw lists: all of one emitter as one run. Keeps what follows from its curves.
+/// Adds particles to draw lists, all of one emitter as one run. Caches size and color tables of the emitters.
 class ParticleDrawing {
 public:
     void draw(const Particles& particles, const ParticleStream& stream, const ParticleEmitter& emitter,
               const ParticleLook& look, DrawList& list);
-    /// Before the streams of a picture.
-    void begin() { used_ = 0; }
+    /// Call before drawing the streams of a frame.
+    void begin() { usedTables_ = 0; }
 
 private:
-    /// What particles look like along their life.
+    /// Size and color of an emitter's particles over their lifetime.
     struct Table {
         static constexpr std::size_t kSteps = 256;
 
@@ -39,14 +39,14 @@ private:
         Color end;
         Color tint;
         bool made = false;
-        std::array<float, kSteps> size{};  ///< ratio
+        std::array<float, kSteps> size{};  ///< multiplier of the particle size
         std::array<Color, kSteps> color{};
     };
 
     const Table& tableOf(const ParticleEmitter& emitter, Color tint);
 
-    std::vector<Table> tables_;  // by the order of drawing: from picture to picture mostly the same
-    std::size_t used_ = 0;
+    std::vector<Table> tables_;  // one per stream in drawing order, which rarely changes between frames
+    std::size_t usedTables_ = 0;
 };
 
 }  // namespace plumb

@@ -15,12 +15,12 @@ namespace {
 using physics::DebugInk;
 using physics::DebugRole;
 
-/// How a role looks. Dots have one size on the screen, as what they mark has none.
+/// Appearance of a role. Dots mark points, so they have a fixed size on the screen.
 struct Look {
     Color color;
     float thickness = 1.5f;  // px of the screen
-    float dot = 0.0f;        // px of the screen, radius; 0: circles are as large as they are
-    std::uint8_t fill = 0;   // opacity of areas
+    float dot = 0.0f;        // px of the screen, radius of dots; 0: circles have their own radius
+    std::uint8_t fill = 0;   // opacity of filled areas
 };
 
 constexpr Look lookOf(DebugRole role) {
@@ -65,11 +65,11 @@ const Look& lookFor(DebugInk ink) { return kLooks[static_cast<std::size_t>(ink.r
 constexpr Color kIslandColors[] = {{230, 85, 75, 255},   {245, 160, 55, 255}, {225, 215, 70, 255},
                                    {110, 200, 80, 255},  {60, 200, 190, 255}, {80, 140, 245, 255},
                                    {150, 105, 235, 255}, {235, 110, 190, 255}};
-constexpr Color kShadow{0, 0, 0, 150};  // under lines, so that they are seen on any picture
+constexpr Color kShadow{0, 0, 0, 150};  // below lines, so that they are visible on any background
 
-constexpr float kDot = 4.0f;  // px of the screen: smaller shapes are dots
+constexpr float kDot = 4.0f;  // px of the screen: smaller shapes are drawn as dots
 
-// Areas lie below all lines, and shadows below all that is bright. Each is then a draw call, too.
+// Drawing layers: areas below shadows below strokes. Each layer is one draw call.
 constexpr int kAreas = 0;
 constexpr int kShadows = 1;
 constexpr int kStrokes = 2;
@@ -103,13 +103,13 @@ constexpr std::array kColors{
     row("nodes, cells", DebugRole::Region, physics::kDrawBroadPhase),
 };
 
-/// Neighbouring numbers get colours that are easy to tell apart.
+/// Returns the colour of a stroke. Islands with consecutive numbers get colours that are easy to distinguish.
 Color colorOf(DebugInk ink) {
     if (ink.role != DebugRole::Island) return lookFor(ink).color;
     return kIslandColors[(ink.island * 3u + ink.island / 8u) % std::size(kIslandColors)];
 }
 
-/// Strokes in metres from the middle of a view, as shapes of its list.
+/// Canvas that adds the strokes (m, from the center of the view) to a draw list.
 class ListCanvas final : public physics::DebugCanvas {
 public:
     ListCanvas(DrawList& list, PixelScale scale, float pixel, std::vector<Vec2>& corners,
@@ -148,7 +148,7 @@ public:
         isDot(box) ? dot(box, ink) : DebugCanvas::box(box, ink);
     }
 
-    /// Gives the dots to the list, all at once.
+    /// Adds all dots to the list in one run.
     void finish() {
         const std::span<SpriteInstance> room = list_.beginRun(dots_.size());
         std::copy(dots_.begin(), dots_.end(), room.begin());
@@ -162,12 +162,12 @@ private:
         for (const Vec2 corner : corners) box = {min(box.min, corner), max(box.max, corner)};
         return box;
     }
-    /// Of what is smaller than its lines are wide one sees a dot anyway.
+    /// True if a shape is smaller than the width of its lines.
     [[nodiscard]] bool isDot(const AABB& box) const {
         const Vec2 size = box.size();
         return size.x < dotSize_ && size.y < dotSize_;
     }
-    /// There are tens of thousands of them where all of a level is looked at.
+    /// Collected for one run, as there are tens of thousands when a whole level is in view.
     void dot(const AABB& box, DebugInk ink) {
         dot_.center = px(box.center());
         dot_.half = toPixels(box.size() * 0.5f, scale_);
@@ -175,7 +175,7 @@ private:
         dots_.push_back(dot_);
     }
     [[nodiscard]] Vec2 px(Vec2 metres) const { return list_.view().center + toPixels(metres, scale_); }
-    /// px of the world that one of the screen is.
+    /// Returns the size of a screen px in world px.
     [[nodiscard]] float onePixel() const { return pixel_ / list_.view().zoom; }
 
     template <class Draw>
@@ -183,7 +183,7 @@ private:
         const Look& look = lookFor(ink);
         if (look.thickness == 0.0f) return;
         const Color color = colorOf(ink);
-        // What is faint on purpose stays so.
+        // Translucent strokes have no shadow.
         if (color.a == 255) draw(ShapeStyle{kShadow, (look.thickness + 2.0f) * pixel_, kShadows});
         draw(ShapeStyle{color, look.thickness * pixel_, kStrokes});
     }
@@ -206,25 +206,25 @@ private:
     float pixel_;
     std::vector<Vec2>& corners_;
     std::vector<SpriteInstance>& dots_;
-    SpriteInstance dot_;    // all that the next one has in common with the last
-    float dotSize_ = 0.0f;  // m
+    SpriteInstance dot_;    // values that all dots have in common
+    float dotSize_ = 0.0f;  // m, kDot in the world
 };
 
 }  // namespace
 
 std::span<const PhysicsColor> physicsColors() { return kColors; }
 
-void PhysicsDrawing::choose(const PhysicsState& state, std::span<const EntityId> selected) {
-    users_.clear();
-    for (const EntityId entity : selected) users_.push_back(userOf(entity));
-    std::sort(users_.begin(), users_.end());
+void PhysicsDrawing::markSelected(const PhysicsState& state, std::span<const EntityId> selected) {
+    selectedUsers_.clear();
+    for (const EntityId entity : selected) selectedUsers_.push_back(userOf(entity));
+    std::sort(selectedUsers_.begin(), selectedUsers_.end());
     const auto isSelected = [&](std::uint64_t user) {
-        return std::binary_search(users_.begin(), users_.end(), user);
+        return std::binary_search(selectedUsers_.begin(), selectedUsers_.end(), user);
     };
     const physics::Bodies& bodies = state.world.bodies;
-    chosenBodies_.assign(bodies.size(), 0);
+    selectedBodies_.assign(bodies.size(), 0);
     for (std::size_t body = 0; body < bodies.size(); ++body)
-        chosenBodies_[body] = isSelected(bodies.info[body].user) ? 1 : 0;
+        selectedBodies_[body] = isSelected(bodies.info[body].user) ? 1 : 0;
     const auto chooseFrom = [&](const auto& links, std::size_t count, auto idOf, auto& chosen) {
         chosen.assign(count, 0);
         for (const auto& link : links) {
@@ -233,10 +233,10 @@ void PhysicsDrawing::choose(const PhysicsState& state, std::span<const EntityId>
     };
     chooseFrom(
         state.fields, state.world.fields.all.size(), [](const FieldLinkage& link) { return link.field; },
-        chosenFields_);
+        selectedFields_);
     chooseFrom(
         state.softBodies, state.world.softBodies.all.size(),
-        [](const SoftLinkage& link) { return link.body; }, chosenSoft_);
+        [](const SoftLinkage& link) { return link.body; }, selectedSoft_);
 }
 
 void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float behind, float pixel,
@@ -245,8 +245,8 @@ void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float b
     const PhysicsState* state = lowestPhysics(world);
     if (state == nullptr || shown.any() == 0) return;
     ListCanvas canvas{list, state->scale, pixel, corners_, dots_};
-    physics::DebugChoice choice;
-    choice.origin = placeInMetres(list.view().center, state->scale);
+    physics::DebugOptions choice;
+    choice.origin = positionInMetres(list.view().center, state->scale);
     choice.behind = behind;
     const AABB visible = visibleBox(list.view());
     const Vec2 origin = list.view().center;
@@ -260,11 +260,11 @@ void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float b
     debugDraw(state->world, canvas, choice);
     choice.parts = shown.ofSelected & physics::kDrawAll;
     if (choice.parts != 0 && !shown.selected.empty()) {
-        choose(*state, shown.selected);
-        choice.chosenOnly = true;
-        choice.bodies = chosenBodies_;
-        choice.fields = chosenFields_;
-        choice.softBodies = chosenSoft_;
+        markSelected(*state, shown.selected);
+        choice.selectedOnly = true;
+        choice.bodies = selectedBodies_;
+        choice.fields = selectedFields_;
+        choice.softBodies = selectedSoft_;
         debugDraw(state->world, canvas, choice);
     }
     canvas.finish();
@@ -272,7 +272,7 @@ void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float b
 
 void previewPhysics(World& world) {
     constexpr float kTick = 1.0f / 60.0f;  // s
-    // An editor writes without saying what: with the oldest mark everything counts as changed.
+    // Editors write components without change marks, so treat everything as changed.
     PhysicsState& state = world.resource<PhysicsState>();
     state.members = {};
     state.mark = 0;

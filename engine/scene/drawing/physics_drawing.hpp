@@ -13,33 +13,33 @@ namespace plumb {
 
 struct PhysicsState;
 
-/// What the colours stand for, in the order of the legend.
+/// Returns the rows of the legend of the physics view: colours and their meaning.
 std::span<const PhysicsColor> physicsColors();
 
-/// Draws the physics of a world over everything else, as its last tick left it. Changes nothing; keeps its
-/// memory, so a steady frame allocates nothing.
+/// Draws the physics debug view of a world, in the state after its last tick. Does not change the world.
+/// Keeps its memory, so drawing does not allocate in steady state.
 class PhysicsDrawing {
 public:
-    /// @param behind  s: how long before the end of the last tick
-    /// @param pixel   px of the list's picture that a px of the screen is: lines are equally thin everywhere
+    /// @param behind  s from the drawn moment to the end of the last tick
+    /// @param pixel   size of a screen px in px of the list's image, for lines of constant screen width
     void draw(const World& world, const PhysicsShown& shown, float behind, float pixel, DrawList& list);
 
 private:
-    void choose(const PhysicsState& state, std::span<const EntityId> selected);
+    void markSelected(const PhysicsState& state, std::span<const EntityId> selected);
 
     std::vector<Vec2> corners_;
-    std::vector<SpriteInstance> dots_;        ///< of what is too small to have an outline
-    std::vector<std::uint64_t> users_;        ///< of the selected ones, rising
-    std::vector<std::uint8_t> chosenBodies_;  ///< by body
-    std::vector<std::uint8_t> chosenFields_;  ///< by field
-    std::vector<std::uint8_t> chosenSoft_;    ///< by soft body
+    std::vector<SpriteInstance> dots_;          ///< shapes too small to show an outline
+    std::vector<std::uint64_t> selectedUsers_;  ///< userOf() of the selected entities, sorted
+    std::vector<std::uint8_t> selectedBodies_;  ///< by body index: 1 if selected
+    std::vector<std::uint8_t> selectedFields_;  ///< by field index: 1 if selected
+    std::vector<std::uint8_t> selectedSoft_;    ///< by soft body index: 1 if selected
 };
 
-/// Says what the colours of those layers stand for, and the times and counts that are among them.
-/// @param list  looks at the screen: its picture is as large as what it is drawn to
+/// Draws the legend of the shown layers, and the tables of times and counts if these layers are shown.
+/// @param list  draw list in screen px: its view has the size of the target
 void drawPhysicsPanel(const World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list);
 
-/// Gives a world that is not stepped the bodies of its components, so that they can be drawn.
+/// Creates the bodies of a world that is not simulated from its components, so that they can be drawn.
 void previewPhysics(World& world);
 
 }  // namespace plumb

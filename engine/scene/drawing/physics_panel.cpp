@@ -16,8 +16,8 @@
 namespace plumb {
 namespace {
 
-constexpr float kLinesOfPicture = 1080.0f;  // px: of twice that height all is twice as large
-constexpr float kFewLines = 540.0f;         // px: below that height all is smaller
+constexpr float kLinesOfPicture = 1080.0f;  // px: the panel scales with whole multiples of this screen height
+constexpr float kFewLines = 540.0f;         // px: below this screen height the panel is scaled down
 constexpr float kPanelTextSize = 13.0f;     // px
 constexpr float kRow = 17.0f;               // px
 constexpr float kSwatch = 9.0f;             // px
@@ -30,13 +30,13 @@ constexpr Color kDim{150, 156, 168, 255};
 constexpr int kBackLayer = 0;
 constexpr int kTextLayer = 1;
 
-/// px of the screen for each of ours.
+/// Returns the scale of the panel: screen px per panel px.
 float unitOf(Vec2 screen) {
     if (screen.y < kFewLines) return std::max(0.6f, screen.y / kFewLines);
     return std::max(1.0f, std::floor(screen.y / kLinesOfPicture));
 }
 
-/// Rows of text, in as many columns as they need.
+/// A table of text rows in one or more columns.
 class Panel {
 public:
     void color(std::string_view label, Color color) { add({Kind::Color, label, color}); }
@@ -50,7 +50,7 @@ public:
                   row.value.data();
         add(row);
     }
-    /// @param value  ms
+    /// @param value  time, ms
     void time(std::string_view label, float value) {
         Row row{Kind::Number, label};
         row.end = std::to_chars(row.value.data(), row.value.data() + row.value.size(), value,
@@ -60,14 +60,14 @@ public:
         add(row);
     }
 
-    /// How it stands at the bottom, as games write at the top.
+    /// Placement at the bottom of the screen, as games often show texts at the top.
     struct Stand {
-        float width = 0.0f;  ///< px, of a column
-        bool right = false;  ///< at the right side of the screen, as high as it takes; else as low as it goes
-        float free = 0.0f;   ///< px of the screen that it leaves to others
+        float width = 0.0f;  ///< px, width of a column
+        bool right = false;  ///< right side, as few columns as possible; else left side, as many as fit
+        float free = 0.0f;   ///< panel px at the side that are left free for other panels
     };
     void draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const;
-    /// px of a screen that it takes from side to side.
+    /// Returns the width of the panel, panel px.
     [[nodiscard]] float widthOn(Vec2 screen, const Stand& stand) const {
         return stand.width * static_cast<float>(shapeOn(screen, stand).columns);
     }
@@ -84,7 +84,7 @@ private:
 
     struct Shape {
         std::size_t columns = 0;
-        std::size_t high = 1;  ///< rows of a column
+        std::size_t high = 1;  ///< rows per column
     };
     [[nodiscard]] Shape shapeOn(Vec2 screen, const Stand& stand) const;
     void add(const Row& row) {
@@ -147,7 +147,7 @@ void Panel::draw(LabelDrawing& labels, DrawList& list, const Stand& stand) const
 
 void writeTimes(const PhysicsTimes* times, Panel& panel) {
     const bool known = times != nullptr && !times->rows().empty();
-    panel.heading(known ? "ms a tick" : "times: while playing");
+    panel.heading(known ? "ms per tick" : "times: only while playing");
     if (!known) return;
     float all = 0.0f;
     for (const PhysicsTimes::Row& row : times->rows()) {
@@ -162,7 +162,7 @@ struct BodyCounts {
     std::size_t asleep = 0;
     std::size_t driven = 0;
     std::size_t fixed = 0;
-    std::size_t islands = 0;  // awake
+    std::size_t islands = 0;  // number of awake islands
 };
 
 BodyCounts countBodies(const physics::World& world) {
@@ -180,16 +180,16 @@ BodyCounts countBodies(const physics::World& world) {
 }
 
 void writePairs(const physics::DetectionCounts& counts, Panel& panel) {
-    panel.heading("pairs of a tick");
+    panel.heading("pairs per tick");
     panel.number("bounds overlap", counts.pairs);
     panel.number("apart by circles", counts.apartByCircles);
     panel.number("apart by boxes", counts.apartByBounds);
     panel.number("apart by axes", counts.apartByAxes);
-    panel.number("kept as they were", counts.recycled);
+    panel.number("points reused", counts.recycled);
     panel.number("touching", counts.touching);
 }
 
-/// @param last  null: its last step is not known any more
+/// @param last  workspace of the last step; null if it is no longer known
 void writeCounts(const physics::World& world, const physics::Workspace* last, Panel& panel) {
     const BodyCounts bodies = countBodies(world);
     panel.heading("bodies");
@@ -202,7 +202,7 @@ void writeCounts(const physics::World& world, const physics::Workspace* last, Pa
     panel.number("joints", world.joints.size() - world.joints.free.size());
     panel.number("islands awake", bodies.islands);
     panel.number("islands asleep", world.sleepers.islands.size() - world.sleepers.freeIslands.size());
-    // A world at rest is not stepped: what is left is of the last tick in which something moved.
+    // A sleeping world is not stepped, so its workspace is that of the last tick with an awake body.
     const physics::Workspace* work = world.awake.empty() ? nullptr : last;
     writePairs(work != nullptr ? work->counts : physics::DetectionCounts{}, panel);
 }

@@ -13,43 +13,43 @@ namespace {
 
 constexpr std::array kLayers{
     // clang-format off
-    PhysicsLayer{"shapes", "Shapes", "Outlines of colliders, by what their body does", physics::kDrawShapes,
+    PhysicsLayer{"shapes", "Shapes", "Outlines of colliders, colored by the state of their body", physics::kDrawShapes,
                  Key::Digit1, false, true, true},
-    PhysicsLayer{"contacts", "Contacts", "A dot where two shapes touch, while playing", physics::kDrawContacts,
+    PhysicsLayer{"contacts", "Contacts", "Contact points of shapes, while playing", physics::kDrawContacts,
                  Key::Digit2, false, true, true},
-    PhysicsLayer{"normals", "Normals", "Which way a contact pushes, while playing", physics::kDrawNormals,
+    PhysicsLayer{"normals", "Normals", "Normal directions of contacts, while playing", physics::kDrawNormals,
                  Key::Digit3, false, false, true},
-    PhysicsLayer{"impulses", "Impulses", "How hard it pushes, for the lighter body, while playing",
+    PhysicsLayer{"impulses", "Impulses", "Normal impulses of contacts, relative to the lighter body, while playing",
                  physics::kDrawImpulses, Key::Digit4, false, false, true},
-    PhysicsLayer{"friction", "Friction", "How hard it holds along the surface, while playing", physics::kDrawFriction,
+    PhysicsLayer{"friction", "Friction", "Friction impulses of contacts, while playing", physics::kDrawFriction,
                  Key::Digit5, false, false, true},
-    PhysicsLayer{"joints", "Joints", "Where joints hold their bodies, and their limits", physics::kDrawJoints,
+    PhysicsLayer{"joints", "Joints", "Anchors and limits of joints", physics::kDrawJoints,
                  Key::Digit6, false, true, true},
-    PhysicsLayer{"jointForces", "Joint forces", "How hard joints pull, for the lighter body, while playing",
+    PhysicsLayer{"jointForces", "Joint forces", "Forces of joints, relative to the lighter body, while playing",
                  physics::kDrawJointForces, Key::Digit7, false, false, true},
-    PhysicsLayer{"velocities", "Velocities", "The way of a tenth of a second", physics::kDrawVelocities,
+    PhysicsLayer{"velocities", "Velocities", "Velocities of bodies, as their displacement in 0.1 s", physics::kDrawVelocities,
                  Key::Digit8, false, false, true},
-    PhysicsLayer{"centres", "Centres", "Centres of mass of what moves", physics::kDrawCentres,
+    PhysicsLayer{"centres", "Centres", "Centres of mass of dynamic bodies", physics::kDrawCentres,
                  Key::Digit9, false, false, true},
-    PhysicsLayer{"islands", "Islands", "One colour for all that touch or hold each other and sleep together",
+    PhysicsLayer{"islands", "Islands", "One colour per island: bodies connected by contacts or joints, which sleep together",
                  physics::kDrawIslands, Key::Digit0, false, false, true},
-    PhysicsLayer{"triggers", "Triggers", "Outlines of triggers, and lines to what is inside", physics::kDrawTriggers,
+    PhysicsLayer{"triggers", "Triggers", "Outlines of triggers, and lines to the bodies inside", physics::kDrawTriggers,
                  Key::Digit1, true, true, true},
-    PhysicsLayer{"fields", "Fields", "Where wind, fluids, gravity and pulls act", physics::kDrawFields,
+    PhysicsLayer{"fields", "Fields", "Regions of wind, fluids, gravity fields and attractors", physics::kDrawFields,
                  Key::Digit2, true, true, true},
-    PhysicsLayer{"sleep", "Sleep", "Bodies that lie still fill up until they sleep, while playing", physics::kDrawRest,
+    PhysicsLayer{"sleep", "Sleep", "Bodies at rest, filled by how close they are to falling asleep, while playing", physics::kDrawRest,
                  Key::Digit3, true, false, true},
-    PhysicsLayer{"sweeps", "Sweeps", "Ways of fast bodies through the last tick, and where they were stopped",
+    PhysicsLayer{"sweeps", "Sweeps", "Paths of fast bodies in the last tick, and their points of impact",
                  physics::kDrawSweeps, Key::Digit4, true, false, true},
-    PhysicsLayer{"bounds", "Bounds", "The box around each shape", physics::kDrawBounds,
+    PhysicsLayer{"bounds", "Bounds", "Bounding box of each shape", physics::kDrawBounds,
                  Key::Digit5, true, false, true},
-    PhysicsLayer{"broadPhase", "Broad phase", "The boxes in which pairs are looked for, in their tree or grid",
+    PhysicsLayer{"broadPhase", "Broad phase", "Enlarged bounding boxes of the broad phase, and its tree or grid",
                  physics::kDrawBroadPhase, Key::Digit6, true, false, true},
-    PhysicsLayer{"paths", "Paths", "The next second of what moves, if nothing got in its way", physics::kDrawPaths,
+    PhysicsLayer{"paths", "Paths", "Predicted paths of bodies in the next second, without obstacles", physics::kDrawPaths,
                  Key::Digit9, true, false, true},
-    PhysicsLayer{"times", "Times", "How long each stage of a tick takes", kPhysicsTimes,
+    PhysicsLayer{"times", "Times", "Time of each stage of a tick", kPhysicsTimes,
                  Key::Digit7, true, false, false},
-    PhysicsLayer{"counts", "Counts", "How many bodies, contacts and islands there are", kPhysicsCounts,
+    PhysicsLayer{"counts", "Counts", "Numbers of bodies, contacts and islands", kPhysicsCounts,
                  Key::Digit8, true, false, false},
     // clang-format on
 };
@@ -67,7 +67,7 @@ Error unknownLayer(std::string_view name) {
     std::string all;
     for (const std::string_view one : known) all += (all.empty() ? "" : ", ") + std::string{one};
     return Error{"physics view", format("there is no layer \"{}\"", name),
-                 near.empty() ? "there are " + all : format("did you mean \"{}\"?", near)};
+                 near.empty() ? "layers: " + all : format("did you mean \"{}\"?", near)};
 }
 
 }  // namespace

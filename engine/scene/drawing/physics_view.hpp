@@ -13,62 +13,63 @@ namespace plumb {
 
 class PhysicsTimes;
 
-/// Something of the physics that can be shown over the scene: a row of physicsLayers().
+/// One kind of physics data that can be shown over the scene; an element of physicsLayers().
 struct PhysicsLayer {
-    std::string_view name;  ///< in options
-    std::string_view label;
-    std::string_view doc;
-    unsigned bit;    ///< of a set of layers
-    Key key;         ///< with Ctrl: shows or hides it in the player
-    bool withShift;  ///< with Ctrl and Shift
-    bool atFirst;    ///< shown until the user chooses
-    bool ofBodies;   ///< can be shown of some bodies alone
+    std::string_view name;   ///< name in command line options
+    std::string_view label;  ///< name in menus
+    std::string_view doc;    ///< description, for tooltips
+    unsigned bit;            ///< bit in a set of layers
+    Key key;                 ///< shortcut in the player, with Ctrl: shows or hides the layer
+    bool withShift;          ///< the shortcut needs Shift too
+    bool atFirst;            ///< shown by default
+    bool ofBodies;           ///< can be limited to the selected entities
 };
 std::span<const PhysicsLayer> physicsLayers();
 
-/// Layers of numbers, which no picture has; the others are those of physics::DebugPart.
+// Layers that are tables of numbers; the bits of the other layers are those of physics::DebugPart.
 inline constexpr unsigned kPhysicsTimes = 1u << 30;
 inline constexpr unsigned kPhysicsCounts = 1u << 31;
 
-/// A set of layers from their names, e.g. "shapes,contacts", or "all".
-/// @error a name that there is not; the remedy names the closest one
+/// Returns the set of layers with these names, e.g. "shapes,contacts", or "all".
+/// @error an unknown name; the remedy suggests the closest one
 Result<unsigned> physicsLayersNamed(std::string_view names);
 
-/// Whose a layer shows.
+/// The entities for which a layer is shown.
 enum class PhysicsReach : std::uint8_t { Off, Selected, All };
 
-/// What is drawn of the physics in a frame.
+/// The physics data that is drawn in a frame.
 struct PhysicsShown {
-    unsigned layers = 0;      ///< bits of PhysicsLayer: of all bodies
-    unsigned ofSelected = 0;  ///< of those alone:
+    unsigned layers = 0;      ///< bits of PhysicsLayer: shown for all bodies
+    unsigned ofSelected = 0;  ///< bits of PhysicsLayer: shown for `selected` only
     std::span<const EntityId> selected{};
     const PhysicsTimes* times = nullptr;
 
     [[nodiscard]] unsigned any() const { return layers | ofSelected; }
 };
 
-/// What the player and the editor show of the physics.
+/// Settings of the physics debug view in the player and the editor.
 struct PhysicsView {
     PhysicsView();
 
     bool on = false;
-    unsigned layers;          ///< bits of PhysicsLayer that are shown while it is on
-    unsigned ofSelected = 0;  ///< those that are shown of what is selected
+    unsigned layers;          ///< bits of PhysicsLayer: shown for all bodies while the view is on
+    unsigned ofSelected = 0;  ///< bits of PhysicsLayer: shown for selected entities only
 
     [[nodiscard]] PhysicsShown shown() const {
         return on ? PhysicsShown{layers, ofSelected} : PhysicsShown{};
     }
     [[nodiscard]] PhysicsReach reachOf(const PhysicsLayer& layer) const;
     void setReach(const PhysicsLayer& layer, PhysicsReach reach);
-    /// Shows a layer of all bodies, and the view with it, or hides it.
+    /// Hides the layer if it is shown for all bodies; otherwise
+    /// shows it for all bodies and turns the view on.
     void toggle(const PhysicsLayer& layer);
-    /// F3 shows or hides all; while it is shown, Ctrl and a digit its layers, Ctrl+Shift and a digit the
-    /// rest.
-    /// @return  whether it was F3
+    /// Handles shortcuts: F3 turns the view on or off; while it
+    /// is on, Ctrl+digit and Ctrl+Shift+digit toggle layers.
+    /// @return  true if the key was F3
     bool handle(const Event& event);
 };
 
-/// A line of the legend: what a colour stands for.
+/// A row of the legend: a colour and its meaning.
 struct PhysicsColor {
     std::string_view label;
     Color color;

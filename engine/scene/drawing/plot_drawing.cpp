@@ -17,14 +17,13 @@ namespace plumb {
 namespace {
 
 constexpr float kPlotTextSize = 14.0f;  // px
-constexpr float kLine = 18.0f;          // px from one line of text to the next
-constexpr float kPlotGap = 10.0f;       // px around everything
-constexpr float kScaleRoom = 64.0f;     // px left of the curves, for the numbers of the scale
-constexpr float kMostLegend =
-    150.0f;  // px right of the curves: "velocity Verlet" with room; the rest is theirs
+constexpr float kLine = 18.0f;          // px, line height
+constexpr float kPlotGap = 10.0f;       // px, margin
+constexpr float kScaleRoom = 64.0f;     // px left of the curves, for the labels of the scale
+constexpr float kMostLegend = 150.0f;   // px, maximum width of the legend: fits "velocity Verlet"
 constexpr float kTicksPerSecond = 60.0f;
 
-/// From the smallest to the largest number that is shown; exponents where each line is ten times the last.
+/// Range of the vertical axis: values, or exponents of ten on a logarithmic scale.
 struct Span {
     float low = 0.0f;
     float high = 1.0f;
@@ -39,7 +38,7 @@ float shownOf(const Plot& plot, float value) {
     return std::isfinite(value) ? logarithm10(value) : 38.0f;
 }
 
-/// What the curves want where the plot does not say.
+/// Returns the range of the plot; if it defines none, one that fits the curves.
 Span spanOf(const Plot& plot, const PlotPast& past, EntityId entity) {
     if (plot.max > plot.min) return {plot.min, plot.max};
     Span span{plot.powers ? 1.0f : 1e30f, plot.powers ? -1.0f : -1e30f};
@@ -62,7 +61,7 @@ struct Legend {
     Color color;
 };
 
-/// A plot on its way into a list.
+/// Adds a plot to a draw list.
 class PlotPicture {
 public:
     PlotPicture(const World& world, const Plot& plot, Vec2 corner, LabelDrawing& labels, DrawList& list)
@@ -109,7 +108,7 @@ private:
         faint.a = 60;
         const ShapeStyle line{faint, 1.0f, plot_.layer};
         const float way = span.high - span.low;
-        // Of powers only whole ones are named.
+        // A logarithmic scale has lines at whole exponents only.
         const float step = plot_.powers ? std::max(1.0f, std::ceil(way / 6.0f)) : way / 4.0f;
         const float first = plot_.powers ? std::ceil(span.low) : span.low;
         for (float value = first; value <= span.high + way * 0.01f; value += step) {
@@ -140,7 +139,7 @@ private:
         const float x = curves_.max.x - corner_.x + kPlotGap;
         const float y = curves_.min.y - corner_.y + kLine * 2.0f * static_cast<float>(row);
         write(legend.name, {x, y}, legend.color, TextAlign::Left);
-        const std::string value = curve.same             ? "the same bits"
+        const std::string value = curve.same             ? "bit-identical"
                                   : curve.values.empty() ? std::string{}
                                                          : roughNumber(curve.values.back());
         write(value, {x + kPlotGap, y + kLine * 0.9f}, legend.color, TextAlign::Left);
@@ -151,7 +150,7 @@ private:
     Vec2 corner_;
     LabelDrawing& labels_;
     DrawList& list_;
-    AABB curves_;  // px: where they are
+    AABB curves_;  // px, area of the curves
 };
 
 }  // namespace
@@ -159,7 +158,7 @@ private:
 std::string roughNumber(float value) {
     const float size = std::fabs(value);
     if (size == 0.0f) return "0";
-    if (!std::isfinite(value)) return value > 0.0f ? "beyond all" : "no number";
+    if (!std::isfinite(value)) return value > 0.0f ? "infinite" : "not a number";
     const int exponent = static_cast<int>(std::floor(logarithm10(size) + 1e-4f));
     const bool plain = exponent >= -3 && exponent < 6;
     const float digits = plain ? value : value / exponential(static_cast<float>(exponent) * 2.302585093f);

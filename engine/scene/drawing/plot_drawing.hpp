@@ -10,10 +10,10 @@ namespace plumb {
 
 class LabelDrawing;
 
-/// Three digits: "0.0125", "12.5", "1250", "3e-7".
+/// Returns a number as text with three significant digits: "0.0125", "12.5", "1250", "3e-7".
 std::string roughNumber(float value);
 
-/// Draws the curves of a plot, what they stand for and its scale. @param corner  px: its top left
+/// Draws a plot: its curves, legend and scale. @param corner  px, top-left corner of the plot
 void drawPlot(const World& world, EntityId entity, const Plot& plot, Vec2 corner, LabelDrawing& labels,
               DrawList& list);
 

@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Calls for drawing. Drawing itself happens between ticks, at the display's rate, so a tick has nothing to
-/// do.
+/// Requests the drawing effect. It has an empty update(),
+/// as drawing happens between ticks, at the display's rate.
 struct RenderSystem {
     static constexpr std::string_view kName = "render";
 

@@ -24,7 +24,7 @@ Color shaded(Color color, float light) {
     return {part(color.r), part(color.g), part(color.b), color.a};
 }
 
-/// One soft body on its way into a list.
+/// Adds a soft body to a draw list.
 class SoftPicture {
 public:
     SoftPicture(const PhysicsState& state, const physics::SoftBody& body, const SoftLook& look, float alpha,
@@ -50,7 +50,7 @@ public:
         for (std::size_t i = 0; i < particles_.size(); ++i) thread(i, after(i), shaded(look_.color, 0.78f));
     }
 
-    /// Folds are darker: a cell is lit by how wide it lies.
+    /// Folds are darker: the brightness of a cell increases with its current width.
     void cloth(const Cloth& cloth) const {
         const auto columns = static_cast<std::size_t>(cloth.across());
         const float width = cloth.size.x / static_cast<float>(columns - 1);
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 == particles_.size() ? 0 : i + 1; }
     [[nodiscard]] Vec2 at(std::size_t i) const {
         const physics::SoftParticle& particle = particles_[i];
-        return placeInPixels(particle.place, scale_) - toPixels(particle.velocity, scale_) * back_;
+        return positionInPixels(particle.place, scale_) - toPixels(particle.velocity, scale_) * back_;
     }
     void thread(std::size_t from, std::size_t to, Color color) const {
         const Vec2 a = at(from), b = at(to);
@@ -79,7 +79,7 @@ private:
 
     PixelScale scale_;
     std::span<const physics::SoftParticle> particles_;
-    float back_;  // s from the end of the last tick to what is shown
+    float back_;  // s from the drawn moment to the end of the last tick
     const SoftLook& look_;
     DrawList& list_;
 };
@@ -88,7 +88,7 @@ void drawThoseOf(const PhysicsState& state, const World& world, const SceneView&
     for (const SoftLinkage& linkage : state.softBodies) {
         if (!physics::alive(state.world, linkage.body) || world.has<Hidden>(linkage.entity)) continue;
         if (std::binary_search(how.hidden.begin(), how.hidden.end(), linkage.entity)) continue;
-        if (how.place != kEveryScene && placeOf(world, linkage.entity) != static_cast<std::size_t>(how.place))
+        if (how.place != kAllScenes && placeOf(world, linkage.entity) != static_cast<std::size_t>(how.place))
             continue;
         const SoftLook* look = softLookOf(world, linkage);
         if (look == nullptr) continue;

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// Layers that were not drawn for so many frames give their memory back.
+/// Memory of layers is freed after this number of frames without drawing.
 constexpr std::uint64_t kForgetFrames = 300;
 
 }  // namespace

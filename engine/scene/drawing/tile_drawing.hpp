@@ -13,16 +13,16 @@
 
 namespace plumb {
 
-/// Whether any of its tiles changes by itself.
+/// True if the tileset has an animated tile.
 bool isAnimated(const Tileset& tileset);
 
-/// Draws the tile layers of a world; keeps their chunks on the device between frames.
+/// Draws the tile layers of a world; keeps their chunks in GPU memory between frames.
 class TileDrawing {
 public:
     TileDrawing(RenderDevice& device, AssetStore& assets, TextureLibrary& textures)
         : device_{device}, assets_{assets}, textures_{textures} {}
 
-    /// @param seconds  of the game, for animated tiles
+    /// @param seconds  game time, s, for animated tiles
     void beginFrame(double seconds);
     void draw(const World& world, EntityId entity, const TileLayer& layer, const Pose& pose, DrawList& list);
 

@@ -17,11 +17,11 @@ constexpr const char* kList = "list.json";
 
 Path folderOf(const Path& root) { return root / ".plumb" / "import"; }
 
-/// One file on its way to its place.
+/// A file to move to its final path.
 struct Move {
     Path from;
     Path to;
-    Path old;  ///< what was there before, to be put back; empty when nothing was
+    Path old;  ///< backup of the file at `to`, for undo; empty if there was none
 };
 
 std::string listText(const std::vector<ImportedFile>& files) {
@@ -32,11 +32,12 @@ std::string listText(const std::vector<ImportedFile>& files) {
     return writeJson(json);
 }
 
-Error cannotStand(const std::string& path, std::string why) {
-    return {path, std::move(why), "make room for it in the project, and import again; nothing was changed"};
+Error importError(const std::string& path, std::string why) {
+    return {path, std::move(why),
+            "make the path writable or free it, then import again; nothing was changed"};
 }
 
-/// Where everything goes, with the proof that it can.
+/// Returns the moves of all files, after checking that their paths are valid.
 Result<std::vector<Move>> planned(const Path& root, const std::vector<ImportedFile>& files) {
     std::vector<Move> moves;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -44,24 +45,25 @@ Result<std::vector<Move>> planned(const Path& root, const std::vector<ImportedFi
         if (!to) return to.error();
         std::error_code failed;
         if (fs::is_directory(*to, failed))
-            return cannotStand(files[i].path, "a folder of this name is there");
+            return importError(files[i].path, "a folder with this name exists");
         moves.push_back({folderOf(root) / std::to_string(i), *to, {}});
     }
     return moves;
 }
 
-/// Writes the files, and keeps what they will replace, beside the project's own.
+/// Writes the files and backups of those they replace to the import folder.
 Result<Done> stage(const Path& root, const std::vector<ImportedFile>& files, std::vector<Move>& moves) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (const Result<Done> written = writeFile(moves[i].from, files[i].bytes); !written)
             return written.error();
         std::error_code failed;
         fs::create_directories(moves[i].to.parent_path(), failed);
-        if (failed) return cannotStand(files[i].path, "its folder cannot be made: " + failed.message());
+        if (failed) return importError(files[i].path, "cannot create its folder: " + failed.message());
         if (!fs::exists(moves[i].to, failed)) continue;
         moves[i].old = folderOf(root) / (std::to_string(i) + ".old");
         fs::copy_file(moves[i].to, moves[i].old, fs::copy_options::overwrite_existing, failed);
-        if (failed) return cannotStand(files[i].path, "it cannot be read: " + failed.message());
+        if (failed)
+            return importError(files[i].path, "cannot back up the existing file: " + failed.message());
     }
     return writeFile(folderOf(root) / kList, listText(files));
 }
@@ -83,16 +85,17 @@ Result<Done> moveAll(const std::vector<Move>& moves) {
         fs::rename(moves[i].from, moves[i].to, failed);
         if (!failed) continue;
         undo(moves, i);
-        return cannotStand(moves[i].to.generic_string(), "it could not be replaced: " + failed.message());
+        return importError(moves[i].to.generic_string(), "cannot replace the file: " + failed.message());
     }
     return Done{};
 }
 
 void clear(const Path& root) {
     std::error_code failed;
-    fs::remove(folderOf(root) / kList, failed);  // first, so that no half of the files is taken for all
+    fs::remove(folderOf(root) / kList,
+               failed);  // first, so that a partial set of files is never taken for complete
     fs::remove_all(folderOf(root), failed);
-    fs::remove(root / ".plumb", failed);  // only when it is empty
+    fs::remove(root / ".plumb", failed);  // succeeds only if it is empty
 }
 
 }  // namespace
@@ -115,7 +118,7 @@ void finishImport(const Path& root) {
     const Result<Json> json = text ? parseJson(*text, kList) : Result<Json>{text.error()};
     const Json* files = json ? findArray(*json, "files") : nullptr;
     for (std::size_t i = 0; files != nullptr && i < files->size(); ++i) {
-        const Result<Path> to = pathInside(root, textOrEmpty((*files)[i]));
+        const Result<Path> to = pathInside(root, stringOrEmpty((*files)[i]));
         if (to) fs::rename(folderOf(root) / std::to_string(i), *to, failed);
     }
     clear(root);

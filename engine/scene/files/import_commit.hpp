@@ -8,20 +8,20 @@
 
 namespace plumb {
 
-/// A file that an import will put into a project.
+/// A file that an import adds to a project.
 struct ImportedFile {
-    std::string path;  ///< in the project
+    std::string path;  ///< path in the project
     std::string bytes;
 };
 
-/// Puts the files of one import into a project: all or none. They are written beside the project's own, in
-/// `.plumb/import`, and a list of them says when all are there; only then does each take its place. An import
-/// that was killed is undone or finished by `finishImport`.
-/// @error  a name that leaves the project, or a place that cannot be written; the project is as it was
+/// Adds the files of an import to a project, all or none. They are first written to `.plumb/import`, then a
+/// list file marks them complete, then each is moved to its path. finishImport() finishes or discards an
+/// import whose process was killed.
+/// @error  a path outside the project, or one that cannot be written; the project is unchanged
 Result<Done> commitImport(const Path& root, const std::vector<ImportedFile>& files);
 
-/// Finishes an import that was killed after all its files were there. Before that moment it left nothing
-/// behind that a game sees.
+/// Finishes an import whose process was killed after the list file was written. One that was killed earlier
+/// has not changed any file of the game.
 void finishImport(const Path& root);
 
 }  // namespace plumb

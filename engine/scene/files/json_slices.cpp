@@ -41,7 +41,7 @@ public:
         skipBlank();
         const std::size_t start = at_;
         if (!ended() && text_[at_] == '"') return takeText();
-        std::string open;  // the closing brackets still to come
+        std::string open;  // stack of the closing brackets expected
         while (!ended()) {
             const char c = text_[at_];
             if (c == '"') {

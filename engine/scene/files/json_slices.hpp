@@ -7,11 +7,11 @@
 
 namespace plumb {
 
-/// Splits the text of a JSON object into the texts of its values, and that of an array into those of its
-/// items, without looking inside: so that one broken entity does not take its file with it, and a large
-/// file is never in memory as one tree. Keys keep their escapes.
+/// Splits the text of a JSON object into its keys and the texts of its values, and an array into the texts of
+/// its items, without parsing these. So one invalid entity does not make the file unreadable, and a large
+/// file is never in memory as one tree. Keys keep their escape sequences.
 ///
-/// @return nothing when brackets, texts and commas do not make an object or an array
+/// @return nullopt if brackets, strings and commas do not form an object or an array
 std::optional<std::vector<std::pair<std::string_view, std::string_view>>> sliceObject(std::string_view text);
 std::optional<std::vector<std::string_view>> sliceArray(std::string_view text);
 

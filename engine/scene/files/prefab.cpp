@@ -23,7 +23,7 @@ std::string_view textIn(const Json& object, std::string_view key) {
     return text == nullptr ? std::string_view{} : std::string_view{*text};
 }
 
-/// Puts the overrides of an instance over what its prefab says.
+/// Applies the overrides of an instance to an entity of its prefab.
 void mergeEntity(PrefabEntity& base, const Json& overrides) {
     if (const auto name = textIn(overrides, "name"); !name.empty()) base.name = name;
     if (const Json* without = findArray(overrides, "without")) {
@@ -40,7 +40,7 @@ void mergeEntity(PrefabEntity& base, const Json& overrides) {
     }
 }
 
-/// One level of a prefab file becoming the flat list of its entities.
+/// Reads one prefab file into the flat list of its entities.
 class PrefabReader {
 public:
     PrefabReader(const TypeRegistry& types, Prefab& prefab) : types_{types}, prefab_{prefab} {}
@@ -50,17 +50,17 @@ public:
         const std::uint64_t id = hexIdIn(entity, "id");
         if (isRoot) rootId_ = id == 0 ? Prefab::kRootPart : id;
         if (id == 0 && !isRoot)
-            return skip(where + ".id", "expected the id of the entity", "write 16 hex digits in quotes");
+            return skip(where + ".id", "the id is missing or invalid", "write 16 hex digits in quotes");
         const std::uint64_t part = isRoot ? Prefab::kRootPart : id;
         if (prefab_.find(part) != nullptr)
-            return skip(where + ".id", "another entity has this id", "write a new one");
+            return skip(where + ".id", "another entity has this id", "write a new id");
         std::uint64_t parent = 0;
         if (!isRoot) {
             const std::uint64_t said = hexIdIn(entity, "parent");
             parent = partOf(said == 0 ? rootId_ : said);
             if (prefab_.find(parent) == nullptr) {
-                return skip(where + ".parent", "no entity before this one has the id",
-                            "write the parent first");
+                return skip(where + ".parent", "no entity before this one has this id",
+                            "move the parent before it");
             }
         }
         if (nested == nullptr) {
@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    /// Files call the root by an id of its own; inside, it is always kRootPart.
+    /// In files the root may have any id; its part id is always kRootPart.
     [[nodiscard]] std::uint64_t partOf(std::uint64_t id) const {
         return id == rootId_ ? Prefab::kRootPart : id;
     }
@@ -115,13 +115,13 @@ private:
         }
     }
 
-    /// @return false when the part is left out
+    /// @return false if the part is removed
     bool override(PrefabEntity& part, const Json& overrides, const std::string& where) {
         const Json* removed = findMember(overrides, "removed");
         if (!overrides.is_object()) {
             ignore(where, "an object", overrides, "write {\"components\": {...}}");
         } else if (removed != nullptr && !removed->is_boolean()) {
-            ignore(where + ".removed", "true or false", *removed, "write true to leave the part out");
+            ignore(where + ".removed", "true or false", *removed, "write true to remove the part");
         } else if (removed != nullptr && *removed == true) {
             return false;
         }
@@ -132,7 +132,7 @@ private:
     void ignore(std::string where, std::string_view expected, const Json& found, std::string remedy) {
         prefab_.problems.push_back({std::move(where),
                                     format("expected {}, found {}", expected, foundText(found)),
-                                    std::move(remedy) + "; it counts as missing"});
+                                    std::move(remedy) + "; it is ignored"});
     }
 
     const TypeRegistry& types_;
@@ -180,30 +180,30 @@ void changeReferences(const TypeRegistry& types, Json& components,
 
 void PrefabLibrary::add(std::string_view path, std::string text) {
     forget();
-    for (Source& source : given_) {
+    for (Source& source : replacedTexts_) {
         if (source.path == path) return static_cast<void>(source.text = std::move(text));
     }
-    given_.push_back({std::string{path}, std::move(text)});
+    replacedTexts_.push_back({std::string{path}, std::move(text)});
 }
 
-void PrefabLibrary::forget() { known_.clear(); }
+void PrefabLibrary::forget() { prefabs_.clear(); }
 
 Result<const Prefab*> PrefabLibrary::find(std::string_view path) {
-    for (const Prefab& prefab : known_) {
+    for (const Prefab& prefab : prefabs_) {
         if (prefab.path == path) return &prefab;
     }
     std::vector<std::string> open;
     Result<Prefab> read = guarded(path, [&] { return this->read(path, open); });
     if (!read) return read.error();
-    known_.push_back(std::move(*read));
-    return &known_.back();
+    prefabs_.push_back(std::move(*read));
+    return &prefabs_.back();
 }
 
 Result<std::string> PrefabLibrary::textOf(std::string_view path) const {
-    for (const Source& source : given_) {
+    for (const Source& source : replacedTexts_) {
         if (source.path == path) return source.text;
     }
-    if (root_.empty()) return Error{std::string{path}, "no such prefab", "add it to the library"};
+    if (root_.empty()) return Error{std::string{path}, "there is no such prefab", "add it to the library"};
     Result<Path> file = pathInside(root_, path);
     if (!file) return file.error();
     return readFile(*file);
@@ -212,12 +212,12 @@ Result<std::string> PrefabLibrary::textOf(std::string_view path) const {
 Result<Prefab> PrefabLibrary::read(std::string_view path, std::vector<std::string>& open) {
     const std::string name{path};
     if (std::find(open.begin(), open.end(), name) != open.end()) {
-        return Error{name, "the prefab is inside itself, through " + open.back(),
-                     "take it out of one of the two"};
+        return Error{name, "the prefab contains itself, through " + open.back(),
+                     "remove it from one of the two"};
     }
     if (open.size() >= static_cast<std::size_t>(limits::kPrefabDepth)) {
-        return Error{name, format("prefabs inside prefabs more than {} deep", limits::kPrefabDepth),
-                     "flatten them"};
+        return Error{name, format("prefabs are nested more than {} levels deep", limits::kPrefabDepth),
+                     "reduce the nesting"};
     }
     Result<std::string> text = textOf(path);
     if (!text) return text.error();

@@ -19,42 +19,44 @@ namespace plumb {
 class TypeRegistry;
 class World;
 
-/// One entity of a prefab, with everything that nested prefabs and overrides gave it.
+/// One entity of a prefab, with nested prefabs and overrides applied.
 struct PrefabEntity {
-    std::uint64_t part = 0;    ///< its id inside the prefab; kRootPart for the first
-    std::uint64_t parent = 0;  ///< the part it is a child of; 0 for the first
+    std::uint64_t part = 0;    ///< id inside the prefab; kRootPart for the root
+    std::uint64_t parent = 0;  ///< id of the parent part; 0 for the root
     std::string name;
-    Json components = Json::object();  ///< references in them are parts
+    Json components = Json::object();  ///< references to entities are ids of parts
 };
 
-/// A prefab ready to be placed. The first entity is the root, parents stand before their children.
+/// A prefab ready to be instantiated. The first entity is the root; parents come before their children.
 struct Prefab {
     static constexpr std::uint64_t kRootPart = 1;
     static constexpr int kFormat = 1;
 
     std::string path;
     std::vector<PrefabEntity> entities;
-    std::vector<Error> problems;  ///< what was left out
+    std::vector<Error> problems;  ///< errors of the entities that were skipped
 
     [[nodiscard]] const PrefabEntity* find(std::uint64_t part) const;
 };
 
-/// The id of a part of something that itself has an id: the same every time, so references to it last.
+/// Returns the id of a part of an instance, computed from
+/// both ids. It is always the same, so references stay valid.
 std::uint64_t combinedId(std::uint64_t outer, std::uint64_t part);
 
-/// Reads the prefabs of a project, each once, with those inside them.
+/// Reads and caches the prefabs of a project, with the prefabs nested in them.
 class PrefabLibrary {
 public:
     explicit PrefabLibrary(const TypeRegistry& types, Path root = {})
         : types_{types}, root_{std::move(root)} {}
 
-    /// Valid until this prefab, or one inside it, is forgotten.
-    /// @error missing, unreadable, inside itself, nested too deep
+    /// Returns the prefab with this path; valid until add() or forget().
+    /// @error the file is missing or unreadable, contains itself, or prefabs are nested too deeply
     Result<const Prefab*> find(std::string_view path);
 
-    /// Gives the text of a prefab in place of its file, e.g. while an editor changes it.
+    /// Uses this text instead of the prefab's file, e.g. while an editor changes it.
     void add(std::string_view path, std::string text);
-    /// Reads all prefabs again when they are next asked for: what is inside others changes those too.
+    /// Clears the cache, so all prefabs are read again when
+    /// needed: a changed prefab affects those that contain it.
     void forget();
 
 private:
@@ -68,16 +70,18 @@ private:
 
     const TypeRegistry& types_;
     Path root_;
-    std::vector<Source> given_;
-    std::deque<Prefab> known_;  // a deque, so that pointers to it stay valid
+    std::vector<Source> replacedTexts_;
+    std::deque<Prefab> prefabs_;  // a deque, so that pointers to it stay valid
 };
 
-/// Places a prefab that no scene file knows: enemies, bullets, coins made by the game. Not saved.
-/// @return its root
-/// @pre    the library knows the types of this world
+/// Instantiates a prefab at runtime: enemies, bullets,
+/// coins. The entities belong to no scene and are not saved.
+/// @param position  px, of the root
+/// @return the root entity
+/// @pre    the prefab was read with the types of this world
 Entity spawnPrefab(World& world, const TypeRegistry& types, const Prefab& prefab, Vec2 position);
 
-/// Changes every reference to an entity in the JSON of components: `change(id)` gives the new id.
+/// Replaces every reference to an entity in the JSON of components; `change(id)` returns the new id.
 void changeReferences(const TypeRegistry& types, Json& components,
                       const std::function<std::uint64_t(std::uint64_t)>& change);
 

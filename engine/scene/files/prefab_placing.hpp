@@ -11,12 +11,12 @@
 
 namespace plumb {
 
-/// The entities that a prefab became, in the order of Prefab::entities.
+/// The entities of a prefab instance, in the order of Prefab::entities.
 struct PlacedPrefab {
     std::vector<EntityId> entities;
 };
 
-/// Answers references to parts of one placed prefab, and asks the world for all others.
+/// Resolves references to parts of one prefab instance; other references are resolved in the world.
 class PartContext final : public WorldFieldContext {
 public:
     PartContext(World& world, const Prefab& prefab, const PlacedPrefab& placed)
@@ -29,10 +29,10 @@ private:
     const PlacedPrefab& placed_;
 };
 
-/// Makes the entities with their names, parents and components, all as the prefab says.
+/// Creates the entities of a prefab with their names, parents and components.
 PlacedPrefab placePrefab(World& world, const TypeRegistry& types, const Prefab& prefab);
 
-/// The value that a component of a prefab's entity has before overrides, in memory of its own.
+/// The value of a component in a prefab, before the overrides of an instance. Owns its memory.
 class PrefabValue {
 public:
     /// @param fields  the component's JSON in the prefab; null for the type's defaults

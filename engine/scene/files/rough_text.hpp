@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// About where the text of a label is (px, from its Transform): what is exact enough to point at, without its
-/// font.
+/// Estimates the bounds of a label's text (px, from its
+/// Transform) without its font. Accurate enough for picking.
 AABB roughTextBox(const World& world, const Label& label);
 
 }  // namespace plumb

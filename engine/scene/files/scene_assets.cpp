@@ -19,7 +19,7 @@ void addName(std::vector<AssetName>& names, AssetKind kind, const void* path) {
 void addNames(std::vector<AssetName>& names, const FieldInfo& field, const void* component) {
     const void* value = field.in(component);
     if (field.kind == FieldKind::Asset) return addName(names, field.asset, value);
-    const std::uint32_t count = *field.listCount(const_cast<void*>(value));
+    const std::uint32_t count = field.countOf(value);
     for (std::uint32_t i = 0; i < count && i < field.capacity; ++i) {
         addName(names, field.asset, static_cast<const std::byte*>(value) + i * field.elementSize);
     }
@@ -52,7 +52,7 @@ SceneAssets::~SceneAssets() {
 void SceneAssets::follow(const World& world, const TypeRegistry& types) {
     std::vector<AssetName> named = namedAssets(world, types);
     if (const LoadedScenes* scenes = world.findResource<LoadedScenes>()) {
-        // Watched: editing the file begins the scene anew.
+        // Scene files are held too, so that they are watched: editing one restarts the scene.
         for (const LoadedScene& scene : scenes->scenes) named.push_back({AssetKind::Scene, scene.id.path});
         sortOnce(named);
     }

@@ -11,7 +11,7 @@ class AssetStore;
 class TypeRegistry;
 class World;
 
-/// An asset by what it is and where it lies.
+/// An asset, identified by its kind and path.
 struct AssetName {
     AssetKind kind = AssetKind::None;
     TextId path;
@@ -22,11 +22,12 @@ struct AssetName {
     }
 };
 
-/// The assets that the components of a world name: sorted, each once.
+/// Returns the assets that the components of a world reference: sorted, without duplicates.
 std::vector<AssetName> namedAssets(const World& world, const TypeRegistry& types);
 
-/// Keeps the assets that a world names, and the files of its scenes, in the store, and those only: what two
-/// scenes share stays loaded when one follows the other, what is named no more may be unloaded.
+/// Keeps the assets that a world references, and the files of its scenes,
+/// acquired in the asset store. Assets that two consecutive scenes share
+/// stay loaded; those no longer referenced are released and may be unloaded.
 class SceneAssets {
 public:
     explicit SceneAssets(AssetStore& assets) : assets_{assets} {}
@@ -34,8 +35,8 @@ public:
     SceneAssets(const SceneAssets&) = delete;
     SceneAssets& operator=(const SceneAssets&) = delete;
 
-    /// Loads and acquires what the world names and did not before, and releases what it names no more. Call
-    /// it after scenes came or went.
+    /// Loads and acquires newly referenced assets and releases those no longer referenced. Call it after
+    /// scenes were loaded or unloaded.
     void follow(const World& world, const TypeRegistry& types);
 
     [[nodiscard]] const std::vector<AssetName>& held() const { return held_; }

@@ -23,7 +23,7 @@
 namespace plumb {
 namespace {
 
-/// In the binary form: an entity that could not be read, by its text.
+/// Key in the binary format for the text of an entity that could not be read.
 constexpr const char* kTextKey = "$text";
 
 Error noScene(std::string_view path, const std::string& what) {
@@ -31,14 +31,14 @@ Error noScene(std::string_view path, const std::string& what) {
             "write {\"format\": 1, \"effects\": {}, \"layers\": [], \"entities\": [...]}"};
 }
 
-/// What is wrong with a text that could not be sliced, by the strict reader's own words.
+/// Returns the error of a text that could not be sliced, from the strict JSON parser.
 Error brokenText(std::string_view path, std::string_view text) {
     const Result<Json> json = parseJson(text, path);
     if (!json) return json.error();
     return noScene(path, "expected a scene, found " + foundText(*json));
 }
 
-/// Parses a slice; places in errors are those of the whole text.
+/// Parses a slice; lines and columns in errors are those of the whole text.
 Result<Json> parseSlice(std::string_view text, std::string_view slice, std::string_view path) {
     Result<Json> json = parseJson(slice, path);
     if (json.ok()) return json;
@@ -88,22 +88,22 @@ std::string_view sliceOf(const Slices& slices, std::string_view key) {
     return found == slices.end() ? std::string_view{} : found->second;
 }
 
-/// Everything but the entities, so that a file that is no scene leaves the world as it was.
+/// Reads everything except the entities first, so that a file that is not a scene does not change the world.
 Result<Done> readHeads(SceneReader& reader, std::string_view text, const Slices& slices) {
     std::vector<std::pair<std::string, Json>> heads;
     for (const auto& [key, slice] : slices) {
         if (key == "entities") continue;
-        // The key with its quotes: that text reads as the key without its escapes.
+        // Parse the key with its quotes to decode escape sequences.
         Result<Json> name = parseSlice(text, {key.data() - 1, key.size() + 2}, reader.path());
         if (!name) return name.error();
         Result<Json> json = parseSlice(text, slice, reader.path());
         if (!json) return json.error();
-        heads.emplace_back(textOrEmpty(*name), std::move(*json));
+        heads.emplace_back(stringOrEmpty(*name), std::move(*json));
         const std::string& last = heads.back().first;
         const bool known =
             std::any_of(heads.begin(), heads.end() - 1, [&](const auto& head) { return head.first == last; });
         if (known || last == "entities")
-            return noScene(reader.path(), format("the key \"{}\" stands twice", last));
+            return noScene(reader.path(), format("the key \"{}\" appears twice", last));
     }
     const auto found =
         std::find_if(heads.begin(), heads.end(), [](const auto& head) { return head.first == "format"; });
@@ -121,10 +121,10 @@ Result<LoadReport> readText(World& world, const SceneContext& context, std::stri
     if (!slices) return brokenText(path, text);
     const auto lists =
         std::count_if(slices->begin(), slices->end(), [](const auto& s) { return s.first == "entities"; });
-    if (lists > 1) return noScene(path, "the key \"entities\" stands twice");
+    if (lists > 1) return noScene(path, "the key \"entities\" appears twice");
     const std::string_view list = sliceOf(*slices, "entities");
     const auto entities = sliceArray(list.empty() ? std::string_view{"[]"} : list);
-    if (!entities) return noScene(path, "entities is no list");
+    if (!entities) return noScene(path, "\"entities\" is not a JSON array");
     if (auto count = checkCount(path, entities->size()); !count) return count.error();
 
     SceneReader reader{world, context, path};
@@ -150,7 +150,8 @@ Result<LoadReport> readBinary(World& world, const SceneContext& context, std::st
     if (!json) return json.error();
     if (!json->is_object()) return noScene(path, "expected a scene, found " + foundText(*json));
     Json* entities = findMember(*json, "entities");
-    if (entities != nullptr && !entities->is_array()) return noScene(path, "entities is no list");
+    if (entities != nullptr && !entities->is_array())
+        return noScene(path, "\"entities\" is not a JSON array");
     if (auto count = checkCount(path, entities == nullptr ? 0 : entities->size()); !count)
         return count.error();
 

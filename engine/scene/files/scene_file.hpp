@@ -20,61 +20,63 @@ class World;
 
 inline constexpr int kSceneFormat = 1;
 
-/// What reading and writing a scene needs to know.
+/// Everything needed to read and write scenes.
 struct SceneContext {
     const TypeRegistry& types;
-    PrefabLibrary* prefabs = nullptr;  ///< none: instances of prefabs cannot be loaded
-    Path root;                         ///< the project's folder, for the functions that take paths
+    PrefabLibrary* prefabs = nullptr;  ///< null: prefab instances cannot be loaded
+    Path root;                         ///< the project's folder, for the functions that access files
 };
 
-/// What became of a file. Everything in `problems` stays in the file when the scene is saved.
+/// Result of loading a scene. Invalid parts listed in
+/// `problems` are kept in the file when the scene is saved.
 struct LoadReport {
     SceneId scene;
-    std::size_t loaded = 0;   ///< entities of the file
-    std::size_t skipped = 0;  ///< entities that are kept as text only
+    std::size_t loaded = 0;   ///< number of entities loaded from the file
+    std::size_t skipped = 0;  ///< number of invalid entities, kept as text only
     std::vector<Error> problems;
 };
 
-/// Adds a scene to a world, from the text of a `.scene.json`. What is broken is left out and reported.
-/// @param path  the scene's name: its path in the project
-/// @error       nothing can be loaded: no JSON, no scene, a newer format. The world is as before.
+/// Adds a scene to a world, from the text of a `.scene.json` file. Invalid parts are skipped and reported.
+/// @param path  the scene's path in the project, by which it is identified
+/// @error       invalid JSON, not a scene, or a newer format; the world is unchanged
 Result<LoadReport> loadScene(World& world, const SceneContext& context, std::string_view path,
                              std::string_view text);
 
-/// The text of a scene that is loaded in the world. Reading and writing a file again changes no byte of it.
+/// Returns the `.scene.json` text of a scene in the world.
+/// Reading a file and writing it again changes no byte.
 std::string sceneToJson(const World& world, const SceneContext& context, SceneId scene);
 
-/// The same content as CBOR, the form of `.scene.bin`.
+/// Adds a scene to a world, from the content of a `.scene.bin` file: the same data as CBOR. See loadScene().
 Result<LoadReport> loadSceneBinary(World& world, const SceneContext& context, std::string_view path,
                                    std::string_view bytes);
 std::string sceneToBinary(const World& world, const SceneContext& context, SceneId scene);
 
-/// Files below the context's root; names that end in `.bin` are binary. The assets that the scene names
-/// are loaded too when the world was lent an AssetStore.
+/// Loads or saves a file below the context's root; names that end in `.bin` are binary. Loading also loads
+/// the assets that the scene references if the world has an AssetStore.
 Result<LoadReport> loadSceneFile(World& world, const SceneContext& context, std::string_view path);
 Result<Done> saveSceneFile(const World& world, const SceneContext& context, std::string_view path);
 
-/// Saves under another name than the scene was loaded from; the world keeps the old one.
+/// Saves a scene to another path than it was loaded from; in the world it keeps the old path.
 Result<Done> saveSceneFileAs(const World& world, const SceneContext& context, SceneId scene,
                              std::string_view path);
 
-/// An empty scene, so that entities can be made in it and saved.
+/// Adds an empty scene to the world, in which entities can be created and saved.
 SceneId addScene(World& world, std::string_view path);
 
-/// An entity that belongs to a scene and is saved with it, as its last one.
+/// Creates an entity that belongs to a scene; it is saved as the last one in its file.
 Entity createSceneEntity(World& world, SceneId scene, Random& ids);
 
-/// Destroys the scene's entities, but for the persistent ones and their children, and forgets its file.
+/// Removes a scene and destroys its entities, except persistent ones and their children.
 void unloadScene(World& world, SceneId scene);
-/// The same from the last entity to the first, which leaves the order of those made before as it was.
+/// Like unloadScene(), but destroys entities from last to first, which preserves the order of older entities.
 void unloadOverlay(World& world, SceneId scene);
-/// Whether an entity, or one that it is a child of, stays when its scene goes.
+/// True if the entity or one of its ancestors is Persistent, so that it survives the unloading of its scene.
 bool persists(const World& world, EntityId id);
 
-/// Loads every asset that components name.
+/// Loads every asset that components reference.
 void loadAssets(const World& world, const TypeRegistry& types, AssetStore& assets);
 
-/// A random id for an entity; never 0.
+/// Returns a random stable id for an entity; never 0 or Prefab::kRootPart.
 std::uint64_t newStableId(Random& random);
 
 constexpr SceneId sceneId(std::string_view path) { return {textId(path)}; }

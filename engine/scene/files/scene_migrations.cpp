@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// Format 0 had the position beside the components, before there was a Transform.
+/// Format 0 had no Transform; the position was a key of the entity.
 void moveIntoTransform(Json& entity) {
     const Json* position = findMember(entity, "position");
     if (position == nullptr) return;

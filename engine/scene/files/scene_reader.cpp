@@ -18,13 +18,13 @@
 namespace plumb {
 namespace {
 
-/// What scenes and entities may carry beside what the engine reads: values of the game's own, and what an
-/// importer could not say in components. Kept and written back like all other keys, but meant to be there.
+/// True for keys that the engine does not read but that are valid: values of the game, and data that an
+/// importer could not express in components. They are kept like unknown keys, without a warning.
 bool isNote(std::string_view key) {
     return key == "properties" || key == "background" || key == kPrefabFileNote || isImportNote(key);
 }
 
-/// The text of an entity to keep: as it stood in the file, or written from what a binary file held.
+/// Returns the text of an entity to keep: from the file, or written from the JSON of a binary file.
 std::string keptText(std::string_view text, const Json& json) {
     if (!text.empty()) return std::string{text};
     std::string written;
@@ -32,7 +32,7 @@ std::string keptText(std::string_view text, const Json& json) {
     return written;
 }
 
-/// "cells[3].x" names the field "cells".
+/// Returns the field name at the start of a path: "cells" for "cells[3].x".
 std::string fieldName(const std::string& where) { return where.substr(0, where.find_first_of(".[")); }
 
 }  // namespace
@@ -68,7 +68,7 @@ void SceneReader::problem(std::string where, std::string what, std::string remed
 void SceneReader::keepKey(std::string key, Json value) {
     if (key == "background") readBackground(value);
     if (!isNote(key)) {
-        problem(key, "a scene has no such key", "it is kept as it stands; check the spelling or remove it");
+        problem(key, "a scene has no such key", "it is kept unchanged; check the spelling or remove it");
     }
     rest_.keys.emplace_back(std::move(key), std::move(value));
 }
@@ -136,7 +136,7 @@ bool SceneReader::readId(const Json& json, int place, std::string_view text, std
     if (found == json.end()) {
         id = mixBits(scene_.id.path.value + static_cast<std::uint64_t>(place)) | 1u;
         problem(format("entities[{}]", place), "the entity has no id",
-                format("it got \"{}\"; save to keep it", hexText(id)));
+                format("the id \"{}\" was assigned; save the scene to keep it", hexText(id)));
         return true;
     }
     id = hexIdOf(*found);
@@ -229,7 +229,7 @@ void SceneReader::readKeys(const Json& json, EntityId entity, std::uint64_t id, 
         } else if (key != "children" || !isInstance) {
             if (!isNote(key)) {
                 problem(where + "." + key, "an entity has no such key",
-                        "it is kept as it stands; check the spelling or remove it");
+                        "it is kept unchanged; check the spelling or remove it");
             }
             kept(id).keys.emplace_back(key, value);
         }
@@ -245,7 +245,7 @@ void SceneReader::readName(const Json& value, EntityId entity, std::uint64_t id,
         world_.add<Name>(entity).text = world_.texts().add(*text);
         return;
     }
-    problem(where + ".name", "expected a text, found " + foundText(value), "write it in double quotes");
+    problem(where + ".name", "expected a string, found " + foundText(value), "write it in double quotes");
     kept(id).keys.emplace_back("name", value);
 }
 
@@ -262,7 +262,7 @@ void SceneReader::readWithout(const Json& value, EntityId entity, std::uint64_t 
         if (type != nullptr) {
             world_.remove(*type, entity);
         } else {
-            problem(where + ".without", format("{} is no component", foundText(item)),
+            problem(where + ".without", format("{} is not a component", foundText(item)),
                     "remove it from the list");
         }
     }
@@ -284,7 +284,7 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
             problem(
                 format("{}.{}", where, key),
                 isPart ? "expected an object, found " + foundText(overrides) : "the prefab has no such part",
-                "it is kept as it stands; remove it");
+                "it is kept unchanged; remove it");
             kept(id).fields.push_back({"", key, overrides, Json()});
             continue;
         }
@@ -292,7 +292,7 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
         readKeys(
             [&said = overrides] {
                 Json copy = said;
-                copy["prefab"] = "";  // overrides of a part may say what overrides of a root may
+                copy["prefab"] = "";  // so that parts may have the same override keys as roots
                 copy.erase("children");
                 copy.erase("removed");
                 return copy;
@@ -311,7 +311,7 @@ bool SceneReader::readRemoved(const Json& overrides, EntityId entity, std::uint6
     }
     if (!removed->is_boolean())
         problem(where, "expected true or false, found " + foundText(*removed),
-                "it is kept as it stands, and the part is there; write true to leave it out");
+                "it is kept unchanged, and the part is created; write true to remove it");
     kept(id).keys.emplace_back("removed", *removed);
     return true;
 }
@@ -335,7 +335,7 @@ void SceneReader::readComponents(const Json& value, EntityId entity, std::uint64
         const std::vector<std::string_view> names = context_.types.names();
         const std::string_view near = closestName(name, names);
         problem(where + name, format("there is no component \"{}\"", name),
-                "it is kept as it stands; " +
+                "it is kept unchanged; " +
                     (near.empty() ? "check the spelling" : format("did you mean \"{}\"?", near)));
         kept(id).components.emplace_back(name, fields);
     }
@@ -355,7 +355,7 @@ void SceneReader::readComponent(const TypeInfo& type, const Json& json, EntityId
     componentFromJson(type, object, json, fields_, fieldProblems_);
     if (fields_.missed && mayWait) {
         fields_.warnings.clear();
-        waiting_.push_back({entity, &type, json, where, id});
+        deferred_.push_back({entity, &type, json, where, id});
         return;
     }
     for (FieldProblem& found : fieldProblems_) {
@@ -379,7 +379,7 @@ void SceneReader::keepField(const TypeInfo& type, const std::string& key, const 
          field == nullptr || field->transient ? Json() : fieldToJson(*field, object, fields_)});
 }
 
-/// Where the list of effects is not known, nothing can be wrong with them.
+/// Checks the effects of the scene if the world has an effect table.
 void SceneReader::checkEffects() {
     const auto* table = world_.service<const EffectTable>();
     if (table == nullptr || scene_.effects.empty()) return;
@@ -388,7 +388,7 @@ void SceneReader::checkEffects() {
 }
 
 LoadReport SceneReader::finish() {
-    for (const Waiting& item : waiting_) {
+    for (const DeferredComponent& item : deferred_) {
         if (world_.alive(item.entity))
             readComponent(*item.type, item.json, item.entity, item.id, item.where, false);
     }
@@ -398,11 +398,11 @@ LoadReport SceneReader::finish() {
         if (parent && setParent(world_, link.child, parent)) continue;
         kept(link.id).parent = link.parent;
         const bool skipped = std::find(skippedIds_.begin(), skippedIds_.end(), id) != skippedIds_.end();
-        if (skipped) continue;  // reported already
-        parent ? problem(link.where, "the entity would be inside itself",
-                         "give one of the circle another parent; it has none now")
+        if (skipped) continue;  // already reported
+        parent ? problem(link.where, "the parents form a cycle",
+                         "change the parent of one of them; this entity has no parent now")
                : problem(link.where, format("no entity has the id {}", foundText(link.parent)),
-                         "write the id of an entity of this file; it has no parent now");
+                         "write the id of an entity of this file; the entity has no parent now");
     }
     for (auto [entity, source, transform] : world_.query<const SceneEntity, Transform>()) {
         if (source.scene != scene_.id) continue;

@@ -14,12 +14,11 @@
 
 namespace plumb {
 
-/// A key of a scene that was made of a prefab's file, to edit it: what that file said in another way. Kept
-/// and written back like all that a scene does not know.
+/// Key in a scene that was converted from a prefab file for editing: holds what the prefab file wrote
+/// differently. Kept and written back like unknown keys.
 inline constexpr std::string_view kPrefabFileNote = "prefabFile";
 
-/// Knows the entities of the scene that is being read, and remembers when it was asked for one that is not
-/// there yet.
+/// Resolves references to entities of the scene that is being read, and records if one does not exist yet.
 class ReadingContext final : public WorldFieldContext {
 public:
     using WorldFieldContext::WorldFieldContext;
@@ -28,13 +27,14 @@ public:
     bool insert(std::uint64_t stableId, EntityId entity) { return known_.emplace(stableId, entity).second; }
     void reserve(std::size_t count) { known_.reserve(count); }
 
-    mutable bool missed = false;
+    mutable bool missed = false;  ///< a requested entity did not exist yet
 
 private:
-    std::unordered_map<std::uint64_t, EntityId> known_;  // only asked, never walked
+    std::unordered_map<std::uint64_t, EntityId> known_;  // never iterated, so its order does not matter
 };
 
-/// Reads one scene into a world, entity by entity. What refers to later entities waits for the end.
+/// Reads one scene into a world, entity by entity. Components that reference later entities are read in
+/// finish().
 class SceneReader {
 public:
     SceneReader(World& world, const SceneContext& context, std::string_view path);
@@ -43,19 +43,19 @@ public:
     void readLayers(const Json& json);
     void keepKey(std::string key, Json value);
     void reserve(std::size_t entities);
-    /// @param text  the entity as it stands in the file, to keep when it cannot be loaded; empty where the
-    ///              file is no text
+    /// @param place  index in the file's list of entities
+    /// @param text   text of the entity in the file, kept if it cannot be loaded; empty for binary files
     void readEntity(Json json, int place, std::string_view text);
     void skipEntity(int place, std::string_view text, Error error);
     void problem(std::string where, std::string what, std::string remedy);
-    /// Resolves references and parents, and makes the scene known to the world.
+    /// Resolves references and parents, and adds the scene to LoadedScenes.
     LoadReport finish();
 
     int fileFormat = kSceneFormat;
     [[nodiscard]] const std::string& path() const { return scene_.path; }
 
 private:
-    struct Waiting {
+    struct DeferredComponent {
         EntityId entity;
         const TypeInfo* type;
         Json json;
@@ -78,7 +78,7 @@ private:
     void readName(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readWithout(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readChildren(const Json& value, EntityId root, std::uint64_t id, const std::string& where);
-    /// @return false when an instance leaves this part of its prefab out
+    /// @return false if the instance removes this part of its prefab
     bool readRemoved(const Json& overrides, EntityId entity, std::uint64_t id, const std::string& where);
     void readComponents(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readComponent(const TypeInfo& type, const Json& json, EntityId entity, std::uint64_t id,
@@ -93,14 +93,14 @@ private:
     LoadedScene scene_;
     SceneRest rest_;
     LoadReport report_;
-    std::vector<Waiting> waiting_;
+    std::vector<DeferredComponent> deferred_;
     std::vector<ParentLink> parents_;
     std::vector<FieldProblem> fieldProblems_;
     std::vector<const Prefab*> usedPrefabs_;
     std::vector<std::uint64_t> skippedIds_;
 };
 
-/// Brings an entity of an older format up to date, one format after the other.
+/// Converts an entity of an older format to the current one, format by format.
 void migrateEntity(Json& entity, int format);
 
 }  // namespace plumb

@@ -25,7 +25,7 @@ SceneWriter::SceneWriter(World& world, const SceneContext& context, const Loaded
     for (const TypeInfo& type : context.types.all()) {
         const bool ownKey = type.key == typeKey<SceneEntity>() || type.key == typeKey<Name>() ||
                             type.key == typeKey<PrefabInstance>() || type.key == typeKey<PrefabPart>();
-        if (!ownKey) saved_.push_back({&type, PrefabValue{type, nullptr, fields_}});
+        if (!ownKey) savedTypes_.push_back({&type, PrefabValue{type, nullptr, fields_}});
     }
 }
 
@@ -51,7 +51,7 @@ const KeptEntity* SceneWriter::keptOf(std::uint64_t id) const {
     return found == scene_.rest->entities.end() ? nullptr : &found->second;
 }
 
-/// Puts back what the file said and no component holds, where the field still is as it was loaded.
+/// Adds kept values of the file that no component represents, if the field still has its loaded value.
 void SceneWriter::addKeptFields(const TypeInfo& type, const void* object, const KeptEntity& kept,
                                 Json& fields) const {
     for (const KeptField& item : kept.fields) {
@@ -62,8 +62,7 @@ void SceneWriter::addKeptFields(const TypeInfo& type, const void* object, const 
     }
 }
 
-/// Where an entity stands is always written, the default too: so moving it is a change of one line of the
-/// file.
+/// Adds the position even if it is the default, so that moving an entity changes only one line of the file.
 void SceneWriter::addPosition(const TypeInfo& type, const void* transform, Json& fields) const {
     constexpr const char* kPosition = "position";
     if (fields.contains(kPosition)) return;
@@ -77,7 +76,7 @@ Json SceneWriter::componentsOf(EntityId entity, const PrefabEntity* base, PartCo
                                const KeptEntity* kept) const {
     Json components = Json::object();
     auto& list = *components.get_ptr<Json::object_t*>();
-    for (const Saved& saved : saved_) {
+    for (const SavedType& saved : savedTypes_) {
         const void* object = std::as_const(world_).find(*saved.type, entity);
         if (object == nullptr) continue;
         const std::string name{saved.type->name};
@@ -100,7 +99,7 @@ Json SceneWriter::componentsOf(EntityId entity, const PrefabEntity* base, PartCo
 
 Json SceneWriter::withoutList(EntityId entity, const PrefabEntity& base) const {
     Json without = Json::array();
-    for (const Saved& saved : saved_) {
+    for (const SavedType& saved : savedTypes_) {
         if (base.components.contains(std::string{saved.type->name}) && !world_.has(*saved.type, entity)) {
             without.push_back(std::string{saved.type->name});
         }
@@ -113,7 +112,7 @@ PlacedPrefab SceneWriter::partsOf(EntityId root, std::uint64_t id, const Prefab&
         for (auto [entity, part] : std::as_const(world_).query<const PrefabPart>(withPaused)) {
             partIndex_.emplace(std::pair{part.instance, part.part}, entity.id());
         }
-        partIndex_.emplace(std::pair{0, 0}, EntityId{});  // not empty, also without any part
+        partIndex_.emplace(std::pair{0, 0}, EntityId{});  // so that it is never empty once built
     }
     PlacedPrefab placed{{root}};
     for (std::size_t i = 1; i < prefab.entities.size(); ++i) {
@@ -143,7 +142,7 @@ Json SceneWriter::childrenOf(const Prefab& prefab, const PlacedPrefab& placed, P
         Json overrides = Json::object();
         if (!world_.alive(entity)) {
             const EntityId parent = parts.entity(base.parent);
-            if (base.parent != 0 && !world_.alive(parent)) continue;  // went with its parent
+            if (base.parent != 0 && !world_.alive(parent)) continue;  // removed with its parent
             overrides["removed"] = true;
         } else {
             const KeptEntity* kept = keptOf(combinedId(id, base.part));
@@ -238,7 +237,7 @@ std::string SceneWriter::write() {
     }
     std::string out;
     appendJson(out, head, 0);
-    out.resize(out.size() - 2);  // the end of line and the closing bracket
+    out.resize(out.size() - 2);  // remove the line end and the closing bracket
     out += ",\n  \"entities\": [";
     bool first = true;
     for (const Item& item : itemsInOrder()) {

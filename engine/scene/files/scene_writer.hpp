@@ -13,10 +13,10 @@
 
 namespace plumb {
 
-/// Writes one scene of a world, entity by entity, straight into the text of its file.
+/// Writes one scene of a world as text, entity by entity.
 class SceneWriter {
 public:
-    /// The world is only read; it is not const because contexts for fields can also fill its stores.
+    /// The world is only read; it is not const because field contexts can also write to its stores.
     SceneWriter(World& world, const SceneContext& context, const LoadedScene& scene);
 
     std::string write();
@@ -28,7 +28,7 @@ private:
         EntityId entity;
         const SkippedEntity* skipped;
     };
-    struct Saved {
+    struct SavedType {
         const TypeInfo* type;
         PrefabValue defaults;
     };
@@ -40,8 +40,8 @@ private:
     void addKeptKeys(const KeptEntity& kept, Json& json) const;
     void addName(EntityId entity, std::string_view inPrefab, const KeptEntity* kept, Json& json) const;
     Json entityToJson(const Item& item);
-    /// @param base   what the prefab says; null when the entity is no part of one
-    /// @param parts  answers references in `base`; null with it
+    /// @param base   the entity in its prefab; null if it does not belong to one
+    /// @param parts  resolves references in `base`; null if `base` is
     Json componentsOf(EntityId entity, const PrefabEntity* base, PartContext* parts,
                       const KeptEntity* kept) const;
     [[nodiscard]] Json withoutList(EntityId entity, const PrefabEntity& base) const;
@@ -54,8 +54,8 @@ private:
     const SceneContext& context_;
     const LoadedScene& scene_;
     WorldFieldContext fields_;
-    std::vector<Saved> saved_;
-    std::map<std::pair<std::uint64_t, std::uint64_t>, EntityId> partIndex_;  // by instance and part
+    std::vector<SavedType> savedTypes_;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, EntityId> partIndex_;  // by ids of instance and part
 };
 
 }  // namespace plumb

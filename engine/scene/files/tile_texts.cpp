@@ -8,10 +8,10 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // of each of the two halves
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // maximum size of a generation
 
-/// Two halves: what is found in the older one moves to the newer one, and the older one goes when that is
-/// full.
+/// Cache in two generations: texts found in the older one move to the newer one; when the newer one is full,
+/// it replaces the older one, which is dropped.
 class TileTexts {
 public:
     void remember(const BlockStamps& stamps, const std::string& text) {
@@ -44,7 +44,7 @@ private:
     std::mutex mutex_;
     Texts newer_;
     Texts older_;
-    std::size_t bytes_ = 0;  // of the texts in newer_
+    std::size_t bytes_ = 0;  // total size of the texts in newer_
 };
 
 TileTexts tileTexts;

@@ -7,18 +7,17 @@
 
 namespace plumb {
 
-/// The stamps of the chunks of a block of tiles, rows first; 0 for a chunk that is not there.
+/// Stamps of the chunks in a block of tiles, in row-major order; 0 for missing chunks.
 using BlockStamps = std::array<std::uint64_t, 16>;
 
-/// How files have blocks of tiles: the text that a block was read from, or packed into. No two changes of the
-/// program share a stamp, so a text is right for every block with these stamps: the world it was read
-/// into, a copy of that in another thread, a step that was undone. So what was not changed is written with
-/// the very bytes that the file had, and is not packed again.
+/// Caches the file text of a block of tiles, from reading or packing it. Every change of a chunk gets a new
+/// unique stamp, so the text is valid for every block with these stamps: in the world, in a copy of it, after
+/// undo. Unchanged blocks are thus saved with the same bytes as in the file, without packing them again.
 ///
-/// One for the whole program, for any thread. Texts that were not asked for lately are dropped.
+/// The cache is global and thread-safe. Texts that were not used recently are dropped.
 
 void rememberTileText(const BlockStamps& stamps, const std::string& text);
-/// Nothing when it is not known.
+/// Returns the cached text of a block; nullopt if there is none.
 [[nodiscard]] std::optional<std::string> knownTileText(const BlockStamps& stamps);
 
 }  // namespace plumb

@@ -22,9 +22,9 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMostCellsAsText = 256 * 256;
-constexpr std::size_t kBandCells = 131072;                // of files written before there were blocks
-constexpr std::size_t kMostCells = std::size_t{1} << 26;  // where even empty ones take room
-constexpr int kBlockChunks = 4;                           // a side: one line of the file
+constexpr std::size_t kBandCells = 131072;                // cells per band in files without blocks
+constexpr std::size_t kMostCells = std::size_t{1} << 26;  // limit for formats that store empty cells
+constexpr int kBlockChunks = 4;  // chunks per side of a block, which is one line of the file
 constexpr int kBlockSide = kBlockChunks * TileGrid::kChunkSide;
 using Block = std::array<TileCell, std::size_t{kBlockSide} * kBlockSide>;
 
@@ -53,8 +53,8 @@ std::string rowText(const TileGrid& grid, int y) {
     return row;
 }
 
-/// Adds the cells of a row's text.
-/// @return false when something in it is no cell
+/// Appends the cells of a row's text.
+/// @return false if a cell is invalid
 bool readRow(std::string_view text, std::vector<TileCell>& cells) {
     const char* at = text.data();
     const char* const end = at + text.size();
@@ -92,7 +92,7 @@ BlockStamps stampsOf(const TileGrid& grid, int column, int row) {
     return stamps;
 }
 
-/// "3 0 =5x" for a block of equal cells, else "3 0 eNrt…"; empty for an empty block.
+/// Returns "3 0 =5x" for a block of equal cells, otherwise "3 0 eNrt…"; empty for an empty block.
 std::string blockText(const TileGrid& grid, int column, int row, Block& block) {
     const BlockStamps stamps = stampsOf(grid, column, row);
     if (stamps == BlockStamps{}) return {};
@@ -166,7 +166,7 @@ Result<ReadTiles> readRows(const Json& rows, int width, int height) {
     } else if (rows.size() != static_cast<std::size_t>(height)) {
         read.problem = format("found {} rows, the height is {}", rows.size(), height);
     }
-    read.remedy = "missing tiles are empty, those too many are left out; make width, height and rows agree";
+    read.remedy = "missing tiles are empty, surplus ones are dropped; make width, height and rows agree";
     read.grid.replaceCells(width, height, cells);
     return read;
 }
@@ -177,15 +177,15 @@ Result<ReadTiles> readBands(const Json& bands, int width, int height) {
     const std::size_t step = columns == 0 ? 1 : bandRows(columns) * columns;
     const std::size_t wanted = (cells.size() + step - 1) / step;
     if (!bands.is_array() || bands.size() != wanted) {
-        return Error{"base64", format("expected a list of {}, found {}", wanted, foundText(bands)),
-                     "save the map again from where it was made"};
+        return Error{"base64", format("expected a list of {} strings, found {}", wanted, foundText(bands)),
+                     "export the map again from the program that created it"};
     }
     for (std::size_t band = 0; band < wanted; ++band) {
         const auto* text = bands[band].get_ptr<const std::string*>();
         const std::size_t count = std::min(step, cells.size() - band * step);
         if (text == nullptr || !unpackText(*text, {cells.data() + band * step, count})) {
-            return Error{format("base64[{}]", band), "the packed tiles are damaged",
-                         "save the map again from where it was made"};
+            return Error{format("base64[{}]", band), "the compressed tiles are damaged",
+                         "export the map again from the program that created it"};
         }
     }
     ReadTiles read;
@@ -193,7 +193,7 @@ Result<ReadTiles> readBands(const Json& bands, int width, int height) {
     return read;
 }
 
-/// Cuts the next number off the text. Nothing when there is none within 0 .. count - 1.
+/// Removes the next number from the text and returns it; nullopt if there is none in 0 .. count - 1.
 std::optional<int> takeNumber(std::string_view& text, int count) {
     int number = -1;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -208,7 +208,7 @@ class BlockReader {
 public:
     explicit BlockReader(TileGrid& grid) : grid_{grid} {}
 
-    /// @return false when the text is no block
+    /// @return false if the text is not a block
     bool read(std::string_view text) {
         const std::optional<int> column = takeNumber(text, blocksFor(grid_.width()));
         const std::optional<int> row = column ? takeNumber(text, blocksFor(grid_.height())) : std::nullopt;
@@ -221,7 +221,7 @@ private:
     bool fill(std::string_view text) {
         std::vector<TileCell> cells;
         if (!readRow(text, cells) || cells.size() != 1) return false;
-        // Huge plains share one chunk.
+        // Large areas of one tile share one chunk.
         if (plain_ == nullptr || plain_->cells.front() != cells.front())
             plain_ = TileGrid::filled(cells.front());
         eachChunk([&](int x, int y) { grid_.put(x, y, plain_); });
@@ -266,7 +266,7 @@ private:
 Result<ReadTiles> readBlocks(const Json& blocks, int width, int height) {
     if (!blocks.is_array())
         return Error{"blocks", "expected a list, found " + foundText(blocks),
-                     "save the map again from where it was made"};
+                     "export the map again from the program that created it"};
     ReadTiles read;
     read.grid = TileGrid{width, height};
     BlockReader reader{read.grid};
@@ -276,7 +276,7 @@ Result<ReadTiles> readBlocks(const Json& blocks, int width, int height) {
             return Error{
                 format("blocks[{}]", i),
                 "expected \"column row =tile\" or \"column row data\", found " + foundText(blocks[i]),
-                "save the map again from where it was made"};
+                "export the map again from the program that created it"};
         }
     }
     return read;
@@ -310,7 +310,7 @@ Result<ReadTiles> tilesFromJson(const Json& json) {
     if (const auto blocks = json.find("blocks"); blocks != json.end())
         return readBlocks(*blocks, *width, *height);
     if (static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height) > kMostCells) {
-        return Error{"width", format("{} x {} tiles are more than {}", *width, *height, kMostCells),
+        return Error{"width", format("{} x {} tiles exceed the limit of {}", *width, *height, kMostCells),
                      "split the map"};
     }
     if (const auto bands = json.find("base64"); bands != json.end())
@@ -319,7 +319,7 @@ Result<ReadTiles> tilesFromJson(const Json& json) {
     if (rows == json.end() || !rows->is_array()) {
         return Error{"rows",
                      "expected a list of rows, found " + (rows == json.end() ? "nothing" : foundText(*rows)),
-                     "write one text a row, e.g. [\"1 2 0\", \"0 0 3\"]"};
+                     "write one string per row, e.g. [\"1 2 0\", \"0 0 3\"]"};
     }
     return readRows(*rows, *width, *height);
 }

@@ -6,22 +6,22 @@
 
 namespace plumb {
 
-/// A grid as files hold it: {"width", "height", "rows": ["1 2 0 5x", …]}, one text a row; x, y and d behind a
-/// number mirror the tile left-right, top-bottom and along its diagonal. Past 256 x 256 cells the rows become
-/// "blocks" of 128 x 128 cells, those that are not empty: "3 0 =5" where all cells are equal, else "3 0 " and
-/// a zlib block in base64, so that a change far away leaves the other lines as they are. Older files have
-/// "base64", a zlib block for each band of rows.
+/// Returns the JSON of a grid: {"width", "height", "rows": ["1 2 0 5x", …]}, one string per row; x, y and d
+/// after a number flip the tile horizontally, vertically and diagonally. Above 256 x 256 cells "blocks" of
+/// 128 x 128 cells replace the rows; empty ones are omitted. A block is "column row =5" if all cells are
+/// equal, otherwise "column row data" with zlib data in base64; so a change affects few lines. Older files
+/// have "base64": zlib data for each band of rows.
 Json tilesToJson(const TileGrid& grid);
 
-/// A grid and what had to be mended in it; `problem` is empty when nothing was wrong.
+/// A grid, and the error that was corrected while reading it; `problem` is empty if there was none.
 struct ReadTiles {
     TileGrid grid;
     std::string problem;
     std::string remedy;
 };
 
-/// Rows that are too short are filled with empty cells, too long ones are cut: the problem says so.
-/// @error no grid can be made; the place is the key, e.g. "rows[3]"
+/// Reads a grid. Short rows are filled with empty cells, long ones are cut, and `problem` reports it.
+/// @error the grid cannot be read; `where` is the key, e.g. "rows[3]"
 Result<ReadTiles> tilesFromJson(const Json& json);
 
 }  // namespace plumb

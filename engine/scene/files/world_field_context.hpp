@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-/// What the ids of a world's components stand for: its texts, its tile grids, and the lasting ids of the
-/// entities that came from scenes. Short-lived: the index of entities is made at the first question.
+/// Resolves the ids in a world's components: texts, tile grids, and stable ids of scene entities.
+/// Short-lived: it builds its index of entities at the first lookup.
 class WorldFieldContext : public FieldContext {
 public:
     explicit WorldFieldContext(World& world) : world_{world} {}
@@ -29,11 +29,12 @@ protected:
     World& world_;
 
 private:
-    mutable std::vector<std::pair<std::uint64_t, EntityId>> index_;  // sorted by lasting id
+    mutable std::vector<std::pair<std::uint64_t, EntityId>> index_;  // sorted by stable id
     mutable bool indexed_ = false;
 };
 
-/// The entity with this lasting id, or the empty handle. Looks through all; for many, keep a context.
+/// Returns the entity with this stable id, or the empty
+/// handle. O(entities); use a WorldFieldContext for many.
 Entity findById(World& world, std::uint64_t stableId);
 
 }  // namespace plumb

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-/// Words in memory order to words with the lowest byte first, and back.
+/// Converts between native and little-endian byte order.
 std::uint32_t lowestFirst(std::uint32_t word) {
     if constexpr (std::endian::native == std::endian::little) return word;
     return word << 24 | (word & 0xff00) << 8 | (word >> 8 & 0xff00) | word >> 24;

@@ -46,7 +46,7 @@ bool contains(const std::vector<EntityId>& entities, EntityId entity) {
 }
 
 PhysicsMembers membersOf(const World& world) {
-    // A pause takes an entity out of every query.
+    // A paused entity is in no query, so pausing counts as a membership change.
     const std::uint64_t paused = world.memberships<Paused>();
     PhysicsMembers members;
     members.bodies = world.memberships<Transform, RigidBody, StaticBody, KinematicBody, CharacterBody,
@@ -58,7 +58,7 @@ PhysicsMembers membersOf(const World& world) {
     return members;
 }
 
-/// Puts an index into a sorted list, or takes it out.
+/// Adds an index to a sorted list, or removes it.
 void setListed(std::vector<std::uint32_t>& list, std::uint32_t index, bool isListed) {
     const auto at = std::lower_bound(list.begin(), list.end(), index);
     const bool wasListed = at != list.end() && *at == index;
@@ -70,16 +70,16 @@ void setListed(std::vector<std::uint32_t>& list, std::uint32_t index, bool isLis
     }
 }
 
-/// Brings the bodies of one world up to date with its components.
+/// Updates the bodies of a world from its components.
 class BodySync {
 public:
     BodySync(World& world, PhysicsState& state)
         : world_{world}, reader_{world}, state_{state}, bodies_{state.world} {}
 
-    /// What it looks at grows with what was written since the mark, not with the world. Whatever the order in
-    /// which that is found, which may vary with what a tool has looked at, bodies follow in one order.
-    /// @param membersChanged  components came or went too
-    /// @return whether a body came or went
+    /// The cost depends on the number of writes since the mark, not on the size of the world. Changes are
+    /// found in an arbitrary order (tools may affect it), but bodies are updated in a deterministic order.
+    /// @param membersChanged  components were added or removed too
+    /// @return true if a body was created or destroyed
     bool follow(std::uint64_t mark, bool membersChanged) {
         state_.arrived.clear();
         state_.departed.clear();
@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    // What differs between a body and its entity, by which components were written.
+    // Bits of PhysicsState::stale: which components of a body's entity were written.
     static constexpr std::uint8_t kPose = 1, kRigid = 2, kColliders = 4, kAll = 7;
 
     void note(EntityId entity, std::uint8_t what) {
@@ -103,7 +103,7 @@ private:
         firstStale_ = std::min(firstStale_, body);
         endStale_ = std::max(endStale_, body + 1);
     }
-    /// The bodies below an entity move with it.
+    /// Marks the bodies of an entity's descendants, as they move with it.
     void noteBelow(EntityId entity) {
         const Children* family = reader_.find<Children>(entity);
         EntityId child = family == nullptr ? EntityId{} : family->first;
@@ -117,7 +117,7 @@ private:
     void noteWrites(std::uint64_t mark) {
         world_.eachChangedSince<Transform>(mark, [this](EntityId entity) {
             note(entity, kPose);
-            if (contains(state_.unplaced, entity)) compare(entity);  // its place may be good now
+            if (contains(state_.unplaced, entity)) compare(entity);  // its position may be valid now
         });
         world_.eachChangedSince<RigidBody>(mark, [this](EntityId entity) { note(entity, kRigid); });
         const auto visit = [](void* sync, EntityId entity) {
@@ -125,7 +125,7 @@ private:
         };
         forEachChangedCollider(reader_, mark, visit, this);
         if (state_.carried.empty()) return;
-        // What moved since the last look, be it that the physics moved it.
+        // Transforms written since the last sync, including those written by the physics step.
         world_.eachChangedSince<Transform>(state_.carriedMark, [this](EntityId entity) {
             const BodyId body = bodyOf(state_, entity);
             if (body && linkOf(body).hasParent) note(body.index, kPose);
@@ -166,8 +166,8 @@ private:
         }
     }
 
-    /// Where an entity needs a body, its place in the order in which bodies are created: that of queries over
-    /// the colliders, kind after kind, then over bodies without collider.
+    /// Returns the sort key for creating the body of an entity: the order of queries over colliders, kind by
+    /// kind, then over bodies without collider. nullopt if the entity needs no body.
     [[nodiscard]] std::optional<std::uint64_t> orderOf(EntityId entity) const {
         if (!reader_.has<Transform>(entity) || reader_.has<Paused>(entity)) return std::nullopt;
         if (const auto order = colliderOrder(reader_, entity)) return order;
@@ -179,7 +179,7 @@ private:
         return std::nullopt;
     }
 
-    /// Notes an entity whose body is missing or of another kind, and a body that nothing needs any more.
+    /// Records if an entity's body is missing or has the wrong kind, or if a body is no longer needed.
     void compare(EntityId entity) {
         ++state_.visits;
         const std::uint32_t linked =
@@ -191,7 +191,8 @@ private:
             state_.arrived.push_back({*order, entity});
     }
 
-    /// First what arrived, so that no new body takes the index of one that departs in the same tick.
+    /// Creates bodies before destroying others, so that no new
+    /// body reuses the index of one destroyed in the same tick.
     bool arriveAndDepart() {
         const auto sortOut = [](auto& list) {
             std::sort(list.begin(), list.end());
@@ -222,12 +223,12 @@ private:
         const Pose pose = worldPose(reader_, entity);
         BodyDefinition definition;
         definition.kind = kind;
-        definition.position = placeInMetres(pose.position, state_.scale);
+        definition.position = positionInMetres(pose.position, state_.scale);
         definition.angle = wrapAngle(pose.rotation);
         definition.user = userOf(entity);
         const auto made = physics::createBody(bodies_, definition);
         if (!made) {
-            tellRefusal(world_, state_, entity, made.error());
+            logRefusal(world_, state_, entity, made.error());
             state_.unplaced.push_back(entity);
             return;
         }
@@ -259,8 +260,8 @@ private:
         link = {};
     }
 
-    /// The entity was moved: the body is set to its place, without a path. Kinematic ones follow (see
-    /// kinematics.hpp).
+    /// Teleports the body to the pose of its entity if that was
+    /// moved. Kinematic bodies are moved in driveKinematics().
     void followPose(BodyId body) {
         BodyLink& link = linkOf(body);
         const Pose pose = worldPose(reader_, link.entity);
@@ -270,7 +271,7 @@ private:
         }
         if (bodies_.bodies.info[body.index].kind == BodyKind::Kinematic) return;
         if (pose.position == link.pose.position && pose.rotation == link.pose.rotation) return;
-        const auto moved = physics::setPosition(bodies_, body, placeInMetres(pose.position, state_.scale),
+        const auto moved = physics::setPosition(bodies_, body, positionInMetres(pose.position, state_.scale),
                                                 wrapAngle(pose.rotation));
         if (accept(moved, link.entity)) {
             link.pose = pose;
@@ -297,7 +298,7 @@ private:
         accept(updateSurfaces(bodies_, body, reader_, entity, rigid, state_.scale), entity);
     }
 
-    /// Each value that differs is handed on, or put back when it is refused.
+    /// Applies changed values of the RigidBody to the body; invalid ones are reset in the component.
     void followRigid(BodyId body) {
         if (bodies_.bodies.info[body.index].kind != BodyKind::Dynamic) return;
         BodyLink& link = linkOf(body);
@@ -352,7 +353,7 @@ private:
             accept(setQuality(bodies_, body, quality), entity);
     }
 
-    /// kg; 0: it goes by its shapes.
+    /// Returns the mass set for the body, kg; 0 if it follows from its shapes.
     [[nodiscard]] float setMassOf(BodyId body) const {
         return (bodies_.bodies.info[body.index].owned & physics::kSetMass) != 0 ? massOf(bodies_, body)
                                                                                 : 0.0f;
@@ -365,14 +366,14 @@ private:
         const Result<Done> set = rigid.mass > 0.0f
                                      ? setMass(bodies_, body, rigid.mass)
                                      : Result<Done>{Error{"RigidBody.mass", "expected a mass above 0",
-                                                          "use a StaticBody for what never moves"}};
+                                                          "use a StaticBody for a body that never moves"}};
         if (accept(set, entity)) return;
         if (!(known > 0.0f)) static_cast<void>(setMass(bodies_, body, RigidBody{}.mass));
         world_.get<RigidBody>(entity).mass = setMassOf(body);
     }
 
     bool accept(const Result<Done>& result, EntityId entity) {
-        if (!result) tellRefusal(world_, state_, entity, result.error());
+        if (!result) logRefusal(world_, state_, entity, result.error());
         return result.ok();
     }
 
@@ -381,7 +382,7 @@ private:
     PhysicsState& state_;
     physics::World& bodies_;
     std::uint32_t firstStale_ = physics::kNone,
-                  endStale_ = 0;  // the bodies with something noted are among these
+                  endStale_ = 0;  // range of body indices with marks in `stale`
 };
 
 void takeSettings(World& world, PhysicsState& state, const physics::Settings& settings) {
@@ -412,7 +413,7 @@ physics::Settings physicsSettingsOf(World& world) {
         if (checked) {
             settings.gravity = gravity;
         } else {
-            tellRefusal(world, world.resource<PhysicsState>(), entity, checked.error());
+            logRefusal(world, world.resource<PhysicsState>(), entity, checked.error());
         }
     };
     takeGravity({}, "PhysicsSettings.gravity", project.gravity);

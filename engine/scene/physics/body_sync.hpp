@@ -5,12 +5,13 @@
 
 namespace plumb {
 
-/// Bodies, terrains, joints and fields follow their components. Looks only at what was written since the last
-/// time.
-/// @param settings  of the world, in metres
+/// Updates bodies, terrains, joints, fields and soft bodies from their components. Visits only components
+/// written since the last call.
+/// @param settings  settings of the physics world, in metres
 void followComponents(World& world, PhysicsState& state, const physics::Settings& settings);
 
-/// The tolerances and gravity of a world, in metres: those of its ScenePhysics, or else its PhysicsSettings.
+/// Returns the physics settings of a world, in metres: from
+/// its PhysicsSettings, overridden by its ScenePhysics.
 [[nodiscard]] physics::Settings physicsSettingsOf(World& world);
 
 }  // namespace plumb

@@ -22,11 +22,11 @@ using physics::BodyId;
 using physics::Geometry;
 using physics::ShapeDefinition;
 
-/// Where the shapes of one collider go.
+/// Creates the shapes of one collider.
 struct ShapeMaker {
     physics::World& bodies;
     BodyId body;
-    Vec2 scale;  // of the entity
+    Vec2 scale;  // scale of the entity
     PixelScale units;
     ShapeDefinition definition;
 
@@ -86,7 +86,7 @@ Result<Done> make(const ShapeMaker& maker, const ChainCollider& chain) {
     std::vector<Vec2> points = pointsOf(maker, chain, {});
     if (maker.scale.x * maker.scale.y < 0.0f) std::reverse(points.begin(), points.end());
     const std::size_t count = points.size();
-    if (!chain.loop && count >= 2) {  // its ends go straight on
+    if (!chain.loop && count >= 2) {  // neighbours beyond the ends, for smooth collision there
         const Vec2 before = 2.0f * points[0] - points[1];
         points.push_back(2.0f * points[count - 1] - points[count - 2]);
         points.insert(points.begin(), before);
@@ -95,7 +95,7 @@ Result<Done> make(const ShapeMaker& maker, const ChainCollider& chain) {
     return made ? Result<Done>{Done{}} : made.error();
 }
 
-// What a shape was made from.
+// Adds the values that a shape is created from to a hash.
 
 void addTo(Hasher& hasher, Vec2 value) { hasher.add(value.x), hasher.add(value.y); }
 void addTo(Hasher& hasher, const BoxCollider& box) {
@@ -116,7 +116,7 @@ void addTo(Hasher& hasher, const ChainCollider& chain) {
     hasher.add(std::uint64_t{chain.loop});
 }
 
-/// A kind of collider. Its number is the `user` of its shapes.
+/// Functions of a collider type. Its index in kColliders is the `user` data of its shapes.
 struct ColliderRow {
     const ColliderSurface* (*find)(const World& world, EntityId entity);
     void (*addTo)(Hasher& hasher, const ColliderSurface& collider);

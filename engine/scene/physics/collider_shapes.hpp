@@ -13,39 +13,40 @@ namespace plumb {
 
 struct RigidBody;
 
-// From collider components to shapes. All colliders of an entity are parts of its body.
+// Creates physics shapes from collider components. All colliders of an entity belong to its body.
 
-inline constexpr float kDefaultFriction = 0.6f;  ///< of colliders without a RigidBody
+inline constexpr float kDefaultFriction = 0.6f;  ///< friction of colliders without a RigidBody
 
-/// px: a size that an entity is drawn with; mirrored ones are as large.
+/// Returns a size scaled by an entity's scale (px); a negative scale mirrors and does not change the size.
 [[nodiscard]] inline Vec2 scaledSize(float width, float height, Vec2 scale) {
     return {width * std::abs(scale.x), height * std::abs(scale.y)};
 }
 
-/// A number for the outlines of an entity's colliders: while it stays, so do their shapes. 0 without
-/// collider.
+/// Returns a hash of the outlines of an entity's colliders;
+/// shapes are recreated when it changes. 0 without colliders.
 [[nodiscard]] std::uint64_t outlinesOf(const World& world, EntityId entity, Vec2 scale);
 
-/// Gives a body the shapes of an entity's colliders in place of those that it had.
-/// @param scale  ratio: the entity's size in the world
-/// @error what is wrong with a collider; the body has no shapes of it then
+/// Replaces the shapes of a body by those of an entity's colliders.
+/// @param scale  world scale of the entity (ratio)
+/// @error an invalid collider; the body gets no shape for it
 Result<Done> makeShapes(physics::World& bodies, physics::BodyId body, const World& world, EntityId entity,
                         Vec2 scale, PixelScale units);
 
-/// Brings friction and the like of the shapes of a body up to date, which costs no contact.
-/// @param rigid  may be null
+/// Updates friction, restitution, conveyor speed and filter of a body's shapes. Existing contacts are kept.
+/// @param rigid  the entity's RigidBody; may be null
 Result<Done> updateSurfaces(physics::World& bodies, physics::BodyId body, const World& world, EntityId entity,
                             const RigidBody* rigid, PixelScale units);
 
-/// Grows whenever some entity gets or loses a collider.
+/// Returns a counter that is incremented whenever an entity gains or loses a collider.
 [[nodiscard]] std::uint64_t colliderMembers(const World& world);
 [[nodiscard]] bool hasColliders(const World& world);
 
-/// Where an entity has a collider, its place among all that have one: by kind, then in the order of queries.
+/// Returns a sort key of an entity with a collider: by kind
+/// of collider, then by query order. nullopt without one.
 [[nodiscard]] std::optional<std::uint64_t> colliderOrder(const World& world, EntityId entity);
 
-/// Calls `visit(EntityId)` for every collider that may have been written since the mark, also where its
-/// entity is paused.
+/// Calls `visit` for the entity of every collider that may have
+/// been written since the mark, including paused entities.
 void forEachChangedCollider(const World& world, std::uint64_t mark,
                             void (*visit)(void* context, EntityId entity), void* context);
 

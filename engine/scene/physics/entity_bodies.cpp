@@ -44,7 +44,7 @@ void placeEntity(World& world, EntityId entity, const Pose& pose) {
     transform->rotation = local.rotation;
 }
 
-void tellRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error) {
+void logRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error) {
     if (std::find(state.refused.begin(), state.refused.end(), entity) != state.refused.end()) return;
     state.refused.push_back(entity);
     logWarning("Physics",

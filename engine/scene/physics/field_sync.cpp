@@ -22,7 +22,7 @@ namespace {
 using physics::FieldDefinition;
 using physics::RegionKind;
 
-/// A kind of field.
+/// Functions of a field component type.
 struct FieldRow {
     bool (*describe)(const World& world, EntityId entity, FieldDefinition& field, Vec2& size, float metres);
     std::uint64_t (*members)(const World& world);
@@ -110,12 +110,12 @@ private:
         bring(linkage);
     }
 
-    /// px: the corner and the size of where a field acts.
+    /// Sets a box region. @param corner  px, from the Transform to the top-left corner @param size  px
     void setBox(FieldDefinition& field, const Pose& pose, Vec2 corner, Vec2 size) const {
         const Vec2 reach = scaled(size, {std::abs(pose.scale.x), std::abs(pose.scale.y)});
         field.region = RegionKind::Box;
         field.half = toMetres(reach * 0.5f, state_.scale);
-        field.place = placeInMetres(pose.position + corner + reach * 0.5f, state_.scale);
+        field.place = positionInMetres(pose.position + corner + reach * 0.5f, state_.scale);
     }
 
     bool define(const FieldLinkage& linkage, FieldDefinition& field) const {
@@ -123,7 +123,7 @@ private:
         if (!kFields[linkage.kind].describe(world_, linkage.entity, field, size, state_.scale.metres))
             return false;
         const Pose pose = worldPose(world_, linkage.entity);
-        field.place = placeInMetres(pose.position, state_.scale);
+        field.place = positionInMetres(pose.position, state_.scale);
         field.seed = linkage.entity.index;
         if (field.kind == physics::FieldKind::Explosion) return true;
         if (const auto* box = world_.find<BoxCollider>(linkage.entity)) {
@@ -132,19 +132,19 @@ private:
             const float scale = std::max(std::abs(pose.scale.x), std::abs(pose.scale.y));
             field.region = RegionKind::Circle;
             field.radius = circle->radius * scale * state_.scale.metres;
-            field.place = placeInMetres(pose.position + circle->offset, state_.scale);
+            field.place = positionInMetres(pose.position + circle->offset, state_.scale);
         } else if (size != Vec2{}) {
             setBox(field, pose, {}, size);
         }
         if (field.kind == physics::FieldKind::Attractor && field.region == RegionKind::Everywhere) {
-            field.a = bodyOf(state_, linkage.entity);  // which it pulls to, and does not pull
+            field.a = bodyOf(state_, linkage.entity);  // its own body is the center, and is not attracted
             if (field.a) field.place = {};
         }
         return true;
     }
 
     void accept(const FieldLinkage& linkage, const Result<Done>& result) {
-        if (!result) tellRefusal(world_, state_, linkage.entity, result.error());
+        if (!result) logRefusal(world_, state_, linkage.entity, result.error());
     }
 
     const World& world_;

@@ -5,14 +5,14 @@
 
 namespace plumb {
 
-/// Fields follow their components, and the entities that have them.
-/// @param all  an entity got or lost one
+/// Updates the fields of the physics world from their components and entities.
+/// @param all  true if an entity gained or lost a field component
 void followFields(World& world, PhysicsState& state, bool all);
 
-/// Removes the components of explosions that have happened.
+/// Removes the components of explosions that have taken effect.
 void removeExploded(World& world, PhysicsState& state);
 
-/// Grows whenever some entity gets or loses a field.
+/// Returns a counter that is incremented whenever an entity gains or loses a field component.
 [[nodiscard]] std::uint64_t fieldMembers(const World& world);
 
 }  // namespace plumb

@@ -26,8 +26,8 @@ using physics::BodyId;
 using physics::JointDefinition;
 using physics::JointKind;
 
-/// A kind of joint. What two bodies it ties is in its JointLink: the other is A, the entity's own
-/// is B.
+/// Functions of a joint component type. In physics joints,
+/// A is the body of JointLink::other, B that of the entity.
 struct JointRow {
     const JointLink* (*find)(const World& world, EntityId entity);
     void (*apply)(const JointLink& link, JointDefinition& joint, float metres);
@@ -55,15 +55,15 @@ constexpr JointRow jointRow() {
     return row;
 }
 
-// A gear comes last: it ties two of the others.
+// Gears are last, as they refer to two other joints.
 constexpr JointRow kJoints[] = {
     jointRow<RevoluteJoint>(), jointRow<DistanceJoint>(), jointRow<PrismaticJoint>(),
     jointRow<WeldJoint>(),     jointRow<WheelJoint>(),    jointRow<MouseJoint>(),
     jointRow<MotorJoint>(),    jointRow<PulleyJoint>(),   jointRow<GearJoint>(),
 };
-constexpr std::uint8_t kRevolute = 0, kPrismatic = 2;  // rows
+constexpr std::uint8_t kRevolute = 0, kPrismatic = 2;  // indices in kJoints
 
-/// A number for all that a joint is made from, but for what setters change.
+/// Hash of the values a joint is created from, except those that can be changed with setters.
 std::uint64_t jointHash(const JointDefinition& d, const JointLink& link) {
     Hasher hasher;
     const auto add = [&hasher](auto... values) { (hasher.add(values), ...); };
@@ -112,7 +112,8 @@ private:
         bring(linkage, link);
     }
 
-    /// They mostly come in the order in which they are kept: the search begins behind the last one found.
+    /// Finds or adds the linkage of an entity. The search starts
+    /// after the last result, as the order is mostly the same.
     JointLinkage& find(EntityId entity) {
         std::vector<JointLinkage>& joints = state_.joints;
         for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -126,7 +127,7 @@ private:
         return linkage;
     }
 
-    /// Makes the joint, makes it anew, or changes what can be changed.
+    /// Creates, recreates or changes the joint of a component.
     void bring(JointLinkage& linkage, const JointLink& link) {
         JointDefinition definition;
         kJoints[linkage.kind].apply(link, definition, state_.scale.metres);
@@ -136,7 +137,8 @@ private:
             change(linkage, definition);
             return;
         }
-        // Made anew it keeps its anchors and what it was like at the start, unless its ends are what changed.
+        // A recreated joint keeps its anchors and initial angle
+        // and length, unless its bodies or anchors changed.
         const JointDefinition before =
             lives ? bodies_.joints.definition[linkage.joint.index] : JointDefinition{};
         const bool sameEnds = lives && linkage.other == link.other && before.kind == definition.kind &&
@@ -154,7 +156,7 @@ private:
         if (joint) {
             linkage.joint = *joint;
         } else {
-            tellRefusal(world_, state_, linkage.entity, joint.error());
+            logRefusal(world_, state_, linkage.entity, joint.error());
         }
     }
 
@@ -165,15 +167,15 @@ private:
             set = physics::setMotorSpeed(bodies_, linkage.joint, definition.motor.speed);
         if (known.kind == JointKind::Mouse && !(known.target == definition.target))
             set = physics::setTarget(bodies_, linkage.joint, definition.target);
-        if (!set) tellRefusal(world_, state_, linkage.entity, set.error());
+        if (!set) logRefusal(world_, state_, linkage.entity, set.error());
     }
 
-    /// @return false while one of the bodies does not exist
+    /// @return false if one of the bodies does not exist yet
     bool findBodies(JointLinkage& linkage, const JointLink& link, JointDefinition& definition) {
         definition.b = bodyOf(std::as_const(state_), linkage.entity);
         definition.a = link.other ? bodyOf(std::as_const(state_), link.other) : ground();
         if (definition.a && definition.b) return true;
-        linkage.made = 0;  // looked for again when bodies come
+        linkage.made = 0;  // retry when bodies are created
         return false;
     }
 
@@ -199,7 +201,7 @@ private:
         return positionOf(bodies_, body) + rotate(rotationOf(bodies_, body), anchor);
     }
 
-    /// How the ends are when it is tied.
+    /// Stores the initial angle and length of a joint.
     void noteStart(JointLinkage& linkage, const JointDefinition& d) const {
         const physics::WorldPosition a = placeOf(d.a, d.anchorA), b = placeOf(d.b, d.anchorB);
         linkage.startAngle = angleOf(between(rotationOf(bodies_, d.a), rotationOf(bodies_, d.b)));
@@ -209,7 +211,7 @@ private:
                                   : length(b - a);
     }
 
-    /// What follows from the bodies.
+    /// Sets the values of the definition that depend on the bodies.
     void finish(const JointLinkage& linkage, const JointLink& link, JointDefinition& d) const {
         d.referenceAngle += linkage.startAngle;
         d.collideConnected = link.collide;
@@ -225,7 +227,7 @@ private:
         }
     }
 
-    /// The hinge or slider of an entity.
+    /// Returns the RevoluteJoint or PrismaticJoint of an entity, for a gear.
     [[nodiscard]] physics::JointId geared(EntityId entity) const {
         for (const JointLinkage& linkage : state_.joints) {
             const bool fits = linkage.kind == kRevolute || linkage.kind == kPrismatic;

@@ -5,17 +5,17 @@
 
 namespace plumb {
 
-/// Joints follow their components.
-/// @param membersChanged    an entity got or lost a joint
-/// @param bodiesCameOrWent  joints that wait for a body may find it
-/// @param mark              what was written before it is known
+/// Updates the joints of the physics world from their components.
+/// @param membersChanged    an entity gained or lost a joint component
+/// @param bodiesCameOrWent  bodies were created or destroyed, so waiting joints may find theirs
+/// @param mark              change mark; only components written after it are visited
 void followJoints(World& world, PhysicsState& state, bool membersChanged, bool bodiesCameOrWent,
                   std::uint64_t mark);
 
-/// Removes the components of joints that broke in the step, and tells.
+/// Removes the components of joints that broke in the step, and emits JointBroke events.
 void publishBroken(World& world, PhysicsState& state);
 
-/// Grows whenever some entity gets or loses a joint.
+/// Returns a counter that is incremented whenever an entity gains or loses a joint component.
 [[nodiscard]] std::uint64_t jointMembers(const World& world);
 
 }  // namespace plumb

@@ -15,13 +15,13 @@ namespace plumb {
 
 namespace {
 
-/// What moves a kinematic body in this tick.
+/// Motion of a kinematic body in this tick.
 struct Course {
-    Pose pose;            // px: where its entity is now
-    bool driven = false;  // its entity was moved
-    bool jumps = false;   // without a way
-    Vec2 velocity;        // px/s, else
-    float angularVelocity = 0.0f;
+    Pose pose;                     // px, current world pose of its entity
+    bool driven = false;           // its Transform was changed
+    bool jumps = false;            // it was teleported
+    Vec2 velocity;                 // px/s, of the KinematicBody; used if not driven
+    float angularVelocity = 0.0f;  // rad/s, of the KinematicBody
 };
 
 Course courseOf(const World& world, const BodyLink& link) {
@@ -29,7 +29,7 @@ Course courseOf(const World& world, const BodyLink& link) {
     course.pose = worldPose(world, link.entity);
     course.driven = course.pose.position != link.pose.position || course.pose.rotation != link.pose.rotation;
     const Transform& transform = world.get<Transform>(link.entity);
-    // A body that teleports sets its stored pose too.
+    // teleport() sets the previous position too.
     course.jumps = course.driven && !link.hasParent && transform.previousPosition == transform.position &&
                    transform.previousRotation == transform.rotation;
     const KinematicBody* body = world.find<KinematicBody>(link.entity);
@@ -44,17 +44,17 @@ physics::BodyId idAt(const PhysicsState& state, std::uint32_t body) {
     return {body, state.world.bodies.info[body].generation};
 }
 
-/// A character is where its controller put it at once, so that triggers notice it without delay. It pushes by
-/// what its controller does, not by its speed.
+/// Sets a character's body to its Transform at once, so that triggers detect it without delay. Its controller
+/// pushes other bodies, not the velocity of this body.
 void follow(World& world, PhysicsState& state, std::uint32_t index) {
     BodyLink& link = state.links[index];
     const Pose pose = worldPose(std::as_const(world), link.entity);
     if (pose.position == link.pose.position && pose.rotation == link.pose.rotation) return;
-    const physics::WorldPosition place = placeInMetres(pose.position, state.scale);
+    const physics::WorldPosition place = positionInMetres(pose.position, state.scale);
     if (!(std::abs(place.x) < physics::kFarthest && std::abs(place.y) < physics::kFarthest &&
           std::abs(pose.rotation) < 1e5f)) {
-        tellRefusal(world, state, link.entity,
-                    {"Transform", "expected finite numbers", "put it back into the scene"});
+        logRefusal(world, state, link.entity,
+                   {"Transform", "expected finite numbers", "move the entity back into the scene"});
         placeEntity(world, link.entity, link.pose);
         return;
     }
@@ -74,13 +74,13 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
     }
     const physics::BodyId body = idAt(state, index);
     const Course course = courseOf(std::as_const(world), link);
-    // moveTo() was already called by syncBodies() this tick, for queries: keep that target.
+    // syncBodies() has already called moveTo() in this tick, for queries: keep that target.
     const bool sent = (state.world.bodies.info[index].flags & physics::kHasTarget) != 0;
     link.driven = course.driven || sent;
     if (sent && !course.driven) return;
     Result<Done> result = Done{};
     if (course.driven) {
-        const physics::WorldPosition place = placeInMetres(course.pose.position, state.scale);
+        const physics::WorldPosition place = positionInMetres(course.pose.position, state.scale);
         const float angle = wrapAngle(course.pose.rotation);
         result = course.jumps ? physics::setPosition(state.world, body, place, angle)
                               : physics::moveTo(state.world, body, place, angle, dt);
@@ -105,7 +105,7 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
             }
         }
     }
-    if (!result) tellRefusal(world, state, link.entity, result.error());
+    if (!result) logRefusal(world, state, link.entity, result.error());
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 namespace plumb {
 
-/// Sends kinematic bodies on their way through the next step: to where their Transform was put in this tick,
-/// or else as their velocity says. May be called several times before the step.
-/// @param dt  s
+/// Sets the motion of kinematic bodies in the next step: to the pose of their Transform if it was changed in
+/// this tick, otherwise by their velocity. May be called several times before the step.
+/// @param dt  s, length of the tick
 void driveKinematics(World& world, PhysicsState& state, float dt);
 
 }  // namespace plumb

@@ -13,8 +13,9 @@ namespace plumb {
 
 namespace {
 
-constexpr float kAlong = 1e-3f;     // of a way: what comes nearer by less slides along
-constexpr float kSolidSide = 0.7f;  // cosine between the open side of a one-way surface and its solid normal
+constexpr float kAlong = 1e-3f;  // ratio of the displacement: a smaller approach counts as sliding
+constexpr float kSolidSide =
+    0.7f;  // minimum cosine between a hit's normal and a one-way surface's solid side
 
 physics::QueryFilter filterFrom(const PhysicsState& state, const QueryFilter& filter) {
     physics::QueryFilter out;
@@ -26,7 +27,7 @@ physics::QueryFilter filterFrom(const PhysicsState& state, const QueryFilter& fi
     return out;
 }
 
-/// One-way surfaces stop only what comes from their open side and is not inside.
+/// True if a hit blocks the motion. One-way surfaces block only outlines outside of them on their solid side.
 bool stops(const physics::World& world, const physics::CastHit& hit, Vec2 way, bool oneWay) {
     const bool leaves = -dot(hit.normal, way) <= kAlong * length(way);
     if (leaves && way != Vec2{}) return false;
@@ -37,7 +38,7 @@ bool stops(const physics::World& world, const physics::CastHit& hit, Vec2 way, b
 }
 
 QueryHit hitFrom(const PhysicsState& state, const physics::CastHit& hit) {
-    return {ownerOf(state, hit.body), hit.normal, placeInPixels(hit.point, state.scale), hit.fraction,
+    return {ownerOf(state, hit.body), hit.normal, positionInPixels(hit.point, state.scale), hit.fraction,
             hit.separation * state.scale.pixels};
 }
 
@@ -54,7 +55,7 @@ std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const Q
     PhysicsState& state = world.resource<PhysicsState>();
     physics::QueryShape shape;
     shape.geometry = physics::box(toMetres(box.size() * 0.5f, state.scale));
-    shape.position = placeInMetres(box.center(), state.scale);
+    shape.position = positionInMetres(box.center(), state.scale);
     const Vec2 metres = toMetres(way, state.scale);
     physics::castShapeAll(state.world, shape, metres, filterFrom(state, filter), state.hits);
     return firstThatStops(state, metres, filter.oneWay);
@@ -63,7 +64,7 @@ std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const Q
 std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFilter& filter) {
     PhysicsState& state = world.resource<PhysicsState>();
     const Vec2 metres = toMetres(way, state.scale);
-    physics::castRayAll(state.world, placeInMetres(from, state.scale), metres, filterFrom(state, filter),
+    physics::castRayAll(state.world, positionInMetres(from, state.scale), metres, filterFrom(state, filter),
                         state.hits);
     return firstThatStops(state, metres, filter.oneWay);
 }
@@ -76,8 +77,8 @@ Vec2 tickMotionOf(World& world, EntityId entity, float dt) {
 
 void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found) {
     PhysicsState& state = world.resource<PhysicsState>();
-    physics::overlapBox(state.world, placeInMetres(box.min, state.scale), placeInMetres(box.max, state.scale),
-                        filterFrom(state, filter), state.found);
+    physics::overlapBox(state.world, positionInMetres(box.min, state.scale),
+                        positionInMetres(box.max, state.scale), filterFrom(state, filter), state.found);
     found.clear();
     for (const physics::ShapeId shape : state.found) {
         const EntityId entity = ownerOf(state, physics::bodyOf(state.world, shape));

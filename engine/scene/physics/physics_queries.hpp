@@ -8,35 +8,37 @@
 
 namespace plumb {
 
-/// Which colliders a query sees.
+/// Selects the colliders that a query considers.
 struct QueryFilter {
-    std::uint32_t layers = 1;          ///< bits: what the query is, for the masks of others
-    std::uint32_t mask = 0xffffffffu;  ///< bits: what it meets
-    EntityId except;                   ///< empty, or one that it does not see
-    bool triggers = false;             ///< triggers too
-    bool oneWay = true;                ///< one-way surfaces too, from above
-    bool movers = true;                ///< bodies that move too
+    std::uint32_t layers = 1;          ///< bits: layers of the query; a collider's mask must have one of them
+    std::uint32_t mask = 0xffffffffu;  ///< bits: layers of the colliders that the query considers
+    EntityId except;                   ///< entity to ignore; may be empty
+    bool triggers = false;             ///< include triggers
+    bool oneWay = true;                ///< include one-way surfaces, hit from above
+    bool movers = true;                ///< include dynamic and kinematic bodies
 };
 
 struct QueryHit {
     EntityId entity;
-    Vec2 normal;              ///< length 1, away from what was hit
+    Vec2 normal;              ///< length 1, outward from the collider
     Vec2 point;               ///< px
-    float fraction = 0.0f;    ///< of the way, 0..1
-    float separation = 0.0f;  ///< px along the normal at the start; negative when they overlapped
+    float fraction = 0.0f;    ///< fraction of the displacement, 0..1
+    float separation = 0.0f;  ///< px, distance along the normal at the start; negative: overlap
 };
 
-/// The first collider that a box meets on a straight way (px). What it only leaves or slides along does
-/// not count.
+/// Returns the first collider that a box hits when moved by `way` (px). Colliders that it only leaves or
+/// slides along are ignored.
 std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const QueryFilter& filter = {});
 
-/// The first collider on a line from `from` along `way` (px).
+/// Returns the first collider that a ray from `from` to `from + way` (px) hits.
 std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFilter& filter = {});
 
-/// How far the body of an entity goes in this tick (px), as far as it is known before the step.
+/// Returns the displacement of an entity's body in this
+/// tick (px), as its velocity before the step predicts it.
 Vec2 tickMotionOf(World& world, EntityId entity, float dt);
 
-/// All entities whose colliders overlap the box, each once, in a fixed order.
+/// Fills `found` with the entities whose colliders overlap the
+/// box (px), without duplicates, in a deterministic order.
 void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found);
 
 }  // namespace plumb

@@ -16,16 +16,16 @@
 
 namespace plumb {
 
-/// How the physics of a world is set up. A resource; games change it. A ScenePhysics component goes before
-/// it.
+/// Physics settings of a world. A world resource that games
+/// may change; a ScenePhysics component overrides it.
 struct PhysicsSettings {
     static constexpr Vec2 kGravity{0.0f, 980.0f};
 
     Vec2 gravity = kGravity;       ///< px/s^2
-    float pixelsPerMetre = 64.0f;  ///< px
-    physics::Settings tolerances;  ///< all but gravity and stayEvents; metres
-    bool stayEvents = true;        ///< ContactStayed and TriggerStayed in each tick that a contact goes on
-    std::uint32_t effectsOff = 0;  ///< bits of physics::Manifest that never run
+    float pixelsPerMetre = 64.0f;  ///< px in a metre of the physics
+    physics::Settings tolerances;  ///< in metres; gravity and stayEvents are ignored
+    bool stayEvents = true;        ///< emit ContactStayed and TriggerStayed in every tick of a contact
+    std::uint32_t effectsOff = 0;  ///< bits of physics::Manifest: effects that never run
 
     void addTo(Hasher& hasher) const {
         hasher.add(gravity.x), hasher.add(gravity.y), hasher.add(pixelsPerMetre);
@@ -33,76 +33,80 @@ struct PhysicsSettings {
     }
 };
 
-/// What the bridge knows about the body of an entity.
+/// State of the body of an entity at the last synchronization with its components.
 struct BodyLink {
     EntityId entity;
-    Pose pose;                     ///< px, rad, in the world: where both sides last agreed that it is
-    Rot rotation;                  ///< of the body, the same
-    Vec2 velocity;                 ///< px/s: the same for its velocity
-    float angularVelocity = 0.0f;  ///< rad/s
-    std::uint64_t outlines = 0;    ///< what its shapes were made from
-    bool hasParent = false;        ///< moves when another one does
-    bool driven = false;           ///< its Transform moves it in this tick, not its velocity
+    Pose pose;                     ///< px, rad: world pose at the last synchronization
+    Rot rotation;                  ///< rotation of the body at the last synchronization
+    Vec2 velocity;                 ///< px/s: velocity at the last synchronization
+    float angularVelocity = 0.0f;  ///< rad/s, at the last synchronization
+    std::uint64_t outlines = 0;    ///< outlinesOf() that its shapes were created from
+    bool hasParent = false;        ///< the entity has a parent and moves with it
+    bool driven = false;           ///< kinematic: moved by its Transform in this tick, not by its velocity
 };
 
-/// An entity that needs a body.
+/// An entity for which a body must be created.
 struct BodyArrival {
-    std::uint64_t order = 0;  ///< arrivals get their bodies in this order
+    std::uint64_t order = 0;  ///< bodies are created in ascending order
     EntityId entity;
 
     friend bool operator==(const BodyArrival&, const BodyArrival&) = default;
     friend bool operator<(const BodyArrival& a, const BodyArrival& b) { return a.order < b.order; }
 };
 
-/// The bodies of a tile layer.
+/// The terrain bodies of a tile layer.
 struct TileTerrain {
     EntityId entity;
-    // Both are shared with snapshots, so copied before a change.
+    // outlines and cells are shared with snapshots, so they are copied before a change.
     std::shared_ptr<physics::TerrainOutlines> outlines;
-    std::shared_ptr<TileGrid> cells;  ///< as they were looked at
+    std::shared_ptr<TileGrid> cells;  ///< cells at the last synchronization
     physics::TerrainBody body;
-    std::uint64_t made = 0;     ///< what all of it was made from, but for the cells
-    std::uint32_t version = 0;  ///< of the grid
-    std::uint64_t seen = 0;
+    std::uint64_t made = 0;     ///< hash of everything except the cells that it was created from
+    std::uint32_t version = 0;  ///< version of the grid at the last synchronization
+    std::uint64_t seen = 0;     ///< PhysicsState::syncs of the last visit
 };
 
+/// Connects a joint component with its joint.
 struct JointLinkage {
     EntityId entity;
     EntityId other;
-    std::uint8_t kind = 0;  ///< row of the table of joints
+    std::uint8_t kind = 0;  ///< index of the joint type in joint_sync.cpp
     bool broken = false;
     physics::JointId joint;
-    float startAngle = 0.0f;   ///< rad, between the bodies when it was made
-    float startLength = 0.0f;  ///< m, the same from end to end
-    std::uint64_t made = 0;    ///< what it was made from
+    float startAngle = 0.0f;   ///< rad, angle between the bodies when the joint was created
+    float startLength = 0.0f;  ///< m, distance of the anchors when the joint was created
+    std::uint64_t made = 0;    ///< hash of the values it was created from
     std::uint64_t seen = 0;
 };
 
+/// Connects a field component with its field.
 struct FieldLinkage {
     EntityId entity;
-    std::uint8_t kind = 0;  ///< row of the table of fields
+    std::uint8_t kind = 0;  ///< index of the field type in field_sync.cpp
     physics::FieldId field;
     std::uint64_t made = 0;
     std::uint64_t seen = 0;
 };
 
-/// A character that its controller moves.
+/// Connects a CharacterController component with its controller in the physics.
 struct CharacterLinkage {
     EntityId entity;
-    Vec2 middle;             ///< px: where both sides last agreed that it is
-    std::uint64_t made = 0;  ///< what it was made from
+    Vec2 middle;             ///< px, center at the last synchronization
+    std::uint64_t made = 0;  ///< hash of the values it was created from
     physics::CharacterController controller;
 };
 
+/// Connects a rope, cloth or jelly component with its soft body.
 struct SoftLinkage {
     EntityId entity;
-    std::uint8_t kind = 0;  ///< row of the table of soft bodies
+    std::uint8_t kind = 0;  ///< index of the soft body type in soft_sync.cpp
     physics::SoftBodyId body;
     std::uint64_t made = 0;
     std::uint64_t seen = 0;
 };
 
-/// Counters that grow whenever an entity gets or loses a component of a group (World::memberships).
+/// Counters that are incremented whenever an entity gains
+/// or loses a component of a group (World::memberships).
 struct PhysicsMembers {
     std::uint64_t bodies = 0;
     std::uint64_t joints = 0;
@@ -112,34 +116,34 @@ struct PhysicsMembers {
     friend bool operator==(const PhysicsMembers&, const PhysicsMembers&) = default;
 };
 
-/// The simulated bodies of a world and whose they are. A resource: snapshots and the hash include it.
+/// The physics world of a world and its links to entities. A world resource, included in snapshots and hash.
 struct PhysicsState {
     physics::World world;
     PixelScale scale;
-    std::vector<BodyLink> links;         ///< by body index; empty for bodies that belong to no entity
+    std::vector<BodyLink> links;         ///< by body index; entity is empty for bodies without an entity
     std::vector<std::uint32_t> bodyOf;   ///< by entity index: body index + 1, 0 for none
-    std::vector<std::uint32_t> carried;  ///< bodies of entities that have a parent
-    std::vector<std::uint8_t> stale;     ///< by body: of the sync in hand, what differs from its entity
-    std::vector<std::uint32_t> driven;   ///< kinematic bodies
-    std::vector<std::uint32_t> stepped;  ///< bodies that were awake before the step
-    std::vector<std::uint8_t> grounded;  ///< by body, in the last step
+    std::vector<std::uint32_t> carried;  ///< indices of bodies whose entities have a parent, sorted
+    std::vector<std::uint8_t> stale;    ///< by body index, during a sync: bits of the components that changed
+    std::vector<std::uint32_t> driven;  ///< indices of kinematic bodies, sorted
+    std::vector<std::uint32_t> stepped;  ///< indices of bodies that were awake before the step
+    std::vector<std::uint8_t> grounded;  ///< by body index: 1 if it rested on a body in the last step
     std::vector<TileTerrain> terrains;
     std::vector<JointLinkage> joints;
     std::vector<FieldLinkage> fields;
     std::vector<CharacterLinkage> characters;
     std::vector<SoftLinkage> softBodies;
-    std::vector<physics::CastHit> hits;  ///< of the query in hand
+    std::vector<physics::CastHit> hits;  ///< results of the current query
     std::vector<physics::ShapeId> found;
-    physics::BodyId ground;               ///< what joints with one entity are tied to
-    std::vector<EntityId> refused;        ///< whose numbers were bad, so that each is reported once
-    std::vector<EntityId> unplaced;       ///< of these, those without a body
-    std::vector<BodyArrival> arrived;     ///< of the sync in hand
-    std::vector<std::uint32_t> departed;  ///< of the sync in hand: bodies whose entities need none any more
-    std::uint64_t syncs = 0;              ///< those for which an entity had got or lost a component
-    std::uint64_t visits = 0;       ///< entities compared because components came or went, since the start
-    PhysicsMembers members;         ///< at the last sync
-    std::uint64_t mark = 0;         ///< what was written before it is known
-    std::uint64_t carriedMark = 0;  ///< the same for bodies with a parent: includes what the step moved
+    physics::BodyId ground;               ///< static body for joints that connect to the world
+    std::vector<EntityId> refused;        ///< entities whose errors were reported
+    std::vector<EntityId> unplaced;       ///< entities whose body could not be created
+    std::vector<BodyArrival> arrived;     ///< during a sync: bodies to create
+    std::vector<std::uint32_t> departed;  ///< during a sync: indices of bodies to destroy
+    std::uint64_t syncs = 0;              ///< number of syncs in which component memberships had changed
+    std::uint64_t visits = 0;             ///< number of entities compared because of membership changes
+    PhysicsMembers members;               ///< counters at the last sync
+    std::uint64_t mark = 0;               ///< change mark: earlier writes are synchronized
+    std::uint64_t carriedMark = 0;        ///< `mark` for bodies with a parent; the step's writes are later
 
     void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
 };

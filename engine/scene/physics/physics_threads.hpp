@@ -10,16 +10,15 @@ namespace physics {
 struct World;
 }
 
-/// Threads for the physics of a game. They are started when its world first has work for them: a small scene
-/// has none.
+/// Thread pool for the physics of a game. It is started
+/// when a world is first large enough to benefit from it.
 class PhysicsThreads {
 public:
-    /// @param threads  at most so many, with the caller's; 0: as many as the machine has, but at most eight,
-    /// as more
-    ///                 hardly help a scene that one screen can show
+    /// @param threads  number of threads, including the caller's; 0: as many as the machine has, but at most
+    ///                 eight, as more hardly speed up typical scenes
     explicit PhysicsThreads(int threads = 0);
 
-    /// @return null while a step of this world is done sooner by one thread
+    /// Returns the pool for stepping this world; null if a single thread is faster.
     [[nodiscard]] TaskPool* of(const physics::World& world);
 
     [[nodiscard]] int threads() const { return threads_; }

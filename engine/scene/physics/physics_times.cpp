@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-constexpr int kStepsOfRows = 30;  // numbers that change faster cannot be read
+constexpr int kStepsOfRows = 30;  // steps to average over, as faster changing numbers are not readable
 
 }  // namespace
 

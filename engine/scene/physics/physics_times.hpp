@@ -9,26 +9,28 @@
 
 namespace plumb {
 
-/// How long the stages of a world's physics take, while they are shown. A service of that world: has to
-/// outlive it, or at least its last tick.
+/// Measures the time of the stages of a world's physics while it is shown. A service of that world, so it
+/// must outlive the world's last tick.
 class PhysicsTimes {
 public:
     struct Row {
         std::string_view stage;
-        float milliseconds = 0.0f;  ///< CPU time of a tick, the mean of half a second
+        float milliseconds = 0.0f;  ///< CPU time per tick, mean over half a second
     };
 
-    /// Measures this world from now on, or nothing any more.
+    /// Starts measuring this world, or stops measuring.
     void watch(World& world, bool on);
 
-    /// Of the half second before this one, in the order of the stages; those that did not run have no row.
+    /// Times of the last complete half second, in the order
+    /// of the stages; stages that did not run have no row.
     [[nodiscard]] std::span<const Row> rows() const { return rows_; }
 
-    // For the physics.
-    /// Where to measure; null while they are not shown.
+    // Called by the physics.
+    /// Returns the profile to measure with; null while times are not shown.
     [[nodiscard]] Profile* profile() { return watching_ ? &profile_ : nullptr; }
     void endStep();
-    /// Counts what another profile measured of a tick: a world has one at a time.
+    /// Adds the times of a tick that was measured with another
+    /// profile, as only one profile can measure at a time.
     void take(const Profile& tick);
 
 private:
@@ -40,7 +42,7 @@ private:
     bool watching_ = false;
 };
 
-/// Zones of the bridge, beside those of physics::stages().
+/// Profiler zone of the synchronization of components and bodies, in addition to those of physics::stages().
 inline constexpr std::string_view kPhysicsSync = "physics sync";
 
 }  // namespace plumb

@@ -7,22 +7,22 @@
 
 namespace plumb {
 
-/// The border between the game's pixels and the metres of physics. Only the files of the bridge cross it.
-/// With a power of two, going there and back changes no bit.
+/// Conversion between the game's pixels and the metres of the physics. Only engine/scene/physics uses it. If
+/// `pixels` is a power of two, converting there and back is exact.
 struct PixelScale {
-    float pixels = 64.0f;         ///< in a metre
-    float metres = 1.0f / 64.0f;  ///< in a pixel
+    float pixels = 64.0f;         ///< px per metre
+    float metres = 1.0f / 64.0f;  ///< m per pixel
 
     friend bool operator==(PixelScale, PixelScale) = default;
 };
 
-/// From a component's field; what is too much gets the most there is.
+/// Converts the quality field of a component, clamped to the valid range.
 constexpr physics::Quality qualityOf(int wanted) {
     return static_cast<physics::Quality>(
         std::clamp(wanted, int{physics::kQualityOfWorld}, int{physics::kMaxQuality}));
 }
 
-/// Of a scale that makes no sense, the usual one.
+/// Returns the conversion for this scale, or the default of 64 px per metre if it is invalid.
 constexpr PixelScale pixelScale(float pixelsPerMetre) {
     if (!(pixelsPerMetre >= 1e-3f && pixelsPerMetre <= 1e5f)) return {};
     return {pixelsPerMetre, 1.0f / pixelsPerMetre};

@@ -12,15 +12,15 @@ namespace plumb {
 
 namespace {
 
-constexpr float kGroundCosine = 0.6428f;  // ground is what is less steep than 50 degrees
-constexpr float kLeaving = 0.1f;          // m/s: faster than this it leaves the ground
+constexpr float kGroundCosine = 0.6428f;  // cosine of 50 degrees: maximum slope of ground
+constexpr float kLeaving = 0.1f;          // m/s: minimum separating speed of a body that leaves the ground
 
 bool presses(const physics::Contact& contact, float slop) {
     return contact.impulse0 > 0.0f || contact.impulse1 > 0.0f ||
            std::min(contact.separation0, contact.separation1) <= slop;
 }
 
-/// Notes which bodies stand on something.
+/// Sets `grounded` to 1 for bodies that rest on another body.
 void findGrounded(const PhysicsState& state, std::vector<std::uint8_t>& grounded) {
     const physics::World& world = state.world;
     grounded.assign(world.bodies.size(), 0);
@@ -58,9 +58,9 @@ void publishRigid(World& world, const PhysicsState& state, std::uint32_t index, 
 
 void publishPose(World& world, const PhysicsState& state, physics::BodyId body, BodyLink& link) {
     if (link.driven || (state.world.bodies.info[body.index].flags & physics::kMoved) == 0) return;
-    const Vec2 place = placeInPixels(positionOf(state.world, body), state.scale);
+    const Vec2 place = positionInPixels(positionOf(state.world, body), state.scale);
     const Rot rotation = rotationOf(state.world, body);
-    // What does not turn keeps its angle to the bit.
+    // Without rotation the angle stays bit-identical.
     const bool turned = !(rotation == link.rotation);
     if (!turned && place == link.pose.position) return;
     link.pose.position = place;
@@ -79,8 +79,8 @@ void publishBodies(World& world, PhysicsState& state) {
         BodyLink& link = state.links[index];
         publishPose(world, state, {index, info.generation}, link);
         if (info.kind != physics::BodyKind::Dynamic) return;
-        const RigidBody* known =
-            asleep ? std::as_const(world).find<RigidBody>(link.entity) : nullptr;  // rests on what it did
+        const RigidBody* known = asleep ? std::as_const(world).find<RigidBody>(link.entity)
+                                        : nullptr;  // a body that fell asleep keeps its value
         publishRigid(world, state, index, link,
                      known != nullptr ? known->grounded : state.grounded[index] != 0);
     };

@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// Poses, velocities and `grounded` back into the components of bodies that the step moved.
+/// Writes poses, velocities and `grounded` of the bodies that the step moved to their components.
 void publishBodies(World& world, PhysicsState& state);
 
 }  // namespace plumb

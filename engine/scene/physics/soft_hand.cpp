@@ -17,9 +17,9 @@ namespace {
 using physics::SoftBody;
 using physics::SoftParticle;
 
-constexpr float kEagerness = 15.0f;  // 1/s: how fast it nears its target for the way that is left
+constexpr float kEagerness = 15.0f;  // 1/s: target velocity per distance to the target
 
-/// Whether a place is in the area that a jelly keeps: a ray to the right leaves it once more than it enters.
+/// True if a position is inside the outline of a jelly, by counting intersections with a ray to the right.
 bool isInside(const SoftBody& body, physics::WorldPosition place) {
     bool inside = false;
     for (std::size_t i = 0; i < body.ring.size(); ++i) {
@@ -41,7 +41,7 @@ std::size_t nearestOf(const SoftBody& body, physics::WorldPosition place) {
     return nearest;
 }
 
-/// m: how far from its particles a body still is.
+/// Returns the distance from its particles within which a soft body is hit, m.
 float widthOf(const SoftBody& body) {
     return body.radius + (body.links.empty() ? 0.0f : 0.75f * body.links.front().length);
 }
@@ -51,7 +51,7 @@ void pull(PhysicsState& state, const SoftLinkage& linkage, const SoftGrip& grip,
     if (particles.empty()) return;
     const auto last = static_cast<int>(particles.size()) - 1;
     const SoftParticle held = particles[static_cast<std::size_t>(std::clamp(grip.particle, 0, last))];
-    const Vec2 way = placeInMetres(grip.target - grip.anchor, state.scale) - held.place;
+    const Vec2 way = positionInMetres(grip.target - grip.anchor, state.scale) - held.place;
     const Vec2 wanted = kEagerness * way - held.velocity;
     const float most = grip.acceleration * state.scale.metres * dt, speed = length(wanted);
     if (!(speed > 0.0f) || !std::isfinite(speed)) return;
@@ -69,7 +69,7 @@ void pull(PhysicsState& state, const SoftLinkage& linkage, const SoftGrip& grip,
 
 std::optional<SoftHit> softBodyAt(World& world, Vec2 place, float reach, std::uint32_t mask) {
     const PhysicsState& state = world.resource<PhysicsState>();
-    const physics::WorldPosition at = placeInMetres(place, state.scale);
+    const physics::WorldPosition at = positionInMetres(place, state.scale);
     std::optional<SoftHit> best;
     float nearest = 0.0f;
     for (const SoftLinkage& linkage : state.softBodies) {
@@ -82,7 +82,7 @@ std::optional<SoftHit> softBodyAt(World& world, Vec2 place, float reach, std::ui
         if (best && far >= nearest) continue;
         nearest = far;
         best = SoftHit{linkage.entity, static_cast<int>(particle),
-                       placeInPixels(body.particles[particle].place, state.scale)};
+                       positionInPixels(body.particles[particle].place, state.scale)};
     }
     return best;
 }
@@ -96,7 +96,7 @@ std::optional<Vec2> gripPlace(const World& world, EntityId entity) {
         if (linkage.entity != entity || particles.empty()) continue;
         const auto last = static_cast<int>(particles.size()) - 1;
         const auto held = static_cast<std::size_t>(std::clamp(grip->particle, 0, last));
-        return placeInPixels(particles[held].place, state->scale) + grip->anchor;
+        return positionInPixels(particles[held].place, state->scale) + grip->anchor;
     }
     return std::nullopt;
 }

@@ -7,22 +7,22 @@
 
 namespace plumb {
 
-/// A place on a rope, cloth or jelly.
+/// A point on a rope, cloth or jelly.
 struct SoftHit {
     EntityId entity;
-    int particle = 0;  ///< the one that is nearest
-    Vec2 place;        ///< px: where that is
+    int particle = 0;  ///< index of the nearest particle
+    Vec2 place;        ///< px, position of that particle
 };
 
-/// What soft body lies at a place: the one with the nearest particle.
-/// @param reach  px beside it that still count
-/// @param mask   bits: the layers that it may have
+/// Returns the soft body at a position (px); if there are several, the one with the nearest particle.
+/// @param reach  px, maximum distance from the soft body
+/// @param mask   bits: layers of the soft bodies to consider
 std::optional<SoftHit> softBodyAt(World& world, Vec2 place, float reach, std::uint32_t mask = 0xffffffffu);
 
-/// Where a SoftGrip holds its rope, cloth or jelly (px); nothing without one.
+/// Returns the point at which a SoftGrip holds its rope, cloth or jelly (px); nullopt without a SoftGrip.
 std::optional<Vec2> gripPlace(const World& world, EntityId entity);
 
-/// Pulls what is held by a SoftGrip. @param dt  s
+/// Applies the pull of every SoftGrip to its soft body. @param dt  s, length of the tick
 void pullSoftBodies(World& world, PhysicsState& state, float dt);
 
 }  // namespace plumb

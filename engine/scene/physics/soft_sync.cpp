@@ -16,7 +16,7 @@ namespace {
 using physics::SoftBodyId;
 using physics::WorldPosition;
 
-/// A kind of soft body.
+/// Functions of a soft body component type.
 struct SoftRow {
     const SoftLook* (*find)(const World& world, EntityId entity);
     Result<SoftBodyId> (*make)(const SoftLook& look, physics::World& world, WorldPosition at, float metres);
@@ -54,7 +54,7 @@ constexpr SoftRow softRow() {
 
 constexpr SoftRow kSoft[] = {softRow<Rope>(), softRow<Cloth>(), softRow<Jelly>()};
 
-/// The body that an entity has of a kind, if it lives.
+/// Returns the linkage of an entity's soft body of this kind; null if it does not exist.
 const SoftLinkage* linkageOf(const PhysicsState& state, EntityId entity, std::size_t kind) {
     for (const SoftLinkage& linkage : state.softBodies) {
         if (linkage.entity == entity && linkage.kind == kind && physics::alive(state.world, linkage.body))
@@ -98,9 +98,9 @@ public:
         physics::destroySoftBody(state_.world, linkage.body);
         linkage.body = {};
         const auto made =
-            row.make(*look, state_.world, placeInMetres(place, state_.scale), state_.scale.metres);
+            row.make(*look, state_.world, positionInMetres(place, state_.scale), state_.scale.metres);
         if (!made) {
-            tellRefusal(world_, state_, linkage.entity, made.error());
+            logRefusal(world_, state_, linkage.entity, made.error());
             return;
         }
         linkage.body = *made;
@@ -149,7 +149,7 @@ std::optional<AABB> softBounds(const World& world, EntityId entity) {
             continue;
         }
         for (const physics::SoftParticle& particle : particlesOf(state->world, linkage->body)) {
-            const Vec2 place = placeInPixels(particle.place, state->scale);
+            const Vec2 place = positionInPixels(particle.place, state->scale);
             add(grown({place, place}, margin));
         }
     }

@@ -10,22 +10,22 @@ namespace plumb {
 
 struct SoftLook;
 
-/// Ropes, cloth and jellies are made where their components say. One whose component or place changes is made
-/// anew.
-/// @param all  an entity got or lost one
+/// Creates ropes, cloth and jellies from their components. A
+/// soft body whose component or position changes is recreated.
+/// @param all  true if an entity gained or lost a soft body component
 void followSoftBodies(World& world, PhysicsState& state, bool all);
 
-/// Grows whenever some entity gets or loses a soft body.
+/// Returns a counter that is incremented whenever an entity gains or loses a soft body component.
 [[nodiscard]] std::uint64_t softMembers(const World& world);
 
-/// Whether there are any ropes, cloth or jellies.
+/// True if the world has ropes, cloth or jellies.
 [[nodiscard]] bool hasSoftBodies(const World& world);
 
-/// The box around the soft bodies of an entity (px, world): where they lie, or will begin. Nothing when it
-/// has none.
+/// Returns the bounds of an entity's soft bodies (px, world):
+/// current, or initial if not created yet. nullopt if it has none.
 [[nodiscard]] std::optional<AABB> softBounds(const World& world, EntityId entity);
 
-/// The component behind a soft body; nullptr when it is gone.
+/// Returns the component of a soft body; null if it was removed.
 [[nodiscard]] const SoftLook* softLookOf(const World& world, const SoftLinkage& linkage);
 
 }  // namespace plumb

@@ -35,7 +35,7 @@ TileForm formOf(TileShape shape) {
     return kForms[static_cast<std::size_t>(shape)];
 }
 
-/// Turns the cells of a grid into those of a terrain.
+/// Converts the cells of a tile grid to terrain cells.
 class CellReader {
 public:
     CellReader(const Tileset* tileset, const TileCollider& collider, TilePalette& palette)
@@ -89,7 +89,7 @@ private:
     const TileCollider& collider_;
     TilePalette& palette_;
     std::uint8_t layers_ = 0;
-    std::vector<std::pair<TileCell, MaskCell>> known_;  // in order of the cells
+    std::vector<std::pair<TileCell, MaskCell>> known_;  // sorted by cell
     std::pair<TileCell, MaskCell> last_;
 };
 
@@ -107,7 +107,7 @@ std::uint64_t madeFrom(const World& world, const TileLayer& layer, const TileCol
     return hasher.value() | 1;
 }
 
-/// The cells of one chunk of a grid.
+/// Calls `visit(x, y)` for every cell of a chunk.
 template <class Visit>
 void eachCell(const TileGrid& grid, int column, int row, Visit visit) {
     constexpr int kSide = TileGrid::kChunkSide;
@@ -123,7 +123,7 @@ int threadsHere() {
     return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMost);
 }
 
-/// One layer and its terrain.
+/// Updates the terrain of one tile layer.
 class TileSync {
 public:
     TileSync(World& world, PhysicsState& state, EntityId entity, const TileLayer& layer,
@@ -166,13 +166,13 @@ private:
         terrain.outlines = std::make_shared<TerrainOutlines>(std::move(mask));
         terrain.cells = std::make_shared<TileGrid>(grid);
         physics::TerrainDefinition definition;
-        definition.position = placeInMetres(place, state_.scale);
+        definition.position = positionInMetres(place, state_.scale);
         definition.cellSize = toMetres(size, state_.scale);
         definition.user = userOf(entity_);
         auto body = physics::TerrainBody::create(state_.world, *terrain.outlines, definition);
-        if (!body) return tellRefusal(reader_, state_, entity_, body.error());
+        if (!body) return logRefusal(reader_, state_, entity_, body.error());
         terrain.body = std::move(*body);
-        // A map that takes long to read is worth threads of its own where the world has none to lend.
+        // Large maps use temporary threads if the world has no thread pool.
         std::optional<TaskPool> threads;
         if (pool_ == nullptr && grid.cellCount() > kCellsWorthThreads)
             pool_ = &threads.emplace(threadsHere());
@@ -180,7 +180,7 @@ private:
         if (threads) pool_ = nullptr;
     }
 
-    /// Chunk for chunk; those of one tile all over are read once.
+    /// Converts the grid chunk by chunk; in chunks of a single tile only one cell is converted.
     void readChunks(const TileGrid& grid, physics::TileMask& mask) {
         CellReader cells{tileset(), collider_, mask.palette};
         physics::TileMask::Chunk read;
@@ -201,7 +201,7 @@ private:
         }
     }
 
-    /// Looks at chunks only that are others now.
+    /// Updates the terrain from changed cells. Visits only chunks that differ.
     void change(TileTerrain& terrain, const TileGrid& grid) {
         makeOwn(terrain.outlines);
         makeOwn(terrain.cells);
@@ -229,7 +229,7 @@ private:
     void update(TileTerrain& terrain) {
         const auto updated =
             terrain.body.update(state_.world, *terrain.outlines, terrain.outlines->update(pool_));
-        if (!updated) tellRefusal(reader_, state_, entity_, updated.error());
+        if (!updated) logRefusal(reader_, state_, entity_, updated.error());
     }
 
     [[nodiscard]] const Tileset* tileset() const {

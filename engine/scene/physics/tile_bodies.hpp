@@ -7,11 +7,11 @@
 
 namespace plumb {
 
-/// The size of one tile of a layer (px): its own, or its tileset's.
+/// Returns the tile size of a layer (px): its own, or that of its tileset.
 Vec2 tileSizeOf(const World& world, const TileLayer& layer);
 
-/// Terrains follow their tile layers; of a changed grid only the parts around changed cells are made anew.
-/// @param all  an entity got or lost one
+/// Updates terrains from their tile layers; after changes of cells only the parts around them are recreated.
+/// @param all  true if an entity may have gained or lost a tile layer or tile collider
 void followTiles(World& world, PhysicsState& state, bool all);
 
 }  // namespace plumb

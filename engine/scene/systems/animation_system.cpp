@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-/// Lets the state machine choose the clip. @return the state's speed (ratio)
+/// Advances the state machine, which selects the clip. @return playback speed of the state (ratio)
 float chooseClip(const AnimationSet& set, Animator& animator) {
     if (set.states.empty()) return 1.0f;
     while (animator.parameters.size() < set.parameters.size() && !animator.parameters.full()) {

@@ -7,14 +7,15 @@
 
 namespace plumb {
 
-/// A frame with an event began, e.g. "step" when a foot comes down.
+/// Event: an animation frame with an event name started, e.g. "step" when a foot touches the ground.
 struct AnimationFrameBegan {
     EntityId entity;
     TextId event;
 };
 
-/// Plays every Animator on its entity's Sprite. Reads Animator, writes Animator and Sprite, tells
-/// AnimationFrameBegan; after what sets the state machine's parameters.
+/// Plays every Animator on its entity's Sprite.
+/// Reads: Animator. Writes: Animator, Sprite. Emits: AnimationFrameBegan.
+/// When: after the systems that set state machine parameters.
 struct AnimationSystem {
     static constexpr std::string_view kName = "animation";
 

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-/// A camera that is thrown farther than half of what it sees cuts: drawn on the way it would smear.
+/// True if a camera moves by more than half of its view in a tick. Such a motion is not interpolated.
 bool isCut(Vec2 step, Vec2 seen) {
     return std::fabs(step.x) > seen.x * 0.5f || std::fabs(step.y) > seen.y * 0.5f;
 }
@@ -35,7 +35,7 @@ void CameraSystem::update(World& world, float dt) {
         if (camera.settled && !isCut(center - transform.previousPosition, seen)) {
             transform.position = center;
         } else {
-            teleport(transform, center);  // the first tick cuts to the target instead of sweeping there
+            teleport(transform, center);  // jump without interpolation, e.g. in the first tick
             camera.settled = true;
         }
     }

@@ -6,15 +6,17 @@
 
 namespace plumb {
 
-/// The size of the game's picture, for what must know how much is seen. Set when a game starts.
+/// Size of the game image, for code that depends on the
+/// visible area. A world resource, set when a game starts.
 struct PictureSize {
     Vec2 size{1280.0f, 720.0f};  ///< px
 
     void addTo(Hasher& hasher) const { hasher.add(size.x), hasher.add(size.y); }
 };
 
-/// Moves every enabled Camera after what it follows. Reads Transform and RigidBody of the followed, writes
-/// the camera's Transform; after everything that moves.
+/// Moves every enabled Camera towards the entity it follows.
+/// Reads: Transform and RigidBody of the followed entity. Writes: Camera and its Transform.
+/// When: after all systems that move entities.
 struct CameraSystem {
     static constexpr std::string_view kName = "camera";
 

@@ -19,10 +19,10 @@ namespace plumb {
 
 namespace {
 
-/// The outline of a character around its middle.
+/// Outline of a character, relative to its center.
 struct Outline {
     physics::Geometry geometry;
-    Vec2 middle;  // px, from the Transform
+    Vec2 middle;  // px, from the Transform to the center
     const ColliderSurface* surface = nullptr;
 };
 
@@ -85,7 +85,8 @@ CharacterLinkage* linkageOf(PhysicsState& state, EntityId entity) {
     return known != state.characters.end() ? &*known : nullptr;
 }
 
-/// The character, with its component's numbers and where its Transform was put; null when they are bad.
+/// Returns the controller of a character, updated from its
+/// component and Transform; null if these are invalid.
 CharacterLinkage* prepared(const World& world, PhysicsState& state, EntityId entity,
                            const CharacterController& character, const Outline& outline, Vec2 middle) {
     const physics::CharacterDefinition definition = definitionOf(state, entity, character, outline);
@@ -94,7 +95,7 @@ CharacterLinkage* prepared(const World& world, PhysicsState& state, EntityId ent
     Result<Done> result = Done{};
     if (linkage == nullptr) {
         const auto created =
-            physics::CharacterController::create(definition, placeInMetres(middle, state.scale));
+            physics::CharacterController::create(definition, positionInMetres(middle, state.scale));
         if (created) {
             linkage = &state.characters.emplace_back(CharacterLinkage{entity, middle, made, *created});
         } else {
@@ -105,10 +106,10 @@ CharacterLinkage* prepared(const World& world, PhysicsState& state, EntityId ent
         if (result) linkage->made = made;
     }
     if (linkage != nullptr && middle != linkage->middle)
-        result = linkage->controller.setPosition(placeInMetres(middle, state.scale));
+        result = linkage->controller.setPosition(positionInMetres(middle, state.scale));
     if (linkage != nullptr && result)
         result = linkage->controller.setVelocity(toMetres(character.velocity, state.scale));
-    if (!result) tellRefusal(world, state, entity, result.error());
+    if (!result) logRefusal(world, state, entity, result.error());
     return result ? linkage : nullptr;
 }
 
@@ -120,7 +121,7 @@ void move(World& world, PhysicsState& state, EntityId entity, CharacterControlle
         prepared(world, state, entity, character, outline, transform.position + outline.middle);
     if (linkage == nullptr) return;
     const physics::CharacterMotion motion = linkage->controller.update(state.world, dt);
-    const Vec2 middle = placeInPixels(linkage->controller.position(), state.scale);
+    const Vec2 middle = positionInPixels(linkage->controller.position(), state.scale);
     if (middle != linkage->middle) transform.position = middle - outline.middle;
     linkage->middle = transform.position + outline.middle;
     character.velocity = toPixels(linkage->controller.velocity(), state.scale);

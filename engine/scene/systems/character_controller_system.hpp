@@ -6,9 +6,9 @@ namespace plumb {
 
 class World;
 
-/// Moves characters through the solid world by their velocity.
+/// Moves the entities with a CharacterController at their velocity, with collisions.
 /// Reads: colliders. Writes: Transform, CharacterController; adds CharacterBody; pushes rigid bodies.
-/// When: after what steers characters and moves platforms, before physics.
+/// When: after the systems that control characters and move platforms, before physics.
 struct CharacterControllerSystem {
     static constexpr std::string_view kName = "character";
 

@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Calls for contacts: solid bodies stop and push each other, triggers report. The step itself runs once a
-/// tick, in the last of the physics systems.
+/// Requests the effects of contacts and triggers. The physics step runs once per tick, in the last of the
+/// physics systems that are present.
 struct CollisionSystem {
     static constexpr std::string_view kName = "collision";
 

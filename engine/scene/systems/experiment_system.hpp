@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Puts the bodies of an Experiment back where they began when that is asked for.
+/// Restores the initial state of an Experiment's bodies when its action is pressed or a slider was released.
 /// Reads: Input, Lab. Writes: Transform, RigidBody, Lab.
 /// When: after sliders, before physics.
 struct ExperimentSystem {

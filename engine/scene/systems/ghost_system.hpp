@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Steps the ghosts of a scene beside it.
+/// Steps the physics worlds of all ghosts.
 /// Reads: PhysicsState, Ghost, Lab. Writes: GhostWorlds.
 /// When: right after physics.
 struct GhostSystem {

@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Calls for gravity: velocities of rigid bodies grow. The step itself runs once a tick, in the last of the
-/// physics systems.
+/// Requests the effect of gravity on rigid bodies. The physics step runs once per tick, in the last of the
+/// physics systems that are present.
 struct GravitySystem {
     static constexpr std::string_view kName = "gravity";
 

@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Calls for motion: bodies move by their velocity. The step itself runs once a tick, in the last of the
-/// physics systems.
+/// Requests motion: bodies move at their velocity. The physics step runs once per tick, in the last of the
+/// physics systems that are present.
 struct MovementSystem {
     static constexpr std::string_view kName = "movement";
 

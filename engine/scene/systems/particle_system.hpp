@@ -7,15 +7,16 @@
 
 namespace plumb {
 
-/// Moves and sends the particles of all emitters. Reads ParticleEmitter, Transform and the gravity of the
-/// scene, writes the resource Particles; after all that moves entities. Without an emitter nothing is made.
+/// Emits and moves the particles of all emitters. Does not create the Particles resource without an emitter.
+/// Reads: ParticleEmitter, Transform, gravity of the scene. Writes: Particles.
+/// When: after all systems that move entities.
 struct ParticleSystem {
     static constexpr std::string_view kName = "particles";
 
     void update(World& world, float dt);  ///< dt in s
 
 private:
-    std::vector<EntityId> emitters_;  // of this tick; kept for its memory
+    std::vector<EntityId> emitters_;  // emitters in this tick; a member, so that its memory is reused
 };
 
 }  // namespace plumb

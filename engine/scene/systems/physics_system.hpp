@@ -10,16 +10,16 @@
 
 namespace plumb {
 
-/// Runs physics with the effects that the world calls for. A world with GravitySystem, MovementSystem or
-/// CollisionSystem gets those effects; one with this system alone gets what its components call for.
-/// Reads/writes: see stepPhysics. When: after controllers, before whatever answers to contacts.
+/// Runs the physics step. In a world with GravitySystem, MovementSystem or CollisionSystem only their effects
+/// run; with this system alone, all effects that components request. Reads/writes: see stepPhysics(). When:
+/// after controllers, before systems that react to contacts.
 struct PhysicsSystem {
     static constexpr std::string_view kName = "physics";
 
     void update(World& world, float dt) { stepPhysics(world, dt); }
 };
 
-/// The three systems that call for effects stand for one step: the last of those present runs it.
+/// Called by the three systems that request effects: runs the step if `System` is the last of those present.
 template <class System>
 void stepAsLast(World& world, float dt) {
     if (world.hasSystem<PhysicsSystem>()) return;

@@ -20,7 +20,7 @@ namespace {
 constexpr double kMillimetres = 1000.0;  // in a metre
 constexpr float kSamplesPerSecond = 60.0f;
 
-/// What a plot shows of one of the worlds.
+/// Returns the current value of a plot's quantity in a physics world.
 double measure(const Plot& plot, const PhysicsState& state, const physics::World& world) {
     const physics::BodyId target = bodyOf(state, plot.target);
     const bool lives = target && physics::alive(world, target);
@@ -44,7 +44,7 @@ PlotPast::Curve& curveOf(PlotPast& past, EntityId plot, EntityId source) {
     return added;
 }
 
-/// One curve goes on by a tick.
+/// Appends the value of a tick to curves of a plot.
 struct Pen {
     const Plot& plot;
     const PhysicsState& state;
@@ -61,7 +61,7 @@ struct Pen {
             curve.values.erase(curve.values.begin(),
                                curve.values.end() - static_cast<std::ptrdiff_t>(most) + 1);
         curve.values.push_back(static_cast<float>(value));
-        // Looked at only where it can be so: a hash costs more than a glance.
+        // Compare hashes, which are expensive, only if all positions are equal.
         curve.same = plot.measure == PlotMeasure::Distance && value == 0.0 &&
                      physics::hashOf(world) == physics::hashOf(state.world);
     }

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Takes down what plots show.
+/// Records the values that plots show.
 /// Reads: PhysicsState, GhostWorlds, Plot. Writes: PlotPast.
 /// When: after ghosts.
 struct PlotSystem {

@@ -23,7 +23,7 @@ bool isOver(const Slider& slider, Vec2 start, Vec2 mouse) {
            std::fabs(mouse.y - start.y) <= kSliderKnob;
 }
 
-/// @return whether anything is another number now
+/// @return true if the value has changed
 bool writeTo(World& world, const NumberField& number, EntityId entity, float value) {
     const void* before = std::as_const(world).find(number.type(), entity);
     if (before == nullptr) return false;
@@ -31,7 +31,7 @@ bool writeTo(World& world, const NumberField& number, EntityId entity, float val
     if (old == value) return false;
     void* component = world.find(number.type(), entity);
     number.write(component, value);
-    // What an experiment goes back to has the new number too.
+    // The initial state of an experiment gets the new value too.
     if (Lab* lab = world.findResource<Lab>()) {
         if (void* start = lab->startOf(entity, number.type().name)) number.write(start, value);
     }
@@ -51,7 +51,7 @@ bool set(World& world, const Slider& slider, float value) {
     return changed;
 }
 
-/// The knob that the mouse has follows it.
+/// Handles the mouse for one slider. @param start  px, left end of the track
 void follow(World& world, Slider& slider, Vec2 start, const Input& input) {
     if (input.isPressed(MouseButton::Left)) slider.held = isOver(slider, start, input.mouse());
     if (!slider.held) return;

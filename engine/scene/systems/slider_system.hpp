@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Moves the knobs of sliders with the mouse, and what they stand for.
-/// Reads: Input, Slider. Writes: the fields that sliders name, Lab.
+/// Lets the mouse drag sliders, and writes their values to the controlled fields.
+/// Reads: Input. Writes: Slider, the controlled fields, Lab.
 /// When: before physics.
 struct SliderSystem {
     static constexpr std::string_view kName = "sliders";

@@ -10,11 +10,11 @@ namespace plumb::accuracy {
 /// Escapes text for XML and HTML.
 std::string escaped(std::string_view text);
 
-/// A self-contained page of tables; dark if the reader's desktop is.
+/// Returns a self-contained HTML page of tables; uses dark colors on a dark desktop.
 /// @param body  HTML; cells of the classes "good" and "bad" are green and red
 std::string tablePage(std::string_view title, std::string_view body);
 
-/// Writes a file, or reports on stderr why it cannot.
+/// Writes a file. @return false after an error, which is printed to stderr
 bool write(const Path& path, std::string_view text);
 
 }  // namespace plumb::accuracy

@@ -8,11 +8,11 @@
 
 namespace plumb::accuracy {
 
-/// ", about 7 s left": the time for the rest if `part` of all took `spent` seconds; empty if unknown.
+/// Returns ", about 7 s left", estimated from the fraction
+/// `part` of the work done in `spent` seconds; empty if unknown.
 std::string timeLeft(double spent, double part);
 
-/// Progress of a run: one line of a terminal, updated with each
-/// percent; if the output is a file, a line for each tenth.
+/// Prints progress: a terminal line that is updated with each percent; in a file one line per 10 %.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string_view what) : what_{what} {}
@@ -20,7 +20,7 @@ public:
 
 private:
     std::string what_;
-    std::size_t shown_ = 0;  // percent
+    std::size_t shown_ = 0;  // last printed progress, percent
     double start_ = wallSeconds();
 };
 

@@ -15,7 +15,7 @@ std::string readWords(std::span<const std::string_view> words, std::span<const F
             *flag->on = true;
             continue;
         }
-        if (i + 1 == words.size()) return format("'{}' is unknown or lacks its value", words[i]);
+        if (i + 1 == words.size()) return format("'{}' is an unknown option or has no value", words[i]);
         const std::string wrong = take(words[i], words[i + 1]);
         if (!wrong.empty()) return format("{} {}: {}", words[i], words[i + 1], wrong);
         ++i;

@@ -6,7 +6,7 @@ namespace plumb::families {
 
 namespace {
 
-/// A point of the world in the frame of a body.
+/// Transforms a point from world coordinates into the frame of a body.
 Vec2 localPoint(const BodySetup& body, Vec2 point) {
     return unrotate(rotFromAngle(body.angle), point - body.position);
 }

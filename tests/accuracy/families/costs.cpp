@@ -1,7 +1,7 @@
-// Cost of twice as many objects of one kind: bullets, joints, fields, sleeping bodies,
-// … All are distributed with constant density, so that only the count grows. An object
-// that needs a body, such as a joint or a bounded field, has one of its own: then both
-// double, and the cost is proportional unless one visits all of the other.
+// Growth of the step time with the number of objects of one kind: bullets, joints,
+// fields, sleeping bodies, … Objects are distributed with constant density. An object
+// that needs a body, such as a joint or a bounded field, has its own; so both numbers
+// double, and the time is proportional unless each object is tested against all bodies.
 
 #include "tests/accuracy/families/costs.hpp"
 
@@ -28,11 +28,11 @@ using physics::BodyKind;
 using physics::JointKind;
 
 constexpr float kStepSeconds = 1.0f / 60.0f;
-constexpr double kCell = 3.0;  // m of room for each thing
+constexpr double kCell = 3.0;  // m, side of the square cell of each object
 constexpr int kWarmSteps = 40;
 constexpr int kTimedSteps = 60;
 
-/// A world that grows with the number of its objects.
+/// A world for cost measurements, whose size is proportional to the number of objects.
 struct CostScene {
     physics::World world;
     Random random = Random::seeded(7);
@@ -58,7 +58,7 @@ struct CostScene {
         bodies.push_back(made);
         return made;
     }
-    /// A static platform below a cell, so that nothing falls out of it.
+    /// Adds a static platform below a cell, so that no body falls out of it.
     void shelf(physics::WorldPosition at) {
         body({at.x, at.y - 0.6}, physics::box({1.2f, 0.1f}), {.kind = BodyKind::Static});
     }
@@ -73,8 +73,8 @@ struct CostScene {
 
 // ---- objects -------------------------------------------------------------------------------------
 
-/// Balls between walls: without walls they would fly apart,
-/// earlier in a small scene, and hit each other less often.
+/// Adds moving balls between walls. Without walls they would fly apart, in a small scene earlier than in a
+/// large one, and collide less often.
 void balls(CostScene& scene, float speed, bool bullet) {
     scene.world.settings.gravity = {};
     const auto half = static_cast<float>(0.5 * kCell * scene.columns());
@@ -106,7 +106,7 @@ void restingCrates(CostScene& scene) {
 void sleepingCrates(CostScene& scene) {
     scene.world.settings.sleeping = true;
     restingCrates(scene);
-    // One body keeps the world awake.
+    // One body that never sleeps makes every step run.
     scene.body({-10.0, 100.0}, physics::circle(0.5f), {.gravityScale = 0.0f, .canSleep = false});
 }
 
@@ -192,8 +192,7 @@ void fields(CostScene& scene) {
     }
 }
 
-/// Attractors without bounds, which act on everything: their
-/// number grows alone, with a constant number of bodies.
+/// Adds attractors without bounds, which act on all bodies, to a constant number of bodies.
 void endlessAttractors(CostScene& scene) {
     for (int i = 0; i < 500; ++i)
         scene.body({kCell * (i % 25), kCell * static_cast<double>(i / 25)}, physics::circle(0.3f),
@@ -222,14 +221,14 @@ void jellies(CostScene& scene) {
 
 void nothing(CostScene&, int) {}
 
-/// In each step so many bodies are created, and those of the previous step are destroyed.
+/// Destroys the bodies created in the previous step and creates as many new ones.
 void respawn(CostScene& scene, int) {
     for (const BodyId body : scene.bodies) physics::destroyBody(scene.world, body);
     scene.bodies.clear();
     for (int i = 0; i < scene.count; ++i) scene.body(scene.cell(i), physics::circle(0.2f));
 }
 
-/// An explosion in each step for each body, too weak to move it far.
+/// Creates an explosion at each body in each step, too weak to move the body far.
 void explode(CostScene& scene, int) {
     physics::FieldDefinition bang;
     bang.kind = physics::FieldKind::Explosion;
@@ -246,7 +245,7 @@ void explosions(CostScene& scene) {
 }
 
 void spawns(CostScene& scene) {
-    // Beside a constant crowd, whose cost must not be included.
+    // Bodies are created beside a constant number of sleeping crates, which must not add to the time.
     CostScene crowd{2000};
     restingCrates(crowd);
     scene.world = std::move(crowd.world);
@@ -297,7 +296,7 @@ constexpr auto kKinds = std::to_array<CostKind>({
     {"spawns a step", 50, spawns, respawn},
 });
 
-/// us: the median step.
+/// Median time of a step, µs.
 double microsOf(const CostKind& kind, int count) {
     CostScene scene{count};
     kind.build(scene);
@@ -315,7 +314,7 @@ double microsOf(const CostKind& kind, int count) {
 }  // namespace
 
 double CostRow::exponent() const {
-    // Least squares on the logarithms.
+    // Linear regression of the logarithms.
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     const auto n = static_cast<double>(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {

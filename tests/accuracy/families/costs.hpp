@@ -8,21 +8,21 @@
 
 namespace plumb::families {
 
-/// What twice as many of one kind of thing cost.
+/// Step times of scenes with growing numbers of objects of one kind.
 struct CostRow {
     std::string_view kind;
-    std::vector<int> counts;                ///< each twice the one before
-    std::vector<double> micros;             ///< a step, median
-    [[nodiscard]] double exponent() const;  ///< of the fitted power: 1 is in proportion
+    std::vector<int> counts;                ///< numbers of objects, each twice the previous one
+    std::vector<double> micros;             ///< median time of a step for each count, µs
+    [[nodiscard]] double exponent() const;  ///< exponent p of the fit time ~ count^p; 1: proportional
 };
 
-/// Times every kind of thing at growing counts. Needs a quiet machine.
+/// Measures step times for every kind of object at growing counts. Needs a machine without other load.
 std::vector<CostRow> measureCosts();
 std::string textOf(std::span<const CostRow> rows);
 std::string markdownOf(std::span<const CostRow> rows);
 
-/// Largest exponent that counts as in proportion: 2.2 times the cost for twice the count, which leaves room
-/// for caches that get too small.
+/// Largest exponent that counts as proportional: 2.2 times the time for twice the count, which allows for
+/// cache misses at large counts.
 inline constexpr double kMaxExponent = 1.15;
 
 }  // namespace plumb::families

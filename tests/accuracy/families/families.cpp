@@ -17,16 +17,18 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: ./plumb accuracy --families N [options]\n"
-    "Plays N random members of each family, and compares how they do in variations that may not matter.\n"
-    "  --family F     one family alone; may be repeated\n"
-    "  --relation R   one relation alone; may be repeated\n"
-    "  --seed S       of the first member (1)\n"
-    "  --threads T    members at a time (all processors)\n"
-    "  --no-peers     Plumb alone\n"
-    "  --costs        instead: what twice as many of each kind of thing cost, on a quiet machine\n"
-    "  --shrink       leaves out bodies of the worst member of each failure until it holds\n"
-    "  --out DIR      where families.csv and families.html go (build/accuracy)\n"
-    "  --docs DIR     where families.md goes as well\n";
+    "Simulates N random scenes (members) of each family, and checks relations between variations of a "
+    "scene.\n"
+    "  --family F     only this family; may be repeated\n"
+    "  --relation R   only this relation; may be repeated\n"
+    "  --seed S       seed of the first member (1)\n"
+    "  --threads T    number of members simulated in parallel (number of processors)\n"
+    "  --no-peers     does not run other engines\n"
+    "  --costs        instead: measures how step times grow with the number of objects; needs an idle "
+    "machine\n"
+    "  --shrink       reduces the worst member of each failed relation to the bodies needed for the failure\n"
+    "  --out DIR      output folder for families.csv and families.html (build/accuracy)\n"
+    "  --docs DIR     output folder for families.md\n";
 
 struct Options {
     RunOptions run;
@@ -49,11 +51,11 @@ std::string take(Options& options, std::string_view word, std::string_view value
     if (word == "--family") {
         options.run.families.push_back(findFamily(value));
         if (options.run.families.back() == nullptr)
-            return format("no such family; there are{}", namesOf(allFamilies()));
+            return format("unknown family; available:{}", namesOf(allFamilies()));
     } else if (word == "--relation") {
         options.run.relations.push_back(findRelation(value));
         if (options.run.relations.back() == nullptr)
-            return format("no such relation; there are{}", namesOf(allRelations()));
+            return format("unknown relation; available:{}", namesOf(allRelations()));
     } else if (word == "--seed") {
         int seed = 0;
         const std::string wrong = accuracy::readCount(value, 100000000, seed);
@@ -71,7 +73,7 @@ std::string take(Options& options, std::string_view word, std::string_view value
     return {};
 }
 
-/// @return the error; empty if none
+/// Parses command-line arguments. @return the error message; empty: success
 std::string read(std::span<const std::string_view> words, Options& options) {
     if (!words.empty() && !words[0].starts_with("-")) {
         if (std::string wrong = accuracy::readCount(words[0], 10000000, options.run.members); !wrong.empty())
@@ -90,7 +92,7 @@ std::string read(std::span<const std::string_view> words, Options& options) {
 void printShrunk(const Verdict& verdict, const Family& family) {
     const std::vector<bool> dropped = shrink(*verdict.relation, family, verdict.seed);
     if (dropped.empty()) {
-        std::printf("    %s, seed %llu: holds when played alone\n",
+        std::printf("    %s, seed %llu: the relation holds in this member alone\n",
                     std::string(verdict.relation->name).c_str(),
                     static_cast<unsigned long long>(verdict.seed));
         return;
@@ -98,7 +100,7 @@ void printShrunk(const Verdict& verdict, const Family& family) {
     std::string kept;
     for (std::size_t body = 0; body < dropped.size(); ++body)
         if (!dropped[body]) kept += format(" {}", body);
-    std::printf("    %s, seed %llu: still fails with bodies%s alone\n",
+    std::printf("    %s, seed %llu: still fails with only the bodies%s\n",
                 std::string(verdict.relation->name).c_str(), static_cast<unsigned long long>(verdict.seed),
                 kept.c_str());
 }

@@ -9,10 +9,11 @@
 
 namespace plumb::families {
 
-/// ./plumb accuracy --families N …; `words` are those behind --families.
+/// Runs the command ./plumb accuracy --families N ….
+/// @param words  command-line arguments after --families
 /// @param peers  other engines to compare with
-/// @param out    folder of families.csv and families.html, unless the words name another
-/// @return an exit code: 0 if every relation holds in every family
+/// @param out    default folder of families.csv and families.html
+/// @return the exit code: 0 if every relation holds in every family
 int runFamilyCommand(std::span<const std::string_view> words, std::vector<scenes::Engine> peers,
                      const Path& out);
 

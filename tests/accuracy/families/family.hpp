@@ -8,24 +8,24 @@
 
 namespace plumb::families {
 
-/// Random scenes of one kind, with parameters drawn from a seed. A family covers typical
-/// scenes, not only those known to work; scenes that are physically impossible are excluded.
+/// A kind of random scenes (members) with parameters drawn from a seed. A family covers typical scenes, not
+/// only those known to work; physically impossible scenes are excluded.
 struct Family {
     std::string_view name;
-    std::string_view what;  ///< one sentence: the parameters and their ranges, and the goal
+    std::string_view what;  ///< parameters with their ranges, and the goal
     Blueprint (*make)(Random& random) = nullptr;
-    /// m: maximum distance of a body's final positions in two variations of a member
-    /// that reaches its goals; 0 if motion is chaotic and only shares are compared.
+    /// Maximum distance of a body's final positions in two variations of a member that reaches its goals, m;
+    /// 0 if motion is chaotic and only the numbers of members that reach their goals are compared.
     double tolerance = 0.0;
 };
 
-/// In alphabetical order of their files.
+/// All families, in alphabetical order of their files.
 std::span<const Family> allFamilies();
 const Family* findFamily(std::string_view name);
-/// The same scene for the same seed, on every machine.
+/// Creates a member. The same seed gives the same scene on every machine.
 Blueprint memberOf(const Family& family, std::uint64_t seed);
 
-// One function per family: families/<name>.cpp
+// One function per family, in families/kinds/<name>.cpp.
 Blueprint makeBullets(Random& random);
 Blueprint makeCardHouse(Random& random);
 Blueprint makeChurn(Random& random);

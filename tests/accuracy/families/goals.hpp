@@ -4,22 +4,22 @@
 
 namespace plumb::families {
 
-// Goals that several families share.
+// Goals used by several families.
 
-/// "stands": the maximum distance (m) of these bodies from their planned positions.
+/// Goal "stands": the bodies end within a distance, m, of their planned positions.
 Goal staysWithin(std::vector<std::uint32_t> bodies, double distance);
-/// "sleeps": no dynamic body is awake. Only checked for our engine, if sleeping is on.
+/// Goal "sleeps": no dynamic body is awake. Checked in Plumb only, and only with sleeping enabled.
 Goal sleeps();
-/// "stays in": the centers of these bodies are in the box.
+/// Goal "stays in": the centers of the bodies are inside a box.
 Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high);
-/// "overlaps": the maximum overlap (m) of two shapes at the end.
+/// Goal "overlaps": two shapes overlap by at most a depth at the end, m.
 Goal overlapsAtMost(double depth);
-/// "rests": the maximum speed of these bodies (m/s).
+/// Goal "rests": the bodies are not faster than a speed, m/s.
 Goal rests(std::vector<std::uint32_t> bodies, double speed);
-/// "keeps its joints": the maximum joint gap (m).
+/// Goal "keeps its joints": no joint error exceeds a gap, m.
 Goal keepsJoints(double gap);
 
-/// False for a body that was removed by shrinking: goals about motion skip it.
+/// False for a body that was removed to reduce a failing scene; goals about motion skip it.
 bool takesPart(const Stage& stage, std::uint32_t body);
 
 }  // namespace plumb::families

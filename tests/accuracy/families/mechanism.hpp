@@ -8,17 +8,17 @@
 
 namespace plumb::families {
 
-/// Straight rods with hinges to each other and to the ground wherever they have a point in common.
+/// Straight rods with hinges to each other and to the ground at each common point.
 struct Mechanism {
     struct Rod {
-        std::vector<std::size_t> points;  ///< along it, from end to end
+        std::vector<std::size_t> points;  ///< indices of points along the rod, from end to end
         float density = 1.0f;             ///< kg/m2
     };
 
-    std::vector<Vec2> points;           ///< m
-    std::vector<std::size_t> grounded;  ///< points with a hinge to the ground
+    std::vector<Vec2> points;           ///< positions, m
+    std::vector<std::size_t> grounded;  ///< indices of points with a hinge to the ground
     std::vector<Rod> rods;
-    float width = 0.1f;  ///< m, of rods
+    float width = 0.1f;  ///< width of all rods, m
 
     std::size_t point(Vec2 at);
     void rod(std::vector<std::size_t> along, float density);
@@ -26,14 +26,14 @@ struct Mechanism {
     [[nodiscard]] Vec2 end(const Rod& rod) const { return points[rod.points.back()]; }
     [[nodiscard]] float length(const Rod& rod) const { return distance(start(rod), end(rod)); }
 
-    /// Adds its rods, which collide with nothing, and its hinges.
-    /// @return the body of the first rod; those of the others follow
+    /// Adds the rods, which do not collide, and the hinges.
+    /// @return the body index of the first rod; the other rods follow in order
     [[nodiscard]] std::uint32_t addTo(Blueprint& plan) const;
 };
 
-/// The intersection of two circles that is to the left of the line from a to b.
+/// Intersection of circles around a and b that is to the left of the line from a to b.
 Vec2 knee(Vec2 a, float reachA, Vec2 b, float reachB);
-/// A box between two points that collides with nothing.
+/// Adds a box between two points that does not collide.
 std::uint32_t addRod(Blueprint& plan, Vec2 from, Vec2 to, float width, float density);
 
 }  // namespace plumb::families

@@ -15,9 +15,9 @@ namespace plumb::families {
 
 namespace {
 
-constexpr int kStepsBetweenLooks = 30;  // exact overlaps of all pairs cost more than a step
+constexpr int kStepsBetweenLooks = 30;  // measuring the overlaps of all pairs takes longer than a step
 
-/// J: of motion alone.
+/// Kinetic energy of all bodies, J.
 double kineticEnergyOf(const physics::World& world) {
     double sum = 0.0;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -31,13 +31,13 @@ double kineticEnergyOf(const physics::World& world) {
     return sum;
 }
 
-/// Energy of motion and height, and how much it grew. Soft contacts and joints give back what they stored,
-/// and what touches is pushed out of an overlap of up to one slop, by which the weight of everything may be
-/// lifted. So growth counts over the lowest level that was not exceeded for 2 s: the slowest swing that was
-/// seen, of a 24 m arch that sinks into its joints when it is built, takes 1.5 s.
+/// Records kinetic plus potential energy and its growth. Soft contacts and joints store energy and release it
+/// later, and pushing shapes out of an overlap of one slop lifts the bodies above. So growth is measured from
+/// the lowest level that was not exceeded for 2 s: the slowest oscillation observed, of a 24 m arch that
+/// sinks when it is built, takes 1.5 s.
 class EnergyBook {
 public:
-    /// @param layers  as Blueprint::layers
+    /// @param layers  see Blueprint::layers
     explicit EnergyBook(int layers) : layers_{layers} {}
 
     void note(const physics::World& world) {
@@ -53,10 +53,11 @@ public:
         level_ = std::min(level_, *std::max_element(recent_.begin(), last));
         low_ = std::min(low_, now);
         high_ = std::max(high_, now);
-        // Of what goes on at the same speed nothing is lost, so that all it has is in play.
+        // A body at constant speed converts no energy, so the kinetic energy is a second lower bound.
         motion_ = std::max(motion_, kineticEnergyOf(world));
     }
-    /// Part of all the energy that was ever lost or in motion.
+    /// Energy gain relative to the energy that was converted:
+    /// the larger of energy range and maximum kinetic energy.
     [[nodiscard]] double gain() const {
         const double turned = std::max(high_ - low_, motion_);
         return turned > 0.0 ? std::max(gain_ - lift_, 0.0) / turned : 0.0;
@@ -64,22 +65,22 @@ public:
 
 private:
     int layers_ = 1;
-    std::array<double, 120> recent_{};  ///< J: of the last 2 s
+    std::array<double, 120> recent_{};  ///< total energy in the steps of the last 2 s, J
     std::size_t steps_ = 0;
     double level_ = 0.0;
     double low_ = 0.0;
     double high_ = 0.0;
     double gain_ = 0.0;
-    double lift_ = 0.0;    ///< J
-    double motion_ = 0.0;  ///< J: the most of it
+    double lift_ = 0.0;    ///< allowed gain by pushing contacts apart, J
+    double motion_ = 0.0;  ///< maximum kinetic energy, J
 };
 
-/// Friction of up to 1 makes of a hit's change of velocity along its normal at most this.
+/// Maximum ratio of the total to the normal velocity change in an impact, for friction up to 1: sqrt(2).
 constexpr double kMaxByFriction = 1.4142135623730951;
 
-/// By how much bodies move further in a step than their speed explains: the larger of those before and after
-/// it, or what hits within it made of the one before. What a bullet throws at a wall crosses a room in a step
-/// and is as slow after it as before.
+/// Measures how much further bodies move in a step than their speed explains. That speed is the maximum of
+/// the speeds before and after the step, and of the speed before plus all velocity changes by impacts within
+/// the step: a body hit by a bullet can cross a room within a step and be slow again at its end.
 class JumpMeter {
 public:
     void before(const Stage& stage) {

@@ -8,28 +8,28 @@
 
 namespace plumb::families {
 
-/// The result of a scene.
+/// Result of simulating a scene.
 struct Outcome {
-    bool sound = true;        ///< all numbers finite, and nothing quarantined
-    bool reached = true;      ///< every goal
-    std::string missed;       ///< the first goal that was missed, with its error
-    double maxOverlap = 0.0;  ///< m, at scale 1; maximum of the samples during the run
+    bool sound = true;        ///< true if all numbers are finite and no body is quarantined
+    bool reached = true;      ///< true if all goals are reached
+    std::string missed;       ///< first missed goal, with its error
+    double maxOverlap = 0.0;  ///< maximum of the sampled overlaps, m at scale 1
     double maxJointError = 0.0;
-    double energyGain = 0.0;   ///< relative to the maximum kinetic energy; of closed scenes
-    double maxJump = 0.0;      ///< m: displacement of a body in a step beyond what its velocities explain
-    double restSpeed = 0.0;    ///< m/s: of the fastest body at the end
-    std::size_t contacts = 0;  ///< maximum in a step
-    std::size_t awake = 0;     ///< dynamic bodies at the end
+    double energyGain = 0.0;   ///< energy gain of a closed scene, relative to the energy that was converted
+    double maxJump = 0.0;      ///< maximum displacement of a body in a step beyond velocity times step, m
+    double restSpeed = 0.0;    ///< speed of the fastest body at the end, m/s
+    std::size_t contacts = 0;  ///< maximum number in a step
+    std::size_t awake = 0;     ///< number of awake dynamic bodies at the end
     double microsPerStep = 0.0;
-    std::uint64_t bits = 0;           ///< hash of all poses and motions at the end, for our engine
-    std::vector<scenes::Point> ends;  ///< m: by body
-    std::string missing;  ///< feature that the engine lacks for this scene; then all else is empty
+    std::uint64_t bits = 0;           ///< hash of all poses and motions at the end; Plumb only
+    std::vector<scenes::Point> ends;  ///< final position of each body, m
+    std::string missing;              ///< feature that the engine lacks; not empty: the scene was not run
 };
 
-/// Builds the scene and runs it to its end.
+/// Builds a scene and simulates it to its end.
 Outcome play(const Blueprint& plan, const Variation& variation = {});
 
-/// m: maximum distance of a body's final positions in two outcomes.
+/// Maximum distance between the final positions of a body in two outcomes, m.
 double largestDistance(const Outcome& a, const Outcome& b);
 
 }  // namespace plumb::families

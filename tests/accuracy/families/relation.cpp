@@ -11,12 +11,12 @@ namespace plumb::families {
 
 namespace {
 
-/// Standard deviations by which two shares may differ: one comparison of a thousand is further off by chance.
+/// Accepted difference of two shares in standard deviations: exceeded by chance in one of 1000 comparisons.
 constexpr double kSigmas = 3.3;
-/// m: Settings::pushSpeed moves overlapping bodies by 5 cm in a step without giving them speed, and joints
-/// that were torn open close at ten times that; what spins is measured at its center.
+/// Maximum displacement without velocity in a step, m. Settings::pushSpeed separates overlapping bodies by up
+/// to 5 cm in a step, and torn joints close at ten times that speed.
 constexpr double kMaxJump = 0.5;
-constexpr double kMaxGain = 0.01;  // part of the energy that was turned over, as in the stability map
+constexpr double kMaxGain = 0.01;  // ratio to the converted energy, as in the stability map
 
 Variation asDefault(std::uint64_t) { return {}; }
 
@@ -68,7 +68,8 @@ constexpr auto kRelations = std::to_array<Relation>({
      nullptr, jumpOf, kMaxJump},
     {"energy", "scenes without motors and kinematic bodies gain no energy",
      "1 % of the energy that was converted", Rule::Bound, nullptr, nullptr, gainOf, kMaxGain},
-    {"energy-at-4", "the same at quality 4, where joints and contacts are 16 times as stiff",
+    {"energy-at-4",
+     "scenes without motors gain no energy at quality 4, with joints and contacts 16 times as stiff",
      "1 % of the energy that was converted", Rule::Bound, atQuality4, nullptr, gainOf, kMaxGain},
     {"sleep", "the result does not depend on whether bodies may sleep", kSameShare, Rule::SameOutcome,
      withoutSleep},

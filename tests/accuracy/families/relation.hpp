@@ -10,27 +10,27 @@
 
 namespace plumb::families {
 
-/// How two variations of a scene are compared.
+/// Rule for comparing two variations of a scene.
 enum class Rule : std::uint8_t {
-    SameBits,     ///< every bit of every pose and motion
-    SameOutcome,  ///< equally many members reach their goals, and unless
-                  ///< a family is chaotic, with equal final positions
+    SameBits,     ///< all poses and motions are bit-identical
+    SameOutcome,  ///< equally many members reach their goals and, unless
+                  ///< the family is chaotic, their final positions agree
     NeverWorse,   ///< at least as many members reach their goals
-    Bound         ///< a figure of each single outcome
+    Bound         ///< a figure of each single outcome is limited
 };
 
-/// A property that must hold for every scene, whatever the exact result is.
+/// A property that must hold for every scene, even if its exact result is unknown.
 struct Relation {
     std::string_view name;
-    std::string_view what;   ///< one sentence
-    std::string_view bound;  ///< explanation of its rule
+    std::string_view what;   ///< one sentence that states the property
+    std::string_view bound;  ///< explanation of the accepted deviation
     Rule rule = Rule::SameOutcome;
-    /// How a member is simulated for the comparison, by a random number
-    /// for it; for Bound, the outcome that is judged; null: the default.
+    /// Returns the variation that is compared, from a random number of the member; for Bound the
+    /// variation that is checked. Null: default variation.
     Variation (*vary)(std::uint64_t draw) = nullptr;
-    /// The other outcome of the comparison; null: the default.
+    /// Returns the variation to compare with; null: default variation.
     Variation (*base)(std::uint64_t draw) = nullptr;
-    /// For Bound: the figure and its maximum, in the same unit.
+    /// Only for Bound: computes the figure. `largest` is its maximum.
     double (*figure)(const Blueprint& plan, const Outcome& outcome) = nullptr;
     double largest = 0.0;
 };
@@ -42,13 +42,13 @@ const Relation* findRelation(std::string_view name);
 struct Verdict {
     const Relation* relation = nullptr;
     int members = 0;
-    int baseReached = 0;  ///< of the members
+    int baseReached = 0;  ///< number of members that reach their goals in the base variation
     int variedReached = 0;
-    int worse = 0;           ///< members that only the base reached
-    int better = 0;          ///< members that only the variation reached
-    int differing = 0;       ///< members whose bits differ, or that end elsewhere, or exceed the bound
-    double largest = 0.0;    ///< figure, or distance of the ends (m)
-    std::uint64_t seed = 0;  ///< of the worst member, or of the first that got worse
+    int worse = 0;           ///< members that reach their goals in the base variation only
+    int better = 0;          ///< members that reach their goals in the compared variation only
+    int differing = 0;       ///< members with different bits or final positions, or a figure above the bound
+    double largest = 0.0;    ///< largest figure, or largest distance of final positions (m)
+    std::uint64_t seed = 0;  ///< seed of the worst member, or of the first that got worse
     bool hasSeed = false;
 
     /// True if the relation holds in the family.
@@ -56,7 +56,8 @@ struct Verdict {
     void add(const Verdict& more);
 };
 
-/// The result for one member. @param base the default outcome, which several relations share
+/// Checks a relation in one member. @param base  outcome of the default variation, shared by several
+/// relations
 Verdict judge(const Relation& relation, const Family& family, const Blueprint& plan, std::uint64_t seed,
               const Outcome& base);
 

@@ -22,7 +22,7 @@ std::string numberText(double value) {
 
 bool comparesShares(Rule rule) { return rule == Rule::SameOutcome || rule == Rule::NeverWorse; }
 
-/// The result of a relation in one family, in a few characters.
+/// Returns the table cell with the result of a relation in a family.
 std::string cellOf(const Verdict& verdict) {
     if (comparesShares(verdict.relation->rule)) {
         std::string text = format("{} to {}", percent(verdict.baseReached, verdict.members),
@@ -110,7 +110,7 @@ std::string markdownOf(const std::vector<FamilyResult>& results, const std::stri
         "# Families and relations\n\nRandom scenes of the kinds that games contain, and relations that "
         "must hold in all of them even where the exact result is unknown. A cell in bold does not "
         "hold.\n\n";
-    text += format("Made by `{}`.\n\n## Families\n\n| family | what has to happen |\n|---|---|\n", how);
+    text += format("Made by `{}`.\n\n## Families\n\n| family | parameters and goals |\n|---|---|\n", how);
     for (const FamilyResult& result : results)
         text += format("| {} | {} |\n", result.family->name, result.family->what);
     text +=
@@ -128,7 +128,7 @@ std::string markdownOf(const std::vector<FamilyResult>& results, const std::stri
                            numberText(share.maxOverlap), numberText(share.maxJointError));
         }
     }
-    text += "\n## Relations\n\n| relation | what | bound |\n|---|---|---|\n";
+    text += "\n## Relations\n\n| relation | property | bound |\n|---|---|---|\n";
     const std::size_t rows = results.empty() ? 0 : results[0].verdicts.size();
     for (std::size_t row = 0; row < rows; ++row) {
         const Relation& relation = *results[0].verdicts[row].relation;

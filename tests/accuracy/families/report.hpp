@@ -9,8 +9,8 @@
 
 namespace plumb::families {
 
-std::string textOf(const FamilyResult& result);               ///< for the terminal
-std::string csvOf(const std::vector<FamilyResult>& results);  ///< a row for each family and relation
+std::string textOf(const FamilyResult& result);               ///< plain text for the terminal
+std::string csvOf(const std::vector<FamilyResult>& results);  ///< a row per family and relation
 std::string htmlOf(const std::vector<FamilyResult>& results, const std::string& how);
 std::string markdownOf(const std::vector<FamilyResult>& results, const std::string& how);
 

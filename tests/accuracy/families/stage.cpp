@@ -14,10 +14,10 @@ namespace plumb::families {
 namespace {
 
 constexpr scenes::BodyHandle kGone{};
-/// N or N m: practically unlimited in every scene, and still finite in a larger one.
+/// Practically unlimited joint force or torque, N or N m; still finite after scaling the scene up.
 constexpr float kUnlimited = 1.0e15f;
 
-/// The order 0..count-1, shuffled unless the seed is 0.
+/// Returns 0..count-1, shuffled unless the seed is 0.
 std::vector<std::uint32_t> orderOf(std::size_t count, std::uint64_t seed) {
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0u);
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> orderOf(std::size_t count, std::uint64_t seed) {
     return order;
 }
 
-/// All lengths and speeds among the settings, for a world of another scale.
+/// Scales all lengths and speeds of the settings.
 void scaleSettings(physics::Settings& settings, float scale) {
     for (float* length :
          {&settings.slop, &settings.speculativeDistance, &settings.recycleDistance, &settings.boundsMargin,
@@ -39,7 +39,7 @@ void scaleSettings(physics::Settings& settings, float scale) {
 }  // namespace
 
 Stage::Stage(const Blueprint& plan, const Variation& variation) : plan_{plan}, variation_{variation} {
-    // Quarter turns without rounding.
+    // Exact rotations by quarter turns, without rounding.
     constexpr std::array<Rot, 4> kTurns{Rot{1.0f, 0.0f}, Rot{0.0f, 1.0f}, Rot{-1.0f, 0.0f}, Rot{0.0f, -1.0f}};
     turn_ = kTurns[static_cast<std::size_t>(variation.placement.quarterTurns & 3)];
     scale_ = variation.placement.scale;
@@ -113,8 +113,8 @@ void Stage::make(const JointSetup& joint) {
     made.axis = {sign() * joint.axis.x, joint.axis.y};
     made.length *= scale_;
     const bool slides = joint.kind == scenes::JointKind::Slider;
-    // Torques are mass (scale^2) times area over time squared; forces have one length less. A slider's
-    // distance along its mirrored axis stays.
+    // Masses scale with scale^2, so torques with scale^4 and forces with scale^3. A slider's coordinate along
+    // its mirrored axis keeps its sign.
     made.maxForce = std::min(joint.maxForce, kUnlimited) * std::pow(scale_, slides ? 3.0f : 4.0f);
     const float unit = slides ? scale_ : sign();
     made.reference = sign() * joint.reference;
@@ -141,7 +141,7 @@ float Stage::placedAngle(float angle) const {
 Outline Stage::placed(const Outline& outline) const {
     Outline made = outline;
     for (std::size_t i = 0; i < outline.count; ++i) made.points[i] = local(outline.points[i]);
-    // Corners stay in counter-clockwise order.
+    // Mirroring inverts the order of corners, so it is reversed to stay counter-clockwise.
     if (variation_.placement.mirrored && outline.count > 2)
         std::reverse(made.points.begin(), made.points.begin() + outline.count);
     made.centre = local(outline.centre);
@@ -151,7 +151,7 @@ Outline Stage::placed(const Outline& outline) const {
 }
 
 Material Stage::placed(Material material) const {
-    // Along the outline, whose direction a mirror inverts.
+    // The surface speed is along the outline; a mirror inverts that direction.
     material.surfaceSpeed *= sign() * scale_;
     material.oneWayDirection.x *= sign();
     return material;
@@ -179,7 +179,7 @@ double Stage::hitSpeedOf(std::uint32_t body) const {
     const physics::Workspace* work = physics::lastStepOf(world);
     if (work == nullptr || work->swept.empty()) return 0.0;
     const std::uint32_t index = plumb_->idOf(handles_[body]).index;
-    double impulse = 0.0;  // N s
+    double impulse = 0.0;  // sum of impulses, N s
     for (const physics::Contact& hit : work->madeHits) {
         if (hit.bodyA == index || hit.bodyB == index)
             impulse += static_cast<double>(std::fabs(hit.impulse0) + std::fabs(hit.impulse1));

@@ -11,42 +11,44 @@
 
 namespace plumb::families {
 
-inline constexpr float kStep = 1.0f / 60.0f;  ///< s
+inline constexpr float kStep = 1.0f / 60.0f;  ///< time step, s
 
-/// A scene while it runs. Bodies are those of the blueprint and all positions, angles and speeds are as it
-/// has them, whatever the placement.
+/// A running scene. Bodies have the indices of the blueprint; positions, angles and speeds are in the
+/// blueprint's coordinates and scale, independent of the placement.
 class Stage {
 public:
     Stage(const Blueprint& plan, const Variation& variation);
 
-    void step();  ///< drives the scene, and simulates one step of it
+    void step();  ///< calls Blueprint::drive and simulates one step
     [[nodiscard]] int steps() const { return steps_; }
     [[nodiscard]] double time() const { return steps_ * static_cast<double>(kStep); }
 
     [[nodiscard]] const Blueprint& plan() const { return plan_; }
     [[nodiscard]] const Variation& variation() const { return variation_; }
-    /// False for a body that was dropped from the scene or destroyed since.
+    /// False for a body that was omitted from the scene or has been destroyed.
     [[nodiscard]] bool has(std::uint32_t body) const;
     [[nodiscard]] scenes::Point positionOf(std::uint32_t body) const;  ///< m
     [[nodiscard]] Rot rotationOf(std::uint32_t body) const;
     [[nodiscard]] Vec2 velocityOf(std::uint32_t body) const;  ///< m/s
     [[nodiscard]] float spinOf(std::uint32_t body) const;     ///< rad/s
     [[nodiscard]] Vec2 startOf(std::uint32_t body) const { return plan_.bodies[body].setup.position; }
-    /// m: how far a body is from where it was planned.
+    /// Distance of a body from its planned position, m.
     [[nodiscard]] double displacementOf(std::uint32_t body) const;
-    /// rad: how far it turned from its planned angle, -pi to pi.
+    /// Rotation of a body from its planned angle, rad, -pi to pi.
     [[nodiscard]] double turnOf(std::uint32_t body) const;
 
     void setVelocity(std::uint32_t body, Vec2 velocity);
     void setSpin(std::uint32_t body, float spin);
-    void moveTo(std::uint32_t body, Vec2 position, float angle);  ///< kinematic: at the end of the step
+    /// Moves a kinematic body so that it reaches a pose at the end of the step.
+    void moveTo(std::uint32_t body, Vec2 position, float angle);
     void setMass(std::uint32_t body, float kilograms);
-    /// Puts a body elsewhere at once.
+    /// Moves a body to a pose at once.
     void teleport(std::uint32_t body, Vec2 position, float angle);
-    /// Whether that was done in the step before.
+    /// True if teleport() was called for the body in the previous step.
     [[nodiscard]] bool wasTeleported(std::uint32_t body) const;
     void destroy(std::uint32_t body);
-    std::uint32_t spawn(const BodyPlan& plan);  ///< @return its index, after those of the blueprint
+    /// Adds a body. @return its index, after those of the blueprint
+    std::uint32_t spawn(const BodyPlan& plan);
 
     [[nodiscard]] scenes::SceneBuilder& scene() { return *scene_; }
     [[nodiscard]] const scenes::SceneBuilder& scene() const { return *scene_; }
@@ -55,31 +57,34 @@ public:
     [[nodiscard]] const physics::World* world() const {
         return plumb_ == nullptr ? nullptr : &std::as_const(*plumb_).world();
     }
-    /// m/s: by which the hits of a fast body within the last step changed its velocity, all together and
-    /// along their normals. 0 in other engines. @pre has(body)
+    /// Sum of the normal velocity changes by impacts of a fast
+    /// body within the last step, m/s. 0 in other engines.
+    /// @pre has(body)
     [[nodiscard]] double hitSpeedOf(std::uint32_t body) const;
-    /// False in other engines. @pre has(body)
+    /// True if a body sleeps; false in other engines. @pre has(body)
     [[nodiscard]] bool isAsleep(std::uint32_t body) const;
 
-    // For what Blueprint::extra adds to the world of Plumb: from the blueprint to the world and back.
+    // Conversions between blueprint and world coordinates, for use in Blueprint::extra.
 
     [[nodiscard]] physics::WorldPosition placeOf(Vec2 point) const;
     [[nodiscard]] Vec2 pointOf(physics::WorldPosition place) const;
     [[nodiscard]] Vec2 vectorOf(Vec2 vector) const { return scale_ * placed(vector); }
     [[nodiscard]] float scale() const { return scale_; }
 
-    /// Where a body is in the engine; @pre has(body)
+    /// The engine's handle of a body. @pre has(body)
     [[nodiscard]] scenes::BodyHandle handleAt(std::uint32_t body) const { return handles_[body]; }
-    [[nodiscard]] std::size_t size() const { return handles_.size(); }  ///< bodies, those gone too
+    [[nodiscard]] std::size_t size() const {
+        return handles_.size();
+    }  ///< number of bodies, including destroyed ones
 
 private:
     void open();
     void build();
     void make(std::uint32_t body, const BodyPlan& plan);
     void make(const JointSetup& joint);
-    [[nodiscard]] Vec2 placed(Vec2 direction) const;  ///< turned and mirrored, not scaled
+    [[nodiscard]] Vec2 placed(Vec2 direction) const;  ///< rotates and mirrors, does not scale
     [[nodiscard]] Vec2 unplaced(Vec2 direction) const;
-    [[nodiscard]] Vec2 local(Vec2 point) const;  ///< of a body's frame: mirrored and scaled
+    [[nodiscard]] Vec2 local(Vec2 point) const;  ///< mirrors and scales a point of a body's frame
     [[nodiscard]] float placedAngle(float angle) const;
     [[nodiscard]] Outline placed(const Outline& outline) const;
     [[nodiscard]] Material placed(Material material) const;
@@ -89,8 +94,8 @@ private:
     Variation variation_;
     std::unique_ptr<scenes::SceneBuilder> scene_;
     scenes::PlumbWorld* plumb_ = nullptr;
-    std::vector<scenes::BodyHandle> handles_;  ///< by body of the blueprint
-    std::vector<std::uint32_t> teleported_;    ///< in this step
+    std::vector<scenes::BodyHandle> handles_;  ///< handle of each body of the blueprint
+    std::vector<std::uint32_t> teleported_;    ///< bodies teleported in this step
     Rot turn_;
     float scale_ = 1.0f;
     int steps_ = 0;

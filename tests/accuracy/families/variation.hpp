@@ -9,31 +9,31 @@
 
 namespace plumb::families {
 
-/// How a scene is placed in the world. The result must not depend on this.
+/// Placement of a scene in the world. The result must not depend on it.
 struct Placement {
-    bool mirrored = false;  ///< x becomes -x
-    int quarterTurns = 0;   ///< of everything, gravity too
-    float scale = 1.0f;     ///< of all lengths, and with them gravity and speeds: times are unchanged
-    double originX = 0.0;   ///< m
+    bool mirrored = false;  ///< true: x becomes -x
+    int quarterTurns = 0;   ///< rotation of the scene and its gravity, in quarter turns
+    float scale = 1.0f;     ///< factor of all lengths, speeds and gravity; times stay the same
+    double originX = 0.0;   ///< position of the scene's origin, m
     double originY = 0.0;
 };
 
-/// A method for simulating a scene.
+/// Settings and placement with which a scene is simulated.
 struct Variation {
-    physics::Quality quality = 2;  ///< kQualityOfWorld: automatic
+    physics::Quality quality = 2;  ///< solver quality; kQualityOfWorld: automatic
     bool sleeping = true;
     bool directJoints = true;
     bool continuous = true;
     bool allEffects = false;  ///< runs every effect, even those that the scene does not require
     physics::BroadPhaseKind broadPhase = physics::BroadPhaseKind::Tree;
     int threads = 1;
-    int restoreEvery = 0;       ///< steps, after which the world is replaced by a copy of itself; 0: never
-    int delay = 0;              ///< steps of the empty world before the scene is built
+    int restoreEvery = 0;       ///< steps between replacements of the world by a copy of itself; 0: never
+    int delay = 0;              ///< number of steps of the empty world before the scene is built
     std::uint64_t shuffle = 0;  ///< seed of the order in which bodies and joints are created; 0: as planned
     Placement placement;
-    std::function<void(physics::Settings&)> tune;  ///< may change any setting, before the scene is scaled
-    std::vector<bool> dropped;                     ///< by body: removed; may be shorter
-    const scenes::Engine* peer = nullptr;          ///< another engine, with its defaults
+    std::function<void(physics::Settings&)> tune;  ///< changes settings before scaling; may be empty
+    std::vector<bool> dropped;  ///< flag per body: true if it is removed; may be shorter than the bodies
+    const scenes::Engine* peer = nullptr;  ///< another engine with its default settings; null: Plumb
 };
 
 }  // namespace plumb::families

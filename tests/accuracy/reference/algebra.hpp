@@ -7,7 +7,7 @@
 
 namespace plumb::reference {
 
-/// A position, a direction or a size, in double precision.
+/// 2D vector in double precision.
 struct Point {
     double x = 0.0;
     double y = 0.0;
@@ -27,7 +27,7 @@ inline Point normalized(Point a) {
 }
 inline Point toPoint(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
-/// Three components for the degrees of freedom of a body: of a pose
+/// Three components for the degrees of freedom of a body: a pose
 /// (m, rad), a velocity (m/s, rad/s), or the gradient of a scalar.
 struct Triple {
     double x = 0.0;
@@ -45,7 +45,7 @@ inline double largest(Triple a) {
     return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.turn)));
 }
 
-/// A rotation by an angle.
+/// A rotation, stored as cosine and sine.
 struct Turn {
     double cos = 1.0;
     double sin = 0.0;

@@ -22,7 +22,7 @@ void subtract(Block& a, const Block& b) {
     for (std::size_t i = 0; i < 9; ++i) a[i] -= b[i];
 }
 
-/// By Gauss and Jordan, with the largest of each column as pivot.
+/// Inverts a block by Gauss-Jordan elimination with column pivoting. @return false if it is singular
 bool invert(Block& a) {
     Block result{1, 0, 0, 0, 1, 0, 0, 0, 1};
     for (std::size_t c = 0; c < 3; ++c) {

@@ -16,17 +16,17 @@ double GroupStep::approachOf(const Touch& touch) const {
     return dot(gradient.a, v0_[a]) + dot(gradient.b, v0_[b]);
 }
 
-/// Changes velocities instantaneously so that joints hold and no contact approaches.
-void GroupStep::solveBlow(std::span<const Touch> touches, bool bounces) {
+/// Solves an impact: changes velocities instantaneously so that joints hold and no contact approaches.
+void GroupStep::solveImpact(std::span<const Touch> touches, bool bounces) {
     writer_.beginBlow(system_, v0_);
     for (const std::uint32_t index : group_->laws) {
         const Law& law = scene_.laws[index];
         Gradient gradient = gradientOf(law.measure, q0_[writer_.local(law.a)], q0_[writer_.local(law.b)]);
         Row row;
-        if (law.kind == LawKind::AtLeast && law.sign * gradient.value < kClosed) {
+        if (law.kind == ConstraintKind::AtLeast && law.sign * gradient.value < kClosed) {
             row.kind = RowKind::Push;
             gradient.a = law.sign * gradient.a, gradient.b = law.sign * gradient.b;
-        } else if (law.kind != LawKind::Hold) {
+        } else if (law.kind != ConstraintKind::Hold) {
             continue;
         }
         writer_.add(system_, gradient, gradient, writer_.local(law.a), writer_.local(law.b), row);
@@ -52,8 +52,9 @@ void GroupStep::solveBlow(std::span<const Touch> touches, bool bounces) {
     for (std::size_t i = 0; i < group_->pushed; ++i) v0_[i] = system_.velocity[i];
 }
 
-/// Resolves the impact of the two bodies that approach each other fastest, as if only they and bodies
-/// jointed to them existed. So impulses run through rows of balls, and as many leave as arrive.
+/// Resolves the impact of the two bodies that approach each other fastest,
+/// together with bodies jointed to them but without other contacts. So
+/// impulses travel through a row of balls one by one, as in Newton's cradle.
 bool GroupStep::bounceOnce(std::span<const Touch> touches) {
     double fastest = -scene_.bounceSpeed;
     std::size_t worst = touches.size();
@@ -67,7 +68,7 @@ bool GroupStep::bounceOnce(std::span<const Touch> touches) {
     for (const Touch& touch : touches) {
         if (touch.bodyA == touches[worst].bodyA && touch.bodyB == touches[worst].bodyB) both.push_back(touch);
     }
-    solveBlow(both, true);
+    solveImpact(both, true);
     return true;
 }
 
@@ -77,7 +78,7 @@ void GroupStep::strike() {
     std::erase_if(touches, [&](const Touch& touch) { return view(touch, q0_).gap > kClosed; });
     for (int i = 0; i < kMaxBounces && bounceOnce(touches); ++i) {
     }
-    solveBlow(touches, false);
+    solveImpact(touches, false);
 }
 
 }  // namespace plumb::reference

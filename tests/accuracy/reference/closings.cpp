@@ -6,12 +6,12 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kExact = 1.0e-13;  // m: accuracy of the gap at a hit
-constexpr double kFarOff = 1.0e9;   // m: upper limit of the gaps that are computed
+constexpr double kExact = 1.0e-13;  // accuracy of the gap at an impact, m
+constexpr double kFarOff = 1.0e9;   // upper limit of computed gaps, m
 constexpr int kMaxSamples = 2000;
 
-/// The first time at which a gap that is open at `low` and overlaps at `high` closes. `gap` may
-/// be infinite for shapes that are far apart. By bisection, and secants with the Illinois rule.
+/// Returns the time at which a gap closes that is open at `low` and below 0 at `high`. The gap may be
+/// infinite for shapes that are far apart. Method: bisection, and secants with the Illinois rule.
 template <class Gap>
 double closingBetween(double low, double high, double gapLow, double gapHigh, const Gap& gap) {
     for (int i = 0; i < 200 && high - low > 1.0e-15 * high; ++i) {
@@ -31,7 +31,7 @@ double closingBetween(double low, double high, double gapLow, double gapHigh, co
 
 }  // namespace
 
-/// Velocities change linearly in a step; positions are their integrals.
+/// Returns the pose at a time in the step: velocities change linearly, positions are their integrals.
 Triple GroupStep::poseAt(std::size_t local, double time, double h) const {
     const Triple pose = q0_[local] + time * v0_[local] + (0.5 * time * time / h) * (v1_[local] - v0_[local]);
     return pose;
@@ -43,7 +43,7 @@ double GroupStep::gapAt(std::uint32_t a, std::uint32_t b, double time, double h)
                        kFarOff, scratch_);
 }
 
-/// m: upper bound of the relative displacement of any two points of the outlines in the step.
+/// Upper bound of the relative displacement of any two points of the outlines in the step, m.
 double GroupStep::longestWay(std::uint32_t a, std::uint32_t b, double h) const {
     const std::size_t one = localOfOutline(a), two = localOfOutline(b);
     const auto fastest = [&](std::size_t local) {
@@ -57,8 +57,8 @@ double GroupStep::closingOfPair(std::uint32_t a, std::uint32_t b, double h) {
     const double before = gapAt(a, b, 0.0, h), way = longestWay(a, b, h);
     if (before - way > 0.0 && before < kEndless) return kEndless;
     const auto gap = [&](double time) { return gapAt(a, b, time, h); };
-    // A fast shape can pass through the other within the step: sample
-    // the gap often enough to find a time at which they overlap.
+    // A fast shape can pass through the other one within the step, so the gap is sampled often enough to find
+    // a time at which they overlap.
     const double width = 0.25 * (scene_.outlines[a].width + scene_.outlines[b].width);
     const int samples = std::clamp(static_cast<int>(way / std::max(width, 1.0e-6)) + 1, 1, kMaxSamples);
     double low = 0.0, gapLow = before;
@@ -71,7 +71,7 @@ double GroupStep::closingOfPair(std::uint32_t a, std::uint32_t b, double h) {
     return kEndless;
 }
 
-/// For two outlines that already touch: the next contact elsewhere.
+/// Returns the time at which two outlines that already touch get another contact.
 double GroupStep::closingOfTouches(std::uint32_t a, std::uint32_t b, double h) {
     std::vector<Touch> touches;
     const std::size_t one = localOfOutline(a), two = localOfOutline(b);
@@ -88,7 +88,7 @@ double GroupStep::closingOfTouches(std::uint32_t a, std::uint32_t b, double h) {
     return first;
 }
 
-/// @return s: time of the first hit in the step that was tried; `kEndless` if there is none
+/// Returns the time of the first impact in the attempted step, s; `kEndless` if there is none.
 double GroupStep::earliestClosing(double h) {
     double first = kEndless;
     for (const auto& [a, b] : group_->pairs) {

@@ -6,15 +6,15 @@ namespace plumb::reference {
 
 namespace {
 
-// Separating axes and closest corners by brute force: outlines have few corners, and this must be correct.
-// Source: C. Ericson, Real-Time Collision Detection, 2005, 4.4, 5.1, 5.2.
+// Separating axes and closest corners by brute force, which is simple and fast enough for outlines of few
+// corners. Source: C. Ericson, Real-Time Collision Detection, 2005, 4.4, 5.1, 5.2.
 
-constexpr double kMin = 1.0e-9;  // m or ratio: below the closeness at which contacts count as closed
+constexpr double kMin = 1.0e-9;  // tolerance of comparisons, m or ratio; smaller than kClosed
 
 struct Placed {
     const Outline* outline = nullptr;
     Triple pose;
-    std::vector<Point> corners, normals;  // in the world
+    std::vector<Point> corners, normals;  // world coordinates
 
     [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == corners.size() ? 0 : i + 1; }
 };
@@ -27,13 +27,13 @@ Placed placed(const Outline& outline, Triple pose) {
     return result;
 }
 
-/// A side of one of the two, and the distance of the other in front of it.
+/// A side of one outline, and the distance of the other outline in front of it.
 struct Side {
     double apart = -kEndless;
     std::size_t index = 0;
 };
 
-/// True if a direction (world) from a chain segment belongs to it, not to a neighbour.
+/// True if a direction (world coordinates) from a chain segment belongs to this segment, not to a neighbour.
 bool isOwnDirection(const Placed& chain, Point direction) {
     const Turn turn{chain.pose.turn};
     const Point own = chain.normals[0];
@@ -43,7 +43,7 @@ bool isOwnDirection(const Placed& chain, Point direction) {
     const Point along = chain.corners[1] - chain.corners[0];
     const bool toEnd = dot(along, direction) > 0.0;
     const Point last = rotate(turn, toEnd ? chain.outline->after : chain.outline->before);
-    // Between its own normal and the neighbour's, at a convex corner.
+    // True between the normals of the segment and its neighbour, at a convex corner.
     return cross(own, last) * side > 0.0 && std::fabs(cross(own, last)) >= std::fabs(side) - kMin &&
            dot(last, along) * (toEnd ? 1.0 : -1.0) > 0.0;
 }
@@ -65,11 +65,11 @@ Side bestSide(const Placed& mine, const Placed& other) {
     return best;
 }
 
-/// A corner of one and the nearest point on the border of the other.
+/// A corner of one outline and the nearest point on the border of the other outline.
 struct Nearest {
     double distance = kEndless;
     std::size_t corner = 0;
-    std::size_t side = 0;  // of the other
+    std::size_t side = 0;  // index of the side of the other outline
     std::size_t otherCorner = 0;
     bool isCorner = true;
 };
@@ -84,7 +84,7 @@ void tryNearest(const Placed& mine, const Placed& other, Nearest& best) {
             const double clamped = std::clamp(part, 0.0, 1.0);
             const double distance = length(mine.corners[c] - (start + clamped * way));
             const bool isCorner = clamped != part || size == 0.0;
-            // At equal distance a side is preferred to its end.
+            // At equal distance the inside of a side is preferred to its end.
             if (distance < best.distance || (distance == best.distance && best.isCorner && !isCorner))
                 best = {distance, c, s, clamped < 0.5 ? s : other.next(s), isCorner};
         }
@@ -118,7 +118,7 @@ public:
         const Side sideA = bestSide(a_, b_), sideB = bestSide(b_, a_);
         const double apart = std::max(sideA.apart, sideB.apart);
         if (apart - round_ > margin_) return kEndless;
-        // Separated cores with rounding or ends may be nearest at a corner.
+        // Rounded outlines, capsules and segments may be nearest at a corner.
         const bool hasEnds = a_.corners.size() < 3 || b_.corners.size() < 3;
         if ((apart > 0.0 || apart == -kEndless) && (round_ > 0.0 || hasEnds)) return findNearest(apart);
         const bool isOfA = sideA.apart >= sideB.apart - kMin;
@@ -180,8 +180,8 @@ private:
         return best.apart - round_;
     }
 
-    /// The points of the other in front of a side: the ends of the overlap of both sides. Where two
-    /// corners are in front of each other, the other's is used, so that a contact keeps its key.
+    /// Adds the contact points in front of a side: the ends of the overlap with the other outline's side. If
+    /// two corners coincide, the other outline's corner is used, so that a contact keeps its key.
     void addSide(bool ofA, std::size_t index) {
         const Placed& mine = ofA ? a_ : b_;
         const Placed& other = ofA ? b_ : a_;
@@ -212,7 +212,7 @@ private:
             addCornerBefore(!ofA, facing, mine.next(first));
     }
 
-    /// The side at the nearest corner that is most opposed to the normal.
+    /// Returns the side at the nearest corner whose normal is most opposed to the given normal.
     static std::size_t facingSide(const Placed& other, Point normal, std::size_t nearest) {
         if (other.corners.size() == 2) {
             if (other.outline->isChain) return 0;

@@ -6,8 +6,8 @@
 
 namespace plumb::reference {
 
-/// Adds the potential contacts of two outlines with gaps up to `margin` (m).
-/// @return m: their distance; negative: depth of the overlap; `kEndless` if it is above the margin
+/// Appends the potential contacts of two outlines with gaps up to `margin`, m.
+/// @return the distance, m; below 0: depth of the overlap; `kEndless` if it exceeds the margin
 double findTouches(const Scene& scene, std::uint32_t outlineA, Triple poseA, std::uint32_t outlineB,
                    Triple poseB, double margin, std::vector<Touch>& touches);
 

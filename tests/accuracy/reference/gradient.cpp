@@ -4,7 +4,8 @@ namespace plumb::reference {
 
 namespace {
 
-/// Of direction . (point of B - point of A), for points at arms `a` and `b` from the centres.
+/// Gradient of direction . (point of B - point of A), for
+/// points at arms `a` and `b` from the centres of mass.
 Gradient alongDirection(Point direction, Point a, Point b) {
     return {{-direction.x, -direction.y, -cross(a, direction)},
             {direction.x, direction.y, cross(b, direction)}};
@@ -31,16 +32,16 @@ Gradient pulleyOf(const Measure& measure, Triple poseA, Triple poseB, Point armA
 Gradient gradientOf(const Measure& measure, Triple poseA, Triple poseB) {
     if (measure.kind == MeasureKind::Angle)
         return {{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, poseB.turn - poseA.turn - measure.rest};
-    const Turn turnA{poseA.turn};
-    const Point armA = rotate(turnA, measure.anchorA), armB = rotate(Turn{poseB.turn}, measure.anchorB);
+    const Turn rotationA{poseA.turn};
+    const Point armA = rotate(rotationA, measure.anchorA), armB = rotate(Turn{poseB.turn}, measure.anchorB);
     if (measure.kind == MeasureKind::Length) return lengthOf(measure, poseA, poseB, armA, armB);
     if (measure.kind == MeasureKind::Pulley) return pulleyOf(measure, poseA, poseB, armA, armB);
     const Point way = (placeOf(poseB) + armB) - (placeOf(poseA) + armA);
     const bool slides = measure.kind == MeasureKind::Across || measure.kind == MeasureKind::Along;
-    Point direction = slides ? rotate(turnA, measure.axis) : measure.axis;
+    Point direction = slides ? rotate(rotationA, measure.axis) : measure.axis;
     if (measure.kind == MeasureKind::Across || measure.kind == MeasureKind::AnchorY)
         direction = perpendicular(direction);
-    // A direction that rotates with A acts as if A's arm extended to B's anchor.
+    // If the direction rotates with A, the arm of A extends to B's anchor.
     Gradient gradient = alongDirection(direction, slides ? armA + way : armA, armB);
     gradient.value = dot(direction, way) - measure.rest;
     return gradient;
@@ -58,7 +59,7 @@ TouchView viewOf(const Touch& touch, Triple poseA, Triple poseB) {
     }
     const double apart = dot(view.normal, b - a);
     view.gap = apart - round;
-    // Midway between the two surfaces, seen from the corner.
+    // The contact point is midway between the two surfaces, on the normal through the corner.
     const bool fromA = touch.hasSide && !touch.sideOfA;
     view.point = fromA ? a + (touch.radiusA + 0.5 * view.gap) * view.normal
                        : b - (touch.radiusB + 0.5 * view.gap) * view.normal;

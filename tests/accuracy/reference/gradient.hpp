@@ -4,7 +4,7 @@
 
 namespace plumb::reference {
 
-/// A scalar function of two poses, and its gradient.
+/// Value and gradient of a scalar function of two poses.
 struct Gradient {
     Triple a, b;
     double value = 0.0;
@@ -15,28 +15,28 @@ Gradient gradientOf(const Measure& measure, Triple poseA, Triple poseB);
 /// A potential contact of two outlines: a corner of one in front of a side of the other, or two rounded
 /// corners. Stored in the frames of the bodies, so that its distance can be computed at any pose.
 struct Touch {
-    std::uint64_t key = 0;  ///< identifies the two outlines and their features
+    std::uint64_t key = 0;  ///< unique key of the two outlines and their features
     std::uint32_t outlineA = 0, outlineB = 0;
     std::uint32_t bodyA = 0, bodyB = 0;
-    bool hasSide = false;  ///< else two corners
-    bool sideOfA = false;  ///< the side belongs to A and the corner to B, or the other way round
-    Point a, b;            ///< in the bodies' frames: the corner, or a point of the side
-    Point normal;          ///< in the frame of the side's body, outward
+    bool hasSide = false;  ///< true: corner and side; false: two corners
+    bool sideOfA = false;  ///< true: the side belongs to A and the corner to B; false: reversed
+    Point a, b;            ///< the corner, or a point of the side, in the bodies' frames
+    Point normal;          ///< outward normal in the frame of the side's body
     double radiusA = 0.0, radiusB = 0.0;
     double friction = 0.0, bounciness = 0.0, surfaceSpeed = 0.0;
 };
 
-/// A contact at two poses.
+/// A contact evaluated at two poses.
 struct TouchView {
-    Point point;       ///< m
-    Point normal;      ///< from A to B
-    double gap = 0.0;  ///< m; below 0 they overlap
+    Point point;       ///< contact point, m
+    Point normal;      ///< unit normal from A to B
+    double gap = 0.0;  ///< gap, m; below 0: overlap
 };
 
 TouchView viewOf(const Touch& touch, Triple poseA, Triple poseB);
-/// Of the gap, along the normal.
+/// Gradient of the gap.
 Gradient normalGradient(const TouchView& view, Triple poseA, Triple poseB);
-/// Of the displacement of B over A along perpendicular(normal); it has no value.
+/// Gradient of the displacement of B relative to A along perpendicular(normal); its value is not set.
 Gradient tangentGradient(const TouchView& view, Triple poseA, Triple poseB);
 
 }  // namespace plumb::reference

@@ -8,11 +8,11 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr int kMaxPasses = 6;         // of a step, until its end agrees with the prediction
-constexpr double kSettled = 1.0e-13;  // m, rad
-constexpr int kMaxHits = 12;          // in one step, each of which ends it; later ones are handled together
-constexpr int kMaxTries = 6;          // to end at a hit
-constexpr double kUnsolved = 1.0e-4;  // ratio to the velocities
+constexpr int kMaxPasses = 6;  // maximum number of passes until the end of a step agrees with its prediction
+constexpr double kSettled = 1.0e-13;  // accepted difference of end and prediction, m, rad
+constexpr int kMaxHits = 12;  // maximum number of impacts that divide a step; later ones are handled together
+constexpr int kMaxTries = 6;  // maximum number of tries to end a step at an impact
+constexpr double kUnsolved = 1.0e-4;  // minimum residual of an unsolved system, ratio to the velocities
 
 const Press* findPress(std::span<const Press> presses, std::uint64_t key) {
     const auto at = std::lower_bound(presses.begin(), presses.end(), key,
@@ -48,8 +48,8 @@ void GroupStep::findAt(const std::vector<Triple>& poses, std::vector<Touch>& tou
             findTouches(scene_, a, poses[localOfOutline(a)], b, poses[localOfOutline(b)], kNear, touches));
 }
 
-/// The contacts that push: closed ones, and those that pushed
-/// before and whose gap is within the error of a step.
+/// Collects the active contacts: closed contacts, and contacts that
+/// were active before and whose gap is within the error of a step.
 void GroupStep::collect(bool takeAll) {
     std::vector<Active> before;
     before.swap(active_);
@@ -95,7 +95,7 @@ void GroupStep::addContact(Active& active) {
 void GroupStep::addLaw(std::uint32_t index, double h) {
     const Law& law = scene_.laws[index];
     const std::uint32_t a = writer_.local(law.a), b = writer_.local(law.b);
-    if (law.kind == LawKind::Spring) {
+    if (law.kind == ConstraintKind::Spring) {
         const bool isSecond = index > 0 && scene_.laws[index - 1].isPoint;
         if (!isSecond) writer_.addSpring(system_, index, middle_, v0_, v1_, h);
         return;
@@ -103,13 +103,13 @@ void GroupStep::addLaw(std::uint32_t index, double h) {
     Gradient push = gradientOf(law.measure, middle_[a], middle_[b]);
     Gradient end = gradientOf(law.measure, q1_[a], q1_[b]);
     Row row{.impulse = state_.lawPushes[index] * h};
-    if (law.kind == LawKind::AtLeast) {
+    if (law.kind == ConstraintKind::AtLeast) {
         if (law.sign * end.value > kClosed && row.impulse == 0.0) return;
         for (Gradient* gradient : {&push, &end})
             gradient->a = law.sign * gradient->a, gradient->b = law.sign * gradient->b;
         row.kind = RowKind::Push;
     }
-    if (law.kind == LawKind::Drive) {
+    if (law.kind == ConstraintKind::Drive) {
         row.kind = RowKind::Band;
         row.target = law.speed;
         row.most = law.most * h;
@@ -127,7 +127,8 @@ void GroupStep::writeRows(double h) {
     for (Active& active : active_) addContact(active);
 }
 
-/// @param scale  m/s: of the speeds that forces make in the step
+/// Solves the system of the step.
+/// @param scale  magnitude of the velocity changes by forces in the step, m/s
 void GroupStep::solve(double scale) {
     double fastest = 0.0;
     for (const Triple& velocity : v0_) fastest = std::max(fastest, largest(velocity));
@@ -139,12 +140,12 @@ void GroupStep::solve(double scale) {
     if (outcome.residual > outcome.tolerance) state_.worstResidual = std::max(state_.worstResidual, relative);
     if (relative > kUnsolved && state_.trouble.empty()) {
         state_.trouble =
-            format("the forces of a step are not found: {} bodies and {} rows miss by {} m/s", group_->pushed,
-                   system_.rows.size(), shortestText(static_cast<float>(outcome.residual)));
+            format("the solver of a step did not converge: {} bodies, {} rows, residual {} m/s",
+                   group_->pushed, system_.rows.size(), shortestText(static_cast<float>(outcome.residual)));
     }
 }
 
-/// @return deviation of the end from the prediction
+/// Applies the solved velocities. @return the difference of the end of the step from its prediction
 double GroupStep::takeSolution(double h) {
     double change = 0.0;
     for (std::size_t i = 0; i < group_->pushed; ++i) {
@@ -164,7 +165,7 @@ double GroupStep::takeSolution(double h) {
     return change;
 }
 
-/// A spring with limited force is modeled as long as it does not reach the limit.
+/// Reports an error if a spring reaches its force limit, which is not modeled.
 void GroupStep::checkSprings(double h) {
     for (std::size_t r = 0; r < lawOfRow_.size() && state_.trouble.empty(); ++r) {
         const Row& row = system_.rows[r];
@@ -173,7 +174,8 @@ void GroupStep::checkSprings(double h) {
         const double force = hasTwin ? std::hypot(row.impulse, system_.rows[r - 1].impulse) : row.impulse;
         const Law& law = scene_.laws[lawOfRow_[r]];
         if (std::fabs(force) <= law.most * h * (1.0 + 1.0e-9)) continue;
-        state_.trouble = format("joint {} pulls as hard as it may, which is not modelled", law.joint);
+        state_.trouble =
+            format("the spring of joint {} reaches its maximum force, which is not supported", law.joint);
     }
 }
 
@@ -198,20 +200,20 @@ void GroupStep::tryStep(double h, bool takeAll) {
     }
 }
 
-/// Accepts the step.
+/// Accepts the step, and stores its forces unless it is very short.
 void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& found) {
     checkSprings(h);
-    putRight(20, kEndless);
-    const bool tells = h > 0.01 * duration;
+    correctPositions(20, kEndless);
+    const bool isLong = h > 0.01 * duration;
     for (std::size_t i = 0; i < group_->pushed; ++i) {
         const Body& body = writer_.bodyAt(i);
         Triple& acceleration = state_.accelerations[group_->bodies[i]];
-        if (tells) acceleration = (1.0 / h) * (v1_[i] - v0_[i]);
+        if (isLong) acceleration = (1.0 / h) * (v1_[i] - v0_[i]);
         if (isHit) acceleration = {body.acceleration.x, body.acceleration.y, 0.0};
     }
     q0_ = q1_;
     v0_ = v1_;
-    if (!tells) return;
+    if (!isLong) return;
     found.clear();
     for (const Active& active : active_) {
         if (active.normal > 0.0) found.push_back({active.touch, active.normal / h, active.tangent / h});
@@ -225,7 +227,7 @@ void GroupStep::keep(double h, double duration, bool isHit, std::vector<Press>& 
     }
 }
 
-/// True if a contact closed in this step that did not push in it.
+/// True if a contact closed in this step that was not active in it.
 bool GroupStep::hasClosed() const {
     findAt(q0_, scratch_);
     return std::any_of(scratch_.begin(), scratch_.end(), [&](const Touch& touch) {
@@ -238,7 +240,7 @@ bool GroupStep::hasClosed() const {
 void GroupStep::begin(const Group& group) {
     load(group);
     q1_ = q0_;
-    putRight(200, 1.0e-6);
+    correctPositions(200, 1.0e-6);
     q0_ = q1_;
     strike();
     store();

@@ -23,7 +23,7 @@ public:
         usual_.measure.anchorB = toPoint(hot_.anchorB);
     }
 
-    /// Both anchors coincide, or are pulled together.
+    /// Adds the laws that make both anchors coincide, rigidly or by a spring.
     void point(double hertz, double dampingRatio) {
         for (const MeasureKind kind : {MeasureKind::AnchorX, MeasureKind::AnchorY}) {
             Law law = usual_;
@@ -37,7 +37,7 @@ public:
         Law law = of(kind, rest);
         laws_.push_back(hertz > 0.0 ? spring(law, hertz, dampingRatio) : law);
     }
-    /// Spring, limits and motor, if they are on.
+    /// Adds the laws of spring, limits and motor that are enabled.
     void value(MeasureKind kind, double reference, bool withMotor) {
         const auto& [springs, limit, motor] =
             std::tie(definition_.spring, definition_.limit, definition_.motor);
@@ -49,7 +49,7 @@ public:
         if (limit.on) {
             for (const bool upper : {false, true}) {
                 Law law = of(kind, reference + static_cast<double>(upper ? limit.upper : limit.lower));
-                law.kind = LawKind::AtLeast;
+                law.kind = ConstraintKind::AtLeast;
                 law.sign = upper ? -1.0 : 1.0;
                 laws_.push_back(law);
             }
@@ -58,7 +58,7 @@ public:
     }
     void drive(MeasureKind kind) {
         Law law = of(kind, 0.0);
-        law.kind = LawKind::Drive;
+        law.kind = ConstraintKind::Drive;
         law.speed = static_cast<double>(definition_.motor.speed);
         law.most = static_cast<double>(definition_.motor.maxForce);
         laws_.push_back(law);
@@ -75,7 +75,7 @@ private:
         return law;
     }
     static Law spring(Law law, double hertz, double dampingRatio) {
-        law.kind = LawKind::Spring;
+        law.kind = ConstraintKind::Spring;
         law.hertz = hertz;
         law.dampingRatio = dampingRatio;
         return law;
@@ -149,13 +149,12 @@ Result<std::vector<Law>> lawsOf(const physics::World& world) {
         const JointDefinition& definition = world.joints.definition[j];
         if (definition.kind == JointKind::Gear || definition.kind == JointKind::Mouse) {
             const char* const name = definition.kind == JointKind::Gear ? "gear" : "mouse";
-            return Error{format("reference: joint {}", j),
-                         format("it is a {} joint, which is not modelled", name),
-                         "take it out, or measure against a smaller step"};
+            return Error{format("reference: joint {}", j), format("{} joints are not supported", name),
+                         "remove the joint, or compare with a run with a smaller step"};
         }
         if (definition.breakForce < std::numeric_limits<float>::infinity() ||
             definition.breakTorque < std::numeric_limits<float>::infinity()) {
-            return Error{format("reference: joint {}", j), "it can break, which is not modelled",
+            return Error{format("reference: joint {}", j), "breakable joints are not supported",
                          "set breakForce and breakTorque to infinity"};
         }
         Writer writer{world, j, laws};

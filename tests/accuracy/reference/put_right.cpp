@@ -7,27 +7,27 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kRight = 1.0e-12;  // m, rad
+constexpr double kRight = 1.0e-12;  // accepted position error, m, rad
 
 }  // namespace
 
-/// Corrects joints and contacts by minimal shifts of bodies, to first order.
-/// @return m or rad: the largest error before
+/// Corrects position errors of joints and contacts by minimal displacements of bodies, to first order.
+/// @return the largest error before the correction, m or rad
 double GroupStep::putRightOnce() {
     writer_.beginShift(shift_);
     double worst = 0.0;
     for (const std::uint32_t index : group_->laws) {
         const Law& law = scene_.laws[index];
-        if (law.kind != LawKind::Hold && law.kind != LawKind::AtLeast) continue;
+        if (law.kind != ConstraintKind::Hold && law.kind != ConstraintKind::AtLeast) continue;
         const std::uint32_t a = writer_.local(law.a), b = writer_.local(law.b);
         Gradient gradient = gradientOf(law.measure, q1_[a], q1_[b]);
         Row row{.target = -gradient.value};
-        if (law.kind == LawKind::AtLeast) {
+        if (law.kind == ConstraintKind::AtLeast) {
             row.kind = RowKind::Push;
             row.target *= law.sign;
             gradient.a = law.sign * gradient.a, gradient.b = law.sign * gradient.b;
         }
-        const double amiss = law.kind == LawKind::Hold ? std::fabs(row.target) : row.target;
+        const double amiss = law.kind == ConstraintKind::Hold ? std::fabs(row.target) : row.target;
         worst = std::max(worst, amiss);
         writer_.add(shift_, gradient, gradient, a, b, row);
     }
@@ -53,7 +53,7 @@ double GroupStep::putRightOnce() {
     return worst;
 }
 
-void GroupStep::putRight(int mostRounds, double hopeless) {
+void GroupStep::correctPositions(int mostRounds, double hopeless) {
     double worst = kEndless, before = kEndless;
     for (int round = 0; round < mostRounds && !(worst < kRight); ++round) {
         worst = putRightOnce();
@@ -62,7 +62,7 @@ void GroupStep::putRight(int mostRounds, double hopeless) {
         before = worst;
     }
     if (worst > hopeless && state_.trouble.empty()) {
-        state_.trouble = format("bodies overlap at the start by {} m and there is no room to part them",
+        state_.trouble = format("bodies overlap at the start by {} m and cannot be separated",
                                 shortestText(static_cast<float>(worst)));
     }
 }

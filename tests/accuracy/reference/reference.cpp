@@ -14,7 +14,7 @@ namespace {
 
 std::string text(double value) { return shortestText(static_cast<float>(value)); }
 
-/// The largest differences between two runs, or between remaining errors.
+/// Largest differences between two runs, or largest remaining errors.
 struct BoxStatistics {
     double place = 0.0;     // m
     double angle = 0.0;     // rad
@@ -33,10 +33,10 @@ BoxStatistics statisticsOf(const Scene& scene, const RunState& one, const RunSta
     return spread;
 }
 
-/// The effect of rounding on a run. If rows are solved, velocities are accurate to 1e-16 times the
-/// ratio of their stiffness to that of the bodies (solve_rows.cpp); positions are corrected to 1e-12 m.
+/// Estimates the rounding errors of a run. If systems are solved, velocities are accurate to 1e-16 times the
+/// ratio of the rows' stiffness to that of the bodies (solve_rows.cpp); positions are corrected to 1e-12 m.
 BoxStatistics roundingOf(const Scene& scene, const RunState& state, double seconds) {
-    constexpr double kSpeeds = 2.0e-11;  // ratio
+    constexpr double kSpeeds = 2.0e-11;  // relative error of velocities
     const double ratio =
         4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps) + 1.0);
     double furthest = 0.0, turned = 0.0, fastest = 0.0;
@@ -51,21 +51,21 @@ BoxStatistics roundingOf(const Scene& scene, const RunState& state, double secon
             2.0e-12 + speed};
 }
 
-/// What is left of an error in the finer of two runs that differ by so much, at this order of convergence.
-/// Twice what Richardson's rule says, as orders are never quite what they will be.
+/// Estimates the error of the finer of two runs from their difference and the order of convergence: twice the
+/// result of Richardson extrapolation, as the observed order is inexact.
 double leftOf(double difference, double order) {
     return 2.0 * difference / (std::pow(2.0, std::clamp(order, 0.5, 2.0)) - 1.0);
 }
 
-constexpr double kMinOrder = 0.5;  // slower convergence counts as none
+constexpr double kMinOrder = 0.5;  // minimum order of convergence
 
-/// All runs so far.
+/// Runs with decreasing steps.
 class Runs {
 public:
     Runs(const Scene& scene, double seconds, const Options& options)
         : scene_{scene}, seconds_{seconds}, options_{options}, step_{2.0 * options.step} {}
 
-    /// @error the reason if there is no finer one
+    /// Runs the scene with half the previous step. @error the reason if the run fails
     Result<Done> add() {
         step_ *= 0.5;
         const double start = wallSeconds();
@@ -92,7 +92,7 @@ public:
         const double before = spreads_[spreads_.size() - 2].*part, last = spreads_.back().*part;
         return last > 0.0 ? std::log2(before / last) : 2.0;
     }
-    /// m, rad or m/s: error of the last run.
+    /// Estimated error of the last run, m, rad or m/s.
     [[nodiscard]] double errorOf(double BoxStatistics::*part) const {
         const double rounding = roundingOf(scene_, state_, seconds_).*part;
         if (spreads_.empty()) return kEndless;
@@ -111,7 +111,7 @@ private:
     double seconds_;
     const Options& options_;
     double step_;
-    double lastTime_ = 0.0, spent_ = 0.0;  // s of the clock
+    double lastTime_ = 0.0, spent_ = 0.0;  // wall time of the last run and of all runs, s
     int count_ = 0;
     RunState state_;
     std::vector<BoxStatistics> spreads_;
@@ -190,17 +190,17 @@ Error notTogether(const Runs& runs) {
     std::string list;
     for (const BoxStatistics& spread : runs.spreads())
         list += (list.empty() ? "" : ", ") + text(spread.place);
-    return {"reference",
-            format("runs do not come together: steps halved down to {} s differ by {} m", text(runs.step()),
-                   list),
-            "the scene is chaotic: ask for a shorter time; or give it more patience"};
+    return {
+        "reference",
+        format("the runs do not converge: steps halved down to {} s differ by {} m", text(runs.step()), list),
+        "the scene is probably chaotic: use a shorter time, or increase Options::patience"};
 }
 
 }  // namespace
 
 Result<Answer> solveReference(const physics::World& world, double seconds, const Options& options) {
     if (!(seconds > 0.0) || !(seconds <= 1.0e6) || !(options.step > 0.0)) {
-        return Error{"reference", "expected a time and a step above 0", "give both in seconds"};
+        return Error{"reference", "time and step must be positive numbers of seconds", "set both above 0"};
     }
     auto scene = makeScene(world);
     if (!scene) return scene.error();

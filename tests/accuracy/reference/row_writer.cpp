@@ -11,10 +11,11 @@ Triple ways(Triple inverseMass) {
     return {way(inverseMass.x), way(inverseMass.y), way(inverseMass.turn)};
 }
 
-/// Locked directions have a mass of 1 and a momentum equal to the prescribed velocity.
-Triple barred(Triple value, Triple usual, Triple way) {
-    return {way.x > 0.0 ? value.x : usual.x, way.y > 0.0 ? value.y : usual.y,
-            way.turn > 0.0 ? value.turn : usual.turn};
+/// Selects `value` for free directions and `locked` for locked ones. Locked directions have a mass of 1 and a
+/// momentum equal to the prescribed velocity.
+Triple withLocked(Triple value, Triple locked, Triple way) {
+    return {way.x > 0.0 ? value.x : locked.x, way.y > 0.0 ? value.y : locked.y,
+            way.turn > 0.0 ? value.turn : locked.turn};
 }
 
 Gradient combined(double a, const Gradient& one, double b, const Gradient& two) {
@@ -42,8 +43,8 @@ void RowWriter::beginStep(RowSystem& system, const std::vector<Triple>& velociti
         const Triple one{1.0, 1.0, 1.0}, way = ways(body.inverseMass);
         const Triple force = scaled(body.mass, {body.acceleration.x, body.acceleration.y, 0.0});
         const Triple momentum = scaled(body.mass, scaled(one - drag, velocities[i])) + h * force;
-        system.mass.push_back(barred(scaled(body.mass, one + drag), one, way));
-        system.momentum.push_back(barred(momentum, velocities[i], way));
+        system.mass.push_back(withLocked(scaled(body.mass, one + drag), one, way));
+        system.momentum.push_back(withLocked(momentum, velocities[i], way));
     }
 }
 
@@ -53,8 +54,8 @@ void RowWriter::beginBlow(RowSystem& system, const std::vector<Triple>& velociti
     for (std::size_t i = 0; i < group_->pushed; ++i) {
         const Body& body = bodyAt(i);
         const Triple way = ways(body.inverseMass);
-        system.mass.push_back(barred(body.mass, {1.0, 1.0, 1.0}, way));
-        system.momentum.push_back(barred(scaled(body.mass, velocities[i]), velocities[i], way));
+        system.mass.push_back(withLocked(body.mass, {1.0, 1.0, 1.0}, way));
+        system.momentum.push_back(withLocked(scaled(body.mass, velocities[i]), velocities[i], way));
     }
 }
 
@@ -90,8 +91,8 @@ double RowWriter::rate(const Gradient& gradient, const Law& law,
     return dot(gradient.a, velocities[local(law.a)]) + dot(gradient.b, velocities[local(law.b)]);
 }
 
-/// A damped spring by the midpoint rule: with the mean velocity,
-/// and the position of the guess, corrected by its velocity error.
+/// Adds a damped spring by the midpoint rule: it uses the mean velocity, and the guessed position corrected
+/// by the velocity error of the guess.
 void RowWriter::addSpringRow(RowSystem& system, const Law& law, const Gradient& gradient, double speedAtStart,
                              double speedAtGuess, double h) const {
     const double inverse = give(gradient, gradient, law);
@@ -120,7 +121,7 @@ void RowWriter::addSpring(RowSystem& system, std::uint32_t index, const std::vec
     };
     const Gradient x = gradientAt(law);
     if (!law.isPoint) return addRow(x);
-    // Along the axes in which a push leads to a motion the same way: of the inverse mass that the point has.
+    // Uses the principal axes of the point's inverse mass, in which impulse and velocity change are parallel.
     const Gradient y = gradientAt(scene_.laws[index + 1]);
     const double xx = give(x, x, law), xy = give(x, y, law), yy = give(y, y, law);
     const Turn axis{0.5 * std::atan2(2.0 * xy, xx - yy)};

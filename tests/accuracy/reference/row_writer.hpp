@@ -7,7 +7,7 @@
 
 namespace plumb::reference {
 
-/// Writes the rows of contacts and laws for the bodies of a group.
+/// Writes the solver rows of contacts and joint laws for the bodies of a group.
 class RowWriter {
 public:
     explicit RowWriter(const Scene& scene) : scene_{scene}, localOf_(scene.bodies.size(), 0) {}
@@ -17,19 +17,20 @@ public:
     [[nodiscard]] const Body& bodyAt(std::size_t local) const { return scene_.bodies[group_->bodies[local]]; }
     [[nodiscard]] Triple inverseMassOf(std::uint32_t local) const;
 
-    /// For a step of `h` s, whose forces and drag are in the masses and momenta.
+    /// Begins the system of a step of `h` s; masses and momenta include forces and drag.
     void beginStep(RowSystem& system, const std::vector<Triple>& velocities, double h);
-    /// For an impact, which takes no time.
+    /// Begins the system of an impact, which takes no time.
     void beginBlow(RowSystem& system, const std::vector<Triple>& velocities);
-    /// For a correction of positions instead of velocities.
+    /// Begins the system of a correction of positions instead of velocities.
     void beginShift(RowSystem& system);
 
-    /// Adds a row. Static and kinematic bodies move as prescribed.
-    /// @return its index
+    /// Adds a row. Static and kinematic bodies have prescribed velocities.
+    /// @return the index of the row
     std::uint32_t add(RowSystem& system, const Gradient& push, const Gradient& speed, std::uint32_t localA,
                       std::uint32_t localB, Row row) const;
-    /// The rows of a spring: a law, or the pair that it begins.
-    /// @param middle poses in the middle of the step, as guessed; @param guess velocities at its end
+    /// Adds the rows of a spring law, or of the pair of laws that it begins.
+    /// @param middle guessed poses in the middle of the step
+    /// @param guess  guessed velocities at the end of the step
     void addSpring(RowSystem& system, std::uint32_t law, const std::vector<Triple>& middle,
                    const std::vector<Triple>& start, const std::vector<Triple>& guess, double h) const;
 
@@ -43,7 +44,7 @@ private:
     const Scene& scene_;
     const Group* group_ = nullptr;
     std::vector<std::uint32_t> localOf_;
-    std::vector<Triple> known_;  // prescribed velocities of bodies, or of their locked directions
+    std::vector<Triple> known_;  // prescribed velocities of bodies and locked directions
 };
 
 }  // namespace plumb::reference

@@ -39,7 +39,7 @@ RunState runScene(const Scene& scene, double seconds, double h, double deadline)
     std::vector<Press> found;
     for (long i = 0; i < steps && state.trouble.empty(); ++i) {
         if (wallSeconds() > deadline) {
-            state.trouble = format("its patience ended after {} of {} steps", i, steps);
+            state.trouble = format("the time limit was reached after {} of {} steps", i, steps);
             break;
         }
         found.clear();
@@ -52,7 +52,7 @@ RunState runScene(const Scene& scene, double seconds, double h, double deadline)
             if (!scene.bodies[b].isPushed)
                 state.poses[b] = scene.poses[b] + (static_cast<double>(i + 1) * length) * state.velocities[b];
         }
-        if (!isFinite(state) && state.trouble.empty()) state.trouble = "numbers went bad";
+        if (!isFinite(state) && state.trouble.empty()) state.trouble = "a position or velocity is not finite";
     }
     return state;
 }

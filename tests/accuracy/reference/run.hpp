@@ -4,8 +4,8 @@
 
 namespace plumb::reference {
 
-/// Simulates a scene with steps of about `h` s. Results are in the state; check its `trouble` first.
-/// @param deadline  s of wallSeconds(): it gives up then
+/// Simulates a scene with steps of about `h` s. The result is invalid if RunState::trouble is not empty.
+/// @param deadline  time of wallSeconds() at which the run stops, s
 RunState runScene(const Scene& scene, double seconds, double h, double deadline);
 
 }  // namespace plumb::reference

@@ -20,14 +20,14 @@ Error unknown(std::string where, std::string what, std::string remedy) {
 Result<Done> checkWorld(const World& world) {
     for (std::size_t i = 0; i < world.fields.all.size(); ++i) {
         if (world.fields.all[i].isAlive) {
-            return unknown("reference", format("field {} acts, and fields are not modelled", i),
-                           "take it out, or measure against a smaller step");
+            return unknown("reference", format("fields are not supported (field {})", i),
+                           "remove it, or compare with a run with a smaller step");
         }
     }
     for (std::size_t i = 0; i < world.softBodies.all.size(); ++i) {
         if (world.softBodies.all[i].isAlive) {
-            return unknown("reference", format("soft body {} is there, and they are not modelled", i),
-                           "take it out, or measure against a smaller step");
+            return unknown("reference", format("soft bodies are not supported (soft body {})", i),
+                           "remove it, or compare with a run with a smaller step");
         }
     }
     return Done{};
@@ -37,12 +37,12 @@ Result<Done> checkBody(const World& world, std::uint32_t index) {
     const physics::BodyDrive& drive = world.bodies.driveOf(index);
     const auto where = [&] { return format("reference: body {}", index); };
     if (drive.force != Vec2{} || drive.torque != 0.0f) {
-        return unknown(where(), "a force of one step waits for it, which is no matter of time",
-                       "give it an acceleration, or step the world once before");
+        return unknown(where(), "it has a pending force that acts for one step only",
+                       "use a constant acceleration, or step the world once before");
     }
     if ((world.bodies.info[index].flags & physics::kHasTarget) != 0) {
-        return unknown(where(), "it is on its way to a target for one step",
-                       "give it a velocity instead of moveTo()");
+        return unknown(where(), "it has a pending moveTo() target",
+                       "set a velocity instead of calling moveTo()");
     }
     return Done{};
 }
@@ -51,12 +51,11 @@ Result<Done> checkShape(const World& world, std::uint32_t index) {
     const physics::ShapeExtras& extras = world.shapes.extrasOf(index);
     const auto where = [&] { return format("reference: shape {}", index); };
     if ((world.shapes.info[index].flags & physics::kOneWay) != 0)
-        return unknown(where(), "it is one-way, which is not modelled", "make it solid on all sides");
+        return unknown(where(), "one-way shapes are not supported", "make it solid on all sides");
     if (extras.rollingResistance > 0.0f)
-        return unknown(where(), "it resists rolling, which is not modelled",
-                       "set its rolling resistance to 0");
+        return unknown(where(), "rolling resistance is not supported", "set its rolling resistance to 0");
     if (extras.frontLayers != 0)
-        return unknown(where(), "it is an inner border, which is not modelled", "use other layers for it");
+        return unknown(where(), "inner borders are not supported", "use collision layers instead");
     return Done{};
 }
 
@@ -110,7 +109,7 @@ double areaOf(const std::vector<Point>& corners) {
     return 0.5 * twice;
 }
 
-/// The least distance between two parallel lines that have all corners between them.
+/// Width of an outline: the minimum distance between two parallel lines that enclose all corners.
 double widthOf(const Outline& outline) {
     double width = outline.corners.size() < 3 ? 0.0 : kEndless;
     for (std::size_t i = 0; outline.corners.size() >= 3 && i < outline.normals.size(); ++i) {
@@ -122,7 +121,8 @@ double widthOf(const Outline& outline) {
     return width + 2.0 * outline.radius;
 }
 
-/// The normal of a neighbour in a chain; where there is none, the way on, so that the end has a side too.
+/// Returns the normal of a neighbour segment of a chain;
+/// at an end of the chain the outward direction `wayOn`.
 Point neighbourNormal(Point start, Point end, Point wayOn) {
     return length(end - start) > 0.0 ? normalized(Point{(end - start).y, -(end - start).x})
                                      : normalized(wayOn);
@@ -182,7 +182,7 @@ physics::WorldPosition originOf(const World& world) {
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const physics::WorldPosition centre = world.bodies.pose[i].centre;
         if (world.bodies.info[i].kind != BodyKind::Dynamic) continue;
-        // Near 0 all stays as it is, so that round numbers stay round.
+        // Near 0 the origin is not moved, so that round coordinates stay exact.
         const auto far = [](double at) { return std::fabs(at) < 1.0e4 ? 0.0 : std::floor(at); };
         return {far(centre.x), far(centre.y)};
     }

@@ -7,12 +7,12 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kFirstStiffness = 1.0e5;  // ratio to a row's resistance: each round reduces errors to 1/this
-constexpr double kMaxStiffness = 1.0e8;    // with more, rounding errors dominate
-constexpr int kMaxGuesses = 25;            // in sequence, before sweeps
+constexpr double kFirstStiffness = 1.0e5;  // ratio to a row's resistance; a round divides errors by this
+constexpr double kMaxStiffness = 1.0e8;    // above this, rounding errors dominate
+constexpr int kMaxGuesses = 25;            // maximum number of guesses before sweeps are used
 constexpr int kMaxRounds = 40;
 constexpr int kMaxAttempts = 10;
-constexpr int kFirstSweeps = 50;  // each attempt doubles it
+constexpr int kFirstSweeps = 50;  // number of sweeps in the first attempt; each further attempt doubles it
 
 Triple inverse(Triple mass) { return {1.0 / mass.x, 1.0 / mass.y, 1.0 / mass.turn}; }
 
@@ -47,10 +47,10 @@ void RowSolver::prepare(RowOutcome& outcome) {
         double resistance = 0.0;
         if (row.a != kNoRow) resistance += dot(row.speedA, scaled(inverse(system.mass[row.a]), row.pushA));
         if (row.b != kNoRow) resistance += dot(row.speedB, scaled(inverse(system.mass[row.b]), row.pushB));
-        // A row that can move no body has no effect: give it infinite resistance.
+        // A row without movable bodies has no effect; it gets infinite resistance and is skipped.
         if (!(resistance > 0.0)) resistance = kEndless, row.impulse = 0.0;
         resistance_.push_back(resistance);
-        // The achievable part of a target: all of it, or what a spring makes of it.
+        // A rigid row can reach its whole target, a spring only a part of it.
         if (resistance < kEndless)
             outcome.scale =
                 std::max(outcome.scale, std::fabs(row.target) * resistance / (resistance + row.give));
@@ -75,7 +75,7 @@ void RowSolver::velocitiesFromImpulses() {
         system.velocity[i] = scaled(inverse(system.mass[i]), system.velocity[i]);
 }
 
-/// m/s: residual of the worst row with the current impulses and velocities.
+/// Largest residual of a row with the current impulses and velocities, m/s.
 double RowSolver::worst() const {
     double most = 0.0;
     for (std::size_t i = 0; i < system_->rows.size(); ++i) {
@@ -83,7 +83,7 @@ double RowSolver::worst() const {
         if (resistance_[i] == kEndless) continue;
         const double miss = speedOf(row) + row.give * row.impulse - row.target;
         const double bound = boundOf(row);
-        // The residual of a bounded row is how much its impulse would change if it were unbounded.
+        // The residual of a bounded row is the change of its impulse in a projected Gauss-Seidel step.
         const double least = row.kind == RowKind::Push ? 0.0 : -bound;
         const double wanted = std::clamp(row.impulse - miss / (resistance_[i] + row.give), least, bound);
         most = std::max(most, std::fabs(wanted - row.impulse) * resistance_[i]);
@@ -112,7 +112,7 @@ void RowSolver::sweep() {
     }
 }
 
-/// N s: impulse of a row without its bounds.
+/// Impulse of a row without its bounds, N s.
 double RowSolver::trialOf(std::size_t i) const {
     const Row& row = system_->rows[i];
     const double miss = speedOf(row) - row.target;
@@ -120,7 +120,7 @@ double RowSolver::trialOf(std::size_t i) const {
     return row.impulse - stiffness_ / resistance_[i] * miss;
 }
 
-/// @return true if the guesses did not change, except for rows with negligible impulses
+/// Updates the guesses. @return true if they did not change, except for rows with negligible impulses
 bool RowSolver::takeGuesses(bool isFirst) {
     const std::vector<Row>& rows = system_->rows;
     double largest = 0.0;
@@ -133,7 +133,7 @@ bool RowSolver::takeGuesses(bool isFirst) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row& row = rows[i];
         Guess guess = Guess::Free;
-        double margin = kEndless;  // distance of the guess from another one
+        double margin = kEndless;  // distance of the impulse from the nearest change of the guess
         if (resistance_[i] < kEndless) {
             double bound = row.most;
             if (row.kind == RowKind::Friction)
@@ -169,7 +169,7 @@ void RowSolver::addToMatrix(const Row& row, Triple pushA, Triple pushB, double w
     }
 }
 
-/// N s for each m/s: impulse = start - weight * speed, for a row that holds.
+/// Weight in impulse = start - weight * speed of a holding row, N s per m/s.
 double RowSolver::weightOf(std::size_t i) const {
     const Row& row = system_->rows[i];
     return row.give > 0.0 ? 1.0 / row.give : stiffness_ / resistance_[i];
@@ -179,7 +179,7 @@ double RowSolver::startOf(std::size_t i) const {
     return (row.give > 0.0 ? 0.0 : row.impulse) + weightOf(i) * row.target;
 }
 
-/// Factors the matrix of all rows that hold or slide, unless it is factored already.
+/// Factors the matrix of all rows that hold or slide, unless it is already factored for these guesses.
 bool RowSolver::factorGuess() {
     if (guesses_ == factored_ && stiffness_ == factoredStiffness_) return true;
     const RowSystem& system = *system_;
@@ -204,7 +204,8 @@ bool RowSolver::factorGuess() {
     return true;
 }
 
-/// Velocities for which all holding rows have the impulses that their velocities imply. @pre factorGuess()
+/// Solves for velocities at which each holding row has the
+/// impulse implied by its velocity. @pre factorGuess()
 void RowSolver::solveGuess() {
     RowSystem& system = *system_;
     momentum_ = system.momentum;
@@ -239,7 +240,7 @@ void RowSolver::takeImpulses() {
     }
 }
 
-/// @return true if it reached the tolerance
+/// Runs Newton rounds. @return true if the tolerance was reached
 bool RowSolver::newton(RowOutcome& outcome) {
     stiffness_ = kFirstStiffness;
     double before = kEndless;

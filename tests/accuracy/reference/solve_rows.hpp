@@ -9,56 +9,53 @@ namespace plumb::reference {
 
 inline constexpr std::uint32_t kNoRow = 0xffffffffu;
 
-/// Bounds of the impulse of a row.
+/// Bounds on the impulse of a row.
 enum class RowKind : std::uint8_t {
     Both,      ///< unbounded
-    Push,      ///< not negative
-    Band,      ///< at most `most` in either direction
-    Friction,  ///< at most `friction` times the impulse of row `normal`, in either direction
+    Push,      ///< at least 0
+    Band,      ///< absolute value at most `most`
+    Friction,  ///< absolute value at most `friction` times the impulse of row `normal`
 };
 
-/// One impulse and the velocity that it controls: speed . v + give * impulse = target unless
-/// it is at a bound; at the lower bound the velocity is at least the target, and so on.
-/// The directions of the impulse and of the velocity differ: the former is that of the
-/// middle of a step, the latter of its end.
+/// An impulse and the velocity that it controls: speed . v + give * impulse = target, unless the impulse is
+/// at a bound: then the velocity is at least the target at the lower bound, and at most at the upper bound.
+/// Impulse and velocity have different directions: those of the middle and of the end of a step.
 struct Row {
     std::uint32_t a = kNoRow, b = kNoRow;  ///< bodies of the system, or kNoRow for static and kinematic ones
     Triple pushA, pushB;
     Triple speedA, speedB;
-    double target = 0.0;  ///< m/s or rad/s
-    double give = 0.0;    ///< of a spring: m/s for each N s
+    double target = 0.0;  ///< target velocity, m/s or rad/s
+    double give = 0.0;    ///< compliance of a spring, velocity per impulse, m/s per N s
     RowKind kind = RowKind::Both;
     std::uint32_t normal = kNoRow;
     double friction = 0.0;
-    double most = kEndless;  ///< N s
-    double impulse = 0.0;    ///< N s: initial guess, then the result
+    double most = kEndless;  ///< bound for Band, N s
+    double impulse = 0.0;    ///< initial guess, then the result, N s
 };
 
-/// Bodies and rows: mass * v = momentum + the impulses of the rows.
+/// A system of bodies and rows: mass * v = momentum + impulses of the rows.
 struct RowSystem {
-    std::vector<Triple> mass;      ///< of each body; in directions that are locked: 1, and rows have 0 there
-    std::vector<Triple> momentum;  ///< N s
-    std::vector<Row> rows;         ///< normals before their friction
-    std::vector<Triple> velocity;  ///< the result
-    double tolerance = 1.0e-13;    ///< m/s: required accuracy of each row, in addition to its relative
-                                   ///< accuracy
+    std::vector<Triple> mass;      ///< mass of each body; 1 in locked directions, in which rows have 0
+    std::vector<Triple> momentum;  ///< momentum of each body, N s
+    std::vector<Row> rows;         ///< normal rows precede their friction rows
+    std::vector<Triple> velocity;  ///< result, one per body
+    double tolerance = 1.0e-13;    ///< absolute accuracy of each row, added to the relative one, m/s
 };
 
-/// The result of a system.
+/// Accuracy and work of a solution.
 struct RowOutcome {
-    double residual = 0.0;   ///< m/s: residual of the worst row
-    double tolerance = 0.0;  ///< m/s: required accuracy
-    double scale = 0.0;      ///< m/s: the largest target velocity of a row
+    double residual = 0.0;   ///< largest residual of a row, m/s
+    double tolerance = 0.0;  ///< required accuracy, m/s
+    double scale = 0.0;      ///< largest target velocity of a row, m/s
     int factorings = 0;
     int sweeps = 0;
 };
 
-/// Solves systems to convergence: guesses which rows push, stick and slide, solves
-/// these as equations with multipliers, and repeats until the guess is consistent (a
-/// semi-smooth Newton method on the augmented Lagrangian, which tolerates redundant
-/// rows). If the guesses cycle, sweeps of projected Gauss-Seidel find better ones.
-/// Sources: P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like
-/// solution methods, CMAME 92, 1991; M. Jean, The non-smooth contact dynamics method, CMAME 177, 1999.
+/// Solves systems to convergence with a semi-smooth Newton method on the augmented Lagrangian, which
+/// tolerates redundant rows: it guesses which rows are active, stick or slide, solves these as equations, and
+/// repeats until the guess is consistent. If the guesses cycle, projected Gauss-Seidel sweeps find better
+/// ones. Sources: P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton
+/// like solution methods, CMAME 92, 1991; M. Jean, The non-smooth contact dynamics method, CMAME 177, 1999.
 class RowSolver {
 public:
     RowOutcome solve(RowSystem& system);
@@ -86,10 +83,10 @@ private:
     RowSystem* system_ = nullptr;
     BlockMatrix matrix_;
     std::vector<BlockMatrix::Edge> edges_;
-    std::vector<double> resistance_;  // by row: m/s for each N s
-    std::vector<double> trials_;      // by row: N s
+    std::vector<double> resistance_;  // velocity per impulse of each row, m/s per N s
+    std::vector<double> trials_;      // unbounded impulse of each row, N s
     std::vector<Guess> guesses_;
-    std::vector<Guess> factored_;  // the guesses that the matrix is of
+    std::vector<Guess> factored_;  // guesses for which the matrix is factored
     double factoredStiffness_ = 0.0;
     int factorings_ = 0;
     std::vector<double> right_;

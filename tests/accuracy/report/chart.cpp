@@ -12,11 +12,11 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kWide = 760.0, kHigh = 430.0;  // px
+constexpr double kWide = 760.0, kHigh = 430.0;  // size, px
 constexpr double kLeft = 68.0, kRight = 736.0, kTop = 66.0, kBottom = 372.0;
-constexpr double kDecades = 11.0;  // maximum: larger errors are drawn at the upper edge
+constexpr double kDecades = 11.0;  // maximum range of the error axis; larger errors are at the upper edge
 
-/// For light backgrounds; kStyle has the same names with other colors for dark ones.
+/// Line colors on a light background; kStyle defines those on a dark background.
 constexpr std::string_view kColours[] = {"#2463c8", "#d8611c", "#12876a", "#8a4fc9", "#a8871a"};
 
 constexpr std::string_view kStyle = R"(.c-back{fill:#fff}.c-ink{fill:#1c2330}.c-soft{fill:#5c6675}
@@ -60,11 +60,11 @@ std::vector<Row> allRows(const Chart& chart) {
     return rows;
 }
 
-/// The plot's own picture of its numbers.
+/// Scales of both axes, and the treatment of errors of 0, which a logarithmic axis cannot show.
 struct Frame {
     LogScale x, y;
-    double zero;    ///< drawn value of errors of 0
-    bool hasZeros;  ///< there are some
+    double zero;    ///< value at which errors of 0 are drawn
+    bool hasZeros;  ///< true if there are errors of 0
 
     [[nodiscard]] double px(const Row& row) const { return x.at(row.metrics.microsPerStep); }
     [[nodiscard]] double py(const Row& row) const { return y.at(row.error > 0.0 ? row.error : zero); }
@@ -74,7 +74,7 @@ struct Frame {
 double powerBelow(double value) { return std::pow(10.0, std::floor(std::log10(value))); }
 double powerAbove(double value) { return std::pow(10.0, std::ceil(std::log10(value))); }
 
-/// Half powers of ten, so that narrow ranges fill the width.
+/// Rounds down to 1, 2 or 5 times a power of ten.
 double roundDown(double value) {
     const double power = powerBelow(value);
     return value >= 5.0 * power ? 5.0 * power : value >= 2.0 * power ? 2.0 * power : power;
@@ -159,7 +159,7 @@ std::string front(const Chart& chart, const Frame& frame) {
     std::string points;
     const std::vector<std::size_t> best = paretoFront(samples);
     for (const std::size_t i : best) points += format("{},{} ", px(frame.px(rows[i])), px(frame.py(rows[i])));
-    if (best.size() < 2) return {};  // a single point is no choice
+    if (best.size() < 2) return {};  // a single point is not a choice
     return format(
         "<polyline points=\"{}\" class=\"c-front\" fill=\"none\" stroke=\"#f3cf6b\" stroke-width=\"9\" "
         "stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
@@ -178,7 +178,7 @@ std::string hint(const Row& row) {
 std::string dot(const Frame& frame, const Row& row, int colour, double radius, bool hollow) {
     const double x = frame.px(row), y = frame.py(row);
     const std::string_view fill = kColours[colour];
-    if (frame.above(row)) {  // beyond the plot: an arrow at the edge
+    if (frame.above(row)) {  // outside of the diagram: drawn as an arrow at the edge
         return format("<path d=\"M{} {}l5 8h-10z\" class=\"c-f{}\" fill=\"{}\">{}</path>\n", px(x),
                       px(y - 4.0), colour, fill, hint(row));
     }
@@ -210,10 +210,10 @@ std::string path(const Frame& frame, const ChartLine& part) {
     return svg;
 }
 
-/// Places labels beside points without overlaps: right of the point, or left, above or below it.
+/// Places labels beside points without overlaps: right, left, above or below.
 class Labels {
 public:
-    /// @param wide  px from the point
+    /// @param wide  distance from the point, px
     std::string beside(double x, double y, std::string_view words, double wide = 9.0) {
         const double length = kLetter * static_cast<double>(words.size());
         for (const auto& [right, lower] : kPlaces) {
@@ -229,13 +229,13 @@ public:
 
 private:
     struct Box {
-        double left, top, wide;  // px
+        double left, top, wide;  // px; the height is kLine
     };
     struct Place {
         bool right;
-        double lower;  // px from the point to the foot of the letters
+        double lower;  // vertical distance from the point to the baseline, px
     };
-    static constexpr double kLetter = 6.0, kLine = 11.0;  // px of a font of 11
+    static constexpr double kLetter = 6.0, kLine = 11.0;  // letter width and line height of the font, px
     static constexpr Place kPlaces[] = {{true, -7.0},  {false, 15.0}, {true, 15.0}, {false, -7.0},
                                         {true, -19.0}, {false, 27.0}, {true, 27.0}, {false, -19.0}};
 
@@ -248,7 +248,7 @@ private:
     std::vector<Box> taken_;
 };
 
-/// Labels each point of the first line with its number of substeps, the default's first.
+/// Labels each point of the first line with its number of substeps, the default's point first.
 std::string numbers(const Frame& frame, const ChartLine& part, Labels& labels) {
     std::string svg;
     for (const bool isDefaults : {true, false}) {
@@ -324,7 +324,7 @@ Chart chartOf(std::string_view title, std::span<const Row> rows) {
             chart.peers.push_back(row);
             continue;
         }
-        if (row.automatic()) continue;  // it equals one of the others, per island
+        if (row.automatic()) continue;  // automatic quality uses one of the other qualities per island
         const std::string& name = smooth ? row.integrator : row.solver;
         auto part = std::find_if(chart.lines.begin(), chart.lines.end(),
                                  [&](const ChartLine& known) { return known.name == name; });

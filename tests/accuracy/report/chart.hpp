@@ -9,34 +9,34 @@
 
 namespace plumb::accuracy {
 
-/// One method for a scene, at several qualities.
+/// Results of one method for a scene at several qualities.
 struct ChartLine {
     std::string name;
-    int colour = 0;          ///< 0..4
-    std::vector<Row> rows;   ///< by increasing substeps
-    std::vector<Row> extra;  ///< the same with more iterations: small hollow points
+    int colour = 0;          ///< index of the color, 0..4
+    std::vector<Row> rows;   ///< results sorted by number of substeps
+    std::vector<Row> extra;  ///< results with more iterations, drawn as small hollow points
 };
 
-/// A work-precision plot: error over time, both logarithmic. Further down and further left is better.
+/// A work-precision diagram: error over time, both logarithmic. Further down and further left is better.
 struct Chart {
     std::string title;
     std::string unit;
-    double target = 0.0;    ///< infinite if there is none
-    double usTarget = 0.0;  ///< 0 if there is none
+    double target = 0.0;    ///< goal of the error; infinite: none
+    double usTarget = 0.0;  ///< goal of the time of a step, µs; 0: none
     std::vector<ChartLine> lines;
     std::vector<Row> peers;
 };
 
-/// The data of a scene's plot: its main figure.
-/// @param rows of the scene
+/// Returns the diagram of the main figure of a scene.
+/// @param rows  the results of the scene
 Chart chartOf(std::string_view title, std::span<const Row> rows);
 
-/// The display name of another engine.
+/// Returns the display name of another engine.
 std::string peerTitle(std::string_view engine);
 
-/// Self-contained; dark if the reader's desktop is.
+/// Draws a diagram as a self-contained SVG, with dark colors on a dark desktop.
 std::string svgOf(const Chart& chart);
-/// CSS rules for a page with such plots, without those that only a single plot needs.
+/// CSS rules for a page with several diagrams.
 std::string_view chartStyle();
 
 }  // namespace plumb::accuracy

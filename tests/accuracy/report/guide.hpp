@@ -11,34 +11,34 @@
 
 namespace plumb::accuracy {
 
-/// Description of the run: options, size and duration.
+/// Returns a description of the run: options, size and duration.
 std::string howItRan(const Options& options, const std::vector<Row>& rows, double seconds);
 
-/// The scenes whose plots are in docs/accuracy.md, as accuracy/NAME.svg.
+/// Names of the scenes whose diagrams (accuracy/NAME.svg) are in docs/accuracy.md.
 std::span<const std::string_view> guideScenes();
 
-/// Recommendations: a bold lead, and the rest of the text.
+/// A recommendation: a bold beginning, and the rest of the text.
 struct Advice {
     std::string_view lead;
     std::string_view text;
 };
 std::span<const Advice> allAdvice();
 
-/// A goal and the results, as text.
+/// A row of the table of goals: the goal of a scene, and results as text.
 struct Mark {
     std::string_view scene;
     std::string_view title;
     std::string goal;
-    std::string own;     ///< of the default
-    std::string fewest;  ///< minimum substeps that reach the goal
-    std::string peer;    ///< of Box2D 2.4.1
-    std::string ratio;   ///< default over Box2D: error / time
+    std::string own;     ///< result of the default settings
+    std::string fewest;  ///< minimum number of substeps that reach the goal, with the result
+    std::string peer;    ///< result of Box2D 2.4.1
+    std::string ratio;   ///< ratios of the default to Box2D: error / time
 };
 std::vector<Mark> marksOf(const std::vector<Row>& rows);
-/// Explanation of the columns.
+/// Explanation of the columns of the table of goals.
 std::string_view marksWords();
 
-/// docs/accuracy.md.
+/// Returns the text of docs/accuracy.md.
 std::string guideOf(const std::vector<Row>& rows, std::string_view how);
 
 }  // namespace plumb::accuracy

@@ -11,23 +11,25 @@ namespace {
 
 struct Option {
     std::string_view name;
-    std::string_view value;  ///< its value; empty if it has none
+    std::string_view value;  ///< placeholder of the option's value in the help; empty: no value
     std::string_view help;
 };
 
 constexpr Option kOptions[] = {
-    {"--scene", "NAME", "one scene alone; --list names them"},
-    {"--quick", "", "the scenes that take a moment, three qualities, one run of each: under a minute"},
-    {"--quality", "0..6", "2^N substeps alone, not all from 1 to 64"},
-    {"--runs", "N", "of each, of which the fastest counts (3)"},
-    {"--out", "DIR", "where results.csv, results.json and accuracy.html go (build/accuracy)"},
-    {"--docs", "DIR", "where accuracy.md and its plots go as well (docs, to renew the page of the house)"},
-    {"--no-peers", "", "Plumb alone"},
-    {"--list", "", "the scenes"},
-    {"--stability", "", "the map of how far hard cases hold, instead; what follows is for it"},
-    {"--families", "", "random scenes and relations that must hold in all of them, instead; the same"},
-    {"--tuning", "", "what each constant of the physics does at half and at double, instead; the same"},
-    {"--help", "", "this text"},
+    {"--scene", "NAME", "only this scene; --list prints all names"},
+    {"--quick", "", "only fast scenes, three qualities, one run of each: takes less than a minute"},
+    {"--quality", "0..6", "only 2^N substeps, instead of 1 to 64"},
+    {"--runs", "N", "number of runs of each scene and method; the fastest counts (3)"},
+    {"--out", "DIR", "output folder for results.csv, results.json and accuracy.html (build/accuracy)"},
+    {"--docs", "DIR", "output folder for accuracy.md and its diagrams (docs updates the documentation)"},
+    {"--no-peers", "", "does not run other engines"},
+    {"--list", "", "prints the names of all scenes"},
+    {"--stability", "", "instead: the stability map of hard cases; all following options are its own"},
+    {"--families", "",
+     "instead: relations that must hold in random scenes; all following options are its own"},
+    {"--tuning", "",
+     "instead: effects of halving and doubling each physics constant; all following options are its own"},
+    {"--help", "", "prints this text"},
 };
 
 std::string optionsText() {
@@ -56,12 +58,12 @@ Error noScene(std::string_view name) {
     std::vector<std::string_view> names;
     for (const Experiment& experiment : allExperiments()) names.push_back(experiment.name);
     const std::string_view near = closestName(name, names);
-    return {format("plumb accuracy --scene {}", name), "there is no such scene",
+    return {format("plumb accuracy --scene {}", name), "unknown scene",
             format("{}the scenes: {}", near.empty() ? std::string{} : format("did you mean '{}'? ", near),
                    sceneNames())};
 }
 
-/// @return what is wrong with the value; empty if nothing
+/// Parses the value of an option. @return the error message; empty: success
 std::string take(Options& options, std::string_view name, std::string_view value) {
     const auto number = parseInt(value);
     if (name == "--out") {
@@ -71,10 +73,11 @@ std::string take(Options& options, std::string_view name, std::string_view value
     } else if (name == "--scene") {
         options.sweep.scene = value;
     } else if (name == "--quality") {
-        if (!number || *number < 0 || *number > physics::kMaxQuality) return "a quality is 0 to 6";
+        if (!number || *number < 0 || *number > physics::kMaxQuality)
+            return "expected a whole number from 0 to 6";
         options.sweep.qualities = {static_cast<physics::Quality>(*number)};
     } else if (name == "--runs") {
-        if (!number || *number < 1 || *number > 1000) return "runs are 1 to 1000";
+        if (!number || *number < 1 || *number > 1000) return "expected a whole number from 1 to 1000";
         options.sweep.runs = static_cast<int>(*number);
     }
     return {};
@@ -84,9 +87,8 @@ std::string take(Options& options, std::string_view name, std::string_view value
 
 std::string helpText() {
     return format(
-        "usage: ./plumb accuracy [options]\n\nMeasures what accuracy costs in time, on scenes whose outcome "
-        "is "
-        "known.\n\n{}\nscenes: {}\n",
+        "usage: ./plumb accuracy [options]\n\nMeasures error and time of each method in scenes whose exact "
+        "result is known.\n\n{}\nscenes: {}\n",
         optionsText(), sceneNames());
 }
 
@@ -96,7 +98,7 @@ Result<Options> readOptions(std::span<const std::string_view> words) {
         const std::string_view word = words[i];
         const auto found = std::find_if(std::begin(kOptions), std::end(kOptions),
                                         [word](const Option& option) { return option.name == word; });
-        if (found == std::end(kOptions)) return badWord(word, "this word means nothing here");
+        if (found == std::end(kOptions)) return badWord(word, "unknown option");
         if (!found->value.empty()) {
             if (i + 1 == words.size()) return badWord(word, format("{} is missing", found->value));
             const std::string_view value = words[++i];

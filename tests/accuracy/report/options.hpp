@@ -11,25 +11,26 @@
 
 namespace plumb::accuracy {
 
-/// The command line options.
+/// Command-line options of plumb-accuracy.
 struct Options {
     SweepOptions sweep;
     Path out = "build/accuracy";
-    Path docs;          ///< where accuracy.md and accuracy/ are written; empty: nowhere
-    bool peers = true;  ///< include other engines
+    Path docs;          ///< output folder of accuracy.md and accuracy/; empty: not written
+    bool peers = true;  ///< true: other engines are run too
     bool help = false;
-    bool list = false;       ///< only list the names of the scenes
-    bool stability = false;  ///< run the stability map instead, which parses the other arguments
-    bool families = false;   ///< run families and relations instead, likewise
-    bool tuning = false;     ///< run the sweep of the constants instead, likewise
+    bool list = false;       ///< true: only lists the names of the scenes
+    bool stability = false;  ///< true: runs the stability map instead, with the remaining arguments
+    bool families = false;   ///< true: runs families and relations instead, with the remaining arguments
+    bool tuning = false;     ///< true: runs the sweep of constants instead, with the remaining arguments
     std::vector<std::string_view> otherWords;
 };
 
-/// @error an unknown option, with the known ones; an unknown scene, with a similar one
+/// Parses command-line arguments.
+/// @error an unknown option, with a list of all options; an unknown scene, with a suggestion
 Result<Options> readOptions(std::span<const std::string_view> words);
 
 std::string helpText();
-/// The scenes, one per line.
+/// Returns a list of all scenes, one per line.
 std::string sceneList();
 
 }  // namespace plumb::accuracy

@@ -8,10 +8,10 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kBetter = 0.85;    // ratio to the previous error, up to which a point counts as falling
-constexpr double kStraight = 1.25;  // maximum distance of a point from its line, as a factor
-constexpr std::size_t kMin = 3;     // minimum number of points of a straight part
-constexpr double kNoticed = 0.99;   // ratio: smaller improvements are ignored
+constexpr double kBetter = 0.85;    // maximum ratio to the previous error of a falling point
+constexpr double kStraight = 1.25;  // maximum ratio of a point to the fitted line
+constexpr std::size_t kMin = 3;     // minimum number of points in a straight part
+constexpr double kNoticed = 0.99;   // maximum ratio of errors that counts as an improvement
 
 struct Run {
     std::size_t begin = 0, end = 0;
@@ -28,7 +28,7 @@ Run longestFall(std::span<const Sample> samples) {
     return best;
 }
 
-/// log error = height - power * log effort.
+/// Line on log scales: log error = height - power * log effort.
 struct Line {
     double power = 0.0, height = 0.0;
 };
@@ -53,8 +53,9 @@ bool isStraight(std::span<const Sample> samples) {
     });
 }
 
-/// The longest part that is a straight line; nothing if there is none.
-/// @param early of two equally long ones the first, because the other is nearer to the floor; else the last
+/// Returns the longest straight part of a sequence; empty if there is none.
+/// @param early  true: of equally long parts the first (the later ones are nearer to the floor); false: the
+/// last
 Run straightPart(std::span<const Sample> samples, Run fall, bool early) {
     for (std::size_t size = fall.size(); size >= kMin; --size) {
         Run found;
@@ -79,7 +80,7 @@ Order orderOf(std::span<const Sample> samples) {
     const Run fall = longestFall(good);
     const bool ends = fall.size() >= kMin && fall.end < good.size();
     Run run = straightPart(good, fall, ends);
-    if (run.size() == 0 && ends) run = {fall.begin, fall.end - 1};  // the last one is partly floor already
+    if (run.size() == 0 && ends) run = {fall.begin, fall.end - 1};  // the last point is affected by the floor
     if (run.size() == 0) run = fall.size() >= kMin ? fall : Run{0, good.size()};
     const std::span<const Sample> used = std::span{good}.subspan(run.begin, run.size());
     Order order{.power = lineThrough(used).power,

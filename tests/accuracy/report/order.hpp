@@ -6,31 +6,31 @@
 
 namespace plumb::accuracy {
 
-/// A point of a work-precision plot.
+/// A point of a work-precision diagram.
 struct Sample {
-    double effort = 0.0;  ///< substeps, or µs per step
+    double effort = 0.0;  ///< number of substeps, or time of a step, µs
     double error = 0.0;
 };
 
-/// The exponent p of error ~ 1 / effort^p, and its range of validity.
+/// Fitted exponent p of error ~ 1 / effort^p, and its range of validity.
 struct Order {
     double power = 0.0;
-    double first = 0.0, last = 0.0;  ///< effort: of the fitted points
-    int points = 0;                  ///< 0: too few for a fit
-    double floor = 0.0;              ///< the error that more effort does not reduce; 0 if none was reached
-    double floorFrom = 0.0;          ///< effort from which on it holds
+    double first = 0.0, last = 0.0;  ///< smallest and largest effort of the fitted points
+    int points = 0;                  ///< number of fitted points; 0: too few for a fit
+    double floor = 0.0;              ///< error that more effort does not reduce; 0: not reached
+    double floorFrom = 0.0;          ///< effort from which on the error stays at the floor
 };
 
-/// Fits a straight line by least squares, on log scales, to the longest part of the longest sequence of
-/// falling points (each at least 15 % better than the previous one) that is within a quarter of such a line.
-/// If there is none, it uses the whole sequence, without the last point if a floor follows; and if nothing
-/// falls, all points. The points after the sequence are the floor. Points with an error of 0 or NaN are
-/// omitted.
-/// @param samples by increasing effort
+/// Fits the order by least squares on log scales. First finds the longest sequence of falling errors (each at
+/// least 15 % below the previous one); in it the longest part whose points are within 25 % of a straight line
+/// is fitted. If there is no such part, the whole sequence is fitted, without its last point if a floor
+/// follows; if no error falls, all points are fitted. The points after the sequence are the floor. Errors of
+/// 0 and non-finite errors are ignored.
+/// @param samples  sorted by increasing effort
 Order orderOf(std::span<const Sample> samples);
 
-/// Indices of the samples that no other beats in both effort and error,
-/// by increasing effort; improvements of less than 1 % are omitted.
+/// Returns the indices of the samples that no other sample beats in both effort and error, by increasing
+/// effort. Improvements of less than 1 % are ignored.
 std::vector<std::size_t> paretoFront(std::span<const Sample> samples);
 
 }  // namespace plumb::accuracy

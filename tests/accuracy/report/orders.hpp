@@ -10,24 +10,24 @@
 
 namespace plumb::accuracy {
 
-/// Convergence of a scene's error with more substeps, compared with the expected order.
+/// Measured and expected order of convergence of a scene's error with the number of substeps.
 struct OrderRow {
     std::string scene;
-    std::string method;  ///< solver or integrator
+    std::string method;  ///< name of the solver or integrator
     Order order;
     std::optional<double> expected;
     std::string unit;
-    std::string why;  ///< empty if it is as expected
+    std::string why;  ///< reason for a deviation; empty: as expected
 };
 
-/// For each scene with all its solvers and integrators, at one iteration.
+/// Computes the orders of each scene for all of its solvers and integrators, at one iteration.
 std::vector<OrderRow> ordersOf(const std::vector<Row>& rows);
 
-/// "1.98", "too few points".
+/// Formats an order: "1.98", "too few points".
 std::string powerText(const Order& order);
-/// "2 to 64": the substeps of the fitted points.
+/// Formats the substeps of the fitted points: "2 to 64".
 std::string rangeText(const Order& order);
-/// "0.02 mm from 16 substeps on", "not met".
+/// Formats the floor: "0.02 mm from 16 substeps on", "not met".
 std::string floorText(const OrderRow& row);
 
 }  // namespace plumb::accuracy

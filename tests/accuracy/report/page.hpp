@@ -7,7 +7,7 @@
 
 namespace plumb::accuracy {
 
-/// accuracy.html: all plots with explanations, self-contained.
+/// Returns accuracy.html: all diagrams with explanations, self-contained.
 /// @param how description of the run
 std::string pageOf(const std::vector<Row>& rows, std::string_view how);
 

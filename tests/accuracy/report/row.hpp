@@ -8,21 +8,21 @@
 
 namespace plumb::accuracy {
 
-/// One figure of one scene with one method: a line of results.csv.
+/// Result of one figure of a scene with one method; a line of results.csv.
 struct Row {
     std::string scene;
-    std::string figure;  ///< empty if the scene has one figure
-    bool main = false;   ///< the first figure of its scene: the plotted one
+    std::string figure;  ///< name of the figure; empty if the scene has only one
+    bool main = false;   ///< true for the first figure of a scene, which is plotted
     Method method;
-    std::string solver;      ///< in plain words; for another engine its name
-    std::string integrator;  ///< in plain words
-    int substeps = 0;        ///< 0: adaptive, or as another engine has it
-    double error = 0.0;      ///< infinite if the scene fell apart
+    std::string solver;      ///< description of the solver, or name of another engine
+    std::string integrator;  ///< name of the integrator
+    int substeps = 0;        ///< substeps per step; 0: automatic, or another engine
+    double error = 0.0;      ///< infinite if the simulation diverged
     std::string unit;
-    double target = 0.0;    ///< infinite if there is none
-    double usTarget = 0.0;  ///< µs per step; 0 if there is none
+    double target = 0.0;    ///< goal of the error; infinite: none
+    double usTarget = 0.0;  ///< goal of the time of a step, µs; 0: none
     Metrics metrics;
-    bool fails = false;  ///< another figure of the same run misses its goal
+    bool fails = false;  ///< true if another figure of the same run misses its goal
 
     [[nodiscard]] bool automatic() const {
         return method.peer == nullptr && method.quality == physics::kQualityOfWorld;
@@ -31,21 +31,22 @@ struct Row {
     [[nodiscard]] bool fast() const { return usTarget <= 0.0 || metrics.microsPerStep <= usTarget; }
 };
 
-/// Whether a row uses the default settings.
+/// True for the default settings.
 inline bool isDefault(const Method& method) { return method == Method{}; }
 
 std::string_view integratorName(physics::IntegratorKind kind);
-/// @param joints whether the scene has any: without joints trees make no difference
+/// Returns a description of the solver.
+/// @param joints  true if the scene has joints; otherwise Method::jointTrees is not mentioned
 std::string solverName(const Method& method, bool joints);
 
-/// The rows of a scene, in order.
+/// Returns the rows of a scene, in order.
 std::vector<Row> rowsOf(const std::vector<Row>& rows, std::string_view scene);
-/// The row of a scene's main figure with the default method; nullptr if it was not run.
+/// Returns the row of a scene's main figure with the default method; nullptr if it was not run.
 const Row* defaultRow(const std::vector<Row>& rows, std::string_view scene);
-/// The main figure of a scene with another engine.
+/// Returns the row of a scene's main figure with another engine; nullptr if it was not run.
 const Row* peerRow(const std::vector<Row>& rows, std::string_view scene, std::string_view engine);
 
-/// For readers: three significant digits, 1.2e-07 if that is shorter.
+/// Formats a number with three significant digits, or as 1.2e-07 if that is shorter.
 std::string figureText(double value);
 
 }  // namespace plumb::accuracy

@@ -6,26 +6,26 @@
 
 namespace plumb::accuracy {
 
-/// The description of a scene for readers of the report.
+/// Description of a scene in the report.
 struct SceneText {
     std::string_view name;
-    int number = 0;  ///< in the table of scenes with exact answers; 0 for others
+    int number = 0;  ///< number in the table of scenes with exact results; 0: none
     std::string_view title;
-    std::string_view answer;  ///< the expected result
-    std::string_view shows;   ///< what the plot shows
-    std::string_view choose;  ///< the recommendation
+    std::string_view answer;  ///< expected result
+    std::string_view shows;   ///< description of the diagram
+    std::string_view choose;  ///< recommendation
     double order = kNoOrder;  ///< theoretical p of error ~ 1 / substeps^p for the default; kNoOrder: none
-    std::string_view why;     ///< why the measured order differs; empty if it does not
+    std::string_view why;     ///< reason for a different measured order; empty: as expected
 
     static constexpr double kNoOrder = -1.0;
 };
 
-std::span<const SceneText> exactTexts();  ///< of scenes with exact answers: texts_exact.cpp
-std::span<const SceneText> hardTexts();   ///< of all others: texts_hard.cpp
-/// The text of a scene; an empty one if it has none.
+std::span<const SceneText> exactTexts();  ///< texts of scenes with exact results (texts_exact.cpp)
+std::span<const SceneText> hardTexts();   ///< texts of all other scenes (texts_hard.cpp)
+/// Returns the text of a scene; an empty text if there is none.
 const SceneText& textOf(std::string_view scene);
 
-/// The theoretical order of an integrator's position error.
+/// Returns the theoretical order of an integrator's position error.
 double textbookOrder(std::string_view integrator);
 
 }  // namespace plumb::accuracy

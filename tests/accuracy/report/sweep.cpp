@@ -9,8 +9,8 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kEnoughTime = 0.5;  // s: longer runs are not repeated, because their noise is small
-constexpr physics::Quality kIterated[] = {0, 2, 4};  // tested with more iterations
+constexpr double kEnoughTime = 0.5;  // runs longer than this are not repeated, as their noise is small, s
+constexpr physics::Quality kIterated[] = {0, 2, 4};  // qualities that are also run with more iterations
 
 std::vector<physics::Quality> qualitiesOf(const SweepOptions& options) {
     if (!options.qualities.empty()) return options.qualities;
@@ -22,7 +22,7 @@ int substepsOf(const Method& method) {
     return method.peer != nullptr || method.quality == physics::kQualityOfWorld ? 0 : 1 << method.quality;
 }
 
-/// Estimated run time, in arbitrary units.
+/// Estimates the run time, in arbitrary units.
 double workOf(const Experiment& experiment, const Method& method) {
     const double substeps = std::max(substepsOf(method), 8) * method.iterations;
     return (experiment.quick ? 1.0 : 15.0) * (8.0 + substeps);
@@ -67,12 +67,12 @@ std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& 
              {IntegratorKind::ExplicitEuler, IntegratorKind::Verlet, IntegratorKind::Rk4})
             addAll({.integrator = kind});
     }
-    // With fields only, solver settings make no difference.
+    // Solver settings have no effect on scenes with only smooth forces.
     if (!options.quick && options.qualities.empty() && !experiment.has(kSmoothForces)) {
         for (const bool trees : {true, false}) {
             if (!trees && !experiment.has(kJoints)) continue;
             for (const physics::Quality quality : kIterated) {
-                if (!experiment.quick && quality != Method{}.quality) continue;  // they take minutes
+                if (!experiment.quick && quality != Method{}.quality) continue;  // slow scenes take minutes
                 for (const int iterations : {2, 4, 8})
                     methods.push_back({.quality = quality, .iterations = iterations, .jointTrees = trees});
             }
@@ -98,7 +98,7 @@ std::vector<const Experiment*> chosen(const SweepOptions& options) {
 std::vector<Row> runOne(const Experiment& experiment, const Method& method, const SweepOptions& options) {
     std::vector<Row> rows;
     Metrics metrics;
-    double spent = 0.0;  // s
+    double spent = 0.0;  // wall time, s
     for (int run = 0; run < options.runs && (run == 0 || spent < kEnoughTime); ++run) {
         Trial trial{method, experiment.gravity, options.count};
         experiment.run(trial);
@@ -113,7 +113,7 @@ std::vector<Row> runOne(const Experiment& experiment, const Method& method, cons
         if (experiment.has(kNoExactAnswer) && trial.start()) {
             if (const auto error =
                     referenceError(experiment.name, *trial.start(), trial.world(), trial.time()))
-                // Not first, because it is plotted and other engines do not have it.
+                // Not the first row, which is plotted: other engines have no such figure.
                 rows.push_back(rowOf(experiment, method, {"place", *error * 1000.0, "mm", kNoTarget}));
         }
     }

@@ -11,37 +11,37 @@
 namespace plumb::accuracy {
 
 struct SweepOptions {
-    std::string scene;                        ///< empty: all
-    bool quick = false;                       ///< only fast scenes, three qualities, one run of each
-    int runs = 3;                             ///< of each, the fastest of which counts
-    std::vector<physics::Quality> qualities;  ///< empty: 1 to 64 substeps and automatic
-    std::span<const scenes::Engine> peers;    ///< empty: none
+    std::string scene;                        ///< name of a scene; empty: all scenes
+    bool quick = false;                       ///< true: only fast scenes, three qualities, one run of each
+    int runs = 3;                             ///< number of runs of each method; the fastest counts
+    std::vector<physics::Quality> qualities;  ///< qualities to run; empty: all, and automatic
+    std::span<const scenes::Engine> peers;    ///< other engines to run
     Trial::CountAllocations count = nullptr;
 };
 
-/// The methods with which a scene is simulated: the default solver at each quality; without
-/// joint trees if it has joints; with each integrator if there are only smooth forces; with
-/// more iterations at some qualities; with automatic quality; and with the other engines.
+/// Returns the methods with which a scene is simulated: the default solver at each quality; without joint
+/// trees if it has joints; each integrator if it has only smooth forces; more iterations at some qualities;
+/// automatic quality; and the other engines.
 std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& options);
 
-/// The scenes selected by these options.
+/// Returns the scenes selected by the options.
 std::vector<const Experiment*> chosen(const SweepOptions& options);
 
-/// The current run, and the total progress.
+/// Current run and total progress.
 struct Progress {
     const Experiment* experiment = nullptr;
-    std::string method;      ///< in words
-    std::size_t number = 0;  ///< number of the run, from 1
+    std::string method;      ///< description of the method
+    std::size_t number = 0;  ///< number of the current run, from 1
     std::size_t all = 0;
     double part = 0.0;  ///< estimated fraction of the work that is done, 0..1
 };
 
-/// Runs one experiment with one method: a row for each figure; none if an engine lacks a feature.
+/// Runs an experiment with a method. @return a row per figure; empty if an engine lacks a feature
 std::vector<Row> runOne(const Experiment& experiment, const Method& method, const SweepOptions& options);
 
-/// Runs all.
-/// @param progress  called before each
-/// @param done      called with the rows of each scene once it is done
+/// Runs all selected scenes with all of their methods.
+/// @param progress  called before each run
+/// @param done      called with the rows of each finished scene
 std::vector<Row> sweep(const SweepOptions& options, const std::function<void(const Progress&)>& progress,
                        const std::function<void(std::span<const Row>)>& done);
 

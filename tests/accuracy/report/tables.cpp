@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kMillimetres = 1000.0;
 
-/// A column: its name, and its value as text or number.
+/// A cell: the name of its column, and its value as text or number.
 struct Cell {
     std::string_view name;
     std::string words;
-    std::optional<double> number;  ///< instead of words
+    std::optional<double> number;  ///< the value if `isNumber`
     bool isNumber = false;
 };
 

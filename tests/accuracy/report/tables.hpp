@@ -7,11 +7,11 @@
 
 namespace plumb::accuracy {
 
-/// One line per row, after a header line; commas and quotes in texts are escaped.
+/// Returns a CSV table with a header line; commas and quotes in texts are escaped.
 std::string csvOf(std::span<const Row> rows);
 
-/// [{scene, figure, solver, integrator, substeps, iterations, error, unit,
-/// usPerStep, …}]. Non-finite numbers (a scene that fell apart, no goal) are null.
+/// Returns a JSON array of objects {scene, figure, solver, integrator, substeps, iterations, error, unit,
+/// usPerStep, …}. Non-finite numbers (diverged simulations, no goal) are null.
 std::string jsonOf(std::span<const Row> rows);
 
 }  // namespace plumb::accuracy

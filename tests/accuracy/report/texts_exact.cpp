@@ -2,7 +2,7 @@
 
 #include "tests/accuracy/report/scene_texts.hpp"
 
-// Of the scenes with exact answers. What is said of figures is what ./plumb accuracy found.
+// Texts of the scenes with exact results. All numbers were measured with ./plumb accuracy.
 
 namespace plumb::accuracy {
 

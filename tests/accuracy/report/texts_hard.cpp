@@ -2,7 +2,7 @@
 
 #include "tests/accuracy/report/scene_texts.hpp"
 
-// Of the hard cases, with and without an answer. What is said of figures is what ./plumb accuracy found.
+// Texts of the hard cases, with and without an exact result. All numbers were measured with ./plumb accuracy.
 
 namespace plumb::accuracy {
 

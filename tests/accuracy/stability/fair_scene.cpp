@@ -11,8 +11,8 @@ namespace plumb::stability {
 namespace {
 
 constexpr int kColumns = 4;
-constexpr double kCell = 2.0;   // m: space for a body
-constexpr float kReach = 0.9f;  // m: maximum distance of a point of a body from its middle
+constexpr double kCell = 2.0;   // side of the cell of each body, m
+constexpr float kReach = 0.9f;  // maximum distance of a point of a body from its center, m
 constexpr double kWalls = 0.5 * kColumns * kCell;
 
 Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
@@ -104,7 +104,7 @@ void FairScene::addBody(Vec2 middle) {
     addShape(*body);
 }
 
-/// At a point between two bodies, where they are.
+/// Connects two neighbouring bodies with a hinge at a point between them.
 void FairScene::addHinge() {
     if (bodies_.size() < 2) return;
     const std::uint32_t first = random_.below(static_cast<std::uint32_t>(bodies_.size() - 1));

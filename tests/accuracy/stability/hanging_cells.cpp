@@ -4,22 +4,23 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// Bodies on joints: the joint gaps are the error, and energy must not grow.
+// Cells with bodies on joints: joint errors are measured, and energy must not grow.
 
 namespace plumb::stability {
 
 namespace {
 
 constexpr double kSeconds = 10.0;
-constexpr double kLink = 0.5;            // m
-constexpr int kTwenty = 20;              // links of a usual chain
-constexpr Material kGhost{.group = -1};  // its bodies never meet
+constexpr double kLink = 0.5;            // length of a link, m
+constexpr int kTwenty = 20;              // default number of links
+constexpr Material kGhost{.group = -1};  // bodies of this group do not collide
 
 Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
-/// Links that hang from a pin at the origin, and a ball of `ratio` times the mass of a link, if above 0.
+/// Simulates links that hang from a pin at the origin and,
+/// if `ratio` > 0, a ball of `ratio` times a link's mass.
 Figures hangingChain(const Terms& terms, int count, double ratio) {
-    constexpr double kBall = 0.5;  // m, its radius
+    constexpr double kBall = 0.5;  // radius of the ball, m
     const double length = count * kLink + (ratio > 0.0 ? 2.0 * kBall : 0.0);
     Lab lab{terms, {.size = kLink, .extent = length}};
     lab.countHeightFrom(-length);
@@ -58,7 +59,7 @@ Figures chainAtStep(double quality, double step) {
     return hangingChain({.quality = quality, .step = step}, kTwenty, 100.0);
 }
 
-/// Released horizontally: it whips about, so only its joints and its energy can be judged.
+/// A chain that is released horizontally. Its motion is chaotic, so only joint errors and energy are scored.
 Figures swingingChain(double quality, double count) {
     const int links = static_cast<int>(count);
     const double length = links * kLink;
@@ -76,7 +77,7 @@ Figures swingingChain(double quality, double count) {
     return lab.figures();
 }
 
-/// Planks between two posts and a crate that falls onto the middle: joints and contacts together.
+/// A bridge of planks between two posts, and a crate that falls onto its middle.
 Figures loadedBridge(double quality, double ratio) {
     constexpr int kPlanks = 20;
     Lab lab{{.quality = quality}, {.size = 1.0, .extent = kPlanks, .rests = false}};
@@ -98,11 +99,11 @@ Figures loadedBridge(double quality, double ratio) {
     lab.run(kSeconds);
     const auto isLower = [&](BodyHandle a, BodyHandle b) { return lab.y(a) < lab.y(b); };
     const BodyHandle lowest = *std::min_element(planks.begin(), planks.end(), isLower);
-    lab.setOff(isLower(crate, lowest) ? 1.0 : 0.0);  // it fell through
+    lab.setOff(isLower(crate, lowest) ? 1.0 : 0.0);  // 1: the crate fell through
     return lab.figures();
 }
 
-/// A rigid arm of 1 m, released horizontally: it always returns to the same height.
+/// A pendulum with a rigid arm of 1 m, released horizontally, which must return to the same height.
 Figures pendulumAtStep(double quality, double step) {
     Lab lab{{.quality = quality, .step = step}, {.size = 1.0, .extent = 1.0, .rests = false}};
     lab.countHeightFrom(-1.1);
@@ -121,7 +122,7 @@ Figures pendulumAtStep(double quality, double step) {
     return lab.figures();
 }
 
-/// An arm that a motor drives against its limit.
+/// An arm that a motor drives against its joint limit.
 Figures motorAtLimit(double quality, double torque) {
     constexpr double kSpeed = 10.0, kLimit = 0.5;  // rad/s, rad
     Lab lab{{.quality = quality},

@@ -9,8 +9,9 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr double kLate = 0.5;    // s at the end, in which bodies should be at rest
-constexpr double kApart = 0.01;  // ratio: a smaller overlap counts as separated
+constexpr double kLate = 0.5;  // final time in which the residual speed is measured, s
+constexpr double kApart =
+    0.01;  // overlap below which bodies count as separated, ratio to ReferenceValues::size
 constexpr physics::Quality kUsual = 2;
 
 scenes::WorldSetup setupOf(const Terms& terms) {
@@ -20,7 +21,7 @@ scenes::WorldSetup setupOf(const Terms& terms) {
 
 }  // namespace
 
-Lab::Lab(const Terms& terms, const Yardstick& yardstick)
+Lab::Lab(const Terms& terms, const ReferenceValues& yardstick)
     : terms_{terms}, yardstick_{yardstick}, scene_{setupOf(terms)} {
     world().settings.automaticQuality = terms.quality < 0.0;
 }
@@ -87,7 +88,7 @@ void Lab::setVelocity(BodyHandle body, Vec2 velocity, double spin) {
 double Lab::energy() {
     double sum = 0.0;
     const physics::Bodies& bodies = world().bodies;
-    for (const Stayer& stayer : stayers_) {
+    for (const TrackedBody& stayer : stayers_) {
         const std::uint32_t i = scene_.idOf(stayer.body).index;
         const physics::BodyMotion& motion = bodies.motion[i];
         const physics::BodyMass& mass = bodies.mass[i];
@@ -102,7 +103,7 @@ double Lab::energy() {
 
 void Lab::look(bool isLate) {
     sound_ = sound_ && world().quarantined.empty();
-    for (const Stayer& stayer : stayers_) {
+    for (const TrackedBody& stayer : stayers_) {
         const std::uint32_t i = scene_.idOf(stayer.body).index;
         const physics::BodyMotion& motion = world().bodies.motion[i];
         const double speed =
@@ -110,8 +111,7 @@ void Lab::look(bool isLate) {
         const double turning = std::fabs(static_cast<double>(motion.angularVelocity)) *
                                static_cast<double>(world().bodies.info[i].reach);
         sound_ = sound_ && std::isfinite(speed) && std::isfinite(turning);
-        // A fall from the starting height explains no more; a body that has risen has its initial speed at
-        // most.
+        // Speed converted to the initial height, so that speed gained by falling is not counted.
         const double risen = world().bodies.pose[i].centre.y - static_cast<double>(stayer.start.y);
         const double unexplained = speed * speed + 2.0 * terms_.gravity * risen;
         mostSpeed_ = std::max(mostSpeed_, std::sqrt(std::max(unexplained, 0.0)));
@@ -139,7 +139,7 @@ void Lab::run(double seconds, const std::function<void(double)>& watch) {
 
 double Lab::moved() const {
     double most = 0.0;
-    for (const Stayer& stayer : stayers_) {
+    for (const TrackedBody& stayer : stayers_) {
         const double aside = std::fabs(x(stayer.body) - static_cast<double>(stayer.start.x));
         const double sunk = std::fabs(y(stayer.body) - static_cast<double>(stayer.start.y));
         most = std::max({most, aside / yardstick_.size, sunk / yardstick_.extent});

@@ -12,59 +12,59 @@ using scenes::BodyHandle;
 using scenes::Material;
 using scenes::Outline;
 
-inline constexpr double kGravity = 10.0;  ///< m/s2, down
+inline constexpr double kGravity = 10.0;  ///< downward acceleration, m/s2
 
-/// Parameters of a simulation.
+/// Parameters of the simulation of a cell.
 struct Terms {
-    double quality = 2.0;       ///< 0..5; below 0 automatic, from 2 on
-    double step = 1.0 / 60.0;   ///< s
-    double gravity = kGravity;  ///< m/s2, down
-    double origin = 0.0;        ///< m: offset of the scene to the right
+    double quality = 2.0;       ///< quality 0..5; below 0: automatic, at least 2
+    double step = 1.0 / 60.0;   ///< time step, s
+    double gravity = kGravity;  ///< downward acceleration, m/s2
+    double origin = 0.0;        ///< x offset of the scene, m
 };
 
-/// Reference values for the figures of a scene.
-struct Yardstick {
-    double size = 1.0;        ///< m: thickness of the smallest body, or the length of a link
-    double extent = 1.0;      ///< m: of the scene along gravity
-    double mostSpeed = 0.0;   ///< m/s that the scene explains besides falls; 0: not checked
-    bool driven = false;      ///< by a motor or a kinematic body: energy may grow
-    bool rests = true;        ///< it should stay in its initial position, at rest
-    bool overlapped = false;  ///< energy is measured from the time when all bodies are separated
+/// Reference values to which the figures of a scene are related.
+struct ReferenceValues {
+    double size = 1.0;        ///< thickness of the smallest body, or length of a link, m
+    double extent = 1.0;      ///< size of the scene along gravity, m
+    double mostSpeed = 0.0;   ///< maximum speed expected in addition to falling, m/s; 0: not checked
+    bool driven = false;      ///< true: a motor or kinematic body may add energy
+    bool rests = true;        ///< true: all bodies should stay at rest in their initial positions
+    bool overlapped = false;  ///< true: energy is measured from the time when all bodies are separated
 };
 
 /// The world of one cell of a map. Positions are relative to the origin of the terms, y is up.
 class Lab {
 public:
-    Lab(const Terms& terms, const Yardstick& yardstick);
+    Lab(const Terms& terms, const ReferenceValues& yardstick);
 
-    BodyHandle floor(const Material& material = {}, double half = 200.0);  ///< its top at y = 0
+    BodyHandle floor(const Material& material = {}, double half = 200.0);  ///< floor with its top at y = 0
     BodyHandle add(const Outline& outline, Vec2 centre, const Material& material = {}, double angle = 0.0);
     BodyHandle addFixed(const Outline& outline, Vec2 centre, const Material& material = {},
                         double angle = 0.0);
     BodyHandle addKinematic(const Outline& outline, Vec2 centre);
     void hinge(BodyHandle a, BodyHandle b, Vec2 anchorA, Vec2 anchorB);
-    /// B rotates about a point of A that is its own origin, driven by a motor against a limit.
+    /// Adds a hinge at the origin of A and `anchorB` of B, with a motor that drives B against a limit.
     void drivenHinge(BodyHandle a, BodyHandle b, Vec2 anchorB, double limit, double speed, double torque);
     void setMass(BodyHandle body, double kilograms);
     void setVelocity(BodyHandle body, Vec2 velocity, double spin = 0.0);
-    /// Reference height of the potential energy: the lowest reachable position.
+    /// Sets the zero height of the potential energy, which should be the lowest reachable position.
     void countHeightFrom(double y) { lowest_ = y; }
 
-    /// Simulates; `look` is called after each step with the time (s) since the start.
+    /// Simulates; calls `look` after each step with the time since the start, s.
     void run(double seconds, const std::function<void(double)>& look = {});
-    void setOff(double ratio) { off_ = ratio; }  ///< deviation from the exact result, if it is not at rest
+    void setOff(double ratio) { off_ = ratio; }  ///< sets Figures::off, for scenes that do not stay at rest
     [[nodiscard]] Figures figures() const;
 
     [[nodiscard]] double x(BodyHandle body) const;
     [[nodiscard]] double y(BodyHandle body) const { return scene_.poseOf(body).y; }
-    [[nodiscard]] double angle(BodyHandle body) const;  ///< rad, -pi..pi
+    [[nodiscard]] double angle(BodyHandle body) const;  ///< angle of a body, rad, -pi..pi
     [[nodiscard]] Vec2 velocity(BodyHandle body);
     [[nodiscard]] physics::World& world() { return scene_.world(); }
     [[nodiscard]] physics::BodyId idOf(BodyHandle body) const { return scene_.idOf(body); }
 
 private:
-    /// A body that should stay in its initial position.
-    struct Stayer {
+    /// A dynamic body with its initial position.
+    struct TrackedBody {
         BodyHandle body;
         Vec2 start;
     };
@@ -75,13 +75,13 @@ private:
     [[nodiscard]] double moved() const;
 
     Terms terms_;
-    Yardstick yardstick_;
+    ReferenceValues yardstick_;
     scenes::PlumbWorld scene_;
-    std::vector<Stayer> stayers_;
+    std::vector<TrackedBody> stayers_;
     double lowest_ = 0.0;
     double off_ = 0.0;
     double time_ = 0.0;
-    double startEnergy_ = -1.0;  ///< J; below 0 before it is measured
+    double startEnergy_ = -1.0;  ///< initial energy, J; below 0: not measured yet
     double mostEnergy_ = 0.0;
     double mostSpeed_ = 0.0;
     double residual_ = 0.0;

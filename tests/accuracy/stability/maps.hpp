@@ -9,34 +9,34 @@
 
 namespace plumb::stability {
 
-/// Format of the values along an axis.
+/// Format of the axis labels.
 enum class Label : std::uint8_t { Plain, Quality, Step, Times, Percent };
 
 /// The values along one axis of a map.
 struct Axis {
-    std::string_view name;  ///< with its unit
+    std::string_view name;  ///< name with unit
     Label label = Label::Plain;
     std::span<const double> values;
 };
 
 std::string labelOf(Label label, double value);
 
-/// A grid of cells: one scene with all combinations of two parameters that make it harder.
+/// A grid of cells: one scene simulated with all combinations of two parameters.
 struct Map {
-    std::string_view name;  ///< of files and in tables
+    std::string_view name;  ///< identifier in files and tables
     std::string_view title;
-    std::string_view scene;  ///< description: what is built, its duration, and the exact result
+    std::string_view scene;  ///< description: scene, duration and exact result
     Axis rows;
     Axis columns;
-    std::size_t home = 0;  ///< the easiest column, from which ranges are counted
+    std::size_t home = 0;  ///< index of the easiest column, from which ranges extend
     Figures (*run)(double row, double column) = nullptr;
-    std::uint32_t quickRows = 0;  ///< bits: rows of --quick and the tests
+    std::uint32_t quickRows = 0;  ///< bit set of the rows used by --quick and the tests
 };
 
-/// All, in the order of the report.
+/// All maps, in the order of the report.
 std::span<const Map> allMaps();
 
-// Bodies at rest: resting_cells.cpp.
+// Cells with bodies at rest: resting_cells.cpp.
 Figures heavyOnTop(double quality, double ratio);
 Figures heavyOnStack(double count, double ratio);
 Figures stackOf(double quality, double count);
@@ -50,7 +50,7 @@ Figures stackFarAway(double quality, double distance);
 Figures thinPlates(double quality, double thickness);
 Figures slivers(double quality, double thickness);
 
-// Hanging bodies: hanging_cells.cpp.
+// Cells with hanging bodies: hanging_cells.cpp.
 Figures chainOf(double quality, double count);
 Figures ballOnChain(double quality, double ratio);
 Figures ballOnChainOf(double count, double ratio);
@@ -60,7 +60,7 @@ Figures loadedBridge(double quality, double ratio);
 Figures pendulumAtStep(double quality, double step);
 Figures motorAtLimit(double quality, double torque);
 
-// Moving bodies: moving_cells.cpp.
+// Cells with moving bodies: moving_cells.cpp.
 Figures bounce(double quality, double bounciness);
 Figures bounceAtStep(double step, double bounciness);
 Figures slope(double quality, double friction);

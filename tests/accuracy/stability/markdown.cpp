@@ -15,8 +15,8 @@ letter, a color and its largest error.
 Errors are ratios: overlap to the smallest body's thickness, joint gaps to the length of a link, distance from the
 exact position to the size of the scene along gravity (across it: to the smallest body), final speed to that of a
 fall by the smallest body's size. Energy is kinetic plus potential energy above the lowest reachable position, its
-maximum compared with the start; with motors or presses it is not evaluated, but no speed may be twice what explains
-it. **Holds** is the range in which a row is soft or better without a gap: what you can rely on.
+maximum compared with the start; with motors or presses it is not evaluated, but no speed may exceed twice
+the maximum expected speed. **Holds** is the range in which a row is soft or better without a gap: what you can rely on.
 
 `--quick` runs quality 2 and automatic only; so does the test suite, in which no cell may get worse.
 
@@ -33,7 +33,7 @@ std::string scoreTable(const Counts& counts) {
     return table + "\n";
 }
 
-/// The cells of a row with one score, in words.
+/// Lists the cells of a row with a score.
 std::string cellsOf(const PlayedMap& map, std::size_t row, Score score) {
     std::string cells;
     for (std::size_t column = 0; column < map.width(); ++column) {

@@ -4,7 +4,7 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// Motion with a known solution, and rough treatment.
+// Cells with motion whose solution is known, and with fast spins, overlaps and presses.
 
 namespace plumb::stability {
 
@@ -16,7 +16,8 @@ Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(
 
 const Outline kCrate = scenes::box({0.5f, 0.5f});
 
-/// A ball falls 2 m: ratio of its height after each bounce to the expected one, worst of its first three.
+/// A ball that falls 2 m. Scored by the worst height of its
+/// first three bounces, relative to the expected height.
 Figures bouncing(const Terms& terms, double bounciness) {
     constexpr double kHeight = 2.0;
     const Material rubber{.friction = 0.0f, .bounciness = static_cast<float>(bounciness)};
@@ -30,7 +31,7 @@ Figures bouncing(const Terms& terms, double bounciness) {
         if (before < 0.0 && speed >= 0.0 && bounces < 3) {
             ++bounces;
             wanted *= bounciness * bounciness;
-            // Slower than Settings::bounceSpeed nothing bounces, by design.
+            // Impacts slower than Settings::bounceSpeed do not bounce, by design.
             const auto least = static_cast<double>(lab.world().settings.bounceSpeed);
             const double rise = std::sqrt(2.0 * kGravity * wanted);
             if (bounciness <= 0.0 || rise > least * bounciness) {
@@ -44,7 +45,8 @@ Figures bouncing(const Terms& terms, double bounciness) {
     return lab.figures();
 }
 
-/// A kinematic press compresses a crate to a part of its height, waits, and moves up again.
+/// A kinematic press that moves down until the fraction
+/// `left` of a crate's height is left, waits, and moves up.
 Figures press(double quality, double left, double speed) {
     const double step = 1.0 / 60.0;
     Lab lab{{.quality = quality},
@@ -101,7 +103,7 @@ Figures spinOnFloor(double quality, double spin) {
     return lab.figures();
 }
 
-/// A plank that spins among crates in a pit, like a mill: its energy may be distributed, not multiplied.
+/// A plank that spins among crates in a pit. The total energy must not grow.
 Figures spinAmongCrates(double quality, double spin) {
     Lab lab{{.quality = quality}, {.size = 0.2, .extent = 10.0, .rests = false}};
     lab.countHeightFrom(-1000.0);

@@ -7,10 +7,9 @@ namespace plumb::stability {
 
 namespace {
 
-// px
-constexpr int kCellWide = 66, kCellHigh = 40;
-constexpr int kLeft = 96, kTop = 52;  // of the cells: leaves room for labels
-constexpr int kReachWide = 112;       // of the column that shows up to where a row holds
+constexpr int kCellWide = 66, kCellHigh = 40;  // px
+constexpr int kLeft = 96, kTop = 52;           // upper left corner of the cells, px; leaves room for labels
+constexpr int kReachWide = 112;                // width of the column with the range in which a row holds, px
 constexpr int kPad = 8;
 
 std::string text(int x, int y, std::string_view anchor, int size, std::string_view fill,
@@ -27,7 +26,7 @@ std::string opening(int width, int height) {
         width, height, width, height, width, height);
 }
 
-/// Below the sign: the size of the error, or what blew up.
+/// Returns the text below the sign: the error, or the figure that blew up.
 std::string shortReason(const Figures& figures) {
     if (!figures.finite || !std::isfinite(errorOf(figures))) return "numbers";
     if (!(figures.energyGain <= kMaxEnergyGain)) return "energy";

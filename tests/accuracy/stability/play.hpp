@@ -9,11 +9,11 @@
 
 namespace plumb::stability {
 
-/// A map with its results. It may have fewer rows than the map.
+/// Results of a map, or of some of its rows.
 struct PlayedMap {
     const Map* map = nullptr;
-    std::vector<std::size_t> rows;  ///< of the map's, in order
-    std::vector<Figures> cells;     ///< row by row, all columns of each
+    std::vector<std::size_t> rows;  ///< indices of the rows of the map, in order
+    std::vector<Figures> cells;     ///< figures of all cells, row by row
 
     [[nodiscard]] std::size_t width() const { return map->columns.values.size(); }
     [[nodiscard]] const Figures& at(std::size_t row, std::size_t column) const {
@@ -22,17 +22,18 @@ struct PlayedMap {
     [[nodiscard]] std::vector<Score> scoresOf(std::size_t row) const;
     [[nodiscard]] std::string rowLabel(std::size_t row) const;
     [[nodiscard]] std::string columnLabel(std::size_t column) const;
-    /// The range of a row that is no worse than `floor`, as text: "all", "none", "to 1000", "0.1 to 10".
+    /// Range of columns around the easiest one with scores of
+    /// at least `floor`: "all", "none", "to 1000", "0.1 to 10".
     [[nodiscard]] std::string holds(std::size_t row, Score floor) const;
 };
 
 struct Choice {
-    bool quick = false;    ///< only the rows that are marked for it
-    std::string_view map;  ///< the name of one map; empty: all
+    bool quick = false;    ///< only the rows in Map::quickRows
+    std::string_view map;  ///< name of a map; empty: all maps
     int threads = 1;
 };
 
-/// Runs all selected cells on several threads. The results do not depend on their number.
+/// Runs all selected cells on several threads. The results do not depend on the number of threads.
 std::vector<PlayedMap> play(const Choice& choice, const accuracy::ShowDone& show = {});
 
 }  // namespace plumb::stability

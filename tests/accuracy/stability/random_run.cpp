@@ -11,7 +11,7 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr std::size_t kAtOnce = 256;  // scenes that a thread runs at a time
+constexpr std::size_t kAtOnce = 256;  // number of scenes per work item of a thread
 
 void playWild(std::uint64_t seed, RandomFindings& found) {
     physics::RandomScene scene{seed};
@@ -56,7 +56,8 @@ void add(RandomFindings& sum, const RandomFindings& more) {
 
 std::string textOf(std::string_view kind, const FairFindings& found) {
     return format(
-        "{} fair scenes {}: {} with bad numbers; energy grew by more than 1 % in {}, at most to {} times "
+        "{} fair scenes {}: {} with non-finite numbers; energy grew by more than 1 % in {}, at most to {} "
+        "times "
         "(scene {})\n",
         found.count, kind, found.bad, found.gained, fixedText(1.0 + found.mostGain, 3), found.seed);
 }
@@ -81,7 +82,7 @@ RandomFindings playRandomScenes(std::size_t count, int threads, const accuracy::
 }
 
 std::string textOf(const RandomFindings& findings) {
-    std::string text = format("{} wild scenes: {} with bad numbers", findings.wild, findings.bad);
+    std::string text = format("{} extreme scenes: {} with non-finite numbers", findings.wild, findings.bad);
     if (findings.bad > 0) text += format(", first in scene {}", findings.firstBad);
     return text + "\n" + textOf("without joints", findings.loose) + textOf("with joints", findings.jointed);
 }

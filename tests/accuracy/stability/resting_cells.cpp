@@ -5,20 +5,20 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// Bodies that should stay in place: their displacement is the error.
+// Cells with bodies that should stay in place; their displacement is the error.
 
 namespace plumb::stability {
 
 namespace {
 
 constexpr double kSeconds = 10.0;
-constexpr int kTen = 10;  // boxes of a usual stack
+constexpr int kTen = 10;  // default number of boxes
 
 Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 Outline square(double side) { return scenes::box(at(0.5 * side, 0.5 * side)); }
 
-/// A stack of equal boxes; the top one has `ratio` times the mass of the others.
+/// Simulates a stack of equal boxes; the top one has `ratio` times the mass of the others.
 Figures stack(const Terms& terms, int count, double ratio = 1.0, double size = 1.0) {
     Lab lab{terms, {.size = size, .extent = count * size}};
     lab.floor({}, 200.0 * size);
@@ -29,7 +29,7 @@ Figures stack(const Terms& terms, int count, double ratio = 1.0, double size = 1
     return lab.figures();
 }
 
-/// A box of another size on one of a meter, or on two that are under its ends.
+/// Simulates a box of a size on a box of 1 m or, if it is larger, on two boxes under its ends.
 Figures sizes(double quality, double size, bool equalMass) {
     const double smallest = std::min(size, 1.0);
     Lab lab{{.quality = quality}, {.size = smallest, .extent = 1.0 + size}};

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::array<ScoreInfo, static_cast<std::size_t>(Score::Count)> kScores{{
     {'X', "blows up", "#b2182b", "#ffffff",
-     "a number is not finite, energy grows by more than 1 % without a motor, or a body is twice as "
-     "fast as anything explains"},
+     "a number is not finite, energy grows by more than 1 % without a motor, or a body is faster than "
+     "twice the maximum expected speed"},
     {'W', "wrong but bounded", "#fdae61", "#3d1f00",
      "an error above 10 %: fallen, sunk in or pulled apart, but at rest"},
     {'S', "soft", "#fee9a8", "#3a3000", "an error up to 10 %: visible compliance, but it holds"},
@@ -57,16 +57,16 @@ Score scoreOf(const Figures& figures) {
 }
 
 std::string reasonOf(const Figures& figures) {
-    if (!figures.finite || !std::isfinite(errorOf(figures))) return "numbers went bad";
+    if (!figures.finite || !std::isfinite(errorOf(figures))) return "a number is not finite";
     if (!(figures.energyGain <= kMaxEnergyGain))
         return format("energy grew by {}", percentText(figures.energyGain));
     if (!(figures.speeding <= kMaxSpeeding))
-        return format("{} times as fast as anything explains", fixedText(figures.speeding, 1));
+        return format("{} times the maximum expected speed", fixedText(figures.speeding, 1));
     const double error = errorOf(figures);
     if (error == figures.penetration) return format("overlap of {}", percentText(error));
     if (error == figures.joints) return format("joints open by {}", percentText(error));
     if (error == figures.off) return format("off by {}", percentText(error));
-    return format("moves at {} of a fall", percentText(error));
+    return format("residual speed of {} of a fall", percentText(error));
 }
 
 Reach reachOf(std::span<const Score> row, std::size_t home, Score floor) {

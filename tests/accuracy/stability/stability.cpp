@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::string_view kUsage =
     "plumb accuracy --stability [--quick] [--map NAME] [--random N] [--threads N] [--out DIR] [--docs DIR]\n"
-    "  --quick      quality 2 and automatic alone, some seconds\n"
-    "  --map NAME   one map alone\n"
-    "  --random N   instead of the maps: N random scenes, none of which may have bad numbers, and N fair "
+    "  --quick      only quality 2 and automatic quality; takes some seconds\n"
+    "  --map NAME   only this map\n"
+    "  --random N   instead of the maps: N extreme random scenes, whose numbers must stay finite, and N fair "
     "ones,\n"
-    "               whose energy may not grow\n"
-    "  --out DIR    where stability.csv, .json and .html go (default: here)\n"
-    "  --docs DIR   writes DIR/stability.md and its pictures too\n"
+    "               whose energy must not grow\n"
+    "  --out DIR    output folder for stability.csv, .json and .html (default: current folder)\n"
+    "  --docs DIR   also writes DIR/stability.md and its images\n"
     "Maps:";
 
 struct Options {
@@ -49,7 +49,7 @@ bool isMap(std::string_view name) {
 std::string take(Options& options, std::string_view word, std::string_view value) {
     if (word == "--map") {
         options.choice.map = value;
-        return isMap(value) ? "" : "there is no such map";
+        return isMap(value) ? "" : "unknown map";
     }
     if (word == "--random")
         return accuracy::readCount(value, std::numeric_limits<int>::max(), options.random);
@@ -59,7 +59,7 @@ std::string take(Options& options, std::string_view word, std::string_view value
     return value.empty() ? "expected a folder" : "";
 }
 
-/// @return the error; empty if none
+/// Parses command-line arguments. @return the error message; empty: success
 std::string read(std::span<const std::string_view> words, Options& options) {
     const accuracy::Flag flags[] = {{"--help", &options.help}, {"--quick", &options.choice.quick}};
     return accuracy::readWords(words, flags, [&](std::string_view word, std::string_view value) {

@@ -5,10 +5,10 @@
 
 namespace plumb::stability {
 
-/// `./plumb accuracy --stability`: runs the stability map with progress output, and writes
-/// stability.csv, stability.json and stability.html. The options are in its --help.
+/// Runs the command `./plumb accuracy --stability`: simulates the stability map and writes stability.csv,
+/// stability.json and stability.html. The options are documented in its --help.
 /// @param words the arguments after --stability
-/// @return an exit code: 1 if a cell blows up or a file cannot be written, 2 for invalid arguments
+/// @return the exit code: 0, 1 if a cell blows up or a file cannot be written, 2 for invalid arguments
 int runStability(std::span<const std::string_view> words);
 
 }  // namespace plumb::stability

@@ -22,7 +22,7 @@ std::string textOf(const Move& move) {
         move.isChance() ? format(" (chance: {} worse, {} better)", move.worse, move.better) : std::string{});
 }
 
-/// Summary of what changes.
+/// Returns a table cell with the large changes of a trial.
 std::string cellOf(const Trial& trial) {
     if (!trial.differs()) return "no bit";
     std::string text;
@@ -38,7 +38,7 @@ const Trial* trialOf(const std::vector<Trial>& trials, const Constant& constant,
     return found == trials.end() ? nullptr : &*found;
 }
 
-/// A row of the table: the constant, and the effect of halving and doubling it.
+/// Returns a row of the table: the constant, and the effects of halving and doubling it.
 std::vector<std::string> cellsOf(const std::vector<Trial>& trials, const Constant& constant) {
     std::vector<std::string> cells{constant.name, shortestText(static_cast<float>(constant.value)),
                                    constant.unit, constant.derivation};

@@ -8,14 +8,14 @@
 
 namespace plumb::tuning {
 
-/// Explanations for the constants that change a share by more than 2 %; empty for the others.
+/// Returns the explanation for a constant that changes a share by more than 2 %; empty for other constants.
 std::string_view reasonOf(std::string_view constant);
-/// True if some share changes by more than chance explains.
+/// True if a change of the constant changes a share by more than 2 % and more than random variation.
 bool needsReason(const std::vector<Trial>& trials, const Constant& constant);
 
 std::string textOf(const Trial& trial);
 std::string csvOf(const std::vector<Trial>& trials);
-/// @param how  the command
+/// @param how  the command that produced the results
 std::string htmlOf(const std::vector<Trial>& trials, const std::string& how);
 std::string markdownOf(const std::vector<Trial>& trials, const std::string& how);
 

@@ -15,18 +15,18 @@ namespace plumb::tuning {
 namespace {
 
 constexpr double kLargeShift = 0.02;
-/// Standard deviations that two shares differ by chance in one of twenty cases.
+/// Difference of two shares, in standard deviations, that occurs by chance in one of 20 cases.
 constexpr double kSigmas = 2.0;
 
-/// The relevant results of a member.
+/// Results of a member that are compared.
 struct End {
     std::uint64_t bits = 0;
     bool reached = false;
 };
 
-using Ends = std::vector<std::vector<End>>;  // by family and member
+using Ends = std::vector<std::vector<End>>;  // indexed by family and member
 
-/// Adds the results of further members of some families.
+/// Simulates further members of some families, up to the number `upTo`.
 void playMembers(Ends& ends, const std::vector<std::size_t>& chosen, int upTo, int threads) {
     struct Member {
         std::size_t family, member;
@@ -83,7 +83,7 @@ Move moveOf(const stability::PlayedMap& map, const stability::PlayedMap& base) {
     return move;
 }
 
-/// Temporarily sets a constant.
+/// Sets a constant to its value times a factor, and restores it in the destructor.
 class Changed {
 public:
     Changed(const Constant& constant, double factor) : constant_{constant} {

@@ -9,48 +9,48 @@
 
 namespace plumb::tuning {
 
-/// In the order of the table; empty in a build without PLUMB_TUNABLE.
+/// All constants in the order of tuning.hpp; empty in a build without PLUMB_TUNABLE.
 std::vector<const Constant*> allConstants();
 
 struct SweepOptions {
-    int members = 150;  ///< of each family
+    int members = 150;  ///< number of members per family
     int threads = 1;
-    bool maps = true;    ///< include the quick part of the stability map
-    bool quick = false;  ///< no family runs more than kFirst members
+    bool maps = true;    ///< true: includes the quick part of the stability map
+    bool quick = false;  ///< true: runs at most kFirst members per family
 };
 
-/// Number of members of each family that run first. If no bit of them changes, the others are skipped.
+/// Number of members of each family that run first. If
+/// their results are bit-identical, the others are skipped.
 inline constexpr int kFirst = 40;
 
-/// The effect of another value of a constant on one family or map.
+/// Effect of a changed constant on one family or map.
 struct Move {
     std::string scene;
     bool isMap = false;
-    int members = 0;       ///< of the family, or cells of the map
-    int base = 0;          ///< number that reach their goals at the default value; of a map, cells that hold
-    int reached = 0;       ///< the same at the other value
-    int worse = 0;         ///< members that reach their goals only at the default; of a map, cells with a
-                           ///< worse score
-    int better = 0;        ///< members that reach them only at the other value
-    bool differs = false;  ///< some bit, or value of a cell, differs
+    int members = 0;  ///< number of members of the family, or of cells of the map
+    int base = 0;     ///< number of members that reach their goals, or of cells that hold, at the default
+    int reached = 0;  ///< number of members or cells as in `base`, at the changed value
+    int worse = 0;    ///< members that reach their goals only at the default, or cells with a worse score
+    int better = 0;   ///< members that reach their goals only at the changed value
+    bool differs = false;  ///< true if any bit of a member or any value of a cell differs
 
-    /// Change of the share that reaches its goals.
+    /// Change of the share of members that reach their goals.
     [[nodiscard]] double shift() const { return members > 0 ? (reached - base) / (1.0 * members) : 0.0; }
     [[nodiscard]] bool isLarge() const;
-    /// True if as many get worse and better as chance explains, where motion is chaotic.
+    /// True if the numbers of worse and better members differ by no more than random variation.
     [[nodiscard]] bool isChance() const;
 };
 
-/// The effect of one other value of one constant.
+/// Effect of one changed value of a constant on all families and maps.
 struct Trial {
     const Constant* constant = nullptr;
     double factor = 0.0;
-    std::vector<Move> moves;  ///< of all families, then of all maps
+    std::vector<Move> moves;  ///< one per family, then one per map
 
     [[nodiscard]] bool differs() const;
 };
 
-/// Runs families and maps with the default values, and then with others.
+/// Runs families and maps with the default values of the constants, and then with changed values.
 class Sweep {
 public:
     explicit Sweep(const SweepOptions& options);
@@ -59,7 +59,7 @@ public:
     Sweep& operator=(const Sweep&) = delete;
 
     [[nodiscard]] Trial trial(const Constant& constant, double factor) const;
-    /// Hash of all results at the default values: results with another hash cannot be reused.
+    /// Hash of all results at the default values. Stored results with another hash are obsolete.
     [[nodiscard]] std::uint64_t signature() const;
 
 private:

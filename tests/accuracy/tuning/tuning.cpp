@@ -17,18 +17,17 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: ./plumb accuracy --tuning [options]\n"
-    "Plays the families and the quick part of the stability map with each constant of the physics at half "
-    "and at\n"
-    "double, one after the other. What is in DIR/tuning.csv already is not played again while nothing else "
-    "changed.\n"
-    "  --families N   members of each family (150)\n"
-    "  --constant C   one alone; may be repeated\n"
-    "  --factor F     other factors than 0.5 and 2; may be repeated\n"
-    "  --quick        40 members of each family at most\n"
-    "  --no-maps      families alone\n"
-    "  --threads T    members at a time (all processors)\n"
-    "  --out DIR      where tuning.csv and tuning.html go (build/accuracy)\n"
-    "  --docs DIR     where tuning.md goes as well\n";
+    "Simulates the families and the quick part of the stability map with one constant of the physics at a\n"
+    "time changed to half and to double. Reuses results in DIR/tuning.csv if the default results are "
+    "unchanged.\n"
+    "  --families N   number of members per family (150)\n"
+    "  --constant C   only this constant; may be repeated\n"
+    "  --factor F     factor instead of 0.5 and 2; may be repeated\n"
+    "  --quick        at most 40 members per family\n"
+    "  --no-maps      only families\n"
+    "  --threads T    number of members simulated in parallel (number of processors)\n"
+    "  --out DIR      output folder for tuning.csv and tuning.html (build/accuracy)\n"
+    "  --docs DIR     output folder for tuning.md\n";
 
 struct Options {
     SweepOptions sweep;
@@ -44,11 +43,11 @@ std::string take(Options& options, std::string_view word, std::string_view value
     if (word == "--constant") {
         for (const Constant* constant : allConstants())
             if (constant->name == value) return options.constants.push_back(constant), std::string{};
-        return "no such constant in engine/physics/tuning.hpp";
+        return "unknown constant; see engine/physics/tuning.hpp";
     }
     if (word == "--factor") {
         const auto factor = parseFloat(value);
-        if (!factor || *factor < 0.0f) return "a factor is a number from 0";
+        if (!factor || *factor < 0.0f) return "expected a number of at least 0";
         options.factors.push_back(static_cast<double>(*factor));
     } else if (word == "--families") {
         return accuracy::readCount(value, 1000000, options.sweep.members);
@@ -62,7 +61,7 @@ std::string take(Options& options, std::string_view word, std::string_view value
     return {};
 }
 
-/// @return the error; empty if none
+/// Parses command-line arguments. @return the error message; empty: success
 std::string read(std::span<const std::string_view> words, Options& options) {
     const accuracy::Flag flags[] = {
         {"--help", &options.help}, {"--quick", &options.sweep.quick}, {"--no-maps", &options.noMaps}};
@@ -87,7 +86,7 @@ const Constant* findConstant(std::string_view name) {
     return nullptr;
 }
 
-/// The results of an earlier run with the same results at the default values.
+/// Reads the stored results of an earlier run, if its results at the default values are the same.
 std::vector<Trial> readTrials(const Path& path, const std::string& first) {
     std::vector<Trial> trials;
     const auto text = readFile(path);
@@ -137,7 +136,7 @@ int sweepAll(const Options& options) {
     bool explained = true;
     for (const Constant* constant : options.constants) {
         if (!needsReason(trials, *constant) || !reasonOf(constant->name).empty()) continue;
-        std::printf("%s moves a share by more than 2 %%: say why in tests/accuracy/tuning/reasons.cpp\n",
+        std::printf("%s changes a share by more than 2 %%: explain it in tests/accuracy/tuning/reasons.cpp\n",
                     constant->name);
         explained = false;
     }
@@ -150,8 +149,8 @@ int runTuningCommand(std::span<const std::string_view> words, const Path& out) {
     if (allConstants().empty()) {
         std::fprintf(
             stderr,
-            "The constants of this build are fixed. ./plumb accuracy --tuning builds plumb-accuracy with\n"
-            "-DPLUMB_TUNABLE=ON in build/tunable and runs that.\n");
+            "The constants of this build cannot be changed. ./plumb accuracy --tuning builds plumb-accuracy\n"
+            "with -DPLUMB_TUNABLE=ON in build/tunable and runs it.\n");
         return 2;
     }
     Options options;

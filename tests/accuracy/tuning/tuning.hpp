@@ -7,9 +7,10 @@
 
 namespace plumb::tuning {
 
-/// ./plumb accuracy --tuning …; `words` are the arguments after --tuning.
-/// @param out folder of tuning.csv and tuning.html, unless the arguments name another
-/// @return an exit code: 0 if every changed share has its explanation
+/// Runs the command ./plumb accuracy --tuning ….
+/// @param words  arguments after --tuning
+/// @param out    default folder of tuning.csv and tuning.html
+/// @return the exit code: 0 if every constant that changes a share has an explanation
 int runTuningCommand(std::span<const std::string_view> words, const Path& out);
 
 }  // namespace plumb::tuning

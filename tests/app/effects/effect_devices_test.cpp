@@ -7,7 +7,7 @@
 #include "tests/app/effects/effect_games.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// Devices of the player open when something calls for them, and stay closed otherwise.
+// Devices of the player are opened only when a component or a pin requires them.
 
 namespace plumb {
 namespace {
@@ -31,7 +31,7 @@ protected:
     std::unique_ptr<Screen> screen;
 };
 
-TEST_F(EffectDevices, gamepadsAreOpenedForWhatHearsThePlayer) {
+TEST_F(EffectDevices, gamepadsAreOpenedIfAComponentReadsInput) {
     PileGame alone, menu;
     menu.world.createEntity().addComponent<Menu>();
     play(alone, 3);
@@ -48,7 +48,7 @@ TEST_F(EffectDevices, gamepadsThatArePinnedOffStayClosed) {
     EXPECT_EQ(game.effects.runsOf(game.world, "pads"), 0u);
 }
 
-TEST_F(EffectDevices, theRendererIsMadeForTheFirstPicture) {
+TEST_F(EffectDevices, theRendererIsCreatedForTheFirstFrame) {
     PileGame game;
     play(game, 3);
     EXPECT_EQ(game.effects.runsOf(game.world, "picture"), 0u);
@@ -60,7 +60,7 @@ TEST_F(EffectDevices, theRendererIsMadeForTheFirstPicture) {
     EXPECT_EQ(game.effects.runsOf(game.world, "picture"), 1u);
 }
 
-TEST_F(EffectDevices, aPicturePinnedOffIsBlack) {
+TEST_F(EffectDevices, withDrawingPinnedOffTheFrameIsBlack) {
     PileGame game;
     Entity seen = game.world.createEntity();
     seen.addComponent<Transform>(0.0f, 0.0f);

@@ -5,22 +5,23 @@
 
 #include "app/effect_rows.hpp"
 #include "app/game.hpp"
+#include "app/game_content.hpp"
 #include "app/system_order.hpp"
 #include "scene/components.hpp"
 #include "scene/systems/camera_system.hpp"
 
 namespace plumb::test {
 
-/// A pile of crates in a game that has every system. Nothing but the physics is called for.
+/// A pile of crates in a game that has every system, although only the physics is required.
 class PileGame : public Game {
 public:
-    /// @param without  an effect whose systems are left out
+    /// @param without  an effect whose systems are not added
     explicit PileGame(int crates = 12, std::string_view without = {}) {
-        useSystemOrder(world);
+        content.useSystemOrder(world);
         for (const SystemRow& system : systemTable()) {
             if (without.empty() || system.effect != without) system.add(world);
         }
-        world.resource<PictureSize>();  // as a scene has it
+        world.resource<PictureSize>();  // scenes add this resource
         Entity floor = world.createEntity();
         floor.addComponent<Transform>(-400.0f, 200.0f);
         floor.addComponent<BoxCollider>(1200, 20);
@@ -38,7 +39,7 @@ public:
     }
 };
 
-/// The effects beside those of the physics, by row of the table.
+/// Indices of the effects in the effect table that are not effects of the physics.
 inline std::vector<std::size_t> gameEffects() {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < engineEffects().rows().size(); ++i) {

@@ -14,7 +14,7 @@ namespace {
 
 using test::PileGame;
 
-/// The line of the table that begins with this name.
+/// Returns the line of the table that begins with this name.
 std::string lineOf(const std::string& table, const std::string& name) {
     const std::size_t at = table.find("\n  " + name + "  ");
     return at == std::string::npos ? "" : table.substr(at + 1, table.find('\n', at + 1) - at - 1);
@@ -24,7 +24,7 @@ std::string tableOf(PileGame& game) {
     return effectText(reportEffects(game.world, game.effects, nullptr, 0));
 }
 
-TEST(EffectList, saysWhatRunsAndForWhat) {
+TEST(EffectList, listsRunningEffectsAndTheirUsers) {
     PileGame game;
     game.play(1);
     const std::string before = tableOf(game);
@@ -43,11 +43,11 @@ TEST(EffectList, saysWhatRunsAndForWhat) {
               "  sound                yes   -                 -       -         -  Music (1)");
 }
 
-TEST(EffectList, everyColumnStandsBelowItsTitle) {
+TEST(EffectList, everyColumnIsBelowItsTitle) {
     PileGame game;
     game.play(1);
     const std::string table = tableOf(game);
-    const std::size_t callers = table.find("called for by");
+    const std::size_t callers = table.find("requested by");
     ASSERT_LT(callers, table.find('\n'));
     for (const EffectRow& row : engineEffects().rows()) {
         const std::string line = lineOf(table, std::string{row.name});
@@ -57,20 +57,21 @@ TEST(EffectList, everyColumnStandsBelowItsTitle) {
     }
 }
 
-TEST(EffectList, measuringTellsTheCostOfWhatRunsAndLeavesTheGameAsItWas) {
+TEST(EffectList, measuringReportsCostsAndDoesNotChangeTheGame) {
     PileGame game, same;
     Profile profile;
     const EffectReport report = measureEffects(game, profile, 20);
     EXPECT_EQ(report.ticks, 20);
     EXPECT_GT(report.microseconds, 0.0);
-    same.play(20);  // as many as it warms up
+    same.play(20);  // as many ticks as the measurement runs for warming up
     EXPECT_EQ(game.world.hash(), same.world.hash());
     for (const EffectLine& line : report.lines) {
         EXPECT_EQ(game.effects.pinOf(line.row), Pin::Auto);
         const bool costs = line.microseconds > 0.0;
         EXPECT_TRUE(!costs || line.runs) << engineEffects().rows()[line.row].name;
     }
-    // On a busy machine the clock may take longer than what it measures, which is nothing then.
+    // On a busy machine reading the clock may take longer than the measured work, which is then reported as
+    // 0.
     const EffectLine& sleep = report.lines[engineEffects().find("sleep")];
     EXPECT_EQ(sleep.zones.own, std::vector<std::string_view>{"sleep"});
     const auto zones = profile.zones();
@@ -81,7 +82,7 @@ TEST(EffectList, measuringTellsTheCostOfWhatRunsAndLeavesTheGameAsItWas) {
     EXPECT_LE(sleep.microseconds, 1e6 * zone->seconds / report.ticks);
 }
 
-TEST(EffectList, aZoneThatOthersNeedAsWellIsNobodysOwn) {
+TEST(EffectList, aZoneSharedByEffectsIsNotAssignedToOne) {
     const EffectTable& table = engineEffects();
     const EffectZones contacts = zonesOf(table, table.find("contacts"));
     EXPECT_TRUE(contacts.own.empty());

@@ -15,8 +15,8 @@
 #include "scene/play_sound.hpp"
 #include "tests/app/effects/effect_games.hpp"
 
-// What holds of each effect of a game: a game without it does not run it, one that has it without need moves
-// as if it was not there, and a component that needs what the scene pins off is reported.
+// For each effect of a game: a game that does not require it does not run it; running it without need changes
+// no bit; and a component that requires an effect which the scene pins off is reported.
 
 namespace plumb {
 namespace {
@@ -31,13 +31,13 @@ class EveryGameEffect : public testing::TestWithParam<std::size_t> {};
 TEST_P(EveryGameEffect, isNotRunInASceneWithoutIt) {
     PileGame game;
     game.play(30);
-    EXPECT_FALSE(game.effects.calledFor(game.world, GetParam()));
+    EXPECT_FALSE(game.effects.isRequired(game.world, GetParam()));
     EXPECT_FALSE(game.effects.runs(game.world, GetParam()));
     EXPECT_EQ(game.effects.runsOf(game.world, GetParam()), 0u);
 }
 
-TEST_P(EveryGameEffect, isRunWhileSomethingCallsForItAndNoLonger) {
-    if (rowOf(GetParam()).name == "tile_animation") return;  // a tileset calls for it: EffectDevices
+TEST_P(EveryGameEffect, isRunOnlyWhileSomethingRequiresIt) {
+    if (rowOf(GetParam()).name == "tile_animation") return;  // required by a tileset; see EffectDevices
     ASSERT_FALSE(rowOf(GetParam()).callers.empty());
     for (const EffectCaller& caller : rowOf(GetParam()).callers) {
         PileGame game;
@@ -51,14 +51,14 @@ TEST_P(EveryGameEffect, isRunWhileSomethingCallsForItAndNoLonger) {
         game.play(3);
         EXPECT_GE(game.effects.runsOf(game.world, GetParam()), 3u) << caller.type().name;
         if (game.world.alive(entity)) game.world.destroy(entity);
-        game.play(2);  // what it left goes in the first of them
+        game.play(2);  // systems may do their final work in the first of these ticks
         const std::uint64_t runs = game.effects.runsOf(game.world, GetParam());
         game.play(3);
         EXPECT_EQ(game.effects.runsOf(game.world, GetParam()), runs) << caller.type().name;
     }
 }
 
-TEST_P(EveryGameEffect, pinnedOffIsNotRunWhateverCalls) {
+TEST_P(EveryGameEffect, isNeverRunIfPinnedOff) {
     if (!hasSystem(GetParam())) return;
     PileGame game;
     game.effects.setProgram(rowOf(GetParam()).name, Pin::Off);
@@ -70,7 +70,7 @@ TEST_P(EveryGameEffect, pinnedOffIsNotRunWhateverCalls) {
     EXPECT_FALSE(game.effects.runs(game.world, GetParam()));
 }
 
-TEST_P(EveryGameEffect, leavesEveryBitAsItIsWhenPinnedOnForNothing) {
+TEST_P(EveryGameEffect, changesNoBitIfPinnedOnWithoutNeed) {
     PileGame off, on;
     on.effects.setProgram(rowOf(GetParam()).name, Pin::On);
     for (int i = 0; i < 120; ++i) {
@@ -87,7 +87,7 @@ TEST_P(EveryGameEffect, leavesEveryBitAsItIsWhenPinnedOnForNothing) {
 INSTANTIATE_TEST_SUITE_P(All, EveryGameEffect, testing::ValuesIn(gameEffects()),
                          [](const auto& tested) { return std::string{rowOf(tested.param).name}; });
 
-/// A field that makes a component call for an effect that its defaults do not call for.
+/// Returns a JSON field that makes a component require an effect that its default values do not require.
 std::string fieldsFor(std::string_view effect, std::string_view component) {
     if (effect == "restitution") return R"("bounciness": 0.5)";
     if (effect == "drag") return R"("linearDrag": 1)";
@@ -108,7 +108,7 @@ std::string sceneWith(std::string_view effects, std::string_view component, std:
 
 class EveryEffectRow : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EveryEffectRow, tellsWhatNeedsItWhereItIsPinnedOff) {
+TEST_P(EveryEffectRow, reportsComponentsThatRequireItIfPinnedOff) {
     const EffectRow& row = rowOf(GetParam());
     for (const EffectCaller& caller : row.callers) {
         for (const char* pin : {"off", "on", "auto"}) {
@@ -153,12 +153,12 @@ TEST(Effects, theTableHasEveryEffectOfThePhysicsOnceAndEveryNameOnce) {
         if (row.physics != physics::Effect::Count) {
             EXPECT_TRUE(ofPhysics.insert(row.physics).second) << row.name;
         }
-        EXPECT_EQ(row.calledFor == nullptr, row.physics != physics::Effect::Count) << row.name;
+        EXPECT_EQ(row.isRequired == nullptr, row.physics != physics::Effect::Count) << row.name;
     }
     EXPECT_EQ(ofPhysics.size(), physics::kEffects);
 }
 
-TEST(Effects, whatAnEarlierSystemMakesIsHeardInTheSameTick) {
+TEST(Effects, componentsOfEarlierSystemsActInTheSameTick) {
     PileGame game;
     Entity ghost = game.world.createEntity();
     ghost.addComponent<Transform>();
@@ -170,7 +170,7 @@ TEST(Effects, whatAnEarlierSystemMakesIsHeardInTheSameTick) {
     EXPECT_EQ(state.world.steps, 1u);
 }
 
-TEST(Effects, theLastParticlesGoWithTheLastEmitter) {
+TEST(Effects, theLastParticlesAreRemovedWithTheLastEmitter) {
     PileGame game;
     Entity torch = game.world.createEntity();
     torch.addComponent<Transform>();
@@ -185,7 +185,7 @@ TEST(Effects, theLastParticlesGoWithTheLastEmitter) {
     EXPECT_EQ(game.effects.runsOf(game.world, "particles"), runs);
 }
 
-TEST(Effects, aSystemOfTheGamesOwnHasNoGate) {
+TEST(Effects, customSystemsAlwaysRun) {
     struct OwnSystem {
         int runs = 0;
         void update(World&, float) { ++runs; }
@@ -196,7 +196,7 @@ TEST(Effects, aSystemOfTheGamesOwnHasNoGate) {
     EXPECT_EQ(own.runs, 3);
 }
 
-// Pins in scene files.
+// ---- Pins in scene files
 
 LoadedScene sceneThatSays(World& world, std::string_view path, const Json& effects) {
     LoadedScene scene;
@@ -207,7 +207,7 @@ LoadedScene sceneThatSays(World& world, std::string_view path, const Json& effec
     return scene;
 }
 
-TEST(Effects, theTopmostSceneThatNamesAnEffectDecides) {
+TEST(Effects, theTopmostSceneWithAPinDecides) {
     Game game;
     auto& scenes = game.world.resource<LoadedScenes>().scenes;
     scenes.push_back(
@@ -229,7 +229,7 @@ TEST(Effects, theTopmostSceneThatNamesAnEffectDecides) {
     EXPECT_EQ(game.effects.pinnedBy(numberOf("sound")), "");
 }
 
-TEST(Effects, aScenePinsThoseOfThePhysicsToo) {
+TEST(Effects, aSceneCanPinEffectsOfThePhysics) {
     PileGame floats, falls;
     floats.world.resource<LoadedScenes>().scenes.push_back(
         sceneThatSays(floats.world, "space", {{"gravity", "off"}, {"wind", "on"}}));
@@ -268,7 +268,7 @@ TEST(Effects, aSceneWithPinsIsSavedByteForByteAndUnknownOnesAreReported) {
     EXPECT_EQ(sceneToJson(game.world, {game.types}, report->scene), text);
 }
 
-TEST(Effects, anOverlayThatNeedsWhatTheSceneBelowPinsOffIsReported) {
+TEST(Effects, anOverlayThatRequiresAnEffectPinnedOffBelowIsReported) {
     Game game;
     auto& scenes = game.world.resource<LoadedScenes>().scenes;
     scenes.push_back(sceneThatSays(game.world, "below", {{"particles", "off"}}));
@@ -287,7 +287,7 @@ TEST(Effects, anOverlayThatNeedsWhatTheSceneBelowPinsOffIsReported) {
     EXPECT_TRUE(problems.empty());
 }
 
-// Devices.
+// ---- Devices
 
 class Sounds {
 public:
@@ -300,7 +300,7 @@ public:
     SoundOutput output;
 };
 
-TEST(Effects, theAudioDeviceStaysClosedUntilSomethingSounds) {
+TEST(Effects, theAudioDeviceStaysClosedUntilTheFirstSound) {
     PileGame game;
     Sounds sounds{game};
     for (int i = 0; i < 10; ++i) {

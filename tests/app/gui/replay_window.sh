@@ -1,7 +1,7 @@
 #!/bin/bash
-# A game in a real window under Xvfb is the game that headless programs play: a replay has the same hash in both,
-# and what was recorded in the window plays headless. The window loses the focus on the way, and with it a
-# second of the game's time.
+# A game in a real window under Xvfb must equal the headless game: a replay has the same hash in both, and a recording
+# made in the window can be replayed headless. During the recording the window loses the focus, which pauses the game
+# for a second.
 #   replay_window.sh REPLAY TICKS WORK-FOLDER TITLE PROGRAM [PROJECT]
 set -eu
 replay=$1 ticks=$2 work=$3 title=$4

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Plays in a real window under Xvfb: resized by hand, the physics shown, left and come back to.
-# (Full screen needs a window manager, which Xvfb has not.)
+# Plays in a real window under Xvfb: resizes it, shows the physics view, removes the focus and restores it.
+# (Full screen needs a window manager, which Xvfb does not have.)
 #   window.sh PLAYER PROJECT WORK-FOLDER
 set -eu
 player=$1 project=$2 work=$3
@@ -22,8 +22,8 @@ xdotool windowfocus "$window"; sleep 0.3
 xdotool windowsize "$window" 700 500
 becomes 700x500
 xdotool key F3; sleep 0.3; xdotool key --clearmodifiers ctrl+4; sleep 0.3
-grep -q "Physics shown" "$work/log" || fail "F3 did not show the physics"
-# Left alone it waits: 600 ticks are 10 s, and it is still there long after.
+grep -q "Physics view on" "$work/log" || fail "F3 did not show the physics"
+# Without the focus the game pauses: 600 ticks take 10 s, and the window is still open long afterwards.
 other=$(xdotool search --maxdepth 0 --name '' 2> /dev/null | head -1)
 xdotool windowfocus "${other:-1}" 2> /dev/null || true
 sleep 12
@@ -33,6 +33,6 @@ for _ in $(seq 300); do kill -0 "$program" 2> /dev/null || break; sleep 0.1; don
 kill -0 "$program" 2> /dev/null && fail "it did not go on when the focus came back"
 wait "$program" || fail "it ended with an error"
 program=
-# The last picture is the window's: 700x500, in the bytes 16..23 of the PNG.
+# The screenshot has the size of the window, 700x500: bytes 16 to 23 of the PNG.
 [ "$(od -An -tu1 -j16 -N8 "$work/last.png" | tr -s ' ')" = " 0 0 2 188 0 0 1 244" ] || fail "the picture is not 700x500"
 echo "resized, showed the physics, paused without the focus"

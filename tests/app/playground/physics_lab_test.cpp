@@ -1,4 +1,4 @@
-// The five teaching scenes: what they claim on the screen is what happens.
+// Tests that the five teaching scenes show what their texts state.
 
 #include <cmath>
 
@@ -27,7 +27,7 @@ struct Laboratory : Playground {
         const auto& values = curve(plot, ghost).values;
         return values.empty() ? NAN : values.back();
     }
-    /// Presses the mouse on a slider, at a part of its way, and lets it go after some ticks.
+    /// Presses the mouse on a slider at the fraction `part` of its length and releases it after some ticks.
     void drag(std::string_view slider, float part, int ticks = 2) {
         const EntityId entity = find(slider);
         const Vec2 start = std::as_const(game.world).get<Transform>(entity).position;
@@ -41,10 +41,11 @@ struct Laboratory : Playground {
     const ScenePhysics& physics() { return std::as_const(game.world).get<ScenePhysics>(find("how exact")); }
 };
 
-TEST(PhysicsLab, springsKeepWhatTheirIntegratorKeeps) {
+TEST(PhysicsLab, springsShowTheEnergyErrorOfTheirIntegrator) {
     Laboratory lab{"springs"};
     lab.run(121);
-    // 5053 px/s2 at 1 m of 128 px: omega^2 = 39.5, so the energy of explicit Euler grows by 1.011 in a tick.
+    // 5053 px/s2 at 1 m = 128 px: omega^2 = 39.5/s2, so explicit Euler multiplies the energy by 1.011 per
+    // tick.
     EXPECT_NEAR(lab.last("energy", "explicit Euler") / std::pow(1.0 + 5053.0 / 128.0 / 3600.0, 120), 1.0,
                 0.02);
     EXPECT_NEAR(lab.last("energy"), 1.0f, 0.06f) << "semi-implicit Euler wobbles about it";
@@ -52,7 +53,7 @@ TEST(PhysicsLab, springsKeepWhatTheirIntegratorKeeps) {
     EXPECT_NEAR(lab.last("energy", "Runge-Kutta 4"), 1.0f, 1e-4f);
 }
 
-TEST(PhysicsLab, ofThreeTowersAtOnePriceTheOneWithMostSubstepsStands) {
+TEST(PhysicsLab, ofThreeTowersOfEqualCostTheOneWithMostSubstepsStands) {
     Laboratory lab{"substeps"};
     lab.run(360);
     EXPECT_LT(lab.last("overlap", "8 x 1"), 3.0f);
@@ -69,7 +70,7 @@ TEST(PhysicsLab, moreSubstepsSinkLess) {
     EXPECT_LT(lab.last("overlap", "automatic"), lab.last("overlap"));
 }
 
-TEST(PhysicsLab, onlyTheContinuousBallStaysBeforeTheWall) {
+TEST(PhysicsLab, onlyTheBallWithContinuousDetectionIsStoppedByTheWall) {
     Laboratory lab{"bullets"};
     for (const float part : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
         lab.drag("speed", part);
@@ -80,7 +81,7 @@ TEST(PhysicsLab, onlyTheContinuousBallStaysBeforeTheWall) {
     EXPECT_GT(std::fabs(lab.last("place", "without") - 3.4f), 3.5f) << "through one of the walls";
 }
 
-TEST(PhysicsLab, theSameStartGivesTheSameBitsAndAnotherDigitDoesNot) {
+TEST(PhysicsLab, equalStartsGiveEqualBitsAndDifferentStartsDoNot) {
     Laboratory lab{"bits"};
     std::size_t touched = 0;
     for (int i = 0; i < 300; ++i) {
@@ -93,7 +94,7 @@ TEST(PhysicsLab, theSameStartGivesTheSameBitsAndAnotherDigitDoesNot) {
     EXPECT_GT(lab.last("distance", "one ball moved"), 1.0f) << "mm, from a ten millionth of a px";
 }
 
-TEST(PhysicsLab, aSliderThatIsLetGoBeginsTheExperimentAnew) {
+TEST(PhysicsLab, releasingASliderRestartsTheExperiment) {
     Laboratory lab{"masses"};
     lab.run(100);
     EXPECT_GT(lab.curve("overlap").values.size(), 90u);
@@ -127,7 +128,7 @@ TEST(PhysicsLab, ghostsChangeNoBitOfTheScene) {
     }
 }
 
-TEST(PhysicsLab, theKeepersOfTheLabAreMadeForScenesThatHaveThemOnly) {
+TEST(PhysicsLab, labSystemsExistOnlyInScenesThatUseThem) {
     Playground pyramid{"pyramid"};
     pyramid.run(10);
     EXPECT_EQ(pyramid.game.world.findResource<Lab>(), nullptr);
@@ -135,7 +136,7 @@ TEST(PhysicsLab, theKeepersOfTheLabAreMadeForScenesThatHaveThemOnly) {
     EXPECT_EQ(pyramid.game.world.findResource<PlotPast>(), nullptr);
 }
 
-TEST(PhysicsLab, whatWasRestoredGoesOnAsItDid) {
+TEST(PhysicsLab, aRestoredSnapshotContinuesEqually) {
     Laboratory lab{"bits"};
     lab.run(60);
     const Snapshot past = lab.game.world.save();

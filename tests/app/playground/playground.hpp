@@ -22,7 +22,7 @@
 
 namespace plumb {
 
-/// The scenes of the gallery by name, without the menu and the overlay.
+/// Names of the scenes of the gallery, without the menu and the overlay.
 inline std::vector<std::string> galleryScenes() {
     std::vector<std::string> scenes;
     const Path folder = test::sourceFolder() / "projects/physics-playground/scenes";
@@ -33,7 +33,7 @@ inline std::vector<std::string> galleryScenes() {
     return scenes;
 }
 
-/// A scene of projects/physics-playground, or of another sample, that is played without a window.
+/// A scene of projects/physics-playground or another project that is played without a window.
 struct Playground {
     static Project project(const std::string& name) {
         Result<Project> loaded = loadProject(test::sourceFolder() / "projects" / name);
@@ -59,7 +59,7 @@ struct Playground {
         run(ticks);
         frame.set(key, false);
     }
-    /// Ticks until it is so; the most when it never is.
+    /// Runs until a condition is true, for at most `most` ticks. @return number of ticks
     template <class So>
     int runUntil(int most, So so) {
         int ticks = 0;
@@ -74,7 +74,7 @@ struct Playground {
         ADD_FAILURE() << "there is no " << name;
         return {};
     }
-    /// All whose names begin so, in the order of the scene.
+    /// Returns all entities whose names begin with a text, in the order of the scene.
     std::vector<EntityId> all(std::string_view beginning) {
         std::vector<std::pair<std::int32_t, EntityId>> found;
         for (auto [entity, named, from] : std::as_const(game.world).query<const Name, const SceneEntity>()) {
@@ -99,14 +99,14 @@ struct Playground {
     }
 
     PhysicsState& physics() { return game.world.resource<PhysicsState>(); }
-    /// The particles of a soft body (px).
+    /// Positions of the particles of a soft body, px.
     std::vector<Vec2> particles(std::string_view name) {
         const EntityId entity = find(name);
         std::vector<Vec2> list;
         for (const SoftLinkage& linkage : physics().softBodies) {
             if (linkage.entity != entity) continue;
             for (const physics::SoftParticle& particle : physics::particlesOf(physics().world, linkage.body))
-                list.push_back(placeInPixels(particle.place, physics().scale));
+                list.push_back(positionInPixels(particle.place, physics().scale));
         }
         EXPECT_FALSE(list.empty()) << name << " is not soft";
         return list;

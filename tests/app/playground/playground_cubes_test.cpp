@@ -5,12 +5,12 @@
 namespace plumb {
 namespace {
 
-// The demonstration scene, sentence by sentence.
+// Tests the statements of the demonstration scene one by one.
 
 Vec2 velocityOf(Playground& play, std::string_view name) { return play.body(name).velocity; }
 
-/// Puts the small cube above a place and lets it fall.
-/// @return px that it comes up again after the first touch
+/// Drops the small cube from a position.
+/// @return height of its first bounce, px
 float bounceAt(float x, float y) {
     Playground play{"cubes"};
     teleport(play.game.world.get<Transform>(play.find("small cube")), Vec2{x, y});
@@ -37,7 +37,7 @@ TEST(PlaygroundCubes, theFloorBouncesAndTheLargeCubeDoesNot) {
     EXPECT_LT(bounceAt(1030, 300), 1.0f);
 }
 
-TEST(PlaygroundCubes, theFloorStopsWhatSlidesAndTheLargeCubeDoesNot) {
+TEST(PlaygroundCubes, theFloorHasFrictionAndTheLargeCubeHasNone) {
     const auto speedLeft = [](float x, float y) {
         Playground play{"cubes"};
         teleport(play.game.world.get<Transform>(play.find("small cube")), Vec2{x, y});
@@ -64,7 +64,7 @@ TEST(PlaygroundCubes, theHeavyCubeIsHarderToPushThanTheLightOne) {
     EXPECT_GT(light, 3.0f * heavy);
 }
 
-TEST(PlaygroundCubes, theSpinningTriggerStopsNothingAndColorsWhatIsInIt) {
+TEST(PlaygroundCubes, theSpinningTriggerColorsBodiesWithoutStoppingThem) {
     Playground play{"cubes"};
     const auto tint = [&] {
         return std::as_const(play.game.world).get<Sprite>(play.find("small cube")).tint;
@@ -99,7 +99,7 @@ TEST(PlaygroundCubes, aKeyShowsAndHidesTheCountsOfTheThreePhases) {
     EXPECT_TRUE(play.game.world.has<Hidden>(counters));
 }
 
-TEST(PlaygroundCubes, theMouseDragsACubeAndLetsItGo) {
+TEST(PlaygroundCubes, theMouseDragsAndReleasesACube) {
     Playground play{"cubes"};
     play.run(60);
     const Vec2 from = play.at("light cube");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTicks = 600;
 
-/// What the player does: a push to the right, a jump, the mouse at a body, a bang.
+/// Scripted input: pushes to the right, jumps, drags a body with the mouse and triggers an explosion.
 InputFrame handsAt(int tick) {
     InputFrame frame;
     frame.set(Key::Right, tick % 150 > 60);
@@ -33,7 +33,7 @@ void expectFinite(Playground& play) {
     const physics::World& world = play.physics().world;
     for (const SoftLinkage& soft : play.physics().softBodies) {
         for (const physics::SoftParticle& particle : physics::particlesOf(world, soft.body))
-            ASSERT_TRUE(isFinite(placeInPixels(particle.place, play.physics().scale)));
+            ASSERT_TRUE(isFinite(positionInPixels(particle.place, play.physics().scale)));
     }
     ASSERT_TRUE(world.quarantined.empty());
 }
@@ -43,7 +43,7 @@ bool touchesAnything(Playground& play) {
     return world.contacts.size() > 0 || world.joints.size() > world.joints.free.size();
 }
 
-TEST(PlaygroundScenes, tenSecondsOfEachStayFiniteAndKeepTheirBodiesInTouch) {
+TEST(PlaygroundScenes, tenSecondsOfEachStayFiniteWithContacts) {
     for (const std::string& scene : galleryScenes()) {
         SCOPED_TRACE(scene);
         Playground play{scene};
@@ -59,7 +59,7 @@ TEST(PlaygroundScenes, tenSecondsOfEachStayFiniteAndKeepTheirBodiesInTouch) {
     }
 }
 
-TEST(PlaygroundScenes, eachSeventhTickGoneBackToComesOutTheSame) {
+TEST(PlaygroundScenes, restoringEverySeventhTickChangesNothing) {
     for (const std::string& scene : galleryScenes()) {
         SCOPED_TRACE(scene);
         Playground play{scene};
@@ -78,9 +78,9 @@ TEST(PlaygroundScenes, eachSeventhTickGoneBackToComesOutTheSame) {
     }
 }
 
-/// tests/replay/playground.hashes: "scene hash" a line, as plumb-player --frames 600 --hash has it.
-/// UPDATE_GOLDEN=1 writes it anew: say in the commit which change of the scenes or of the simulation that
-/// comes from.
+/// tests/replay/playground.hashes has a line "scene hash" for each scene, as printed by plumb-player --frames
+/// 600 --hash. UPDATE_GOLDEN=1 writes the file; the commit must name the change of the scenes or of the
+/// simulation that caused it.
 TEST(PlaygroundScenes, goldenHashesAreThoseOfEveryMachine) {
     const Path file = test::sourceFolder() / "tests/replay/playground.hashes";
     std::string text;
@@ -98,8 +98,8 @@ TEST(PlaygroundScenes, goldenHashesAreThoseOfEveryMachine) {
     EXPECT_EQ(text, *golden);
 }
 
-/// What lies on jellies rocks and rolls for a while, and then no more: contacts feed nothing.
-TEST(PlaygroundScenes, softBodiesLetWhatLiesOnThemRest) {
+/// Bodies on jellies rock and roll for a while and then come to rest: contacts must not add energy.
+TEST(PlaygroundScenes, bodiesOnSoftBodiesComeToRest) {
     constexpr float kSlow = 1.0f;      // px/s
     constexpr float kTurning = 0.05f;  // rad/s
     Playground play{"softbodies"};
@@ -113,7 +113,7 @@ TEST(PlaygroundScenes, softBodiesLetWhatLiesOnThemRest) {
     }
 }
 
-TEST(PlaygroundScenes, theMenuAndTheKeysLeadToEveryScene) {
+TEST(PlaygroundScenes, everySceneIsReachableByMenuAndKeys) {
     const auto current = [](Playground& play) {
         const std::string path = play.game.world.resource<LoadedScenes>().scenes.front().path;
         return path.substr(7, path.find('.') - 7);
@@ -148,7 +148,7 @@ TEST(PlaygroundScenes, theMenuAndTheKeysLeadToEveryScene) {
     EXPECT_EQ(current(play), scenes.front());
 }
 
-TEST(PlaygroundScenes, pauseHoldsEverythingAndResetBeginsAnew) {
+TEST(PlaygroundScenes, pauseStopsTheSceneAndResetRestartsIt) {
     Playground play{"pyramid"};
     const Vec2 start = play.at("your ball");
     play.run(10);

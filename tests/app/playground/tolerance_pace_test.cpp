@@ -1,4 +1,4 @@
-// Automatic quality follows what is simulated and nothing else: not how fast time passes.
+// Automatic quality depends only on the simulated state, not on the speed at which it is played.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTicks = 240;
 
-/// A heavy box on two light ones that has to keep to half a pixel.
+/// A heavy box on two light ones, with an error tolerance of half a pixel.
 struct HeldMasses : Playground {
     HeldMasses() : Playground{"masses", "physics-lab"} {
         auto& physics = game.world.get<ScenePhysics>(find("how exact"));
@@ -19,14 +19,14 @@ struct HeldMasses : Playground {
         physics.tolerance = 0.5f;
     }
     [[nodiscard]] const physics::World& bodies() { return game.world.resource<PhysicsState>().world; }
-    /// The highest quality that an island has.
+    /// Maximum quality of all islands.
     [[nodiscard]] int quality() {
         int best = -1;
         for (const physics::SubstepController& effort : bodies().bodies.substepControllers)
             best = std::max(best, int{effort.quality});
         return best;
     }
-    /// At this speed against the clock, in frames of a display of `rate` Hz.
+    /// Plays at a multiple of real time, in frames of a display of `rate` Hz.
     void runAt(double speed, double rate) {
         StepClock clock;
         for (int done = 0; done < kTicks;) {
@@ -49,7 +49,7 @@ TEST(TolerancePace, theSameBitsAtTenTimesAndATenthOfRealTime) {
     }
 }
 
-TEST(TolerancePace, ofAComponentItIsPixels) {
+TEST(TolerancePace, theToleranceOfAComponentIsInPixels) {
     HeldMasses held;
     held.run(1);
     EXPECT_FLOAT_EQ(held.bodies().settings.tolerance, 0.5f / 128.0f);

@@ -14,8 +14,8 @@
 #include "scene/physics/physics_times.hpp"
 #include "tests/app/projects/project_replays.hpp"
 
-// Looking at a game does not change it. Each game here is played once alone; every other run has an
-// onlooker, and the hash of its state must be the same after each tick.
+// Observing a game must not change it. Each game is played once without an observer; every other run has one,
+// and the hash of its state must be the same after each tick.
 
 namespace plumb {
 namespace {
@@ -30,10 +30,10 @@ struct MadeUp {
 /// A recorded game.
 struct Playing {
     const ProjectReplay& row;
-    std::vector<InputFrame> input;  ///< one frame a tick
+    std::vector<InputFrame> input;  ///< one frame per tick
 };
 
-/// What looks at a game between its ticks.
+/// A function that observes a game between its ticks.
 using Onlooker = std::function<void(Game&, std::size_t tick)>;
 
 std::vector<std::uint64_t> hashesOf(const Playing& playing, const Onlooker& look) {
@@ -52,7 +52,8 @@ std::vector<std::uint64_t> hashesOf(const Playing& playing, const Onlooker& look
 
 template <std::size_t... N>
 void askForMadeUpTypes(const World& world, std::size_t tick, std::index_sequence<N...>) {
-    // All before the game begins, or one more each tick: both orders of first use are other ones.
+    // All types before the first tick, or one more after each tick: the two orders of first use differ from
+    // that of the game.
     ((tick == 0 || tick % kMadeUpTypes == N ? static_cast<void>(world.query<const MadeUp<N>>().count())
                                             : void()),
      ...);
@@ -67,7 +68,7 @@ void expectTheSameWith(const Playing& playing, const std::vector<std::uint64_t>&
     EXPECT_EQ(differs, alone.end()) << "the first tick that differs: " << differs - alone.begin() + 1;
 }
 
-/// Log levels that change from tick to tick; the lines go nowhere.
+/// Changes the log level from tick to tick and discards all lines.
 class LogOfTest {
 public:
     LogOfTest() : before_{setLogSink([](const LogLine&) {})} {}
@@ -85,7 +86,7 @@ private:
 };
 
 void expectTheSameWithEach(const Playing& playing) {
-    constexpr std::size_t kFrame = 8;  // ticks between pictures: a picture in software takes long
+    constexpr std::size_t kFrame = 8;  // ticks between drawn frames, because software rendering is slow
     SCOPED_TRACE(playing.row.project);
     const std::vector<std::uint64_t> alone = hashesOf(playing, [](Game&, std::size_t) {});
     constexpr auto kAll = std::make_index_sequence<kMadeUpTypes>{};

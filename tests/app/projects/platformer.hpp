@@ -19,7 +19,7 @@ inline Project platformer() {
     return *project;
 }
 
-/// The paths of its scenes, as the project names them.
+/// Paths of the platformer's scenes, relative to its project folder.
 inline std::vector<std::string> platformerScenes() {
     std::vector<std::string> scenes;
     for (const std::string& name :
@@ -29,7 +29,7 @@ inline std::vector<std::string> platformerScenes() {
     return scenes;
 }
 
-/// How many entities the last tick moved.
+/// Number of entities that moved in the last tick.
 inline std::size_t movedEntities(World& world) {
     std::size_t moved = 0;
     for (auto [entity, transform] : world.query<const Transform>()) {

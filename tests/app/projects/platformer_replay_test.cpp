@@ -9,8 +9,8 @@
 namespace plumb {
 namespace {
 
-// A new value is a decision: say in the commit which change of the levels or of the simulation it comes from.
-// tests/replay/solve_platformer.cpp plays the game anew.
+// Changes of this value must be explained in the commit by a change of the levels or of the simulation.
+// tests/replay/solve_platformer.cpp creates a new replay.
 constexpr std::uint64_t kHashAtTheEnd = 0x69324480c90a307bull;
 
 TEST(PlatformerReplay, playsFromTheTitleThroughAllLevelsToTheEndScreenBitForBit) {

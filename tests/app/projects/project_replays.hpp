@@ -14,15 +14,15 @@
 
 namespace plumb {
 
-/// A project of scenes and its recorded game, which goes through several of them.
+/// A project and its recorded replay, which visits several of its scenes.
 struct ProjectReplay {
     const char* project;
     const char* replay;
 };
 
-/// One for every project of scenes; a test watches that none is left out.
+/// One replay for every project with scenes; ProjectReplays.noProjectIsLeftOut checks that none is missing.
 inline constexpr std::array kProjectReplays{
-    ProjectReplay{"platformer", "platformer.replay"},  // made by solve_platformer.cpp
+    ProjectReplay{"platformer", "platformer.replay"},  // created by solve_platformer.cpp
     ProjectReplay{"physics-playground", "playground.replay"},
     ProjectReplay{"physics-lab", "lab.replay"},
 };
@@ -41,7 +41,7 @@ inline Project projectOf(const ProjectReplay& row) {
     return *project;
 }
 
-/// One frame a tick.
+/// Returns the input of a replay, one frame per tick.
 inline std::vector<InputFrame> framesOf(const Replay& replay) {
     std::vector<InputFrame> frames;
     ReplayPlayer player{replay};

@@ -10,15 +10,15 @@
 #include "scene/loaded_scene.hpp"
 #include "scene/physics/physics_state.hpp"
 
-// Every project has a recorded game whose hashes are those of every machine, in a window or without one.
+// Every project has a replay whose hashes are equal on all machines, with and without a window.
 
 namespace plumb {
 namespace {
 
 constexpr int kCheckEvery = 100;  // ticks
 
-/// From the menu into its first scenes and back, with a hand that drags. The mouse moves in steps, so that
-/// the file stays small.
+/// Scripted input: from the menu into the first scenes and back, with mouse drags. The mouse moves in coarse
+/// steps, so that the replay file stays small.
 std::vector<InputFrame> menuAndScenes() {
     constexpr int kScenes = 6;
     constexpr int kVisit = 120;  // ticks
@@ -70,7 +70,7 @@ void recordAnew(const ProjectReplay& row) {
     ASSERT_TRUE(saveReplay(recorder.replay, pathOf(row)));
 }
 
-/// A body stands on something, or the solver has a contact.
+/// True if a body is grounded or the solver has a contact.
 bool somethingTouches(const World& world) {
     const auto* physics = world.findResource<PhysicsState>();
     if (physics != nullptr && physics->world.contacts.size() > 0) return true;
@@ -80,9 +80,9 @@ bool somethingTouches(const World& world) {
     return false;
 }
 
-/// UPDATE_GOLDEN=1 records those of this file anew: say in the commit which change of the scenes or of the
-/// simulation that comes from. The platformer's is made by solve_platformer.
-TEST(ProjectReplays, eachPlaysAsItWasRecordedAndDoesSomething) {
+/// UPDATE_GOLDEN=1 records the replays of this file again; the commit must name the change of the scenes or
+/// of the simulation that caused it. The platformer's replay is created by solve_platformer.
+TEST(ProjectReplays, eachReplayHasItsRecordedHashesAndHasContacts) {
     for (const ProjectReplay& row : kProjectReplays) {
         SCOPED_TRACE(row.project);
         const bool ours = std::string_view{row.project} != "platformer";
@@ -114,7 +114,7 @@ TEST(ProjectReplays, noProjectIsLeftOut) {
         const bool known = std::any_of(kProjectReplays.begin(), kProjectReplays.end(),
                                        [&](const ProjectReplay& row) { return name == row.project; });
         EXPECT_EQ(std::filesystem::exists(folder.path() / "project.json"), known) << name;
-        // A game in code has its replay beside it: code_game_test.cpp and replay_window.sh play that.
+        // The replay of a game in code is in its own folder; code_game_test.cpp and replay_window.sh play it.
         const auto isReplay = [](const auto& file) { return file.path().extension() == ".replay"; };
         if (!std::filesystem::exists(folder.path() / "main.cpp")) continue;
         EXPECT_TRUE(std::any_of(std::filesystem::directory_iterator{folder.path()},

@@ -41,7 +41,7 @@ TEST(Project, everyWrongValueIsOneWarningWithWhereWhatAndRemedyAndTheDefaultStay
     }
 }
 
-TEST(Project, whatIsNoProjectIsAnError) {
+TEST(Project, invalidProjectsAreErrors) {
     for (const char* wrong : {"", "[]", "{", "3", "nonsense"}) {
         EXPECT_FALSE(projectFromText(wrong, ".", "project.json").ok()) << wrong;
     }
@@ -49,7 +49,7 @@ TEST(Project, whatIsNoProjectIsAnError) {
     EXPECT_EQ(loadProject("/nowhere/project.json").error().what, "there is no such file");
 }
 
-TEST(Project, sceneNamesAreShortOrWhole) {
+TEST(Project, sceneNamesMayBeShortOrFullPaths) {
     EXPECT_EQ(scenePath("level1"), "scenes/level1.scene.json");
     EXPECT_EQ(scenePath("level1.scene.bin"), "scenes/level1.scene.bin");
     EXPECT_EQ(scenePath("scenes/level1.scene.json"), "scenes/level1.scene.json");

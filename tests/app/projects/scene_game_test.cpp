@@ -57,7 +57,7 @@ TEST(SceneGame, aRestoredSnapshotReplaysToTheSameState) {
     }
 }
 
-TEST(SceneGame, aSecondAfterAHundredSwitchesOnlyWhatTheSceneUsesIsLoaded) {
+TEST(SceneGame, aSecondAfterAHundredSwitchesOnlyAssetsInUseAreLoaded) {
     const auto settled = [](SceneGame& game) {
         game.assets.logging = false;
         game.onCreate();
@@ -72,7 +72,8 @@ TEST(SceneGame, aSecondAfterAHundredSwitchesOnlyWhatTheSceneUsesIsLoaded) {
             game.openScene(i % 2 == 0 ? "scenes/level2.scene.json" : "scenes/level1.scene.json").ok());
         for (int k = 0; k < i % 5; ++k) tickGame(game, InputFrame{});
     }
-    EXPECT_GT(game.assets.size(), fresh.assets.size());  // of the scene before, for a second
+    // assets of the previous scene are kept for one second
+    EXPECT_GT(game.assets.size(), fresh.assets.size());
     const std::size_t loads = game.assets.loadCount();
     for (int i = 0; i < 61; ++i) tickGame(game, InputFrame{});
 
@@ -81,7 +82,7 @@ TEST(SceneGame, aSecondAfterAHundredSwitchesOnlyWhatTheSceneUsesIsLoaded) {
     EXPECT_EQ(game.assets.loadCount(), loads);
 }
 
-/// Plays level 1 for 400 ticks and looks at the state; `before(tick)` may do something else between ticks.
+/// Plays level 1 for 400 ticks and returns the states; `before(tick)` may act between ticks.
 template <class Before>
 std::vector<std::uint64_t> played(SceneGame& game, Before before) {
     game.assets.logging = false;
@@ -100,7 +101,7 @@ std::vector<std::uint64_t> played(SceneGame& game, Before before) {
     return states;
 }
 
-TEST(SceneGame, aGameThatWasPausedGoesOnAsIfItHadNotBeen) {
+TEST(SceneGame, pausingDoesNotChangeTheGame) {
     SceneGame plain{platformer(), "level1"};
     const std::vector<std::uint64_t> expected = played(plain, [](int) {});
 
@@ -115,7 +116,7 @@ TEST(SceneGame, aGameThatWasPausedGoesOnAsIfItHadNotBeen) {
         if (i % 40 != 39) return;
         const InputFrame held = game.input.frame();
         const InputFrame before = game.input.previousFrame();
-        // Pause comes to the level with a tick; from before that one it is opened by hand.
+        // The pause action takes effect only with a tick, so the pause scene is opened directly.
         ASSERT_TRUE(openOverlay(game.world, game.context(), game.project().pauseScene).ok());
         for (int k = 0; k < i; ++k) press(Key::Right, {});
         most = std::max(most, game.world.resource<LoadedScenes>().scenes.size());
@@ -163,7 +164,7 @@ TEST(SceneGame, thePauseActionOpensTheMenuAndLeadsBackToTheTitle) {
     EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json"}));
 }
 
-TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {
+TEST(SceneGame, theLabelsOfALevelAreCorrectInItsFirstFrame) {
     SceneGame game{platformer(), "scenes/level1.scene.json"};
     game.assets.logging = false;
     game.onCreate();
@@ -188,7 +189,7 @@ TEST(SceneGame, theNumbersOfALevelAreThoseOfItsFirstPicture) {
     EXPECT_EQ(progress.levelsReached.size(), 2u);
 }
 
-TEST(SceneGame, aPlayerThatWaitsAtTheStartOfALevelIsLeftAlone) {
+TEST(SceneGame, aPlayerWaitingAtTheStartOfALevelIsNotHurt) {
     constexpr int kTicks = 40 * 60;
     for (const std::string& scene : platformerScenes()) {
         SCOPED_TRACE(scene);
@@ -200,7 +201,7 @@ TEST(SceneGame, aPlayerThatWaitsAtTheStartOfALevelIsLeftAlone) {
     }
 }
 
-TEST(SceneGame, aSceneThatIsNotThereIsAnErrorAndTheOldOneGoesOn) {
+TEST(SceneGame, aMissingSceneIsAnErrorAndTheOldOneContinues) {
     SceneGame game{platformer(), "level1"};
     game.assets.logging = false;
     game.onCreate();

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/game.hpp"
-#include "app/system_order.hpp"
+#include "app/game_content.hpp"
 #include "core/file.hpp"
 #include "core/random.hpp"
 #include "gameplay/game_progress.hpp"
@@ -24,13 +24,14 @@ namespace {
 
 constexpr const char* kPath = "scenes/mutated.scene.json";
 
-/// How many mutations are tried; PLUMB_MUTATIONS says so. The full run with sanitizers takes 100,000.
+/// Number of mutations: the environment variable PLUMB_MUTATIONS if set. The full run with sanitizers uses
+/// 100,000.
 std::uint64_t mutationCount() {
     const char* wanted = std::getenv("PLUMB_MUTATIONS");
     return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 1000;
 }
 
-/// A file that is damaged, and the prefabs that it names.
+/// A scene file to damage, and the prefabs that it references.
 struct Sample {
     std::string text;
     PrefabLibrary prefabs;
@@ -47,15 +48,15 @@ struct SceneMutations : testing::Test {
         const Path projects = test::sourceFolder() / "projects";
         game.assets = AssetStore{projects / "platformer", engineAssets()};
         game.assets.logging = false;
-        device.keepsDraws = false;
-        addAllSystems(game.world);
+        device.recordsDraws = false;
+        game.content.addSystems(game.world);
         for (const std::string& name : filesBelow(projects, ".scene.json")) {
             auto text = readFile(projects / name);
             EXPECT_TRUE(text.ok());
             samples.push_back(
                 {std::move(*text), PrefabLibrary{game.types, projects / name.substr(0, name.find('/'))}});
         }
-        // And one with every component there is.
+        // One more sample with every component type.
         samples.push_back({{}, PrefabLibrary{game.types}});
         World made{game.types};
         const SceneId scene = addRandomScene(made, game.types, 77, 6, true);
@@ -70,7 +71,7 @@ struct SceneMutations : testing::Test {
         used.clear();
     }
 
-    /// What loaded is written, and what was written loads to the same.
+    /// Expects that the loaded scene can be written, and that the written file loads to the same scene.
     void expectStable(const SceneContext& context, std::size_t loaded) {
         const std::string saved = sceneToJson(game.world, context, sceneId(kPath));
         const auto second = loadScene(again, context, kPath, saved);
@@ -80,7 +81,7 @@ struct SceneMutations : testing::Test {
         empty(again);
     }
 
-    /// What loaded can be played and drawn, whatever its numbers are.
+    /// Plays and draws the loaded scene, whatever its values are.
     void play() {
         loadAssets(game.world, game.types, game.assets);
         game.assets.clearErrors();

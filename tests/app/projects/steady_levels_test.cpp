@@ -12,17 +12,17 @@
 namespace plumb {
 namespace {
 
-/// The platformer with its picture going to a device that only keeps what a graphics card would keep.
+/// The platformer, drawn with a device that stores only what a graphics card would store.
 class PlayedGame {
 public:
     explicit PlayedGame(const std::string& scene)
         : game_{platformer(), scene}, renderer_{device_, game_.assets} {
-        device_.keepsDraws = false;
+        device_.recordsDraws = false;
         game_.assets.logging = false;
         game_.onCreate();
     }
 
-    /// Runs to and fro and jumps; draws one picture a tick.
+    /// Runs left and right, jumps, and draws one frame per tick.
     void play(int ticks, int from = 0) {
         for (int i = from; i < ticks; ++i) {
             InputFrame frame;
@@ -38,8 +38,8 @@ public:
     }
     void open(const std::string& scene) { ASSERT_TRUE(game_.openScene(scene).ok()); }
 
-    /// The same 600 ticks as before, and what they allocate. The first is not counted: queries list their
-    /// entities anew, and the physics makes a new broad phase, as both follow from a world that was restored.
+    /// Replays the 600 ticks from a snapshot and returns their allocations. The first tick is not counted:
+    /// after restoring a world, queries rebuild their lists and the physics creates a new broad phase.
     std::size_t allocationsOfPlayingOn(const Snapshot& from) {
         game_.world.restore(from);
         play(1);
@@ -48,8 +48,8 @@ public:
         return test::allocations().made - before;
     }
 
-    /// From now on all of the physics is drawn. The times are measured, but not written: how many letters
-    /// they take follows the clock, and with it the room for them.
+    /// Draws all layers of the physics view. Times are measured but not written, because the length of their
+    /// text, and so the memory for it, depends on the clock.
     void showPhysics() {
         for (const PhysicsLayer& layer : physicsLayers()) {
             if (layer.bit != kPhysicsTimes) shown.layers |= layer.bit;
@@ -79,8 +79,8 @@ TEST(SteadyLevels, aDrawnTickOfEveryLevelAllocatesNothing) {
         SCOPED_TRACE(scene);
         PlayedGame game{scene};
         game.play(600);
-        // The first time, new letters, more sprites than ever and taken coins may still want room. The second
-        // time the same happens bit for bit, and all room is there.
+        // The first run may allocate for new glyphs, more sprites or collected coins. The second run is equal
+        // bit for bit and finds all memory allocated.
         const Snapshot start = game.world().save();
         game.play(600);
         const std::uint64_t end = game.world().hash();
@@ -90,7 +90,7 @@ TEST(SteadyLevels, aDrawnTickOfEveryLevelAllocatesNothing) {
         EXPECT_GT(game.drawCalls(), 0u);
         const bool isMenu =
             scene.find("pause") != std::string::npos || scene.find("leave") != std::string::npos;
-        if (!isMenu) {  // where nothing moves by itself
+        if (!isMenu) {  // in menus nothing moves by itself
             EXPECT_GT(game.moved(), moved) << "nothing happens in this scene";
         }
         ++levels;
@@ -98,7 +98,7 @@ TEST(SteadyLevels, aDrawnTickOfEveryLevelAllocatesNothing) {
     EXPECT_GE(levels, 6);
 }
 
-TEST(SteadyLevels, theViewOfThePhysicsAllocatesNothingWhileItIsShownAndChangesNothing) {
+TEST(SteadyLevels, thePhysicsViewAllocatesNothingAndChangesNothing) {
     PlayedGame watched{"level1"}, alone{"level1"};
     watched.showPhysics();
     watched.play(600);
@@ -110,7 +110,7 @@ TEST(SteadyLevels, theViewOfThePhysicsAllocatesNothingWhileItIsShownAndChangesNo
     EXPECT_EQ(watched.world().hash(), alone.world().hash());
 }
 
-TEST(SteadyLevels, aHundredSwitchesThroughAllScenesLeaveNothingInMemory) {
+TEST(SteadyLevels, aHundredSwitchesThroughAllScenesLeakNoMemory) {
     const std::vector<std::string> scenes = platformerScenes();
     PlayedGame game{"level1"};
     const auto round = [&] {
@@ -119,7 +119,7 @@ TEST(SteadyLevels, aHundredSwitchesThroughAllScenesLeaveNothingInMemory) {
             game.play(10);
         }
     };
-    for (int i = 0; i < 8; ++i) round();  // tile layers that are not seen are kept for 300 frames
+    for (int i = 0; i < 8; ++i) round();  // tile layers that are not drawn are kept for 300 frames
     const std::size_t alive = test::allocations().alive();
     const std::size_t textures = game.texturesCreated();
     const std::size_t entities = game.world().entityCount();

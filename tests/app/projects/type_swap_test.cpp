@@ -1,5 +1,6 @@
-// Every reader against files in which one value has a wrong type: each is read in part or refused with a
-// reason. PLUMB_TYPE_SWAPS says how many files of each kind are read, 0 for all.
+// Reads files in which one value was replaced by a value of another type, with every reader: each file must
+// be read in part or rejected with a reason. PLUMB_TYPE_SWAPS is the number of files read of each kind, 0 for
+// all.
 
 #include <deque>
 #include <fstream>
@@ -10,7 +11,7 @@
 
 #include "app/game.hpp"
 #include "app/project.hpp"
-#include "app/system_order.hpp"
+#include "app/game_content.hpp"
 #include "assets/animation.hpp"
 #include "assets/tileset.hpp"
 #include "core/file.hpp"
@@ -69,7 +70,7 @@ struct TypeSwap : testing::Test {
     Game game;
     std::deque<PrefabLibrary> libraries;
 
-    TypeSwap() { addAllSystems(game.world); }
+    TypeSwap() { game.content.addSystems(game.world); }
 
     PrefabLibrary& lamps() {
         PrefabLibrary& library = libraries.emplace_back(game.types);
@@ -78,7 +79,7 @@ struct TypeSwap : testing::Test {
         return library;
     }
 
-    /// What loads can be written and is valid JSON.
+    /// Reads a scene; if it loads, it can be written as valid JSON.
     void read(const SceneContext& context, const std::string& text) {
         const Result<LoadReport> report = loadScene(game.world, context, kPath, text);
         if (report) {
@@ -110,7 +111,7 @@ TEST_F(TypeSwap, propertyScenes) {
     });
 }
 
-/// All of the scene that says what only few scenes do.
+/// Tests every value of the scenes with rarely used features.
 TEST_F(TypeSwap, propertyEveryValueOfInstances) {
     PrefabLibrary& library = lamps();
     eachTypeSwap({kInstances, kOldScene}, 10000, [&](std::size_t, const std::string& text) {
@@ -219,7 +220,7 @@ constexpr const char* kNamedFrames =
     R"({"frames": {"a": {"frame": {"x": 0, "y": 0, "w": 8, "h": 8}, "duration": 100}},
  "meta": {"image": "art.png"}})";
 
-/// A map whose tileset and object are in files of their own.
+/// A map whose tileset and object template are in separate files.
 constexpr const char* kMapOfParts =
     R"({"type": "map", "orientation": "orthogonal", "width": 2, "height": 2, "tilewidth": 8, "tileheight": 8,
  "tilesets": [{"firstgid": 1, "source": "art.tsj"}], "layers": [
@@ -264,7 +265,8 @@ struct ImportSwap : TypeSwap {
     void write(const std::string& name, const std::string& text) const {
         EXPECT_TRUE(writeFile(folder.path / name, text).ok());
     }
-    /// Puts what was swapped under `name`, and imports `map`, which names it where it is another file.
+    /// Writes each variant to the file `name` and imports `map`, which references it, or that file itself if
+    /// `map` is empty.
     template <class Swaps = test::TypeSwaps>
     void import(const std::vector<std::string>& samples, const std::string& name, std::size_t usual,
                 const std::string& map = "") {
@@ -313,7 +315,7 @@ TEST_F(ImportSwap, propertyProjectsOfTiled) {
     import({kProject}, "game.tiled-project", 100, "map.tmj");
 }
 
-// ---- the same in XML
+// ---- XML files
 
 TEST_F(ImportSwap, propertyAttributesOfTiledMaps) {
     import <AttributeSwaps>(samplesOf({"meadow.tmx", "brook.tmx", "forest.tmx", "sandbox.tmx"}), "map.tmx",

@@ -10,7 +10,7 @@ using namespace physics;
 
 constexpr int kBoxes = 2000;
 
-/// Properties of the boxes of the pit.
+/// Effects that are active in a pit of boxes.
 struct Pit {
     const char* name;
     bool turns = false;
@@ -20,12 +20,12 @@ struct Pit {
     bool stayEvents = false;
     bool rolls = false;
     bool slows = false;   // drag
-    bool sweeps = false;  // against tunnelling
-    bool oneWay = false;  // the floor
-    bool sleeps = false;  // checks which bodies may sleep; none gets there
+    bool sweeps = false;  // continuous collision, against tunnelling
+    bool oneWay = false;  // the floor is one-way
+    bool sleeps = false;  // checks which bodies may sleep; the sleep time is so long that none does
 };
 
-constexpr int kBare = 6;  // the row that the others are compared with
+constexpr int kBare = 6;  // index in kPits of the pit without effects, the reference for the ratios
 
 World makePit(const Pit& pit) {
     World world;
@@ -108,7 +108,7 @@ int measureContacts(bool quick) {
         best[i] = 1.0e12;
         for (int warm = 0; warm < 100; ++warm) step(worlds[i], kTick);
     }
-    // In turn, so that other work of the machine affects all alike.
+    // Alternate the pits, so that other work of the machine affects all equally.
     for (int round = 0; round < (quick ? 1 : 30); ++round) {
         for (int i = 0; i < kPitCount; ++i) {
             const double time = quickest(5, [&] { step(worlds[i], kTick); });

@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr int kWarmUp = 20;  // steps, until all memory is allocated
+constexpr int kWarmUp = 20;  // steps until all memory is allocated
 
 // The function that callgrind measures.
 extern "C" __attribute__((noinline)) void plumbCountedSteps(plumb::physics::World* world, int steps) {
@@ -23,13 +23,14 @@ namespace {
 using physics::Effect;
 using physics::World;
 
-/// How an effect is present in a scene where no body requires it.
+/// Variants of a scene in which no body requires an effect: without the effect, with it unused, and pinned
+/// on.
 enum Variant { kAbsent, kUnused, kPinnedOn, kVariants };
 
 World makeScene(Effect effect, int variant) {
     World world = physics::test::makeSceneWithout(effect);
     if (variant == kAbsent) world.manifest.pinnedOff |= physics::Manifest::bit(effect);
-    if (variant == kPinnedOn) physics::test::pinOn(world, effect);
+    if (variant == kPinnedOn) physics::test::pinEffectOn(world, effect);
     return world;
 }
 

@@ -10,25 +10,26 @@ namespace plumb::bench {
 
 inline constexpr float kTick = 1.0f / 60.0f;  ///< s
 
-// Each prints its table and returns an exit code.
+// Each of these functions prints its results and returns an exit code.
 
-/// Instructions of a step without an effect, with it unused, and pinned on but not required, by callgrind.
-/// @return 1 when an unused one costs more than 1 %, 77 when valgrind is not installed
+/// Counts the instructions of a step without an effect, with it unused, and pinned on but not required.
+/// @return 1 if an unused effect costs more than 1 %, 77 if valgrind is not installed
 int measureCost(const char* program, bool quick);
-/// The program that measureCost() runs under valgrind.
+/// Runs the steps that measureCost() counts under valgrind.
 int runCounted(bool quick);
-/// Boxes without rotation and friction compared with others; cost of events for continuing contacts.
+/// Measures the time of a step for boxes with and without rotation, friction and other effects, and of events
+/// for continuing contacts.
 int measureContacts(bool quick);
-/// Cost of crates without rotation beside a ragdoll and a
-/// jelly, in instructions, relative to their cost alone.
-/// @return 1 when the ratio misses its goal, 77 when valgrind is not installed
+/// Counts the instructions for crates without rotation beside a ragdoll and a
+/// jelly, and compares them with those for the crates alone.
+/// @return 1 if the ratio misses its target, 77 if valgrind is not installed
 int measureMixed(const char* program, bool quick);
-/// The program that measureMixed() runs under valgrind.
+/// Runs the steps that measureMixed() counts under valgrind.
 int runMixed(bool quick);
-/// Bytes of state and the time to copy, restore and hash them.
+/// Measures the size of a world's state and the time to copy, restore and hash it.
 int measureState(bool quick);
 
-/// The shortest of `rounds` runs, in ns.
+/// Returns the minimum time of `rounds` runs, ns.
 template <class Act>
 double quickest(int rounds, Act&& act) {
     double best = std::numeric_limits<double>::infinity();

@@ -23,7 +23,7 @@ namespace {
 using namespace physics;
 
 constexpr int kMixedCrates = 500;
-constexpr double kCratesShare = 1.1;  // goal: ratio to what the crates cost alone
+constexpr double kCratesShare = 1.1;  // target: ratio of the crates' cost beside others to their cost alone
 
 void addFloor(World& world) {
     world.settings.gravity = {0.0f, -10.0f};
@@ -32,7 +32,7 @@ void addFloor(World& world) {
     static_cast<void>(createShape(world, ground, box({200.0f, 1.0f})));
 }
 
-/// Crates that cannot rotate, in stacks of five.
+/// Adds crates that cannot rotate, in stacks of five.
 void addCrates(World& world) {
     for (int i = 0; i < kMixedCrates; ++i) {
         BodyDefinition body;
@@ -42,7 +42,7 @@ void addCrates(World& world) {
     }
 }
 
-/// A figure of ten capsules and nine hinges with limits, and a jelly.
+/// Adds a ragdoll of ten capsules and nine hinges with limits, and a jelly.
 void addOthers(World& world) {
     struct Limb {
         int parent;

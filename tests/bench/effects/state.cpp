@@ -12,7 +12,7 @@ using namespace physics;
 
 constexpr int kBodies = 1000;
 
-/// A pyramid's worth of crates in rows, awake and in contact.
+/// Returns a world of 1000 crates in rows and stacks, awake and in contact.
 World makeRows() {
     World world;
     world.settings.gravity = {0.0f, -10.0f};

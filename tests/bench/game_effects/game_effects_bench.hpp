@@ -7,14 +7,15 @@
 
 namespace plumb::bench {
 
-// Each prints its table and gives back an exit code.
+// Each of these functions prints its results and returns an exit code.
 
-/// Instructions of a tick without the systems of an effect, and with them present but not required,
-/// by callgrind. @return 1 when an unused one costs more than 1 %, 77 when valgrind is not installed
+/// Counts the instructions of a tick without the systems of an effect, and with them present but not
+/// required. @return 1 if an unused effect costs more than 1 %, 77 if valgrind is not installed
 int measureUnused(const char* program, bool quick);
-/// What measureUnused() runs under valgrind.
+/// Runs the ticks that measureUnused() counts under valgrind.
 int runCountedTicks(bool quick);
-/// Memory, start and tick of each sample project, as its scenes call for effects and with every effect on.
+/// Measures memory, start time and tick time of each sample project, with the effects that its scenes require
+/// and with all effects on.
 int measureProjects(bool quick);
 
 }  // namespace plumb::bench

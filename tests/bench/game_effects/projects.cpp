@@ -25,7 +25,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 struct Sample {
     const char* project;
-    const char* scene;  ///< null: a program of its own
+    const char* scene;  ///< null: the project has its own program
 };
 constexpr Sample kSamples[] = {
     {"platformer", "title"},        {"platformer", "level1"},          {"platformer", "level3"},
@@ -34,16 +34,16 @@ constexpr Sample kSamples[] = {
 };
 
 struct Result {
-    double megabytes = 0.0;  ///< the most that was resident
-    double start = 0.0;      ///< ms until the first tick was shown and all was closed again
-    double tick = 0.0;       ///< µs
+    double megabytes = 0.0;  ///< maximum resident memory
+    double start = 0.0;      ///< ms from start to exit of a run of one frame
+    double tick = 0.0;       ///< µs per tick
 };
 
 #if !defined(_WIN32)
-/// A program in a process of its own. @param milliseconds  that it took @return resident MB at the most
+/// Runs a program. @param milliseconds  receives its time @return maximum resident memory, MB; 0: it failed
 double run(const std::vector<std::string>& command, double& milliseconds) {
     const auto start = std::chrono::steady_clock::now();
-    std::fflush(stdout);  // or the child writes it too
+    std::fflush(stdout);  // otherwise the child process would write buffered output again
     const pid_t child = fork();
     if (child == 0) {
         std::vector<char*> arguments;

@@ -10,9 +10,9 @@
 
 namespace {
 
-constexpr int kWarmUp = 20;  // ticks, until everything has its memory
+constexpr int kWarmUp = 20;  // ticks until all memory is allocated
 
-// What callgrind looks at.
+// The function that callgrind measures.
 extern "C" __attribute__((noinline)) void plumbCountedTicks(plumb::Game* game, int ticks) {
     for (int i = 0; i < ticks; ++i) tickGame(*game, plumb::InputFrame{});
 }
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kCrates = 30;
 
-/// The effects that systems run for.
+/// Returns the effects that have a system.
 std::vector<std::size_t> countedEffects() {
     std::vector<std::size_t> rows;
     for (const std::size_t row : test::gameEffects()) {

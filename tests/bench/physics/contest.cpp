@@ -10,8 +10,8 @@ namespace plumb::scenes {
 
 namespace {
 
-constexpr int kQuickest = 10;     // a quick run does one step in so many
-constexpr int kQuickSize = 1000;  // bodies; a quick run skips scaling scenes with more
+constexpr int kQuickest = 10;     // a quick run has 1/10 of the steps
+constexpr int kQuickSize = 1000;  // a quick run skips scaling scenes with more bodies
 
 std::string_view nameOf(SceneGroup group) {
     switch (group) {
@@ -27,7 +27,8 @@ void usage() {
         stderr,
         "plumb-bench physics [--scene NAME]... [--engine NAME]... [--threads N] [--steps N] [--runs N]\n"
         "                    [--json FILE] [--quick]\n"
-        "  NAME may be a part of it, or of scenes reference, comparison or scaling. All take half an hour.\n"
+        "  NAME may be a part of a name, or a group of scenes: reference, comparison or scaling.\n"
+        "  All scenes take half an hour.\n"
         "scenes:");
     for (const Scene& scene : allScenes()) std::fprintf(stderr, " %s", scene.name.c_str());
     std::fprintf(stderr, "\n");
@@ -87,7 +88,7 @@ bool readOptions(std::span<const std::string> arguments, ContestOptions& options
                                 : name == "--runs"    ? positive(options.measure.runs)
                                                       : false;
         if (!understood) {
-            std::fprintf(stderr, "%s %s: not understood\n", name.c_str(), value.c_str());
+            std::fprintf(stderr, "%s %s: unknown option or invalid value\n", name.c_str(), value.c_str());
             usage();
             return false;
         }

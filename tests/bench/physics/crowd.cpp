@@ -13,26 +13,27 @@ using enum physics::ProxyMotion;
 
 constexpr float kStepsPerSecond = 60.0f;
 constexpr float kMargin = 0.05f;  // m
-constexpr float kFilled = 0.4f;   // of the area by boxes
-constexpr float kHalf = 0.25f;    // m: of a usual box
-constexpr float kWalk = 2.0f;     // m/s
-constexpr float kDash = 40.0f;    // m/s: leaves its bounds in each step
+constexpr float kFilled = 0.4f;   // ratio of the area covered by boxes
+constexpr float kHalf = 0.25f;    // m: half of the side of a usual box
+constexpr float kWalk = 2.0f;     // m/s: usual speed
+constexpr float kDash = 40.0f;    // m/s: a box leaves its bounds in each step
 
 bool contains(const AABB& outer, const AABB& inner) {
     return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && inner.max.x <= outer.max.x &&
            inner.max.y <= outer.max.y;
 }
 
-void turnBack(float place, float size, float& way) {
-    if (place < 0.0f) way = std::fabs(way);
-    if (place > size) way = -std::fabs(way);
+/// Reverses a displacement that leads out of the range from 0 to `size`.
+void reverseAtEdge(float position, float size, float& displacement) {
+    if (position < 0.0f) displacement = std::fabs(displacement);
+    if (position > size) displacement = -std::fabs(displacement);
 }
 
 Vec2 someHalf(Random& random) {
     return {kHalf * random.between(0.6f, 1.4f), kHalf * random.between(0.6f, 1.4f)};
 }
 
-/// The side of a square that so many usual boxes fill as they should, m.
+/// Returns the side of a square of which `boxes` usual boxes cover the ratio kFilled, m.
 float sideFor(std::uint32_t boxes) {
     return std::sqrt(static_cast<float>(boxes) * 4.0f * kHalf * kHalf / kFilled);
 }
@@ -40,7 +41,7 @@ Crowd squareFor(std::uint32_t boxes) { return Crowd{{sideFor(boxes), sideFor(box
 
 Crowd lineFor(std::uint32_t boxes) { return Crowd{{sideFor(boxes) * sideFor(boxes), 1.0f}}; }
 
-/// Anywhere in it, all moving.
+/// Adds moving boxes at random positions.
 Crowd filled(Crowd crowd, std::uint32_t boxes, float speed) {
     for (std::uint32_t i = 0; i < boxes; ++i)
         crowd.add(crowd.anywhere(), someHalf(crowd.random()), Awake, speed);
@@ -74,7 +75,7 @@ Crowd makeOneSize(std::uint32_t boxes) {
     return crowd;
 }
 
-/// Many of 0.1 m, few of 20 m.
+/// Returns a crowd of boxes of 0.1 m to 20 m, most of them small.
 Crowd makeMixedSizes(std::uint32_t boxes) {
     std::vector<Vec2> halves;
     Random random = Random::seeded(2);
@@ -103,7 +104,7 @@ Crowd makeMostlyStill(std::uint32_t boxes) {
 Crowd makeLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kWalk); }
 Crowd makeFastLine(std::uint32_t boxes) { return filled(lineFor(boxes), boxes, kDash); }
 
-/// A heap at rest: nearly all boxes stay within their bounds.
+/// Returns a heap at rest: only one box in 20 moves.
 Crowd makePile(std::uint32_t boxes) {
     const float side = std::sqrt(static_cast<float>(boxes)) * 1.9f * kHalf;
     Crowd crowd{{side, side}};
@@ -112,7 +113,8 @@ Crowd makePile(std::uint32_t boxes) {
     return crowd;
 }
 
-/// Parts of a level are loaded and unloaded.
+/// Returns static boxes of which 1 % per step are removed and added elsewhere, as when parts of a level are
+/// loaded and unloaded.
 Crowd makeStreaming(std::uint32_t boxes) {
     Crowd crowd = squareFor(boxes);
     for (std::uint32_t i = 0; i < boxes; ++i)
@@ -148,25 +150,25 @@ void Crowd::note(std::uint32_t box, bool looks) {
     isMoved_[box] = 1;
 }
 
-void Crowd::add(Vec2 place, Vec2 half, physics::ProxyMotion motion, float speed) {
+void Crowd::add(Vec2 position, Vec2 half, physics::ProxyMotion motion, float speed) {
     const std::uint32_t id = size();
     const SinCos direction = sinCos(random_.between(-kPi, kPi));
     const float pace = motion == Awake ? speed / kStepsPerSecond : 0.0f;
-    boxes_.push_back({place, half, pace * Vec2{direction.cos, direction.sin}});
+    boxes_.push_back({position, half, pace * Vec2{direction.cos, direction.sin}});
     if (pace > 0.0f) movers_.push_back(id);
-    bounds_.push_back(grown({place - half, place + half}, kMargin));
+    bounds_.push_back(grown({position - half, position + half}, kMargin));
     filters_.push_back({.body = id});
     motions_.push_back(motion);
     isMoved_.push_back(0);
     note(id, true);
 }
 
-/// Boxes removed in the previous step reappear elsewhere.
+/// Adds the boxes removed in the previous step at other positions, and removes others.
 void Crowd::stream() {
     for (const std::uint32_t id : away_) {
         Box& box = boxes_[id];
-        box.place = anywhere();
-        bounds_[id] = grown({box.place - box.half, box.place + box.half}, kMargin);
+        box.position = anywhere();
+        bounds_[id] = grown({box.position - box.half, box.position + box.half}, kMargin);
         motions_[id] = Static;
         note(id, true);
     }
@@ -187,10 +189,10 @@ void Crowd::step() {
     stream();
     for (const std::uint32_t id : movers_) {
         Box& box = boxes_[id];
-        box.place += box.way;
-        turnBack(box.place.x, size_.x, box.way.x);
-        turnBack(box.place.y, size_.y, box.way.y);
-        const AABB tight{box.place - box.half, box.place + box.half};
+        box.position += box.displacement;
+        reverseAtEdge(box.position.x, size_.x, box.displacement.x);
+        reverseAtEdge(box.position.y, size_.y, box.displacement.y);
+        const AABB tight{box.position - box.half, box.position + box.half};
         if (contains(bounds_[id], tight)) continue;
         bounds_[id] = grown(tight, kMargin);
         note(id, true);

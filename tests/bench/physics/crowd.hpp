@@ -10,43 +10,45 @@
 
 namespace plumb::scenes {
 
-/// Moving boxes, as a broad phase sees them: bounds with a
+/// Moving boxes as input of a broad phase: bounds with a
 /// margin, which change when a box leaves them. Deterministic.
 class Crowd {
 public:
     explicit Crowd(Vec2 size) : size_{size} {}
 
-    /// @param speed  m/s
-    void add(Vec2 place, Vec2 half, physics::ProxyMotion motion, float speed = 0.0f);
-    /// From now on so many resting boxes are removed in each step, and as many added elsewhere.
+    /// Adds a box. @param speed  m/s, in a random direction
+    void add(Vec2 position, Vec2 half, physics::ProxyMotion motion, float speed = 0.0f);
+    /// Sets the number of static boxes that each step removes and adds again elsewhere.
     void streamIn(std::uint32_t count) { streaming_ = count; }
     void step();
 
     [[nodiscard]] physics::Proxies proxies() const { return {bounds_, filters_, motions_}; }
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(boxes_.size()); }
-    /// The input of a broad phase: changed proxies, and proxies that must look for partners.
+    /// Proxies whose bounds or motion changed in the last step.
     [[nodiscard]] std::span<const std::uint32_t> changed() const { return changed_; }
+    /// Proxies whose pairs must be searched again.
     [[nodiscard]] std::span<const std::uint32_t> moved() const { return moved_; }
     [[nodiscard]] std::span<const std::uint8_t> isMoved() const { return isMoved_; }
     [[nodiscard]] Random& random() { return random_; }
+    /// Returns a random position in the area, m.
     [[nodiscard]] Vec2 anywhere();
 
 private:
     struct Box {
-        Vec2 place;
-        Vec2 half;
-        Vec2 way;  ///< m per step
+        Vec2 position;      ///< center, m
+        Vec2 half;          ///< half of the size, m
+        Vec2 displacement;  ///< m per step
     };
 
     void note(std::uint32_t box, bool looks);
     void stream();
 
-    Vec2 size_;  ///< m
+    Vec2 size_;  ///< size of the area, m
     Random random_ = Random::seeded(1);
     std::uint32_t streaming_ = 0;
     std::vector<Box> boxes_;
     std::vector<std::uint32_t> movers_;
-    std::vector<std::uint32_t> away_;
+    std::vector<std::uint32_t> away_;  ///< boxes that are removed at the moment
     std::vector<AABB> bounds_;
     std::vector<physics::Filter> filters_;
     std::vector<physics::ProxyMotion> motions_;
@@ -60,7 +62,7 @@ struct CrowdKind {
     Crowd (*make)(std::uint32_t boxes);
 };
 
-/// Distributions and motions of the boxes.
+/// Returns the kinds of crowds: different distributions and motions of the boxes.
 std::span<const CrowdKind> crowdKinds();
 
 }  // namespace plumb::scenes

@@ -1,4 +1,4 @@
-// Many loose bodies: hit by a heavy one, pushed about, or falling on each other.
+// Scenes of many loose bodies that are hit by a heavy body, pushed, or fall on each other.
 
 #include "math/portable.hpp"
 #include "tests/bench/physics/scenes.hpp"
@@ -7,7 +7,7 @@ namespace plumb::scenes {
 
 namespace {
 
-/// A floor of lapping boxes at height 0 and walls of such boxes from 1 upwards, all of about 1 m.
+/// Adds a floor at height 0 and walls above it, made of boxes of about 1 m that overlap slightly.
 BodyHandle addTrough(SceneBuilder& world, int halfWidth, int height) {
     const BodyHandle ground = world.createBody({.motion = Motion::Static});
     for (int i = -halfWidth; i <= halfWidth; ++i)
@@ -40,7 +40,7 @@ BeforeStep buildSmash(SceneBuilder& world, int columns) {
 BeforeStep buildJunkyard(SceneBuilder& world, int rows) {
     constexpr int kColumns = 200;
     constexpr float kRadius = 0.25f;                    // m
-    constexpr float kTurn = 1.2360679774997897f * kPi;  // sqrt(5) - 1 half turns: corners of uneven distance
+    constexpr float kTurn = 1.2360679774997897f * kPi;  // (sqrt(5) - 1) * pi: makes an irregular polygon
     constexpr float kReach = 60.0f;                     // m
     addTrough(world, 80, 50);
     std::array<Vec2, 5> points;

@@ -1,4 +1,4 @@
-// Bodies stirred in a container: by a blade, and by the container's own turning.
+// Scenes of bodies in a container that are stirred by a blade or by the rotation of the container.
 
 #include "math/rot.hpp"
 #include "tests/bench/physics/scenes.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kDrumSpin = 25.0f / 180.0f * kPi;  // rad/s
 
-/// The points of a circle with the clock: a loop through them is free inside.
+/// Returns points of a circle in clockwise order, so that a loop through them is free inside.
 std::vector<Vec2> ringOf(int count, float radius, Vec2 centre) {
     std::vector<Vec2> points;
     for (int i = 0; i < count; ++i) {
@@ -26,7 +26,7 @@ void addBlade(SceneBuilder& world, BodyHandle ground) {
     world.addJoint({.a = ground, .b = blade, .anchorA = kCentre, .driven = true, .speed = 5.0f});
 }
 
-/// Between two radii and two directions.
+/// Returns the part of a ring between two radii and two angles, as a polygon.
 Outline sector(float inner, float outer, float from, float to) {
     const SinCos a = sinCos(from);
     const SinCos b = sinCos(to);
@@ -81,7 +81,7 @@ BeforeStep buildWasher(SceneBuilder& world, int side) {
     constexpr float kHalf = 0.1f;  // m
     constexpr int kSectors = 36;
     constexpr float kSector = kTau / kSectors;
-    constexpr float kLap = 0.1f * kSector;  // neighbours overlap by so much on each side
+    constexpr float kLap = 0.1f * kSector;  // rad: overlap of a sector on each side
     static_cast<void>(world.createBody({.motion = Motion::Static}));
     const BodyHandle drum = world.createBody(
         {.motion = Motion::Kinematic, .position = kCentre, .velocity = {0.001f, -0.002f}, .spin = kDrumSpin});

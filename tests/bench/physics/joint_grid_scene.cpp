@@ -1,11 +1,11 @@
-// A cloth of circles, each hinged to its neighbours, that hangs from seven of its upper edge.
+// A grid of circles, each connected to its neighbours by hinges; seven circles of the upper edge are static.
 
 #include "tests/bench/physics/scenes.hpp"
 
 namespace plumb::scenes {
 
 BeforeStep buildJointGrid(SceneBuilder& world, int side) {
-    constexpr int kReach = 3;  // bodies held on each side of the middle
+    constexpr int kReach = 3;  // static bodies on each side of the middle one
     constexpr std::uint32_t kLayer = 2;
     const Material material{.layers = kLayer, .mask = ~kLayer};
     std::vector<BodyHandle> bodies;

@@ -12,7 +12,7 @@ namespace plumb::scenes {
 namespace {
 
 constexpr int kContactSample = 16;  // steps between two counts of contacts
-constexpr int kErrorSamples = 16;   // of the second half
+constexpr int kErrorSamples = 16;   // error samples in the second half of a run
 constexpr int kLostSample = 8;      // steps between two checks for a lost scene
 constexpr double kMinTime = 0.3;    // s: small scenes run at least this long
 constexpr int kMaxRuns = 200;
@@ -22,10 +22,10 @@ constexpr double kMilliseconds = 1e3;
 struct Lane {
     Contender contender;
     Measurement measurement;
-    std::vector<double> best;  ///< s per step, by sample
-    double seconds = 0.0;      ///< spent
+    std::vector<double> best;  ///< s per step, minimum of each sample over all runs
+    double seconds = 0.0;      ///< total time of all runs
     int runs = 0;
-    std::vector<double> samples;  ///< of the run in progress
+    std::vector<double> samples;  ///< s per step, of the current run
 };
 
 int stepsOf(const Scene& scene, const MeasureOptions& options) {
@@ -33,7 +33,7 @@ int stepsOf(const Scene& scene, const MeasureOptions& options) {
     return std::max(steps / scene.batch, 1) * scene.batch;
 }
 
-/// Contacts, counted outside of the measured time.
+/// Mean number of contacts, counted outside of the measured time.
 class ContactMean {
 public:
     void look(const SceneBuilder& world, int step) {
@@ -50,7 +50,7 @@ private:
     double sum_ = 0.0;
 };
 
-/// Errors over the second half of a run: where bodies tumble, a single sample is chance.
+/// Mean error over the second half of a run, because a single sample of tumbling bodies would be random.
 class ErrorMean {
 public:
     explicit ErrorMean(int steps) : next_{steps / 2}, pause_{std::max(steps / (2 * kErrorSamples), 1)} {}
@@ -60,7 +60,7 @@ public:
         next_ = step + pause_;
         add(errorOf(world));
     }
-    /// @param last  at the end
+    /// @param last  error at the end of the run
     [[nodiscard]] SceneError mean(const SceneError& last) {
         add(last);
         sum_.maxPenetration /= count_;
@@ -107,7 +107,7 @@ void keepStages(Lane& lane, const SceneBuilder& world, int steps) {
     if (!stages.empty()) lane.measurement.stages = std::move(stages);
 }
 
-/// @return true if the engine has all that the scene needs
+/// Runs a scene once. @return false if the engine lacks a feature of the scene
 bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
     const double opened = wallSeconds();
     const std::unique_ptr<SceneBuilder> world =
@@ -117,7 +117,7 @@ bool runOnce(const Scene& scene, Lane& lane, int steps, bool profiled) {
                                      .threads = lane.contender.threads,
                                      .profiled = profiled});
     const BeforeStep before = scene.build(*world, scene.size);
-    if (before && world->missing().empty()) before(*world, 0);  // may be what asks for a feature first
+    if (before && world->missing().empty()) before(*world, 0);  // may be the first to use a missing feature
     if (!world->missing().empty()) {
         lane.measurement.missing = world->missing();
         return false;

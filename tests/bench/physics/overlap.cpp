@@ -14,7 +14,7 @@ Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 double length(Point a) { return std::sqrt(dot(a, a)); }
 
-/// Distance from the end of `from` to the start of `to` along a direction; below 0 if they overlap.
+/// Returns the gap along a direction from the end of `from` to the start of `to`; negative if they overlap.
 double gapAlong(Point direction, const PlacedOutline& from, const PlacedOutline& to) {
     double end = -kFar;
     double begin = kFar;
@@ -23,7 +23,7 @@ double gapAlong(Point direction, const PlacedOutline& from, const PlacedOutline&
     return begin - end;
 }
 
-/// The maximum gap along the normals of a's edges. A line has two sides and two ends.
+/// Returns the maximum gap along the normals of a's edges, and for a line also along its direction.
 double widestGap(const PlacedOutline& a, const PlacedOutline& b) {
     double widest = -kFar;
     for (std::size_t i = 0; i < a.count && a.count > 1; ++i) {
@@ -38,13 +38,13 @@ double widestGap(const PlacedOutline& a, const PlacedOutline& b) {
 }
 
 double distanceToEdge(Point point, Point start, Point end) {
-    const Point way = end - start;
-    const double square = dot(way, way);
-    const double share = square > 0.0 ? std::clamp(dot(point - start, way) / square, 0.0, 1.0) : 0.0;
-    return length(point - Point{start.x + share * way.x, start.y + share * way.y});
+    const Point edge = end - start;
+    const double square = dot(edge, edge);
+    const double share = square > 0.0 ? std::clamp(dot(point - start, edge) / square, 0.0, 1.0) : 0.0;
+    return length(point - Point{start.x + share * edge.x, start.y + share * edge.y});
 }
 
-/// From the corners of `a` to the edges of `b`.
+/// Returns the minimum distance from the corners of `a` to the edges of `b`.
 double cornerDistance(const PlacedOutline& a, const PlacedOutline& b) {
     double nearest = kFar;
     for (const Point corner : a.corners()) {
@@ -54,15 +54,15 @@ double cornerDistance(const PlacedOutline& a, const PlacedOutline& b) {
     return nearest;
 }
 
-/// Maximum depth of the corners of `body` above the line on its solid side, the left.
+/// Returns the maximum depth of the corners of `body` on the solid (left) side of a one-sided line.
 double depthBehind(const PlacedOutline& line, const PlacedOutline& body) {
-    const Point way = line.points[1] - line.points[0];
-    const double size = length(way);
-    const Point right{way.y / size, -way.x / size};
+    const Point edge = line.points[1] - line.points[0];
+    const double size = length(edge);
+    const Point right{edge.y / size, -edge.x / size};
     double deepest = 0.0;
     for (const Point corner : body.corners()) {
         const Point arm = corner - line.points[0];
-        const double along = dot(arm, way) / size;
+        const double along = dot(arm, edge) / size;
         if (along >= 0.0 && along <= size) deepest = std::max(deepest, body.radius - dot(arm, right));
     }
     return deepest;
@@ -94,7 +94,8 @@ double overlapOf(const PlacedOutline& a, const PlacedOutline& b) {
     const double reach = a.radius + b.radius;
     double gap = std::max(widestGap(a, b), widestGap(b, a));
     if (gap > reach) return 0.0;
-    // Where the cores are separated, and between two points, only the distance is decisive.
+    // If the outlines without radius are separated, or both are points, the depth follows from their
+    // distance.
     if (gap > 0.0 || gap == -kFar) gap = std::min(cornerDistance(a, b), cornerDistance(b, a));
     if (gap > reach) return 0.0;
     if (a.oneSided) return depthBehind(a, b);

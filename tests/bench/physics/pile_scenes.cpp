@@ -1,4 +1,4 @@
-// Boxes and circles: heaped in a box, and falling on floors in any number.
+// Scenes of boxes and circles that are piled up in a container, or fall on floors in any number.
 
 #include <algorithm>
 
@@ -12,21 +12,21 @@ constexpr float kHalf = 0.25f;  // m
 
 Outline outlineOf(bool isCircle) { return isCircle ? circle(kHalf) : box({kHalf, kHalf}); }
 
-/// Floors of at most `kFloor` bodies each, so that a body's surroundings are the same at every size.
+/// Maximum number of bodies per floor, so that the density of bodies is the same in scenes of every size.
 constexpr int kFloor = 2000;
 constexpr float kFloorHalfWidth = 105.0f;  // m
 constexpr float kStorey = 30.0f;           // m
 
-/// Where body number `i` of a floor starts, from the middle of the floor.
+/// Returns the initial position of body `i` of a floor, m from the middle of the floor.
 using Place = Vec2 (*)(int i);
 
-/// Ten rows of 200, 1 m apart.
+/// Returns positions in ten rows of 200, 1 m apart.
 Vec2 uniformPlace(int i) {
     constexpr int kColumns = 200;
     return {static_cast<float>(i % kColumns) - 99.5f, 1.0f + static_cast<float>(i / kColumns)};
 }
 
-/// Five towers of 20 by 20 that almost touch.
+/// Returns positions in five towers of 20 by 20 bodies that almost touch.
 Vec2 clusteredPlace(int i) {
     constexpr int kSide = 20;
     constexpr float kPitch = 0.51f;  // m
@@ -54,7 +54,7 @@ BeforeStep buildPile(SceneBuilder& world, int bodies) {
     const int perRow = large ? 70 : 19;
     const float wall = large ? 26.0f : 8.0f;  // m from the middle
     constexpr float kPitch = 0.7f;            // m
-    constexpr float kShift = 0.1f;            // m: rows do not stand above each other
+    constexpr float kShift = 0.1f;            // m: rows are shifted alternately to the left and right
     const BodyHandle ground = world.createBody({.motion = Motion::Static});
     world.addShape(ground, box({wall + 4.0f, 1.0f}, {0.0f, -1.0f}));
     for (const float x : {-wall, wall}) world.addShape(ground, box({1.0f, 60.0f}, {x, 60.0f}));
@@ -81,7 +81,7 @@ BeforeStep buildClusteredCircles(SceneBuilder& world, int bodies) {
     return buildFalling(world, bodies, true, &clusteredPlace);
 }
 
-/// Boxes at rest beside each other, on floors of 250.
+/// Builds boxes at rest that do not touch each other, 250 per floor.
 BeforeStep buildSleepers(SceneBuilder& world, int bodies) {
     constexpr int kPerFloor = 250;
     constexpr float kPitch = 0.8f;   // m

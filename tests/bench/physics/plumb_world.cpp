@@ -28,7 +28,7 @@ physics::ShapeDefinition definitionOf(const Material& material) {
     return {.density = material.density,
             .friction = material.friction,
             .bounciness = material.bounciness,
-            .surfaceSpeed = -material.surfaceSpeed,  // its positive sense is for y down
+            .surfaceSpeed = -material.surfaceSpeed,  // the library's sign convention is for y down
             .layers = material.layers,
             .mask = material.mask,
             .group = material.group,
@@ -78,7 +78,7 @@ void PlumbWorld::makeLoop(BodyHandle body, std::span<const Vec2> points, const M
 }
 
 void PlumbWorld::makeJoint(const JointSetup& joint) {
-    if (!isDynamic(joint.a) && !isDynamic(joint.b)) return;  // nothing to hold: refused
+    if (!isDynamic(joint.a) && !isDynamic(joint.b)) return;  // joints need a dynamic body
     check(physics::createJoint(
         world_, {.kind = kindOf(joint.kind),
                  .a = at(joint.a),

@@ -8,10 +8,10 @@
 
 namespace plumb::scenes {
 
-/// The library of this repository.
+/// Returns the physics library of this repository.
 Engine plumbEngine();
 
-/// A scene in it, and the world itself for callers that change its settings.
+/// Adapter of the physics library of this repository. world() gives access to its settings.
 class PlumbWorld final : public SceneBuilder {
 public:
     explicit PlumbWorld(const WorldSetup& setup)
@@ -45,9 +45,9 @@ public:
     void step(float dt) override { physics::step(world_, dt, options_); }
 
     [[nodiscard]] Pose poseOf(BodyHandle body) const override {
-        const physics::WorldPosition place = physics::positionOf(world_, at(body));
+        const physics::WorldPosition position = physics::positionOf(world_, at(body));
         const Rot rotation = physics::rotationOf(world_, at(body));
-        return {place.x - origin_.x, place.y - origin_.y, static_cast<double>(rotation.cos),
+        return {position.x - origin_.x, position.y - origin_.y, static_cast<double>(rotation.cos),
                 static_cast<double>(rotation.sin)};
     }
     [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Says in the terminal's last line what runs now; nothing where a file listens.
+/// Shows the current activity in the last line of the terminal; does nothing if stderr is not a terminal.
 inline void showProgress(const std::string& what) {
     if (isatty(STDERR_FILENO) == 0) return;
     std::fprintf(stderr, "\r\033[K%s", what.c_str());

@@ -23,15 +23,15 @@ enum Bone : std::size_t {
 struct BoneForm {
     Bone bone;
     Bone parent;
-    float y;          ///< m above the feet
-    float low, high;  ///< m from y: the ends of its capsule
+    float y;          ///< height of the body's origin above the feet, m
+    float low, high;  ///< ends of the capsule, m from y
     float radius;     ///< m
     float drag;       ///< 1/s
-    float pivot;      ///< m above the feet: the hinge to the parent
-    float lower;      ///< limits in half turns
-    float upper;
-    float friction;   ///< of the hinge, ratio
-    float reference;  ///< half turns
+    float pivot;      ///< height of the hinge to the parent above the feet, m
+    float lower;      ///< lower limit of the hinge, multiples of pi rad
+    float upper;      ///< upper limit of the hinge, multiples of pi rad
+    float friction;   ///< friction of the hinge, ratio of kHingeTorque
+    float reference;  ///< reference angle of the hinge, multiples of pi rad
 };
 
 constexpr std::array kBones{
@@ -52,7 +52,7 @@ constexpr std::array kBones{
 
 constexpr std::array kFoot{Vec2{-0.03f, -0.185f}, Vec2{0.11f, -0.185f}, Vec2{0.11f, -0.16f},
                            Vec2{-0.03f, -0.14f}};
-constexpr float kHingeTorque = 0.05f;  // N m of friction
+constexpr float kHingeTorque = 0.05f;  // N m: friction of a hinge
 constexpr std::uint32_t kGround = 1;
 constexpr std::uint32_t kFigures = 2;
 

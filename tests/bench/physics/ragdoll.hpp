@@ -6,13 +6,14 @@
 
 namespace plumb::scenes {
 
-/// A figure of eleven bodies and ten hinges with limits, springs and friction; 1.55 m tall.
+/// A ragdoll of eleven bodies and ten hinges with limits, springs and friction; 1.55 m tall.
 struct Ragdoll {
     std::array<BodyHandle, 11> bodies;
 };
 
-/// @param feet    where it stands
-/// @param group   below 0; two of one group pass through each other, so that it does not hit itself
+/// Adds a ragdoll.
+/// @param feet    position of its feet, m
+/// @param group   collision group, negative: bodies of the same group do not collide with each other
 Ragdoll addRagdoll(SceneBuilder& world, Vec2 feet, int group);
 void removeRagdoll(SceneBuilder& world, const Ragdoll& ragdoll);
 

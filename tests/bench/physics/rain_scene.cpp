@@ -1,4 +1,4 @@
-// Ragdolls rain on five floors; when all are there, the oldest go and fall again.
+// Ragdolls fall on five floors; when all have been created, the oldest are removed and created again.
 
 #include <memory>
 
@@ -22,8 +22,8 @@ struct Rain {
     using Group = std::array<Ragdoll, kGroupSize>;
 
     int columns = 0;
-    int made = 0;  ///< columns
-    int next = 0;  ///< the column that falls again
+    int made = 0;  ///< number of columns created
+    int next = 0;  ///< next column to be removed and created again
     std::vector<Group> groups;
 
     Group& groupAt(int floor, int column) {

@@ -13,7 +13,7 @@ namespace plumb::scenes {
 
 namespace {
 
-constexpr int kMinSize = 100;  // smaller worlds only show the fixed cost of a step
+constexpr int kMinSize = 100;  // bodies; in smaller worlds the fixed cost of a step dominates
 constexpr double kMillimetres = 1e3;
 
 std::string number(double value, int digits) { return value == 0.0 ? "-" : fixedText(value, digits); }
@@ -38,8 +38,8 @@ void printStages(const Measurement& row) {
     std::printf(" of %s ms\n", fixedText(sum, sum < 0.1 ? 4 : 2).c_str());
 }
 
-/// The sequential part, the time of each thread in the rest, and the speedup that follows
-/// for more threads: G. Amdahl, "Validity of the single processor approach", 1967.
+/// Prints the sequential time, the time of each thread in the parallel part, and the maximum speedup for more
+/// threads by Amdahl's law. Source: G. Amdahl, "Validity of the single processor approach", 1967.
 void printThreads(const Measurement& row) {
     double alone = 0.0, shared = 0.0;
     std::vector<double> busy(static_cast<std::size_t>(row.threads));
@@ -49,10 +49,10 @@ void printThreads(const Measurement& row) {
         for (std::size_t i = 0; i < std::min(busy.size(), zone.busy.size()); ++i) busy[i] += zone.busy[i];
     }
     if (shared <= 0.0) return;
-    std::printf("    one thread %.3f ms, shared %.3f ms, of which they work", alone, shared);
+    std::printf("    sequential %.3f ms, parallel %.3f ms, threads busy", alone, shared);
     for (const double thread : busy) std::printf(" %.0f %%", 100.0 * thread / shared);
     const double all = alone + std::accumulate(busy.begin(), busy.end(), 0.0);
-    std::printf("; at best");
+    std::printf("; maximum speedup for threads");
     for (const int threads : {2, 8, 16})
         std::printf(" %d: %.1f", threads, all / (alone + (all - alone) / threads));
     std::printf("\n");
@@ -65,7 +65,7 @@ void printRow(const Measurement& row, std::span<const Measurement> rows) {
     const SceneError& error = row.error;
     const std::string verdict = error.holds() ? ""
                                 : row.lostAfter > 0
-                                    ? format("  EXPLODED, given up after {} steps", row.lostAfter)
+                                    ? format("  EXPLODED, aborted after {} steps", row.lostAfter)
                                 : error.finite ? "  CAME APART"
                                                : "  EXPLODED";
     std::printf("%9s %9s %9s %7zu %8.0f %8s %8s %8s %8s %6s%s\n", fixedText(row.msPerStep, digits).c_str(),

@@ -8,15 +8,17 @@
 namespace plumb::scenes {
 
 void printMeasurementHeader();
-/// The rows of one scene; the last column is the time of each over that of the first with as many threads.
+/// Prints the rows of one scene. The last column is the ratio of the time to that of the first valid row with
+/// the same number of threads.
 void printMeasurements(std::span<const Measurement> rows);
 
-/// The p of cost ~ n^p, by least squares over the logarithms of rows that differ in size only.
+/// Returns the exponent p of cost ~ n^p, by a least-squares fit of the logarithms of rows that differ in size
+/// only.
 double exponentOf(std::span<const Measurement> rows);
-/// One line for each engine with each family of scenes that differ in size.
+/// Prints one line for each engine and each family of scenes that differ in size only.
 void printExponents(std::span<const Measurement> rows);
 
-/// As JSON: {scene, engine, threads, msPerStep, …}. @return false when it could not
+/// Writes the rows as JSON: {scene, engine, threads, msPerStep, …}. @return false if that failed
 bool writeMeasurements(const std::string& path, std::span<const Measurement> rows);
 
 }  // namespace plumb::scenes

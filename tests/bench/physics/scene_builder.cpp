@@ -12,10 +12,10 @@ Outline outlineOf(OutlineKind kind, std::span<const Vec2> points, float radius) 
     return outline;
 }
 
-/// Twice the area on the left of a, b, c.
+/// Returns twice the signed area of the triangle a, b, c; positive if it is counterclockwise.
 float turnOf(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
-/// The points against the clock, as every engine wants them.
+/// Returns the convex hull in counterclockwise order, which all engines require.
 /// Source: A. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 std::vector<Vec2> hullOf(std::span<const Vec2> points) {
     std::vector<Vec2> sorted(points.begin(), points.end());

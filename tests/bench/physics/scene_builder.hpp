@@ -12,11 +12,11 @@
 #include "core/profile.hpp"
 #include "math/vec2.hpp"
 
-/// Scenes for any physics engine: each is written once, using
-/// SceneBuilder, and each engine has an adapter. y points up here.
+/// Scenes for any physics engine: each scene is written once, using
+/// SceneBuilder, and each engine has an adapter. y points up.
 namespace plumb::scenes {
 
-/// A body of a scene, in the order of creation. Places are not used twice.
+/// Handle of a body: its index in the order of creation. Indices are not reused.
 struct BodyHandle {
     std::uint32_t index = std::numeric_limits<std::uint32_t>::max();
 };
@@ -33,7 +33,7 @@ struct BodySetup {
     float sleepSpeed = 0.05f;  ///< m/s
     bool canSleep = true;
     bool awake = true;
-    bool bullet = false;  ///< swept against moving bodies too
+    bool bullet = false;  ///< continuous collision also with moving bodies
     bool fixedRotation = false;
     float gravityScale = 1.0f;
 };
@@ -44,25 +44,25 @@ struct Material {
     float bounciness = 0.0f;
     std::uint32_t layers = 1;
     std::uint32_t mask = 0xffffffffu;
-    int group = 0;         ///< two of the same group below 0 never meet
-    bool reports = false;  ///< its contacts are events
-    /// m/s of a belt: what lies on its upper side is carried along +x.
+    int group = 0;         ///< shapes of the same negative group never collide
+    bool reports = false;  ///< its contacts create events
+    /// Speed of a conveyor belt, m/s: bodies on its upper side are moved along +x.
     float surfaceSpeed = 0.0f;
-    bool oneWay = false;               ///< lets through what comes along `oneWayDirection`
-    Vec2 oneWayDirection{0.0f, 1.0f};  ///< in the body's frame
+    bool oneWay = false;               ///< bodies that move along `oneWayDirection` pass through
+    Vec2 oneWayDirection{0.0f, 1.0f};  ///< direction in the body's frame
 };
 
 enum class OutlineKind : std::uint8_t { Circle, Capsule, Box, Polygon, Segment, ChainSegment };
 
-/// The outline of a shape in its body's frame (m): the convex hull of the points, grown by the radius.
-/// ChainSegment is solid on the left of the way from its first to its second point.
+/// The outline of a shape in its body's frame, m: the convex hull of the points, enlarged by the radius.
+/// A ChainSegment is solid on its left side, seen from its first to its second point.
 struct Outline {
     OutlineKind kind = OutlineKind::Circle;
     std::uint8_t count = 0;
     float radius = 0.0f;
     std::array<Vec2, 8> points;
-    Vec2 centre;  ///< of a box
-    Vec2 half;    ///< of a box, without the radius
+    Vec2 centre;  ///< only for boxes
+    Vec2 half;    ///< only for boxes: half of the size, without the radius
 
     [[nodiscard]] std::span<const Vec2> corners() const { return {points.data(), count}; }
 };
@@ -70,15 +70,15 @@ struct Outline {
 Outline circle(float radius, Vec2 centre = {});
 Outline capsule(Vec2 start, Vec2 end, float radius);
 Outline box(Vec2 half, Vec2 centre = {}, float radius = 0.0f);
-Outline polygon(std::span<const Vec2> points, float radius = 0.0f);  ///< the points in any order, convex
+Outline polygon(std::span<const Vec2> points, float radius = 0.0f);  ///< convex hull of points in any order
 Outline segment(Vec2 start, Vec2 end);
 
 enum class JointKind : std::uint8_t {
-    Hinge,   ///< two points stay one
-    Slider,  ///< B moves along an axis of A and does not turn
-    Rod,     ///< two points keep their distance
-    Wheel,   ///< B moves along an axis of A by a spring and turns freely
-    Weld     ///< two points stay one, and the angle stays as it is
+    Hinge,   ///< two anchor points coincide
+    Slider,  ///< B moves along an axis of A and does not rotate
+    Rod,     ///< two anchor points keep their distance
+    Wheel,   ///< B moves along an axis of A with a spring and rotates freely
+    Weld     ///< two anchor points coincide, and the relative angle is constant
 };
 
 struct JointSetup {
@@ -87,32 +87,32 @@ struct JointSetup {
     BodyHandle b;
     Vec2 anchorA;  ///< m, in the body's frame
     Vec2 anchorB;
-    Vec2 axis{1.0f, 0.0f};   ///< in A's frame: of Slider and Wheel
-    float length = 1.0f;     ///< m: of Rod
-    float reference = 0.0f;  ///< rad: angle of b minus angle of a that counts as 0
+    Vec2 axis{1.0f, 0.0f};   ///< direction in A's frame, for Slider and Wheel
+    float length = 1.0f;     ///< distance of a Rod's anchors, m
+    float reference = 0.0f;  ///< rad: angle of b minus angle of a at which the joint's angle is 0
     bool limited = false;
-    float lower = 0.0f;  ///< rad, of sliders m
-    float upper = 0.0f;
+    float lower = 0.0f;  ///< lower limit, rad; for sliders m
+    float upper = 0.0f;  ///< upper limit, rad; for sliders m
     bool driven = false;
-    float speed = 0.0f;                                  ///< rad/s, of sliders m/s
-    float maxForce = std::numeric_limits<float>::max();  ///< N m, of sliders N
+    float speed = 0.0f;                                  ///< motor speed, rad/s; for sliders m/s
+    float maxForce = std::numeric_limits<float>::max();  ///< of the motor: torque, N m; for sliders force, N
     bool sprung = false;
     float hertz = 0.0f;
     float dampingRatio = 0.0f;
 };
 
-/// What a world is made for.
+/// Settings of a world.
 struct WorldSetup {
     Vec2 gravity{0.0f, -10.0f};  ///< m/s2
     bool sleeping = true;
-    int quality = 2;  ///< 2^quality substeps, where the engine has such a knob
+    int quality = 2;  ///< 2^quality substeps, for engines with such a parameter
     int threads = 1;
-    bool profiled = false;  ///< stages() will be asked for
-    double originX = 0.0;   ///< m: where (0, 0) of the scene is in the world
+    bool profiled = false;  ///< stages() will be called
+    double originX = 0.0;   ///< position of the scene's origin in the world, m
     double originY = 0.0;
 };
 
-/// Where a body's frame is.
+/// Position and rotation of a body's frame.
 struct Pose {
     double x = 0.0;  ///< m
     double y = 0.0;
@@ -120,8 +120,8 @@ struct Pose {
     double sin = 0.0;
 };
 
-/// A world of some engine that a scene is built in. Remembers what was built, so that all engines can be
-/// judged by the same measure.
+/// Interface of an engine's world in which a scene is built. Stores bodies, shapes and joints, so that the
+/// errors of all engines are computed by the same code.
 class SceneBuilder {
 public:
     struct Body {
@@ -141,28 +141,29 @@ public:
 
     BodyHandle createBody(const BodySetup& setup);
     void addShape(BodyHandle body, const Outline& outline, const Material& material = {});
-    /// One-sided segments through all points and back to the first; free on the right of the way.
+    /// Adds a closed loop of one-sided segments through all points, solid on the left side of the path.
     void addLoop(BodyHandle body, std::span<const Vec2> points, const Material& material);
     void addJoint(const JointSetup& joint);
-    void destroy(BodyHandle body);  ///< and its shapes and joints
+    void destroy(BodyHandle body);  ///< destroys a body with its shapes and joints
 
-    /// A kinematic body will be there at the end of the next step.
+    /// Moves a kinematic body so that it reaches a position (m) and angle (rad) at the end of the next step.
     virtual void moveTo(BodyHandle body, Vec2 position, float angle, float dt) = 0;
-    /// Kilograms whatever its shapes weigh; their distribution stays.
+    /// Sets a body's mass, kg, instead of that of its shapes; the moment of inertia is scaled accordingly.
     virtual void setMass(BodyHandle body, float kilograms) = 0;
     virtual void setVelocity(BodyHandle body, Vec2 velocity) = 0;  ///< m/s
     virtual void setSpin(BodyHandle body, float spin) = 0;         ///< rad/s
-    /// Puts a body elsewhere at once (m, rad); its velocity stays.
+    /// Teleports a body to a position (m) and angle (rad); keeps its velocity.
     virtual void setPosition(BodyHandle body, Vec2 position, float angle) = 0;
-    virtual void finish() {}  ///< everything is built
+    virtual void finish() {}  ///< called when the scene is complete
     virtual void step(float dt) = 0;
 
     [[nodiscard]] virtual Pose poseOf(BodyHandle body) const = 0;
-    [[nodiscard]] virtual Vec2 velocityOf(BodyHandle body) const = 0;  ///< m/s, of its centre of mass
-    [[nodiscard]] virtual float spinOf(BodyHandle body) const = 0;     ///< rad/s
-    /// Pairs of shapes that the engine holds for near, touching or not.
+    [[nodiscard]] virtual Vec2 velocityOf(
+        BodyHandle body) const = 0;                                 ///< velocity of the centre of mass, m/s
+    [[nodiscard]] virtual float spinOf(BodyHandle body) const = 0;  ///< rad/s
+    /// Returns the number of pairs of shapes that the engine tracks, touching or only near.
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
-    /// Time by stage over all steps; empty where the engine does not tell.
+    /// Returns the total time of each stage over all steps; empty if the engine does not measure it.
     [[nodiscard]] virtual std::vector<Profile::Zone> stages() const { return {}; }
 
     [[nodiscard]] std::span<const Body> bodies() const { return bodies_; }
@@ -172,7 +173,7 @@ public:
     [[nodiscard]] bool isDynamic(BodyHandle body) const {
         return bodies_[body.index].motion == Motion::Dynamic;
     }
-    /// What the scene asked for and the engine does not have; empty when it has all.
+    /// Returns a feature of the scene that the engine lacks; empty if it has all.
     [[nodiscard]] const std::string& missing() const { return missing_; }
 
 protected:

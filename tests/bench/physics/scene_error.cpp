@@ -9,7 +9,7 @@ namespace plumb::scenes {
 
 namespace {
 
-constexpr double kLost = 10.0;  // m
+constexpr double kLost = 10.0;  // m: gap of a joint from which a world does not recover
 
 using Shape = SceneBuilder::Shape;
 
@@ -84,7 +84,7 @@ void addOverlaps(const SceneBuilder& world, std::span<const Pose> poses, SceneEr
     if (error.overlaps > 0) error.meanPenetration = sum / static_cast<double>(error.overlaps);
 }
 
-/// m: by how much a joint is open.
+/// Returns the gap of a joint, m: by how much its anchor points deviate from what the joint allows.
 double gapOf(const JointSetup& joint, std::span<const Pose> poses) {
     const Pose& poseA = poses[joint.a.index];
     const Point a = place(circle(0.0f, joint.anchorA), poseA).points[0];

@@ -4,26 +4,26 @@
 
 namespace plumb::scenes {
 
-/// Deviation of a world from its shapes and joints.
+/// Errors of a world: overlaps of shapes and gaps of joints.
 struct SceneError {
     double maxPenetration = 0.0;   ///< m
-    double meanPenetration = 0.0;  ///< m, of the pairs that overlap by more than kNoticed
-    std::size_t overlaps = 0;
-    double maxJointError = 0.0;  ///< m between two points that should be one
-    double meanJointError = 0.0;
-    bool finite = true;  ///< no position is NaN or infinite
+    double meanPenetration = 0.0;  ///< m, mean of all pairs that overlap by more than kNoticed
+    std::size_t overlaps = 0;      ///< number of pairs that overlap by more than kNoticed
+    double maxJointError = 0.0;    ///< m, distance of two anchor points that should coincide
+    double meanJointError = 0.0;   ///< m
+    bool finite = true;            ///< no position is NaN or infinite
 
-    static constexpr double kApart = 1.0;  ///< m; the weakest solver that still holds stretches by 0.7
+    static constexpr double kApart = 1.0;  ///< m; weak solvers that do not fail stretch joints by 0.7 m
 
-    /// False if a joint came apart or numbers are not finite. A scene
-    /// that fell apart is cheap to simulate, so its time has no meaning.
+    /// False if a joint failed or numbers are not finite. The time of such
+    /// a scene has no meaning, because separated bodies are cheap to simulate.
     [[nodiscard]] bool holds() const { return finite && maxJointError < kApart; }
 };
 
-/// Smaller values are rounding of positions 100 m from the origin.
-inline constexpr double kNoticed = 2e-5;  // m
+/// Smallest overlap that counts, m; smaller ones can be rounding errors of positions 100 m from the origin.
+inline constexpr double kNoticed = 2e-5;
 
-/// Exact overlaps of all pairs of shapes that should not overlap, computed from the positions.
+/// Computes the overlaps of all pairs of shapes that collide, and the gaps of all joints, from the positions.
 SceneError errorOf(const SceneBuilder& world);
 
 /// True if a position is not finite or a joint gap is too large to

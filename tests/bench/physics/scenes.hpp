@@ -11,13 +11,13 @@ namespace plumb::scenes {
 
 inline constexpr float kStep = 1.0f / 60.0f;  ///< s
 
-/// Callback of a scene before step number `step`, the first being 0.
+/// Callback of a scene before each step. `step` is the step's number, beginning with 0.
 using BeforeStep = std::function<void(SceneBuilder&, int step)>;
 
 enum class SceneGroup : std::uint8_t {
-    Reference,   ///< the ten scenes for which leading engines publish figures
-    Comparison,  ///< supported by older engines
-    Scaling      ///< the same with 10 to 100,000 bodies
+    Reference,   ///< ten scenes like those for which leading engines publish results
+    Comparison,  ///< scenes that older engines can simulate too
+    Scaling      ///< families of scenes with 10 to 100,000 bodies
 };
 
 struct Scene {
@@ -26,12 +26,12 @@ struct Scene {
     int steps = 0;
     Vec2 gravity{0.0f, -10.0f};  ///< m/s2
     bool sleeping = true;
-    int warmUp = 0;  ///< steps before those that are measured
-    int batch = 1;   ///< steps between two clock reads, because a short step is below its resolution
-    int size = 0;    ///< the argument of `build`; the number of bodies in scenes that scale
+    int warmUp = 0;  ///< number of steps before the measured ones
+    int batch = 1;  ///< steps between two clock reads, because one short step is below the clock's resolution
+    int size = 0;   ///< argument of `build`; in group Scaling the number of bodies
     /// Fills the empty world. The returned callback may be empty.
     BeforeStep (*build)(SceneBuilder& world, int size) = nullptr;
-    /// 2^quality substeps for engines with this parameter; the others use their defaults.
+    /// 2^quality substeps for engines with this parameter; other engines use their defaults.
     int quality = 2;
 };
 
@@ -39,7 +39,7 @@ struct Scene {
 std::span<const Scene> allScenes();
 const Scene* findScene(std::string_view name);
 
-// The builders: a scene or a few related ones per file, one row each in scenes.cpp.
+// Functions that build the scenes, in *_scene.cpp and *_scenes.cpp; registered in scenes.cpp.
 
 BeforeStep buildJointGrid(SceneBuilder& world, int side);
 BeforeStep buildLargePyramid(SceneBuilder& world, int base);

@@ -1,4 +1,4 @@
-// Boxes on boxes, and boxes alone.
+// Scenes of stacked boxes, and of single boxes.
 
 #include "tests/bench/physics/scenes.hpp"
 
@@ -17,7 +17,7 @@ void addGround(SceneBuilder& world, float halfWidth) {
     world.addShape(ground, box({halfWidth, 1.0f}));
 }
 
-/// Unit boxes, `base` of them in the lowest row, the first of which has its left side at `left`.
+/// Adds a pyramid of unit boxes with `base` boxes in the lowest row. @param left  lower left corner, m
 void addPyramid(SceneBuilder& world, int base, Vec2 left) {
     for (int i = 0; i < base; ++i) {
         const float y = left.y + static_cast<float>(i) + 0.5f;

@@ -7,7 +7,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Each rule on a scene that deserves it, and on one that does not.
+/// Tests each advice rule with a scene to which it applies and with one to which it does not.
 class AdviceTest : public CostFixture {
 protected:
     const Advice* judged(const CostScene& scene, std::string_view rule, int ticks = 200) {
@@ -34,7 +34,7 @@ protected:
     }
 };
 
-TEST_F(AdviceTest, namesAreTheirOwn) {
+TEST_F(AdviceTest, ruleNamesAreUnique) {
     const auto rules = adviceRules();
     for (std::size_t i = 0; i < rules.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(rules[i].name, rules[j].name);
@@ -42,7 +42,7 @@ TEST_F(AdviceTest, namesAreTheirOwn) {
     EXPECT_GE(rules.size(), 10u);
 }
 
-TEST_F(AdviceTest, aStackThatSinksGetsTheQualityThatHoldsIt) {
+TEST_F(AdviceTest, aSinkingStackIsAdvisedTheQualityThatHoldsIt) {
     const Advice* advice = judged(CostScene{R"("quality": 0)"}.stack(12), "too coarse");
     ASSERT_NE(advice, nullptr);
     EXPECT_EQ(advice->words.find("Bodies overlap by up to "), 0u) << advice->words;
@@ -50,7 +50,7 @@ TEST_F(AdviceTest, aStackThatSinksGetsTheQualityThatHoldsIt) {
     EXPECT_EQ(judged(CostScene{R"("quality": 6)"}.stack(3), "too coarse"), nullptr);
 }
 
-TEST_F(AdviceTest, aFewCratesNeedNoGreatQuality) {
+TEST_F(AdviceTest, lowerQualityIsAdvisedForAFewCrates) {
     const Advice* advice =
         judged(CostScene{R"("quality": 6)"}.stack(4).stack(4, 200).stack(4, 300), "too fine");
     ASSERT_NE(advice, nullptr);
@@ -58,8 +58,8 @@ TEST_F(AdviceTest, aFewCratesNeedNoGreatQuality) {
     EXPECT_EQ(judged(CostScene{R"("quality": 0)"}.stack(4), "too fine"), nullptr);
 }
 
-TEST_F(AdviceTest, automaticQualityIsForAFewHardHeapsAmongManyEasyOnes) {
-    // By hand: what it costs differs too little from machine to machine's noise to be measured in a test.
+TEST_F(AdviceTest, automaticQualityIsAdvisedForAFewHardHeapsAmongManyEasyOnes) {
+    // The costs are set by hand: the differences are smaller than the timing noise of a test machine.
     WhatIfResult result;
     result.complete = true;
     result.settings.quality = 1;
@@ -87,7 +87,7 @@ TEST_F(AdviceTest, automaticQualityIsForAFewHardHeapsAmongManyEasyOnes) {
     EXPECT_FALSE(says()) << "it helps nothing";
 }
 
-TEST_F(AdviceTest, bulletsThatCrawlAreNamed) {
+TEST_F(AdviceTest, slowBulletsAreReported) {
     CostScene scene;
     scene.box("a", {100, 280}, R"("bullet": true)").box("b", {200, 280}, R"("bullet": true)");
     scene.box("c", {300, 280});
@@ -100,7 +100,7 @@ TEST_F(AdviceTest, bulletsThatCrawlAreNamed) {
     EXPECT_EQ(judged(fast, "bullets"), nullptr);
 }
 
-TEST_F(AdviceTest, fastBodiesWithoutContinuousDetectionAreNamed) {
+TEST_F(AdviceTest, fastBodiesWithoutContinuousDetectionAreReported) {
     const auto shot = [](const std::string& physics, const std::string& speed) {
         CostScene scene{physics};
         return scene.box("shot", {100, -3000}, format(R"("velocity": [{}, 0])", speed));
@@ -113,7 +113,7 @@ TEST_F(AdviceTest, fastBodiesWithoutContinuousDetectionAreNamed) {
     EXPECT_EQ(judged(shot(R"("continuous": false)", "40"), "fast without CCD", 60), nullptr);
 }
 
-TEST_F(AdviceTest, whatRestsWhileSleepingIsOffIsCounted) {
+TEST_F(AdviceTest, restingBodiesAreCountedIfSleepingIsOff) {
     const Advice* advice = judged(CostScene{R"("sleeping": false)"}.stack(1).stack(1, 200), "sleep");
     ASSERT_NE(advice, nullptr);
     EXPECT_EQ(advice->words.find("2 bodies could sleep"), 0u) << advice->words;
@@ -121,7 +121,8 @@ TEST_F(AdviceTest, whatRestsWhileSleepingIsOffIsCounted) {
 }
 
 TEST_F(AdviceTest, rungeKuttaForSlowSpringsIsNoBetterThanVerlet) {
-    // Where bodies end is measured. The cost is set by hand: on a busy machine 1.3 times may measure as 1.
+    // The positions of the bodies are measured. The costs are set by hand: on a busy machine a ratio of 1.3
+    // may be measured as 1.
     const auto says = [&](std::string_view integrator) {
         judged(springs(format(R"("integrator": "{}", "quality": 4)", integrator)), "Runge-Kutta");
         WhatIfResult result = whatIf.result();
@@ -137,7 +138,7 @@ TEST_F(AdviceTest, rungeKuttaForSlowSpringsIsNoBetterThanVerlet) {
     EXPECT_TRUE(says("Verlet").empty());
 }
 
-TEST_F(AdviceTest, explicitEulerIsForTeaching) {
+TEST_F(AdviceTest, explicitEulerIsReported) {
     const Advice* advice =
         judged(springs(R"("integrator": "ExplicitEuler", "quality": 0)"), "explicit Euler");
     ASSERT_NE(advice, nullptr);
@@ -145,13 +146,13 @@ TEST_F(AdviceTest, explicitEulerIsForTeaching) {
               nullptr);
 }
 
-TEST_F(AdviceTest, iterationsThatBuyNothingAreNamed) {
+TEST_F(AdviceTest, iterationsWithoutBenefitAreReported) {
     const Advice* advice = judged(CostScene{R"("iterations": 16)"}.stack(6).stack(6, 200), "iterations");
     ASSERT_NE(advice, nullptr);
     EXPECT_EQ(judged(CostScene{}.stack(6), "iterations"), nullptr);
 }
 
-TEST_F(AdviceTest, manyEventsOfContactsThatGoOnAreCounted) {
+TEST_F(AdviceTest, manyEventsOfPersistentContactsAreCounted) {
     CostScene scene{R"("sleeping": false)"};
     for (int i = 0; i < 60; ++i) scene.stack(2, 100.0f + 40.0f * static_cast<float>(i));
     const Advice* advice = judged(scene, "stay events", 60);
@@ -160,7 +161,7 @@ TEST_F(AdviceTest, manyEventsOfContactsThatGoOnAreCounted) {
     EXPECT_EQ(judged(CostScene{}.stack(2), "stay events"), nullptr);
 }
 
-TEST_F(AdviceTest, aRemedyIsOneStepOfUndoAndLeavesTheRestAsItWas) {
+TEST_F(AdviceTest, aRemedyIsOneUndoStepAndChangesNothingElse) {
     open(CostScene{}.stack(3));
     const std::string before = workspace.text();
     ScenePhysics present;
@@ -179,7 +180,7 @@ TEST_F(AdviceTest, aRemedyIsOneStepOfUndoAndLeavesTheRestAsItWas) {
     EXPECT_EQ(workspace.text(), before);
 }
 
-TEST_F(AdviceTest, inTheGameItIsOfferedForKeepingAlsoWhereTheSceneHadNoSettings) {
+TEST_F(AdviceTest, aRemedyInTheGameIsOfferedForKeepingEvenIfTheSceneHasNoSettings) {
     open(CostScene{}.stack(3));
     const std::string before = workspace.text();
     play(40);
@@ -192,8 +193,8 @@ TEST_F(AdviceTest, inTheGameItIsOfferedForKeepingAlsoWhereTheSceneHadNoSettings)
     workspace.play.seek(40);
     EXPECT_EQ(scenePhysics(workspace.play.world())->quality, 5) << "and comes again";
     workspace.stopPlaying();
-    ASSERT_EQ(workspace.toKeep.size(), 1u);
-    EXPECT_EQ(workspace.toKeep[0].field, "ScenePhysics.quality");
+    ASSERT_EQ(workspace.offeredChanges.size(), 1u);
+    EXPECT_EQ(workspace.offeredChanges[0].field, "ScenePhysics.quality");
     EXPECT_EQ(workspace.text(), before);
     workspace.keepTicked();
     ASSERT_NE(scenePhysics(workspace.document.world), nullptr);

@@ -16,11 +16,11 @@ Profiler::Sample sampleOf(std::vector<float> zones, float drawing) {
     return sample;
 }
 
-TEST(StageTimes, medianAndWorstOfTheLastSecondStandInTheOrderOfTheStep) {
+TEST(StageTimes, showMedianAndMaximumOfTheLastSecondInTheOrderOfTheStep) {
     const std::vector<Profiler::Zone> zones{{"patrol"}, {"solve", true}, {"physics"}, {"broad phase", true},
                                             {"camera"}, {"idle"}};
     std::deque<Profiler::Sample> samples;
-    samples.push_back(sampleOf({90.0f, 90.0f, 90.0f, 90.0f, 90.0f}, 90.0f));  // more than a second ago
+    samples.push_back(sampleOf({90.0f, 90.0f, 90.0f, 90.0f, 90.0f}, 90.0f));  // older than one second
     for (int i = 0; i < 60; ++i)
         samples.push_back(sampleOf({1.0f, static_cast<float>(i), 100.0f, 0.5f, 2.0f, 0.0f}, 3.0f));
     const std::vector<StageTime> times = stageTimes(samples, zones);
@@ -36,7 +36,7 @@ TEST(StageTimes, medianAndWorstOfTheLastSecondStandInTheOrderOfTheStep) {
 
 using IslandTable = CostFixture;
 
-TEST_F(IslandTable, eachHeapIsARowWithItsShareOfTheTime) {
+TEST_F(IslandTable, eachHeapIsARowWithItsShareOfTheStepTime) {
     open(CostScene{}.stack(6, 100.0f).stack(2, 400.0f));
     play(10);
     std::vector<IslandRow> rows = islandRows(workspace.play.world(), 90.0f);
@@ -53,7 +53,7 @@ TEST_F(IslandTable, eachHeapIsARowWithItsShareOfTheTime) {
     for (const EntityId entity : entities) EXPECT_TRUE(workspace.play.idOf(entity));
 }
 
-TEST_F(IslandTable, whatRestsIsNoIsland) {
+TEST_F(IslandTable, sleepingBodiesAreNoIsland) {
     open(CostScene{}.stack(1));
     play(120);
     EXPECT_TRUE(islandRows(workspace.play.world(), 90.0f).empty());
@@ -61,7 +61,7 @@ TEST_F(IslandTable, whatRestsIsNoIsland) {
 
 using BodyErrors = CostFixture;
 
-TEST_F(BodyErrors, theLowestOfAStackIsDeepestAndBearsMost) {
+TEST_F(BodyErrors, theLowestBoxOfAStackHasTheDeepestOverlapAndTheLargestForce) {
     open(CostScene{R"("quality": 0, "sleeping": false)"}.stack(8));
     play(120);
     const physics::World& world = workspace.play.world().findResource<PhysicsState>()->world;
@@ -82,7 +82,7 @@ TEST_F(BodyErrors, theLowestOfAStackIsDeepestAndBearsMost) {
     EXPECT_GT(errorOf("box 0"), 0.0f);
     EXPECT_EQ(errorOf("box 0"), most);
     EXPECT_LT(errorOf("box 7"), errorOf("box 0"));
-    // Eight boxes of 1 kg on two points of the lowest one.
+    // Eight boxes of 1 kg rest on two contact points of the lowest box: four weights on each.
     float lowest = 0.0f;
     for (const ContactPush& push : contactPushes(world)) lowest = std::max(lowest, push.weights);
     EXPECT_NEAR(lowest, 4.0f, 0.8f);

@@ -24,7 +24,7 @@ protected:
         const auto* found = window.widgets().find(widget);
         return found == nullptr ? "(none)" : found->value;
     }
-    /// Clicks and waits for the end, which a thread brings.
+    /// Clicks "Measure" and runs frames until the measuring thread has finished.
     void clickMeasure() {
         hands.click("Cost/measure");
         for (int frame = 0; frame < 200000 && !onScreen("Cost/verdict"); ++frame) hands.rest();
@@ -42,13 +42,13 @@ protected:
     Hands hands;
 };
 
-TEST_F(CostPanelTest, aStudentMeasuresReadsAndUsesWhatIsEnough) {
+TEST_F(CostPanelTest, measuringRecommendsAQualityThatAButtonApplies) {
     open(CostScene{R"("quality": 0)"}.stack(12));
     showPanel();
     EXPECT_TRUE(onScreen("Cost/lesson"));
     playFor(200);
     clickMeasure();
-    EXPECT_NE(valueOf("Cost/verdict").find("You use quality 0"), std::string::npos)
+    EXPECT_NE(valueOf("Cost/verdict").find("Current quality 0"), std::string::npos)
         << valueOf("Cost/verdict");
     EXPECT_EQ(valueOf("Cost/curve/0"), "present");
     EXPECT_EQ(valueOf("Cost/quality/1").find("Quality 1: "), 0u) << valueOf("Cost/quality/1");
@@ -63,10 +63,10 @@ TEST_F(CostPanelTest, aStudentMeasuresReadsAndUsesWhatIsEnough) {
     EXPECT_EQ(scenePhysics(workspace.play.world())->quality, enough);
     EXPECT_EQ(valueOf(format("Cost/curve/{}", enough)), "present") << "the mark follows";
     workspace.stopPlaying();
-    ASSERT_EQ(workspace.toKeep.size(), 1u);
+    ASSERT_EQ(workspace.offeredChanges.size(), 1u);
 }
 
-TEST_F(CostPanelTest, aClickOnTheCurveSetsTheQualityOfTheSceneAndUndoTakesItBack) {
+TEST_F(CostPanelTest, aClickOnTheCurveSetsTheQualityOfTheSceneAndUndoRevertsIt) {
     open(CostScene{}.stack(10));
     showPanel();
     const std::string before = workspace.text();
@@ -119,7 +119,7 @@ TEST_F(CostPanelTest, aClickOnAnIslandSelectsItsEntitiesAndColumnsSort) {
     EXPECT_EQ(workspace.document.selection.size(), 2u);
 }
 
-TEST_F(CostPanelTest, stagesOfThePhysicsAreBarsWithMedianAndWorst) {
+TEST_F(CostPanelTest, stagesOfThePhysicsAreBarsWithMedianAndMaximum) {
     open(CostScene{R"("sleeping": false)"}.stack(6));
     showPanel();
     hands.click("Cost/page/Stages");
@@ -136,7 +136,7 @@ TEST_F(CostPanelTest, stagesOfThePhysicsAreBarsWithMedianAndWorst) {
     EXPECT_NE(valueOf("Cost/tick"), "(none)");
 }
 
-TEST_F(CostPanelTest, theGameIsTheSameWithThePanelOpen) {
+TEST_F(CostPanelTest, theOpenPanelDoesNotChangeTheGame) {
     open(CostScene{R"("sleeping": false)"}.stack(6));
     workspace.settings.layout.show("Console");
     hands.rest(3);
@@ -148,7 +148,7 @@ TEST_F(CostPanelTest, theGameIsTheSameWithThePanelOpen) {
         }
         const std::uint64_t hash = workspace.play.world().hash();
         workspace.stopPlaying();
-        workspace.toKeep.clear();
+        workspace.offeredChanges.clear();
         return hash;
     };
     const std::uint64_t alone = playAndHash();
@@ -204,7 +204,7 @@ TEST_F(CostPanelTest, errorsAndForcesAreDrawnInClassesWithALegend) {
     };
     for (const CostShade& shade : kErrorShades) {
         EXPECT_TRUE(says(errors, shade.label)) << shade.label;
-        if (shade.from >= 2.0f) continue;  // above
+        if (shade.from >= 2.0f) continue;  // checked above
         EXPECT_GE(strokes(errors, shade.color), 5) << shade.label << ": a box, and a line in the legend";
     }
     EXPECT_TRUE(says(errors, " px")) << "the worst have their number";

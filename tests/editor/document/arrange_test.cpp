@@ -1,4 +1,4 @@
-// Bringing several things in line, and how they snap.
+// Aligning and distributing entities, and snapping.
 
 #include "editor/model/arrange.hpp"
 
@@ -38,7 +38,7 @@ constexpr const char* kActions[] = {"arrange.left",         "arrange.center",   
                                     "arrange.top",          "arrange.middle",    "arrange.bottom",
                                     "arrange.spreadAcross", "arrange.spreadDown"};
 
-TEST_F(Arranging, edgesAndMiddlesComeInLine) {
+TEST_F(Arranging, edgesAndCentersAreAligned) {
     struct Case {
         const char* action;
         float (*line)(const AABB&);
@@ -59,7 +59,7 @@ TEST_F(Arranging, edgesAndMiddlesComeInLine) {
     }
 }
 
-TEST_F(Arranging, gapsBecomeEqualAndTheEndsStay) {
+TEST_F(Arranging, gapsBecomeEqualAndTheOuterEntitiesStay) {
     scatter(5);
     workspace.document.selection.set({named("crate"), named("player"), named("camera"), named("sign")});
     const AABB whole = *boundsOf(workspace.document, workspace.document.selection.all());
@@ -74,7 +74,7 @@ TEST_F(Arranging, gapsBecomeEqualAndTheEndsStay) {
     EXPECT_NEAR(boundsOf(workspace.document, workspace.document.selection.all())->min.x, whole.min.x, 1e-2f);
 }
 
-TEST_F(Arranging, doingItTwiceIsDoingItOnceAndUndoBringsBackTheBytes) {
+TEST_F(Arranging, arrangingTwiceEqualsOnceAndUndoRestoresTheBytes) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         for (const char* action : kActions) {
             SCOPED_TRACE(format("{} {}", seed, action));
@@ -95,7 +95,7 @@ TEST_F(Arranging, doingItTwiceIsDoingItOnceAndUndoBringsBackTheBytes) {
     }
 }
 
-TEST_F(Arranging, whatIsLockedStaysAndWhatIsBelowAnotherGoesWithIt) {
+TEST_F(Arranging, lockedEntitiesStayAndChildrenMoveWithTheirParents) {
     workspace.document.view.setLocked(named("crate"), true);
     const std::vector<ObjectId> ids{named("crate"), named("player"), named("lamp"), named("camera")};
     EXPECT_EQ(arrangeable(workspace.document, ids), (std::vector{named("player"), named("camera")}));

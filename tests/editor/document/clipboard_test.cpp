@@ -1,4 +1,4 @@
-// Copying between scenes and between projects, as text.
+// Copying entities as text between scenes and between projects.
 
 #include "editor/model/clipboard.hpp"
 
@@ -47,14 +47,14 @@ protected:
     Workspace elsewhere{otherTypes_, otherAssets_, {folder_.path}, &otherPrefabs_};
 };
 
-TEST_F(Clipboards, whatIsCopiedIsReadableText) {
+TEST_F(Clipboards, copiedEntitiesAreReadableText) {
     copy({named("player")});
     const Result<Json> json = parseJson(workspace.clipboard, "clipboard");
     ASSERT_TRUE(json.ok());
     EXPECT_NE(workspace.clipboard.find("\"BoxCollider\""), std::string::npos);
 }
 
-TEST_F(Clipboards, familiesTilesAndReferencesComeAlongIntoAnotherSceneAndAnotherProject) {
+TEST_F(Clipboards, childrenTilesAndReferencesAreCopiedToOtherScenesAndProjects) {
     World& world = workspace.document.world;
     auto& joint = world.add<DistanceJoint>(workspace.document.find(named("lamp")));
     joint.other = workspace.document.find(named("player"));
@@ -82,7 +82,7 @@ TEST_F(Clipboards, familiesTilesAndReferencesComeAlongIntoAnotherSceneAndAnother
     }
 }
 
-TEST_F(Clipboards, anInstanceStaysOneWithWhatItHasForItself) {
+TEST_F(Clipboards, aCopiedInstanceKeepsItsPrefabAndItsOverrides) {
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
     workspace.document.world.get<BoxCollider>(workspace.document.find(named("player"))).width = 77.0f;
     copy({named("player")});
@@ -96,7 +96,7 @@ TEST_F(Clipboards, anInstanceStaysOneWithWhatItHasForItself) {
     EXPECT_EQ(scene.find("\"lamp\""), std::string::npos) << "its parts are still parts";
 }
 
-TEST_F(Clipboards, anInstanceIsUnpackedWhereItsPrefabIsMissing) {
+TEST_F(Clipboards, anInstanceIsUnpackedIfItsPrefabIsMissing) {
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
     workspace.document.world.get<BoxCollider>(workspace.document.find(named("player"))).width = 77.0f;
     copy({named("player")});

@@ -14,7 +14,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Some entity of the scene, or null in an empty one.
+/// Returns a random entity of the scene; null if the scene is empty.
 ObjectId anyObject(const Document& document, Random& random) {
     const std::vector<ObjectId>& all = document.objects();
     return all.empty() ? ObjectId{} : all[random.below(static_cast<std::uint32_t>(all.size()))];
@@ -66,7 +66,7 @@ std::unique_ptr<Command> randomPaint(Document& document, Random& random) {
     return nullptr;
 }
 
-/// Any command there is, on a random part of the document.
+/// Creates a random command of any kind for a random entity of the document.
 std::unique_ptr<Command> randomCommand(Document& document, Random& random) {
     const ObjectId id = anyObject(document, random);
     if (!id) return createEntity(document, "first", {});
@@ -133,7 +133,7 @@ TEST_F(Commands, tenThousandRandomCommandsAreUndoneAndRedoneByteForByte) {
     EXPECT_EQ(workspace.text(), after);
 }
 
-TEST_F(Commands, aDeletedEntityComesBackWithItsChildrenReferencesAndUnknownParts) {
+TEST_F(Commands, undoRestoresADeletedEntityWithChildrenReferencesAndUnknownComponents) {
     workspace.document.selection.set({named("player")});
     workspace.undo.push(std::make_unique<DeleteEntities>(workspace.document.selection.all()));
     EXPECT_FALSE(named("player"));
@@ -156,7 +156,7 @@ TEST_F(Commands, aParentBelowItselfIsRefusedAndUndoneWithoutATrace) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Commands, whatIsCopiedCanBePastedAsTextWithItsChildren) {
+TEST_F(Commands, copiedEntitiesCanBePastedAsTextWithTheirChildren) {
     workspace.document.selection.set({named("player")});
     ASSERT_TRUE(runAction(workspace, "edit.copy"));
     ASSERT_TRUE(runAction(workspace, "edit.paste"));
@@ -178,7 +178,7 @@ TEST_F(Commands, whatIsCopiedCanBePastedAsTextWithItsChildren) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Commands, textThatIsNoEntitiesIsNotPasted) {
+TEST_F(Commands, textWithoutEntitiesIsNotPasted) {
     for (const char* text :
          {"", "hello", "{}", "[1,2]", R"({"plumbEntities": 3})", R"({"plumbEntities": [1]})"}) {
         EXPECT_EQ(pasteFromText(workspace.prefabs(), text).command, nullptr) << text;

@@ -7,7 +7,7 @@ namespace {
 
 using Documents = EditorFixture;
 
-TEST_F(Documents, theListOfEntitiesIsSortedOnceAndFollowsWhatComesAndGoes) {
+TEST_F(Documents, theListOfEntitiesStaysSortedWhenEntitiesAreAddedOrRemoved) {
     const Document& document = workspace.document;
     const std::vector<ObjectId>& all = document.objects();
     ASSERT_EQ(all.size(), 6u);
@@ -28,7 +28,7 @@ TEST_F(Documents, theListOfEntitiesIsSortedOnceAndFollowsWhatComesAndGoes) {
     EXPECT_EQ(document.objects().size(), 6u);
 }
 
-TEST_F(Documents, aNewSceneIsWrittenOpenedAndSavedAsItIs) {
+TEST_F(Documents, aNewSceneIsWrittenOpenedAndSavedUnchanged) {
     ASSERT_TRUE(workspace.createScene("cave").ok());
     EXPECT_EQ(workspace.document.scenePath, "scenes/cave.scene.json");
     EXPECT_EQ(workspace.document.objectCount(), 0u);
@@ -40,7 +40,7 @@ TEST_F(Documents, aNewSceneIsWrittenOpenedAndSavedAsItIs) {
     EXPECT_EQ(fileText(), kSceneText);
 }
 
-TEST(LogBooks, keepWhatWasSaidSinceTheyWereMadeAndPassItOn) {
+TEST(LogBooks, keepAndForwardAllMessagesSinceTheirCreation) {
     std::vector<std::string> heard;
     const LogSink before = setLogSink([&](const LogLine& line) { heard.push_back(line.text); });
     {

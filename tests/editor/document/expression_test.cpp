@@ -50,29 +50,29 @@ TEST(Expressions, knowFunctionsAndConstants) {
     EXPECT_NEAR(valueOf("tau / pi"), 2.0, 1e-15);
 }
 
-TEST(Expressions, sayWhatIsWrongAndInWhichColumn) {
+TEST(Expressions, reportErrorsWithTheirColumn) {
     EXPECT_EQ(problemOf("16*"), "column 4: expected a number, found the end");
     EXPECT_EQ(problemOf("3+*4"), "column 3: expected a number, found \"*\"");
     EXPECT_EQ(problemOf("(1+2"), "column 5: expected ) for the ( in column 1, found the end");
     EXPECT_EQ(problemOf("1)"), "column 2: expected an operator, found \")\"");
-    EXPECT_EQ(problemOf("12px"), "column 3: \"p\" does not belong into the number \"12\"");
+    EXPECT_EQ(problemOf("12px"), "column 3: unexpected \"p\" after the number \"12\"");
     EXPECT_EQ(problemOf("1,5"), "column 2: expected an operator, found \",\"");
-    EXPECT_EQ(problemOf("4/0"), "column 2: divides by 0");
-    EXPECT_EQ(problemOf("4%(2-2)"), "column 2: divides by 0");
-    EXPECT_EQ(problemOf("1+sqrt(-4)"), "column 3: this sqrt is no number");
+    EXPECT_EQ(problemOf("4/0"), "column 2: division by 0");
+    EXPECT_EQ(problemOf("4%(2-2)"), "column 2: division by 0");
+    EXPECT_EQ(problemOf("1+sqrt(-4)"), "column 3: the result of sqrt is not a finite number");
     EXPECT_EQ(problemOf("max(1)"), "column 6: max needs 2 numbers; expected a comma, found \")\"");
-    EXPECT_EQ(problemOf("1e999"), "column 1: this number is too large or too small");
-    EXPECT_EQ(problemOf("9^9^9"), "column 2: this power is no number");
+    EXPECT_EQ(problemOf("1e999"), "column 1: the number is too large or too small");
+    EXPECT_EQ(problemOf("9^9^9"), "column 2: the power is not a finite number");
     EXPECT_EQ(problemOf("2\xc3\x97"
                         "3"),
               "column 2: expected an operator, found \"\xc3\x97\"");
     EXPECT_EQ(problemOf(""), "column 1: expected a number, found the end");
+    EXPECT_TRUE(startsWith(problemOf("sqr(4)"), "column 1: unknown name \"sqr\"; use pi, tau, sqrt"));
     EXPECT_TRUE(
-        startsWith(problemOf("sqr(4)"), "column 1: \"sqr\" means nothing here; there are pi, tau, sqrt"));
-    EXPECT_TRUE(startsWith(problemOf(std::string(5000, '(')), "column 65: too many things"));
+        startsWith(problemOf(std::string(5000, '(')), "column 65: the expression is nested too deeply"));
 }
 
-TEST(Expressions, changeWhatIsThereWhenTheyBeginWithASign) {
+TEST(Expressions, applyToThePresentValueIfTheyBeginWithASign) {
     const auto over = [](std::string_view text) {
         return *typedNumber(text, {.value = 8.0, .index = 2, .count = 5});
     };
@@ -86,14 +86,14 @@ TEST(Expressions, changeWhatIsThereWhenTheyBeginWithASign) {
     EXPECT_EQ(over("-10"), -10.0);
     EXPECT_EQ(over("x^2 + 16*i + n"), 101.0);
     EXPECT_EQ(typedNumber("+=", {}).error().text(), "column 3: expected a number, found the end");
-    EXPECT_EQ(typedNumber("/=0", {}).error().text(), "column 2: divides by 0");
+    EXPECT_EQ(typedNumber("/=0", {}).error().text(), "column 2: division by 0");
     EXPECT_FALSE(typedNumber("*1e308", {.value = 1e300}).ok());
 }
 
-// ---- a second evaluation: trees that are worked out without reading any text
+// ---- reference evaluation: random expression trees, evaluated without parsing
 
 struct Tree {
-    char sign = '\0';  // 0: a number; 'n' minus; 's' sqrt of its square
+    char sign = '\0';  // \0 number, + - * /, n negation, s square root of the square of `left`
     double number = 0.0;
     std::unique_ptr<Tree> left;
     std::unique_ptr<Tree> right;
@@ -112,30 +112,30 @@ std::unique_ptr<Tree> randomTree(Random& random, int depth) {
     return tree;
 }
 
-double worth(const Tree& tree) {
+double evaluateTree(const Tree& tree) {
     switch (tree.sign) {
-        case '+': return worth(*tree.left) + worth(*tree.right);
-        case '-': return worth(*tree.left) - worth(*tree.right);
-        case '*': return worth(*tree.left) * worth(*tree.right);
+        case '+': return evaluateTree(*tree.left) + evaluateTree(*tree.right);
+        case '-': return evaluateTree(*tree.left) - evaluateTree(*tree.right);
+        case '*': return evaluateTree(*tree.left) * evaluateTree(*tree.right);
         case '/': {
-            const double by = worth(*tree.right);
-            return by == 0.0 ? std::nan("") : worth(*tree.left) / by;
+            const double by = evaluateTree(*tree.right);
+            return by == 0.0 ? std::nan("") : evaluateTree(*tree.left) / by;
         }
-        case 'n': return -worth(*tree.left);
-        case 's': return std::sqrt(worth(*tree.left) * worth(*tree.left));
+        case 'n': return -evaluateTree(*tree.left);
+        case 's': return std::sqrt(evaluateTree(*tree.left) * evaluateTree(*tree.left));
         default: return tree.number;
     }
 }
 
-int strengthOf(const Tree& tree) {
+int precedenceOf(const Tree& tree) {
     return tree.sign == '+' || tree.sign == '-' ? 1 : tree.sign == '\0' || tree.sign == 's' ? 3 : 2;
 }
 
-/// With parentheses only where the rules of arithmetic need them, and spaces anywhere.
+/// Writes a tree as text, with parentheses only where precedence requires them and random spaces.
 std::string textOf(const Tree& tree, Random& random) {
     const auto inside = [&](const Tree& part, int least) {
         const std::string text = textOf(part, random);
-        return strengthOf(part) < least ? format("({})", text) : text;
+        return precedenceOf(part) < least ? format("({})", text) : text;
     };
     const std::string space(random.below(2), ' ');
     switch (tree.sign) {
@@ -147,17 +147,17 @@ std::string textOf(const Tree& tree, Random& random) {
         }
         default: break;
     }
-    const int strength = strengthOf(tree);
+    const int strength = precedenceOf(tree);
     return format("{}{}{}{}{}", inside(*tree.left, strength), space, tree.sign, space,
                   inside(*tree.right, strength + 1));
 }
 
-TEST(Expressions, comeToWhatTheirTreesComeTo) {
+TEST(Expressions, haveTheValuesOfTheirTrees) {
     Random random = Random::seeded(7);
     int finite = 0;
     for (int i = 0; i < 5000; ++i) {
         const auto tree = randomTree(random, 5);
-        const double expected = worth(*tree);
+        const double expected = evaluateTree(*tree);
         const std::string text = textOf(*tree, random);
         const Result<double> value = evaluate(text);
         if (std::isnan(expected)) {
@@ -171,7 +171,7 @@ TEST(Expressions, comeToWhatTheirTreesComeTo) {
     EXPECT_GT(finite, 4000);
 }
 
-TEST(Expressions, neverFallOverDamagedTexts) {
+TEST(Expressions, surviveDamagedTexts) {
     Random random = Random::seeded(11);
     constexpr std::string_view kLetters = "0123456789.+-*/%^(),= \tesqrtpix\"#\xc3\xa4\xff";
     int refused = 0;

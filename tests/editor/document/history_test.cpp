@@ -44,7 +44,7 @@ TEST_F(HistoryTest, stepsNameTheirEntity) {
     EXPECT_EQ(valueOf("History/0"), "opened");
 }
 
-TEST_F(HistoryTest, aTransactionIsAboutTheFirstOfItsCommands) {
+TEST_F(HistoryTest, aTransactionNamesTheEntityOfItsFirstCommand) {
     Transaction step{workspace.undo, "two things"};
     workspace.undo.push(renameEntity(workspace.document, named("sign"), "post"));
     workspace.undo.push(renameEntity(workspace.document, named("crate"), "box"));
@@ -60,18 +60,18 @@ TEST_F(HistoryTest, aClickGoesToAStepAndTheSavedOneIsMarked) {
     rename("box", "chest");
     rename("chest", "case");
     EXPECT_EQ(valueOf("History/saved"), "1");
-    EXPECT_EQ(valueOf("History/summary"), "3 steps can be undone, 0 redone; 2 after the saved one");
+    EXPECT_EQ(valueOf("History/summary"), "3 steps can be undone, 0 redone; 2 after the saved state");
     hands.click("History/1");
     EXPECT_TRUE(named("box"));
     EXPECT_FALSE(workspace.unsaved());
     hands.click("History/0");
     EXPECT_TRUE(named("crate"));
-    EXPECT_EQ(valueOf("History/summary"), "0 steps can be undone, 3 redone; 1 before the saved one");
+    EXPECT_EQ(valueOf("History/summary"), "0 steps can be undone, 3 redone; 1 before the saved state");
     hands.click("History/3");
     EXPECT_TRUE(named("case"));
 }
 
-TEST_F(HistoryTest, whatCannotBeRedoneAnyMoreIsReported) {
+TEST_F(HistoryTest, stepsThatCanNoLongerBeRedoneAreReported) {
     rename("crate", "box");
     rename("box", "chest");
     rename("sign", "post");
@@ -81,7 +81,7 @@ TEST_F(HistoryTest, whatCannotBeRedoneAnyMoreIsReported) {
     ASSERT_EQ(workspace.undo.lost().size(), 1u);
     EXPECT_EQ(workspace.undo.lost()[0].position, 1u);
     EXPECT_EQ(workspace.undo.lost()[0].steps, 2u);
-    EXPECT_NE(valueOf("History/1/lost").find("2 undone steps were given up here"), std::string::npos);
+    EXPECT_NE(valueOf("History/1/lost").find("2 undone steps were discarded here"), std::string::npos);
     EXPECT_NE(valueOf("History/1/lost").find("sign"), std::string::npos);
 
     workspace.undo.jumpTo(0);
@@ -95,7 +95,7 @@ TEST_F(HistoryTest, aSavedStepThatWasLostIsReported) {
     ASSERT_TRUE(workspace.save().ok());
     workspace.undo.undo();
     rename("crate", "chest");
-    EXPECT_NE(valueOf("History/summary").find("none of them is as it was saved"), std::string::npos);
+    EXPECT_NE(valueOf("History/summary").find("the saved state is no longer among them"), std::string::npos);
 }
 
 }  // namespace

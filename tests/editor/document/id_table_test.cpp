@@ -31,8 +31,8 @@ TEST(IdTableTest, noEntityHasTheIdZero) {
     EXPECT_FALSE(table.erase(0));
 }
 
-// Few ids, so that the same ones come and go and crowd together: then taking one out has to close the gap.
-TEST(IdTableTest, agreesWithAnotherTableWhateverComesAndGoes) {
+// Only few ids, so that slots collide and erasing has to close gaps.
+TEST(IdTableTest, agreesWithUnorderedMapAfterRandomInsertionsAndErasures) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random = Random::seeded(seed);
         IdTable<int> table;

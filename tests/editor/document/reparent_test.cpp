@@ -27,8 +27,8 @@ protected:
     }
 };
 
-TEST_F(Reparenting, numbersFollowTheFormulaOfATurnedAndScaledParent) {
-    // The parent's x axis points down and is two long, its y axis points left and is four long.
+TEST_F(Reparenting, localTransformFollowsTheFormulaOfARotatedAndScaledParent) {
+    // The parent's x axis points down with scale 2, its y axis points left with scale 4.
     put("player", Transform{{40.0f, 100.0f}, kPi * 0.5f, {2.0f, 4.0f}});
     put("crate", Transform{{48.0f, 110.0f}, 0.25f, {6.0f, 2.0f}});
 
@@ -41,7 +41,7 @@ TEST_F(Reparenting, numbersFollowTheFormulaOfATurnedAndScaledParent) {
     EXPECT_EQ(own.scale, (Vec2{3.0f, 0.5f}));
 }
 
-TEST_F(Reparenting, whatGetsAnotherParentStaysWhereItIs) {
+TEST_F(Reparenting, reparentedEntitiesKeepTheirWorldTransform) {
     for (unsigned seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -70,7 +70,7 @@ TEST_F(Reparenting, whatGetsAnotherParentStaysWhereItIs) {
     }
 }
 
-TEST_F(Reparenting, undoBringsBackEveryByteAndRedoTheSameAgain) {
+TEST_F(Reparenting, undoAndRedoRestoreEveryByte) {
     put("player", Transform{{40.0f, 100.0f}, 0.7f, {1.3f, 0.6f}});
     const std::string before = workspace.text();
     give("sign", "player");
@@ -83,20 +83,20 @@ TEST_F(Reparenting, undoBringsBackEveryByteAndRedoTheSameAgain) {
     EXPECT_EQ(workspace.text(), after);
 }
 
-TEST_F(Reparenting, numbersStayWhenOneAsksForIt) {
+TEST_F(Reparenting, localTransformStaysOnRequest) {
     give("crate", "player", KeepPlace::InParent);
     EXPECT_EQ(positionOf(named("crate")), (Vec2{200.0f, 64.0f}));
     EXPECT_EQ(poseOf("crate").position, (Vec2{240.0f, 164.0f}));
 }
 
-TEST_F(Reparenting, inAParentScaledToNothingTheNumbersStay) {
+TEST_F(Reparenting, localTransformStaysInAParentWithScaleZero) {
     put("player", Transform{{40.0f, 100.0f}, 0.0f, {0.0f, 1.0f}});
     give("crate", "player");
     EXPECT_EQ(positionOf(named("crate")), (Vec2{200.0f, 64.0f}));
     EXPECT_EQ(transformOf("crate").scale, (Vec2{1.0f, 1.0f}));
 }
 
-TEST_F(Reparenting, whatIsBelowAnotherSelectedThingGoesWithIt) {
+TEST_F(Reparenting, selectedChildrenMoveWithTheirSelectedParent) {
     const std::vector<ObjectId> roots =
         outermost(workspace.document, {named("lamp"), named("player"), named("crate")});
     EXPECT_EQ(roots, (std::vector{named("player"), named("crate")}));

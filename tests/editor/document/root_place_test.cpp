@@ -1,4 +1,4 @@
-// Where the first entity of a prefab stands is no part of its file: nothing moves it.
+// A prefab file does not store the position of its root entity, so nothing in the editor may move it.
 
 #include "editor/model/document/root_place.hpp"
 
@@ -8,7 +8,7 @@
 #include "editor/model/edit_fields.hpp"
 #include "editor/model/prefabs/make_prefab.hpp"
 #include "editor/model/prefabs/prefab_visit.hpp"
-#include "editor/model/tools/shape_spots.hpp"
+#include "editor/model/tools/shape_handles.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
@@ -17,7 +17,7 @@
 namespace plumb::editor {
 namespace {
 
-/// The player with its lamp is a prefab, and that is open.
+/// The player with its lamp as a prefab, opened for editing.
 class RootPlace : public EditorFixture {
 protected:
     RootPlace() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -43,7 +43,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(RootPlace, hasNoNumbersInTheInspector) {
+TEST_F(RootPlace, isNotShownInTheInspector) {
     ASSERT_EQ(workspace.document.selection.all(), std::vector{root()});
     EXPECT_EQ(valueOf("Inspector/Transform/position"), "stays");
     EXPECT_EQ(valueOf("Inspector/Transform/rotation"), "stays");
@@ -54,7 +54,7 @@ TEST_F(RootPlace, hasNoNumbersInTheInspector) {
     EXPECT_EQ(valueOf("Inspector/Transform/position.x"), "10") << "what is below it has a place";
 }
 
-TEST_F(RootPlace, isLeftAloneByDragsTurnsAndArrowsAndThatIsSaid) {
+TEST_F(RootPlace, isNotMovedByDragsRotationOrArrowKeysAndANoticeExplainsWhy) {
     for (const Key tool : {Key::Q, Key::W, Key::E}) {
         hands.key(tool);
         workspace.document.selection.set({root()});
@@ -62,17 +62,17 @@ TEST_F(RootPlace, isLeftAloneByDragsTurnsAndArrowsAndThatIsSaid) {
         EXPECT_EQ(workspace.undo.size(), 0u);
         EXPECT_EQ(placeOf(root()).position, Vec2{});
         if (tool != Key::E) {
-            EXPECT_EQ(workspace.notice, kRootStays);
+            EXPECT_EQ(workspace.notice, kRootCannotMove);
         }
     }
     workspace.notice.clear();
     workspace.document.selection.set({root()});
     hands.key(Key::Right);
-    EXPECT_EQ(workspace.notice, kRootStays);
+    EXPECT_EQ(workspace.notice, kRootCannotMove);
     EXPECT_FALSE(workspace.unsaved());
 }
 
-TEST_F(RootPlace, staysWhenWhatIsBelowItMovesAndGrowsWithoutMoving) {
+TEST_F(RootPlace, isNotMovedByDraggingOrScalingItWithItsChildren) {
     workspace.document.selection.set({named("lamp"), root()});
     const ToolContext context = workspace.tools();
     TransformDrag drag;
@@ -108,14 +108,14 @@ TEST_F(RootPlace, isNotWrittenByResettingPastingOrArranging) {
 }
 
 TEST_F(RootPlace, hasNoPivotForTheShapeTool) {
-    // What is below it has one.
+    // The child does have a pivot handle.
     for (const ObjectId id : {named("lamp"), root()})
         workspace.document.world.add<Sprite>(workspace.document.find(id), Sprite{});
     workspace.document.world.remove<BoxCollider>(workspace.document.find(root()));
     const auto pivots = [&](ObjectId id) {
-        const std::vector<ShapeSpot> spots = spotsOf(workspace.document, id);
+        const std::vector<ShapeHandle> spots = spotsOf(workspace.document, id);
         return std::count_if(spots.begin(), spots.end(),
-                             [](const ShapeSpot& spot) { return spot.kind == SpotKind::Pivot; });
+                             [](const ShapeHandle& spot) { return spot.kind == ShapeHandleKind::Pivot; });
     };
     EXPECT_EQ(pivots(named("lamp")), 1);
     EXPECT_EQ(pivots(root()), 0);
@@ -124,7 +124,7 @@ TEST_F(RootPlace, hasNoPivotForTheShapeTool) {
     hands.drag(onScreen({0.0f, 0.0f}), onScreen({40.0f, 30.0f}));
     EXPECT_EQ(placeOf(root()).position, Vec2{});
     EXPECT_EQ(workspace.undo.size(), 0u);
-    EXPECT_EQ(workspace.notice, kRootStays);
+    EXPECT_EQ(workspace.notice, kRootCannotMove);
 }
 
 }  // namespace

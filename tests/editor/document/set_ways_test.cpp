@@ -1,11 +1,10 @@
-// Platforms and walkers go to and fro: their way is seen and dragged like all else.
-
-#include "editor/model/tools/set_ways.hpp"
+// Paths of moving platforms and patrolling walkers are shown and can be dragged like other shapes.
 
 #include <algorithm>
 
 #include "editor/model/actions.hpp"
 #include "editor/model/overlays/trajectories.hpp"
+#include "editor/model/tools/motion_paths.hpp"
 #include "gameplay/components/actors/moving_platform.hpp"
 #include "gameplay/components/actors/patrol.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
@@ -25,12 +24,12 @@ protected:
         workspace.document.selection.set({named(name)});
         return world.get<T>(entity);
     }
-    [[nodiscard]] SetWay wayOf(std::string_view name) const {
-        const auto way = setWayOf(workspace.document.world, workspace.document.find(named(name)));
+    [[nodiscard]] MotionPath wayOf(std::string_view name) const {
+        const auto way = motionPathOf(workspace.document.world, workspace.document.find(named(name)));
         EXPECT_TRUE(way);
-        return way.value_or(SetWay{});
+        return way.value_or(MotionPath{});
     }
-    /// A drag with the shape tool.
+    /// Drags with the shape tool.
     void drag(Vec2 from, Vec2 to) {
         runAction(workspace, "tool.shape");
         Pointer pointer;
@@ -42,14 +41,14 @@ protected:
     }
 };
 
-TEST_F(SetWays, aPlatformGoesFromWhereItStandsToTheOtherEnd) {
+TEST_F(SetWays, aPlatformMovesFromItsPositionToTheOtherEnd) {
     give("crate", MovingPlatform{.way = {64.0f, -16.0f}});
     EXPECT_EQ(wayOf("crate").from, (Vec2{200.0f, 64.0f}));
     EXPECT_EQ(wayOf("crate").to, (Vec2{264.0f, 48.0f}));
-    EXPECT_FALSE(setWayOf(workspace.document.world, workspace.document.find(named("sign"))));
+    EXPECT_FALSE(motionPathOf(workspace.document.world, workspace.document.find(named("sign"))));
 }
 
-TEST_F(SetWays, ofOneThatPlaysTheWayStaysWhileItMoves) {
+TEST_F(SetWays, thePathOfARunningPlatformDoesNotMoveWithIt) {
     MovingPlatform& platform = give("crate", MovingPlatform{.way = {64.0f, 0.0f}});
     platform.started = true;
     platform.home = {200.0f, 64.0f};
@@ -58,9 +57,9 @@ TEST_F(SetWays, ofOneThatPlaysTheWayStaysWhileItMoves) {
     EXPECT_EQ(wayOf("crate").from, (Vec2{200.0f, 64.0f}));
 }
 
-TEST_F(SetWays, aWalkerTurnsAtItsLimitsAndWithoutOneAnywhere) {
+TEST_F(SetWays, aWalkerTurnsAtItsLimitsAndASideWithoutLimitIsOpen) {
     give("crate", Patrol{.leftLimit = 40.0f});
-    const SetWay way = wayOf("crate");
+    const MotionPath way = wayOf("crate");
     EXPECT_EQ(way.from.x, 160.0f);
     EXPECT_TRUE(way.endsFrom);
     EXPECT_FALSE(way.endsTo);
@@ -77,7 +76,7 @@ TEST_F(SetWays, theEndOfAPlatformsWayIsDraggedAsOneStep) {
     EXPECT_EQ(wayOf("crate").to, (Vec2{264.0f, 64.0f}));
 }
 
-TEST_F(SetWays, limitsOfAWalkerAreDraggedAndTakenAway) {
+TEST_F(SetWays, limitsOfAWalkerAreDraggedAndRemoved) {
     give("crate", Patrol{.leftLimit = 40.0f});
     drag(wayOf("crate").to, {290.0f, 64.0f});
     const auto patrol = [&] {
@@ -88,14 +87,14 @@ TEST_F(SetWays, limitsOfAWalkerAreDraggedAndTakenAway) {
     EXPECT_EQ(patrol().leftLimit, 0.0f) << "as short as that is none";
 }
 
-TEST_F(SetWays, insideAParentTheWayIsSeenWhereItIs) {
+TEST_F(SetWays, thePathOfAChildIsShownInWorldSpace) {
     give("lamp", MovingPlatform{.way = {8.0f, 0.0f}});
     EXPECT_EQ(wayOf("lamp").from, (Vec2{50.0f, 90.0f}));
     drag({58.0f, 90.0f}, {70.0f, 90.0f});
     EXPECT_EQ(wayOf("lamp").to, (Vec2{70.0f, 90.0f}));
 }
 
-TEST_F(SetWays, trajectoriesOfAllHaveThemToo) {
+TEST_F(SetWays, trajectoriesOfAllBodiesIncludePlatformsAndWalkers) {
     give("crate", MovingPlatform{});
     give("sign", Patrol{});
     Trajectories trajectories;

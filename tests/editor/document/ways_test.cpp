@@ -14,7 +14,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// A player on the ground, and one ledge of that height right of it.
+/// A scene with a player on the ground and, to the right, a ledge of the given height, px.
 std::string ledgeScene(float height) {
     return format(R"({"format": 1, "entities": [
   {"id": "0000000000000001", "name": "ground", "components": {"Transform": {"position": [-1000, 100]},
@@ -26,7 +26,7 @@ std::string ledgeScene(float height) {
                   100.0f - height);
 }
 
-/// What an overlay says about where things go.
+/// Overlays for the reach of jumps and for trajectories.
 class Ways : public EditorFixture {
 protected:
     Ways() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -50,13 +50,13 @@ protected:
         FAIL() << "it never ends";
     }
     [[nodiscard]] const JumpReach& reach() const { return workspace.reach.reach(); }
-    /// Whether it stands on the ledge, on one of the ways.
+    /// True if a predicted jump ends on top of the ledge.
     [[nodiscard]] bool landsOn(float height) const {
         return std::any_of(reach().landings().begin(), reach().landings().end(), [&](const auto& landing) {
             return std::abs(landing.box.max.y - (100.0f - height)) < 2.0f && landing.box.max.x > 60.0f;
         });
     }
-    /// px: how high it jumps when jump is held, played by hand.
+    /// Height of the highest jump in the game, with the jump key held, px.
     [[nodiscard]] float highestJump() {
         const auto session = workspace.makeSession(workspace.document.scenePath, workspace.text());
         const EntityId player = entityIn(session->world(), named("player"));
@@ -111,7 +111,7 @@ TEST_F(Ways, theReachFollowsEditsOfTheScene) {
     EXPECT_TRUE(landsOn(30.0f));
 }
 
-TEST_F(Ways, theReachIsOfTheSelectedPlayerOrOfAnyAndChangesNothing) {
+TEST_F(Ways, theReachIsThatOfTheSelectedOrOfAnyPlayerAndDoesNotChangeTheScene) {
     open(ledgeScene(30.0f));
     const std::string before = workspace.text();
     const std::uint64_t hash = workspace.document.world.hash();
@@ -191,7 +191,7 @@ TEST_F(Ways, trajectoriesAreTheWaysThatTheGameThenGoes) {
         gone.push_back(position());
         ASSERT_EQ(position(), place);
     }
-    // Back in the past, the way behind and the way ahead are what was.
+    // After seeking back, the past and the future path equal the recorded positions.
     workspace.play.seek(70);
     for (int i = 0; i < 400 && (i < 2 || !workspace.trajectories.done()); ++i) workspace.tend(1.0 / 60.0);
     const Trajectories::Way& way = workspace.trajectories.ways()[0];

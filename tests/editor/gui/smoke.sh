@@ -1,5 +1,5 @@
 #!/bin/bash
-# Opens a real window under Xvfb, selects the player by a click, moves it one step by keys and saves.
+# Opens a real window under Xvfb, selects the player by a click, moves it by one key press and saves the scene.
 #   smoke.sh EDITOR PROJECT WORK-FOLDER
 set -eu
 editor=$1 project=$2 work=$3
@@ -12,7 +12,7 @@ scene=$work/scenes/level1.scene.json
 program=$!
 for _ in $(seq 200); do xdotool search --name Plumb > /dev/null 2>&1 && break; sleep 0.1; done
 sleep 3
-# A key down and up in one frame would be lost by a polling back end; ours keeps it, but be kind.
+# Pauses, so that key down and key up are in different frames.
 press() { xdotool keydown "$1"; sleep 0.15; xdotool keyup "$1"; sleep 0.15; }
 cp "$scene" "$work/before"
 press Right

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Checks a project, pictures it and exports it without a display; the exported game plays as the project does.
+# Validates a project, takes a screenshot and exports it, all without a display; the exported game must play like the
+# project.
 #   headless.sh EDITOR PLAYER PROJECT WORK-FOLDER
 set -eu
 editor=$1 player=$2 project=$3 work=$4

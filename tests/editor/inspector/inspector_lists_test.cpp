@@ -11,7 +11,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-// ---- what is chosen from lists, and whole components
+// ---- values selected from lists, and whole components
 
 TEST_F(Inspector, anEntityIsChosenFromASearchedListAimedAtInTheSceneOrDraggedFromTheTree) {
     select({"camera"});
@@ -80,7 +80,7 @@ TEST_F(Inspector, aFileIsChosenFromASearchedListOrDroppedFromTheAssets) {
 
 // ---- components
 
-TEST_F(Inspector, aComponentIsFoundByAWordAndAddedToThoseThatLackIt) {
+TEST_F(Inspector, aComponentIsFoundByNameAndAddedToTheEntitiesThatLackIt) {
     select({"player", "sign"});
     hands.click("Inspector/add");
     hands.rest(3);
@@ -119,7 +119,7 @@ TEST_F(Inspector, aComponentIsCopiedAsTextAndPastedOntoSeveral) {
     EXPECT_NE(workspace.notice.find("mass"), std::string::npos) << workspace.notice;
 }
 
-TEST_F(Inspector, aComponentGoesBackToItsDefaults) {
+TEST_F(Inspector, aComponentIsResetToItsDefaults) {
     select({"player", "crate"});
     menu("Inspector/BoxCollider", "Inspector/BoxCollider/reset");
     EXPECT_EQ(of<BoxCollider>("player").width, BoxCollider{}.width);
@@ -127,7 +127,7 @@ TEST_F(Inspector, aComponentGoesBackToItsDefaults) {
     EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
-TEST_F(Inspector, whatIsFoldedStaysFoldedForTheNextEntity) {
+TEST_F(Inspector, foldedComponentsStayFoldedForTheNextEntity) {
     select({"player"});
     hands.click("Inspector/Transform");
     EXPECT_EQ(widget(kX), nullptr);

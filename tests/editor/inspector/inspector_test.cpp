@@ -11,7 +11,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-// ---- several at once
+// ---- several selected entities
 
 TEST_F(Inspector, aNumberTypedForSeveralChangesOnlyThatNumberInOneStep) {
     select({"player", "crate", "sign"});
@@ -29,7 +29,7 @@ TEST_F(Inspector, aNumberTypedForSeveralChangesOnlyThatNumberInOneStep) {
 }
 
 TEST_F(Inspector, signsChangeEachFromWhatItIs) {
-    select({"player", "crate", "sign"});  // x is 40, 200, 100
+    select({"player", "crate", "sign"});  // x is 40, 200 and 100
     const auto xs = [&] {
         return std::array{positionOf(named("player")).x, positionOf(named("crate")).x,
                           positionOf(named("sign")).x};
@@ -50,9 +50,9 @@ TEST_F(Inspector, signsChangeEachFromWhatItIs) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Inspector, whatCannotBeWorkedOutForOneChangesNone) {
+TEST_F(Inspector, anExpressionThatFailsForOneEntityChangesNone) {
     select({"player", "crate"});
-    hands.enterNumber(kX, "1/(x-40)");  // the player stands there
+    hands.enterNumber(kX, "1/(x-40)");  // division by zero for the player, whose x is 40
     EXPECT_EQ(workspace.undo.total(), 0u);
     EXPECT_EQ(workspace.text(), kSceneText);
 }
@@ -134,7 +134,7 @@ TEST_F(Inspector, inTheRunningGameItWritesIntoTheGameForAll) {
     EXPECT_EQ(workspace.text(), kSceneText);
     hands.key(Key::F5);
     hands.rest(2);
-    EXPECT_EQ(workspace.toKeep.size(), 4u);
+    EXPECT_EQ(workspace.offeredChanges.size(), 4u);
     hands.click("Keep/keep");
     hands.rest(2);
     EXPECT_EQ(of<BoxCollider>("crate").width, 35.0f);
@@ -173,7 +173,7 @@ TEST_F(Inspector, whatIsWrongIsSaidWithItsColumnAndTheValueStays) {
     EXPECT_EQ(positionOf(named("crate")).x, 7.0f);
 }
 
-TEST_F(Inspector, whatIsSaidBelowAFieldStaysInTheWindow) {
+TEST_F(Inspector, messagesBelowAFieldStayInsideTheWindow) {
     select({"crate"});
     hands.enterNumber("Inspector/Transform/position.y", "16*(3 and then some more");
     hands.rest(3);
@@ -253,7 +253,7 @@ TEST_F(Inspector, aClickOnAnotherEntityWhileTypingKeepsWhatWasTyped) {
     EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
-// ---- one value
+// ---- single values
 
 TEST_F(Inspector, whatIsNotTheDefaultIsMarkedAndResetByItsArrowOrItsMenu) {
     select({"player"});
@@ -284,7 +284,7 @@ TEST_F(Inspector, aValueIsCopiedAsTextAndPastedOntoSeveral) {
     EXPECT_NE(workspace.notice.find("clipboard"), std::string::npos) << workspace.notice;
 }
 
-TEST_F(Inspector, fieldsThatDoNothingAreNotShown) {
+TEST_F(Inspector, fieldsWithoutEffectAreNotShown) {
     give("lamp", RevoluteJoint{});
     select({"lamp"});
     EXPECT_EQ(widget("Inspector/RevoluteJoint/lower"), nullptr);
@@ -293,7 +293,7 @@ TEST_F(Inspector, fieldsThatDoNothingAreNotShown) {
     EXPECT_NE(widget("Inspector/RevoluteJoint/lower"), nullptr);
 }
 
-TEST_F(Inspector, aColorIsTypedAsPeopleWriteIt) {
+TEST_F(Inspector, aColorIsTypedInCommonNotations) {
     select({"sign"});
     for (const auto& [typed, expected] :
          {std::pair{"#f80", Color{255, 136, 0, 255}}, std::pair{"00ff0080", Color{0, 255, 0, 128}}}) {

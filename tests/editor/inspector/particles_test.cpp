@@ -14,7 +14,7 @@ constexpr std::string_view kSize = "Inspector/ParticleEmitter/sizeOverLife";
 
 std::string at(std::string_view part) { return format("{}/{}", kSize, part); }
 
-/// Work on emitters.
+/// An editor window with particle emitters.
 class ParticlesInTheEditor : public Inspector {
 protected:
     ParticlesInTheEditor() {
@@ -32,7 +32,7 @@ protected:
         hands.rest(3);
         ASSERT_NE(widget(at("canvas")), nullptr);
     }
-    /// Turns the wheel over the inspector until the field is in sight.
+    /// Scrolls the inspector with the mouse wheel until the field is visible.
     void scrollTo(std::string_view field) {
         constexpr float kLowest = 600.0f;  // px
         for (int i = 0; i < 60; ++i) {
@@ -125,7 +125,7 @@ TEST_F(ParticlesInTheEditor, curvesThatDifferShowADash) {
     EXPECT_EQ(curve("lamp"), curve("crate"));
 }
 
-TEST_F(ParticlesInTheEditor, whatIsSelectedIsPreviewedAndTheDocumentIsOnlyRead) {
+TEST_F(ParticlesInTheEditor, selectedEmittersArePreviewedWithoutChangingTheDocument) {
     const std::uint64_t before = workspace.document.world.hash();
     EXPECT_EQ(widget("Viewport/particles"), nullptr) << "nothing is selected";
     select({"crate"});
@@ -147,7 +147,7 @@ TEST_F(ParticlesInTheEditor, whatIsSelectedIsPreviewedAndTheDocumentIsOnlyRead) 
     EXPECT_FALSE(workspace.unsaved());
 }
 
-TEST_F(ParticlesInTheEditor, thePreviewFollowsEditsAndOneThatEndsBeginsAgain) {
+TEST_F(ParticlesInTheEditor, thePreviewFollowsEditsAndRestartsEmittersThatEnd) {
     ParticleEmitter once;
     once.rate = 0.0f;
     once.burst = 25;
@@ -172,7 +172,7 @@ TEST_F(ParticlesInTheEditor, thePreviewFollowsEditsAndOneThatEndsBeginsAgain) {
     EXPECT_EQ(most, 40);
 }
 
-TEST_F(ParticlesInTheEditor, theGameHasParticlesOfItsOwnAlsoInThePast) {
+TEST_F(ParticlesInTheEditor, theGameHasParticlesOfItsOwnAlsoAfterRewinding) {
     select({"crate"});
     runAction(workspace, "run.play");
     hands.rest(90);
@@ -193,7 +193,7 @@ TEST_F(ParticlesInTheEditor, theGameHasParticlesOfItsOwnAlsoInThePast) {
     EXPECT_NE(widget("Viewport/particles"), nullptr);
 }
 
-TEST_F(ParticlesInTheEditor, oneIsAddedFromTheMenuAndComesBackFromItsFileByteForByte) {
+TEST_F(ParticlesInTheEditor, anEmitterAddedFromTheMenuIsSavedAndLoadedByteForByte) {
     ASSERT_TRUE(runAction(workspace, "entity.particles"));
     hands.rest(3);
     const ObjectId made = named("particles");

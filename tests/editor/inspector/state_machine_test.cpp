@@ -1,4 +1,5 @@
-// States, transitions, conditions and parameters of an animation: the model, and the page "States".
+// Tests of animation state machines: states, transitions, conditions and parameters, in the model and on the
+// page "States".
 
 #include <algorithm>
 #include <set>
@@ -18,7 +19,7 @@ namespace {
 
 constexpr const char* kFile = "assets/hero.anim.json";
 
-/// A hero that stands, runs and falls, and is hit by a trigger.
+/// A hero with states for standing, running and falling, and a trigger for being hit.
 constexpr const char* kHero = R"({
   "format": 1,
   "clips": [
@@ -54,14 +55,14 @@ protected:
     [[nodiscard]] const AnimationTransition& transition(int index) const {
         return file.set().transitions.at(static_cast<std::size_t>(index));
     }
-    [[nodiscard]] std::string when(int index) const { return whenText(file.set(), transition(index)); }
+    [[nodiscard]] std::string when(int index) const { return conditionsText(file.set(), transition(index)); }
 
     AnimationEdit file{workspace};
     StateMachineEdit edit{file};
     std::string before;
 };
 
-TEST_F(StateMachineEdits, conditionsAreAddedChangedAndTakenOutWithOneStepEach) {
+TEST_F(StateMachineEdits, addingChangingAndRemovingConditionsIsOneUndoStepEach) {
     edit.addCondition(0, 1);
     EXPECT_EQ(when(0), "speed > 12, grounded is on");
     edit.addCondition(0, 2);
@@ -79,7 +80,7 @@ TEST_F(StateMachineEdits, conditionsAreAddedChangedAndTakenOutWithOneStepEach) {
     EXPECT_EQ(fileText(kFile), kHero) << "byte for byte";
 }
 
-TEST_F(StateMachineEdits, whatChangesNothingIsNoStep) {
+TEST_F(StateMachineEdits, editsWithoutChangeAreNoUndoStep) {
     edit.setCondition(0, 0, transition(0).when[0]);
     edit.setAfterEnd(3, true);
     edit.renameState(0, "run");
@@ -90,19 +91,19 @@ TEST_F(StateMachineEdits, whatChangesNothingIsNoStep) {
     EXPECT_EQ(workspace.undo.size(), 0u);
 }
 
-TEST_F(StateMachineEdits, aParameterTakenOutTakesItsConditionsAlong) {
+TEST_F(StateMachineEdits, removingAParameterRemovesItsConditions) {
     edit.addCondition(0, 1);
     edit.removeParameter(0);
     EXPECT_EQ(when(0), "grounded is on") << "the later ones still mean what they meant";
     EXPECT_EQ(when(1), "after its end") << "and not at once, which would never rest";
     EXPECT_EQ(when(2), "grounded is off");
-    EXPECT_EQ(workspace.notice, "Removed speed and the 2 conditions that asked for it");
+    EXPECT_EQ(workspace.notice, "Removed speed and 2 conditions on it");
     workspace.undo.undo();
     workspace.undo.undo();
     EXPECT_EQ(writeAnimationSet(file.set()), before);
 }
 
-TEST_F(StateMachineEdits, parametersAreNamedAndOfAKind) {
+TEST_F(StateMachineEdits, parametersHaveUniqueNamesAndATypeAndALimitedNumber) {
     edit.addParameter(ParameterKind::Float);
     edit.addParameter(ParameterKind::Float);
     edit.renameParameter(3, "speed");
@@ -115,16 +116,16 @@ TEST_F(StateMachineEdits, parametersAreNamedAndOfAKind) {
     EXPECT_EQ(file.set().parameters.size(), AnimationSet::kMaxParameters);
 }
 
-TEST_F(StateMachineEdits, anotherStateCanBeTheFirst) {
+TEST_F(StateMachineEdits, anotherStateCanBeTheInitialOne) {
     edit.beginWith(2);
     EXPECT_EQ(file.set().states[0].name, "fall");
     EXPECT_EQ(file.set().states[1].name, "stand");
-    EXPECT_EQ(wayText(file.set(), transition(0)), "stand to run");
-    EXPECT_EQ(wayText(file.set(), transition(2)), "any to fall");
-    EXPECT_EQ(wayText(file.set(), transition(3)), "fall to stand");
+    EXPECT_EQ(transitionText(file.set(), transition(0)), "stand to run");
+    EXPECT_EQ(transitionText(file.set(), transition(2)), "any to fall");
+    EXPECT_EQ(transitionText(file.set(), transition(3)), "fall to stand");
 }
 
-TEST_F(StateMachineEdits, thePreviewDoesWhatTheFileSaysFromTheNextFrameOn) {
+TEST_F(StateMachineEdits, thePreviewFollowsEditsFromTheNextFrameOn) {
     MachinePreview preview{workspace.assets};
     preview.show(file.id());
     const auto step = [&] { preview.advance(1.0 / 60.0); };
@@ -137,7 +138,7 @@ TEST_F(StateMachineEdits, thePreviewDoesWhatTheFileSaysFromTheNextFrameOn) {
     ASSERT_NE(preview.frame(), nullptr);
     EXPECT_EQ(preview.frame()->cellY, 1);
 
-    edit.setCondition(1, 0, {0, Comparison::Less, 20.0f});  // 15 is less
+    edit.setCondition(1, 0, {0, Comparison::Less, 20.0f});  // the parameter is 15
     step();
     EXPECT_EQ(preview.state(), 0);
 
@@ -192,7 +193,7 @@ protected:
         EXPECT_NE(found, nullptr) << widget;
         return found == nullptr ? none : found->value;
     }
-    /// Opens a list and takes one of it.
+    /// Opens a drop-down list and selects an item.
     void choose(const std::string& list, const std::string& item) {
         hands.click(list);
         hands.rest(2);
@@ -212,7 +213,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(StateMachinePage, conditionsOfAChosenArrowAreEdited) {
+TEST_F(StateMachinePage, conditionsOfASelectedTransitionAreEdited) {
     hands.click("Animation/arrow/0");
     hands.rest(2);
     EXPECT_EQ(valueOf("Animation/chosen"), "stand to run");
@@ -248,7 +249,7 @@ TEST_F(StateMachinePage, aDragOfAValueIsOneStep) {
     EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
-TEST_F(StateMachinePage, aTransitionIsDraggedOrChosenFromAListAndTakenOut) {
+TEST_F(StateMachinePage, aTransitionIsDraggedOrSelectedFromAListAndRemoved) {
     hands.drag(hands.middleOf("Animation/state/run"), hands.middleOf("Animation/state/fall"));
     hands.rest(2);
     EXPECT_EQ(valueOf("Animation/chosen"), "run to fall") << "its conditions are what comes next";
@@ -263,10 +264,10 @@ TEST_F(StateMachinePage, aTransitionIsDraggedOrChosenFromAListAndTakenOut) {
     hands.rest(2);
     choose("Animation/to", "fall");
     EXPECT_EQ(valueOf("Animation/chosen"), "stand to fall");
-    EXPECT_EQ(wayText(file.set(), transition(5)), "stand to fall");
+    EXPECT_EQ(transitionText(file.set(), transition(5)), "stand to fall");
 }
 
-TEST_F(StateMachinePage, deleteMeansWhatIsChosenHereAndNotTheScene) {
+TEST_F(StateMachinePage, deleteRemovesTheSelectedTransitionNotTheSelectedEntity) {
     workspace.document.selection.set({named("crate")});
     hands.click("Animation/arrow/1");
     hands.rest(2);
@@ -281,7 +282,7 @@ TEST_F(StateMachinePage, deleteMeansWhatIsChosenHereAndNotTheScene) {
     EXPECT_FALSE(named("crate")) << "in the tree it means what is selected there";
 }
 
-TEST_F(StateMachinePage, parametersAreAddedRenamedAndTakenOut) {
+TEST_F(StateMachinePage, parametersAreAddedRenamedAndRemoved) {
     choose("Animation/addParameter", "Trigger");
     EXPECT_EQ(valueOf("Animation/chosen"), "Parameter trigger");
     enter("Animation/parameterName", "dash");
@@ -291,7 +292,7 @@ TEST_F(StateMachinePage, parametersAreAddedRenamedAndTakenOut) {
     hands.rest(2);
     EXPECT_EQ(file.set().parameters[3], (AnimationParameter{"dash", ParameterKind::Float, 2.5f}));
     choose("Animation/addParameter", "vy");
-    EXPECT_NE(valueOf("Animation/asked").find("How fast it goes down"), std::string::npos);
+    EXPECT_NE(valueOf("Animation/asked").find("Vertical velocity"), std::string::npos);
     hands.click("Animation/parameter/speed");
     hands.rest(2);
     hands.click("Animation/remove");
@@ -314,19 +315,19 @@ TEST_F(StateMachinePage, aStateIsRenamedAndGetsAnotherClipAndSpeed) {
     EXPECT_EQ(valueOf("Animation/chosen"), "State drop");
 }
 
-TEST_F(StateMachinePage, whatIsAskedFirstIsChosenByItsPlace) {
+TEST_F(StateMachinePage, theOrderOfTransitionsCanBeChanged) {
     hands.click("Animation/transition/3");
     hands.rest(2);
     hands.click("Animation/earlier");
     hands.rest(2);
-    EXPECT_EQ(wayText(file.set(), transition(2)), "fall to stand");
+    EXPECT_EQ(transitionText(file.set(), transition(2)), "fall to stand");
     EXPECT_EQ(valueOf("Animation/chosen"), "fall to stand") << "it stays in hand";
     hands.click("Animation/later");
     hands.rest(2);
-    EXPECT_EQ(wayText(file.set(), transition(3)), "fall to stand");
+    EXPECT_EQ(transitionText(file.set(), transition(3)), "fall to stand");
 }
 
-TEST_F(StateMachinePage, thePreviewGoesWhereTheParametersLeadIt) {
+TEST_F(StateMachinePage, thePreviewFollowsTheParameters) {
     EXPECT_EQ(valueOf("Animation/machine"), "stand");
     hands.click("Animation/now/grounded");
     hands.rest(3);
@@ -347,9 +348,9 @@ TEST_F(StateMachinePage, thePreviewGoesWhereTheParametersLeadIt) {
     EXPECT_EQ(valueOf("Animation/machine"), "stand") << "by the changed condition it takes 50";
 }
 
-TEST_F(StateMachinePage, aGameThatPlaysIsLookedAtAndTheFileStaysAsItIs) {
+TEST_F(StateMachinePage, theStateOfARunningGameIsShownWithoutChangingTheFile) {
     const EntityId crate = workspace.document.find(named("crate"));
-    workspace.document.world.texts().add(kFile);  // what the file of the scene calls it by
+    workspace.document.world.texts().add(kFile);  // the path by which the scene file references it
     workspace.document.world.add<Sprite>(crate);
     workspace.document.world.add<Animator>(crate, Animator{file.id()});
     workspace.makeSession = [this](const std::string& path, const std::string& text) {
@@ -372,11 +373,11 @@ TEST_F(StateMachinePage, aGameThatPlaysIsLookedAtAndTheFileStaysAsItIs) {
     hands.rest(2);
     hands.click("Animation/afterEnd");
     hands.rest(2);
-    EXPECT_EQ(workspace.notice, "Animations are changed while no game plays: F12 stops it");
+    EXPECT_EQ(workspace.notice, "Stop the game to edit animations (F12)");
     EXPECT_EQ(fileText(kFile), kHero);
 }
 
-TEST_F(StateMachinePage, allOfItIsReachedInANarrowPane) {
+TEST_F(StateMachinePage, allControlsAreReachableInANarrowPane) {
     workspace.settings.layout.move("Animation", Dock::Right);
     hands.rest(3);
     hands.click("Animation/preview");
@@ -397,7 +398,7 @@ TEST_F(StateMachinePage, allOfItIsReachedInANarrowPane) {
     EXPECT_TRUE(transition(0).when.empty());
 }
 
-TEST_F(StateMachinePage, whatIsGoneAfterUndoIsNotChosen) {
+TEST_F(StateMachinePage, itemsRemovedByUndoAreDeselected) {
     choose("Animation/addParameter", "Number");
     hands.key(Key::Z, {.control = true});
     hands.rest(2);

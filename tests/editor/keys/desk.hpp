@@ -13,7 +13,7 @@
 
 namespace plumb::editor::ui {
 
-/// A user at the whole editor, without a screen, with the scene of EditorFixture open.
+/// The whole editor without a screen, controlled by simulated input, with the scene of EditorFixture open.
 class Desk : public EditorFixture {
 public:
     Desk() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -43,7 +43,7 @@ public:
         for (const char* name : names) ids.push_back(named(name));
         return workspace.document.selection.all() == ids;
     }
-    // More than Hands can.
+    // Input that Hands does not offer.
 
     void send(const Event& event) { window.frame({std::span{&event, 1}}); }
     void hold(Key key, Modifiers modifiers = {}) {
@@ -53,12 +53,12 @@ public:
     void wheel(float notches) {
         send({.kind = EventKind::MouseWheel, .motion = {0.0f, notches}}), hands.rest();
     }
-    /// The second click comes at once; an earlier one is waited for, so that it is not the first of the two.
+    /// Double-clicks. Waits first, so that an earlier click is not counted as the first of the two.
     void doubleClickAt(Vec2 at) {
         hands.rest(30), hands.moveTo(at), hands.rest();
         hands.press(), hands.release(), hands.press(), hands.release(), hands.rest(2);
     }
-    /// The mouse moves in steps, with whatever is held.
+    /// Moves the mouse in ten steps; buttons and keys that are held stay held.
     void dragOn(Vec2 from, Vec2 to) {
         for (int i = 1; i <= 10; ++i) hands.moveTo(lerp(from, to, static_cast<float>(i) / 10.0f));
     }
@@ -68,7 +68,7 @@ public:
         hands.release(button), hands.rest();
     }
 
-    /// How many entities are called so.
+    /// Number of entities with this name.
     [[nodiscard]] int count(std::string_view name) const {
         int found = 0;
         for (const ObjectId id : workspace.document.objects())
@@ -82,18 +82,18 @@ public:
         EXPECT_TRUE(shown(widget)) << widget << " is not on the screen";
         return shown(widget) ? window.widgets().find(widget)->value : std::string{};
     }
-    /// Where a place of the scene is in the window.
+    /// Converts a position in the scene to window coordinates, px.
     [[nodiscard]] Vec2 onScreen(Vec2 world) const {
         return window.widgets().find("Viewport")->box.min + workspace.view.toScreenPoint(world);
     }
     [[nodiscard]] std::string_view toolInHand() const { return toolTable()[workspace.toolIndex()].action; }
-    /// The crate 8 px to the right, as a step of its own.
+    /// Moves the crate by 8 px to the right as one undo step.
     void change() {
         select({"crate"});
         hands.enterNumber("Inspector/Transform/position.x", "208");
         ASSERT_EQ(workspace.undo.size(), 1u);
     }
-    /// The brush with tile 1, on the layer of the scene: 4 x 3 cells of 16 px, of which the last row is full.
+    /// Selects the brush with tile 1 on the scene's tile layer: 4 x 3 cells of 16 px, with a full last row.
     void takeBrush() {
         workspace.useTool("tool.brush");
         workspace.tiles.stamp = {1, 1, {cellOf(1)}};
@@ -105,13 +105,13 @@ public:
     [[nodiscard]] static Vec2 cell(int x, int y) {
         return {static_cast<float>(x) * 16.0f + 8.0f, static_cast<float>(y) * 16.0f + 8.0f};
     }
-    /// A row of the layer in hand: "0110".
+    /// Returns a row of cells of the active layer as digits, for example "0110".
     [[nodiscard]] std::string row(int y) const {
         std::string text;
         for (int x = 0; x < grid().width(); ++x) text += std::to_string(grid().at(x, y));
         return text;
     }
-    /// An instance of a prefab in a scene of its own, 30 px high where the prefab says 16.
+    /// Opens a scene with a prefab instance that overrides the sprite height 16 of its prefab by 30.
     void openInstance() {
         putFile("prefabs/box.prefab.json", R"({"format": 1, "entities": [{"name": "box", "components": {
             "Transform": {}, "Sprite": {"width": 8, "height": 16}}}]})");
@@ -131,24 +131,25 @@ public:
     Hands hands;
 };
 
-/// Some keys, the action that they are for, and what happens in the real window when they are pressed.
+/// Key presses, the action that they must trigger, and the function that presses them in the real window and
+/// checks the effect.
 struct KeyTrial {
     std::string_view keys;
     std::string_view action;
     void (*attempt)(class KeyTrials& at) = nullptr;
 };
 
-/// For what gtest says of a failed one.
+/// Prints the trial in failure messages of GoogleTest.
 inline void PrintTo(const KeyTrial& trial, std::ostream* out) { *out << trial.action << " " << trial.keys; }
 
 class KeyTrials : public Desk, public testing::WithParamInterface<KeyTrial> {
 public:
-    /// Those of the trial.
+    /// Presses the keys of the current trial.
     void press() { Desk::press(GetParam().keys); }
     using Desk::press;
 };
 
-// One list for each menu, or two.
+// Trials, grouped by menu.
 std::span<const KeyTrial> fileAndEditTrials();
 std::span<const KeyTrial> entityTrials();
 std::span<const KeyTrial> toolAndTileTrials();

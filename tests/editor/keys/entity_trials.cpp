@@ -6,7 +6,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Three taps are three steps of the crate and one of undo.
+/// Expects that three taps move the crate three times and are one undo step.
 template <int X, int Y>
 void nudges(KeyTrials& at) {
     at.select({"crate"});
@@ -18,7 +18,7 @@ void nudges(KeyTrials& at) {
     EXPECT_EQ(at.workspace.text(), kSceneText);
 }
 
-/// The sign stands beside the crate in the file; then it stands `By` places elsewhere.
+/// Expects that the keys move the sign by `By` siblings in the tree.
 template <int By>
 void stepsInTree(KeyTrials& at) {
     const auto placeOf = [&](const char* name) {

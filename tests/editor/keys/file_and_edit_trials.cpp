@@ -6,7 +6,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// The scene as it was before `change`, by the keys for that.
+/// Expects that the keys undo change().
 void undoes(KeyTrials& at) {
     at.change();
     at.press();

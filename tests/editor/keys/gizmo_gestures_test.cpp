@@ -1,8 +1,8 @@
-// Handles and snapping in the real window.
+// Gizmo handles and snapping in the real window.
 
 #include "editor/model/tools/handles.hpp"
 #include "editor/model/tools/rotate_tool.hpp"
-#include "editor/model/tools/shape_spots.hpp"
+#include "editor/model/tools/shape_handles.hpp"
 #include "math/angle.hpp"
 #include "tests/editor/keys/desk.hpp"
 
@@ -19,7 +19,7 @@ protected:
     [[nodiscard]] AxisHandles handles() const {
         return {place().position, place().rotation, 1.0f / workspace.view.zoom()};
     }
-    /// A drag from a place of the scene, px of the world.
+    /// Drags from a position in the scene by an offset, both in px of the world.
     void pull(Vec2 from, Vec2 by) { hands.drag(onScreen(from), onScreen(from + by)); }
     void expectOneStep() {
         EXPECT_EQ(workspace.undo.size(), 1u);
@@ -32,7 +32,8 @@ TEST_F(Gizmos, anArrowMovesAlongItsAxis) {
     workspace.grid.snap = false;
     press("W");
     pull(handles().middleOf(Handle::X), {30.0f, 12.0f});
-    EXPECT_NEAR(place().position.x, 230.0f, 1.5f);  // the mouse is at whole pixels of the screen
+    // tolerance: the mouse position is rounded to screen pixels
+    EXPECT_NEAR(place().position.x, 230.0f, 1.5f);
     EXPECT_EQ(place().position.y, 64.0f);
     expectOneStep();
     pull(handles().middleOf(Handle::Both), {10.0f, 12.0f});
@@ -40,7 +41,7 @@ TEST_F(Gizmos, anArrowMovesAlongItsAxis) {
     EXPECT_NEAR(place().position.y, 76.0f, 1.5f);
 }
 
-TEST_F(Gizmos, handlesAreAsLargeAsTheRestOfTheInterface) {
+TEST_F(Gizmos, handlesScaleWithTheInterface) {
     workspace.grid.snap = false;
     workspace.settings.scale = 2.0f;
     hands.rest(3);
@@ -83,8 +84,8 @@ TEST_F(Gizmos, aColliderIsDraggedByItsSides) {
             .get<BoxCollider>(workspace.document.find(named("crate")));
     };
     const BoxCollider before = collider();
-    for (const ShapeSpot& spot : spotsOf(workspace.document, named("crate"))) {
-        if (spot.kind != SpotKind::Side || spot.at.x < 225.0f) continue;
+    for (const ShapeHandle& spot : spotsOf(workspace.document, named("crate"))) {
+        if (spot.kind != ShapeHandleKind::Side || spot.at.x < 225.0f) continue;
         pull(spot.at, {9.0f, 0.0f});
         break;
     }

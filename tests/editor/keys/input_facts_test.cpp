@@ -1,4 +1,4 @@
-// Facts about ImGui that the editor must live with, each as a person would meet it.
+// Behaviour of ImGui that the editor depends on or works around, tested through user input.
 
 #include <imgui.h>
 
@@ -66,7 +66,7 @@ TEST_F(InputFacts, aFieldThatVanishesWhileItIsDraggedEndsItsStep) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(InputFacts, aNameTypedForSeveralIsTheNameOfAllInOneStep) {
+TEST_F(InputFacts, aNameTypedForSeveralEntitiesRenamesAllInOneStep) {
     select({"crate", "sign"});
     press("F2");
     hands.type("box");
@@ -92,12 +92,12 @@ TEST_F(InputFacts, ofManyThousandRowsOnlyThoseInSightAreDrawn) {
     const auto rowsShown = [&] {
         int rows = 0;
         for (const auto& [path, widget] : window.widgets().all()) rows += startsWith(path, "Scene/e") ? 1 : 0;
-        return rows / 3;  // a row, its eye and its lock
+        return rows / 3;  // each entity has three widgets: the row, its eye and its lock
     };
     EXPECT_GT(rowsShown(), 5);
     EXPECT_LT(rowsShown(), 60);
     EXPECT_LT(ImGui::GetDrawData()->TotalVtxCount, 60000);
-    // And the last one is found.
+    // The last entity can still be found by the filter.
     press("Ctrl+F");
     hands.type("e19999");
     hands.rest(2);
@@ -106,7 +106,7 @@ TEST_F(InputFacts, ofManyThousandRowsOnlyThoseInSightAreDrawn) {
 }
 
 TEST_F(InputFacts, aRowThatIsRenamedComesIntoSight) {
-    // Another panel is in front, another name is looked for.
+    // The panel is hidden behind another one and the filter hides the row.
     press("Ctrl+F");
     hands.type("lamp");
     hands.key(Key::Enter);

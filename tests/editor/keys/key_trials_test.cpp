@@ -1,5 +1,5 @@
-// Every key of the table of actions is pressed in the real window, and must do what its row says. The keys
-// are written out here, so that a change of the table is noticed.
+// Presses every key of the action table in the real window and checks the effect of its action. The keys are
+// written out here, so that the test fails if a key in the table changes.
 
 #include <algorithm>
 #include <cctype>
@@ -16,7 +16,7 @@ std::vector<KeyTrial> allTrials() {
     return all;
 }
 
-/// "Ctrl+Shift+Z" of "edit.redo": edit_redo_CtrlShiftZ
+/// Returns the test name, for example edit_redo_CtrlShiftZ for Ctrl+Shift+Z of "edit.redo".
 std::string nameOfTrial(const testing::TestParamInfo<KeyTrial>& info) {
     std::string name = format("{}_{}", info.param.action, info.param.keys);
     std::replace(name.begin(), name.end(), '.', '_');
@@ -55,7 +55,7 @@ TEST_F(Desk, keysDoNothingWhereTextIsTyped) {
     hands.click("Scene/filter");
     for (const KeyTrial& trial : allTrials()) {
         SCOPED_TRACE(trial.keys);
-        // These leave the field, and that is all they do.
+        // Escape and Tab are meant to leave the text field.
         if (trial.keys == "Escape" || trial.keys == "Tab") continue;
         press(trial.keys);
         ASSERT_EQ(workspace.text(), text);

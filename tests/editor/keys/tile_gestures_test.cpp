@@ -1,4 +1,4 @@
-// What the mouse does with a tile tool in the hand, in the real window: each tool by its key.
+// Mouse gestures of the tile tools in the real window; each tool is selected by its key.
 
 #include "tests/editor/keys/desk.hpp"
 #include "tests/editor/support/terrain_set.hpp"
@@ -6,7 +6,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// The layer has the rows 0000, 0110 and 2222; tile 3 is in the hand.
+/// The layer has the rows 0000, 0110 and 2222; the brush paints tile 3.
 class TileGestures : public Desk {
 protected:
     TileGestures() {
@@ -48,7 +48,7 @@ TEST_F(TileGestures, controlAndShiftMakeABox) {
     expectOneStep();
 }
 
-TEST_F(TileGestures, linesRectanglesAndEllipsesAreDrawnWhenTheyAreLetGo) {
+TEST_F(TileGestures, linesRectanglesAndEllipsesAreDrawnOnMouseRelease) {
     press("L");
     stroke({0, 1}, {3, 1});
     EXPECT_EQ(rows(), "0000 3333 2222");
@@ -63,7 +63,7 @@ TEST_F(TileGestures, linesRectanglesAndEllipsesAreDrawnWhenTheyAreLetGo) {
     expectOneStep();
 }
 
-TEST_F(TileGestures, theBucketFillsWhatIsConnected) {
+TEST_F(TileGestures, theBucketFillsConnectedCells) {
     press("G");
     hands.clickAt(at(0, 0));
     EXPECT_EQ(rows(), "3333 3113 2222");

@@ -8,13 +8,13 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// The tool that the keys are for is in the hand; what it does then is the business of its own tests.
+/// Expects that the keys select the tool of their action. The behaviour of the tools has tests of its own.
 void takes(KeyTrials& at) {
     at.workspace.useTool(at.toolInHand() == "tool.select" ? "tool.pick" : "tool.select");
     at.press();
     EXPECT_EQ(at.toolInHand(), at.GetParam().action);
 }
-/// The same from the hand of a user that paints.
+/// Expects that the keys select the tool of their action while the brush is active.
 void takesWhilePainting(KeyTrials& at) {
     at.takeBrush();
     at.press();
@@ -25,7 +25,7 @@ void takesFromEntities(KeyTrials& at) {
     EXPECT_EQ(at.toolInHand(), at.GetParam().action);
 }
 
-/// Two tiles beside each other, changed by the keys.
+/// Expects that the keys apply `Change` to a stamp of two tiles.
 template <TileStamp (*Change)(const TileStamp&)>
 void changesStamp(KeyTrials& at) {
     at.takeBrush();
@@ -36,7 +36,7 @@ void changesStamp(KeyTrials& at) {
     EXPECT_NE(at.workspace.tiles.stamp, before);
 }
 
-/// The two tiles in the middle of the layer are selected by a drag with M.
+/// Selects the two middle tiles of the layer by a drag with the select tool (M).
 void selectMiddle(KeyTrials& at) {
     at.takeBrush();
     at.press("M");
@@ -45,7 +45,7 @@ void selectMiddle(KeyTrials& at) {
     ASSERT_EQ(at.row(1), "0110");
 }
 
-/// The selected tiles go one cell, and each further tap belongs to the same step of undo.
+/// Expects that the keys move the selected tiles by one cell, and that repeated presses are one undo step.
 template <int X, int Y>
 void movesTiles(KeyTrials& at) {
     selectMiddle(at);
@@ -65,7 +65,7 @@ void clears(KeyTrials& at) {
     EXPECT_EQ(at.count("ground"), 1) << "the tiles, not their layer";
 }
 
-/// Two layers; the upper one is in the hand.
+/// Adds a second layer above the first one, which becomes the active layer.
 ObjectId addLayer(KeyTrials& at) {
     at.takeBrush();
     runAction(at.workspace, "layer.add");
@@ -140,7 +140,7 @@ const std::vector<KeyTrial> kTrials{
      }},
     {"Ctrl+V", "tiles.paste",
      [](KeyTrials& at) {
-         // from one layer to another
+         // paste from one layer into another
          selectMiddle(at);
          at.press("Ctrl+C");
          runAction(at.workspace, "layer.add");

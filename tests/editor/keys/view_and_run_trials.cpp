@@ -6,7 +6,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Looks elsewhere, at what is far from everything.
+/// Moves the view to an empty region, far from all entities.
 void lookAway(KeyTrials& at) { at.workspace.view.show({5000.0f, 5000.0f}, 3.0f), at.hands.rest(); }
 
 void framesAll(KeyTrials& at) {
@@ -17,7 +17,7 @@ void framesAll(KeyTrials& at) {
     EXPECT_LT(box->size().x * at.workspace.view.zoom(), at.workspace.view.view().size.x) << "all of it";
 }
 
-/// About the middle of the view.
+/// Expects that the keys zoom around the center of the view.
 template <bool Closer>
 void zooms(KeyTrials& at) {
     const View before = at.workspace.view.view();
@@ -32,7 +32,7 @@ void showsLayout(KeyTrials& at) {
     at.press();
     const std::string start = format("Layout {}", layoutPresets()[Index].name);
     EXPECT_EQ(at.workspace.notice.substr(0, start.size()), start);
-    // Which is in front distinguishes them.
+    // The layouts are distinguished by their front tabs.
     EXPECT_EQ(at.valueOf("Tab/Tiles"), Index == 0 ? "front" : "");
     EXPECT_EQ(at.valueOf("Tab/History"), Index == 2 ? "front" : "");
     EXPECT_EQ(at.valueOf("Tab/Scene"), Index == 1 ? "front" : Index == 0 ? "front" : "");

@@ -1,4 +1,4 @@
-// What the mouse does over the scene, alone and with keys that are held.
+// Mouse gestures in the viewport, with and without modifier keys.
 
 #include <cmath>
 
@@ -224,7 +224,7 @@ TEST_F(Gestures, tapsOfArrowsAreOneStepUntilOneRestsOrTakesTheMouse) {
     EXPECT_FALSE(workspace.unsaved());
 }
 
-TEST_F(Gestures, undoAfterArrowsThatLedBackUndoesTheStepBeforeThem) {
+TEST_F(Gestures, arrowKeysThatReturnToTheStartLeaveNoUndoStep) {
     change();
     const std::string label = workspace.undo.label(0);
     select({"sign"});

@@ -41,7 +41,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(EffectsPanelTest, showsWhatCallsForItAndAClickSelectsThat) {
+TEST_F(EffectsPanelTest, showsTheEntitiesThatRequireAnEffectAndAClickSelectsThem) {
     EXPECT_EQ(valueOf("Effects/gravity"), "on");
     EXPECT_EQ(valueOf("Effects/gravity/RigidBody"), "1");
     EXPECT_EQ(valueOf("Effects/drag"), "off");
@@ -55,7 +55,7 @@ TEST_F(EffectsPanelTest, showsWhatCallsForItAndAClickSelectsThat) {
     EXPECT_EQ(valueOf("Effects/drag"), "off");
 }
 
-TEST_F(EffectsPanelTest, followsWhatComesIntoTheScene) {
+TEST_F(EffectsPanelTest, followsComponentsAddedToTheScene) {
     EXPECT_EQ(valueOf("Effects/drag/RigidBody"), "(none)");
     auto& body = workspace.document.world.get<RigidBody>(workspace.document.find(named("player")));
     body.linearDrag = 2.0f;
@@ -64,7 +64,7 @@ TEST_F(EffectsPanelTest, followsWhatComesIntoTheScene) {
     EXPECT_EQ(valueOf("Effects/drag"), "on");
 }
 
-TEST_F(EffectsPanelTest, aPinIsAnEditOfTheFileThatCanBeTakenBack) {
+TEST_F(EffectsPanelTest, aPinIsAnUndoableEditOfTheFile) {
     const std::string before = fileText();
     hands.click("Effects/gravity/off");
     EXPECT_EQ(valueOf("Effects/gravity"), "off");
@@ -88,7 +88,7 @@ TEST_F(EffectsPanelTest, aPinIsAnEditOfTheFileThatCanBeTakenBack) {
     EXPECT_EQ(fileText(), before);
 }
 
-TEST_F(EffectsPanelTest, undoGivesTheLinesBackInTheirOrder) {
+TEST_F(EffectsPanelTest, undoRestoresThePinsInTheirOrder) {
     pinEffect(workspace, "wind", Pin::On);
     pinEffect(workspace, "sound", Pin::Off);
     pinEffect(workspace, "particles", Pin::Off);
@@ -103,10 +103,10 @@ TEST_F(EffectsPanelTest, undoGivesTheLinesBackInTheirOrder) {
     EXPECT_EQ(workspace.undo.size(), 4u) << "what changes nothing is no step";
 }
 
-TEST_F(EffectsPanelTest, whileTheGamePlaysCostsAreLiveAndPinsStand) {
-    EXPECT_EQ(valueOf("Effects/summary"), "Costs appear while the game plays.");
+TEST_F(EffectsPanelTest, whileTheGamePlaysCostsAreLiveAndPinsStay) {
+    EXPECT_EQ(valueOf("Effects/summary"), "Times appear while the game runs.");
     playTicks(20);
-    EXPECT_NE(valueOf("Effects/summary").find("A tick takes "), std::string::npos);
+    EXPECT_NE(valueOf("Effects/summary").find("Mean tick of the last second: "), std::string::npos);
     EXPECT_EQ(valueOf("Effects/gravity"), "on");
     EXPECT_EQ(valueOf("Effects/friction/cost"), "shared");
     EXPECT_NE(valueOf("Effects/sleep/cost"), "") << "a stage of its own";
@@ -118,7 +118,7 @@ TEST_F(EffectsPanelTest, whileTheGamePlaysCostsAreLiveAndPinsStand) {
     EXPECT_EQ(workspace.document.selection.all(), std::vector<ObjectId>{named("player")});
 }
 
-TEST_F(EffectsPanelTest, theGameThatPlaysDoesAsTheSceneSays) {
+TEST_F(EffectsPanelTest, theRunningGameUsesThePinsOfTheScene) {
     pinEffect(workspace, "gravity", Pin::Off);
     playTicks(10);
     EXPECT_EQ(valueOf("Effects/gravity"), "off");
@@ -126,7 +126,7 @@ TEST_F(EffectsPanelTest, theGameThatPlaysDoesAsTheSceneSays) {
     EXPECT_FLOAT_EQ(workspace.play.world().get<Transform>(player).position.y, 100.0f) << "nothing pulls";
 }
 
-TEST_F(EffectsPanelTest, aComponentThatNeedsWhatIsPinnedOffIsInTheLog) {
+TEST_F(EffectsPanelTest, aComponentThatNeedsAPinnedOffEffectIsLogged) {
     putFile("scenes/torch.scene.json",
             R"({"format": 1, "effects": {"particles": "off"}, "layers": [], "entities": [
               {"id": "0000000000000001", "name": "torch", "components": {"Transform": {}, "ParticleEmitter": {}}}]})");
@@ -135,7 +135,7 @@ TEST_F(EffectsPanelTest, aComponentThatNeedsWhatIsPinnedOffIsInTheLog) {
     ASSERT_EQ(report->problems.size(), 1u);
     EXPECT_EQ(report->problems[0].text(),
               "scenes/torch.scene.json: effects.particles: it is \"off\", but torch @0000000000000001 has "
-              "ParticleEmitter, which needs it; take ParticleEmitter away, or write \"auto\"; the effect "
+              "ParticleEmitter, which needs it; remove ParticleEmitter, or write \"auto\"; the effect "
               "stays off");
 }
 

@@ -61,7 +61,7 @@ protected:
     InputMapEdit edit{workspace};
 };
 
-TEST_F(InputMapTest, theFileIsReadOnTopOfWhatEveryGameHas) {
+TEST_F(InputMapTest, theFileIsReadOnTopOfTheDefaultActions) {
     EXPECT_EQ(keysOf(dash), (Texts{"X", "Pad B"}));
     EXPECT_EQ(keysOf({Kind::Action, "Jump", ""}), Texts{"Space"});
     EXPECT_EQ(keysOf({Kind::Axis, "Horizontal", "analog"}), Texts{"Pad LeftX"});
@@ -69,7 +69,7 @@ TEST_F(InputMapTest, theFileIsReadOnTopOfWhatEveryGameHas) {
         EXPECT_EQ(row.ofProject, row.name == "Dash" || row.name == "Jump") << row.name;
 }
 
-TEST_F(InputMapTest, aKeyIsAddedAndTakenAwayWithOneStepEachAndTheRestOfTheFileStays) {
+TEST_F(InputMapTest, addingAndRemovingAKeyIsOneStepEachAndKeepsTheRestOfTheFile) {
     ASSERT_TRUE(edit.bind(dash, *bindingFromText("Mouse Right")).ok());
     EXPECT_EQ(keysOf(dash), (Texts{"X", "Pad B", "Mouse Right"}));
     std::string wanted{kProject};
@@ -127,7 +127,7 @@ TEST_F(InputMapTest, theFilesOfOurProjectsAreWrittenAsTheyAre) {
     }
 }
 
-TEST_F(InputMapTest, whatEveryGameHasBecomesTheProjectsOwnWhenItIsChanged) {
+TEST_F(InputMapTest, changedDefaultActionsAreStoredInTheProject) {
     const InputMapEdit::Place left{Kind::Axis, "Horizontal", "negative"};
     ASSERT_TRUE(edit.unbind(left, 1).ok());
     EXPECT_EQ(keysOf(left), (Texts{"Left", "Pad Left"}));
@@ -150,7 +150,7 @@ TEST_F(InputMapTest, actionsAndAxesAreAddedRenamedAndRemoved) {
 
     const std::string before = file();
     ASSERT_TRUE(edit.rename(Kind::Action, "Dash", "Rush").ok());
-    EXPECT_EQ(workspace.notice, "Dash is Rush now; nothing names it");
+    EXPECT_EQ(workspace.notice, "Renamed Dash to Rush; no scene or prefab references it");
     EXPECT_TRUE(has("Rush"));
     EXPECT_FALSE(has("Dash"));
     EXPECT_LT(file().find("Rush"), file().find("Jump")) << "at its place";
@@ -192,7 +192,7 @@ TEST_F(InputMapTest, renamingAnActionRenamesItWhereverItIsNamedAndUndoGivesTheBy
     };
     const std::string project = file();
     ASSERT_TRUE(edit.rename(Kind::Action, "Dash", "Rush").ok());
-    EXPECT_EQ(workspace.notice, "Dash is Rush now, in 3 places of 2 files too; Ctrl+Z takes it back");
+    EXPECT_EQ(workspace.notice, "Renamed Dash to Rush, also in 3 places of 2 files; press Ctrl+Z to undo");
     EXPECT_EQ(fileText("scenes/menu.scene.json"),
               replaced(std::string{kMenu}, R"("action": "Dash")", R"("action": "Rush")"));
     EXPECT_EQ(fileText("prefabs/bomb.prefab.json"), replaced(std::string{kBomb}, "Dash", "Rush"));
@@ -224,7 +224,7 @@ TEST_F(InputMapTest, renamingIsAllOrNothing) {
     putFile("scenes/menu.scene.json", kMenu);
     putFile("prefabs/bomb.prefab.json", kBomb);
     const std::string project = file();
-    // The last file of all cannot be written: a folder has the name of what is written beside it.
+    // Writing the last file fails, because a folder has the name of its temporary file.
     std::filesystem::create_directories(workspace.project.root / "prefabs/bomb.prefab.json.tmp~/x");
     const Result<Done> renamed = edit.rename(Kind::Action, "Dash", "Rush");
     EXPECT_FALSE(renamed.ok());
@@ -233,7 +233,7 @@ TEST_F(InputMapTest, renamingIsAllOrNothing) {
     EXPECT_EQ(fileText("scenes/menu.scene.json"), kMenu);
 }
 
-/// Counts what the player's hands do.
+/// Game state that counts key hits.
 struct Hits {
     int count = 0;
     void addTo(Hasher& hasher) const { hasher.add(static_cast<std::uint64_t>(count)); }
@@ -254,7 +254,7 @@ private:
     World world_;
 };
 
-TEST_F(InputMapTest, newKeysCountInTheRunningGameAndThePastKeepsItsOwn) {
+TEST_F(InputMapTest, newKeysApplyToTheRunningGameAndRecordedTicksKeepTheOldOnes) {
     workspace.makeSession = [](const std::string&, const std::string&) {
         return std::make_unique<KeysGame>();
     };
@@ -277,7 +277,7 @@ TEST_F(InputMapTest, newKeysCountInTheRunningGameAndThePastKeepsItsOwn) {
     workspace.play.seek(38);
     EXPECT_EQ(hits(), 18);
     workspace.play.seek(10);
-    workspace.play.setPaused(false);  // goes on from there: another future
+    workspace.play.setPaused(false);  // continues from tick 10, which discards the later ticks
     workspace.tend(0.0);
     play(5);
     EXPECT_EQ(hits(), 5) << "with the keys of now";
@@ -286,11 +286,11 @@ TEST_F(InputMapTest, newKeysCountInTheRunningGameAndThePastKeepsItsOwn) {
     workspace.play.seek(15);
     EXPECT_EQ(hits(), 5);
     workspace.stopPlaying();
-    EXPECT_TRUE(workspace.toKeep.empty()) << "they are in project.json, not in the scene";
+    EXPECT_TRUE(workspace.offeredChanges.empty()) << "they are in project.json, not in the scene";
     EXPECT_FALSE(edit.rename(Kind::Action, "Stranger", "Else").ok());
 }
 
-TEST_F(InputMapTest, whatElseAKeyMeansIsNamed) {
+TEST_F(InputMapTest, otherActionsOfTheSameKeyAreNamed) {
     ASSERT_TRUE(edit.bind(dash, *bindingFromText("W")).ok());
     EXPECT_EQ(edit.othersOf(*bindingFromText("W"), dash), Texts{"Vertical, negative"});
     EXPECT_EQ(edit.othersOf(*bindingFromText("X"), dash), Texts{"Attack"});
@@ -298,7 +298,7 @@ TEST_F(InputMapTest, whatElseAKeyMeansIsNamed) {
     EXPECT_GT(edit.shared(), 2u);
 }
 
-TEST_F(InputMapTest, aBrokenFileIsReportedAndNotWrittenOver) {
+TEST_F(InputMapTest, aBrokenFileIsReportedAndNotOverwritten) {
     putFile("project.json", "{ \"input\": ");
     EXPECT_FALSE(edit.refresh().empty());
     EXPECT_TRUE(edit.rows().empty());
@@ -327,7 +327,7 @@ TEST_F(InputMapTest, eventsOfAllDevicesAreBindings) {
 class InputPanelTest : public InputMapTest {
 protected:
     InputPanelTest() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
-        // A high pane, in which all rows are seen.
+        // A tall pane in which all rows are visible.
         workspace.settings.layout.move("Input", Dock::Right);
         workspace.settings.layout.resize(Edge::Right, 0.5f);
         hands.rest(2);
@@ -354,7 +354,7 @@ TEST_F(InputPanelTest, aKeyIsPressedForAnAction) {
     EXPECT_EQ(keysOf(dash), (Texts{"X", "Pad B", "Escape"}));
 }
 
-TEST_F(InputPanelTest, aButtonOfTheMouseIsPressedInTheFieldAndCancelLeaves) {
+TEST_F(InputPanelTest, aMouseButtonIsBoundByPressingItInTheFieldAndCancelBindsNothing) {
     hands.click("Input/Dash/press");
     hands.rest(2);
     hands.clickAt(hands.middleOf("Input/field"), MouseButton::Right);
@@ -370,7 +370,7 @@ TEST_F(InputPanelTest, aButtonOfTheMouseIsPressedInTheFieldAndCancelLeaves) {
     EXPECT_EQ(workspace.toolIndex(), 1u) << "W is the tool again";
 }
 
-TEST_F(InputPanelTest, keysAreTakenAwayAndChosenFromLists) {
+TEST_F(InputPanelTest, keysAreRemovedAndSelectedFromLists) {
     EXPECT_NE(window.widgets().find("Input/Dash/X")->value.find("Attack"), std::string::npos);
     hands.click("Input/Dash/X/remove");
     EXPECT_EQ(keysOf(dash), Texts{"Pad B"});

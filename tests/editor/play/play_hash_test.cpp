@@ -12,7 +12,8 @@
 namespace plumb::editor {
 namespace {
 
-/// One of many types that no entity has: panels and overlays ask for types that no player asks for.
+/// One of many component types that no entity has: panels and overlays query types that no player queries,
+/// and this must not change the hash.
 template <int N>
 struct Looked {
     int value = N;
@@ -31,7 +32,7 @@ std::unique_ptr<PlaySession> sessionOf(const Project& project) {
     return makeGameSession(project, project.startScene, *text);
 }
 
-/// Pauses, looks at the past, and comes back.
+/// Pauses the game, seeks back and returns to the newest tick.
 void pauseAndLookBack(PlayMode& play) {
     const std::int64_t now = play.ticks();
     play.setPaused(true);
@@ -42,7 +43,7 @@ void pauseAndLookBack(PlayMode& play) {
     EXPECT_EQ(play.ticks(), now);
 }
 
-TEST_P(PlayHash, aReplayPlayedInTheEditorComesOutAsInThePlayer) {
+TEST_P(PlayHash, aReplayHasTheSameHashesInTheEditorAndInThePlayer) {
     constexpr std::int64_t kPauseEvery = 400;  // ticks
     const Replay replay = replayOf(GetParam());
     const Project project = projectOf(GetParam());

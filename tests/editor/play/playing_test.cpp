@@ -11,7 +11,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// A game in the editor: the crate has no body, the player falls.
+/// A running game in the editor: the player falls; the crate has no body.
 class Playing : public EditorFixture {
 protected:
     Playing() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -52,7 +52,7 @@ TEST_F(Playing, theTimelineShowsThePastWithEveryValueInTheInspector) {
     const std::int64_t newest = workspace.play.ticks();
     const float fallen = playedPosition("player").y;
     const AABB track = widget("Timeline/track")->box;
-    // All 30 s take the whole length.
+    // The whole width of the track is 30 s, 1800 ticks.
     const auto at = [&](std::int64_t tick) {
         return Vec2{track.min.x + static_cast<float>(tick) / 1800.0f * track.size().x, track.center().y};
     };
@@ -140,7 +140,7 @@ TEST_F(Playing, whatIsChangedWhileItPlaysIsOfferedAndKeptAsOneStep) {
     EXPECT_EQ(workspace.text(), before);
     hands.key(Key::F5);
     hands.rest(2);
-    ASSERT_EQ(workspace.toKeep.size(), 2u);
+    ASSERT_EQ(workspace.offeredChanges.size(), 2u);
     EXPECT_EQ(valueOf("Keep/0/value"), "[300, 64]");
     EXPECT_EQ(valueOf("Keep/keep"), "2");
     hands.click("Keep/1");
@@ -181,10 +181,10 @@ TEST_F(Playing, nothingIsKeptWhenOneSaysSoOrPressesEscape) {
         hands.enterNumber("Inspector/Transform/position.x", "300");
         hands.key(Key::F5);
         hands.rest(2);
-        ASSERT_EQ(workspace.toKeep.size(), 1u);
+        ASSERT_EQ(workspace.offeredChanges.size(), 1u);
         escape ? hands.key(Key::Escape) : hands.click("Keep/nothing");
         hands.rest(2);
-        EXPECT_TRUE(workspace.toKeep.empty());
+        EXPECT_TRUE(workspace.offeredChanges.empty());
         EXPECT_EQ(widget("Keep/keep"), nullptr);
         EXPECT_EQ(workspace.text(), before);
         EXPECT_EQ(workspace.undo.total(), 0u);
@@ -200,12 +200,12 @@ TEST_F(Playing, whatWasChangedInATimeThatWasRewoundIsOfferedButNotTicked) {
     workspace.play.setPaused(false);
     hands.key(Key::F5);
     hands.rest(2);
-    ASSERT_EQ(workspace.toKeep.size(), 1u);
+    ASSERT_EQ(workspace.offeredChanges.size(), 1u);
     EXPECT_EQ(valueOf("Keep/0"), "off");
     EXPECT_EQ(valueOf("Keep/keep"), "0");
 }
 
-TEST_F(Playing, aLevelThatIsBegunAnewIsTheOneThatIsEditedAndComesBackAsItWas) {
+TEST_F(Playing, aRestartedLevelUsesTheEditedSceneAndRewindsExactly) {
     const TypeInfo& type = workspace.document.types().of<Transform>();
     std::vector<SetField::Change> change;
     change.push_back({named("crate"), FieldValue::of(Vec2{500, 64})});
@@ -219,14 +219,15 @@ TEST_F(Playing, aLevelThatIsBegunAnewIsTheOneThatIsEditedAndComesBackAsItWas) {
     }
     EXPECT_EQ(playedPosition("crate"), (Vec2{500, 64})) << "not as the file has it";
     EXPECT_LT(playedPosition("player").y, 150.0f) << "it was begun anew";
-    // The request came from outside of the game: what is played again from before it does not have it.
+    // The restart was requested from outside the game, so ticks replayed from a snapshot before it must not
+    // contain it.
     for (const std::int64_t tick : {20, 39, 40, 50, 60, 47}) {
         workspace.play.seek(tick);
         EXPECT_EQ(workspace.play.world().hash(), hashes[static_cast<std::size_t>(tick)]) << tick;
     }
 }
 
-TEST_F(Playing, aWordTypedIntoTheRunningGameIsKeptToo) {
+TEST_F(Playing, textTypedIntoTheRunningGameIsKept) {
     play(5);
     const TypeInfo& type = workspace.document.types().of<Label>();
     const TextId word = workspace.play.world().texts().add("a word that only the game knows");

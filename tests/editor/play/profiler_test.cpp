@@ -20,7 +20,7 @@ Sample sampleOf(std::int64_t tick, float milliseconds, std::vector<float> zones 
     return sample;
 }
 
-TEST(ProfilerRows, theCostliestComesFirstAndStagesStandBelowThePhysics) {
+TEST(ProfilerRows, areSortedByCostWithTheStagesBelowThePhysics) {
     const std::vector<Profiler::Zone> zones{
         {"camera"}, {"solve", true}, {"physics"}, {"broad phase", true}, {"patrol"}};
     const std::deque<Sample> samples{sampleOf(1, 6.0f, {0.5f, 1.0f, 3.0f, 2.0f, 1.0f}),
@@ -37,10 +37,10 @@ TEST(ProfilerRows, theCostliestComesFirstAndStagesStandBelowThePhysics) {
     EXPECT_FLOAT_EQ(rows[3].mean, 8.0f / 3.0f) << "where it did not run it cost nothing";
 }
 
-TEST(ProfilerRows, threadsHaveTheMeanOfWhatEachDid) {
+TEST(ProfilerRows, showTheMeanTimeOfEachThread) {
     std::deque<Sample> samples{sampleOf(1, 6.0f, {4.0f}), sampleOf(2, 6.0f, {2.0f})};
     samples[0].threads = {{3.0f, {3.0f, 2.0f}}};
-    samples[1].threads = {{}};  // one thread did all of it
+    samples[1].threads = {{}};  // one thread ran all tasks
     const auto rows = rowsOf(samples, {{"solve", true}}, 0);
     EXPECT_FLOAT_EQ(rows[0].threads.shared, 1.5f);
     ASSERT_EQ(rows[0].threads.busy.size(), 2u);
@@ -48,7 +48,7 @@ TEST(ProfilerRows, threadsHaveTheMeanOfWhatEachDid) {
     EXPECT_FLOAT_EQ(rows[0].threads.busy[1], 1.0f);
 }
 
-TEST(ProfilerRows, spikesAreFarAboveMostTicks) {
+TEST(ProfilerRows, spikesAreTicksFarAboveTheTypicalTime) {
     std::deque<Sample> samples;
     for (int i = 0; i < 100; ++i) samples.push_back(sampleOf(i, i % 2 == 0 ? 1.0f : 1.3f));
     EXPECT_TRUE(spikesOf(samples).empty());
@@ -89,10 +89,10 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(ProfilerTest, whileItIsNotShownNothingIsMeasured) {
+TEST_F(ProfilerTest, aHiddenProfilerMeasuresNothing) {
     playPausedAt(5);
     EXPECT_TRUE(samples().empty());
-    EXPECT_EQ(workspace.play.watchTicks, nullptr);
+    EXPECT_EQ(workspace.play.tickListener, nullptr);
     EXPECT_EQ(workspace.play.world().service<Profile>(), nullptr);
     hands.click("Tab/Profiler");
     hands.rest(3);
@@ -102,11 +102,11 @@ TEST_F(ProfilerTest, whileItIsNotShownNothingIsMeasured) {
     hands.rest(3);
     playPausedAt(12);
     EXPECT_EQ(samples().size(), 3u);
-    EXPECT_EQ(workspace.play.watchTicks, nullptr);
+    EXPECT_EQ(workspace.play.tickListener, nullptr);
     EXPECT_FALSE(workspace.play.world().service<Profile>()->on);
 }
 
-TEST_F(ProfilerTest, everySystemAndStageOfATickIsThereWithWhatItHadToDo) {
+TEST_F(ProfilerTest, everySystemAndStageOfATickIsListedWithItsCounts) {
     hands.click("Tab/Profiler");
     EXPECT_NE(valueOf("Profiler/empty"), "(none)");
     playPausedAt(3);
@@ -120,7 +120,7 @@ TEST_F(ProfilerTest, everySystemAndStageOfATickIsThereWithWhatItHadToDo) {
 }
 
 TEST_F(ProfilerTest, measuringChangesNothingInTheGame) {
-    // The game sees the mouse: it stays there, and the pane stays as high.
+    // The game reads the mouse position: both runs keep the mouse and the height of the pane unchanged.
     hands.click("Tab/Profiler");
     workspace.settings.layout.show("Input");
     hands.rest(3);
@@ -135,7 +135,7 @@ TEST_F(ProfilerTest, measuringChangesNothingInTheGame) {
     EXPECT_EQ(workspace.play.world().hash(), alone);
 }
 
-TEST_F(ProfilerTest, scrubbingMeasuresTheTicksThatArePlayedAgain) {
+TEST_F(ProfilerTest, scrubbingMeasuresTheReplayedTicks) {
     hands.click("Tab/Profiler");
     playPausedAt(20);
     workspace.play.seek(7);
@@ -144,13 +144,13 @@ TEST_F(ProfilerTest, scrubbingMeasuresTheTicksThatArePlayedAgain) {
     EXPECT_EQ(samples().back().tick, 7);
 }
 
-TEST_F(ProfilerTest, aClickOnATickHoldsTheGraphAndTheGameGoesThere) {
+TEST_F(ProfilerTest, aClickOnATickFreezesTheGraphAndSeeksTheGame) {
     hands.click("Tab/Profiler");
     playPausedAt(40);
     hands.rest(2);
     const auto* graph = window.widgets().find("Profiler/graph");
     ASSERT_NE(graph, nullptr);
-    // The last tick is at the right edge, and every tick is 3 px wide.
+    // The newest tick is at the right edge of the graph; each tick is 3 px wide.
     hands.clickAt({graph->box.max.x - 31.0f, graph->box.center().y});
     EXPECT_EQ(valueOf("Profiler/hold"), "on");
     EXPECT_NE(valueOf("Profiler/summary").find("tick 30:"), std::string::npos) << valueOf("Profiler/summary");
@@ -163,7 +163,7 @@ TEST_F(ProfilerTest, aClickOnATickHoldsTheGraphAndTheGameGoesThere) {
     EXPECT_NE(valueOf("Profiler/summary").find("tick 40:"), std::string::npos);
 }
 
-TEST_F(ProfilerTest, anotherGameBeginsAnew) {
+TEST_F(ProfilerTest, anotherGameClearsTheSamples) {
     hands.click("Tab/Profiler");
     playPausedAt(10);
     workspace.stopPlaying();

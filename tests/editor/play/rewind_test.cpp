@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <vector>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // another allocator reports nothing
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // other allocators have no mallinfo2()
 #include <malloc.h>
 #endif
 
@@ -18,10 +18,10 @@ namespace {
 
 using Make = std::unique_ptr<PlaySession> (*)();
 
-/// A game that was played for a while, and what a run without recording came to in every tick.
+/// A recorded game, with the hashes of the same game without recording.
 struct Played {
     PlayMode play;
-    std::vector<std::uint64_t> hashes;  // by tick
+    std::vector<std::uint64_t> hashes;  // indexed by tick
     std::size_t contacts = 0;
     std::size_t inputs = 0;
 
@@ -58,15 +58,15 @@ void expectTheExactPast(Make make) {
     EXPECT_EQ(game.play.newest(), 2100) << "looking back forgets nothing";
 }
 
-TEST(Rewind, everyTickOfThirtySecondsOfThePlatformerComesBackExactly) {
+TEST(Rewind, everyTickOfThirtySecondsOfThePlatformerIsRestoredExactly) {
     expectTheExactPast([] { return platformerSession(); });
 }
 
-TEST(Rewind, everyTickOfThirtySecondsOfFiveHundredBodiesComesBackExactly) {
+TEST(Rewind, everyTickOfThirtySecondsOfFiveHundredBodiesIsRestoredExactly) {
     expectTheExactPast(&playgroundSession);
 }
 
-TEST(Rewind, stepsGoBackAndForthThroughWhatWas) {
+TEST(Rewind, steppingReplaysRecordedTicks) {
     Played game{[] { return platformerSession(); }, 200};
     for (int i = 0; i < 40; ++i) {
         game.play.seek(game.play.ticks() - 1);
@@ -74,7 +74,7 @@ TEST(Rewind, stepsGoBackAndForthThroughWhatWas) {
     }
     EXPECT_EQ(game.play.ticks(), 160);
     for (int i = 0; i < 20; ++i) {
-        game.play.step(InputFrame{});  // the hands of now do not count in the past
+        game.play.step(InputFrame{});  // live input must not affect replayed ticks
         ASSERT_EQ(game.hash(), game.expected()) << game.play.ticks();
     }
     EXPECT_EQ(game.play.ticks(), 180);
@@ -86,7 +86,7 @@ TEST(Rewind, stepsGoBackAndForthThroughWhatWas) {
     EXPECT_EQ(game.hash(), game.expected());
 }
 
-TEST(Rewind, goingOnFromThePastMakesAnotherFuture) {
+TEST(Rewind, continuingFromThePastDiscardsTheLaterTicks) {
     Played game{[] { return platformerSession(); }, 300};
     game.play.seek(120);
     EXPECT_TRUE(game.play.paused());
@@ -104,7 +104,7 @@ TEST(Rewind, goingOnFromThePastMakesAnotherFuture) {
     EXPECT_EQ(game.hash(), game.expected());
 }
 
-TEST(Rewind, whatWasCanBeWatchedAndStopsWhereItEnds) {
+TEST(Rewind, aRecordingCanBeWatchedAndStopsAtItsEnd) {
     Played game{[] { return platformerSession(); }, 300};
     game.play.seek(200);
     game.play.watch();
@@ -115,7 +115,7 @@ TEST(Rewind, whatWasCanBeWatchedAndStopsWhereItEnds) {
     EXPECT_EQ(game.hash(), game.expected());
 }
 
-/// An entity of the scene that falls.
+/// Returns a falling entity of the scene.
 ObjectId someBody(World& world) {
     ObjectId found;
     world.each<const SceneEntity, const RigidBody>([&](const SceneEntity& part, const RigidBody&) {
@@ -124,7 +124,7 @@ ObjectId someBody(World& world) {
     return found;
 }
 
-TEST(Rewind, aChangeByHandIsPartOfThePast) {
+TEST(Rewind, editsDuringTheGameAreReplayed) {
     PlayMode play;
     play.start(playgroundSession());
     const TypeInfo& type = play.world().types()->of<RigidBody>();
@@ -145,7 +145,7 @@ TEST(Rewind, aChangeByHandIsPartOfThePast) {
         play.seek(tick);
         ASSERT_EQ(play.world().hash(), hashes[static_cast<std::size_t>(tick)]) << "tick " << tick;
     }
-    // In the past a change makes another future.
+    // A change made in the past discards the later ticks.
     play.seek(60);
     play.edit(body, type, field, FieldValue::of(Vec2{0.0f, -900.0f}));
     EXPECT_EQ(play.newest(), 60);
@@ -155,7 +155,7 @@ TEST(Rewind, aChangeByHandIsPartOfThePast) {
     EXPECT_NE(play.world().hash(), hashes.back());
 }
 
-TEST(Rewind, keptWorldsStayBelowTheirLimit) {
+TEST(Rewind, snapshotsStayBelowTheirLimit) {
     PlayMode play;
     play.start(makeGameSession(playgroundProject(), "scenes/pyramid.scene.json", heapScene(500)));
     std::size_t most = 0;
@@ -167,8 +167,8 @@ TEST(Rewind, keptWorldsStayBelowTheirLimit) {
     EXPECT_GT(most, std::size_t{1} << 20);
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // another allocator reports nothing
-/// MB that a recording of 30 s takes from the heap.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // other allocators have no mallinfo2()
+/// Heap memory of a recording of 30 s, MB.
 double megabytesOf(Make make) {
     const auto used = [] {
         const struct mallinfo2 info = mallinfo2();
@@ -182,7 +182,7 @@ double megabytesOf(Make make) {
     return static_cast<double>(used() - before) / 1e6;
 }
 
-TEST(Rewind, thirtySecondsTakeLessThanTheyMay) {
+TEST(Rewind, thirtySecondsStayBelowTheMemoryLimit) {
     const double platformer = megabytesOf([] { return platformerSession(); });
     const double playground = megabytesOf(&playgroundSession);
     RecordProperty("platformerMegabytes", std::to_string(platformer));
@@ -194,7 +194,7 @@ TEST(Rewind, thirtySecondsTakeLessThanTheyMay) {
 }
 #endif
 
-TEST(TimeControl, aSpeedPlaysThatManyTimesTheTicks) {
+TEST(TimeControl, theSpeedScalesTheTicksPerSecond) {
     for (int speed = PlayMode::kSlowest; speed <= PlayMode::kFastest; ++speed) {
         SCOPED_TRACE(speed);
         PlayMode play;
@@ -215,7 +215,7 @@ TEST(TimeControl, aLongFrameSlowsTheGameDownInsteadOfFreezingTheEditor) {
 }
 
 TEST(TimeControl, theFirstTickComesWithinATenthOfASecond) {
-    double least = 1e9;  // s of CPU; others use the machine too
+    double least = 1e9;  // s of CPU time, which other processes do not disturb
     for (int i = 0; i < 3; ++i) {
         const double start = threadSeconds();
         PlayMode play;
@@ -227,7 +227,7 @@ TEST(TimeControl, theFirstTickComesWithinATenthOfASecond) {
     EXPECT_LE(least, 0.1);
 }
 
-TEST(TimeControl, startedPausedNothingMovesUntilOneSaysSo) {
+TEST(TimeControl, aGameStartedPausedDoesNotTickUntilResumed) {
     PlayMode play;
     play.start(platformerSession(), true);
     static_cast<void>(play.advance(1.0, {}));

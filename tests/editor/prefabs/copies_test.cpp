@@ -1,4 +1,4 @@
-// Where copies stand, and what the status bar says of what was done.
+// Order of copies among their siblings, and the notices in the status bar.
 
 #include <algorithm>
 
@@ -18,8 +18,7 @@ using Names = std::vector<std::string>;
 
 class Copies : public EditorFixture {
 protected:
-    /// Of all that have a place in the file, in its order: copies have an apostrophe more than what was there
-    /// before them.
+    /// Names of all entities in file order; those added since the last select() end with an apostrophe.
     [[nodiscard]] Names order() const {
         Names names;
         for (const ObjectId id : workspace.document.objects()) {
@@ -49,7 +48,7 @@ private:
     std::vector<ObjectId> known_;
 };
 
-TEST_F(Copies, standBehindWhatTheyAreCopiesOfWithAllBelowIt) {
+TEST_F(Copies, standBehindTheirOriginalsAndTheChildrenOfThese) {
     select({"player", "sign"});
     ASSERT_TRUE(runAction(workspace, "edit.duplicate"));
     EXPECT_EQ(order(),
@@ -72,7 +71,7 @@ TEST_F(Copies, keepTheirParentAndStandBehindTheirSibling) {
     expectExactUndo(before);
 }
 
-TEST_F(Copies, arePastedBehindTheirOriginalsAndAtTheEndWhereThoseAreNot) {
+TEST_F(Copies, arePastedBehindTheirOriginalsOrAtTheEndIfTheseAreMissing) {
     select({"crate"});
     ASSERT_TRUE(runAction(workspace, "edit.copy"));
     EXPECT_EQ(workspace.notice, "Copied crate");
@@ -121,7 +120,7 @@ TEST_F(Copies, thatAreDraggedWithAltStandBehindTheirOriginals) {
     expectExactUndo(std::string{kSceneText});
 }
 
-TEST_F(Copies, propertyAnyCopiesAreTakenBackAndPutInAgainExactly) {
+TEST_F(Copies, propertyUndoAndRedoOfAnyCopiesAreExact) {
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
     Random random = Random::seeded(5);
     std::vector<std::string> texts{workspace.text()};
@@ -157,7 +156,7 @@ TEST_F(Copies, propertyAnyCopiesAreTakenBackAndPutInAgainExactly) {
     }
 }
 
-/// What the status bar says.
+/// Notices in the status bar.
 class StatusNews : public EditorFixture {
 protected:
     StatusNews() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}

@@ -1,4 +1,4 @@
-// Prefabs made of what lies in the scene, and the list of what an instance has for itself.
+// Creating prefabs from entities of the scene, and the list of overrides of an instance.
 
 #include "editor/model/prefabs/make_prefab.hpp"
 
@@ -21,7 +21,7 @@ protected:
     [[nodiscard]] EntityId entity(std::string_view name) const {
         return workspace.document.find(named(name));
     }
-    /// As after the program was started again.
+    /// Saves and opens the scene again, like after a restart of the program.
     void reopen() {
         ASSERT_TRUE(workspace.save().ok());
         ASSERT_TRUE(workspace.open(kScene).ok());
@@ -31,7 +31,7 @@ protected:
     }
 };
 
-TEST_F(MakingPrefabs, anEntityWithAllBelowItBecomesAnInstanceThatLooksTheSame) {
+TEST_F(MakingPrefabs, anEntityWithItsChildrenBecomesAnEqualInstance) {
     const std::string path = prefabPath("hero");
     const Result<ObjectId> made = makePrefab(workspace, {named("player")}, path);
     ASSERT_TRUE(made.ok());
@@ -53,7 +53,7 @@ TEST_F(MakingPrefabs, anEntityWithAllBelowItBecomesAnInstanceThatLooksTheSame) {
     EXPECT_EQ(parentOf(world(), entity("lamp")), entity("player"));
 }
 
-TEST_F(MakingPrefabs, undoTakesTheFileAwayAndBringsBackTheBytes) {
+TEST_F(MakingPrefabs, undoDeletesTheFileAndRestoresTheBytes) {
     const std::string path = prefabPath("hero");
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, path).ok());
     const std::string prefab = fileText(path);
@@ -84,7 +84,7 @@ TEST_F(MakingPrefabs, referencesToAPartStayValid) {
     EXPECT_EQ(world().get<DistanceJoint>(entity("player")).other, entity("crate")) << "out of it: its own";
 }
 
-TEST_F(MakingPrefabs, severalArePutBelowANewOneFirst) {
+TEST_F(MakingPrefabs, severalEntitiesGetANewCommonParentFirst) {
     const Result<ObjectId> made = makePrefab(workspace, {named("crate"), named("sign")}, prefabPath("pair"));
     ASSERT_TRUE(made.ok());
     EXPECT_EQ(workspace.undo.size(), 1u);
@@ -95,7 +95,7 @@ TEST_F(MakingPrefabs, severalArePutBelowANewOneFirst) {
     EXPECT_EQ(parentOf(world(), entity("sign")), workspace.document.find(*made));
 }
 
-TEST_F(MakingPrefabs, anInstanceInsideStaysOneInThePrefab) {
+TEST_F(MakingPrefabs, aNestedInstanceStaysAnInstanceInThePrefab) {
     ASSERT_TRUE(makePrefab(workspace, {named("crate")}, prefabPath("crate")).ok());
     const Result<ObjectId> made = makePrefab(workspace, {named("crate"), named("sign")}, prefabPath("pair"));
     ASSERT_TRUE(made.ok());
@@ -103,7 +103,7 @@ TEST_F(MakingPrefabs, anInstanceInsideStaysOneInThePrefab) {
     EXPECT_EQ(overrideList(workspace.prefabs(), *made).size(), 0u);
     reopen();
     EXPECT_EQ(worldPose(world(), entity("crate")).position, (Vec2{200.0f, 64.0f}));
-    // What changes in the inner one changes in the outer one.
+    // Changes of the inner prefab appear in instances of the outer one.
     putFile(prefabPath("crate"), [&] {
         std::string text = fileText(prefabPath("crate"));
         return text.replace(text.find("31"), 2, "77");
@@ -126,7 +126,7 @@ TEST_F(MakingPrefabs, aPrefabOfAnInstanceIsAVariantOfIt) {
     workspace.undo.jumpTo(0);
 }
 
-TEST_F(MakingPrefabs, whatCannotBecomeOneIsSaidAndChangesNothing) {
+TEST_F(MakingPrefabs, entitiesThatCannotBecomeAPrefabAreReportedAndNotChanged) {
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
     const std::string before = workspace.text();
     const std::size_t steps = workspace.undo.size();
@@ -139,7 +139,7 @@ TEST_F(MakingPrefabs, whatCannotBecomeOneIsSaidAndChangesNothing) {
     EXPECT_EQ(workspace.undo.size(), steps);
 }
 
-TEST_F(MakingPrefabs, theListSaysWhatDiffersAndEachIsRevertedOrApplied) {
+TEST_F(MakingPrefabs, eachOverrideIsListedAndCanBeRevertedOrApplied) {
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
     const PrefabEdit edit = workspace.prefabs();
     ASSERT_TRUE(addInstance(edit, prefabPath("hero"), {300.0f, 0.0f}).ok());
@@ -160,7 +160,7 @@ TEST_F(MakingPrefabs, theListSaysWhatDiffersAndEachIsRevertedOrApplied) {
     EXPECT_EQ(rowOf("width").prefab, "16");
     EXPECT_EQ(rowOf("width").here, "20");
     EXPECT_EQ(rowOf("position").entity, "lamp");
-    EXPECT_EQ(rowOf("RigidBody").here, "taken out");
+    EXPECT_EQ(rowOf("RigidBody").here, "removed");
 
     EXPECT_TRUE(revertOverride(edit, rowOf("position")));
     EXPECT_EQ(positionOf(named("lamp")), (Vec2{10.0f, -10.0f}));
@@ -169,7 +169,7 @@ TEST_F(MakingPrefabs, theListSaysWhatDiffersAndEachIsRevertedOrApplied) {
     EXPECT_EQ(overrideList(edit, named("player")).size(), 1u);
 }
 
-TEST_F(MakingPrefabs, aPartThatWasTakenOutIsListedAndBroughtBack) {
+TEST_F(MakingPrefabs, aRemovedPartIsListedAndCanBeRestored) {
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
     workspace.document.selection.set({named("lamp")});
     ASSERT_TRUE(runAction(workspace, "edit.delete"));
@@ -181,7 +181,7 @@ TEST_F(MakingPrefabs, aPartThatWasTakenOutIsListedAndBroughtBack) {
     EXPECT_EQ(overrideList(workspace.prefabs(), named("player")).size(), 0u);
 }
 
-TEST_F(MakingPrefabs, byHandItIsNamedListedAndReverted) {
+TEST_F(MakingPrefabs, inTheWindowAPrefabIsNamedAndItsOverridesAreReverted) {
     LogBook log;
     ui::EditorWindow window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"};
     ui::Hands hands{window};
@@ -206,7 +206,7 @@ TEST_F(MakingPrefabs, byHandItIsNamedListedAndReverted) {
     hands.click("Overrides/Close");
 }
 
-TEST_F(MakingPrefabs, anEntityWhoseTransformIsNoObjectIsMadeOrRefused) {
+TEST_F(MakingPrefabs, anEntityWhoseTransformIsNotAJsonObjectIsAcceptedOrRejected) {
     putFile(kScene, R"({"format": 1, "effects": {}, "layers": [], "entities": [
         {"id": "a1", "name": "odd", "components": {"Transform": 5}}, 7]})");
     ASSERT_TRUE(workspace.open(kScene).ok());
@@ -214,7 +214,7 @@ TEST_F(MakingPrefabs, anEntityWhoseTransformIsNoObjectIsMadeOrRefused) {
     EXPECT_TRUE(made.ok() || !made.error().what.empty());
 }
 
-TEST_F(MakingPrefabs, aSceneWithAnEntityThatIsNoJsonIsRefused) {
+TEST_F(MakingPrefabs, aSceneWithAnEntityThatIsNotAJsonObjectIsRejected) {
     putFile(kScene, R"({"format": 1, "effects": {}, "layers": [], "entities": [
         {"id": "a1", "name": "whole", "components": {}}, {"id": nonsense}]})");
     ASSERT_TRUE(workspace.open(kScene).ok());

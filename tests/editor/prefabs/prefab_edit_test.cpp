@@ -51,7 +51,7 @@ constexpr std::string_view kTorchText = R"({
   ]
 }
 )";
-/// A lantern is a torch with a frame around it.
+/// A prefab that contains an instance of the torch and a frame.
 constexpr std::string_view kLantern = "prefabs/lantern.prefab.json";
 constexpr std::string_view kLanternText = R"({
   "format": 1,
@@ -138,7 +138,7 @@ protected:
     [[nodiscard]] const TypeInfo& sprite() const { return workspace.document.types().of<Sprite>(); }
 };
 
-TEST_F(Prefabs, onlyWhatAnInstanceHasForItselfIsMarked) {
+TEST_F(Prefabs, onlyOverridesOfAnInstanceAreMarked) {
     EXPECT_TRUE(overrides(kFirst).isPart);
     EXPECT_EQ(overrides(kFirst).count(), 0u) << "where it stands is its own business";
 
@@ -164,7 +164,7 @@ TEST_F(Prefabs, aClickOnAPartTakesTheWholeInstanceAndAltTakesThePart) {
     EXPECT_EQ(workspace.document.selection.all(), std::vector{flameOf(kFirst)});
 }
 
-TEST_F(Prefabs, aBoxTakesWholeInstancesOnceAndNotTheirParts) {
+TEST_F(Prefabs, aBoxSelectsWholeInstancesAndNotTheirParts) {
     SelectTool tool;
     tool.press(workspace.tools(), {.position = {-200.0f, -200.0f}, .reach = 0.0f});
     tool.drag(workspace.tools(), {.position = {17.5f, 8.5f}});
@@ -174,7 +174,7 @@ TEST_F(Prefabs, aBoxTakesWholeInstancesOnceAndNotTheirParts) {
     EXPECT_EQ(std::count(all.begin(), all.end(), flameOf(kFirst)), 0);
 }
 
-TEST_F(Prefabs, oneFieldIsRevertedAloneAndUndoBringsItBack) {
+TEST_F(Prefabs, oneFieldIsRevertedAndUndoRestoresIt) {
     set<Sprite>(kSecond, "width", 99);
     const std::string before = workspace.text();
 
@@ -187,7 +187,7 @@ TEST_F(Prefabs, oneFieldIsRevertedAloneAndUndoBringsItBack) {
     EXPECT_EQ(workspace.text(), before);
 }
 
-TEST_F(Prefabs, aComponentIsRevertedAlsoWhenItWasTakenOutOrAdded) {
+TEST_F(Prefabs, removedAndAddedComponentsAreReverted) {
     World& world = workspace.document.world;
     workspace.document.selection.set({kFirst});
     ASSERT_TRUE(revertToPrefab(workspace.prefabs(), {kSecond}, {&sprite()}));
@@ -206,7 +206,7 @@ TEST_F(Prefabs, aComponentIsRevertedAlsoWhenItWasTakenOutOrAdded) {
     EXPECT_EQ(overrides(kFirst).count(), 0u);
 }
 
-TEST_F(Prefabs, theWholeInstanceIsRevertedWithLostPartsButStaysWhereItIs) {
+TEST_F(Prefabs, theWholeInstanceIsRevertedWithRemovedPartsButKeepsItsPosition) {
     Document& document = workspace.document;
     set<Transform>(kSecond, "rotation", 0.5f);
     set<Sprite>(flameOf(kSecond), "width", 77);
@@ -231,7 +231,7 @@ TEST_F(Prefabs, theWholeInstanceIsRevertedWithLostPartsButStaysWhereItIs) {
     EXPECT_EQ(workspace.text(), after);
 }
 
-TEST_F(Prefabs, applyingWritesTheFileAndOtherInstancesFollowWhereTheyHadItsValue) {
+TEST_F(Prefabs, applyingWritesTheFileAndUpdatesInstancesWithoutAnOverride) {
     const ObjectId nested{combinedId(0xa3, 0xbb)};
     set<Sprite>(kFirst, "layer", 7);
     set<Sprite>(kFirst, "height", 24);
@@ -272,7 +272,7 @@ TEST_F(Prefabs, applyingOneFieldLeavesTheOthersWithTheInstance) {
     EXPECT_TRUE(overrides(kSecond).has(sprite(), "height"));
 }
 
-TEST_F(Prefabs, componentsThatCameAndWentAreAppliedToo) {
+TEST_F(Prefabs, addedAndRemovedComponentsAreApplied) {
     World& world = workspace.document.world;
     world.remove<Camera>(workspace.document.find(kFirst));
     world.add<Label>(workspace.document.find(kFirst)).size = 20.0f;
@@ -289,7 +289,7 @@ TEST_F(Prefabs, componentsThatCameAndWentAreAppliedToo) {
     EXPECT_EQ(fileText(kTorch), kTorchText);
 }
 
-TEST_F(Prefabs, whatIsInsideAnotherPrefabIsAppliedToTheOuterOne) {
+TEST_F(Prefabs, overridesOfNestedPartsAreAppliedToTheOuterPrefab) {
     const ObjectId nested{combinedId(0xa3, 0xbb)};
     set<Sprite>(nested, "layer", 5);
     set<Sprite>({combinedId(0xa3, combinedId(0xbb, 0xa))}, "width", 12);
@@ -305,7 +305,7 @@ TEST_F(Prefabs, whatIsInsideAnotherPrefabIsAppliedToTheOuterOne) {
     EXPECT_EQ(spriteOf(kFirst).layer, 3);
 }
 
-TEST_F(Prefabs, referencesThatLeadOutOfAnInstanceStayWithIt) {
+TEST_F(Prefabs, referencesToEntitiesOutsideAnInstanceCannotBeApplied) {
     set<Camera>(kFirst, "follow", kSecond);
     const Result<Done> applied = applyToPrefab(workspace.prefabs(), kFirst);
     EXPECT_FALSE(applied.ok());
@@ -332,7 +332,7 @@ TEST_F(Prefabs, aDuplicateKeepsItsPartsWhenItIsSavedAndOpened) {
     EXPECT_EQ(spriteOf(flameOf(kSecond)).width, 4);
 }
 
-TEST_F(Prefabs, anInstanceIsAddedFromItsFileAndTakenBack) {
+TEST_F(Prefabs, addingAnInstanceFromItsFileCanBeUndone) {
     const std::string before = workspace.text();
     ASSERT_TRUE(addInstance(workspace.prefabs(), kTorch, {5.0f, 6.0f}).ok());
 

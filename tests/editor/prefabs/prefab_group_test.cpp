@@ -1,4 +1,4 @@
-// Several instances that are selected together, and their prefabs.
+// Several selected instances and their prefabs.
 
 #include "editor/model/prefabs/prefab_group.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 class PrefabGroups : public EditorFixture {
 protected:
-    /// Two crates of one prefab, a hero of another.
+    /// Creates two crates of one prefab and a hero of another.
     PrefabGroups() {
         first = *makePrefab(workspace, {named("crate")}, prefabPath("crate"));
         hero = *makePrefab(workspace, {named("player")}, prefabPath("hero"));
@@ -39,7 +39,7 @@ protected:
     ObjectId first, second, hero;
 };
 
-TEST_F(PrefabGroups, allOfTheSelectedAreCountedAndMarked) {
+TEST_F(PrefabGroups, overridesOfAllSelectedInstancesAreCountedAndMarked) {
     setWidth(first, 50.0f);
     setWidth(hero, 60.0f);
     const PrefabGroup group = prefabGroup(workspace.prefabs(), {first, second, hero});
@@ -55,7 +55,7 @@ TEST_F(PrefabGroups, allOfTheSelectedAreCountedAndMarked) {
     EXPECT_FALSE(mixed.overrides.isPart) << "of the sign no prefab says what it should be";
 }
 
-TEST_F(PrefabGroups, revertingTakesBackWhatAnyOfThemHas) {
+TEST_F(PrefabGroups, revertingRemovesTheOverridesOfAllInstances) {
     const float before = widthOf(second);
     setWidth(first, 50.0f);
     setWidth(second, 51.0f);
@@ -66,7 +66,7 @@ TEST_F(PrefabGroups, revertingTakesBackWhatAnyOfThemHas) {
     EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
-TEST_F(PrefabGroups, whatTheyAgreeOnIsAppliedOnceAndToEachPrefab) {
+TEST_F(PrefabGroups, equalOverridesAreAppliedOnceToEachPrefab) {
     setWidth(first, 50.0f);
     setWidth(second, 50.0f);
     setWidth(hero, 60.0f);
@@ -81,7 +81,7 @@ TEST_F(PrefabGroups, whatTheyAgreeOnIsAppliedOnceAndToEachPrefab) {
     EXPECT_EQ(fileText(prefabPath("crate")), crate);
 }
 
-TEST_F(PrefabGroups, whatTheyContradictEachOtherInIsNotAppliedAndSaid) {
+TEST_F(PrefabGroups, conflictingOverridesAreReportedAndNotApplied) {
     setWidth(first, 50.0f);
     setWidth(second, 51.0f);
     const std::string crate = fileText(prefabPath("crate"));
@@ -90,11 +90,11 @@ TEST_F(PrefabGroups, whatTheyContradictEachOtherInIsNotAppliedAndSaid) {
               std::string::npos);
     for (const PrefabScope& scope : {PrefabScope{}, PrefabScope{width().type}, width()}) {
         workspace.applyToPrefab(scope);
-        EXPECT_NE(workspace.notice.find("2 of the selected"), std::string::npos) << workspace.notice;
+        EXPECT_NE(workspace.notice.find("2 selected instances"), std::string::npos) << workspace.notice;
         EXPECT_EQ(fileText(prefabPath("crate")), crate);
         EXPECT_EQ(workspace.undo.size(), 0u);
     }
-    // One of them has nothing to say: the other one counts.
+    // One instance has no override: the override of the other is applied.
     workspace.document.selection.set({second});
     workspace.revertToPrefab();
     workspace.document.selection.set({first, second});
@@ -116,7 +116,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(PrefabGroupWindow, theBarIsAboutAllOfTheSelected) {
+TEST_F(PrefabGroupWindow, theBarShowsAllSelectedInstances) {
     setWidth(first, 50.0f);
     workspace.document.selection.set({first, second});
     hands.rest(2);

@@ -1,4 +1,4 @@
-// Opening the file of a prefab for editing, and coming back.
+// Opening a prefab file for editing, and returning to the scene.
 
 #include "editor/model/prefabs/prefab_visit.hpp"
 
@@ -25,7 +25,7 @@ namespace plumb::editor {
 namespace {
 
 const std::string kTorch = prefabPath("torch");
-/// As it may have been written by hand: another id for the first entity, parents left out, no positions.
+/// Like a file written by hand: the root has another id, parents and positions are omitted.
 constexpr std::string_view kTorchText = R"({
   "format": 1,
   "entities": [
@@ -69,7 +69,7 @@ constexpr std::string_view kTorchText = R"({
   ]
 }
 )";
-/// A lantern has a torch inside it; a big torch is a torch that is other.
+/// The lantern contains an instance of the torch; the big torch is a variant of the torch.
 const std::string kLantern = prefabPath("lantern");
 constexpr std::string_view kLanternText = R"({
   "format": 1,
@@ -166,7 +166,7 @@ TEST_F(PrefabVisits, openingAndSavingChangesNoByte) {
     }
 }
 
-TEST_F(PrefabVisits, whatIsSavedThereComesToAllInstancesAndWhatTheyHaveForThemselvesStays) {
+TEST_F(PrefabVisits, savingAPrefabUpdatesAllInstancesAndKeepsTheirOverrides) {
     workspace.document.selection.set({named("torch")});
     ASSERT_TRUE(runAction(workspace, "edit.duplicate"));
     const ObjectId own = workspace.document.selection.all().front();
@@ -188,7 +188,7 @@ TEST_F(PrefabVisits, whatIsSavedThereComesToAllInstancesAndWhatTheyHaveForThemse
     EXPECT_EQ(nested, 1) << "the one inside the lantern";
 }
 
-TEST_F(PrefabVisits, oneComesBackToWhereOneLookedWithWhatWasSelected) {
+TEST_F(PrefabVisits, returningRestoresTheViewAndTheSelection) {
     workspace.view.show({123.0f, 45.0f}, 3.0f);
     workspace.document.selection.set({named("crate"), named("torch")});
     ASSERT_TRUE(runAction(workspace, "entity.editPrefab"));
@@ -198,7 +198,7 @@ TEST_F(PrefabVisits, oneComesBackToWhereOneLookedWithWhatWasSelected) {
     go(workspace, *visit);
     EXPECT_TRUE(editsPrefab(workspace));
     EXPECT_EQ(workspace.document.selection.all(), std::vector{root()});
-    EXPECT_EQ(behindPrefab(workspace), kScene);
+    EXPECT_EQ(fileToReturnTo(workspace), kScene);
     ASSERT_TRUE(leavePrefab(workspace).ok());
     EXPECT_EQ(workspace.view.view().center, (Vec2{123.0f, 45.0f}));
     EXPECT_EQ(workspace.view.zoom(), 3.0f);
@@ -206,22 +206,22 @@ TEST_F(PrefabVisits, oneComesBackToWhereOneLookedWithWhatWasSelected) {
     EXPECT_FALSE(findAction("entity.leavePrefab")->enabled(workspace)) << "a scene is no prefab";
 }
 
-TEST_F(PrefabVisits, insideAPrefabOneGoesOnToAPrefabInsideItAndBackStepByStep) {
+TEST_F(PrefabVisits, nestedPrefabsCanBeOpenedAndLeftOneByOne) {
     ASSERT_TRUE(editPrefab(workspace, kLantern).ok());
     workspace.document.selection.set({named("flame")});
-    EXPECT_EQ(prefabInHand(workspace), kTorch);
+    EXPECT_EQ(selectedPrefab(workspace), kTorch);
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
-    EXPECT_EQ(behindPrefab(workspace), kLantern);
+    EXPECT_EQ(fileToReturnTo(workspace), kLantern);
     ASSERT_TRUE(leavePrefab(workspace).ok());
     EXPECT_EQ(workspace.document.scenePath, kLantern);
-    EXPECT_EQ(behindPrefab(workspace), kScene);
+    EXPECT_EQ(fileToReturnTo(workspace), kScene);
     ASSERT_TRUE(workspace.open(kScene).ok());
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
     ASSERT_TRUE(workspace.open(kLantern).ok()) << "as from the list of backups";
-    EXPECT_EQ(behindPrefab(workspace), kScene) << "the first scene, where no way is known";
+    EXPECT_EQ(fileToReturnTo(workspace), kScene) << "the first scene, where no way is known";
 }
 
-TEST_F(PrefabVisits, allThatIsMadeOrMovedStaysBelowItsFirstEntity) {
+TEST_F(PrefabVisits, newAndMovedEntitiesStayBelowTheRootEntity) {
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
     workspace.document.world.get<Transform>(entity("torch")).position = {30.0f, 0.0f};
     ASSERT_TRUE(runAction(workspace, "entity.create"));
@@ -248,7 +248,7 @@ TEST_F(PrefabVisits, allThatIsMadeOrMovedStaysBelowItsFirstEntity) {
         << "where the first one stands is no part of it";
 }
 
-TEST_F(PrefabVisits, particlesAndFilesThatAreDroppedComeBelowItsFirstEntityToo) {
+TEST_F(PrefabVisits, newParticlesAndDroppedFilesBecomeChildrenOfTheRootEntity) {
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
     const std::string before = workspace.text();
     ASSERT_TRUE(runAction(workspace, "entity.particles"));
@@ -264,11 +264,12 @@ TEST_F(PrefabVisits, particlesAndFilesThatAreDroppedComeBelowItsFirstEntityToo) 
     EXPECT_EQ(workspace.text(), after);
 }
 
-TEST_F(PrefabVisits, parentsAreWrittenBeforeTheirChildrenAlsoWhereTheyArePartsOfAnother) {
+TEST_F(PrefabVisits, parentsAreWrittenBeforeTheirChildrenAlsoIfTheyArePartsOfANestedPrefab) {
     ASSERT_TRUE(editPrefab(workspace, kLantern).ok());
     ASSERT_TRUE(runAction(workspace, "entity.create"));
     const ObjectId made = workspace.document.selection.all().front();
-    // Earlier in the file than the torch, and then below a part of it.
+    // First the new entity is moved before the torch in the file, then it becomes a child of a part of the
+    // torch.
     ASSERT_TRUE(stepInTree(workspace.document, workspace.undo, made, -1));
     ASSERT_TRUE(moveInTree(workspace.document, workspace.undo, {made}, {named("flame")}));
     ASSERT_TRUE(workspace.save().ok());
@@ -277,7 +278,7 @@ TEST_F(PrefabVisits, parentsAreWrittenBeforeTheirChildrenAlsoWhereTheyArePartsOf
     EXPECT_EQ((*library.find(kLantern))->entities.size(), 5u);
 }
 
-TEST_F(PrefabVisits, aPrefabDoesNotComeIntoItself) {
+TEST_F(PrefabVisits, aPrefabCannotContainItself) {
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
     for (const std::string& path : {kTorch, kLantern, kBig}) {
         EXPECT_FALSE(addInstance(workspace.prefabs(), path, {}).ok()) << path;
@@ -290,18 +291,18 @@ TEST_F(PrefabVisits, aPrefabDoesNotComeIntoItself) {
     workspace.clipboard = copied;
     ASSERT_TRUE(runAction(workspace, "edit.paste"));
     EXPECT_EQ(workspace.undo.size(), 0u);
-    EXPECT_NE(workspace.notice.find("has it inside itself"), std::string::npos) << workspace.notice;
+    EXPECT_NE(workspace.notice.find("cannot be pasted here"), std::string::npos) << workspace.notice;
     EXPECT_FALSE(makePrefab(workspace, {root()}, prefabPath("again")).ok());
 }
 
-TEST_F(PrefabVisits, whatCannotBeReadDoesNotTakeThePlaceOfTheScene) {
+TEST_F(PrefabVisits, anUnreadablePrefabDoesNotReplaceTheOpenScene) {
     putFile("prefabs/broken.prefab.json", "{}");
     EXPECT_FALSE(editPrefab(workspace, "prefabs/broken.prefab.json").ok());
     EXPECT_EQ(workspace.document.scenePath, kScene);
     EXPECT_FALSE(workspace.notice.empty());
 }
 
-TEST_F(PrefabVisits, itsUndoIsItsOwnAndTakesBackByteForByte) {
+TEST_F(PrefabVisits, aPrefabHasAnUndoHistoryOfItsOwnThatIsExact) {
     ASSERT_TRUE(editPrefab(workspace, kBig).ok());
     EXPECT_EQ(workspace.undo.total(), 0u);
     setHeight(root(), 7);
@@ -311,7 +312,7 @@ TEST_F(PrefabVisits, itsUndoIsItsOwnAndTakesBackByteForByte) {
     EXPECT_EQ(workspace.text(), kBigText);
 }
 
-TEST_F(PrefabVisits, whatIsNotSavedOfAPrefabOutlivesACrashAndGetsBackupsLikeAScene) {
+TEST_F(PrefabVisits, unsavedPrefabsSurviveACrashAndGetBackupsLikeScenes) {
     workspace.safety.begin();
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
     setHeight(root(), 40);
@@ -331,7 +332,7 @@ TEST_F(PrefabVisits, whatIsNotSavedOfAPrefabOutlivesACrashAndGetsBackupsLikeASce
     EXPECT_EQ(beside->filename(), "torch.mine.prefab.json");
 }
 
-TEST_F(PrefabVisits, anotherProgramsChangeOfItIsReadAnew) {
+TEST_F(PrefabVisits, anOpenPrefabIsReloadedIfAnotherProgramChangesIt) {
     HotReload reload{workspace};
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
     reload.poll(0.0);
@@ -345,7 +346,7 @@ TEST_F(PrefabVisits, anotherProgramsChangeOfItIsReadAnew) {
     EXPECT_EQ(root(), named("torch"));
 }
 
-/// The window asks, shows the strip, and plays the scene.
+/// Tests of the window: questions, the strip of the open prefab, and playing.
 class PrefabVisitWindow : public PrefabVisits {
 protected:
     PrefabVisitWindow()
@@ -376,7 +377,7 @@ TEST_F(PrefabVisitWindow, aDoubleClickInTheAssetsOpensItAndTheStripGoesBack) {
     EXPECT_FALSE(shows("Prefab/Back"));
 }
 
-TEST_F(PrefabVisitWindow, theInspectorOpensItAndUnsavedChangesAreAskedForBothWays) {
+TEST_F(PrefabVisitWindow, theInspectorOpensItAndUnsavedChangesAreConfirmedInBothDirections) {
     workspace.document.selection.set({named("crate")});
     hands.key(Key::Right);
     workspace.document.selection.set({named("torch")});
@@ -402,7 +403,7 @@ TEST_F(PrefabVisitWindow, theInspectorOpensItAndUnsavedChangesAreAskedForBothWay
     EXPECT_EQ(heightOf("torch"), 16);
 }
 
-TEST_F(PrefabVisitWindow, playingGoesBackToTheSceneAndPlaysThat) {
+TEST_F(PrefabVisitWindow, playingReturnsToTheSceneAndPlaysIt) {
     std::string played;
     workspace.makeSession = [&](const std::string& path, const std::string&) {
         played = path;

@@ -15,7 +15,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Four shapes in cells of 8 x 8: the last cell is empty.
+/// An image with one shape in each of five cells of 8 x 8 px; the sixth cell is empty.
 Image sheet() {
     Image image{16, 24, std::vector<std::uint8_t>(16 * 24 * 4, 0)};
     for (const auto& [left, top] : {std::pair{1, 1}, {10, 2}, {2, 9}, {9, 10}, {1, 17}}) {
@@ -37,7 +37,7 @@ protected:
     }
     void show(const char* panel) {
         hands.click(std::string{"Tab/"} + panel);
-        hands.rest(40);  // the browser looks for new files twice a second
+        hands.rest(40);  // the browser checks for new files twice per second
     }
     [[nodiscard]] const std::string& valueOf(std::string_view widget) const {
         static const std::string none;
@@ -75,7 +75,7 @@ TEST_F(AssetsPanelTest, wholeRowsAreSeenAndNamesAreCutOnlyWhereThereIsNoRoom) {
     EXPECT_EQ(valueOf("Assets/name/assets/many/picture0.png"), "picture0.png");
     EXPECT_NE(valueOf("Assets/name/assets/many/a_very_long_name_of_a_picture.png").find(".."),
               std::string::npos);
-    // None begins in the panel, which ends 12 px above these words but for a px of rounding, and ends below
+    // The panel ends 12 px above the notice, up to rounding. No row may begin inside the panel and end below
     // it.
     const float end = window.widgets().find("Status/notice")->box.min.y;
     int seen = 0;
@@ -87,7 +87,7 @@ TEST_F(AssetsPanelTest, wholeRowsAreSeenAndNamesAreCutOnlyWhereThereIsNoRoom) {
     EXPECT_GT(seen, 10);
 }
 
-TEST_F(AssetsPanelTest, aPictureIsDraggedIntoTheSceneAndStandsWhereItWasDropped) {
+TEST_F(AssetsPanelTest, anImageDraggedIntoTheSceneIsPlacedWhereItIsDropped) {
     workspace.grid.snap = false;
     const Vec2 target = hands.middleOf("Viewport");
     hands.drag(hands.middleOf("Assets/assets/hero.png"), target);
@@ -102,7 +102,7 @@ TEST_F(AssetsPanelTest, aPictureIsDraggedIntoTheSceneAndStandsWhereItWasDropped)
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(AssetsPanelTest, aFileIsRenamedByItsMenuAndEverythingThatNamesItFollows) {
+TEST_F(AssetsPanelTest, renamingAFileByItsMenuUpdatesAllReferences) {
     hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
     hands.click("Assets/menu/Rename...");
     hands.rest(2);
@@ -136,7 +136,7 @@ TEST_F(AssetsPanelTest, afterTheMenuWasLeftTheKeysMeanTheFile) {
     EXPECT_TRUE(named("crate")) << "what is selected in the scene is not meant";
     EXPECT_EQ(workspace.undo.size(), 0u);
 
-    // In the scene they mean what is selected there.
+    // With the focus in the scene tree, Delete applies to the selected entities.
     hands.clickAt(hands.middleOf("Scene/crate"), MouseButton::Right);
     hands.key(Key::Escape);
     hands.key(Key::Delete);
@@ -145,7 +145,7 @@ TEST_F(AssetsPanelTest, afterTheMenuWasLeftTheKeysMeanTheFile) {
     EXPECT_FALSE(named("crate"));
 }
 
-TEST_F(AssetsPanelTest, deletingAsksAndKeepingKeeps) {
+TEST_F(AssetsPanelTest, deletingAsksForConfirmation) {
     hands.click("Assets/assets/hero.png");
     hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
     hands.click("Assets/menu/Delete...");
@@ -242,7 +242,7 @@ TEST_F(AssetsPanelTest, statesAreAddedAndJoinedInTheGraph) {
     EXPECT_EQ(edit.set().states[0].clip, 0);
 }
 
-TEST(SheetSlicerTest, shapesAndCellsAreFoundByWhatIsNotTransparent) {
+TEST(SheetSlicerTest, shapesAndCellsAreFoundByOpaquePixels) {
     const Image image = sheet();
     const std::vector<Rect> shapes = shapesIn(image);
     ASSERT_EQ(shapes.size(), 5u);
@@ -252,7 +252,7 @@ TEST(SheetSlicerTest, shapesAndCellsAreFoundByWhatIsNotTransparent) {
     EXPECT_EQ(guessCells(Image{}), CellSize{});
 }
 
-TEST(AnimationEditTest, theFrameThatShowsFollowsDurationsAndTheWayOfRepeating) {
+TEST(AnimationEditTest, theShownFrameFollowsDurationsAndTheLoopMode) {
     Animation clip;
     clip.frames = {{0, 0, 0.1f, ""}, {1, 0, 0.3f, ""}};
     EXPECT_EQ(frameAt(clip, 0.05), 0);
@@ -266,7 +266,7 @@ TEST(AnimationEditTest, theFrameThatShowsFollowsDurationsAndTheWayOfRepeating) {
     EXPECT_EQ(frameAt(Animation{}, 1.0), 0);
 }
 
-TEST_F(AssetsPanelTest, aPictureBecomesATilesetOfTilesAsLargeAsTheGridsCells) {
+TEST_F(AssetsPanelTest, anImageBecomesATilesetWithTilesOfTheGridSize) {
     workspace.grid.size = {8.0f, 8.0f};
     const Result<std::string> made = makeTileset(workspace, "assets/hero.png");
     ASSERT_TRUE(made.ok());
@@ -286,7 +286,7 @@ TEST_F(AssetsPanelTest, aPictureBecomesATilesetOfTilesAsLargeAsTheGridsCells) {
     EXPECT_FALSE(makeTileset(workspace, "assets/use.tileset.json").ok());
 }
 
-TEST_F(AssetsPanelTest, theMenuOfAPictureMakesATilesetWhoseTilesGetAnotherSize) {
+TEST_F(AssetsPanelTest, theMenuOfAnImageCreatesATilesetWhoseTileSizeCanBeChanged) {
     workspace.grid.size = {8.0f, 8.0f};
     hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
     hands.rest(2);

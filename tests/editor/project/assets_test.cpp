@@ -67,7 +67,7 @@ protected:
     }
 };
 
-TEST_F(AssetsTest, theBrowserListsFoldersFirstAndFindsByAnyWords) {
+TEST_F(AssetsTest, theBrowserListsFoldersFirstAndSearchesWords) {
     AssetBrowser browser{workspace};
     EXPECT_EQ(browser.folder, "assets");
     ASSERT_EQ(browser.shown().size(), 4u);
@@ -83,7 +83,7 @@ TEST_F(AssetsTest, theBrowserListsFoldersFirstAndFindsByAnyWords) {
     EXPECT_EQ(browser.describe(browser.shown()[0]), "picture, 16 x 16 px");
 }
 
-TEST_F(AssetsTest, aFileThatAppearsIsInTheListAfterTheNextLook) {
+TEST_F(AssetsTest, aNewFileIsListedAfterTheNextScan) {
     AssetBrowser browser{workspace};
     putFile("assets/new.png", png(4, 4));
     putFile("assets/.hidden.png", png(4, 4));
@@ -91,7 +91,7 @@ TEST_F(AssetsTest, aFileThatAppearsIsInTheListAfterTheNextLook) {
     EXPECT_EQ(browser.shown().size(), 5u);
 }
 
-TEST_F(AssetsTest, renamingRewritesEveryFileThatNamesItAndUndoGivesTheBytesBack) {
+TEST_F(AssetsTest, renamingUpdatesAllReferencesAndUndoRestoresTheBytes) {
     ASSERT_TRUE(workspace.open("scenes/user.scene.json").ok());
     const std::string tileset = fileText("assets/ground.tileset.json");
     const std::string animation = fileText("assets/run.anim.json");
@@ -119,7 +119,7 @@ TEST_F(AssetsTest, renamingRewritesEveryFileThatNamesItAndUndoGivesTheBytesBack)
     EXPECT_TRUE(exists("assets/gold.png"));
 }
 
-TEST_F(AssetsTest, aFolderIsMovedWithAllThatIsInItAndEditsBeforeStayUndoable) {
+TEST_F(AssetsTest, aFolderIsMovedWithItsContentAndEarlierEditsStayUndoable) {
     ASSERT_TRUE(workspace.open("scenes/user.scene.json").ok());
     workspace.undo.push(createEntity(workspace.document, "more", {}));
     workspace.undo.endGesture();
@@ -134,7 +134,7 @@ TEST_F(AssetsTest, aFolderIsMovedWithAllThatIsInItAndEditsBeforeStayUndoable) {
     EXPECT_TRUE(named("more"));
 }
 
-TEST_F(AssetsTest, namesThatAreTakenOrLeaveTheProjectAreRefusedAndNothingChanges) {
+TEST_F(AssetsTest, usedNamesAndPathsOutsideTheProjectAreRejected) {
     AssetBrowser browser{workspace};
     for (const char* to : {"scenes/user.scene.json", "../out.png", "", "assets/"}) {
         EXPECT_NE(browser.rename("assets/coin.png", to), "") << to;
@@ -154,7 +154,7 @@ TEST_F(AssetsTest, onlyWholeTextsAreRenamed) {
               R"({"a": "z/y.png", "b": "xx/y.png"})");
 }
 
-TEST_F(AssetsTest, aDeletedFileComesBackByUndo) {
+TEST_F(AssetsTest, undoRestoresADeletedFile) {
     AssetBrowser browser{workspace};
     const std::string before = fileText("assets/coin.png");
     ASSERT_EQ(browser.remove("assets/coin.png"), "");
@@ -165,7 +165,7 @@ TEST_F(AssetsTest, aDeletedFileComesBackByUndo) {
     EXPECT_NE(browser.remove("assets"), "") << "a folder with something in it stays";
 }
 
-TEST_F(AssetsTest, filesDroppedIntoTheSceneBecomeWhatTheyAreGoodFor) {
+TEST_F(AssetsTest, filesDroppedIntoTheSceneBecomeMatchingEntities) {
     const std::string before = workspace.text();
     ASSERT_TRUE(placeAsset(workspace, "assets/coin.png", {50.0f, 60.0f}).ok());
     EXPECT_EQ(only<Sprite>().width, 16);
@@ -184,7 +184,7 @@ TEST_F(AssetsTest, filesDroppedIntoTheSceneBecomeWhatTheyAreGoodFor) {
     EXPECT_EQ(workspace.text(), before);
 }
 
-TEST_F(AssetsTest, oneCanStandOnALayerOfATilesetWithSolidTiles) {
+TEST_F(AssetsTest, aLayerOfATilesetWithSolidTilesCollides) {
     const World& world = workspace.document.world;
     ASSERT_TRUE(placeAsset(workspace, "assets/ground.tileset.json", {}).ok());
     EXPECT_EQ(world.count<TileCollider>(), 0u) << "none of its tiles is solid";
@@ -199,7 +199,7 @@ TEST_F(AssetsTest, oneCanStandOnALayerOfATilesetWithSolidTiles) {
     EXPECT_EQ(world.count<TileCollider>(), 0u);
 }
 
-/// Time passes for the files: their stamp must change.
+/// Moves the modification time of a file forward by 2 s, so that the change is detected.
 void touchLater(const Path& file) {
     const auto before = std::filesystem::last_write_time(file);
     std::filesystem::last_write_time(file, before + std::chrono::seconds{2});
@@ -212,7 +212,7 @@ protected:
         putFile(path, text);
         touchLater(root() / path);
     }
-    /// The next look. @return ms that it took
+    /// Checks the files for changes once. @return duration, ms
     double look() {
         now += HotReload::kInterval;
         const double before = wallSeconds();
@@ -225,7 +225,7 @@ protected:
     std::size_t taken = 0;
 };
 
-TEST_F(HotReloadTest, picturesThatOnlyAPartOfANewInstanceNamesAreLoaded) {
+TEST_F(HotReloadTest, imagesReferencedOnlyByPartsOfANewInstanceAreLoaded) {
     putFile("prefabs/lamp.prefab.json", R"({"format": 1, "entities": [
         {"id": "0000000000000001", "name": "lamp", "components": {"Transform": {}}},
         {"id": "0000000000000002", "name": "light", "parent": "0000000000000001",
@@ -278,9 +278,9 @@ TEST_F(HotReloadTest, everyKindOfFileIsTakenUpWithinATenthOfASecond) {
     EXPECT_FALSE(workspace.unsaved());
 }
 
-/// The monkey found it: a scene that is read anew numbers its entities anew and drops the tiles that nothing
-/// has.
-TEST_F(HotReloadTest, whatWasDeletedComesBackInItsPlaceThoughThePrefabChangedMeanwhile) {
+/// Found by the random tests. Reloading a scene assigns new entity indices and discards unreferenced tile
+/// grids; undo must still restore the deleted entities.
+TEST_F(HotReloadTest, undoRestoresDeletedEntitiesAfterAPrefabWasReloaded) {
     ASSERT_TRUE(placeAsset(workspace, "prefabs/box.prefab.json", {}).ok());
     ASSERT_TRUE(workspace.save().ok());
     reload.poll(now += 10.0);
@@ -295,7 +295,7 @@ TEST_F(HotReloadTest, whatWasDeletedComesBackInItsPlaceThoughThePrefabChangedMea
     EXPECT_EQ(workspace.text(), before);
 }
 
-TEST_F(HotReloadTest, changesOfOnesOwnStayWhenAnotherProgramWritesTheScene) {
+TEST_F(HotReloadTest, unsavedChangesStayWhenAnotherProgramWritesTheScene) {
     workspace.undo.push(createEntity(workspace.document, "mine", {}));
     workspace.undo.endGesture();
     std::string scene = fileText();
@@ -306,7 +306,7 @@ TEST_F(HotReloadTest, changesOfOnesOwnStayWhenAnotherProgramWritesTheScene) {
     EXPECT_EQ(positionOf(named("crate")).x, 200.0f);
 }
 
-TEST_F(HotReloadTest, whatTheEditorItselfSavesIsNoNews) {
+TEST_F(HotReloadTest, filesSavedByTheEditorAreNotReloaded) {
     workspace.undo.push(createEntity(workspace.document, "mine", {}));
     workspace.undo.endGesture();
     ASSERT_TRUE(workspace.save().ok());
@@ -316,7 +316,7 @@ TEST_F(HotReloadTest, whatTheEditorItselfSavesIsNoNews) {
     EXPECT_TRUE(named("mine"));
 }
 
-TEST_F(HotReloadTest, aBrokenFileIsReportedAndWhatWasThereStays) {
+TEST_F(HotReloadTest, aBrokenFileIsReportedAndTheLoadedVersionStays) {
     const TextureId picture = workspace.assets.loadTexture("assets/coin.png");
     put("assets/coin.png", "no picture");
     look();
@@ -326,7 +326,7 @@ TEST_F(HotReloadTest, aBrokenFileIsReportedAndWhatWasThereStays) {
     EXPECT_TRUE(named("crate"));
 }
 
-TEST_F(AssetsTest, aFileToImportIsFoundNamedAndBroughtIn) {
+TEST_F(AssetsTest, aFileToImportIsFoundNamedAndImported) {
     putFile("outside/map.tmx",
             R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16">
         <layer name="a" width="1" height="1"><data encoding="csv">0</data></layer></map>)");

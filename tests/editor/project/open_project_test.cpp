@@ -1,4 +1,4 @@
-// From one project to another and back, in one run of the editor.
+// Switching between projects without restarting the editor.
 
 #include "editor/ui/open_project.hpp"
 
@@ -21,7 +21,7 @@ protected:
 
     [[nodiscard]] std::string folder(std::string_view name) const { return (root_.path / name).string(); }
     [[nodiscard]] Path root(std::string_view name) const { return root_.path / name; }
-    /// A project whose scene has an entity of this name.
+    /// Creates a project whose scene has an entity with this name.
     void make(const std::string& name, const std::string& entity) {
         std::string scene{kSceneText};
         scene.replace(scene.find("\"crate\""), 7, '"' + entity + '"');
@@ -68,7 +68,7 @@ protected:
     std::unique_ptr<Hands> hands;
 };
 
-TEST_F(ProjectChange, nothingOfTheFirstIsSeenInTheSecond) {
+TEST_F(ProjectChange, nothingOfTheFirstProjectIsVisibleInTheSecond) {
     nudge();
     w().grid.size = {99.0f, 99.0f};
     w().view.show({777.0f, 777.0f}, 5.0f);
@@ -94,7 +94,7 @@ TEST_F(ProjectChange, nothingOfTheFirstIsSeenInTheSecond) {
     EXPECT_FALSE(shows("Assets/assets/first.txt"));
 }
 
-TEST_F(ProjectChange, whatThePersonLikesComesAlongAndBothAreRecent) {
+TEST_F(ProjectChange, preferencesAreKeptAndBothProjectsAreRecent) {
     w().settings.theme = Theme::Light;
     w().settings.layout.show("Input");
     const PaneLayout layout = w().settings.layout;
@@ -106,7 +106,7 @@ TEST_F(ProjectChange, whatThePersonLikesComesAlongAndBothAreRecent) {
     EXPECT_EQ(w().settings.theme, Theme::Light);
 }
 
-TEST_F(ProjectChange, theGridOfEachIsItsOwn) {
+TEST_F(ProjectChange, eachProjectHasItsOwnGrid) {
     w().grid.size = {24.0f, 24.0f};
     go("second");
     w().grid.size = {8.0f, 8.0f};
@@ -116,7 +116,7 @@ TEST_F(ProjectChange, theGridOfEachIsItsOwn) {
     EXPECT_EQ(w().grid.size, (Vec2{8.0f, 8.0f}));
 }
 
-TEST_F(ProjectChange, unsavedChangesAreAskedForAndWhatIsDiscardedIsABackup) {
+TEST_F(ProjectChange, unsavedChangesAreConfirmedAndDiscardedOnesAreBackedUp) {
     nudge();
     w().projectToOpen = folder("second");
     w().request = WindowRequest::OpenProject;
@@ -137,13 +137,13 @@ TEST_F(ProjectChange, unsavedChangesAreAskedForAndWhatIsDiscardedIsABackup) {
     EXPECT_NE(*readFile(w().safety.backups.of(kScene).front().path), w().text());
 }
 
-TEST_F(ProjectChange, aRunningGameEndsAndTheNextPlaysItsOwn) {
+TEST_F(ProjectChange, aRunningGameEndsAndTheNextProjectPlaysItsOwn) {
     hands->key(Key::F5);
     hands->rest(2);
     ASSERT_TRUE(w().play.running());
     go("second");
     EXPECT_FALSE(w().play.running());
-    EXPECT_TRUE(w().toKeep.empty());
+    EXPECT_TRUE(w().offeredChanges.empty());
     hands->key(Key::F5);
     hands->rest(2);
     ASSERT_TRUE(w().play.running());
@@ -152,7 +152,7 @@ TEST_F(ProjectChange, aRunningGameEndsAndTheNextPlaysItsOwn) {
     EXPECT_FALSE(w().play.running());
 }
 
-TEST_F(ProjectChange, filesOfTheOtherProjectAreNotWatchedAnyMore) {
+TEST_F(ProjectChange, filesOfTheOtherProjectAreNoLongerWatched) {
     go("second");
     const std::string before = w().text();
     std::string changed = *readFile(root("first") / kScene);

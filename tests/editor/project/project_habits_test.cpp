@@ -1,4 +1,4 @@
-// What is kept of a project between two sessions, beside it.
+// Settings of the editor that are stored with a project between two sessions.
 
 #include "editor/model/project/project_habits.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 class ProjectHabits : public EditorFixture {
 protected:
-    /// The same project in another session.
+    /// Opens the project in a new session and returns the grid.
     [[nodiscard]] GridSettings nextSession() const {
         TypeRegistry types = engineTypes();
         AssetStore assets{workspace.project.root};
@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(ProjectHabits, theGridIsAsItWasLeft) {
+TEST_F(ProjectHabits, theGridIsRestored) {
     workspace.tend(2.0);
     EXPECT_FALSE(isThere(".plumb/grid.json")) << "nothing was chosen yet";
     workspace.grid.size = {24.0f, 12.5f};
@@ -43,7 +43,7 @@ TEST_F(ProjectHabits, theGridIsAsItWasLeft) {
     EXPECT_EQ(fileText(".plumb/.gitignore"), "*\n") << "git never sees it";
 }
 
-TEST_F(ProjectHabits, whatIsWrongInItStaysAsAtFirst) {
+TEST_F(ProjectHabits, invalidValuesAreReplacedByDefaults) {
     putFile(".plumb/grid.json",
             R"({"size": [0, "x"], "to": "nowhere", "angle": 900, "color": [1, 2], "snap": false})");
     const GridSettings kept = nextSession();
@@ -56,7 +56,7 @@ TEST_F(ProjectHabits, whatIsWrongInItStaysAsAtFirst) {
     EXPECT_EQ(nextSession().size, GridSettings{}.size);
 }
 
-TEST_F(ProjectHabits, choicesAreReadInTheirOrderAndNoMoreThanAreWanted) {
+TEST_F(ProjectHabits, recentChoicesAreReadInOrderUpToTheLimit) {
     keepRecent(workspace, {"4 edit.undo", "0 scenes/level.scene.json", "3 x"});
     EXPECT_EQ(recentChoices(workspace, 2),
               (std::vector<std::string>{"4 edit.undo", "0 scenes/level.scene.json"}));

@@ -24,7 +24,7 @@ Settings someSettings() {
     return settings;
 }
 
-TEST(SettingsTest, allOfThemAreReadBackAsTheyWereWritten) {
+TEST(SettingsTest, allSettingsAreReadBackAsWritten) {
     const Settings settings = someSettings();
     std::vector<Error> problems;
     const Result<Settings> read = Settings::fromText(settings.toText(), problems);
@@ -33,7 +33,7 @@ TEST(SettingsTest, allOfThemAreReadBackAsTheyWereWritten) {
     EXPECT_EQ(*read, settings);
 }
 
-TEST(SettingsTest, theFileIsWrittenOnceAMomentAfterAChangeAndReadAtTheNextStart) {
+TEST(SettingsTest, theFileIsWrittenOnceShortlyAfterAChangeAndReadAtTheNextStart) {
     const test::TemporaryFolder folder;
     SettingsFile file{folder.path};
     Settings settings;
@@ -51,7 +51,7 @@ TEST(SettingsTest, theFileIsWrittenOnceAMomentAfterAChangeAndReadAtTheNextStart)
     EXPECT_EQ(next, settings);
 }
 
-TEST(SettingsTest, aDamagedFileIsKeptAsideAndReportedAndTheEditorStartsAsAtFirst) {
+TEST(SettingsTest, aDamagedFileIsKeptReportedAndReplacedByDefaults) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(writeFile(folder.path / "settings.json", "{\"theme\": \"li").ok());
     Settings settings;
@@ -64,7 +64,7 @@ TEST(SettingsTest, aDamagedFileIsKeptAsideAndReportedAndTheEditorStartsAsAtFirst
     EXPECT_FALSE(std::filesystem::exists(folder.path / "settings.json"));
 }
 
-TEST(SettingsTest, whatIsWrongInItIsReportedByNameAndTheRestCounts) {
+TEST(SettingsTest, invalidSettingsAreReportedByNameAndTheOthersAreRead) {
     std::vector<Error> problems;
     const Result<Settings> read = Settings::fromText(
         R"({"theme": "pink", "scale": 40, "textSize": 16, "layout": 5, "keys": {"edit.undo": ["Ctrl+Nothing"],
@@ -86,7 +86,7 @@ TEST(SettingsTest, theLastProjectIsTheFirstOfTheRecentOnes) {
     Settings settings;
     for (int i = 0; i < 20; ++i) settings.remember(format("/games/{}", i));
     settings.remember("/games/15");
-    EXPECT_EQ(settings.recent.size(), Settings::kMostRecent);
+    EXPECT_EQ(settings.recent.size(), Settings::kMaxRecent);
     EXPECT_EQ(settings.recent.front(), "/games/15");
     EXPECT_EQ(settings.recent[1], "/games/19");
 }
@@ -104,7 +104,7 @@ TEST(Keys, textIsReadBackForEveryShortcutOfTheTable) {
         EXPECT_FALSE(shortcutFromText(none)) << none;
 }
 
-TEST(Keys, whatIsTakenAwayFromAnotherActionDoesOneThing) {
+TEST(Keys, bindingAUsedKeyRemovesItFromTheOtherAction) {
     KeyBindings keys;
     const Action& undo = *findAction("edit.undo");
     const Action& duplicate = *findAction("edit.duplicate");
@@ -121,14 +121,14 @@ TEST(Keys, whatIsTakenAwayFromAnotherActionDoesOneThing) {
     EXPECT_FALSE(keys.anyChanged());
 }
 
-TEST(Keys, anAlternativeIsTakenAwayToo) {
+TEST(Keys, bindingAnAlternativeKeyRemovesItFromTheOtherAction) {
     KeyBindings keys;
     const Action& redo = *findAction("edit.redo");
     keys.bind(*findAction("edit.undo"), {Key::Z, true, true});
     EXPECT_EQ(keys.of(redo), (std::vector<Shortcut>{{Key::Y, true}}));
 }
 
-TEST(Keys, oneKeyMayMeanAnotherThingForTiles) {
+TEST(Keys, aKeyMayHaveAnotherActionForTiles) {
     KeyBindings keys;
     EXPECT_EQ(keys.conflict(*findAction("tool.erase"), {Key::E}), nullptr) << "it rotates entities";
 }

@@ -38,10 +38,10 @@ protected:
     LogBook log;
     EditorWindow window;
     std::vector<std::string> pictures;
-    int down = 0;  // of the key Right, times
+    int down = 0;  // number of presses of the key Right
 };
 
-TEST_F(TourTest, whatALineSaysIsDone) {
+TEST_F(TourTest, eachLineIsExecuted) {
     const Result<Done> done = play(R"(
 # the crate goes 40 px to the right, and gets a name
 key Shift+S
@@ -67,7 +67,7 @@ TEST_F(TourTest, keysAreHeldWhileTheMouseActsAndUntilTheyAreReleased) {
     EXPECT_EQ(down, 0);
 }
 
-TEST_F(TourTest, aPlaceAlongAWidgetIsSaidInPercent) {
+TEST_F(TourTest, aPositionAlongAWidgetIsGivenInPercent) {
     for (const int percent : {25, 75}) {
         const Result<Done> done =
             play(format("click Scene/ground\nclick Tab/Tiles\nclick Tiles/layer/opacity {}%", percent));
@@ -77,14 +77,14 @@ TEST_F(TourTest, aPlaceAlongAWidgetIsSaidInPercent) {
     }
 }
 
-TEST_F(TourTest, aSecondPercentIsHowFarDown) {
+TEST_F(TourTest, aSecondPercentageIsTheVerticalPosition) {
     ASSERT_TRUE(play("move Viewport 25% 75%").ok());
     const AABB box = window.widgets().find("Viewport")->box;
     EXPECT_NEAR(ImGui::GetIO().MousePos.x, box.min.x + 0.25f * box.size().x, 1.0f);
     EXPECT_NEAR(ImGui::GetIO().MousePos.y, box.min.y + 0.75f * box.size().y, 1.0f);
 }
 
-TEST_F(TourTest, anErrorSaysWhichLineAndWhatThereIs) {
+TEST_F(TourTest, anErrorNamesItsLineAndTheExistingWidgets) {
     EXPECT_NE(errorOf("wait 1\nclack @1,2").find("a.tour:2"), std::string::npos);
     EXPECT_NE(errorOf("clack @1,2").find("double-click"), std::string::npos);
     EXPECT_NE(errorOf("drag @1,2").find("drag @0,0 to @64,0"), std::string::npos);
@@ -92,7 +92,7 @@ TEST_F(TourTest, anErrorSaysWhichLineAndWhatThereIs) {
     EXPECT_NE(errorOf("click @1,2 with Strg").find("with Ctrl+Shift"), std::string::npos);
     EXPECT_NE(errorOf("wait 0").find("wait 30"), std::string::npos);
     EXPECT_NE(errorOf("wait 99999999").find("wait 30"), std::string::npos);
-    EXPECT_NE(errorOf("click @1,x").find("is not whole"), std::string::npos);
+    EXPECT_NE(errorOf("click @1,x").find("is not a complete action"), std::string::npos);
     EXPECT_NE(errorOf("click Toolbar/Plya").find("is not on the screen"), std::string::npos);
 }
 

@@ -1,5 +1,5 @@
-// docs/tutorial.md, done by the same actions that make its pictures: what it says can be done, and the level
-// that comes of it can be played to its end.
+// Performs the scripts that make the screenshots of docs/tutorial.md: every step of the tutorial must work,
+// and the resulting level must be playable to its end.
 
 #include <array>
 #include <cstdlib>
@@ -20,10 +20,11 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr std::array kTakeOffs{286.0f, 440.0f, 590.0f};  // px: before the gaps and the step
+// x positions of jumps over the gaps and the step, px
+constexpr std::array kTakeOffs{286.0f, 440.0f, 590.0f};
 constexpr int kSeconds = 30;
 
-/// A newcomer's machine: a home folder with nothing in it, and the editor as it starts there.
+/// The editor as it starts on a new machine, with an empty home folder.
 class Tutorial : public testing::Test {
 protected:
     Tutorial()
@@ -81,7 +82,7 @@ float xOf(const World& world, EntityId entity) {
     return world.alive(entity) ? world.get<Transform>(entity).position.x : -1000.0f;
 }
 
-/// Runs to the right, jumps before gaps, steps and enemies.
+/// Player input that runs to the right and jumps at gaps, steps and enemies.
 InputFrame runToTheEnd(const World& world, EntityId player) {
     const float x = xOf(world, player);
     const float enemy = xOf(world, named(world, "gloomcap")) - x;
@@ -93,7 +94,7 @@ InputFrame runToTheEnd(const World& world, EntityId player) {
     return hands;
 }
 
-/// @return after how many ticks the goal was reached; nothing when it never is
+/// @return number of ticks until the goal is reached; nothing if it is not reached
 std::optional<int> ticksToTheGoal(const Path& folder, const std::string& scene) {
     const Result<Project> project = loadProject(folder);
     const Result<std::string> text = readFile(folder / scene);

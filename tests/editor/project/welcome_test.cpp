@@ -13,7 +13,7 @@ namespace {
 
 const Path kFonts = test::sourceFolder() / "assets/fonts";
 
-/// The editor as it starts without a project, with a home folder of its own.
+/// The editor as it starts without a project, with a temporary home folder.
 class Welcome : public testing::Test {
 protected:
     Welcome()
@@ -46,7 +46,7 @@ protected:
     std::unique_ptr<Hands> hands;
 };
 
-TEST_F(Welcome, withoutAProjectItIsAllThereIsAndSaysWhatToDo) {
+TEST_F(Welcome, withoutAProjectOnlyTheWelcomeScreenIsShown) {
     EXPECT_EQ(window->widgets().find("Menu/File"), nullptr);
     EXPECT_EQ(window->widgets().find("Welcome/Back"), nullptr) << "there is nothing to go back to";
     EXPECT_EQ(valueOf("Welcome/name"), "My Game");
@@ -55,7 +55,7 @@ TEST_F(Welcome, withoutAProjectItIsAllThereIsAndSaysWhatToDo) {
     EXPECT_NE(window->widgets().find("Welcome/Create"), nullptr);
 }
 
-TEST_F(Welcome, anEmptyProjectIsMadeAndOpens) {
+TEST_F(Welcome, anEmptyProjectIsCreatedAndOpened) {
     write("Welcome/name", "The Tower!");
     EXPECT_EQ(valueOf("Welcome/folder"), "~/Plumb/the-tower");
     hands->click("Welcome/Create");
@@ -72,7 +72,7 @@ TEST_F(Welcome, anEmptyProjectIsMadeAndOpens) {
     EXPECT_EQ((*opened)->validate(), 0);
 }
 
-TEST_F(Welcome, thePlatformerIsCopiedAndItsCopyIsWhole) {
+TEST_F(Welcome, thePlatformerIsCopiedCompletely) {
     hands->click("Welcome/template/platformer");
     write("Welcome/name", "Mine");
     write("Welcome/folder", (home.path / "games/mine").string());
@@ -109,11 +109,11 @@ TEST_F(Welcome, theKitHasAllPrefabsAndOneEmptyLevel) {
     EXPECT_EQ(layers, 1u);
 }
 
-TEST_F(Welcome, nothingIsWrittenOverAFolderWithSomethingInIt) {
+TEST_F(Welcome, aFolderThatIsNotEmptyIsNotOverwritten) {
     ASSERT_TRUE(writeFile(home.path / "Plumb/my-game/diary.txt", "mine").ok());
     hands->click("Welcome/Create");
     hands->rest(2);
-    EXPECT_NE(valueOf("Welcome/message").find("there is something already"), std::string::npos);
+    EXPECT_NE(valueOf("Welcome/message").find("already exists there"), std::string::npos);
     EXPECT_EQ(window->takeProject(), "");
     EXPECT_EQ(*readFile(home.path / "Plumb/my-game/diary.txt"), "mine");
 }
@@ -131,13 +131,13 @@ TEST_F(Welcome, aFolderWithoutAProjectBecomesOne) {
     EXPECT_TRUE(isProject(home.path / "tower"));
 }
 
-TEST_F(Welcome, aFolderThatIsNotThereIsNamed) {
+TEST_F(Welcome, aMissingFolderIsReported) {
     write("Welcome/place", "/nowhere/at/all");
     hands->key(Key::Enter);
     EXPECT_EQ(valueOf("Welcome/openMessage"), "There is no folder /nowhere/at/all");
 }
 
-TEST_F(Welcome, recentProjectsAreListedOpenedAndForgotten) {
+TEST_F(Welcome, recentProjectsAreListedOpenedAndRemoved) {
     Settings& settings = session->workspace().settings;
     settings.remember((home.path / "gone").string());
     settings.remember((test::sourceFolder() / "projects/platformer").string());
@@ -161,7 +161,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(WelcomeFromAProject, itIsOpenedFromTheMenuAndLeftAgainAndUnsavedChangesAreAskedFor) {
+TEST_F(WelcomeFromAProject, itIsOpenedFromTheMenuAndLeftAndUnsavedChangesAreConfirmed) {
     workspace.document.selection.set({named("crate")});
     hands.key(Key::Delete);
     hands.click("Menu/File"), hands.rest();
@@ -181,7 +181,7 @@ TEST_F(WelcomeFromAProject, itIsOpenedFromTheMenuAndLeftAgainAndUnsavedChangesAr
     EXPECT_EQ(window.takeProject(), (test::sourceFolder() / "projects/platformer").string());
 }
 
-TEST(Thumbnails, aPartOfAPictureIsMadeSmallerByTheMeanOfItsPixels) {
+TEST(Thumbnails, averageThePixelsOfAPartOfAnImage) {
     Image picture{40, 20, std::vector<std::uint8_t>(40 * 20 * 4, 255)};
     for (int y = 0; y < 20; ++y) {
         for (int x = 20; x < 40; ++x) picture.rgba[static_cast<std::size_t>(y * 40 + x) * 4] = 55;

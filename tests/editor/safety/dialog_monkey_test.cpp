@@ -1,5 +1,5 @@
-// Any dialog, opened and closed in any way at any moment: afterwards saving still works, or says why.
-// PLUMB_DIALOGS says how many lives; a failure names its seed and all that was done.
+// Opens and closes dialogs at random; afterwards saving must work or report why it does not. PLUMB_DIALOGS is
+// the number of random runs; a failure prints the seed and all actions.
 
 #include "app/project.hpp"
 #include "core/random.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 24;
 
-/// Actions that open a dialog or lead to one.
+/// Actions that open a dialog or may lead to one.
 constexpr std::array kOpening{"file.open",     "file.new",       "file.backups",      "file.import",
                               "edit.find",     "edit.commands",  "edit.preferences",  "edit.keys",
                               "layout.save",   "entity.prefab",  "entity.makePrefab", "entity.overrides",
@@ -36,7 +36,7 @@ protected:
         return std::string{nameOf(key)};
     }
 
-    /// A widget of a dialog where one is open, most often.
+    /// Clicks a random widget, with preference for widgets of an open dialog.
     std::string clickSomething(Session& session) {
         std::vector<std::string> names;
         for (const auto& [name, widget] : session.window.widgets().all()) {
@@ -104,16 +104,17 @@ protected:
         for (int i = 0; i < kSteps && !session.window.wantsQuit(); ++i) {
             done += act(session) + "; ";
             session.hands.rest(static_cast<int>(below(4)));
-            if (!session.window.takeProject().empty()) return;  // another project, another editor
+            // another project was opened, which needs another editor
+            if (!session.window.takeProject().empty()) return;
         }
         if (session.window.wantsQuit()) return;
         SCOPED_TRACE(format("seed {}: {}", seed, done));
         settle(session);
-        if (session.workspace.document.scenePath.empty()) return;  // it was taken away from outside
+        if (session.workspace.document.scenePath.empty()) return;  // the scene was deleted outside the editor
         expectSavingWorks(session, below(3) == 0);
     }
 
-    /// Away from the welcome screen and from games, with everything answered.
+    /// Leaves the welcome screen and the game and closes all dialogs.
     void settle(Session& session) {
         for (int i = 0; i < 3; ++i) {
             answerAll(session);

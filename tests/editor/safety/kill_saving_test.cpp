@@ -1,5 +1,5 @@
-// Kills in the middle of saving files of three sizes: the file is whole, and what was done last is in it or
-// in the journal. PLUMB_SAVE_KILLS says how often for each size.
+// Kills the editor while it saves files of three sizes: the file must be complete, and the last edit must be
+// in it or in the journal. PLUMB_SAVE_KILLS is the number of kills for each size.
 
 #ifndef _WIN32
 
@@ -55,9 +55,10 @@ protected:
         workspace.undo.push(std::make_unique<SetField>(type, *type.find("position"), std::move(change)));
         workspace.undo.endGesture();
     }
-    /// Moves something, has it in the journal, tells, and saves; over and over.
+    /// In an endless loop: moves an entity, writes the journal, reports the state to the parent process and
+    /// saves.
     static void keepSaving(Workspace& workspace, float first, const Victim::Tell& tell) {
-        workspace.safety.keepMine();  // what the one before left in the file
+        workspace.safety.keepMine();  // accepts the file that the previous process left
         workspace.safety.begin();
         for (float x = first;; x += 1.0f) {
             move(workspace, x);
@@ -102,7 +103,7 @@ void KillWhileSaving::killOften(std::size_t entities, int kills) {
         ASSERT_LE(again.safety.lost().size(), 1u);
         const std::uint64_t lost = again.safety.lost().empty() ? 0 : hashText(again.safety.lost()[0].text);
         EXPECT_TRUE(now == last || lost == last) << "what was done last is lost";
-        // What is newer than the last report may be offered, what is older never.
+        // A state newer than the last report may be offered for recovery, an older one must not.
         EXPECT_FALSE(now == last && whole.contains(lost)) << "old work is offered";
         newFiles += now == last ? 1 : 0;
         offered += lost == last ? 1 : 0;

@@ -1,5 +1,5 @@
-// An editor that is killed at any moment: nothing that was saved is lost, and of what was not, at most 5 s or
-// 20 actions. PLUMB_KILLS says how often; the suite does it a few times.
+// Kills the editor at random moments: saved work must not be lost, and of unsaved work at most the last 5 s
+// or 20 actions. PLUMB_KILLS is the number of kills; the default is small.
 
 #ifndef _WIN32
 
@@ -22,15 +22,15 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// What the editor that will be killed tells about itself.
+/// A record that the editor in the child process writes about its state.
 struct Note {
     enum Kind : std::uint32_t { Text, Saving, Saved } kind = Text;
     std::uint32_t action = 0;
     double seconds = 0.0;
-    std::uint64_t hash = 0;  ///< of the scene's text
+    std::uint64_t hash = 0;  ///< hash of the scene's text
 };
 
-/// A copy of this process that does as it is asked until it is killed.
+/// A forked child process that runs `life` until it is killed.
 class Doomed {
 public:
     template <class Life>
@@ -45,7 +45,7 @@ public:
         life([this](const Note& note) { static_cast<void>(::write(pipe_[1], &note, sizeof note)); });
         ::_exit(0);
     }
-    /// @return all that it said
+    /// @return all records that the child process wrote
     std::vector<Note> killAfter(std::chrono::microseconds time) {
         ::close(pipe_[1]);
         std::this_thread::sleep_for(time);
@@ -69,7 +69,7 @@ protected:
     [[nodiscard]] std::uint64_t hash() const { return hashText(workspace.text()); }
     [[nodiscard]] std::uint64_t hashOfFile() const { return hashText(fileText()); }
 
-    /// Moves an entity to another place.
+    /// Moves an entity to a random position.
     void move(ObjectId id, Random& random) {
         const TypeInfo& type = workspace.document.types().of<Transform>();
         std::vector<SetField::Change> change;
@@ -79,7 +79,7 @@ protected:
         workspace.undo.endGesture();
     }
 
-    /// One thing that a person does.
+    /// Performs a random action of a user.
     void act(Random& random) {
         Document& document = workspace.document;
         if (random.below(3) == 0 || document.objectCount() < 5) {
@@ -97,7 +97,7 @@ protected:
         }
     }
 
-    /// Works in a window without a picture, saves now and then.
+    /// Performs random actions in a window without a screen and saves now and then.
     template <class Tell>
     void work(EditorWindow& window, Random random, Tell tell) {
         workspace.safety.begin();
@@ -127,7 +127,8 @@ TEST_F(Kill, savingLosesNothingWhenItIsKilledAnywhere) {
             runAction(workspace, "edit.selectAll"), runAction(workspace, "edit.duplicate");
         }
         ASSERT_TRUE(workspace.save().ok());
-        const float longest = 40.0f + 0.1f * static_cast<float>(entities);  // ms: some saves
+        // ms; long enough for several saves
+        const float longest = 40.0f + 0.1f * static_cast<float>(entities);
         std::size_t saves = 0;
         for (int i = 0; i < kills; ++i) {
             const std::uint64_t before = hashOfFile();
@@ -146,7 +147,7 @@ TEST_F(Kill, savingLosesNothingWhenItIsKilledAnywhere) {
                 saves += note.kind == Note::Saved ? 1 : 0;
             }
             ASSERT_TRUE(hashOfFile() == saved || hashOfFile() == saving) << "kill " << i;
-            workspace.safety.takeTheirs();  // this process goes on with what the other one left
+            workspace.safety.takeTheirs();  // this process continues with the file that the killed one left
             ASSERT_EQ(hash(), hashOfFile());
         }
         EXPECT_GT(saves, 0u);
@@ -174,7 +175,7 @@ TEST_F(Kill, anEditorKilledAtAnyMomentLosesAtMostTwentyActionsOrFiveSeconds) {
         }
         ASSERT_TRUE(hashOfFile() == saved || hashOfFile() == saving) << "the user's file is damaged";
 
-        // The editor is started again.
+        // Restart the editor.
         Workspace again{workspace.document.types(), workspace.assets, workspace.project};
         ASSERT_TRUE(again.open(kScene).ok());
         again.safety.begin();

@@ -11,7 +11,7 @@
 namespace plumb::editor {
 namespace {
 
-/// A scene of the platformer, and changes to single entities of it.
+/// Changes of single entities in a scene of the platformer.
 class Merging : public testing::Test {
 protected:
     ObjectId anyObject() {
@@ -19,7 +19,7 @@ protected:
         return all[random.below(static_cast<std::uint32_t>(all.size()))];
     }
 
-    /// Some change of this entity; the same one for the same state of `random`.
+    /// Returns a random change of an entity; the same one for the same state of `random`.
     std::unique_ptr<Command> anyChange(ObjectId id) {
         const EntityId entity = document().find(id);
         std::vector<const TypeInfo*> has, lacks;
@@ -62,7 +62,7 @@ protected:
         return renameEntity(document(), id, "nothing to set");
     }
 
-    /// The scene's text after a change, which is then taken back.
+    /// Returns the scene's text with a change applied; the change is undone afterwards.
     std::string textAfter(std::unique_ptr<Command> change) {
         workspace().undo.push(std::move(change));
         workspace().undo.endGesture();
@@ -94,7 +94,7 @@ TEST_F(Merging, movingAnEntityChangesAtMostTwoLinesOfTheFile) {
     const std::vector<ObjectId> all = document().objects();
     for (const ObjectId id : all) {
         const EntityId entity = document().find(id);
-        // A part of a prefab that is moved gets a place of its own: that is more than a line.
+        // Moving a part of a prefab instance adds an override, which is more than one line.
         if (!document().world.has(type, entity) || document().world.has<PrefabPart>(entity)) continue;
         const Vec2 to = std::as_const(document().world).get<Transform>(entity).position + Vec2{16, 8};
         std::vector<SetField::Change> change;

@@ -1,6 +1,7 @@
-// Random actions on real projects: nothing crashes, undoing everything brings the file back byte for byte,
-// and redoing everything what was made of it. PLUMB_MONKEY says how many actions on each project,
-// PLUMB_MONKEY_SEED where the seeds begin. A failure prints its seed and the fewest actions that lead to it.
+// Random actions on real projects: the editor must not crash, undoing everything must restore the file byte
+// for byte, and redoing everything must restore the edited text. PLUMB_MONKEY is the number of actions for
+// each project, PLUMB_MONKEY_SEED the first seed. A failure prints its seed and the shortest sequence of
+// actions found.
 
 #include "tests/editor/support/monkey.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr int kActionsOfOneLife = 2500;
 constexpr double kShrinkSeconds = 120.0;
 
-/// Where two texts part, for people.
+/// Returns a readable description of the first difference of two texts.
 std::string difference(const std::string& wanted, const std::string& found) {
     const auto size = std::min(wanted.size(), found.size());
     const auto at = static_cast<std::size_t>(
@@ -27,11 +28,11 @@ std::string difference(const std::string& wanted, const std::string& found) {
     return format("\nwanted: ...{}\nfound: ...{}", wanted.substr(from, 300), found.substr(from, 300));
 }
 
-/// The text of the scene before its first change, and how far undo went since then.
+/// Checks undo and redo of the whole history against the text of the scene before its first change.
 class Beginning {
 public:
     explicit Beginning(Workspace& workspace) : workspace_{workspace} { look(); }
-    /// After each action: another scene may have been opened.
+    /// Must be called after each action: if another scene was opened, its text is the new reference.
     void look() {
         const UndoStack& undo = workspace_.undo;
         if (undo.total() == 0 || undo.cleared() != cleared_) {
@@ -40,7 +41,7 @@ public:
             if (known_) text_ = workspace_.text();
         }
     }
-    /// @return what is wrong after undoing and redoing all; empty when nothing is
+    /// @return description of the failure after undoing and redoing everything; empty on success
     std::string undoneAndRedone() {
         if (workspace_.document.scenePath.empty()) return {};
         UndoStack& undo = workspace_.undo;
@@ -65,7 +66,7 @@ private:
     bool known_ = false;
 };
 
-/// A monkey in front of a real project.
+/// A copy of a real project with an editor window and a Monkey that acts in it.
 class Cage {
 public:
     Cage(const std::string& project, std::string_view scene, std::uint64_t seed)
@@ -75,7 +76,7 @@ public:
           beginning_{workspace()} {
         workspace().assets.logging = false;
     }
-    /// @return what it was
+    /// Performs action number `number`. @return its description
     std::string act(std::uint64_t number) {
         const std::uint64_t before = workspace().document.sceneRevision;
         std::string what = monkey_.act(number);
@@ -92,9 +93,10 @@ public:
     }
     void startOver() { static_cast<void>(workspace().open(scene_).ok()), beginning_.look(); }
     [[nodiscard]] bool lostTheScene() { return workspace().document.scenePath.empty(); }
-    /// @return what it did too little of; empty for an honest monkey
+    /// @return failure message if the actions changed or played too little to be a useful test; otherwise
+    /// empty
     [[nodiscard]] std::string idle(std::size_t actions) const {
-        // Most lives do ten times as much; but some take the keys away from play, or sit in a dialog.
+        // Most runs change and play ten times as much, but some unbind keys or stay in a dialog.
         if (changes_ < actions / 25) return format("it hardly changes anything: {} of {}", changes_, actions);
         if (plays_ < actions / 250) return format("it hardly plays: {} of {}", plays_, actions);
         return {};
@@ -117,7 +119,7 @@ std::string live(const std::string& project, std::string_view scene, std::uint64
     setLogSink([](const LogLine&) {});
     Cage cage{project, scene, seed};
     for (const std::uint64_t number : numbers) {
-        tell(std::to_string(number));  // before it is done: it may be the last one
+        tell(std::to_string(number));  // reported first, because the action may crash
         const std::string what = cage.act(number);
         tell("  " + what);
         if (number % 250 != 0) continue;

@@ -5,10 +5,10 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// A dialog about work that might be lost, and what closes it.
+/// A dialog about unsaved or conflicting work, and its buttons.
 struct Dialog {
     const char* name;
-    const char* shown;  ///< a widget of it
+    const char* shown;  ///< path of a widget that is visible while the dialog is open
     std::vector<const char*> buttons;
 };
 
@@ -22,7 +22,7 @@ const std::array kDialogs{
     Dialog{"Unsaved", "Unsaved/Cancel", {"Unsaved/Cancel", "Unsaved/Save", "Unsaved/Discard"}},
 };
 
-/// Ways out of any dialog, besides its buttons.
+/// Ways to close a dialog other than by its buttons.
 constexpr std::array kWaysOut{"Esc", "a click outside", "the window's close button", "nothing"};
 
 class SafetyDialogsTest : public DialogFixture {
@@ -45,11 +45,11 @@ protected:
         }
         hands.rest(3);
         if (way == "nothing") {
-            // Keys that are heard by the dialog, not by the editor.
+            // These keys must reach the dialog, not the editor.
             session.save();
             session.quit();
         }
-        if (session.window.wantsQuit()) return;  // there was nothing to save, or it was given up
+        if (session.window.wantsQuit()) return;  // nothing had to be saved, or the changes were discarded
         answerAll(session);
         expectSavingWorks(session, changedMeanwhile);
     }

@@ -10,14 +10,14 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Work that might be lost.
+/// Tests of journals, backups and conflicts with other programs.
 class Safety : public EditorFixture {
 protected:
     Safety() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {}
 
     void createOne() { ASSERT_TRUE(runAction(workspace, "entity.create")); }
     [[nodiscard]] Path root() const { return workspace.project.root; }
-    /// A journal as a crashed editor leaves it.
+    /// Writes a journal like one that a crashed editor leaves.
     void leaveJournal(std::string_view text) {
         putFile(".plumb/session1/scenes+level.scene.json.journal",
                 "{\"journal\":1,\"scene\":\"scenes/level.scene.json\"}\n" + std::string{text});
@@ -36,7 +36,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(Safety, theJournalHasWhatIsNotSavedAndGoesWithSaving) {
+TEST_F(Safety, theJournalStoresUnsavedWorkAndIsRemovedBySaving) {
     workspace.safety.begin();
     createOne();
     workspace.safety.tend(0.1);
@@ -50,7 +50,7 @@ TEST_F(Safety, theJournalHasWhatIsNotSavedAndGoesWithSaving) {
     EXPECT_TRUE(journals().empty());
 }
 
-TEST_F(Safety, theJournalLeavesTheDrawnBodiesWhereTheyAre) {
+TEST_F(Safety, writingTheJournalDoesNotMoveBodies) {
     workspace.safety.begin();
     previewPhysics(workspace.document.world);
     const auto bodies = [&] {
@@ -66,7 +66,7 @@ TEST_F(Safety, theJournalLeavesTheDrawnBodiesWhereTheyAre) {
     EXPECT_EQ(bodies(), before);
 }
 
-TEST_F(Safety, theJournalIsWrittenAfterASecondOrAFewActions) {
+TEST_F(Safety, theJournalIsWrittenAfterOneSecondOrAFewActions) {
     workspace.safety.begin();
     createOne();
     workspace.safety.tend(0.0);
@@ -84,7 +84,7 @@ TEST_F(Safety, theJournalIsWrittenAfterASecondOrAFewActions) {
     EXPECT_NE(fileText(".plumb/" + journals()[0]), first);
 }
 
-TEST_F(Safety, whatIsUndoneToTheSavedStateNeedsNoJournal) {
+TEST_F(Safety, undoingToTheSavedStateRemovesTheJournal) {
     workspace.safety.begin();
     createOne();
     workspace.safety.tend(2.0);
@@ -109,7 +109,7 @@ TEST_F(Safety, afterACrashItIsOfferedOnceAndOpenedUnsaved) {
     EXPECT_TRUE(journals().empty());
 }
 
-TEST_F(Safety, whatIsDiscardedIsAmongTheBackups) {
+TEST_F(Safety, discardedWorkIsAmongTheBackups) {
     leaveJournal(changedText());
     workspace.safety.begin();
     hands.rest(3);
@@ -138,7 +138,7 @@ TEST_F(Safety, laterAsksAgainTheNextTime) {
     EXPECT_EQ(next.safety.lost().size(), 1u) << "the other editor is open and has its own";
 }
 
-TEST_F(Safety, aJournalThatSaysWhatTheFileSaysOrNothingIsNotOffered) {
+TEST_F(Safety, aJournalEqualToTheFileOrEmptyIsNotOffered) {
     leaveJournal(kSceneText);
     putFile(".plumb/session2/broken.journal", "no journal");
     putFile(".plumb/session3/outside.journal", "{\"journal\":1,\"scene\":\"../../etc/passwd\"}\nx");
@@ -206,7 +206,7 @@ TEST_F(Safety, savingDoesNotWriteOverWhatAnotherProgramWrote) {
     EXPECT_EQ(*readFile(workspace.safety.backups.of(kScene)[0].path), changedText());
 }
 
-TEST_F(Safety, aFileThatWasOnlyTouchedHasNotChanged) {
+TEST_F(Safety, aFileWithOnlyANewTimestampIsUnchanged) {
     workspace.safety.begin();
     putFile(kScene, kSceneText);
     hands.rest(70);
@@ -214,7 +214,7 @@ TEST_F(Safety, aFileThatWasOnlyTouchedHasNotChanged) {
     EXPECT_EQ(workspace.safety.onDisk(), FileWatch::State::Same);
 }
 
-TEST_F(Safety, aFileThatIsGoneIsSavedAgain) {
+TEST_F(Safety, aDeletedFileIsSavedAgain) {
     workspace.safety.begin();
     std::filesystem::remove(root() / kScene);
     hands.rest(70);
@@ -242,7 +242,7 @@ TEST_F(Safety, whatDiffersIsReportedByNameAndFieldBeforeAnythingIsDecided) {
     hands.click("Changed/compare");
     hands.rest(2);
     ASSERT_TRUE(shows("Changed/differences"));
-    EXPECT_EQ(window.widgets().find("Changed/differences")->value, "new entity is not there any more");
+    EXPECT_EQ(window.widgets().find("Changed/differences")->value, "new entity was removed");
 }
 
 TEST_F(Safety, mineIsSavedBesideAndTheirsIsLoaded) {
@@ -260,13 +260,14 @@ TEST_F(Safety, mineIsSavedBesideAndTheirsIsLoaded) {
     EXPECT_FALSE(shows("Changed/theirs"));
 }
 
-TEST_F(Safety, aCrashInTheMiddleOfSavingOffersNothingThatIsOlderThanTheFile) {
+TEST_F(Safety, aCrashDuringSavingOffersNoStateOlderThanTheFile) {
     workspace.safety.begin();
     createOne();
     workspace.safety.tend(2.0), workspace.safety.finish();
     createOne();
     workspace.safety.saving(),
-        workspace.safety.finish();  // and then the file is written, and the program is killed
+        // the file is written afterwards, and the program is killed before it removes the journal
+        workspace.safety.finish();
     ASSERT_EQ(journals().size(), 1u);
     const std::string journal = fileText(".plumb/" + journals()[0]);
     EXPECT_EQ(journal.substr(journal.find('\n') + 1), workspace.text());
@@ -277,13 +278,13 @@ TEST(SceneDifferences, areReportedByNameAndField) {
     EXPECT_EQ(sceneDifferences(text, text).size(), 1u);
     EXPECT_EQ(sceneDifferences(text, "{").size(), 1u);
     EXPECT_EQ(sceneDifferences("{\"a\":1,\"b\":2,\"c\":3}", "{}", 2),
-              (std::vector<std::string>{"scene: a was 1, is not there any more",
-                                        "scene: b was 2, is not there any more", "and 1 more"}));
+              (std::vector<std::string>{"scene: a was 1, was removed", "scene: b was 2, was removed",
+                                        "and 1 more"}));
     EXPECT_EQ(sceneDifferences("{}", "{\"entities\": [{\"id\": \"1\", \"name\": \"hut\"}]}"),
-              std::vector<std::string>{"hut is new"});
+              std::vector<std::string>{"hut was added"});
 }
 
-TEST_F(Safety, aWrongClickOnDiscardCostsNothing) {
+TEST_F(Safety, accidentallyDiscardedWorkCanBeRestored) {
     workspace.safety.begin();
     createOne();
     const std::string mine = workspace.text();

@@ -1,5 +1,5 @@
-// What the editor reads beside the engine, in files in which one value has a wrong type. PLUMB_TYPE_SWAPS
-// says how many files of each kind are read, 0 for all.
+// Reads the editor's own files with one value replaced by a value of another type. PLUMB_TYPE_SWAPS is the
+// number of variants read for each kind of file, 0 for all.
 
 #include <fstream>
 
@@ -52,12 +52,12 @@ protected:
         put(kLantern, kLanternText);
     }
     [[nodiscard]] const Path& root() const { return workspace.project.root; }
-    /// Without waiting for the disk.
+    /// Writes a file without syncing it to disk.
     void put(std::string_view path, std::string_view text) const {
         std::filesystem::create_directories((root() / path).parent_path());
         std::ofstream{root() / path, std::ios::binary} << text;
     }
-    /// What the editor does with an entity of an open scene.
+    /// Runs the editor operations on an entity of an open scene.
     void workWith(ObjectId id) {
         const PrefabEdit edit = workspace.prefabs();
         static_cast<void>(overrideList(edit, id));
@@ -98,7 +98,7 @@ TEST_F(EditorTypeSwap, propertySettings) {
     });
 }
 
-TEST_F(EditorTypeSwap, propertyWhatAProjectKeepsOfTheEditor) {
+TEST_F(EditorTypeSwap, propertyEditorStateOfAProject) {
     const std::vector<std::string> samples{
         R"({"hidden": ["0000000000000001"], "locked": ["0000000000000002", "x"]})",
         R"({"size": [16, 8], "snap": true, "to": "half grid", "snapAngles": false, "angle": 0.5, "color": [1, 2, 3, 4]})",

@@ -9,7 +9,7 @@ namespace plumb::editor::ui {
 
 inline float channel(ImU32 color, int shift) { return static_cast<float>((color >> shift) & 0xff) / 255.0f; }
 
-/// What is seen where a color lies on another one.
+/// Returns the opaque color that results from drawing `top` over the opaque color `below`.
 inline ImU32 over(ImU32 top, ImU32 below) {
     const float alpha = channel(top, IM_COL32_A_SHIFT);
     const auto mix = [&](int shift) {
@@ -19,7 +19,7 @@ inline ImU32 over(ImU32 top, ImU32 below) {
     return IM_COL32(mix(IM_COL32_R_SHIFT), mix(IM_COL32_G_SHIFT), mix(IM_COL32_B_SHIFT), 255);
 }
 
-/// Relative luminance and contrast as WCAG 2.1 defines them.
+/// Returns the relative luminance of WCAG 2.1; contrast() below returns its contrast ratio, 1 to 21.
 inline float luminance(ImU32 color) {
     const auto linear = [&](int shift) {
         const float value = channel(color, shift);

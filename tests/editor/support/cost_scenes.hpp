@@ -11,7 +11,7 @@
 
 namespace plumb::editor {
 
-/// A scene that is written entity by entity; boxes are 32 px wide.
+/// Builds the text of a scene entity by entity; boxes are 32 x 32 px.
 class CostScene {
 public:
     explicit CostScene(const std::string& physics = {}) {
@@ -26,13 +26,13 @@ public:
         ++count_;
         return *this;
     }
-    /// @param body  fields of its RigidBody
+    /// @param body  JSON fields of the RigidBody
     CostScene& box(const std::string& name, Vec2 at, const std::string& body = {}) {
         return add(name, format(R"("Transform": {"position": [{}, {}]}, "RigidBody": {{}}, )"
                                 R"("BoxCollider": {"width": 32, "height": 32})",
                                 at.x, at.y, body));
     }
-    /// Boxes on each other, on the ground.
+    /// Adds a vertical stack of boxes that stands on the ground.
     CostScene& stack(int boxes, float x = 100.0f) {
         for (int i = 0; i < boxes; ++i)
             box(format("box {}", i), {x, 288.0f - 32.0f * static_cast<float>(i)}, R"("friction": 0.6)");
@@ -45,7 +45,7 @@ private:
     std::uint64_t count_ = 0;
 };
 
-/// An editor that measures scenes.
+/// An editor with helpers to play a scene and measure its costs.
 class CostFixture : public EditorFixture {
 protected:
     CostFixture() {
@@ -64,7 +64,7 @@ protected:
         workspace.startPlaying(true);
         for (int tick = 0; tick < ticks; ++tick) workspace.play.step(hands ? hands(tick) : InputFrame{});
     }
-    /// Until all is known.
+    /// Measures the scene until all results are available.
     void measure() {
         whatIf.begin(workspace);
         while (whatIf.busy() && !whatIf.measured()) whatIf.tend(workspace);

@@ -12,10 +12,10 @@
 
 namespace plumb::editor::ui {
 
-/// An editor in front of its questions about work that might be lost, and what must hold after any of them.
+/// Helpers for tests of the dialogs about unsaved or conflicting work; after any of them saving must work.
 class DialogFixture : public EditorFixture {
 protected:
-    /// An editor in which the dialog is on the screen.
+    /// An editor window with a workspace of its own, in which the dialogs are opened.
     struct Session {
         Workspace workspace;
         LogBook log;
@@ -71,7 +71,7 @@ protected:
         }
     }
 
-    /// Answers whatever is still asked, so that keys are heard again.
+    /// Closes all open dialogs, so that keys reach the editor again.
     void answerAll(Session& session) {
         for (int i = 0; i < 5; ++i) {
             if (session.shows("Changed/mine")) session.hands.click("Changed/mine");
@@ -80,7 +80,8 @@ protected:
         }
     }
 
-    /// A save either writes the file, or says why not and asks what to do about it; then it writes.
+    /// Expects that `save` writes the file, or that it reports why not and opens the dialog "Changed", after
+    /// whose answer a second save writes the file.
     void expectSaves(Session& session, const std::function<void()>& save) {
         session.workspace.notice.clear();
         const std::string mine = session.workspace.text();
@@ -115,7 +116,7 @@ protected:
     }
 
 private:
-    int edits_ = 0;  // so that each change from outside is another one
+    int edits_ = 0;  // number of extra newlines, so that each outside change differs from the one before
 };
 
 }  // namespace plumb::editor::ui

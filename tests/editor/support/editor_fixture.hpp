@@ -24,8 +24,8 @@ namespace plumb::editor {
 
 inline constexpr std::string_view kScene = "scenes/level.scene.json";
 
-/// The scene that most tests open: a player with a lamp in its hand, a camera that follows it, a crate, a
-/// sign, and something that no component of ours knows.
+/// The scene that most tests open: a player with a lamp as child, a camera that follows the player, a crate,
+/// a sign, a tile layer, and one component of an unknown type.
 inline constexpr std::string_view kSceneText = R"({
   "format": 1,
   "effects": {},
@@ -116,7 +116,7 @@ inline constexpr std::string_view kSceneText = R"({
 }
 )";
 
-/// An editor with a project of its own in a temporary folder, and no window.
+/// An editor without a window, on a project of its own in a temporary folder.
 class EditorFixture : public testing::Test {
 protected:
     EditorFixture()
@@ -152,7 +152,7 @@ private:
         std::filesystem::create_directories(folder / "scenes");
         return folder;
     }
-    /// Removed last: an editor that closes still writes to its project.
+    /// Declared first, so that the folder is deleted last: closing an editor still writes files into it.
     struct Folder {
         Path path;
         ~Folder() { std::filesystem::remove_all(path); }

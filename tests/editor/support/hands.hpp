@@ -9,14 +9,14 @@
 
 namespace plumb::editor::ui {
 
-/// A person at the editor: moves the mouse, clicks and types, and lets frames go by. Goes through the same
-/// events as a window's.
+/// Simulates mouse and keyboard input: sends events to an editor window and runs frames. Uses the same path
+/// as events of a real window.
 class Hands {
 public:
     explicit Hands(EditorWindow& window) : window_{window} { rest(3); }
 
-    PixelSize size = FrameInput{}.size;  ///< of the window
-    Modifiers held;                      ///< keys that are held while the mouse clicks and drags
+    PixelSize size = FrameInput{}.size;  ///< size of the window
+    Modifiers held;                      ///< modifier keys held during mouse clicks and drags
 
     void rest(int frames = 1) {
         for (int i = 0; i < frames; ++i) {
@@ -27,7 +27,7 @@ public:
     void press(MouseButton button = MouseButton::Left) { sendMouse(EventKind::MouseDown, button); }
     void release(MouseButton button = MouseButton::Left) { sendMouse(EventKind::MouseUp, button); }
 
-    /// The middle of a widget. Fails the test when there is none of that name.
+    /// Returns the center of a widget. Fails the test if no widget has this path.
     [[nodiscard]] Vec2 middleOf(std::string_view widget) const {
         const WidgetMap::Widget* found = window_.widgets().find(widget);
         EXPECT_NE(found, nullptr) << widget << " is not on the screen";
@@ -56,7 +56,7 @@ public:
             send({{.kind = EventKind::TextInput, .text = std::string(1, letter)}});
         }
     }
-    /// Ctrl+click makes a number a text; what was in it is replaced.
+    /// Replaces the value of a number field: Ctrl+click turns the field into a text input.
     void enterNumber(std::string_view widget, std::string_view text) {
         moveTo(middleOf(widget)), rest();
         send({{.kind = EventKind::KeyDown, .key = Key::LeftControl, .modifiers = {.control = true}}});

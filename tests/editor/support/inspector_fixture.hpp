@@ -7,7 +7,7 @@
 
 namespace plumb::editor::ui {
 
-/// Work in the inspector.
+/// An editor window with helpers for tests of the inspector.
 class Inspector : public EditorFixture {
 protected:
     Inspector() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -48,13 +48,13 @@ protected:
         hands.rest();
     }
     void doubleClick(std::string_view path) {
-        hands.rest(30);  // else it is a third click
+        hands.rest(30);  // so that the first click is not counted as a third click
         hands.moveTo(hands.middleOf(path));
         hands.press(), hands.release(), hands.press(), hands.release();
         hands.rest(3);
     }
     void dragBy(std::string_view path, float pixels) {
-        hands.rest(30);  // else it is a double click with the one before
+        hands.rest(30);  // so that the press is not counted as a double click with an earlier one
         const Vec2 at = hands.middleOf(path);
         hands.drag(at, at + Vec2{pixels, 0.0f});
     }

@@ -13,17 +13,17 @@
 
 namespace plumb::editor::ui {
 
-/// A user that does anything that can be done in the editor, in no order: every action of the table, every
-/// widget on the screen, every tool over the scene, keys, text, the clipboard, playing and rewinding. The
-/// same seed does the same. What is new in the editor is found by itself, in the table and among the widgets.
+/// Performs random actions in the editor: any action of the action table, any visible widget, any tool in the
+/// viewport, keys, text, clipboard, playing and rewinding. Deterministic for a seed. New actions and widgets
+/// are included automatically, because both are enumerated at run time.
 class Monkey {
 public:
     Monkey(Workspace& workspace, EditorWindow& window, std::uint64_t seed)
         : workspace_{workspace}, window_{window}, seed_{seed}, random_{Random::seeded(seed)} {}
 
-    /// The same number does the same to the same editor, whatever was done before: so a run can be repeated
-    /// with numbers left out.
-    /// @return what it was, for the report of a failure
+    /// Performs action number `number`. The result depends only on the number, the seed and the state of the
+    /// editor, so that a run can be repeated with some numbers omitted.
+    /// @return description of the action, for the report of a failure
     std::string act(std::uint64_t number) {
         leaveWelcome();
         random_ = Random::seeded(mixBits(seed_) + number);
@@ -38,7 +38,7 @@ public:
         return anyTime();
     }
 
-    /// Lets go of everything, closes every menu and question, stops the game.
+    /// Releases all buttons and keys, closes all menus and dialogs and stops the game.
     void calm() {
         frame({{.kind = EventKind::MouseUp, .mouseButton = MouseButton::Left, .position = at_},
                {.kind = EventKind::MouseUp, .mouseButton = MouseButton::Right, .position = at_},
@@ -47,7 +47,7 @@ public:
             frame({{.kind = EventKind::KeyUp, .key = key}});
         for (int i = 0; i < 4; ++i) press(Key::Escape);
         workspace_.stopPlaying();
-        workspace_.toKeep.clear();
+        workspace_.offeredChanges.clear();
         workspace_.tool().cancel(workspace_.tools());
         workspace_.undo.endGesture();
         frame({}), frame({});
@@ -65,12 +65,12 @@ private:
         frame({{.kind = EventKind::KeyUp, .key = key}});
     }
 
-    /// What ends the program, looks at files outside the project, or would take a test's time without trying
-    /// anything new.
-    static bool left(std::string_view id) {
+    /// True for actions that are never performed: they end the program, open files outside the project or
+    /// take time without testing anything new.
+    static bool excluded(std::string_view id) {
         return id.empty() || id == "file.quit" || id == "file.import" || id == "file.welcome";
     }
-    /// Keys may have opened it; it would make projects.
+    /// Closes the welcome screen, which keys may have opened: its buttons would create projects.
     void leaveWelcome() {
         for (int i = 0; i < 4 && window_.widgets().find("Welcome/Create") != nullptr; ++i) press(Key::Escape);
     }
@@ -78,10 +78,10 @@ private:
     std::string anyAction() {
         const std::span<const Action> table = actionTable();
         const Action& action = table[below(table.size())];
-        if (left(action.id)) return "nothing";
-        // Few games, or nothing else is ever tried.
+        if (excluded(action.id)) return "nothing";
+        // Run actions are performed less often: otherwise nearly all time would be spent in games.
         if (startsWith(action.id, "run.") && below(4) != 0) return "nothing";
-        // Nor is anything left when all is taken out again and again.
+        // Select all and undo are performed less often: otherwise the scene would be empty most of the time.
         if ((action.id == "edit.selectAll" || action.id == "edit.undo") && below(3) != 0) return "nothing";
         runAction(workspace_, action.id);
         if (below(2) == 0) workspace_.undo.endGesture();
@@ -91,14 +91,14 @@ private:
     std::string anySelection() {
         const std::vector<ObjectId>& all = workspace_.document.objects();
         if (all.empty()) return "nothing to select";
-        std::vector<ObjectId> chosen;
-        for (std::uint32_t i = below(4) + 1; i > 0; --i) chosen.push_back(all[below(all.size())]);
+        std::vector<ObjectId> selected;
+        for (std::uint32_t i = below(4) + 1; i > 0; --i) selected.push_back(all[below(all.size())]);
         workspace_.document.selection.clear();
-        for (const ObjectId id : chosen) workspace_.document.selection.add(id);
+        for (const ObjectId id : selected) workspace_.document.selection.add(id);
         return "select";
     }
 
-    /// With the tool in the hand, somewhere over the scene.
+    /// Drags the current tool over a random position in the scene.
     std::string anyStroke() {
         if (!workspace_.canEdit() || workspace_.document.scenePath.empty()) return "nothing";
         Pointer pointer;
@@ -127,7 +127,7 @@ private:
         const std::vector<ObjectId>& all = workspace_.document.objects();
         if (!all.empty() && below(2) == 0) {
             const EntityId entity = workspace_.document.find(all[below(all.size())]);
-            if (isSomewhere(workspace_.document.world, entity))
+            if (hasTransform(workspace_.document.world, entity))
                 return boundsOf(workspace_.document.world, entity).center();
         }
         return {random_.between(-100.0f, 900.0f), random_.between(-100.0f, 400.0f)};
@@ -187,7 +187,7 @@ private:
         return "clipboard";
     }
 
-    /// Undo, redo; plays, rewinds, changes something in the game.
+    /// Undoes, redoes or moves in the history; in a game: plays, rewinds or changes a value.
     std::string anyTime() {
         PlayMode& play = workspace_.play;
         if (!play.running()) {
@@ -218,7 +218,7 @@ private:
 
     std::string stop() {
         workspace_.stopPlaying();
-        for (KeepRow& row : workspace_.toKeep) row.keep = below(2) == 0;
+        for (KeepRow& row : workspace_.offeredChanges) row.keep = below(2) == 0;
         workspace_.keepTicked();
         return "stop";
     }

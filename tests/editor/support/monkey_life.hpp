@@ -13,17 +13,17 @@
 
 namespace plumb::test {
 
-/// Runs numbered actions in a process of its own, so that after a crash a process is left to say what led to
-/// it, and to find out which of the actions it takes.
+/// Runs numbered actions in a child process. After a crash of the child, the parent can report the actions
+/// that led to it and search for the shortest sequence that still crashes.
 class Lives {
 public:
     using Tell = std::function<void(const std::string& line)>;
-    /// Does the actions of these numbers. @return what went wrong; empty when nothing did
+    /// Performs the actions with these numbers. @return the failure; empty on success
     using Life = std::function<std::string(const std::vector<std::uint64_t>& numbers, const Tell& tell)>;
 
     explicit Lives(Life life) : life_{std::move(life)} {}
 
-    /// @return what went wrong; empty when nothing did
+    /// Runs the actions in a child process. @return the failure or how the process ended; empty on success
     std::string live(const std::vector<std::uint64_t>& numbers) {
         std::filesystem::remove(folder_.path / "wrong");
         std::fflush(nullptr);
@@ -45,14 +45,15 @@ public:
         return WIFSIGNALED(status) ? format("killed by signal {}", WTERMSIG(status))
                                    : format("ended with {}", WEXITSTATUS(status));
     }
-    /// What was reported in the last life, a line for each action.
+    /// Returns the lines that the last child process reported, in order.
     [[nodiscard]] std::vector<std::string> report() const {
         std::vector<std::string> lines;
         std::ifstream file{folder_.path / "report"};
         for (std::string line; std::getline(file, line);) lines.push_back(line);
         return lines;
     }
-    /// Leaves out what is not needed to go wrong: halves first, then smaller and smaller pieces.
+    /// Returns the shortest sequence found that still fails: removes halves first, then smaller and smaller
+    /// pieces, for at most `seconds`.
     std::vector<std::uint64_t> shortest(std::vector<std::uint64_t> numbers, double seconds) {
         const double end = wallSeconds() + seconds;
         for (std::size_t piece = (numbers.size() + 1) / 2; piece > 0; piece /= 2) {

@@ -12,7 +12,7 @@
 
 namespace plumb::editor {
 
-/// A level of the platformer as the editor plays it.
+/// Starts a level of the platformer as the editor plays it.
 inline std::unique_ptr<PlaySession> platformerSession(const std::string& scene = "scenes/level2.scene.json") {
     const Project project = platformer();
     const Result<std::string> text = readFile(project.root / scene);
@@ -26,7 +26,7 @@ inline Project playgroundProject() {
     return *project;
 }
 
-/// The playground with 500 bodies.
+/// Starts the project "physics-playground" with a scene of 500 boxes.
 inline std::unique_ptr<PlaySession> playgroundSession() {
     return makeGameSession(playgroundProject(), "scenes/pyramid.scene.json", heapScene(500));
 }

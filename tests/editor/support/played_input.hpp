@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// What a player's hands do there: runs to and fro, jumps, waits, aims with the mouse.
+/// Returns scripted player input for a tick: runs left and right, jumps, pauses jumping and moves the mouse.
 inline InputFrame runAndJump(std::int64_t tick) {
     InputFrame frame;
     frame.set(Key::Right, tick / 90 % 3 != 1);
@@ -18,7 +18,7 @@ inline InputFrame runAndJump(std::int64_t tick) {
     return frame;
 }
 
-/// Heaps of boxes on the ground.
+/// Returns the text of a scene with a ground and heaps of boxes on it.
 inline std::string heapScene(int boxes) {
     std::string text = R"({"format": 1, "entities": [
   {"id": "0000000000000001", "name": "ground", "components": {"Transform": {"position": [-400, 700]},

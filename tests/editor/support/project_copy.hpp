@@ -11,8 +11,8 @@
 
 namespace plumb::editor {
 
-/// One of our projects, copied, so that a test may do anything to its files, and open in an editor without a
-/// window.
+/// A copy of one of the repository's projects in a temporary folder, opened in an editor without a window.
+/// Tests may change its files.
 class ProjectCopy {
 public:
     explicit ProjectCopy(const std::string& name = "platformer", std::string_view scene = "level1") {
@@ -20,7 +20,7 @@ public:
                               std::filesystem::copy_options::recursive);
         reopen(scene);
     }
-    /// As after the program was started again.
+    /// Opens the project in a new session, like after a restart of the program.
     void reopen(std::string_view scene = "level1") {
         session_.reset();
         Result<std::unique_ptr<ProjectSession>> session = ProjectSession::open(folder_.path.string());
@@ -37,7 +37,7 @@ private:
     std::unique_ptr<ProjectSession> session_;
 };
 
-/// A number from the environment, for the long run of a test.
+/// Returns the number in an environment variable, or `otherwise` if it is not set. Used to lengthen tests.
 inline int fromEnvironment(const char* name, int otherwise) {
     const char* text = std::getenv(name);
     return text == nullptr ? otherwise : std::atoi(text);

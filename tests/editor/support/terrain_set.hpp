@@ -4,7 +4,8 @@
 
 namespace plumb::editor {
 
-/// A set of terrains 1, 2, ... whose tiles follow each other by rising masks.
+/// A tileset with `terrains` terrains, numbered from 1; their tiles are numbered in the order of rising
+/// masks.
 inline Tileset terrainSet(TerrainMode mode, int terrains) {
     Tileset set;
     set.tileWidth = set.tileHeight = 16;

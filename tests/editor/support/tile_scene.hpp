@@ -6,7 +6,7 @@
 
 namespace plumb::editor {
 
-/// The editor with one empty layer of 8 x 4 tiles of 16 px, at the origin, in the hand.
+/// An editor whose active tile layer has 8 x 4 empty cells of 16 px, with its corner at the origin.
 class TileScene : public EditorFixture {
 protected:
     TileScene() {
@@ -23,7 +23,7 @@ protected:
     static Vec2 middleOf(int x, int y) {
         return {static_cast<float>(x) * 16.0f + 8.0f, static_cast<float>(y) * 16.0f + 8.0f};
     }
-    /// A drag with the tool in the hand.
+    /// Drags the current tool from the center of one cell to the center of another.
     void stroke(CellPlace from, CellPlace to, Pointer how = {}) {
         how.position = middleOf(from.x, from.y);
         workspace.tool().press(workspace.tools(), how);

@@ -14,22 +14,22 @@
 
 namespace plumb::test {
 
-/// What a program says of itself while it lives.
+/// A record that the child process writes about its state.
 struct Report {
-    double time = 0.0;       ///< s, of a clock that all processes share
-    std::uint64_t deed = 0;  ///< how many it has done
+    double time = 0.0;       ///< s, clock shared by all processes
+    std::uint64_t deed = 0;  ///< number of actions performed
     std::uint64_t scene = 0;
-    std::uint64_t text = 0;  ///< hash
+    std::uint64_t text = 0;  ///< hash of the scene's text
     std::uint64_t unsaved = 0;
 };
 
-/// A copy of this process that can be killed at any moment. What it reported until then can be read.
+/// A forked child process that can be killed at any moment. Its records up to then can be read from a file.
 /// @pre this process has no other threads
 class Victim {
 public:
     using Tell = std::function<void(Report)>;
 
-    /// @param life  what it does; it need not come to an end
+    /// @param life  work of the child process; it may run forever
     Victim(Path reports, const std::function<void(const Tell&)>& life) : reports_{std::move(reports)} {
         std::filesystem::remove(reports_);
         child_ = ::fork();
@@ -45,8 +45,8 @@ public:
     Victim(const Victim&) = delete;
     Victim& operator=(const Victim&) = delete;
 
-    /// Lets it live until it has written so much, and then for some time more.
-    /// @return false when it ended by itself
+    /// Waits until the child has written `reports` records and then for `seconds` more.
+    /// @return false if the child ended by itself
     bool live(std::size_t reports, double seconds) {
         while (count() < reports) {
             if (::waitpid(child_, nullptr, WNOHANG) == child_) return child_ = 0, false;

@@ -5,7 +5,7 @@
 namespace plumb::editor {
 namespace {
 
-TEST(SheetParts, aSmallPictureShowsAllOfAPictureButTheBeginningOfALongStrip) {
+TEST(SheetParts, aThumbnailShowsAWholeImageButOnlyTheBeginningOfALongStrip) {
     EXPECT_EQ(legiblePart({64.0f, 64.0f}), (Rect{0.0f, 0.0f, 64.0f, 64.0f}));
     EXPECT_EQ(legiblePart({128.0f, 32.0f}), (Rect{0.0f, 0.0f, 128.0f, 32.0f}));
     EXPECT_EQ(legiblePart({4000.0f, 32.0f}), (Rect{0.0f, 0.0f, 64.0f, 32.0f})) << "its first frames";

@@ -11,7 +11,7 @@
 namespace plumb::editor {
 namespace {
 
-/// How many orders of strokes are tried for each mode: 200, or what PLUMB_STROKES says.
+/// Number of stroke orders tried for each mode: the environment variable PLUMB_STROKES if set, otherwise 200.
 unsigned strokeOrders() {
     const char* asked = std::getenv("PLUMB_STROKES");
     return asked == nullptr ? 200u : static_cast<unsigned>(std::strtoul(asked, nullptr, 10));
@@ -19,7 +19,7 @@ unsigned strokeOrders() {
 
 constexpr int kSide = 12;
 
-/// A layer and its terrain, painted without undo.
+/// A tile layer and its terrain, painted without undo steps.
 struct Ground {
     TileGrid cells{kSide, kSide};
     TileGrid terrain{kSide, kSide};
@@ -54,7 +54,7 @@ TEST_P(TerrainOrders, theSameTerrainGivesTheSameTilesWhateverTheOrderOfStrokes) 
 
     for (unsigned order = 0; order < strokeOrders(); ++order) {
         Ground ground;
-        // What was there before must leave no trace either.
+        // Random earlier strokes, which must have no effect on the final tiles.
         for (std::uint32_t i = random.below(6); i > 0; --i) {
             const auto from = static_cast<int>(random.below(kSide));
             std::vector<PaintTiles::Cell> stroke;

@@ -10,7 +10,7 @@
 namespace plumb::editor {
 namespace {
 
-/// The scene's layer with a set of its own, that has a terrain.
+/// The scene's tile layer with a tileset that has one terrain.
 class TerrainPainting : public TileScene {
 protected:
     TerrainPainting() {
@@ -18,14 +18,14 @@ protected:
         runAction(workspace, "tool.terrain");
     }
     [[nodiscard]] const TileGrid& grid() const { return *gridOf(workspace.document, layer()); }
-    /// The tile with the mask is the one before it, counted among the masks.
+    /// Returns the cell of the tile with a mask: tiles are numbered in the order of the masks.
     [[nodiscard]] static TileCell cellOfMask(int mask) {
         const std::vector<std::uint8_t> masks = masksOf(TerrainMode::Blob);
         return cellOf(static_cast<int>(std::find(masks.begin(), masks.end(), mask) - masks.begin()));
     }
 };
 
-TEST_F(TerrainPainting, aStrokeIsOneStepWithItsBordersAndUndoBringsTheFileBack) {
+TEST_F(TerrainPainting, aStrokeWithItsBordersIsOneStepAndUndoRestoresTheFile) {
     const std::string before = workspace.text();
     stroke({2, 2}, {4, 2});
     EXPECT_EQ(grid().at(2, 2), cellOfMask(Neighbour::kRight));
@@ -42,7 +42,7 @@ TEST_F(TerrainPainting, aStrokeIsOneStepWithItsBordersAndUndoBringsTheFileBack) 
     EXPECT_EQ(workspace.text(), before);
 }
 
-TEST_F(TerrainPainting, theEraserTakesTerrainAwayAndGivesItsNeighboursTheirBorder) {
+TEST_F(TerrainPainting, theEraserRemovesTerrainAndUpdatesTheBordersOfItsNeighbours) {
     stroke({2, 2}, {4, 2});
     runAction(workspace, "tool.erase");
     stroke({3, 2}, {3, 2});
@@ -65,7 +65,7 @@ TEST_F(TerrainPainting, aTilePaintedOverTerrainStaysUntilTheTerrainThereChanges)
     EXPECT_EQ(grid().at(3, 1), cellOfMask(Neighbour::kLeft | Neighbour::kRight | Neighbour::kDown));
 }
 
-TEST_F(TerrainPainting, allTilesCanBeChosenAnew) {
+TEST_F(TerrainPainting, allTilesOfATerrainCanBeUpdated) {
     stroke({1, 1}, {3, 1});
     runAction(workspace, "tool.brush");
     workspace.tiles.stamp.cells = {cellOf(77)};
@@ -74,19 +74,19 @@ TEST_F(TerrainPainting, allTilesCanBeChosenAnew) {
     EXPECT_EQ(grid().at(2, 1), cellOfMask(Neighbour::kLeft | Neighbour::kRight));
 }
 
-TEST_F(TerrainPainting, everyShapePaintsTerrainOnceItIsInHand) {
+TEST_F(TerrainPainting, everyShapeToolPaintsTheActiveTerrain) {
     runAction(workspace, "tool.rectangle");
-    EXPECT_TRUE(workspace.tiles.terrainInHand) << "the rectangle keeps what was in the hand";
+    EXPECT_TRUE(workspace.tiles.activeTerrain) << "the rectangle keeps what was in the hand";
     stroke({1, 1}, {3, 3});
     EXPECT_EQ(grid().at(2, 2), cellOfMask(Neighbour::kAll));
     runAction(workspace, "tool.fill");
     stroke({6, 3}, {6, 3});
     EXPECT_EQ(grid().at(7, 0), cellOfMask(Neighbour::kAll));
     runAction(workspace, "tool.brush");
-    EXPECT_FALSE(workspace.tiles.terrainInHand);
+    EXPECT_FALSE(workspace.tiles.activeTerrain);
 }
 
-TEST_F(TerrainPainting, theGhostShowsTheBordersThatWouldCome) {
+TEST_F(TerrainPainting, thePreviewShowsTheResultingBorders) {
     stroke({2, 2}, {2, 2});
     Overlay overlay;
     workspace.tool().draw(workspace.tools(), {.position = middleOf(3, 2)}, overlay);
@@ -97,14 +97,14 @@ TEST_F(TerrainPainting, theGhostShowsTheBordersThatWouldCome) {
     EXPECT_EQ(shown, (std::vector<TileCell>{cellOfMask(Neighbour::kRight), cellOfMask(Neighbour::kLeft)}));
 }
 
-TEST_F(TerrainPainting, pickingACellOfTerrainTakesThatTerrain) {
+TEST_F(TerrainPainting, pickingACellOfTerrainActivatesThatTerrain) {
     useTileset(terrainSet(TerrainMode::Blob, 2));
     workspace.tiles.terrain = 2;
     stroke({2, 2}, {2, 2});
     workspace.tiles.terrain = 1;
     stroke({2, 2}, {2, 2}, {.secondary = true});
     EXPECT_EQ(workspace.tiles.terrain, 2);
-    EXPECT_TRUE(workspace.tiles.terrainInHand);
+    EXPECT_TRUE(workspace.tiles.activeTerrain);
 }
 
 TEST_F(TerrainPainting, withoutATerrainTheToolSaysWhereToMakeOne) {

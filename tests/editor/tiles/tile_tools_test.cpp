@@ -62,7 +62,7 @@ TEST_F(TileTools, anEllipseIsRoundAndShiftMakesACircle) {
     EXPECT_EQ(row(1), "11110000");
 }
 
-TEST_F(TileTools, controlAndShiftMakeABoxOfTheBrush) {
+TEST_F(TileTools, controlAndShiftPaintARectangleWithTheBrush) {
     workspace.tiles.stamp.cells = {2};
     stroke({1, 1}, {3, 2}, {.modifiers = {.shift = true, .control = true}});
     EXPECT_EQ(row(0), "00000000");
@@ -79,7 +79,7 @@ TEST_F(TileTools, fillingWithShiftReachesAllEqualCells) {
     EXPECT_EQ(row(1), "60060006");
 }
 
-TEST_F(TileTools, whatTheBucketWouldFillIsShown) {
+TEST_F(TileTools, theFillOfTheBucketIsPreviewed) {
     for (const int x : {0, 3, 7}) put({x, 1}, 5);
     for (int x = 0; x < 8; ++x) put({x, 2}, 4);
     workspace.tiles.stamp.cells = {6};
@@ -116,7 +116,7 @@ TEST_F(TileTools, whatTheBucketWouldFillIsShown) {
     EXPECT_EQ(shown({}), (std::set<std::pair<int, int>>{{1, 0}, {2, 2}}));
 }
 
-TEST_F(TileTools, ofAHugeAreaOnlyTheFillNearTheMouseIsLookedFor) {
+TEST_F(TileTools, inAHugeAreaOnlyTheFillNearTheMouseIsPreviewed) {
     useTileset(terrainSet(TerrainMode::Corners, 1));
     World& world = workspace.document.world;
     world.get<TileLayer>(workspace.document.find(layer())).cells = world.tiles().add(TileGrid{16384, 16384});
@@ -138,7 +138,7 @@ TEST_F(TileTools, ofAHugeAreaOnlyTheFillNearTheMouseIsLookedFor) {
     }
 }
 
-TEST_F(TileTools, theRightButtonErasesWhereOnePrefersThat) {
+TEST_F(TileTools, theRightButtonErasesIfThePreferenceIsSet) {
     put({2, 2}, 5);
     put({3, 2}, 5);
     stroke({2, 2}, {3, 2}, {.secondary = true});
@@ -149,7 +149,7 @@ TEST_F(TileTools, theRightButtonErasesWhereOnePrefersThat) {
     EXPECT_EQ(row(2), "00000000");
 }
 
-TEST_F(TileTools, selectedCellsMoveWithTheirTilesAndComeBack) {
+TEST_F(TileTools, selectedCellsMoveWithTheirTilesAndUndoRestoresThem) {
     put({1, 1}, 4);
     put({2, 1}, 5);
     EXPECT_TRUE(press(Key::M));
@@ -168,7 +168,7 @@ TEST_F(TileTools, selectedCellsMoveWithTheirTilesAndComeBack) {
     EXPECT_EQ(row(1), "04500000");
 }
 
-TEST_F(TileTools, aMoveOverItselfLosesNothing) {
+TEST_F(TileTools, anOverlappingMoveLosesNoTiles) {
     for (int x = 0; x < 4; ++x) put({x, 0}, static_cast<TileCell>(x + 1));
     press(Key::M);
     stroke({0, 0}, {3, 0});
@@ -227,7 +227,7 @@ TEST_F(TileTools, sameTilesAreSelectedByOneClick) {
     EXPECT_EQ(row(1), "90096009") << "the bucket fills what is selected";
 }
 
-TEST_F(TileTools, nineStampsAreKeptAndComeBack) {
+TEST_F(TileTools, nineStampsAreStoredAndRestored) {
     workspace.tiles.stamp = {2, 1, {7, 8}};
     EXPECT_TRUE(press(Key::Digit3, {.control = true}));
     workspace.tiles.stamp = {};
@@ -252,7 +252,7 @@ TEST_F(TileTools, stampsFlipAndTurnByTheirKeys) {
     EXPECT_EQ(workspace.tiles.stamp, before);
 }
 
-TEST_F(TileTools, randomTilesComeByTheirWeightsAndNeverEmpty) {
+TEST_F(TileTools, randomTilesFollowTheirWeightsAndAreNeverEmpty) {
     Tileset set = terrainSet(TerrainMode::Blob, 1);
     Tile never;
     never.id = 2;
@@ -315,7 +315,7 @@ TEST_F(TileTools, layersAreAddedChosenRaisedHiddenAndShownAlone) {
     EXPECT_EQ(workspace.text(), empty_);
 }
 
-TEST_F(TileTools, theLayerSaysWhyNoTileIsSeenOnIt) {
+TEST_F(TileTools, aLayerExplainsWhyNoTileIsVisible) {
     const auto words = [&] {
         Overlay overlay;
         workspace.tool().draw(workspace.tools(), {.position = middleOf(1, 1)}, overlay);
@@ -323,7 +323,7 @@ TEST_F(TileTools, theLayerSaysWhyNoTileIsSeenOnIt) {
         for (const Overlay::Shape& shape : overlay.shapes()) all += shape.text;
         return all;
     };
-    EXPECT_EQ(words(), "this layer has no tileset; the inspector chooses one");
+    EXPECT_EQ(words(), "this layer has no tileset; select one in the Inspector");
     useTileset(terrainSet(TerrainMode::Corners, 1));
     EXPECT_EQ(words(), "");
     workspace.document.view.setLocked(layer(), true);

@@ -12,7 +12,8 @@ namespace {
 
 using Mode = TileTool::Mode;
 
-/// The ground of the scene is 4 x 3 cells of 16 px: "0 0 0 0", "0 1 1 0", "2 2 2 2".
+/// The tile layer "ground" of the scene: 4 x 3 cells of 16 px with the rows "0 0 0 0", "0 1 1 0" and "2 2 2
+/// 2".
 class Tiles : public EditorFixture {
 protected:
     [[nodiscard]] TileLayer& layer() {
@@ -40,7 +41,7 @@ protected:
     }
 };
 
-TEST_F(Tiles, aRectangleIsFilledInOneStepWhenItIsLetGo) {
+TEST_F(Tiles, aRectangleIsFilledInOneStepOnRelease) {
     workspace.tiles.stamp.cells = {5};
     drag(Mode::Rectangle, {2, 2}, {0, 1});
     EXPECT_EQ(row(0), "0000");
@@ -51,7 +52,7 @@ TEST_F(Tiles, aRectangleIsFilledInOneStepWhenItIsLetGo) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Tiles, aPatternKeepsItsRhythmAlongAStroke) {
+TEST_F(Tiles, aPatternRepeatsSeamlesslyAlongAStroke) {
     workspace.tiles.stamp = {2, 1, {3, 4}};
     drag(Mode::Brush, {0, 0}, {2, 0});
     EXPECT_EQ(row(0), "3434");
@@ -96,7 +97,7 @@ TEST_F(Tiles, aPickedBoxIsPaintedElsewhere) {
     EXPECT_EQ(workspace.undo.size(), 0u);
 }
 
-TEST_F(Tiles, theBrushShowsWhatItWouldPaint) {
+TEST_F(Tiles, theBrushPreviewsItsTiles) {
     workspace.tiles.stamp = {2, 1, {3, 4}};
     const TileTool tool{Mode::Brush};
     Overlay overlay;
@@ -110,7 +111,7 @@ TEST_F(Tiles, theBrushShowsWhatItWouldPaint) {
     EXPECT_EQ(shown, (std::vector<TileCell>{3, 4}));
 }
 
-TEST_F(Tiles, anUnfinishedRectangleIsForgottenByEscape) {
+TEST_F(Tiles, escapeCancelsAnUnfinishedRectangle) {
     TileTool tool{Mode::Rectangle};
     tool.press(workspace.tools(), {.position = middleOf(0, 0)});
     tool.drag(workspace.tools(), {.position = middleOf(2, 2)});
@@ -119,7 +120,7 @@ TEST_F(Tiles, anUnfinishedRectangleIsForgottenByEscape) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Tiles, theTilesetSaysHowLargeATileIsWhenTheLayerDoesNot) {
+TEST_F(Tiles, theTileSizeIsThatOfTheTilesetIfTheLayerHasNone) {
     Tileset tileset;
     tileset.tileWidth = 24;
     tileset.tileHeight = 8;
@@ -136,13 +137,13 @@ TEST_F(Tiles, theTilesetSaysHowLargeATileIsWhenTheLayerDoesNot) {
     EXPECT_EQ(boundsOf(workspace.document.world, workspace.document.find(ground)).max, (Vec2{96.0f, 24.0f}));
 }
 
-TEST_F(Tiles, aScaledLayerIsPaintedWhereItIsSeen) {
+TEST_F(Tiles, aScaledLayerIsPaintedAtTheMousePosition) {
     workspace.document.world.get<Transform>(workspace.document.find(named("ground"))) =
         Transform{{100.0f, 50.0f}, 0.0f, {2.0f, 2.0f}};
     EXPECT_EQ(cellAt(workspace.document, named("ground"), {165.0f, 83.0f}), (CellPlace{2, 1}));
 }
 
-TEST_F(Tiles, theLayerInHandIsTheSelectedTheLastOrTheFirstSolidOne) {
+TEST_F(Tiles, theActiveLayerIsTheSelectedTheLastOrTheFirstSolidOne) {
     const Document& document = workspace.document;
     const ObjectId ground = named("ground");
     runAction(workspace, "edit.selectAll");
@@ -165,7 +166,7 @@ TEST_F(Tiles, theLayerInHandIsTheSelectedTheLastOrTheFirstSolidOne) {
     EXPECT_EQ(activeTileLayer(document, workspace.tiles), ground);
 }
 
-TEST(TileStamps, turningFourTimesAndFlippingTwiceChangesNothing) {
+TEST(TileStamps, fourRotationsOrTwoFlipsAreTheIdentity) {
     for (unsigned seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -183,13 +184,13 @@ TEST(TileStamps, turningFourTimesAndFlippingTwiceChangesNothing) {
     }
 }
 
-TEST(TileStamps, aQuarterTurnIsWhatADrawnTileShows) {
-    // Diagonal, then left to right: what was on the left is on top.
+TEST(TileStamps, aQuarterTurnMatchesTheDrawnTile) {
+    // A diagonal flip followed by a horizontal one is a quarter turn: the left side becomes the top.
     EXPECT_EQ(turned({1, 1, {cellOf(3)}}).cells.front(), cellOf(3, kTileFlipDiagonal | kTileFlipX));
     EXPECT_EQ(turned({2, 1, {cellOf(1), cellOf(2)}}).height, 2);
 }
 
-TEST(TilePalettes, lieAsInThePictureOrInRowsOfEight) {
+TEST(TilePalettes, areLaidOutLikeTheImageOrInRowsOfEight) {
     Tileset sheet;
     sheet.image = "tiles.png";
     sheet.columns = 4;

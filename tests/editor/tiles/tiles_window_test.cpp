@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kPath = "assets/ground.tileset.json";
 
-/// A real window without a screen, on a layer whose tileset is a file.
+/// The editor window without a screen, on a tile layer whose tileset is a file.
 class TilesWindow : public TileScene {
 protected:
     TilesWindow() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -29,7 +29,7 @@ protected:
         EXPECT_NE(found, nullptr) << widget << " is not on the screen";
         return found == nullptr ? std::string{} : found->value;
     }
-    /// A click on a tile of the palette: its cells are 10 in a row.
+    /// Returns the position of a tile in a palette, which shows ten tiles per row, in window coordinates.
     [[nodiscard]] Vec2 tileAt(std::string_view palette, int tile) const {
         const AABB& box = window.widgets().find(palette)->box;
         const float cell = box.size().x / 10.0f;
@@ -44,17 +44,17 @@ protected:
     std::string original_;
 };
 
-TEST_F(TilesWindow, aTerrainIsTakenFromItsButtonAndPainted) {
+TEST_F(TilesWindow, aTerrainIsSelectedByItsButtonAndPainted) {
     hands.click("Tiles/terrain/terrain");
-    EXPECT_TRUE(workspace.tiles.terrainInHand);
+    EXPECT_TRUE(workspace.tiles.activeTerrain);
     EXPECT_EQ(valueOf("Tiles/terrain/terrain"), "in hand");
     stroke({1, 1}, {3, 1});
     EXPECT_NE(gridOf(workspace.document, layer())->at(2, 1), 0u);
     hands.clickAt(tileAt("Tiles/palette", 3));
-    EXPECT_FALSE(workspace.tiles.terrainInHand) << "a tile of the palette goes before the terrain";
+    EXPECT_FALSE(workspace.tiles.activeTerrain) << "a tile of the palette goes before the terrain";
 }
 
-TEST_F(TilesWindow, whatStandsAboveThePaletteIsInSightInANarrowPane) {
+TEST_F(TilesWindow, controlsAboveThePaletteAreVisibleInANarrowPane) {
     const float right = window.widgets().find("Viewport")->box.max.x;
     for (const char* widget : {"Tiles/terrain/terrain", "Tiles/search", "Tiles/zoomIn", "Tiles/grid"})
         EXPECT_LE(window.widgets().find(widget)->box.max.x, right) << widget;
@@ -92,7 +92,7 @@ TEST_F(TilesWindow, aLayerIsMadeSolidAndNewOnesAreAsSolidAsTheOneInHand) {
     EXPECT_EQ(isSolid(layer()), before);
 }
 
-TEST_F(TilesWindow, theButtonsAboveTheLayersAreInSight) {
+TEST_F(TilesWindow, theButtonsAboveTheLayersAreVisible) {
     const float right = window.widgets().find("Viewport")->box.max.x;
     for (const char* widget : {"Tiles/layer.add", "Tiles/layer.raise", "Tiles/layer.lower"})
         EXPECT_LE(window.widgets().find(widget)->box.max.x, right) << widget;
@@ -108,7 +108,7 @@ TEST_F(TilesWindow, opacityIsOneStepForOneDrag) {
     EXPECT_EQ(workspace.document.world.get<TileLayer>(workspace.document.find(layer())).tint.a, 255);
 }
 
-TEST_F(TilesWindow, stampsAreKeptByTheRightButtonAndTakenByTheLeft) {
+TEST_F(TilesWindow, stampsAreStoredByTheRightButtonAndLoadedByTheLeft) {
     hands.clickAt(tileAt("Tiles/palette", 12));
     hands.clickAt(hands.middleOf("Tiles/kept/2"), MouseButton::Right);
     hands.clickAt(tileAt("Tiles/palette", 5));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kPath = "assets/ground.tileset.json";
 
-/// A layer whose tileset is a file of the project.
+/// A tile layer whose tileset is a file of the project.
 class TilesetEditing : public TileScene {
 protected:
     TilesetEditing() {
@@ -38,7 +38,7 @@ TEST_F(TilesetEditing, aCollisionOfManyTilesIsOneStepAndInTheFileAtOnce) {
     EXPECT_EQ(tileset().shapeOf(9), TileShape::SlopeUp);
 }
 
-TEST_F(TilesetEditing, whatChangesNothingIsNoStepAndNothingSpecialIsNotWritten) {
+TEST_F(TilesetEditing, editsWithoutChangeAreNoUndoStepAndDefaultsAreNotWritten) {
     const std::array tiles{1};
     EXPECT_FALSE(changeTileset(workspace, "set collision",
                                [&](Tileset& set) { setShape(set, tiles, TileShape::None); }));
@@ -46,13 +46,13 @@ TEST_F(TilesetEditing, whatChangesNothingIsNoStepAndNothingSpecialIsNotWritten) 
     EXPECT_EQ(fileText(kPath), original_);
 }
 
-TEST_F(TilesetEditing, aTilesetMadeByCodeSaysThatItCannotBeChanged) {
+TEST_F(TilesetEditing, aTilesetWithoutAFileReportsThatItCannotBeChanged) {
     useTileset(terrainSet(TerrainMode::Blob, 1));
     EXPECT_FALSE(changeTileset(workspace, "grow", [](Tileset& set) { set.growTo(20, 20); }));
     EXPECT_NE(workspace.notice.find("no file of its own"), std::string::npos);
 }
 
-TEST_F(TilesetEditing, framesProbabilitiesPropertiesAndTerrainsComeBackFromTheFile) {
+TEST_F(TilesetEditing, framesProbabilitiesPropertiesAndTerrainsAreReadBackFromTheFile) {
     changeTileset(workspace, "all", [](Tileset& set) {
         tileIn(set, 4).animation = {{4, 0.2f}, {5, 0.3f}};
         tileIn(set, 6).probability = 0.25f;
@@ -95,7 +95,7 @@ TEST(TerrainLayouts, tilesInOrderHaveTheMasksInOrder) {
     EXPECT_EQ(maskOf(terrain, 96), Neighbour::kAll);
 }
 
-TEST(TerrainLayouts, aBlockHasItsSidesAndTheFourthColumnIsOneTileWide) {
+TEST(TerrainLayouts, aBlockHasBordersAndTheFourthColumnIsOneTileWide) {
     using N = Neighbour;
     const Tileset set = terrainSet(TerrainMode::Blob, 0);
     std::vector<int> chosen;
@@ -144,7 +144,7 @@ TEST(TilesetGrowth, aWiderPictureKeepsAllNumbers) {
     EXPECT_EQ(paletteOf(set).tileAt({5, 0}), set.tileAt({5, 0}));
 }
 
-TEST(TilesetGrowth, sizesThatDoNotFitTheCountAreReportedAndLeftOut) {
+TEST(TilesetGrowth, sizesThatDoNotMatchTheTileCountAreReportedAndIgnored) {
     std::vector<Error> problems;
     const Result<Tileset> read = parseTileset(
         R"({"format": 1, "image": "a.png", "columns": 3, "count": 9, "sizes": [{"columns": 3, "rows": 2}, {"columns": 5, "rows": 9}]})",

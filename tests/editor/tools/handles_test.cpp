@@ -65,7 +65,7 @@ TEST_F(Handles, keepTheirSizeOnScreenAtAnyZoom) {
     }
 }
 
-TEST_F(Handles, besideThemTheMoveToolSelectsByABox) {
+TEST_F(Handles, aDragBesideTheHandlesSelectsByABox) {
     workspace.document.selection.set({named("sign")});
     MoveTool tool;
     drag(tool, {190.0f, 130.0f}, {300.0f, 50.0f});
@@ -73,7 +73,7 @@ TEST_F(Handles, besideThemTheMoveToolSelectsByABox) {
     EXPECT_EQ(workspace.undo.size(), 0u);
 }
 
-TEST_F(Handles, theRingTurnsByTheAngleOfTheHand) {
+TEST_F(Handles, theRingRotatesByTheAngleOfTheDrag) {
     RotateTool tool;
     const Vec2 arm{RotateTool::kRing, 0.0f};
     drag(tool, kCrate + arm, kCrate + rotated(arm, 1.1f));
@@ -87,7 +87,7 @@ TEST_F(Handles, theRingTurnsByTheAngleOfTheHand) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Handles, severalThingsTurnAboutTheOneInHand) {
+TEST_F(Handles, severalEntitiesRotateAboutTheActiveOne) {
     workspace.document.selection.set({named("sign"), named("crate")});
     RotateTool tool;
     const Vec2 arm{RotateTool::kRing, 0.0f};
@@ -96,7 +96,7 @@ TEST_F(Handles, severalThingsTurnAboutTheOneInHand) {
     EXPECT_LT(distance(positionOf(named("sign")), kCrate + rotated(before, 0.8f)), 0.01f);
 }
 
-TEST_F(Handles, anArmsLengthScalesToTwice) {
+TEST_F(Handles, aDragByTheHandleLengthDoublesTheScale) {
     ScaleTool tool;
     const AxisHandles handles{kCrate};
     const Vec2 grip = handles.middleOf(Handle::X);
@@ -109,7 +109,7 @@ TEST_F(Handles, anArmsLengthScalesToTwice) {
     EXPECT_EQ(crate().position, kCrate);
 }
 
-TEST_F(Handles, nothingIsScaledToNothing) {
+TEST_F(Handles, theScaleNeverBecomesZero) {
     ScaleTool tool;
     const Vec2 grip = AxisHandles{kCrate}.middleOf(Handle::X);
     drag(tool, grip, grip - Vec2{AxisHandles::kArm, 0.0f});
@@ -147,7 +147,7 @@ TEST_F(Handles, everyToolDrawsWithAndWithoutASelection) {
     }
 }
 
-TEST_F(Handles, shiftAndAnArrowKeyGoOneCell) {
+TEST_F(Handles, shiftAndAnArrowKeyMoveByOneCell) {
     const Event down{.kind = EventKind::KeyDown, .key = Key::Down, .modifiers = {.shift = true}};
     EXPECT_TRUE(runShortcut(workspace, down));
     EXPECT_TRUE(runShortcut(workspace, down));
@@ -156,7 +156,7 @@ TEST_F(Handles, shiftAndAnArrowKeyGoOneCell) {
     EXPECT_EQ(workspace.undo.size(), 1u);
 }
 
-TEST_F(Handles, oneKeyMeansAnotherToolForTilesThanForEntities) {
+TEST_F(Handles, aKeySelectsAnotherToolForTilesThanForEntities) {
     const Event key{.kind = EventKind::KeyDown, .key = Key::E};
     EXPECT_TRUE(runShortcut(workspace, key));
     EXPECT_EQ(toolTable()[workspace.toolIndex()].action, "tool.rotate");

@@ -36,7 +36,7 @@ constexpr std::string_view kBallText = R"({"format": 1, "entities": [
    "RigidBody": {"gravityScale": 0}, "CircleCollider": {"radius": 20}}},
   {"id": "0000000000000003", "name": "hand", "components": {"Transform": {}, "MouseDrag": {}}}]})";
 
-/// How one looks at a scene.
+/// Tests of the view: framing, picking and soft bodies.
 class Looking : public EditorFixture {
 protected:
     Looking() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -56,12 +56,12 @@ protected:
     [[nodiscard]] Vec2 onScreen(Vec2 world) const {
         return window.widgets().find("Viewport")->box.min + workspace.view.toScreenPoint(world);
     }
-    /// Whether all of a box of the world is in the viewport.
+    /// True if the whole box, in world coordinates, is inside the viewport.
     [[nodiscard]] bool sees(const AABB& box) const {
         const AABB seen = visibleBox(workspace.view.view());
         return merged(seen, box) == seen;
     }
-    /// px: the particles that stand for an entity while the game does not run.
+    /// Particles of a soft body in the edited scene, px.
     [[nodiscard]] std::vector<Vec2> particlesOf(std::string_view name) const {
         std::vector<Vec2> places;
         const auto* state = workspace.document.world.findResource<PhysicsState>();
@@ -69,7 +69,7 @@ protected:
         for (const SoftLinkage& linkage : state->softBodies) {
             if (linkage.entity != workspace.document.find(named(name))) continue;
             for (const auto& particle : physics::particlesOf(state->world, linkage.body)) {
-                places.push_back(placeInPixels(particle.place, state->scale));
+                places.push_back(positionInPixels(particle.place, state->scale));
             }
         }
         return places;
@@ -80,12 +80,12 @@ protected:
     Hands hands;
 };
 
-TEST_F(Looking, aSceneOpensWithAllThatItsCameraSees) {
+TEST_F(Looking, openingASceneShowsTheWholeCameraView) {
     for (const Vec2 picture : {Vec2{320, 180}, {640, 360}, {1280, 720}, {1920, 1080}, {400, 2000}}) {
         SCOPED_TRACE(picture.x);
         workspace.project.picture = picture;
         open(kBallScene, kBallText);
-        const Vec2 half = picture * 0.25f;  // the camera enlarges
+        const Vec2 half = picture * 0.25f;  // the camera has a zoom of 2
         EXPECT_TRUE(sees({Vec2{900, 700} - half, Vec2{900, 700} + half}));
         const float zoom = workspace.view.zoom();
         EXPECT_TRUE(zoom < 1.0f || zoom == std::floor(zoom)) << zoom;
@@ -96,7 +96,7 @@ TEST_F(Looking, aSceneOpensWithAllThatItsCameraSees) {
     }
 }
 
-TEST_F(Looking, withoutACameraASceneOpensWithAllThereIs) {
+TEST_F(Looking, openingASceneWithoutACameraShowsAllEntities) {
     open(kSoftScene, kSoftText);
     EXPECT_TRUE(sees({{40, 20}, {340, 140}}));
     EXPECT_GT(workspace.view.zoom(), 1.0f);
@@ -115,7 +115,7 @@ TEST_F(Looking, homeShowsAllAndWithControlWhatTheCameraSees) {
     EXPECT_TRUE(sees({{0, 0}, {970, 700}}));
 }
 
-TEST_F(Looking, aGameIsPlayedInOnePieceInASmallWindowToo) {
+TEST_F(Looking, theWholeGameIsVisibleInASmallWindow) {
     workspace.project.picture = {1920, 1080};
     open(kBallScene, kBallText);
     hands.key(Key::F5);
@@ -123,7 +123,7 @@ TEST_F(Looking, aGameIsPlayedInOnePieceInASmallWindowToo) {
     EXPECT_TRUE(sees({Vec2{900, 700} - Vec2{479.9f, 269.9f}, Vec2{900, 700} + Vec2{479.9f, 269.9f}}));
 }
 
-TEST_F(Looking, theMouseOfTheGameIsWhereTheMouseIs) {
+TEST_F(Looking, theGameGetsTheMousePositionInItsOwnCoordinates) {
     open(kBallScene, kBallText);
     hands.key(Key::F5);
     hands.rest(3);
@@ -141,7 +141,7 @@ TEST_F(Looking, theMouseOfTheGameIsWhereTheMouseIs) {
     EXPECT_FALSE(played.has<MouseJoint>(ball));
 }
 
-TEST_F(Looking, whatIsSoftIsSeenAsItWillStandAtTickZero) {
+TEST_F(Looking, softBodiesAreDrawnAsAtTickZero) {
     open(kSoftScene, kSoftText);
     EXPECT_FALSE(workspace.physics.on);
     const std::vector<Vec2> rope = particlesOf("rope"), flag = particlesOf("flag");
@@ -158,7 +158,7 @@ TEST_F(Looking, whatIsSoftIsSeenAsItWillStandAtTickZero) {
     for (const Vec2 place : particlesOf("jelly")) EXPECT_NEAR(distance(place, {300, 100}), 40.0f, 1e-3f);
 }
 
-TEST_F(Looking, whatIsSoftFollowsEachChangeAndTheUndo) {
+TEST_F(Looking, softBodiesFollowEditsAndUndo) {
     open(kSoftScene, kSoftText);
     workspace.document.selection.set({named("jelly")});
     hands.rest(2);
@@ -176,7 +176,7 @@ TEST_F(Looking, whatIsSoftFollowsEachChangeAndTheUndo) {
     EXPECT_TRUE(particlesOf("rope").empty());
 }
 
-TEST_F(Looking, aClickTakesWhatIsSoftWhereverItIsSeen) {
+TEST_F(Looking, softBodiesAreSelectedByAClickOnAnyPart) {
     open(kSoftScene, kSoftText);
     hands.clickAt(onScreen({300, 130}));
     EXPECT_EQ(workspace.document.selection.all(), std::vector{named("jelly")});
@@ -186,7 +186,7 @@ TEST_F(Looking, aClickTakesWhatIsSoftWhereverItIsSeen) {
     EXPECT_EQ(workspace.document.selection.all(), std::vector{named("rope")});
 }
 
-TEST_F(Looking, theBoxOfAColliderIsAroundAllOfItHoweverItIsTurned) {
+TEST_F(Looking, theBoundsOfARotatedColliderContainAllOfIt) {
     World& world = workspace.document.world;
     const auto boxOf = [&]<class Collider>(const Collider& collider) {
         Entity entity = world.createEntity();
@@ -206,7 +206,7 @@ TEST_F(Looking, theBoxOfAColliderIsAroundAllOfItHoweverItIsTurned) {
     EXPECT_TRUE(near(boxOf(wedge), {{58, 98}, {102, 112}}));
 }
 
-TEST_F(Looking, whatIsNowhereIsNeitherFramedNorClicked) {
+TEST_F(Looking, entitiesWithoutAPositionAreNeitherFramedNorPicked) {
     open("scenes/keys.scene.json", R"({"format": 1, "entities": [
       {"id": "0000000000000001", "name": "key", "components": {"SceneKey": {}}},
       {"id": "0000000000000002", "name": "crate", "components": {"Transform": {"position": [4000, 3000]},
@@ -217,7 +217,7 @@ TEST_F(Looking, whatIsNowhereIsNeitherFramedNorClicked) {
     EXPECT_TRUE(pickInside(workspace.document, {{-10, -10}, {10, 10}}).empty());
 }
 
-TEST_F(Looking, aFieldIsTakenWhereItActsBehindAllElse) {
+TEST_F(Looking, aForceFieldIsPickedInItsRegionBehindAllElse) {
     open("scenes/wind.scene.json", R"({"format": 1, "entities": [
       {"id": "0000000000000001", "name": "crate", "components": {"Transform": {"position": [100, 100]},
        "BoxCollider": {"width": 50, "height": 50}}},
@@ -229,7 +229,7 @@ TEST_F(Looking, aFieldIsTakenWhereItActsBehindAllElse) {
     EXPECT_EQ(pickInside(workspace.document, {{0, 0}, {400, 300}}), std::vector{named("crate")});
 }
 
-TEST_F(Looking, theTreeTellsWhatIsSoftAndWhatIsAField) {
+TEST_F(Looking, theTreeMarksSoftBodiesAndFields) {
     open(kSoftScene, kSoftText);
     for (const char* name : {"rope", "flag", "jelly"})
         EXPECT_EQ(iconOf(workspace.document.world, workspace.document.find(named(name))), Icon::Soft) << name;

@@ -1,4 +1,4 @@
-// Colliders, anchors and pivots changed by hand in the scene.
+// Dragging the handles of colliders, joint anchors and pivots in the viewport.
 
 #include "editor/model/tools/shape_tool.hpp"
 
@@ -26,16 +26,18 @@ protected:
     [[nodiscard]] const T& of() const {
         return std::as_const(workspace.document.world).get<T>(crate());
     }
-    /// Gives the crate another shape than its box. Not an edit.
+    /// Replaces the box collider of the crate by another shape, without an undo step.
     template <class T>
     T& give() {
         world().remove<BoxCollider>(crate());
         start_.clear();
         return world().add<T>(crate());
     }
-    [[nodiscard]] std::vector<ShapeSpot> spots() const { return spotsOf(workspace.document, named("crate")); }
-    [[nodiscard]] Vec2 spot(SpotKind kind, int part) const {
-        for (const ShapeSpot& found : spots()) {
+    [[nodiscard]] std::vector<ShapeHandle> spots() const {
+        return spotsOf(workspace.document, named("crate"));
+    }
+    [[nodiscard]] Vec2 spot(ShapeHandleKind kind, int part) const {
+        for (const ShapeHandle& found : spots()) {
             if (found.kind == kind && found.part == part) return found.at;
         }
         ADD_FAILURE() << "no such spot";
@@ -68,16 +70,16 @@ protected:
     std::string start_;
 };
 
-TEST_F(Shapes, cornersAndSidesOfABoxGoWhereTheHandGoesAndTheOthersStay) {
-    drag({231.0f, 95.0f}, {9.0f, -5.0f});  // its lower right corner
+TEST_F(Shapes, draggedCornersAndSidesOfABoxFollowTheMouseAndTheOthersStay) {
+    drag({231.0f, 95.0f}, {9.0f, -5.0f});  // lower right corner of the box
     EXPECT_EQ(of<BoxCollider>().width, 40.0f);
     EXPECT_EQ(of<BoxCollider>().height, 26.0f);
     EXPECT_EQ(of<BoxCollider>().offset, Vec2{});
-    drag({200.0f, 77.0f}, {-10.0f, 55.0f});  // its left side
+    drag({200.0f, 77.0f}, {-10.0f, 55.0f});  // left side of the box
     EXPECT_EQ(of<BoxCollider>().offset, (Vec2{-10.0f, 0.0f}));
     EXPECT_EQ(of<BoxCollider>().width, 50.0f);
     EXPECT_EQ(of<BoxCollider>().height, 26.0f) << "a side moves one way only";
-    drag(spot(SpotKind::Middle, 8), {3.0f, 4.0f});
+    drag(spot(ShapeHandleKind::Middle, 8), {3.0f, 4.0f});
     EXPECT_EQ(of<BoxCollider>().offset, (Vec2{-7.0f, 4.0f}));
     EXPECT_EQ(of<Transform>().position, (Vec2{200.0f, 64.0f}));
     expectStepsAndUndo(3);
@@ -100,8 +102,9 @@ TEST_F(Shapes, handlesSnapLikeEverythingElse) {
     EXPECT_EQ(of<BoxCollider>().height, 32.0f) << "Shift keeps to one axis";
 }
 
-/// A dragged corner lies under the hand, and its opposite stays, however the entity is turned and scaled.
-TEST_F(Shapes, anyCornerOfAnyTurnedAndScaledBoxFollowsTheHand) {
+/// The dragged corner follows the mouse and the opposite corner stays, for any rotation and scale of the
+/// entity.
+TEST_F(Shapes, anyCornerOfAnyRotatedAndScaledBoxFollowsTheMouse) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -114,16 +117,16 @@ TEST_F(Shapes, anyCornerOfAnyTurnedAndScaledBoxFollowsTheHand) {
         box.width = random.between(40.0f, 80.0f);
         box.height = random.between(40.0f, 80.0f);
         const int corner = static_cast<int>(random.below(4)) * 2;
-        const Vec2 opposite = spot(SpotKind::Corner, (corner + 4) % 8);
-        const Vec2 from = spot(SpotKind::Corner, corner);
+        const Vec2 opposite = spot(ShapeHandleKind::Corner, (corner + 4) % 8);
+        const Vec2 from = spot(ShapeHandleKind::Corner, corner);
         const Vec2 by{std::round(random.between(-6.0f, 6.0f)), std::round(random.between(-6.0f, 6.0f))};
         drag(from, by);
-        EXPECT_NEAR(distance(spot(SpotKind::Corner, corner), from + by), 0.0f, 1e-3f);
-        EXPECT_NEAR(distance(spot(SpotKind::Corner, (corner + 4) % 8), opposite), 0.0f, 1e-3f);
+        EXPECT_NEAR(distance(spot(ShapeHandleKind::Corner, corner), from + by), 0.0f, 1e-3f);
+        EXPECT_NEAR(distance(spot(ShapeHandleKind::Corner, (corner + 4) % 8), opposite), 0.0f, 1e-3f);
     }
 }
 
-TEST_F(Shapes, aCircleHasItsRadiusAndItsMiddle) {
+TEST_F(Shapes, aCircleHasHandlesForRadiusAndCenter) {
     give<CircleCollider>().radius = 10.0f;
     drag({210.0f, 64.0f}, {5.0f, 40.0f});
     EXPECT_EQ(of<CircleCollider>().radius, 15.0f);
@@ -156,12 +159,12 @@ protected:
 TEST_F(Outlines, cornersAreDragged) {
     drag({240.0f, 64.0f}, {10.0f, -4.0f});
     EXPECT_EQ(points()[1], (Vec2{50.0f, -4.0f}));
-    drag(spot(SpotKind::Middle, -1), {2.0f, 3.0f});
+    drag(spot(ShapeHandleKind::Middle, -1), {2.0f, 3.0f});
     EXPECT_EQ(of<PolygonCollider>().offset, (Vec2{2.0f, 3.0f}));
     expectStepsAndUndo(2);
 }
 
-TEST_F(Outlines, aPressOnAnEdgePutsACornerInAndDragsItAsOneStep) {
+TEST_F(Outlines, aPressOnAnEdgeInsertsACornerAndDragsItAsOneStep) {
     drag({220.0f, 64.0f}, {0.0f, -10.0f});
     EXPECT_EQ(points(), (std::vector<Vec2>{
                             {0.0f, 0.0f}, {20.0f, -10.0f}, {40.0f, 0.0f}, {40.0f, 40.0f}, {0.0f, 40.0f}}));
@@ -170,7 +173,7 @@ TEST_F(Outlines, aPressOnAnEdgePutsACornerInAndDragsItAsOneStep) {
     expectStepsAndUndo(2);
 }
 
-TEST_F(Outlines, controlClickTakesACornerOutAndThreeStay) {
+TEST_F(Outlines, controlClickRemovesACornerButKeepsAtLeastThree) {
     click({240.0f, 64.0f}, {.control = true});
     EXPECT_EQ(points(), (std::vector<Vec2>{{0.0f, 0.0f}, {40.0f, 40.0f}, {0.0f, 40.0f}}));
     click({240.0f, 104.0f}, {.control = true});
@@ -178,7 +181,7 @@ TEST_F(Outlines, controlClickTakesACornerOutAndThreeStay) {
     expectStepsAndUndo(1);
 }
 
-TEST_F(Outlines, deleteTakesOutTheCornerThatWasHeldLastAndElseTheEntity) {
+TEST_F(Outlines, deleteRemovesTheLastDraggedCornerOtherwiseTheEntity) {
     workspace.useTool("tool.shape");
     const Pointer at{.position = {240.0f, 64.0f}};
     workspace.tool().press(workspace.tools(), at);
@@ -190,7 +193,7 @@ TEST_F(Outlines, deleteTakesOutTheCornerThatWasHeldLastAndElseTheEntity) {
     EXPECT_FALSE(named("crate")) << "no corner is chosen any more";
 }
 
-TEST_F(Outlines, aFullOutlineTakesNoMoreCorners) {
+TEST_F(Outlines, anOutlineWithTheMaximumOfCornersGetsNoMore) {
     auto& polygon = world().get<PolygonCollider>(crate());
     while (!polygon.points.full()) polygon.points.push({0.0f, 40.0f});
     drag({220.0f, 64.0f}, {0.0f, -10.0f});
@@ -206,7 +209,7 @@ TEST_F(Outlines, escapeTakesTheDragBack) {
     EXPECT_EQ(workspace.undo.size(), 0u);
 }
 
-TEST_F(Shapes, anOpenChainHasNoLineFromItsEndToItsBeginning) {
+TEST_F(Shapes, anOpenChainHasNoClosingEdge) {
     auto& chain = give<ChainCollider>();
     for (const Vec2 point : {Vec2{0.0f, 0.0f}, Vec2{40.0f, 0.0f}, Vec2{40.0f, 40.0f}})
         chain.points.push(point);
@@ -231,13 +234,14 @@ TEST_F(Shapes, anchorsOfJointsAreDraggedAtBothEnds) {
     EXPECT_EQ(of<DistanceJoint>().otherAnchor, (Vec2{10.0f, 10.0f})) << "in the other one";
     EXPECT_EQ(of<DistanceJoint>().other, workspace.document.find(named("player")));
     world().get<DistanceJoint>(crate()).autoAnchor = true;
-    for (const ShapeSpot& found : spots()) {
-        EXPECT_FALSE(found.kind == SpotKind::Anchor && found.part == 1) << "it follows by itself";
+    for (const ShapeHandle& found : spots()) {
+        EXPECT_FALSE(found.kind == ShapeHandleKind::Anchor && found.part == 1) << "it follows by itself";
     }
 }
 
-/// The origin moves; what is seen and what collides stays.
-TEST_F(Shapes, thePivotMovesUnderThePictureAndAllThatHangsOnIt) {
+/// Dragging the pivot moves the origin of the entity; sprite, colliders and children keep their world
+/// positions.
+TEST_F(Shapes, movingThePivotKeepsTheSpriteCollidersAndChildrenInPlace) {
     Sprite& sprite = world().add<Sprite>(crate());
     sprite.width = 40;
     sprite.height = 20;
@@ -264,7 +268,7 @@ TEST_F(Shapes, thePivotMovesUnderThePictureAndAllThatHangsOnIt) {
     expectStepsAndUndo(1);
 }
 
-TEST_F(Shapes, besideTheSpotsItSelects) {
+TEST_F(Shapes, aClickBesideTheHandlesSelects) {
     click({110.0f, 25.0f});
     EXPECT_EQ(workspace.document.selection.all(), std::vector{named("sign")});
     workspace.document.selection.set({named("crate")});

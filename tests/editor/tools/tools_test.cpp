@@ -36,7 +36,7 @@ TEST_F(Tools, aDragOfManyMouseMovesIsUndoneInOneStep) {
     EXPECT_EQ(positionOf(named("crate")), (Vec2{230.0f, 64.0f}));
 }
 
-TEST_F(Tools, aDragThatComesBackLeavesNoStep) {
+TEST_F(Tools, aDragBackToTheStartLeavesNoUndoStep) {
     workspace.document.selection.set({named("crate")});
     MoveTool tool;
     tool.press(workspace.tools(), {.position = {210.0f, 70.0f}});
@@ -56,7 +56,7 @@ TEST_F(Tools, escapeTakesADragBack) {
     EXPECT_EQ(workspace.undo.size(), 0u);
 }
 
-TEST_F(Tools, whatIsDraggedSnapsToTheGrid) {
+TEST_F(Tools, draggedEntitiesSnapToTheGrid) {
     workspace.document.selection.set({named("crate")});
     MoveTool tool;
     tool.press(workspace.tools(), {.position = {210.0f, 70.0f}});
@@ -64,7 +64,7 @@ TEST_F(Tools, whatIsDraggedSnapsToTheGrid) {
     EXPECT_EQ(positionOf(named("crate")), (Vec2{208.0f, 80.0f}));
 }
 
-TEST_F(Tools, aPictureOfWholeCellsSnapsIntoThemThoughItsPivotIsInItsMiddle) {
+TEST_F(Tools, aSpriteOfWholeCellsSnapsByItsCornerEvenIfItsPivotIsCentered) {
     auto& sprite = workspace.document.world.add<Sprite>(workspace.document.find(named("crate")));
     sprite.width = 48;
     sprite.height = 16;
@@ -77,7 +77,7 @@ TEST_F(Tools, aPictureOfWholeCellsSnapsIntoThemThoughItsPivotIsInItsMiddle) {
     EXPECT_EQ(corner, snapped(corner, {16.0f, 16.0f}));
 }
 
-TEST_F(Tools, aChildMovesWithItsParentOnce) {
+TEST_F(Tools, aSelectedChildOfASelectedParentIsMovedOnce) {
     workspace.document.selection.set({named("player"), named("lamp")});
     MoveTool tool;
     tool.press(workspace.tools(), {.position = {45.0f, 110.0f}});
@@ -104,7 +104,7 @@ TEST_F(Tools, aClickGoesThroughTheHolesOfATileLayer) {
     EXPECT_FALSE(picked(3, 0));
 }
 
-TEST_F(Tools, aDragOnTheGroundMakesABoxUnlessTheGroundIsSelectedAlready) {
+TEST_F(Tools, aDragOnATileLayerSelectsByABoxUnlessTheLayerIsSelected) {
     const Vec2 from = boxOfCell(workspace.document, named("ground"), {1, 1}).center();
     const Vec2 before = positionOf(named("ground"));
     SelectTool tool;
@@ -139,7 +139,7 @@ TEST_F(Tools, aStrokeOfTheBrushIsOneStepAndLeavesNoHoles) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(Tools, arrowKeysNudgeAndMeltIntoOneStep) {
+TEST_F(Tools, arrowKeyNudgesAreMergedIntoOneStep) {
     workspace.document.selection.set({named("crate")});
     const Event right{.kind = EventKind::KeyDown, .key = Key::Right};
     for (int i = 0; i < 5; ++i) {
@@ -150,7 +150,7 @@ TEST_F(Tools, arrowKeysNudgeAndMeltIntoOneStep) {
 }
 
 TEST_F(Tools, noTwoActionsThatCountAtOnceShareAShortcut) {
-    // What a key means for entities, or for tiles, goes before what it always means.
+    // A shortcut for entities or for tiles takes precedence over the same shortcut for `Always`.
     for (const During now : {During::Entities, During::Tiles, During::Always}) {
         std::vector<std::string> seen;
         for (const Action& action : actionTable()) {

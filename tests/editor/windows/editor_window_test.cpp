@@ -32,7 +32,7 @@ protected:
 };
 
 TEST_F(EditorWindowTest, aLevelIsOpenedChangedUndoneSavedReopenedAndPlayed) {
-    // select in the scene and move with the tool
+    // select an entity in the viewport and drag it with the select tool
     const Vec2 crate{216.0f, 80.0f};
     hands.clickAt(onScreen(crate));
     ASSERT_EQ(workspace.document.selection.all(), std::vector{named("crate")});
@@ -42,13 +42,13 @@ TEST_F(EditorWindowTest, aLevelIsOpenedChangedUndoneSavedReopenedAndPlayed) {
     EXPECT_EQ(positionOf(named("crate")), (Vec2{240.0f, 64.0f}));
     EXPECT_EQ(workspace.undo.size(), 1u);
 
-    // edit a field by its widget
+    // edit a field in the inspector
     hands.enterNumber("Inspector/Transform/position.y", "48");
     EXPECT_EQ(positionOf(named("crate")), (Vec2{240.0f, 48.0f}));
     EXPECT_EQ(workspace.undo.size(), 2u);
     const std::string changed = workspace.text();
 
-    // undo and redo by keys
+    // undo and redo by shortcuts
     hands.key(Key::Z, {.control = true});
     hands.key(Key::Z, {.control = true});
     EXPECT_EQ(workspace.text(), kSceneText);
@@ -56,7 +56,7 @@ TEST_F(EditorWindowTest, aLevelIsOpenedChangedUndoneSavedReopenedAndPlayed) {
     hands.key(Key::Z, {.shift = true, .control = true});
     EXPECT_EQ(workspace.text(), changed);
 
-    // save and open again
+    // save and reopen the scene
     hands.key(Key::S, {.control = true});
     EXPECT_EQ(fileText(), changed);
     EXPECT_FALSE(workspace.unsaved());
@@ -99,7 +99,7 @@ TEST_F(EditorWindowTest, pauseAndStepPlayOneTickAtATime) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(EditorWindowTest, aValueChangedWhilePlayingIsGoneAfterwards) {
+TEST_F(EditorWindowTest, aValueChangedWhilePlayingIsRestoredAfterwards) {
     hands.click("Scene/crate");
     hands.key(Key::F5);
     hands.enterNumber("Inspector/Transform/position.x", "7");
@@ -127,7 +127,7 @@ TEST_F(EditorWindowTest, everyPanelAndOverlayDrawsAnEmptyAndAFullScene) {
 }
 
 TEST_F(EditorWindowTest, layersOfThePhysicsAreTickedWhileEditingAndStayWhilePlaying) {
-    hands.size = {1280, 1200};  // every row of the list is on the screen; a lower window scrolls it
+    hands.size = {1280, 1200};  // tall enough to show every row of the list, so that no scrolling is needed
     hands.rest(3);
     const std::string text = workspace.text();
     hands.click("Overlay/physics");
@@ -164,7 +164,7 @@ TEST_F(EditorWindowTest, layersOfThePhysicsAreTickedWhileEditingAndStayWhilePlay
     EXPECT_EQ(workspace.text(), text) << "looking changed the scene";
 }
 
-TEST_F(EditorWindowTest, enterSavesWhereItIsAskedForAndEscapeKeepsOnEditing) {
+TEST_F(EditorWindowTest, inTheSaveDialogEnterSavesAndEscapeContinuesEditing) {
     hands.click("Scene/crate");
     hands.key(Key::Delete);
     const std::string text = workspace.text();
@@ -184,7 +184,7 @@ TEST_F(EditorWindowTest, enterSavesWhereItIsAskedForAndEscapeKeepsOnEditing) {
     EXPECT_EQ(fileText(), text);
 }
 
-TEST_F(EditorWindowTest, aNewSceneIsNamedAndUnsavedChangesAreAskedFor) {
+TEST_F(EditorWindowTest, aNewSceneIsNamedAndUnsavedChangesAreConfirmed) {
     hands.click("Scene/crate");
     hands.key(Key::Delete);
     hands.key(Key::N, {.control = true, .alt = true});
@@ -199,7 +199,7 @@ TEST_F(EditorWindowTest, aNewSceneIsNamedAndUnsavedChangesAreAskedFor) {
     EXPECT_EQ(fileText(), kSceneText);
 }
 
-TEST_F(EditorWindowTest, escapeLeavesAMenuAndNothingElse) {
+TEST_F(EditorWindowTest, escapeOnlyClosesTheMenu) {
     workspace.document.selection.set({named("sign")});
     hands.click("Menu/Edit");
     ASSERT_NE(window.widgets().find("Menu/Edit/Delete"), nullptr);
@@ -213,7 +213,7 @@ TEST_F(EditorWindowTest, escapeLeavesAMenuAndNothingElse) {
     EXPECT_TRUE(workspace.document.selection.empty());
 }
 
-TEST_F(EditorWindowTest, theViewGoesWithTheGameAndComesBackAfterwards) {
+TEST_F(EditorWindowTest, theViewFollowsTheGameAndIsRestoredAfterwards) {
     const View before = workspace.view.view();
     hands.key(Key::F5);
     hands.rest(5);
@@ -231,7 +231,7 @@ TEST_F(EditorWindowTest, theViewGoesWithTheGameAndComesBackAfterwards) {
     EXPECT_EQ(workspace.view.view().zoom, before.zoom);
 }
 
-TEST_F(EditorWindowTest, theConsoleShowsWhatWasSaidBeforeThereWasAWindow) {
+TEST_F(EditorWindowTest, theConsoleShowsMessagesFromBeforeTheWindow) {
     LogBook early;
     logNote("Test", "said early");
     EditorWindow second{workspace, early, nullptr, test::sourceFolder() / "assets/fonts"};
@@ -241,7 +241,7 @@ TEST_F(EditorWindowTest, theConsoleShowsWhatWasSaidBeforeThereWasAWindow) {
     EXPECT_EQ(second.widgets().find("Console/last")->value, "said early");
 }
 
-TEST_F(EditorWindowTest, aPatternIsChosenInThePaletteAndPaintedInOneStep) {
+TEST_F(EditorWindowTest, aPatternIsSelectedInThePaletteAndPaintedInOneStep) {
     Tileset tileset;
     tileset.image = "tiles.png";
     tileset.columns = 4;
@@ -254,7 +254,8 @@ TEST_F(EditorWindowTest, aPatternIsChosenInThePaletteAndPaintedInOneStep) {
     hands.key(Key::B);
     ASSERT_NE(window.widgets().find("Tiles/palette"), nullptr) << "the palette comes with the brush";
     const auto& box = window.widgets().find("Tiles/palette")->box;
-    const float cell = (box.max.x - box.min.x) / 4.0f;  // the palette is as large as the panel allows
+    // the palette fills the width of the panel with four columns
+    const float cell = (box.max.x - box.min.x) / 4.0f;
     hands.drag(box.min + Vec2{1.5f, 0.5f} * cell, box.min + Vec2{2.5f, 0.5f} * cell);
     EXPECT_EQ(workspace.tiles.stamp, (TileStamp{2, 1, {cellOf(1), cellOf(2)}}));
 
@@ -288,7 +289,7 @@ TEST_F(EditorWindowTest, aLayerIsMadeLargerInTheInspectorAndUndone) {
     EXPECT_EQ(workspace.text(), kSceneText);
 }
 
-TEST_F(EditorWindowTest, whatAnInstanceHasForItselfIsMarkedAndRevertedByAMenu) {
+TEST_F(EditorWindowTest, overridesOfAnInstanceAreMarkedAndRevertedByAMenu) {
     putFile("prefabs/box.prefab.json", R"({"format": 1, "entities": [{"name": "box", "components": {
         "Transform": {}, "Sprite": {"width": 8, "height": 16}}}]})");
     putFile("scenes/boxes.scene.json", R"({"format": 1, "entities": [{"id": "00000000000000a1",

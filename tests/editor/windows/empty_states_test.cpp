@@ -17,7 +17,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(EmptyStates, everyPanelWithNothingToShowSaysWhatToDo) {
+TEST_F(EmptyStates, everyEmptyPanelShowsAHint) {
     putFile("scenes/nothing.scene.json", R"({"format": 1, "entities": []})");
     log.clear();
     ASSERT_TRUE(workspace.open("scenes/nothing.scene.json").ok());
@@ -28,12 +28,13 @@ TEST_F(EmptyStates, everyPanelWithNothingToShowSaysWhatToDo) {
         hands.rest(2);
         const std::string title = row.title;
         const bool hasOwnFiles =
-            title == "Assets" || title == "Input";  // its scenes, and the keys of every game
+            // never empty: they list the scene files and the default keys
+            title == "Assets" || title == "Input";
         EXPECT_TRUE(hasOwnFiles || onScreen(title + "/empty")) << title;
     }
 }
 
-TEST_F(EmptyStates, theirButtonsDoWhatTheySay) {
+TEST_F(EmptyStates, buttonsOfHintsWork) {
     hands.click("Inspector/empty/Create entity");
     EXPECT_EQ(workspace.document.objectCount(), 7u);
     EXPECT_FALSE(onScreen("Inspector/empty"));
@@ -44,7 +45,7 @@ TEST_F(EmptyStates, theirButtonsDoWhatTheySay) {
     EXPECT_TRUE(onScreen("History/empty"));
 }
 
-TEST_F(EmptyStates, aSceneWithoutTilesGetsALayer) {
+TEST_F(EmptyStates, aSceneWithoutTilesOffersToAddALayer) {
     putFile("scenes/nothing.scene.json", R"({"format": 1, "entities": []})");
     ASSERT_TRUE(workspace.open("scenes/nothing.scene.json").ok());
     workspace.settings.layout.show("Tiles");

@@ -22,7 +22,7 @@ std::vector<std::uint32_t> places(std::string_view typed, std::string_view text)
 }
 using Places = std::vector<std::uint32_t>;
 
-TEST(Fuzzy, lettersAreFoundInTheirOrderInAnyCase) {
+TEST(Fuzzy, lettersAreMatchedInOrderInAnyCase) {
     EXPECT_EQ(places("crt", "crate"), (Places{0, 1, 3}));
     EXPECT_EQ(places("CRATE", "crate"), (Places{0, 1, 2, 3, 4}));
     EXPECT_FALSE(fuzzyMatch("tc", "crate"));
@@ -30,20 +30,20 @@ TEST(Fuzzy, lettersAreFoundInTheirOrderInAnyCase) {
     EXPECT_FALSE(fuzzyMatch("x", ""));
 }
 
-TEST(Fuzzy, nothingTypedFindsEverything) {
+TEST(Fuzzy, anEmptyQueryMatchesEverything) {
     ASSERT_TRUE(fuzzyMatch("", "crate"));
     EXPECT_EQ(fuzzyMatch("", "crate")->score, fuzzyMatch("", "")->score);
     EXPECT_TRUE(places("", "crate").empty());
 }
 
-TEST(Fuzzy, theBestPlacesAreMeantAndNotTheFirstOnes) {
+TEST(Fuzzy, theBestPositionsAreMatchedNotTheFirstOnes) {
     EXPECT_EQ(places("ocr", "One cell right"), (Places{0, 4, 9}));
     EXPECT_EQ(places("re", "Entity: Redo"), (Places{8, 9}));
     EXPECT_EQ(places("l1", "hall/level1"), (Places{5, 10}));
     EXPECT_EQ(places("pS", "apsPlayerStart"), (Places{3, 9}));
 }
 
-TEST(Fuzzy, beginningsOfWordsAndRunsCountMore) {
+TEST(Fuzzy, wordBeginningsAndRunsScoreHigher) {
     EXPECT_GT(score("un", "Undo"), score("un", "Run")) << "the beginning";
     EXPECT_GT(score("cell", "One cell right"), score("cell", "Cut everything, let lie")) << "a run";
     EXPECT_GT(score("fs", "Frame selection"), score("fs", "offset")) << "beginnings of words";
@@ -93,7 +93,7 @@ TEST_F(FinderTest, filesAndEntitiesOfTheOpenSceneAreFound) {
     EXPECT_TRUE(found(Finder::What::Files, "qqq").empty());
 }
 
-TEST_F(FinderTest, whatWasChosenLatelyComesFirstInTheNextSessionToo) {
+TEST_F(FinderTest, recentChoicesComeFirstInTheNextSessionToo) {
     finder.open(workspace, Finder::What::Files);
     finder.search(workspace, "sign");
     finder.choose(workspace);
@@ -103,7 +103,7 @@ TEST_F(FinderTest, whatWasChosenLatelyComesFirstInTheNextSessionToo) {
     EXPECT_EQ(next.item(next.rows().front()).text, "sign");
 }
 
-TEST_F(FinderTest, commandsStandByTheirMenuOrTheirKind) {
+TEST_F(FinderTest, commandsAreListedWithTheirMenuOrKind) {
     EXPECT_EQ(best(Finder::What::Commands, "save layout"), "Layout: Save layout as...");
     EXPECT_EQ(best(Finder::What::Commands, "flip left"), "Tiles: Flip left to right");
 }
@@ -119,13 +119,13 @@ TEST_F(FinderTest, aPrefabThatIsChosenIsOpened) {
     EXPECT_EQ(visit->path, "prefabs/box.prefab.json");
 }
 
-TEST_F(FinderTest, signsInFrontChooseWhatIsSearched) {
+TEST_F(FinderTest, aPrefixSelectsTheKindOfSearch) {
     EXPECT_EQ(found(Finder::What::Files, "@crt"), std::vector<std::string>{"crate"});
     EXPECT_EQ(best(Finder::What::Files, ">undo"), "Edit: Undo");
     EXPECT_EQ(best(Finder::What::Files, "crate"), "crate") << "and back";
 }
 
-TEST_F(FinderTest, everyActionIsACommandWithItsKeysAndGreyWhereItCannotBe) {
+TEST_F(FinderTest, everyActionIsACommandWithItsKeysAndDisabledIfItCannotRun) {
     std::size_t actions = 0;
     for (const Action& action : actionTable()) actions += action.id.empty() ? 0 : 1;
     finder.open(workspace, Finder::What::Commands);
@@ -134,7 +134,7 @@ TEST_F(FinderTest, everyActionIsACommandWithItsKeysAndGreyWhereItCannotBe) {
     EXPECT_EQ(finder.item(finder.rows().front()).detail, "Ctrl+Z");
     EXPECT_FALSE(finder.item(finder.rows().front()).possible) << "there is nothing to undo";
     finder.choose(workspace);
-    EXPECT_EQ(workspace.notice, "\"Undo\" is not possible now");
+    EXPECT_EQ(workspace.notice, "\"Undo\" is not available now");
     EXPECT_EQ(best(Finder::What::Commands, "frame all"), "View: Frame all");
 }
 
@@ -152,7 +152,7 @@ TEST_F(FinderTest, whatWasChosenLatelyComesFirst) {
     EXPECT_EQ(best(Finder::What::Files, "level"), "scenes/level.scene.json") << "but what fits comes before";
 }
 
-TEST_F(FinderTest, theChosenRowGoesRound) {
+TEST_F(FinderTest, theSelectedRowWrapsAround) {
     finder.open(workspace, Finder::What::Files);
     finder.step(-1);
     EXPECT_EQ(finder.chosen, finder.rows().size() - 1);
@@ -178,7 +178,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(FinderWindowTest, typingFindsAnEntityAndEnterGoesThere) {
+TEST_F(FinderWindowTest, typingFindsAnEntityAndEnterSelectsIt) {
     ask(false);
     hands.type("@lmp");
     hands.rest();
@@ -190,7 +190,7 @@ TEST_F(FinderWindowTest, typingFindsAnEntityAndEnterGoesThere) {
     EXPECT_EQ(workspace.undo.size(), 0u);
 }
 
-TEST_F(FinderWindowTest, arrowsChooseAndTheMouseDoesToo) {
+TEST_F(FinderWindowTest, rowsAreSelectedByArrowsAndByTheMouse) {
     ask(true);
     hands.type("frame");
     hands.rest();
@@ -210,7 +210,7 @@ TEST_F(FinderWindowTest, arrowsChooseAndTheMouseDoesToo) {
     EXPECT_FALSE(open());
 }
 
-TEST_F(FinderWindowTest, escapeClosesItAndNothingHappened) {
+TEST_F(FinderWindowTest, escapeClosesItWithoutEffect) {
     workspace.document.selection.set({named("crate")});
     ask(false);
     hands.type("lamp");
@@ -222,7 +222,7 @@ TEST_F(FinderWindowTest, escapeClosesItAndNothingHappened) {
     EXPECT_EQ(window.widgets().find("Finder/typed")->value, "");
 }
 
-TEST_F(FinderWindowTest, aSceneIsOpenedAfterTheQuestionForUnsavedChanges) {
+TEST_F(FinderWindowTest, openingASceneAsksForUnsavedChangesFirst) {
     workspace.document.selection.set({named("crate")});
     hands.key(Key::Delete);
     ASSERT_TRUE(workspace.unsaved());
@@ -243,7 +243,7 @@ TEST_F(FinderWindowTest, aFileIsShownInTheAssetBrowser) {
     EXPECT_NE(window.widgets().find("Assets/prefabs/lantern.prefab.json"), nullptr);
 }
 
-TEST_F(FinderWindowTest, whereTextIsTypedTheKeysDoNothing) {
+TEST_F(FinderWindowTest, itsKeysAreIgnoredInTextFields) {
     hands.click("Scene/filter");
     ask(false);
     EXPECT_FALSE(open());

@@ -1,4 +1,4 @@
-// What a message says of keys are the keys that the person has.
+// Messages that mention keys use the user's key bindings.
 
 #include "editor/model/input/key_words.hpp"
 
@@ -13,7 +13,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// A user takes back with Ctrl+U, saves with F12, and has no key to play.
+/// A user with Ctrl+U for undo, F12 for saving, and no key for playing.
 class KeyWords : public EditorFixture {
 protected:
     KeyWords() : window{workspace, log, nullptr, test::sourceFolder() / "assets/fonts"}, hands{window} {
@@ -28,32 +28,32 @@ protected:
     Hands hands;
 };
 
-TEST_F(KeyWords, areTheKeysOfTheActionOrItsName) {
+TEST_F(KeyWords, areTheKeysOfTheActionOrElseItsName) {
     EXPECT_EQ(keysFor(workspace, "edit.undo"), "Ctrl+U");
     EXPECT_EQ(keysFor(workspace, "run.play"), "Play");
     workspace.settings.keys.resetAll();
     EXPECT_EQ(keysFor(workspace, "edit.undo"), "Ctrl+Z");
 }
 
-TEST_F(KeyWords, aNewPrefabIsTakenBackByThem) {
+TEST_F(KeyWords, areInTheNoticeOfANewPrefab) {
     workspace.document.selection.set({named("crate")});
     runAction(workspace, "entity.makePrefab");
     hands.rest(3);
     hands.click("MakePrefab/Make");
-    EXPECT_EQ(workspace.notice, "Made prefabs/crate.prefab.json; Ctrl+U takes it back");
+    EXPECT_EQ(workspace.notice, "Created prefabs/crate.prefab.json; press Ctrl+U to undo");
 }
 
-TEST_F(KeyWords, aRenamedActionIsTakenBackByThem) {
+TEST_F(KeyWords, areInTheNoticeOfARenamedAction) {
     putFile("project.json", R"({"format": 1, "input": {"actions": {"Dash": ["X"]}}})");
     putFile("scenes/menu.scene.json", R"({"format": 1, "entities": [
         {"id": "0000000000000001", "components": {"ToggleKey": {"action": "Dash"}}}]})");
     InputMapEdit edit{workspace};
     edit.refresh();
     ASSERT_TRUE(edit.rename(InputMapEdit::Kind::Action, "Dash", "Rush").ok());
-    EXPECT_EQ(workspace.notice, "Dash is Rush now, in 1 place of 1 file too; Ctrl+U takes it back");
+    EXPECT_EQ(workspace.notice, "Renamed Dash to Rush, also in 1 place of 1 file; press Ctrl+U to undo");
 }
 
-TEST_F(KeyWords, aFileIsPutBackByThemAndAnotherSceneWaitsForThoseOfSaving) {
+TEST_F(KeyWords, areInTheNoticesOfDeletedFilesAndUnsavedScenes) {
     putFile("assets/hero.png", *encodePng(Image{2, 2, std::vector<std::uint8_t>(16, 255)}));
     putFile("scenes/other.scene.json", kSceneText);
     hands.click("Tab/Assets");
@@ -64,7 +64,7 @@ TEST_F(KeyWords, aFileIsPutBackByThemAndAnotherSceneWaitsForThoseOfSaving) {
     hands.key(Key::Delete);
     hands.rest(3);
     EXPECT_EQ(window.widgets().find("Delete/question")->value,
-              "Delete assets/hero.png?  Ctrl+U puts it back.");
+              "Delete assets/hero.png?  Ctrl+U restores it.");
     hands.click("Delete/Keep");
     hands.rest(2);
 
@@ -76,23 +76,23 @@ TEST_F(KeyWords, aFileIsPutBackByThemAndAnotherSceneWaitsForThoseOfSaving) {
     EXPECT_EQ(workspace.notice, "Save the open scene first (F12), then open scenes/other.scene.json");
 }
 
-TEST_F(KeyWords, whatAToolSaysOfItselfHasThem) {
+TEST_F(KeyWords, areInTheHintsOfTools) {
     workspace.settings.keys.bind(*findAction("edit.delete"), {Key::Q, true});
     hands.key(Key::C);
-    EXPECT_NE(workspace.notice.find("takes new corners; Ctrl+Q removes."), std::string::npos)
+    EXPECT_NE(workspace.notice.find("to add a corner; Ctrl+Q removes it."), std::string::npos)
         << workspace.notice;
     workspace.notice.clear();
     hands.rest(2);
-    EXPECT_NE(window.widgets().find("Status/notice")->value.find("Ctrl+Q removes."), std::string::npos);
+    EXPECT_NE(window.widgets().find("Status/notice")->value.find("Ctrl+Q removes it."), std::string::npos);
     for (const ToolRow& row : toolTable()) {
         EXPECT_EQ(withKeys(workspace, row.hint).find('{'), std::string::npos) << row.name;
         EXPECT_EQ(row.hint.find("Del"), std::string_view::npos) << row.name;
     }
 }
 
-TEST_F(KeyWords, aBetterQualityIsTakenBackByThem) {
+TEST_F(KeyWords, areInTheNoticeOfAnAppliedAdvice) {
     applyRemedy(workspace, qualityRemedy(3), ScenePhysics{});
-    EXPECT_EQ(workspace.notice, "Use quality 3; Ctrl+U takes it back");
+    EXPECT_EQ(workspace.notice, "Use quality 3; press Ctrl+U to undo");
 }
 
 }  // namespace

@@ -24,14 +24,14 @@ protected:
     PaneLayout layout;
 };
 
-TEST_F(Layouts, atFirstEachPanelIsAtHome) {
+TEST_F(Layouts, eachPanelStartsInItsDefaultDock) {
     EXPECT_EQ(layout.pane(Dock::Left).tabs, Tabs{"Scene"});
     EXPECT_EQ(layout.pane(Dock::Center).tabs, Tabs{"Viewport"});
     EXPECT_EQ(layout.pane(Dock::Bottom).tabs, (Tabs{"Tiles", "Console", "History", "Assets"}));
     EXPECT_EQ(layout.pane(Dock::Bottom).front, "Tiles");
 }
 
-TEST_F(Layouts, aPanelIsMovedAndItsNeighbourComesToTheFront) {
+TEST_F(Layouts, movingAPanelShowsItsNeighbour) {
     layout.show("Console");
     layout.move("Console", Dock::Left, 0);
     EXPECT_EQ(layout.pane(Dock::Left).tabs, (Tabs{"Console", "Scene"}));
@@ -39,7 +39,7 @@ TEST_F(Layouts, aPanelIsMovedAndItsNeighbourComesToTheFront) {
     EXPECT_EQ(layout.pane(Dock::Bottom).front, "History");
 }
 
-TEST_F(Layouts, theSceneStaysInTheMiddleAlone) {
+TEST_F(Layouts, theViewportStaysAloneInTheCenter) {
     layout.move("Viewport", Dock::Left);
     layout.move("Scene", Dock::Center);
     layout.close("Viewport");
@@ -47,7 +47,7 @@ TEST_F(Layouts, theSceneStaysInTheMiddleAlone) {
     EXPECT_EQ(layout.pane(Dock::Left).tabs, Tabs{"Scene"});
 }
 
-TEST_F(Layouts, whatIsClosedComesBackWhereItWas) {
+TEST_F(Layouts, aClosedPanelReopensInItsOldDock) {
     layout.move("History", Dock::Right);
     layout.close("History");
     EXPECT_FALSE(layout.isOpen("History"));
@@ -60,7 +60,7 @@ TEST_F(Layouts, whatIsClosedComesBackWhereItWas) {
     EXPECT_FALSE(layout.isSeen("History"));
 }
 
-TEST_F(Layouts, itIsReadBackAsItWasWritten) {
+TEST_F(Layouts, isReadBackAsWritten) {
     layout.move("Console", Dock::BottomRight);
     layout.close("History");
     layout.resize(Edge::Left, 0.3f);
@@ -74,7 +74,7 @@ TEST_F(Layouts, itIsReadBackAsItWasWritten) {
     EXPECT_EQ(again, layout);
 }
 
-TEST_F(Layouts, newPanelsGoHomeAndOldOnesAreLeftOut) {
+TEST_F(Layouts, newPanelsUseTheirDefaultDockAndUnknownOnesAreIgnored) {
     std::vector<Error> problems;
     auto read = PaneLayout::fromJson(*parseJson(R"({"left": ["Scene", "Scene", "Gone"], "center": ["Console"],
         "right": ["Inspector"], "bottom": ["Tiles"], "front": {"left": "Gone"}})",
@@ -88,7 +88,7 @@ TEST_F(Layouts, newPanelsGoHomeAndOldOnesAreLeftOut) {
     EXPECT_EQ(read->pane(Dock::Bottom).tabs, (Tabs{"Tiles", "Console", "History", "Assets"}));
 }
 
-TEST_F(Layouts, aDamagedOneIsReportedByName) {
+TEST_F(Layouts, errorsAreReportedByName) {
     std::vector<Error> problems;
     EXPECT_FALSE(PaneLayout::fromJson(*parseJson("[1, 2]", "test"), "settings.json: layout", problems));
     ASSERT_EQ(problems.size(), 1u);
@@ -124,7 +124,7 @@ TEST_F(Layouts, panesShareTheWindowWithoutGapsOrOverlaps) {
     }
 }
 
-TEST_F(Layouts, aPaneWithoutPanelsGivesItsRoomToTheScene) {
+TEST_F(Layouts, anEmptyPaneGivesItsSpaceToTheViewport) {
     const float before = boxOf(Dock::Center).size().x;
     layout.close("Scene");
     EXPECT_GT(boxOf(Dock::Center).size().x, before);
@@ -133,7 +133,7 @@ TEST_F(Layouts, aPaneWithoutPanelsGivesItsRoomToTheScene) {
     EXPECT_EQ(boxOf(Dock::Center), (AABB{{}, {1280.0f, 640.0f}}));
 }
 
-TEST_F(Layouts, theBottomHasTheHeightOfItsTallestPanelWhicheverIsInFront) {
+TEST_F(Layouts, theBottomPaneHasTheHeightOfItsTallestPanel) {
     const float tall = boxOf(Dock::Bottom).size().y;
     layout.show("Console");
     EXPECT_EQ(boxOf(Dock::Bottom).size().y, tall) << "tabs that jump away from the mouse";
@@ -142,7 +142,7 @@ TEST_F(Layouts, theBottomHasTheHeightOfItsTallestPanelWhicheverIsInFront) {
     EXPECT_LT(boxOf(Dock::Bottom).size().y, tall);
 }
 
-TEST_F(Layouts, aDraggedTabGoesWhereItIsLetGo) {
+TEST_F(Layouts, aDraggedTabIsDroppedUnderTheMouse) {
     const PaneBoxes boxes = arrange(layout, kPanels, {1280.0f, 640.0f}, 4.0f, 100.0f);
     EXPECT_EQ(dropAt(layout, boxes, {20.0f, 300.0f})->dock, Dock::Left);
     EXPECT_EQ(dropAt(layout, boxes, {300.0f, 630.0f})->dock, Dock::Bottom);
@@ -153,7 +153,7 @@ TEST_F(Layouts, aDraggedTabGoesWhereItIsLetGo) {
     EXPECT_EQ(dropAt(layout, wider, {1250.0f, 100.0f})->dock, Dock::Right) << "a pane comes back";
 }
 
-TEST_F(Layouts, presetsHoldEveryPanel) {
+TEST_F(Layouts, presetsContainEveryPanel) {
     ASSERT_EQ(layoutPresets().size(), 3u);
     for (const LayoutPreset& preset : layoutPresets()) {
         PaneLayout one = preset.layout;

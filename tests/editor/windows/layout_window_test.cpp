@@ -27,7 +27,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(LayoutWindow, aSplitterIsDraggedAndItsSizeIsAPartOfTheWindow) {
+TEST_F(LayoutWindow, aSplitterIsDraggedAndStoredAsAFractionOfTheWindow) {
     const float before = boxOf("Viewport").min.x;
     const Vec2 grab = hands.middleOf("Splitter/left");
     hands.drag(grab, grab + Vec2{128.0f, 0.0f});
@@ -42,7 +42,7 @@ TEST_F(LayoutWindow, aSplitterIsDraggedAndItsSizeIsAPartOfTheWindow) {
 
 TEST_F(LayoutWindow, theTreeShowsWholeRows) {
     for (int i = 0; i < 60; ++i) runAction(workspace, "entity.create");
-    const float bottom = boxOf("Splitter/left").max.y - 8.0f;  // px; below is the margin of the panel
+    const float bottom = boxOf("Splitter/left").max.y - 8.0f;  // px; the margin of the panel is below
     for (const char* name : {"camera", "ground"}) {
         workspace.document.selection.set({named(name)});
         hands.rest(3);
@@ -73,7 +73,7 @@ TEST_F(LayoutWindow, theMenuOfATabMovesItAndClosesItAndTheMenuViewOpensItAgain) 
     EXPECT_EQ(layout().dockOf("History"), Dock::Left) << "where it was";
 }
 
-TEST_F(LayoutWindow, aTabIsDraggedToAnotherPaneAndBesideAnotherTab) {
+TEST_F(LayoutWindow, aTabIsDraggedToAnotherPaneAndNextToAnotherTab) {
     hands.drag(hands.middleOf("Tab/Console"), boxOf("Tab/Inspector").center() + Vec2{0.0f, 200.0f});
     EXPECT_EQ(layout().dockOf("Console"), Dock::Right);
     EXPECT_TRUE(layout().isSeen("Console"));
@@ -85,13 +85,13 @@ TEST_F(LayoutWindow, aTabIsDraggedToAnotherPaneAndBesideAnotherTab) {
     EXPECT_EQ(*(at + 1), "Tileset");
 }
 
-TEST_F(LayoutWindow, aTabLetGoOverTheSceneStaysWhereItIs) {
+TEST_F(LayoutWindow, aTabDroppedOnTheViewportStaysInItsPane) {
     const PaneLayout before = layout();
     hands.drag(hands.middleOf("Tab/Inspector"), hands.middleOf("Viewport"));
     EXPECT_EQ(layout(), before);
 }
 
-TEST_F(LayoutWindow, theBottomIsDividedByATabLetGoAtItsRight) {
+TEST_F(LayoutWindow, droppingATabAtTheRightOfTheBottomSplitsIt) {
     const AABB scene = boxOf("Viewport");
     hands.drag(hands.middleOf("Tab/Console"), {scene.max.x - 20.0f, 660.0f});
     EXPECT_EQ(layout().dockOf("Console"), Dock::BottomRight);
@@ -118,7 +118,7 @@ TEST_F(LayoutWindow, tabHidesThePanelsAndBelongsToWhatIsTypedInto) {
     EXPECT_TRUE(onScreen("Scene/crate"));
 }
 
-TEST_F(LayoutWindow, presetsAreChosenByKeysAndByTheMenu) {
+TEST_F(LayoutWindow, presetsAreSelectedByKeysAndByTheMenu) {
     hands.key(Key::Digit1, {.alt = true});
     hands.rest();
     EXPECT_TRUE(layout().isSeen("Tiles"));
@@ -132,7 +132,7 @@ TEST_F(LayoutWindow, presetsAreChosenByKeysAndByTheMenu) {
     EXPECT_TRUE(layout().isSeen("Console"));
 }
 
-TEST_F(LayoutWindow, aLayoutIsSavedUnderANameChosenAgainAndDeleted) {
+TEST_F(LayoutWindow, aLayoutIsSavedUnderANameLoadedAndDeleted) {
     hands.key(Key::Digit3, {.alt = true});
     hands.rest();
     const PaneLayout mine = layout();
@@ -151,7 +151,7 @@ TEST_F(LayoutWindow, aLayoutIsSavedUnderANameChosenAgainAndDeleted) {
     EXPECT_TRUE(workspace.settings.layouts.empty());
 }
 
-TEST_F(LayoutWindow, tabsThatHaveNoRoomAreInAList) {
+TEST_F(LayoutWindow, tabsThatDoNotFitAreInAList) {
     for (const PanelRow& row : panelTable()) workspace.settings.layout.move(row.title, Dock::Left);
     workspace.settings.layout.show("History");
     hands.rest(2);
@@ -163,7 +163,7 @@ TEST_F(LayoutWindow, tabsThatHaveNoRoomAreInAList) {
     EXPECT_TRUE(onScreen("Tab/Animation"));
 }
 
-TEST_F(LayoutWindow, theTilesComeWithTheBrushAlsoWhenTheyWereClosed) {
+TEST_F(LayoutWindow, theBrushShowsTheTilesPanelEvenIfItIsClosed) {
     workspace.settings.layout.close("Tiles");
     hands.rest();
     hands.key(Key::B);

@@ -26,7 +26,7 @@ protected:
     LogView view;
 };
 
-TEST_F(LogViews, levelsChannelsAndWordsChooseTheLines) {
+TEST_F(LogViews, linesAreFilteredByLevelChannelAndWords) {
     logNote("Assets", "Loaded: crate.png");
     logWarning("Physics", "the crate is too small");
     logError("Scene", {"cave", "no such file", ""});
@@ -47,7 +47,7 @@ TEST_F(LogViews, levelsChannelsAndWordsChooseTheLines) {
     EXPECT_EQ(view.channels().size(), 3u);
 }
 
-TEST_F(LogViews, equalLinesAreOneWhereTheyWereSaidLast) {
+TEST_F(LogViews, equalLinesAreMergedAtTheirLastPosition) {
     logNote("A", "again");
     logNote("A", "other");
     logNote("A", "again");
@@ -61,7 +61,7 @@ TEST_F(LogViews, equalLinesAreOneWhereTheyWereSaidLast) {
     EXPECT_EQ(view.rows()[0].times, 1u);
 }
 
-TEST_F(LogViews, aLineKnowsItsTickAndClearingForgetsAll) {
+TEST_F(LogViews, linesStoreTheirTickAndClearRemovesAll) {
     logNote("A", "before");
     book.tick = [] { return std::int64_t{41}; };
     logNote("A", "playing");
@@ -89,7 +89,7 @@ protected:
     ui::Hands hands;
 };
 
-TEST_F(ConsoleTest, aLineNamesAnEntityByItsIdOrItsPlaceInTheFile) {
+TEST_F(ConsoleTest, aLineReferencesAnEntityByIdOrByFilePosition) {
     const Document& document = workspace.document;
     EXPECT_EQ(entityIn(document, "crate @0000000000000004: too small"), named("crate"));
     EXPECT_EQ(entityIn(document, "mail me@home, or @0000000000000003"), named("lamp"));
@@ -100,7 +100,7 @@ TEST_F(ConsoleTest, aLineNamesAnEntityByItsIdOrItsPlaceInTheFile) {
     EXPECT_FALSE(entityIn(document, "scenes/level.scene.json: entities[99]: odd"));
 }
 
-TEST_F(ConsoleTest, theEngineNamesItsEntitySo) {
+TEST_F(ConsoleTest, theEngineLogsEntitiesThatWay) {
     const EntityId crate = workspace.document.find(named("crate"));
     workspace.document.world.add<RigidBody>(crate).mass = -1.0f;
     workspace.physics.on = true;
@@ -113,7 +113,7 @@ TEST_F(ConsoleTest, theEngineNamesItsEntitySo) {
         << log.lines().back().text;
 }
 
-TEST_F(ConsoleTest, aClickGoesToTheEntityOfTheLine) {
+TEST_F(ConsoleTest, aClickSelectsTheEntityOfTheLine) {
     log.clear();
     logWarning("Game", "lamp @0000000000000003 is out of oil");
     hands.rest(2);
@@ -146,7 +146,7 @@ TEST_F(ConsoleTest, buttonsHideLevelsAndChannelsAndSearchFinds) {
     EXPECT_EQ(valueOf("Console/1"), "(none)");
 }
 
-TEST_F(ConsoleTest, whatIsShownIsCopiedAndAllIsCleared) {
+TEST_F(ConsoleTest, theVisibleLinesAreCopiedAndAllAreCleared) {
     log.clear();
     logNote("Game", "twice");
     logNote("Game", "twice");
@@ -161,7 +161,7 @@ TEST_F(ConsoleTest, whatIsShownIsCopiedAndAllIsCleared) {
     EXPECT_TRUE(log.lines().empty());
 }
 
-TEST_F(ConsoleTest, theStatusBarCountsAndLeadsThere) {
+TEST_F(ConsoleTest, theStatusBarCountsErrorsAndOpensTheConsole) {
     log.clear();
     hands.rest(2);
     EXPECT_EQ(valueOf("Status/log"), "(none)");
@@ -177,7 +177,7 @@ TEST_F(ConsoleTest, theStatusBarCountsAndLeadsThere) {
     EXPECT_NE(valueOf("Console/last"), "(none)");
 }
 
-TEST_F(ConsoleTest, allButtonsAreSeenInANarrowPane) {
+TEST_F(ConsoleTest, allButtonsAreVisibleInANarrowPane) {
     logNote("Game", "a line");
     for (const float part : {0.5f, 0.3f, 0.16f}) {
         workspace.settings.layout.move("Console", Dock::Right);

@@ -1,4 +1,4 @@
-// The menus of the right button, and which of their lines can be chosen.
+// Context menus, and which of their entries are enabled.
 
 #include "editor/model/actions.hpp"
 #include "editor/model/prefabs/make_prefab.hpp"
@@ -34,7 +34,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(Menus, ofTheTreeCutCopyPasteAndDuplicate) {
+TEST_F(Menus, ofTheTreeHaveCutCopyPasteAndDuplicate) {
     openMenuOf("crate");
     hands.click("Scene/menu/Copy");
     openMenuOf("crate");
@@ -48,17 +48,15 @@ TEST_F(Menus, ofTheTreeCutCopyPasteAndDuplicate) {
     EXPECT_EQ(workspace.document.objectCount(), 8u) << "with the lamp";
 }
 
-TEST_F(Menus, ofPlainEntitiesDoNotSpeakOfTheirPrefab) {
+TEST_F(Menus, ofPlainEntitiesHaveNoPrefabEntries) {
     ASSERT_TRUE(makePrefab(workspace, {named("player")}, prefabPath("hero")).ok());
     openMenuOf("crate");
     EXPECT_TRUE(shown("Scene/menu/Make prefab..."));
-    for (const char* line :
-         {"Edit prefab", "Changes against the prefab...", "Revert to prefab", "Apply to prefab"})
+    for (const char* line : {"Edit prefab", "Prefab overrides...", "Revert to prefab", "Apply to prefab"})
         EXPECT_FALSE(shown(std::string{"Scene/menu/"} + line)) << line;
     hands.key(Key::Escape);
     openMenuOf("player");
-    for (const char* line :
-         {"Edit prefab", "Changes against the prefab...", "Revert to prefab", "Apply to prefab"})
+    for (const char* line : {"Edit prefab", "Prefab overrides...", "Revert to prefab", "Apply to prefab"})
         EXPECT_TRUE(shown(std::string{"Scene/menu/"} + line)) << line;
 }
 
@@ -100,7 +98,7 @@ TEST_F(Menus, makePrefabProposesAFreeNameAndSaysWhatComesOfIt) {
     hands.rest(3);
     EXPECT_EQ(valueOf("MakePrefab/name"), "crate2");
     EXPECT_EQ(valueOf("MakePrefab/kind"),
-              "A variant of prefabs/crate.prefab.json: it says only what is other.");
+              "A variant of prefabs/crate.prefab.json: its file stores only the differences.");
     hands.click("MakePrefab/Make");
     hands.rest(2);
     runAction(workspace, "entity.makePrefab");
@@ -111,7 +109,8 @@ TEST_F(Menus, makePrefabProposesAFreeNameAndSaysWhatComesOfIt) {
     workspace.document.selection.set({named("sign"), named("crate")});
     runAction(workspace, "entity.makePrefab");
     hands.rest(3);
-    EXPECT_EQ(valueOf("MakePrefab/kind"), "All are put below a new entity. The instance inside stays one.");
+    EXPECT_EQ(valueOf("MakePrefab/kind"),
+              "The entities are put below a new one. The instance inside stays an instance.");
     hands.click("MakePrefab/Cancel");
     workspace.document.selection.set({named("sign")});
     runAction(workspace, "entity.makePrefab");

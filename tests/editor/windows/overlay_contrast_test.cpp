@@ -1,4 +1,4 @@
-// Lines over the scene are seen on any scene: by themselves, or by their edge.
+// Overlay lines are visible on scenes of any colour, by their own colour or by their outline.
 
 #include "editor/ui/overlays/overlay_edge.hpp"
 #include "editor/ui/overlays/overlay_list.hpp"
@@ -18,7 +18,7 @@ protected:
         return shape.kind == Overlay::Kind::Line || shape.kind == Overlay::Kind::Arrow ||
                shape.kind == Overlay::Kind::Box || shape.kind == Overlay::Kind::Circle;
     }
-    /// How well the line or its edge differs from what is below it.
+    /// Returns the larger contrast of the line and of its outline to the scene's colour.
     static float seen(Color line, ImU32 scene) {
         const ImU32 core = over(IM_COL32(line.r, line.g, line.b, line.a), scene);
         return std::max(contrast(core, scene), contrast(over(edgeOf(line), scene), scene));
@@ -27,8 +27,9 @@ protected:
         std::size_t lines = 0;
         for (const Overlay::Shape& shape : overlay.shapes()) {
             if (!isLine(shape) || shape.color.a == 0) continue;
-            if (shape.color == workspace.grid.color || name == "grid") continue;  // as the person wants it
-            if (shape.color.r + shape.color.g + shape.color.b == 0) continue;     // the shade below a handle
+            // the colour of the grid is set by the user
+            if (shape.color == workspace.grid.color || name == "grid") continue;
+            if (shape.color.r + shape.color.g + shape.color.b == 0) continue;  // the shadow below a handle
             ++lines;
             for (const ImU32 scene : kScenes) {
                 EXPECT_GE(seen(shape.color, scene),
@@ -41,7 +42,7 @@ protected:
     }
 };
 
-TEST_F(OverlayContrast, linesOfAllToolsAreSeenOnDarkAndOnLightScenes) {
+TEST_F(OverlayContrast, linesOfAllToolsAreVisibleOnDarkAndLightScenes) {
     std::size_t lines = 0;
     for (std::size_t i = 0; i < toolTable().size(); ++i) {
         workspace.document.selection.set({named("player")});
@@ -57,7 +58,7 @@ TEST_F(OverlayContrast, linesOfAllToolsAreSeenOnDarkAndOnLightScenes) {
     EXPECT_GT(lines, 40u);
 }
 
-TEST_F(OverlayContrast, linesOfAllOverlaysAreSeenOnDarkAndOnLightScenes) {
+TEST_F(OverlayContrast, linesOfAllOverlaysAreVisibleOnDarkAndLightScenes) {
     workspace.document.world.get<Camera>(workspace.document.find(named("camera"))).limits = {0, 0, 400, 300};
     std::size_t lines = 0;
     for (const OverlayRow& row : overlayTable()) {
@@ -68,7 +69,7 @@ TEST_F(OverlayContrast, linesOfAllOverlaysAreSeenOnDarkAndOnLightScenes) {
     EXPECT_GE(lines, 2u);
 }
 
-TEST_F(OverlayContrast, faintLinesHaveAFaintEdge) {
+TEST_F(OverlayContrast, faintLinesHaveAFaintOutline) {
     EXPECT_EQ(edgeOf({255, 255, 255, 0}) >> IM_COL32_A_SHIFT, 0u);
     EXPECT_LT(edgeOf({255, 255, 255, 16}) >> IM_COL32_A_SHIFT & 0xff, 16u);
     EXPECT_GT(edgeOf({255, 255, 255, 255}) >> IM_COL32_A_SHIFT & 0xff, 180u);

@@ -77,7 +77,7 @@ TEST_F(Preferences, keysThatAreTakenAreNamedAndTakenOnlyWhenOneSaysSo) {
     openKeys("Undo");
     hands.click("Preferences/Keys/edit.undo");
     hands.key(Key::D, {.control = true});
-    EXPECT_EQ(valueOf("Preferences/Keys/conflict"), "Ctrl+D is for \"Edit: Duplicate\" already.");
+    EXPECT_EQ(valueOf("Preferences/Keys/conflict"), "Ctrl+D is already assigned to \"Edit: Duplicate\".");
     EXPECT_FALSE(workspace.settings.keys.anyChanged());
     hands.click("Preferences/Keys/Leave");
     EXPECT_EQ(valueOf("Preferences/Keys/edit.undo"), "Ctrl+Z");
@@ -89,7 +89,7 @@ TEST_F(Preferences, keysThatAreTakenAreNamedAndTakenOnlyWhenOneSaysSo) {
     EXPECT_TRUE(workspace.settings.keys.of(*findAction("edit.duplicate")).empty());
     hands.click("Preferences/Close");
 
-    // And now they do that.
+    // The shortcut now triggers its new action.
     workspace.document.selection.set({named("crate")});
     hands.key(Key::Delete);
     ASSERT_FALSE(named("crate"));
@@ -99,7 +99,7 @@ TEST_F(Preferences, keysThatAreTakenAreNamedAndTakenOnlyWhenOneSaysSo) {
     EXPECT_TRUE(named("crate"));
 }
 
-TEST_F(Preferences, escapeLeavesTheKeysAsTheyAreAndNoneTakesThemAway) {
+TEST_F(Preferences, escapeKeepsTheKeysAndNoneRemovesThem) {
     openKeys("Undo");
     hands.click("Preferences/Keys/edit.undo");
     hands.key(Key::Escape);

@@ -1,4 +1,4 @@
-// What is not done, or done otherwise than one might think, is said where one looks.
+// Notices and dialogs that explain why an action was not performed or had an unexpected result.
 
 #include <array>
 
@@ -28,12 +28,12 @@ protected:
     }
 };
 
-TEST_F(MissedStrokes, besideTheLayerAndOnOneThatIsLockedOrHidden) {
+TEST_F(MissedStrokes, besideTheLayerOrOnALockedOrHiddenLayer) {
     EXPECT_EQ(at(9, 9), "") << "no tile tool is in the hand";
     runAction(workspace, "tool.brush");
     EXPECT_EQ(at(2, 2), "");
-    EXPECT_NE(at(8, 2).find("ends before that"), std::string::npos);
-    EXPECT_NE(at(-1, 0).find("ends before that"), std::string::npos);
+    EXPECT_NE(at(8, 2).find("outside the layer"), std::string::npos);
+    EXPECT_NE(at(-1, 0).find("outside the layer"), std::string::npos);
     workspace.document.view.setLocked(layer(), true);
     EXPECT_NE(at(2, 2).find("locked"), std::string::npos);
     workspace.document.view.setLocked(layer(), false);
@@ -62,7 +62,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(Said, newEntitiesHaveNamesOfTheirOwn) {
+TEST_F(Said, newEntitiesHaveUniqueNames) {
     create(), create(), create();
     EXPECT_TRUE(named("new entity"));
     EXPECT_TRUE(named("new entity 2"));
@@ -71,17 +71,18 @@ TEST_F(Said, newEntitiesHaveNamesOfTheirOwn) {
     EXPECT_TRUE(named("camera 2"));
 }
 
-TEST_F(Said, aScenesStepsOfUndoEndWithIt) {
+TEST_F(Said, openingAnotherSceneClearsTheUndoHistory) {
     putFile("scenes/cave.scene.json", kSceneText);
     create();
     ASSERT_TRUE(workspace.save().ok());
     ASSERT_TRUE(workspace.open("scenes/cave.scene.json").ok());
-    EXPECT_NE(workspace.notice.find("steps of undo of scenes/level.scene.json end"), std::string::npos);
+    EXPECT_NE(workspace.notice.find("the undo history of scenes/level.scene.json was cleared"),
+              std::string::npos);
     ASSERT_TRUE(workspace.open(kScene).ok());
     EXPECT_EQ(workspace.notice.find("undo"), std::string::npos) << "there were none";
 }
 
-TEST_F(Said, whatIsWrongWithASceneStandsWhereItWouldBe) {
+TEST_F(Said, errorsOfASceneAreShownInTheViewport) {
     putFile("scenes/broken.scene.json", "{\n  \"format\": 1,\n  \"entities\": [}\n}");
     EXPECT_FALSE(workspace.open("scenes/broken.scene.json").ok());
     EXPECT_NE(problemsOf(workspace).load.find("3"), std::string::npos)
@@ -133,7 +134,7 @@ TEST_F(Said, anotherEditorOfTheProject) {
     EXPECT_NE(other.notice.find("Another editor"), std::string::npos);
 }
 
-TEST_F(Said, aNameThatASceneHasAlreadyIsReportedBeforeAnythingIsAsked) {
+TEST_F(Said, aUsedSceneNameIsReportedBeforeAnyQuestion) {
     create();
     workspace.request = WindowRequest::NameNewScene;
     hands.rest(3);
@@ -141,7 +142,7 @@ TEST_F(Said, aNameThatASceneHasAlreadyIsReportedBeforeAnythingIsAsked) {
     hands.click("New/Create");
     hands.rest(3);
     EXPECT_FALSE(shows("Unsaved/Save"));
-    EXPECT_NE(valueOf("New/problem").find("there is such a scene"), std::string::npos);
+    EXPECT_NE(valueOf("New/problem").find("a scene with this name exists"), std::string::npos);
     hands.click("New/name");
     hands.type("2");
     hands.click("New/Create");
@@ -171,7 +172,7 @@ TEST_F(Said, whatAGameChangedIsOfferedAgainWhenAnotherQuestionWasBetween) {
     EXPECT_EQ(workspace.notice, "Nothing was kept");
 }
 
-TEST_F(Said, theSceneOfAGameThatWentOn) {
+TEST_F(Said, theSceneOfAGameThatChangedScenes) {
     putFile("scenes/cave.scene.json", kSceneText);
     EXPECT_EQ(sceneOfGame(workspace), "");
     hands.key(Key::F5);
@@ -197,7 +198,7 @@ TEST_F(Said, aGameWithoutACamera) {
     EXPECT_TRUE(shows("Viewport/no camera"));
 }
 
-TEST_F(Said, aKeyThatIsHeldWhenAPausedGameGoesOnCountsAndATapMeanwhileDoesNot) {
+TEST_F(Said, heldKeysCountWhenAPausedGameResumesButEarlierTapsDoNot) {
     hands.key(Key::F5);
     hands.rest(5);
     hands.key(Key::F6);
@@ -221,7 +222,7 @@ TEST_F(Said, aKeyThatIsHeldWhenAPausedGameGoesOnCountsAndATapMeanwhileDoesNot) {
     EXPECT_FALSE(workspace.gameInput().has(Key::Right)) << "let go while it was paused";
 }
 
-TEST_F(Said, aNumberOfCellsThatIsTypedCountsWhenTabLeavesIt) {
+TEST_F(Said, aTypedNumberOfCellsIsAppliedByTab) {
     workspace.document.selection.set({named("ground")});
     hands.rest(3);
     const auto width = [&] {
@@ -247,7 +248,7 @@ TEST_F(Said, aNumberOfCellsThatIsTypedCountsWhenTabLeavesIt) {
     EXPECT_EQ(width(), 5);
 }
 
-TEST_F(Said, whatIsAsItsPrefabSaysIsNotMarkedWhileTheGamePlays) {
+TEST_F(Said, valuesEqualToThePrefabAreNotMarkedWhileTheGamePlays) {
     const Result<ObjectId> crate = makePrefab(workspace, {named("crate")}, prefabPath("crate"));
     ASSERT_TRUE(crate.ok());
     workspace.document.selection.set({*crate});
@@ -259,7 +260,7 @@ TEST_F(Said, whatIsAsItsPrefabSaysIsNotMarkedWhileTheGamePlays) {
     EXPECT_EQ(before, "");
 }
 
-TEST_F(Said, theSceneIsChosenByAFewLettersAndEnter) {
+TEST_F(Said, aSceneIsOpenedByAFewLettersAndEnter) {
     putFile("scenes/cave.scene.json", kSceneText);
     putFile("scenes/attic.scene.json", kSceneText);
     hands.key(Key::O, {.control = true});
@@ -279,7 +280,7 @@ TEST_F(Said, theSceneIsChosenByAFewLettersAndEnter) {
     EXPECT_EQ(workspace.document.scenePath, "scenes/cave.scene.json");
 }
 
-TEST(ScenesFound, instancesAreCalledAfterTheirPrefab) {
+TEST(ScenesFound, instancesAreNamedAfterTheirPrefab) {
     const auto scene = [](const char* at) {
         return format(R"({"entities": [{"id": "00000000000000a7", "prefab": "prefabs/coin.prefab.json",
             "components": {"Transform": {"position": [{}, 0]}}}]})",
@@ -289,7 +290,7 @@ TEST(ScenesFound, instancesAreCalledAfterTheirPrefab) {
               "coin (00a7): Transform.position was [1,0], is [2,0]");
 }
 
-TEST(PlacedOnGrid, whatStandsOnItsLowerEdgeComesToTheLowerEdgeOfTheCellUnderTheMouse) {
+TEST(PlacedOnGrid, spritesWithABottomPivotArePlacedOnTheLowerEdgeOfTheCell) {
     const Vec2 step{16.0f, 16.0f};
     const PlacedPicture standing{{}, {0.5f, 1.0f}};
     EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, standing, step), (Vec2{48.0f, 144.0f})) << "high in the cell";
@@ -298,16 +299,16 @@ TEST(PlacedOnGrid, whatStandsOnItsLowerEdgeComesToTheLowerEdgeOfTheCellUnderTheM
     EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, PlacedPicture{}, step), (Vec2{48.0f, 128.0f})) << "in its middle";
 }
 
-TEST(PlacedOnGrid, aPictureOfWholeCellsComesIntoTheCellsUnderTheMouseWhereverItsPivotIs) {
+TEST(PlacedOnGrid, spritesOfWholeCellsAreAlignedToCellsForAnyPivot) {
     const Vec2 step{16.0f, 16.0f}, standing{0.5f, 1.0f};
     for (const Vec2 pivot : {Vec2{0.5f, 0.5f}, Vec2{0.5f, 1.0f}, Vec2{0.25f, 0.75f}, Vec2{1.0f, 1.0f}}) {
         for (const Vec2 size : {Vec2{16.0f, 16.0f}, Vec2{48.0f, 32.0f}, Vec2{160.0f, 16.0f}}) {
             const Vec2 mouse{203.0f, 77.0f};
             const Vec2 corner = placedOnGrid(mouse, {size, pivot}, step) - scaled(size, pivot);
             EXPECT_EQ(corner, snapped(corner, step));
-            // Its pivot is in the cell of the mouse, or on the border of it.
-            const Vec2 way = corner + scaled(size, pivot) - mouse;
-            EXPECT_LE(std::max(std::abs(way.x), std::abs(way.y)), 16.0f);
+            // The pivot is in the cell under the mouse or on its border.
+            const Vec2 offset = corner + scaled(size, pivot) - mouse;
+            EXPECT_LE(std::max(std::abs(offset.x), std::abs(offset.y)), 16.0f);
         }
     }
     EXPECT_EQ(placedOnGrid({50.0f, 130.0f}, {{16.0f, 32.0f}, standing}, step), (Vec2{56.0f, 144.0f}));

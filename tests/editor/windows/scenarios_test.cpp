@@ -1,5 +1,5 @@
-// Long days at the editor: a person builds, tries, changes and saves levels of a real project, by mouse and
-// keys alone. What counts is what stands in the file at the end, and what is on the screen on the way.
+// Long sessions: builds, plays, changes and saves levels of a real project by mouse and keys alone. The tests
+// check the saved files and the visible state on the way.
 
 #include "editor/model/document/tile_layers.hpp"
 #include "editor/model/input/key_bindings.hpp"
@@ -13,7 +13,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// A project made from the template "Platformer", open in the whole editor.
+/// A project created from the template "Platformer", open in the whole editor.
 class Designer : public testing::Test {
 protected:
     Designer() {
@@ -23,7 +23,7 @@ protected:
         }
         start();
     }
-    /// The program is started, or started again.
+    /// Starts the editor, or restarts it.
     void start(std::string_view scene = {}) {
         hands_.reset(), window_.reset(), session_.reset();
         Result<std::unique_ptr<ProjectSession>> session = ProjectSession::open(root_.string());
@@ -80,7 +80,8 @@ protected:
         hands().rest(3);
         ASSERT_EQ(w().document.scenePath, format("scenes/{}.scene.json", name));
     }
-    /// Dragged from the assets into the scene; it is looked for by its name, because there are many.
+    /// Drags a file from the asset browser into the scene. Uses the search, because there are too many files
+    /// to show.
     void dropFile(std::string_view path, Vec2 place) {
         hands().click("Tab/Assets");
         hands().rest(40);
@@ -91,14 +92,14 @@ protected:
         hands().drag(hands().middleOf(format("Assets/{}", path)), onScreen(place));
         hands().rest(2);
     }
-    /// What stands above a component is folded, so that it is in sight.
+    /// Folds components, so that the ones below become visible in the inspector.
     void fold(std::initializer_list<const char*> components) {
         for (const char* name : components) {
             hands().click(format("Inspector/{}", name));
             hands().rest();
         }
     }
-    /// The whole history back and forth gives the same bytes.
+    /// Expects that undoing and redoing the whole history restores the bytes.
     void expectHistoryIsExact(const std::string& start) {
         const std::string now = w().text();
         const std::size_t steps = w().undo.size();
@@ -123,7 +124,7 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     const std::string empty = w().text();
     EXPECT_TRUE(shown("Scene/empty")) << "an empty scene says what to do";
 
-    // The ground: a tileset becomes a layer, terrain is painted on it.
+    // Ground: a dropped tileset becomes a tile layer, on which terrain is painted.
     dropFile("assets/wood.tileset.json", {0.0f, 0.0f});
     ASSERT_EQ(w().undo.size(), 1u) << w().notice;
     const ObjectId ground = w().document.selection.all().back();
@@ -143,7 +144,7 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     EXPECT_NE(grid.at(10, 6), grid.at(10, 7)) << "its upper side looks other than its inside";
     press("Q");
 
-    // The ones that live there.
+    // Player and enemies.
     dropFile("prefabs/player.prefab.json", middle(2, 5));
     dropFile("prefabs/gloomcap.prefab.json", middle(8, 5));
     const ObjectId enemy = w().document.selection.all().back();
@@ -156,7 +157,7 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     const std::size_t before = w().undo.size();
     EXPECT_EQ(before, 6u) << "layer, terrain, player, enemy, copy, one run of nudges";
 
-    // Both are made faster in one step, each from what it is.
+    // Double the speed of both enemies in one step; each keeps its own base value.
     w().document.selection.set(enemies);
     hands().rest(2);
     fold({"Transform", "Sprite", "Animator", "KinematicBody", "BoxCollider"});
@@ -166,7 +167,7 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     EXPECT_EQ(valueOf("Inspector/Patrol/speed"), "56");
     EXPECT_EQ(valueOf("Inspector/Patrol/speed/label"), "overridden") << "they differ from their prefab";
 
-    // It is played, and one is moved meanwhile.
+    // Play the level and move an enemy meanwhile.
     const std::string edited = w().text();
     press("F5");
     hands().rest(30);
@@ -184,7 +185,7 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     EXPECT_NE(w().text().find("\"speed\": 40"), std::string::npos);
     EXPECT_NE(w().text().find("\"speed\": 56"), std::string::npos) << "the other one stays";
 
-    // All of it can be undone and redone, is saved, and is there after a restart.
+    // Undo and redo everything, save, and check the level after a restart.
     expectHistoryIsExact(empty);
     const std::string done = w().text();
     EXPECT_NE(valueOf("Status/state").find("Not saved"), std::string::npos);
@@ -203,12 +204,12 @@ TEST_F(Designer, buildsALevelPlaysItKeepsAChangeSavesAndComesBack) {
     EXPECT_EQ(file("scenes/cave.scene.json"), done) << "opened, played and saved: not a byte";
 }
 
-TEST_F(Designer, rearrangesALevelInTheTreeAndTakesAllOfItBack) {
+TEST_F(Designer, rearrangesALevelInTheTreeAndUndoesEverything) {
     start("level1");
     const std::string original = file("scenes/level1.scene.json");
     ASSERT_EQ(w().text(), original);
 
-    // Three trees become a group with a name, behind the sky in the tree.
+    // Make a named group of three trees and move it behind the sky in the tree.
     press("Ctrl+F");
     hands().type("tree");
     hands().rest(2);
@@ -230,7 +231,7 @@ TEST_F(Designer, rearrangesALevelInTheTreeAndTakesAllOfItBack) {
     EXPECT_EQ(w().undo.size(), 2u);
     EXPECT_TRUE(shown("Scene/grove"));
 
-    // Another grove, with its trees.
+    // Duplicate the group with its trees.
     w().document.selection.set({grove});
     hands().rest(2);
     press("Ctrl+D");
@@ -238,7 +239,7 @@ TEST_F(Designer, rearrangesALevelInTheTreeAndTakesAllOfItBack) {
     EXPECT_EQ(allNamed("tree").size(), 6u);
     EXPECT_EQ(w().undo.size(), 3u);
 
-    // One coin stands apart from its prefab, is listed as that, and comes back.
+    // Override a value of one coin's prefab, find it in the list of overrides and revert it.
     const std::vector<ObjectId> coins = allNamed("coin");
     ASSERT_GT(coins.size(), 3u);
     w().document.selection.set({coins[0]});
@@ -249,7 +250,7 @@ TEST_F(Designer, rearrangesALevelInTheTreeAndTakesAllOfItBack) {
     press("Ctrl+Z");
     EXPECT_EQ(w().text(), unchanged);
 
-    // Several coins in line, deleted, and back.
+    // Align three coins, delete them, and restore them by undo.
     w().document.selection.set({coins[0], coins[1], coins[2]});
     hands().rest(2);
     hands().click("Menu/Arrange");
@@ -262,7 +263,7 @@ TEST_F(Designer, rearrangesALevelInTheTreeAndTakesAllOfItBack) {
     press("Ctrl+Z");
     EXPECT_EQ(allNamed("coin").size(), coins.size());
 
-    // Hidden and locked: not in the file, not a step.
+    // Hide and lock an entity: this is neither saved in the file nor an undo step.
     const std::size_t steps = w().undo.size();
     w().document.selection.set({named("sky")});
     hands().rest(2);
@@ -291,7 +292,7 @@ TEST_F(Designer, paintsALevelOnLayersWithStampsAndFindsItAgain) {
     };
     const auto at = [&](ObjectId layer, int x, int y) { return gridOf(w().document, layer)->at(x, y); };
 
-    // A corner of the ground is taken with the right button, kept as 1, and painted elsewhere.
+    // Take a stamp from the ground with the right button, store it as 1, and paint it elsewhere.
     hands().moveTo(onScreen(middle(3, 9))), hands().rest(), hands().press(MouseButton::Right);
     hands().moveTo(onScreen(middle(4, 10))), hands().moveTo(onScreen(middle(5, 11)));
     hands().release(MouseButton::Right), hands().rest();
@@ -308,7 +309,7 @@ TEST_F(Designer, paintsALevelOnLayersWithStampsAndFindsItAgain) {
     hands().rest(2);
     ASSERT_EQ(w().undo.size(), 1u);
 
-    // A layer above it, with a few leaves, half seen, then lowered.
+    // Add a translucent layer above the ground with some leaves, then lower it.
     hands().click("Menu/Tiles");
     hands().click("Menu/Tiles/Add layer");
     hands().rest(3);
@@ -329,7 +330,7 @@ TEST_F(Designer, paintsALevelOnLayersWithStampsAndFindsItAgain) {
     press("Ctrl+Shift+PageDown");
     EXPECT_EQ(tileLayers(w().document)[1], above) << "one place lower";
 
-    // Some of it is moved, copied to the other layer, and the rest cut.
+    // Move some tiles, copy some to the other layer and cut the rest.
     press("M");
     drag(middle(2, 2), middle(3, 2));
     drag(middle(2, 2), middle(2, 1));

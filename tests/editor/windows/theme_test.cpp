@@ -11,30 +11,33 @@ namespace {
 
 struct Named {
     const char* name;
-    Swatch swatch;
+    ThemeColor swatch;
 };
 #define SWATCH(name) \
     Named { #name, palette::name }
 
-ImU32 shade(const Swatch& swatch, Theme theme) { return theme == Theme::Light ? swatch.light : swatch.dark; }
-/// As it stands in the table: to be looked for there.
-std::string text(const Swatch& swatch, Theme theme) {
+ImU32 shade(const ThemeColor& swatch, Theme theme) {
+    return theme == Theme::Light ? swatch.light : swatch.dark;
+}
+/// Returns a swatch as written in the table of colours, so that it can be searched there.
+std::string text(const ThemeColor& swatch, Theme theme) {
     const ImU32 color = shade(swatch, theme);
     return format("({}, {}, {})", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
 }
 class Contrast : public testing::TestWithParam<Theme> {
 protected:
-    void expectAll(std::initializer_list<Swatch> fronts, std::initializer_list<Swatch> backs, float least) {
-        for (const Swatch& back : backs) {
-            for (const Swatch& front : fronts) {
+    void expectAll(std::initializer_list<ThemeColor> fronts, std::initializer_list<ThemeColor> backs,
+                   float least) {
+        for (const ThemeColor& back : backs) {
+            for (const ThemeColor& front : fronts) {
                 const ImU32 below = shade(back, GetParam());
                 EXPECT_GE(contrast(over(shade(front, GetParam()), below), below), least)
                     << text(front, GetParam()) << " on " << text(back, GetParam());
             }
         }
     }
-    /// On a surface that something translucent lies on.
-    void expectOn(const Swatch& front, const Swatch& between, const Swatch& back, float least) {
+    /// Expects a contrast on a surface that is covered by a translucent colour.
+    void expectOn(const ThemeColor& front, const ThemeColor& between, const ThemeColor& back, float least) {
         const ImU32 below = over(shade(between, GetParam()), shade(back, GetParam()));
         EXPECT_GE(contrast(shade(front, GetParam()), below), least)
             << text(front, GetParam()) << " on " << text(between, GetParam()) << " on "
@@ -42,7 +45,7 @@ protected:
     }
 };
 
-TEST_P(Contrast, wordsAreLegibleOnEverySurface) {
+TEST_P(Contrast, textIsLegibleOnEverySurface) {
     expectAll({palette::kText},
               {palette::kChrome, palette::kChromePlaying, palette::kChromePaused, palette::kPanel,
                palette::kHeader, palette::kHeaderHovered, palette::kPopup, palette::kField,
@@ -59,9 +62,9 @@ TEST_P(Contrast, wordsAreLegibleOnEverySurface) {
               {palette::kPanel}, 4.5f);
 }
 
-TEST_P(Contrast, wordsStayLegibleOnWhatIsChosenHoveredOrHeld) {
-    for (const Swatch& back : {palette::kPanel, palette::kPopup, palette::kChrome}) {
-        for (const Swatch& between :
+TEST_P(Contrast, textIsLegibleOnSelectedHoveredAndPressedItems) {
+    for (const ThemeColor& back : {palette::kPanel, palette::kPopup, palette::kChrome}) {
+        for (const ThemeColor& between :
              {palette::kAccentSoft, palette::kAccentPressed, palette::kHover, palette::kCard})
             expectOn(palette::kText, between, back, 4.5f);
         expectOn(palette::kTextDim, palette::kHover, back, 4.5f);
@@ -70,7 +73,7 @@ TEST_P(Contrast, wordsStayLegibleOnWhatIsChosenHoveredOrHeld) {
     expectOn(palette::kText, palette::kAccentPressed, palette::kField, 4.5f);
 }
 
-TEST_P(Contrast, signsAreSeenOnEverySurface) {
+TEST_P(Contrast, iconsAreVisibleOnEverySurface) {
     expectAll({palette::kAccent, palette::kPlay, palette::kWarning, palette::kError, palette::kIconOff,
                palette::kViolet, palette::kOrange, palette::kSand, palette::kLime, palette::kTeal,
                palette::kGreen, palette::kBlue},
@@ -78,13 +81,13 @@ TEST_P(Contrast, signsAreSeenOnEverySurface) {
     expectAll({palette::kPlay, palette::kWarning, palette::kError, palette::kText},
               {palette::kChromePlaying, palette::kChromePaused}, 3.0f);
     expectAll({palette::kAccent}, {palette::kField, palette::kFieldHovered, palette::kHeader},
-              3.0f);                                                           // check marks
-    expectOn(palette::kAccent, palette::kAccentSoft, palette::kChrome, 3.0f);  // a tool in the hand
+              3.0f);                                                           // check marks on fields
+    expectOn(palette::kAccent, palette::kAccentSoft, palette::kChrome, 3.0f);  // icon of the active tool
     expectOn(palette::kAccent, palette::kAccentSoft, palette::kPanel, 3.0f);
     expectOn(palette::kPastLine, palette::kPast, palette::kField, 3.0f);
 }
 
-TEST_P(Contrast, iconsOfEntitiesAreSeen) {
+TEST_P(Contrast, iconsOfEntitiesAreVisible) {
     ImGuiContext* context = ImGui::CreateContext();
     applyColors(GetParam());
     const ImU32 panel = palette::kPanel;

@@ -1,5 +1,5 @@
-// The bars of the window at every size and scale: nothing lies on anything else, nothing is cut off, and what
-// has no room is in a list.
+// The bars of the window at every size and scale: no widgets overlap or are cut off, and those without space
+// are in a list.
 
 #include <array>
 
@@ -29,7 +29,7 @@ protected:
     [[nodiscard]] bool onScreen(std::string_view widget) const {
         return window.widgets().find(widget) != nullptr;
     }
-    /// Widgets of the bars, without what their lists have.
+    /// Widgets of the bars, without the entries of their lists.
     [[nodiscard]] std::vector<std::pair<std::string, AABB>> bars() const {
         std::vector<std::pair<std::string, AABB>> found;
         for (const auto& [name, widget] : window.widgets().all()) {
@@ -62,7 +62,7 @@ protected:
     Hands hands;
 };
 
-TEST_F(WindowSizes, noTwoWidgetsOfTheBarsOverlapAndNoneIsCut) {
+TEST_F(WindowSizes, widgetsOfTheBarsNeitherOverlapNorAreCutOff) {
     for (const float scale : kScales) {
         for (const PixelSize size : kSizes) {
             SCOPED_TRACE(format("{}x{} at {} %", size.width, size.height, scale * 100.0f));
@@ -85,7 +85,7 @@ TEST_F(WindowSizes, theLogAndTheNoticeShareTheStatusBar) {
     }
 }
 
-TEST_F(WindowSizes, whatTheToolbarHasNoRoomForIsInItsList) {
+TEST_F(WindowSizes, toolbarItemsWithoutSpaceAreInItsList) {
     show({1280, 720}, 1.0f);
     EXPECT_FALSE(onScreen("Toolbar/more")) << "all of it fits";
     show({800, 500}, 1.5f);
@@ -106,7 +106,7 @@ TEST_F(WindowSizes, whatTheToolbarHasNoRoomForIsInItsList) {
     EXPECT_FALSE(workspace.shows("collision")) << "one click does one thing";
 }
 
-TEST_F(WindowSizes, menusWithoutRoomAreInAMenuOfMenus) {
+TEST_F(WindowSizes, menusWithoutSpaceAreInAnOverflowMenu) {
     show({800, 500}, 3.0f);
     ASSERT_TRUE(onScreen("Menu/more"));
     EXPECT_FALSE(onScreen("Menu/Run"));
@@ -115,7 +115,7 @@ TEST_F(WindowSizes, menusWithoutRoomAreInAMenuOfMenus) {
     EXPECT_TRUE(onScreen("Menu/Run"));
 }
 
-TEST_F(WindowSizes, theButtonsOfAQuestionAreOnTheScreenOfTheSmallestWindow) {
+TEST_F(WindowSizes, theButtonsOfADialogAreVisibleInTheSmallestWindow) {
     for (const float scale : {1.0f, 2.0f, 3.0f}) {
         SCOPED_TRACE(scale);
         show({800, 500}, scale);
@@ -134,7 +134,7 @@ TEST_F(WindowSizes, theButtonsOfAQuestionAreOnTheScreenOfTheSmallestWindow) {
     }
 }
 
-TEST(BarGroups, thoseThatAreWorthLessGoFirstAndTheButtonForThemHasItsRoom) {
+TEST(BarGroups, groupsOfLowPriorityAreHiddenFirstWithSpaceForTheListButton) {
     const std::array groups{BarGroup{100.0f, 2}, BarGroup{100.0f, 1}, BarGroup{100.0f, 3}};
     using Shown = std::vector<bool>;
     EXPECT_EQ(shownGroups(groups, 320.0f, 10.0f, 20.0f), (Shown{true, true, true}));
@@ -143,7 +143,7 @@ TEST(BarGroups, thoseThatAreWorthLessGoFirstAndTheButtonForThemHasItsRoom) {
     EXPECT_EQ(shownGroups(groups, 129.0f, 10.0f, 20.0f), (Shown{false, false, false}));
 }
 
-TEST_F(WindowSizes, aTextThatIsCutKeepsItsBeginningAndItsEnd) {
+TEST_F(WindowSizes, aShortenedTextKeepsItsBeginningAndItsEnd) {
     const std::string name = "background_forest_far.png";
     std::string fitted, none, whole;
     hands.rest();

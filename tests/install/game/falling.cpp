@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <plumb_physics.hpp>
 
-// Links the physics library alone: a small cube that is pushed over a bouncy, rough floor into a light and a
-// heavy cube, over a large smooth one, and through a spinning trigger that recolours it. y points down.
+// Links the physics library alone. A small cube is pushed over a bouncy, rough floor against a light and a
+// heavy cube, over a large smooth one, and through a spinning trigger that changes its colour. y points down.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -40,7 +40,7 @@ RigidBody& add(Physics& physics, WorldPosition place, float half, float mass, bo
     return body;
 }
 
-/// How fast the small cube pushes one of this mass away.
+/// Speed of another cube of this mass after the small cube hit it, m/s.
 float pushed(float mass) {
     Physics physics;
     RigidBody& small = add(physics, {-2.0, 0.0}, 0.5f, 1.0f, false, {});
@@ -50,7 +50,7 @@ float pushed(float mass) {
     return other.velocity().x;
 }
 
-/// How far a push carries it over a static cube of this friction.
+/// Distance that a push moves the small cube over a static cube of this friction, m.
 double slid(float friction) {
     Physics physics;
     static_cast<void>(physics.create<BoxCollider>(

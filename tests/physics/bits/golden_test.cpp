@@ -11,7 +11,7 @@
 #include "tests/physics/support/golden_scenes.hpp"
 #include "tests/support/places.hpp"
 
-// One number for each scene, the same on all machines: tests/replay/physics.golden.
+// The state hash of each golden scene must be the one in tests/replay/physics.golden on all machines.
 
 namespace plumb::physics {
 namespace {
@@ -33,7 +33,7 @@ std::string inDigits(std::uint64_t hash) {
     return text;
 }
 
-/// How a scene is run, and what was observed.
+/// Parameters and observations of a run.
 struct Course {
     StepOptions options;
     bool rewinds = false;  // takes a snapshot every seventh step, continues, and restores it
@@ -98,7 +98,7 @@ TEST_P(Golden, isTheSameWithAnyInstructionSet) {
     setSimdWidth(widest);
 }
 
-TEST_P(Golden, isTheSameWhenEverySeventhStepIsGoneBackTo) {
+TEST_P(Golden, isTheSameIfASnapshotIsRestoredEverySeventhStep) {
     Course course{.rewinds = true};
     EXPECT_EQ(hashOf(scene, course), golden);
 }

@@ -13,7 +13,7 @@ using namespace plumb::physics;
 
 namespace {
 
-/// Drops a body into the pit now and then, so that sleeping bodies wake up.
+/// Drops another body into the pit every 150 ticks, so that sleeping bodies wake up.
 void disturb(World& world, int tick) {
     if (tick % 150 != 149) return;
     const BodyId body = addBody(world, BodyKind::Dynamic, {-5.0 + 0.05 * (tick % 200), 14.0}, 0.3f);
@@ -21,7 +21,7 @@ void disturb(World& world, int tick) {
     static_cast<void>(setVelocity(world, body, {1.0f, -12.0f}));
 }
 
-/// A world with everything: sleeping bodies, joints, events, freed indices.
+/// Builds a world with sleeping bodies, joints, contact events and freed indices.
 World makeRich() {
     World world = makePit(40, 5);
     world.settings.sleepTime = 0.2f;
@@ -270,7 +270,7 @@ std::vector<Change> everyField() {
 
 }  // namespace
 
-TEST(Hash, anyFieldThatChangesChangesIt) {
+TEST(Hash, dependsOnEveryField) {
     const World world = makeRich();
     ASSERT_FALSE(world.contacts.empty());
     ASSERT_FALSE(world.sleepers.contacts.empty());
@@ -284,7 +284,7 @@ TEST(Hash, anyFieldThatChangesChangesIt) {
     }
 }
 
-TEST(Hash, leavesOutEventsAndTheWorkspace) {
+TEST(Hash, ignoresEventsAndTheWorkspace) {
     World world = makePit(20, 2);
     for (int i = 0; i < 60; ++i) step(world, kTick);
     World other = world;
@@ -295,7 +295,7 @@ TEST(Hash, leavesOutEventsAndTheWorkspace) {
     EXPECT_EQ(a.value(), b.value());
 }
 
-TEST(Snapshot, aCopyGoesOnLikeTheOriginal) {
+TEST(Snapshot, aCopyContinuesLikeTheOriginal) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         SCOPED_TRACE(seed);
         World world = makePit(60, seed);
@@ -310,7 +310,7 @@ TEST(Snapshot, aCopyGoesOnLikeTheOriginal) {
     }
 }
 
-TEST(Snapshot, restoringEverySeventhTickIsLikeNeverStopping) {
+TEST(Snapshot, restoringEverySeventhTickChangesNothing) {
     std::size_t asleepInAll = 0;
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
         SCOPED_TRACE(seed);

@@ -5,7 +5,7 @@
 
 #include "tests/physics/support/random_scene.hpp"
 
-// PLUMB_SCENES sets their number.
+// The environment variable PLUMB_SCENES sets the number of scenes.
 
 namespace plumb::physics {
 namespace {
@@ -15,7 +15,7 @@ int wantedScenes() {
     return asked != nullptr ? std::atoi(asked) : 2000;
 }
 
-TEST(RandomScenes, stayFiniteWhateverTheyAreMadeOf) {
+TEST(RandomScenes, stayFinite) {
     int contacts = 0, plain = 0, refused = 0;
     const int scenes = wantedScenes();
     for (int i = 0; i < scenes; ++i) {

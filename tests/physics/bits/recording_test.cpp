@@ -10,18 +10,18 @@
 #include "physics/queries/lists.hpp"
 #include "tests/physics/support/edited_worlds.hpp"
 
-// Interfaces between a game and a world: recordings, snapshots, hits, lists, callbacks.
+// Interfaces between a game and a world: recordings, snapshots, hits, lists of bodies, callbacks.
 
 namespace plumb::physics {
 namespace {
 
-TEST(FromOutside, recordingsOfWorldsThatAreChangedReplay) {
+TEST(FromOutside, recordingsWithRandomEditsAreReplayedExactly) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         World world = makePit(20, seed);
         Random random = Random::seeded(seed);
         WorldRecording recording{world};
         for (int i = 0; i < 60; ++i) {
-            if (i % 5 == 0) meddle(world, random);
+            if (i % 5 == 0) applyRandomEdit(world, random);
             recording.step(world, kTick);
         }
         std::vector<std::uint8_t> bytes = recording.toBytes();
@@ -36,7 +36,7 @@ TEST(FromOutside, recordingsOfWorldsThatAreChangedReplay) {
     }
 }
 
-TEST(FromOutside, aReplayThatDiffersSaysInWhichStep) {
+TEST(FromOutside, aReplayReportsTheFirstStepThatDiffers) {
     World world = makePit(10, 1);
     WorldRecording recording{world};
     StepOptions options;
@@ -50,7 +50,7 @@ TEST(FromOutside, aReplayThatDiffersSaysInWhichStep) {
     EXPECT_NE(other.error().text().find("step 30"), std::string::npos) << other.error().text();
 }
 
-TEST(FromOutside, snapshotsAreBytesOfAllThatWillHappen) {
+TEST(FromOutside, snapshotsContainTheWholeState) {
     World world = makePit(30, 7);
     run(world, 100);
     const std::vector<std::uint8_t> bytes = toBytes(world);
@@ -64,7 +64,7 @@ TEST(FromOutside, snapshotsAreBytesOfAllThatWillHappen) {
         EXPECT_FALSE(worldFrom(std::span{bytes}.first(cut)).ok()) << cut;
 }
 
-TEST(FromOutside, frictionAndBouncinessByCallbackAreThoseOfTheShapes) {
+TEST(FromOutside, callbacksCanSetFrictionAndBouncinessLikeShapes) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         World own = makePit(25, seed), asked = makePit(25, seed);
         for (std::uint32_t s = 0; s < own.shapes.size(); ++s) {
@@ -88,7 +88,7 @@ TEST(FromOutside, stepsOnAForeignSchedulerGiveTheSameBits) {
         int rounds = 0;
         static void run(void* owner, int count, TaskPool::Call task, void* context) {
             ++static_cast<Scheduler*>(owner)->rounds;
-            for (int part = count; part-- > 0;) task(context, part, part % 3);  // in any order
+            for (int part = count; part-- > 0;) task(context, part, part % 3);  // in reverse order
         }
     } scheduler;
     TaskPool pool{3, Scheduler::run, &scheduler};
@@ -101,7 +101,7 @@ TEST(FromOutside, stepsOnAForeignSchedulerGiveTheSameBits) {
     EXPECT_GT(scheduler.rounds, 30);
 }
 
-TEST(FromOutside, hitsTellHowFastBothCameTogether) {
+TEST(FromOutside, hitsReportTheApproachSpeed) {
     Random random = Random::seeded(9);
     for (int i = 0; i < 30; ++i) {
         const bool bullet = i % 2 == 0;
@@ -124,7 +124,7 @@ TEST(FromOutside, hitsTellHowFastBothCameTogether) {
     }
 }
 
-TEST(FromOutside, hitsCountTheRotationOfTheBodies) {
+TEST(FromOutside, theApproachSpeedIncludesTheRotationOfTheBodies) {
     Random random = Random::seeded(10);
     std::array<int, 2> hits{};
     for (int i = 0; i < 40; ++i) {
@@ -151,8 +151,8 @@ TEST(FromOutside, hitsCountTheRotationOfTheBodies) {
                 std::find_if(world.events.begin(), world.events.end(),
                              [](const ContactEvent& event) { return event.phase == ContactPhase::Began; });
             if (began == world.events.end()) continue;
-            // As both bodies moved until now. The point is that after the step, in which arms turn by 0.02
-            // rad.
+            // The velocities of both bodies before the hit. The contact point is that after the step, in
+            // which the bodies rotate by up to 0.02 rad.
             const Vec2 speed = velocity - cross(spin, began->point);
             EXPECT_NEAR(began->approachSpeed, std::fabs(dot(began->normal, speed)), 0.05f * length(speed))
                 << i;
@@ -164,7 +164,7 @@ TEST(FromOutside, hitsCountTheRotationOfTheBodies) {
     EXPECT_GT(hits[1], 5);
 }
 
-TEST(FromOutside, everythingThatMovesIsListedUntilItSleeps) {
+TEST(FromOutside, movingBodiesAreListedUntilTheySleep) {
     World world = makePit(30, 6);
     std::vector<BodyId> moved;
     for (int i = 0; i < 400; ++i) {
@@ -179,7 +179,7 @@ TEST(FromOutside, everythingThatMovesIsListedUntilItSleeps) {
     }
 }
 
-TEST(FromOutside, whatABodyHasIsListedInOrder) {
+TEST(FromOutside, shapesAndJointsOfABodyAreListedInOrder) {
     Shelf s;
     const ShapeId second = *createShape(s.world, s.crate, circle(0.1f));
     const JointId rod = *createJoint(s.world, {.kind = JointKind::Distance, .a = s.shelf, .b = s.crate});

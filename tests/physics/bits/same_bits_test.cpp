@@ -8,7 +8,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Crates and balls of many sizes that fall into a heap. Enough of them for all threads.
+/// Drops crates and balls of many sizes into a heap; enough of them to give work to all threads.
 void pourIn(Playground& scene, int count) {
     scene.floor();
     Random random = Random::seeded(7);
@@ -32,7 +32,7 @@ std::vector<std::uint64_t> heapAfter(int ticks, const StepOptions& options = {})
     return bitsOf(scene.world);
 }
 
-TEST(SameBits, whateverTheNumberOfThreads) {
+TEST(SameBits, forAnyNumberOfThreads) {
     const std::vector<std::uint64_t> expected = heapAfter(90);
     for (const int threads : {2, 4, 16}) {
         TaskPool pool{threads};
@@ -40,8 +40,8 @@ TEST(SameBits, whateverTheNumberOfThreads) {
     }
 }
 
-/// Rows of balls that hit each other without loss: impacts propagate
-/// through whole rows within a step, in the order of their contacts.
+/// Rows of balls that collide without loss of energy: impacts propagate through whole rows within a step, in
+/// the order of their contacts.
 std::vector<std::uint64_t> cradlesAfter(int ticks, const StepOptions& options = {}) {
     Playground scene;
     scene.world.settings.gravity = {};
@@ -58,7 +58,7 @@ std::vector<std::uint64_t> cradlesAfter(int ticks, const StepOptions& options = 
     return bitsOf(scene.world);
 }
 
-TEST(SameBits, ofImpactsThatGoThroughRows) {
+TEST(SameBits, forImpactsThatPropagateThroughRows) {
     const std::vector<std::uint64_t> expected = cradlesAfter(40);
     for (const int threads : {2, 5}) {
         TaskPool pool{threads};
@@ -66,7 +66,7 @@ TEST(SameBits, ofImpactsThatGoThroughRows) {
     }
 }
 
-TEST(SameBits, smallWorldsDoWithoutThreads) {
+TEST(SameBits, smallWorldsUseNoThreads) {
     struct Scheduler {
         int rounds = 0;
         static void run(void* owner, int count, TaskPool::Call task, void* context) {
@@ -81,7 +81,7 @@ TEST(SameBits, smallWorldsDoWithoutThreads) {
     EXPECT_GT(scheduler.rounds, 0);
 }
 
-TEST(SameBits, whateverTheInstructionSet) {
+TEST(SameBits, forAnyInstructionSet) {
     const SimdWidth widest = simdWidth();
     const std::vector<std::uint64_t> expected = heapAfter(90);
     for (const SimdWidth width : {SimdWidth::Scalar, SimdWidth::Sse2, SimdWidth::Avx2, SimdWidth::Neon}) {
@@ -94,7 +94,8 @@ TEST(SameBits, whateverTheInstructionSet) {
     setSimdWidth(widest);
 }
 
-/// A heap with all users of the broad phase: bullets, a rope, a lift, and bodies that come and go.
+/// A heap that uses the broad phase in all its forms: bullets, a rope, a lift, and bodies that are added and
+/// removed.
 World busyWorldAfter(int ticks, BroadPhaseKind kind, const StepOptions& options = {}) {
     Playground scene;
     World& world = scene.world;
@@ -121,7 +122,7 @@ World busyWorldAfter(int ticks, BroadPhaseKind kind, const StepOptions& options 
     return world;
 }
 
-TEST(SameBits, whateverTheBroadPhase) {
+TEST(SameBits, forAnyBroadPhase) {
     const World expected = busyWorldAfter(300, BroadPhaseKind::Tree);
     EXPECT_GT(touching(expected), 300);
     TaskPool pool{2};
@@ -129,27 +130,27 @@ TEST(SameBits, whateverTheBroadPhase) {
          {BroadPhaseKind::Grid, BroadPhaseKind::SweepAndPrune, BroadPhaseKind::Quadtree}) {
         SCOPED_TRACE(nameOf(kind));
         World world = busyWorldAfter(300, kind, {.pool = &pool, .minimumWork = 0});
-        EXPECT_NE(hashOf(world), hashOf(expected));  // settings are part of the world
+        EXPECT_NE(hashOf(world), hashOf(expected));  // the kind of broad phase is part of the hashed settings
         world.settings.broadPhase = expected.settings.broadPhase;
         EXPECT_EQ(hashOf(world), hashOf(expected));
     }
 }
 
-TEST(SameBits, evenWhereTheBroadPhaseChangesMeanwhile) {
-    Playground plain, fickle;
+TEST(SameBits, ifTheBroadPhaseIsSwitchedDuringTheRun) {
+    Playground plain, switching;
     pourIn(plain, 200);
-    pourIn(fickle, 200);
+    pourIn(switching, 200);
     for (std::uint8_t tick = 0; tick < 120; ++tick) {
         // Invalid kinds select the tree.
-        if (tick % 5 == 0) fickle.world.settings.broadPhase = static_cast<BroadPhaseKind>(tick / 5 % 7);
+        if (tick % 5 == 0) switching.world.settings.broadPhase = static_cast<BroadPhaseKind>(tick / 5 % 7);
         plain.run(1);
-        fickle.run(1);
-        ASSERT_EQ(bitsOf(plain.world), bitsOf(fickle.world)) << tick;
+        switching.run(1);
+        ASSERT_EQ(bitsOf(plain.world), bitsOf(switching.world)) << tick;
     }
     EXPECT_GT(touching(plain.world), 100);
 }
 
-TEST(SameBits, aSnapshotPutBackEverySeventhTickChangesNothing) {
+TEST(SameBits, ifASnapshotIsRestoredEverySeventhTick) {
     Playground plain, rewound;
     plain.world.settings.sleeping = rewound.world.settings.sleeping = true;
     pourIn(plain, 300);
@@ -169,22 +170,22 @@ TEST(SameBits, aSnapshotPutBackEverySeventhTickChangesNothing) {
     EXPECT_GT(met, 10000);
 }
 
-TEST(SameBits, blocksThatAreKeptWhileContactsRestPushAsThoseLaidOutAnew) {
+TEST(SameBits, forCachedAndRebuiltContactBlocks) {
     const auto stack = [](Playground& scene, double x) {
         std::vector<BodyId> crates;
         for (int i = 0; i < 6; ++i) crates.push_back(scene.crate({x, 0.5 + i}));
         return crates;
     };
-    Playground kept, anew;
+    Playground continued, copied;
     std::vector<BodyId> crates;
-    for (Playground* scene : {&kept, &anew}) {
+    for (Playground* scene : {&continued, &copied}) {
         scene->floor();
         crates = stack(*scene, 0.0);
         stack(*scene, 5.0);
     }
     for (int tick = 0; tick < 200; ++tick) {
-        for (World* world : {&kept.world, &anew.world}) {
-            // From here on there are two groups, for a while.
+        for (World* world : {&continued.world, &copied.world}) {
+            // Between ticks 50 and 80 one body has another quality, so that there are two groups of islands.
             if (tick == 50 || tick == 80) {
                 ASSERT_TRUE(setQuality(*world, crates[0], tick == 50 ? Quality{4} : kQualityOfWorld).ok());
             }
@@ -192,38 +193,38 @@ TEST(SameBits, blocksThatAreKeptWhileContactsRestPushAsThoseLaidOutAnew) {
             if (tick == 112) world->manifest.pinnedOff = 0;
             if (tick == 140) destroyBody(*world, crates[2]);
         }
-        anew.world = World{anew.world};  // with a new workspace
-        kept.run(1);
-        anew.run(1);
-        ASSERT_EQ(bitsOf(kept.world), bitsOf(anew.world)) << tick;
+        copied.world = World{copied.world};  // a copy has a new workspace
+        continued.run(1);
+        copied.run(1);
+        ASSERT_EQ(bitsOf(continued.world), bitsOf(copied.world)) << tick;
     }
-    EXPECT_EQ(touching(kept.world), 11);
+    EXPECT_EQ(touching(continued.world), 11);
 }
 
-TEST(SameBits, anIslandThatChangesItsGroupIsSolvedInTheBlocksOfThatGroup) {
-    Playground kept, anew;
+TEST(SameBits, forAnIslandThatChangesItsQualityGroup) {
+    Playground continued, copied;
     std::vector<BodyId> crates;
-    for (Playground* scene : {&kept, &anew}) {
+    for (Playground* scene : {&continued, &copied}) {
         scene->floor();
         crates = {scene->crate({0.0, 0.5}), scene->crate({5.0, 0.5}), scene->crate({10.0, 0.5})};
         ASSERT_TRUE(setQuality(scene->world, crates[2], 4).ok());
     }
     for (int tick = 0; tick < 100; ++tick) {
-        for (World* world : {&kept.world, &anew.world}) {
+        for (World* world : {&continued.world, &copied.world}) {
             // The order of the bodies of both groups stays the same: only the boundary between them moves.
             if (tick == 50) {
                 ASSERT_TRUE(setQuality(*world, crates[1], 4).ok());
             }
         }
-        anew.world = World{anew.world};  // with a new workspace
-        kept.run(1);
-        anew.run(1);
-        ASSERT_EQ(bitsOf(kept.world), bitsOf(anew.world)) << tick;
+        copied.world = World{copied.world};  // a copy has a new workspace
+        continued.run(1);
+        copied.run(1);
+        ASSERT_EQ(bitsOf(continued.world), bitsOf(copied.world)) << tick;
     }
-    EXPECT_EQ(touching(kept.world), 3);
+    EXPECT_EQ(touching(continued.world), 3);
 }
 
-TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
+TEST(SameBits, forIslandsNextToIslandsOfAnotherQuality) {
     const auto leftHeap = [](Quality right) {
         Playground scene;
         scene.floor();
@@ -243,7 +244,7 @@ TEST(SameBits, islandsOfAnotherQualityKeepTheirs) {
     EXPECT_EQ(leftHeap(5), expected);
 }
 
-/// Fast boxes among many thin walls, several of which are in the path of each at once.
+/// Fast boxes among many thin walls; several walls are in the path of each box at once.
 World hailAmongWalls(std::uint64_t seed, BroadPhaseKind kind) {
     World world;
     world.settings.broadPhase = kind;
@@ -268,7 +269,7 @@ World hailAmongWalls(std::uint64_t seed, BroadPhaseKind kind) {
     return world;
 }
 
-TEST(SameBits, fastBodiesStopAtTheSamePlacesInWhateverOrderABroadPhaseFindsWalls) {
+TEST(SameBits, forFastBodiesInAnyOrderOfFoundWalls) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         World tree = hailAmongWalls(seed, BroadPhaseKind::Tree);

@@ -7,7 +7,7 @@
 #include "tests/physics/support/joint_world.hpp"
 #include "tests/support/allocations.hpp"
 
-// A step that needs no more memory than earlier ones allocates none.
+// A step that needs no more memory than earlier steps makes no allocations.
 
 namespace plumb::physics {
 namespace {
@@ -17,7 +17,8 @@ using test::goldenScenes;
 
 class SteadyStep : public testing::TestWithParam<std::size_t> {};
 
-/// The same steps twice: the second time all their memory exists.
+/// Runs the same steps twice from a snapshot and returns the number of allocations in the second run, for
+/// which all memory exists.
 std::size_t allocationsOfTheSecondTime(const GoldenScene& scene, const StepOptions& options) {
     constexpr int kSteps = 60;
     const auto advance = [&](World& world, int i) {
@@ -25,7 +26,7 @@ std::size_t allocationsOfTheSecondTime(const GoldenScene& scene, const StepOptio
         step(world, 1.0f / 60.0f, options);
     };
     World world = scene.build();
-    world.settings.sleeping = false;  // a body that falls asleep moves between lists, which is no steady step
+    world.settings.sleeping = false;  // falling asleep moves a body between lists, which may allocate
     for (int i = 0; i < 30; ++i) advance(world, i);
     const World saved = world;
     for (int i = 30; i < 30 + kSteps; ++i) advance(world, i);
@@ -36,7 +37,7 @@ std::size_t allocationsOfTheSecondTime(const GoldenScene& scene, const StepOptio
     return plumb::test::allocations().made - before;
 }
 
-TEST_P(SteadyStep, asksForNoMemory) {
+TEST_P(SteadyStep, makesNoAllocations) {
     const GoldenScene& scene = goldenScenes()[GetParam()];
     EXPECT_EQ(allocationsOfTheSecondTime(scene, {}), 0u);
     TaskPool pool{2};
@@ -59,7 +60,7 @@ World makeTrees() {
     return scene.world;
 }
 
-TEST(SteadyStep, asksForNoMemoryWhereJointsAreSolvedAsTrees) {
+TEST(SteadyStep, makesNoAllocationsForJointTrees) {
     World world = makeTrees();
     step(world, 1.0f / 60.0f);
     ASSERT_EQ(world.work.get().joints.trees.trees.size(), 6u);
@@ -69,7 +70,7 @@ TEST(SteadyStep, asksForNoMemoryWhereJointsAreSolvedAsTrees) {
     EXPECT_EQ(allocationsOfTheSecondTime(scene, {.pool = &pool, .minimumWork = 0}), 0u);
 }
 
-TEST(State, ofABodyWithABoxTakesFewBytes) {
+TEST(State, ofABodyWithABoxIsSmall) {
     World empty, world;
     world.settings.gravity = {};
     constexpr std::size_t kBodies = 1000;
@@ -81,8 +82,8 @@ TEST(State, ofABodyWithABoxTakesFewBytes) {
     ASSERT_TRUE(world.contacts.empty());
     const std::size_t each = (stateBytes(world) - stateBytes(empty)) / kBodies;
     RecordProperty("bytes", static_cast<int>(each));
-    EXPECT_LE(each, 256u);  // what they are: engine/physics/README.md, "State and memory"
-    EXPECT_GE(each, 200u);  // as long as it counts them all
+    EXPECT_LE(each, 256u);  // the list of these bytes is in engine/physics/README.md, "State and memory"
+    EXPECT_GE(each, 200u);  // a lower value would mean that the count misses something
 }
 
 }  // namespace

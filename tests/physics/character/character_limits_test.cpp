@@ -16,13 +16,13 @@ bool overlapsAnything(Course& course, const CharacterController& one) {
     return hit && hit->separation < 0.0f;
 }
 
-TEST(CharacterLimits, findsRoomWhenItIsPutIntoSomething) {
+TEST(CharacterLimits, leavesSolidsInWhichItIsPlaced) {
     for (int run = 0; run < runsToTry(100); ++run) {
         SCOPED_TRACE(run);
         Random random = Random::seeded(static_cast<std::uint64_t>(run));
         Course course;
         course.wall({0.0, 1.0}, {50.0f, 1.0f});
-        for (int i = 0; i < 8; ++i) {  // a heap of tiles
+        for (int i = 0; i < 8; ++i) {  // a heap of tiles around the start position
             course.wall({static_cast<double>(i % 4), -0.5 - i / 4}, {0.5f, 0.5f});
         }
         CharacterController one = course.character(
@@ -36,8 +36,8 @@ TEST(CharacterLimits, findsRoomWhenItIsPutIntoSomething) {
     }
 }
 
-/// A character that passes corners up to 0.2 m and has just jumped from a
-/// floor under a block, which its head overlaps by this much (m) on this side.
+/// A character with a corner correction of 0.2 m that has just jumped from a floor under a block, which
+/// overlaps its head by `reach` m on the given side.
 CharacterController jumpUnderABlock(Course& course, float side, float reach) {
     course.wall({0.0, 1.0}, {50.0f, 1.0f});
     course.wall({static_cast<double>(side * (0.4f + 2.0f - reach)), -4.0}, {2.0f, 0.5f});
@@ -47,7 +47,7 @@ CharacterController jumpUnderABlock(Course& course, float side, float reach) {
     return one;
 }
 
-TEST(CharacterLimits, aHeadPassesCornersThatItHardlyMisses) {
+TEST(CharacterLimits, cornerCorrectionMovesAHeadPastACorner) {
     for (const float reach : {0.1f, 0.19f, 0.3f}) {
         for (const float side : {-1.0f, 1.0f}) {
             SCOPED_TRACE(side * reach);
@@ -68,12 +68,13 @@ TEST(CharacterLimits, aHeadPassesCornersThatItHardlyMisses) {
     }
 }
 
-TEST(CharacterLimits, aHeadThatFliesAsidePassesCornersForwardsOnly) {
+TEST(CharacterLimits, cornerCorrectionActsOnlyInTheDirectionOfMotion) {
     for (const float side : {-1.0f, 1.0f}) {
         for (const bool forwards : {true, false}) {
             SCOPED_TRACE(testing::Message() << side << (forwards ? " forwards" : " back"));
             Course course;
-            // The block is behind its head or in front of it, and overlaps the head there by 0.1 m.
+            // "forwards": the block is behind the character, otherwise in front. It overlaps the head by 0.1
+            // m when they meet.
             CharacterController one =
                 jumpUnderABlock(course, forwards ? -side : side, 0.1f + (forwards ? 0.055f : -0.055f));
             bool hit = false;
@@ -133,7 +134,7 @@ TEST(CharacterLimits, badNumbersAreRefusedWithAnError) {
     EXPECT_EQ(one.position(), WorldPosition{});
 }
 
-/// Hills, a lift, loose crates and a one-way shelf.
+/// Adds steps, a lift, loose crates and a one-way shelf.
 void furnish(Course& course) {
     course.wall({0.0, 1.0}, {50.0f, 1.0f});
     course.wall({8.0, 0.0}, {1.0f, 0.2f});
@@ -155,7 +156,7 @@ void play(Course& course, CharacterController& one, Random& random) {
     course.tick(one);
 }
 
-TEST(CharacterLimits, aCopyWithItsWorldGoesOnAlike) {
+TEST(CharacterLimits, aCopyWithItsWorldContinuesEqually) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         Course course;
@@ -191,7 +192,7 @@ TEST(CharacterLimits, aTickAllocatesNothing) {
         EXPECT_TRUE(walkOn(one, i / 200 % 2 == 0 ? 4.0f : -4.0f));
         before = plumb::test::allocations().made;
         one.update(course.world, kTick);
-        if (i > 800) {  // twice there and back: lists have reached their sizes
+        if (i > 800) {  // after two rounds all buffers have reached their final sizes
             ASSERT_EQ(plumb::test::allocations().made, before) << i;
         }
         step(course.world, kTick);
@@ -217,7 +218,7 @@ TEST(CharacterLimits, isTheSameAThousandKilometresAway) {
     EXPECT_LT(a.position().y, -2.0);
 }
 
-TEST(CharacterLimits, aGroundThatIsDestroyedLetsItFall) {
+TEST(CharacterLimits, fallsIfItsGroundIsDestroyed) {
     Course course;
     const BodyId floor = course.wall({0.0, 1.0}, {5.0f, 1.0f});
     CharacterController one = course.character({}, {0.0, -1.5});
@@ -229,30 +230,31 @@ TEST(CharacterLimits, aGroundThatIsDestroyedLetsItFall) {
     EXPECT_GT(one.position().y, 3.0);
 }
 
-TEST(CastShape, saysHowDeepItOverlappedAndSlidesFreelyAlongWhatItTouches) {
+TEST(CastShape, reportsTheInitialOverlapAndIgnoresTouchingSurfacesAlongThePath) {
     for (const double far : {0.0, 1048576.0}) {
         SCOPED_TRACE(far);
         Course course;
         course.wall({far, far + 1.0}, {4.0f, 1.0f});
-        const auto cast = [&](double y, Vec2 way) {
-            return castShape(course.world, {box({0.5f, 0.5f}), {far, far + y}, {}}, way);
+        const auto cast = [&](double y, Vec2 displacement) {
+            return castShape(course.world, {box({0.5f, 0.5f}), {far, far + y}, {}}, displacement);
         };
-        // 1/8 m inside: a hit at once in any direction, with a direction out.
-        for (const Vec2 way : {Vec2{}, Vec2{1.0f, 0.0f}, Vec2{0.0f, -1.0f}, Vec2{0.0f, 1.0f}}) {
-            const auto hit = cast(-0.375, way);
+        // The shape overlaps the surface by 1/8 m: a hit at fraction 0 in any direction, with a normal that
+        // leads out.
+        for (const Vec2 displacement : {Vec2{}, Vec2{1.0f, 0.0f}, Vec2{0.0f, -1.0f}, Vec2{0.0f, 1.0f}}) {
+            const auto hit = cast(-0.375, displacement);
             ASSERT_TRUE(hit.has_value());
             EXPECT_EQ(hit->fraction, 0.0f);
             EXPECT_NEAR(hit->separation, -0.125f, 1.0e-5f);
             EXPECT_NEAR(hit->normal.y, -1.0f, 1.0e-6f);
         }
-        // At a distance of exactly 0 only a displacement into the surface is stopped.
+        // At a distance of exactly 0 only a displacement into the surface is a hit.
         EXPECT_FALSE(cast(-0.5, {3.0f, 0.0f}).has_value());
         EXPECT_FALSE(cast(-0.5, {-3.0f, 0.0f}).has_value());
         EXPECT_FALSE(cast(-0.5, {0.0f, -1.0f}).has_value());
         EXPECT_FALSE(cast(-0.5, {}).has_value());
         ASSERT_TRUE(cast(-0.5, {1.0f, 0.1f}).has_value());
         EXPECT_EQ(cast(-0.5, {1.0f, 0.1f})->fraction, 0.0f);
-        // From afar.
+        // From a distance of 2 m.
         const auto hit = cast(-2.5, {0.0f, 4.0f});
         ASSERT_TRUE(hit.has_value());
         EXPECT_NEAR(hit->fraction, 0.5f, 1.0e-5f);

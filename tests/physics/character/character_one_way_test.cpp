@@ -9,16 +9,17 @@
 namespace plumb::physics {
 namespace {
 
-constexpr float kThin = 0.125f;  // m: half of a platform's thickness
-constexpr float kEdge = 0.05f;   // m: nearer to a platform's end it is undefined whether something is over it
+constexpr float kThin = 0.125f;  // m, half of the platform's thickness
+// m; closer to an end of the platform it is undefined whether a character stands above it
+constexpr float kEdge = 0.05f;
 
-/// A one-way platform that changes its velocity now and then.
+/// A one-way platform whose velocity changes at random times.
 struct Shelf {
     BodyId body;
     float half = 2.0f;
-    Vec2 axis;           // direction in which it moves, or {0, 0}
-    float most = 0.0f;   // m/s
-    float swing = 0.0f;  // rad/s: it swings by this
+    Vec2 axis;           // direction of its motion, or {0, 0}
+    float most = 0.0f;   // maximum speed, m/s
+    float swing = 0.0f;  // maximum angular speed, rad/s
     bool steady = false;
     int ticks = 0;
     Vec2 velocity;
@@ -37,12 +38,12 @@ struct Shelf {
     }
 };
 
-/// Position of a character's feet in the frame of a platform: along its top, and above it.
-struct Seen {
+/// Position of a character's feet in the frame of a platform, m: along its top, and above it.
+struct LocalFeet {
     float along = 0.0f;
     float over = 0.0f;
 
-    static Seen from(const World& world, const Shelf& shelf, const CharacterController& one) {
+    static LocalFeet from(const World& world, const Shelf& shelf, const CharacterController& one) {
         const BodyPose& pose = world.bodies.pose[shelf.body.index];
         const Convex outline = convexOf(one.definition().outline, {});
         const Vec2 down = rotate(pose.rotation, {0.0f, 1.0f});
@@ -54,7 +55,7 @@ struct Seen {
     [[nodiscard]] bool isOn(const Shelf& shelf) const { return std::fabs(along) < shelf.half - kEdge; }
 };
 
-/// A platform and characters; fails if one of them falls through.
+/// A platform with characters; tick() returns false if a character falls through.
 struct OneWayCourse {
     Course course;
     Random random;
@@ -77,19 +78,19 @@ struct OneWayCourse {
         EXPECT_TRUE(all.back().setVelocity(velocity).ok());
         return all.back();
     }
-    /// Adds a character whose feet are at `feet`.
+    /// Adds a character whose feet are at the position `feet`.
     CharacterController& addOn(WorldPosition feet, Vec2 velocity = {}) {
         const float height = feetOf(outlineOf(figure)) + kGap;
         return add({feet.x, feet.y - static_cast<double>(height)}, velocity);
     }
     [[nodiscard]] bool tick() {
         shelf.drive(course.world, random);
-        std::vector<Seen> before;
-        for (const auto& one : all) before.push_back(Seen::from(course.world, shelf, one));
+        std::vector<LocalFeet> before;
+        for (const auto& one : all) before.push_back(LocalFeet::from(course.world, shelf, one));
         for (auto& one : all) one.update(course.world, kTick);
         step(course.world, kTick);
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const Seen after = Seen::from(course.world, shelf, all[i]);
+            const LocalFeet after = LocalFeet::from(course.world, shelf, all[i]);
             const bool over = before[i].isOn(shelf) && after.isOn(shelf) && before[i].over >= 0.0f;
             if (over && after.over < -kGap && !dropped) return false;
         }
@@ -109,7 +110,7 @@ void moveShelf(OneWayCourse& run, int way) {
 
 constexpr int kUsual = 80;
 
-TEST(CharacterOneWay, aCharacterThatLandsNeverFallsThroughHoweverThePlatformMoves) {
+TEST(CharacterOneWay, landingCharactersNeverFallThroughMovingPlatforms) {
     for (int way = 0; way < 5; ++way) {
         int landed = 0;
         for (int i = 0; i < runsToTry(kUsual); ++i) {
@@ -130,7 +131,7 @@ TEST(CharacterOneWay, aCharacterThatLandsNeverFallsThroughHoweverThePlatformMove
     }
 }
 
-TEST(CharacterOneWay, aCharacterOnAPlatformStaysHoweverThePlatformMoves) {
+TEST(CharacterOneWay, charactersStayOnMovingPlatforms) {
     for (int way = 1; way < 5; ++way) {
         for (int i = 0; i < runsToTry(kUsual); ++i) {
             SCOPED_TRACE(std::string{kWays[way]} + " " + std::to_string(i));
@@ -160,7 +161,7 @@ TEST(CharacterOneWay, twoRidersWalkOnOnePlatform) {
         float ways[] = {run.random.between(1.0f, 8.0f), -run.random.between(1.0f, 8.0f)};
         for (int t = 0; t < 90; ++t) {
             for (std::size_t k = 0; k < 2; ++k) {
-                const float along = Seen::from(run.course.world, run.shelf, run.all[k]).along;
+                const float along = LocalFeet::from(run.course.world, run.shelf, run.all[k]).along;
                 if (std::fabs(along) > 1.0f)
                     ways[k] = along > 0.0f ? -std::fabs(ways[k]) : std::fabs(ways[k]);
                 ASSERT_TRUE(walkOn(run.all[k], ways[k]));
@@ -194,7 +195,7 @@ TEST(CharacterOneWay, dropsFromOneOfAStackToTheNext) {
     }
 }
 
-TEST(CharacterOneWay, rotatedAndSwingingPlatformsHoldToo) {
+TEST(CharacterOneWay, rotatedAndSwingingPlatformsHoldCharacters) {
     int stood = 0;
     for (int i = 0; i < runsToTry(2 * kUsual); ++i) {
         SCOPED_TRACE(i);
@@ -231,24 +232,26 @@ TEST(CharacterOneWay, dropsThroughAPlatformThatMovesEvenly) {
             for (int t = 1; t <= 40; ++t) {
                 ASSERT_TRUE(run.tick());
                 ASSERT_FALSE(run.all[0].grounded()) << t;
-                // It has the platform's velocity, and falls from there.
+                // It starts with the velocity of the platform and falls freely.
                 const float fallen = 5.0f * static_cast<float>(t * t) * kTick * kTick;
-                ASSERT_NEAR(Seen::from(run.course.world, run.shelf, run.all[0]).over, -fallen, 3.0f * kGap)
+                ASSERT_NEAR(LocalFeet::from(run.course.world, run.shelf, run.all[0]).over, -fallen,
+                            3.0f * kGap)
                     << t;
             }
         }
     }
 }
 
-/// Two equal characters; the world of one of them has no platform.
+/// Runs a character next to the platform and an equal one in a world without a platform: both must move
+/// equally until the first one reaches the top of the platform.
 void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
     CharacterController twin = run.all[0];
     for (int t = 0; t < ticks; ++t) {
-        const Seen before = Seen::from(run.course.world, run.shelf, run.all[0]);
+        const LocalFeet before = LocalFeet::from(run.course.world, run.shelf, run.all[0]);
         ASSERT_TRUE(run.tick()) << t;
         empty.tick(twin);
         if (run.stands(0) || run.all[0].position() != twin.position()) {
-            ASSERT_GE(before.over, -1.0e-4f) << t;  // it is solid from above only
+            ASSERT_GE(before.over, -1.0e-4f) << t;  // it landed: the platform is solid from above only
             return;
         }
         ASSERT_EQ(run.all[0].velocity(), twin.velocity()) << t;
@@ -257,7 +260,7 @@ void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
 
 TEST(CharacterOneWay, aCharacterThatStartsInsideFallsThrough) {
     for (int way = 0; way < 5; ++way) {
-        if (way == 2) continue;  // a faster platform is below it soon
+        if (way == 2) continue;  // a platform of this kind is soon below the character
         for (int i = 0; i < runsToTry(kUsual); ++i) {
             SCOPED_TRACE(std::string{kWays[way]} + " " + std::to_string(i));
             OneWayCourse run{i};

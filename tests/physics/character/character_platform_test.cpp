@@ -11,7 +11,7 @@ namespace {
 enum class Ride { Linear, Sine, Rotating, Elevator, Wheel, Count };
 constexpr const char* kRides[] = {"linear", "sine", "rotating", "elevator", "wheel"};
 
-/// Drives a platform through its tick `i`.
+/// Sets the velocity of a platform for tick `i`.
 void drive(World& world, BodyId platform, Ride ride, int i) {
     const float now = static_cast<float>(i) * kTick, next = now + kTick;
     Result<Done> done = Done{};
@@ -31,7 +31,7 @@ void drive(World& world, BodyId platform, Ride ride, int i) {
     EXPECT_TRUE(done.ok());
 }
 
-/// m: the point on a platform's top under the middle of a character, in the platform's frame.
+/// Point of the platform's top under the middle of a character, in the platform's frame, m.
 Vec2 footOn(const World& world, BodyId platform, const CharacterController& rider) {
     const Rot rotation = rotationOf(world, platform);
     const Vec2 arm = rider.position() - centreOf(world, platform);
@@ -80,7 +80,7 @@ TEST(CharacterRide, aJumpKeepsTheVelocityOfThePlatform) {
         EXPECT_NEAR(rider.velocity().x, velocity.x, 1.0e-4f);
         EXPECT_NEAR(rider.velocity().y, velocity.y - 6.0f + 10.0f * kTick, 1.0e-4f);
         course.run(rider, 29);
-        // The expected flight from there, with the velocities of both.
+        // Free flight with the sum of the velocities of platform and jump.
         EXPECT_NEAR(rider.position().x - start.x, static_cast<double>(velocity.x) * 0.5, 1.0e-4);
         EXPECT_NEAR(rider.position().y - start.y, (static_cast<double>(velocity.y) - 6.0) * 0.5 + 5.0 * 0.25,
                     1.0e-4);
@@ -98,7 +98,7 @@ TEST(CharacterRide, walkingOffKeepsTheVelocityOfThePlatform) {
     EXPECT_NEAR(rider.velocity().x, 5.0f, 1.0e-4f);
 }
 
-TEST(CharacterRide, aConveyorTakesItAlongAsItTakesABody) {
+TEST(CharacterRide, aConveyorMovesItLikeABody) {
     Course course;
     const BodyId belt = course.block(BodyKind::Static, {0.0, 1.0}, {50.0f, 1.0f}, {.surfaceSpeed = 2.0f});
     const BodyId crate = course.body(BodyKind::Dynamic, {5.0, -0.5});
@@ -112,7 +112,7 @@ TEST(CharacterRide, aConveyorTakesItAlongAsItTakesABody) {
     EXPECT_EQ(one.ground().body, belt);
 }
 
-TEST(CharacterPush, aCrusherSqueezesItAndAWallPushesIt) {
+TEST(CharacterPush, isSqueezedByACrusherAndPushedByAWall) {
     for (const Figure figure : kFigures) {
         SCOPED_TRACE(static_cast<int>(figure));
         Course course;
@@ -134,7 +134,7 @@ TEST(CharacterPush, aCrusherSqueezesItAndAWallPushesIt) {
             }
             EXPECT_NEAR(one.position().y, rests.y, 0.01);
         }
-        // A wall pushes it, and another one behind it squeezes it.
+        // One wall pushes the character against another one behind it.
         ASSERT_TRUE(setVelocity(course.world, lid, {0.0f, 0.0f}).ok());
         ASSERT_TRUE(one.setPosition({10.0, rests.y}).ok());
         const BodyId ram = course.block(BodyKind::Kinematic, {8.0, -3.0}, {0.5f, 2.5f});
@@ -156,7 +156,7 @@ TEST(CharacterPush, aCrusherSqueezesItAndAWallPushesIt) {
     }
 }
 
-TEST(CharacterPush, pushesLooseBodiesWithItsForceAndNotHeavyOnes) {
+TEST(CharacterPush, pushesDynamicBodiesUpToItsPushMass) {
     for (const float mass : {10.0f, 100.0f, 1000.0f}) {
         SCOPED_TRACE(mass);
         Course course;
@@ -172,7 +172,8 @@ TEST(CharacterPush, pushesLooseBodiesWithItsForceAndNotHeavyOnes) {
         course.walk(one, 3.0f, 30);
         const float gained = velocityOf(course.world, crate).x - before;
         EXPECT_NEAR(before, 0.0f, 1.0e-6f);
-        // Its force while they touch, until the crate has the same velocity; 1.099 m are between them.
+        // The push force acts for 28 ticks of contact, after a path of 1.099 m, or until the crate has the
+        // character's velocity.
         const float most = one.definition().pushForce / mass * 28.0f * kTick;
         if (mass > one.definition().pushMass) {
             EXPECT_NEAR(gained, 0.0f, 1.0e-6f);
@@ -183,7 +184,7 @@ TEST(CharacterPush, pushesLooseBodiesWithItsForceAndNotHeavyOnes) {
     }
 }
 
-TEST(CharacterPush, weighsOnWhatItStandsOn) {
+TEST(CharacterPush, itsWeightActsOnTheBodyBelow) {
     Course course;
     course.world.settings.sleeping = false;
     const BodyId beam = course.body(BodyKind::Dynamic, {0.0, 0.0});

@@ -11,7 +11,8 @@
 namespace plumb::physics {
 namespace {
 
-/// A chain of slopes of at most `steepest` (rad) from x = -10 on, flat at both ends; returns its end.
+/// Adds a chain of slopes of at most `steepest` rad from x = -10 on, flat at both ends; returns the x
+/// coordinate of its end.
 double addHills(Course& course, Random& random, float steepest, int segments) {
     std::vector<Vec2> points{{-20.0f, 0.0f}, {-10.0f, 0.0f}};
     for (int i = 0; i < segments; ++i) {
@@ -25,7 +26,7 @@ double addHills(Course& course, Random& random, float steepest, int segments) {
     return static_cast<double>(points.back().x) - 12.0;
 }
 
-TEST(Character, landsOnAFloorAndKeepsItsGap) {
+TEST(Character, standsOnAFloorWithItsGap) {
     for (const Figure figure : kFigures) {
         SCOPED_TRACE(static_cast<int>(figure));
         Course course;
@@ -44,7 +45,7 @@ TEST(Character, landsOnAFloorAndKeepsItsGap) {
     }
 }
 
-TEST(Character, fallsByTheLawOfGravity) {
+TEST(Character, fallsFreely) {
     Course course;
     CharacterController one = course.character({}, {3.0, 0.0});
     ASSERT_TRUE(one.setVelocity({2.0f, -5.0f}).ok());
@@ -58,7 +59,7 @@ TEST(Character, staysOnTheGroundOverSlopesAndTheirJoints) {
         SCOPED_TRACE(run);
         Random random = Random::seeded(static_cast<std::uint64_t>(run));
         Course course;
-        const double end = addHills(course, random, 0.8726646f, 60);  // 50 degrees
+        const double end = addHills(course, random, 0.8726646f, 60);  // 0.873 rad is 50 degrees
         CharacterController one = course.character(definitionOf(kFigures[run % 4]), {-9.0, -1.5});
         course.run(one, 60);
         ASSERT_TRUE(one.grounded());
@@ -96,7 +97,7 @@ TEST(Character, isGroundedForTenThousandFramesOfHills) {
     }
 }
 
-TEST(Character, aSlopeDoesNotChangeItsSpeedAlongTheLevelOrElseAlongTheGround) {
+TEST(Character, slopesKeepTheHorizontalSpeedOrTheSpeedAlongTheGround) {
     for (const bool even : {true, false}) {
         Course course;
         const BodyId ramp = course.body(BodyKind::Static, {}, 0.5f);
@@ -113,7 +114,7 @@ TEST(Character, aSlopeDoesNotChangeItsSpeedAlongTheLevelOrElseAlongTheGround) {
     }
 }
 
-TEST(Character, slidesDownWhatIsTooSteepAndCannotWalkUpIt) {
+TEST(Character, slidesDownTooSteepSlopesAndCannotWalkUpThem) {
     for (const Figure figure : kFigures) {
         SCOPED_TRACE(static_cast<int>(figure));
         Course course;
@@ -131,7 +132,7 @@ TEST(Character, slidesDownWhatIsTooSteepAndCannotWalkUpIt) {
         const Vec2 down{-std::cos(angle), std::sin(angle)};
         const Vec2 before = one.velocity();
         course.run(one, 30);
-        // Without friction: gravity's part along the slope.
+        // Without friction: the component of gravity along the slope, for half a second.
         EXPECT_NEAR(dot(one.velocity() - before, down), 10.0f * std::sin(angle) * 0.5f, 0.05f);
         EXPECT_NEAR(dot(one.velocity(), {std::sin(angle), std::cos(angle)}), 0.0f, 10.0f * kTick);
     }
@@ -154,7 +155,7 @@ TEST(Character, standsInAPitBetweenTwoSteepSlopes) {
     }
 }
 
-TEST(Character, wallsAndCeilingsAreNamedWithTheirNormals) {
+TEST(Character, wallsAndCeilingsAreReportedWithTheirNormals) {
     for (const Figure figure : kFigures) {
         SCOPED_TRACE(static_cast<int>(figure));
         Course course;
@@ -180,7 +181,7 @@ TEST(Character, wallsAndCeilingsAreNamedWithTheirNormals) {
     }
 }
 
-TEST(Character, walksUpStepsOfItsHeightAndNotHigher) {
+TEST(Character, walksUpStepsUpToItsStepHeight) {
     for (const Figure figure : {Figure::Box, Figure::RoundedBox, Figure::Capsule}) {
         for (const float speed : {0.3f, 2.0f, 8.0f}) {
             for (const float over : {-0.25f, -0.1f, 0.0f, 0.002f, 0.05f}) {
@@ -202,7 +203,7 @@ TEST(Character, walksUpStepsOfItsHeightAndNotHigher) {
                 }
                 const double climbed = floor - one.position().y;
                 EXPECT_NEAR(climbed, over > 0.0f ? 0.0 : static_cast<double>(height), 1.0e-4);
-                // And down again.
+                // Walks down again.
                 for (int i = 0; i < 1000 && (one.position().x > 1.0 || !one.grounded()); ++i) {
                     ASSERT_TRUE(walkOn(one, -speed));
                     course.tick(one);
@@ -213,7 +214,7 @@ TEST(Character, walksUpStepsOfItsHeightAndNotHigher) {
     }
 }
 
-TEST(Character, followsStairsDownByItsSnapAndLeavesHigherOnes) {
+TEST(Character, followsStairsDownUpToItsSnapDistance) {
     for (const float height : {0.1f, 0.2f}) {
         Course course;
         for (int i = 0; i < 20; ++i) {
@@ -232,7 +233,7 @@ TEST(Character, followsStairsDownByItsSnapAndLeavesHigherOnes) {
     }
 }
 
-TEST(Character, seamsOfAFloorOfBoxesAreNotFelt) {
+TEST(Character, seamsOfAFloorOfBoxesDoNotDisturbIt) {
     for (int run = 0; run < runsToTry(50); ++run) {
         SCOPED_TRACE(run);
         Random random = Random::seeded(static_cast<std::uint64_t>(run));
@@ -257,7 +258,7 @@ TEST(Character, seamsOfAFloorOfBoxesAreNotFelt) {
     }
 }
 
-TEST(Character, walksOverTilesOfATerrainWithoutFeelingThem) {
+TEST(Character, seamsOfTerrainTilesDoNotDisturbIt) {
     for (int run = 0; run < runsToTry(40); ++run) {
         SCOPED_TRACE(run);
         Random random = Random::seeded(static_cast<std::uint64_t>(run));

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kSeeds = 64;
 constexpr auto kKinds = static_cast<std::uint32_t>(BroadPhaseKind::Count);
 
-/// Updates the broad phase, and returns the pairs of the changed proxies as sorted keys.
+/// Updates the broad phase and returns the sorted keys of all pairs with a changed proxy.
 std::vector<PairKey> pairsOf(BroadPhase& phase, const ProxyWorld& world, bool arranged = true) {
     phase.update(world.proxies(), world.changed);
     std::vector<std::uint32_t> moved = world.changed;
@@ -31,7 +31,7 @@ std::vector<PairKey> pairsOf(BroadPhase& phase, const ProxyWorld& world, bool ar
     return pairs;
 }
 
-/// Random changes of proxies of every kind.
+/// Applies random changes to random proxies.
 void changeSome(ProxyWorld& world, Random& random, BoxStatistics spread, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t id = random.below(world.size());
@@ -79,7 +79,7 @@ std::string nameOfParam(const testing::TestParamInfo<std::uint32_t>& info) {
     return name;
 }
 
-TEST_P(BroadPhases, findThePairsThatComparingAllWithAllFinds) {
+TEST_P(BroadPhases, findTheSamePairsAsBruteForce) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -90,7 +90,7 @@ TEST_P(BroadPhases, findThePairsThatComparingAllWithAllFinds) {
         for (int round = 0; round < 25; ++round) {
             SCOPED_TRACE(round);
             ASSERT_EQ(pairsOf(*phase, world, random.below(4) != 0), world.pairsOfChanged());
-            world.noted();
+            world.clearChanged();
             changeSome(world, random, spread, random.below(4) == 0 ? world.size() : random.below(20));
         }
     }
@@ -104,10 +104,10 @@ TEST_P(BroadPhases, findTheSameAfterARebuild) {
         const auto phase = make();
         phase->rebuild(world.proxies());
         ASSERT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
-        world.noted();
+        world.clearChanged();
         changeSome(world, random, statisticsOf(seed), 40);
         phase->rebuild(world.proxies());
-        world.noted();
+        world.clearChanged();
         changeSome(world, random, statisticsOf(seed), 10);
         ASSERT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
     }
@@ -125,7 +125,7 @@ TEST_P(BroadPhases, keepUpWithManySmallMoves) {
         phase->rebuild(world.proxies());
         for (int round = 0; round < 60; ++round) {
             SCOPED_TRACE(round);
-            world.noted();
+            world.clearChanged();
             const std::uint32_t stride = 1 + random.below(3);
             for (std::uint32_t id = 0; id < world.size(); id += stride)
                 world.move(id, {world.bounds[id].min + speeds[id], world.bounds[id].max + speeds[id]});
@@ -134,7 +134,7 @@ TEST_P(BroadPhases, keepUpWithManySmallMoves) {
     }
 }
 
-TEST_P(BroadPhases, letHalfTheWorldFallAsleepAndWakeUp) {
+TEST_P(BroadPhases, findTheSamePairsWhileHalfTheWorldFallsAsleepAndWakesUp) {
     Random random = Random::seeded(3);
     ProxyWorld world;
     for (int i = 0; i < 3000; ++i)
@@ -143,7 +143,7 @@ TEST_P(BroadPhases, letHalfTheWorldFallAsleepAndWakeUp) {
     EXPECT_EQ(pairsOf(*phase, world), world.pairsOfChanged());
     for (const ProxyMotion motion :
          {ProxyMotion::Asleep, ProxyMotion::Awake, ProxyMotion::Asleep, ProxyMotion::Gone}) {
-        world.noted();
+        world.clearChanged();
         for (std::uint32_t id = 0; id < world.size(); ++id) {
             if (world.bounds[id].min.x < 20.0f) world.become(id, motion);
         }
@@ -167,7 +167,7 @@ TEST_P(BroadPhases, arrangeKeepsEachProxyOnce) {
     EXPECT_EQ(arranged, moved);
 }
 
-TEST_P(BroadPhases, answerQueriesAsLookingAtAllDoes) {
+TEST_P(BroadPhases, answerQueriesLikeBruteForce) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -176,7 +176,7 @@ TEST_P(BroadPhases, answerQueriesAsLookingAtAllDoes) {
         const auto phase = make();
         for (int round = 0; round < 20; ++round) {
             phase->update(world.proxies(), world.changed);
-            world.noted();
+            world.clearChanged();
             AABB box = randomBox(random, spread);
             if (round % 3 == 0) box = {box.min - Vec2{3.0f, 3.0f}, box.max + Vec2{3.0f, 3.0f}};
             const std::uint32_t mask = random.below(2) == 0 ? 0xffffffffu : 1u << random.below(4);
@@ -189,7 +189,8 @@ TEST_P(BroadPhases, answerQueriesAsLookingAtAllDoes) {
     }
 }
 
-/// True if the line from `from` along `way` intersects the box: by slabs, in double precision.
+/// True if the segment from `from` with displacement `way` crosses the box grown by `half`: slab test in
+/// double precision.
 bool meetsLine(const AABB& box, Vec2 from, Vec2 way, Vec2 half) {
     double first = 0.0;
     double last = 1.0;
@@ -240,7 +241,7 @@ TEST_P(BroadPhases, castsMissNothing) {
     }
 }
 
-TEST_P(BroadPhases, castsAcrossAWorldLookAtLittleOfIt) {
+TEST_P(BroadPhases, castsAcrossAWorldVisitFewProxies) {
     ProxyWorld world;
     for (int i = 0; i < 10000; ++i)
         world.add(boxAt({static_cast<float>(i % 100), static_cast<float>(i / 100)}, {0.3f, 0.3f}));
@@ -280,11 +281,11 @@ TEST_P(BroadPhases, emptyBoundsOverlapNothing) {
     EXPECT_TRUE(found.empty());
     phase->cast({-3e38f, 0.5f}, {3e38f, 0.0f}, {-1.0f, -1.0f}, 1, found, Among::All);
     EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()).count(line), 1u);
-    // Everything once more, with existing proxies.
+    // Once more with existing proxies instead of new ones.
     EXPECT_EQ(pairsOf(*phase, world), expected);
 }
 
-TEST_P(BroadPhases, crowdsAtOneSpotThatCollideWithNothingCostLittle) {
+TEST_P(BroadPhases, filteredCrowdsAtOneSpotAreCheap) {
     ProxyWorld world;
     Filter alone;
     alone.mask = 0;
@@ -299,7 +300,7 @@ TEST_P(BroadPhases, crowdsAtOneSpotThatCollideWithNothingCostLittle) {
     EXPECT_TRUE(found.empty());
 }
 
-TEST_P(BroadPhases, pairsComeFromAnyNumberOfThreads) {
+TEST_P(BroadPhases, findTheSamePairsWithAnyNumberOfThreads) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -328,7 +329,7 @@ TEST_P(BroadPhases, pairsComeFromAnyNumberOfThreads) {
     }
 }
 
-TEST_P(BroadPhases, everyWidthOfInstructionsFindsTheSame) {
+TEST_P(BroadPhases, findTheSamePairsWithAnySimdWidth) {
     const SimdWidth usual = simdWidth();
     for (const SimdWidth width : {SimdWidth::Scalar, SimdWidth::Sse2, SimdWidth::Avx2, SimdWidth::Neon}) {
         if (!setSimdWidth(width)) continue;
@@ -350,9 +351,9 @@ TEST_P(BroadPhases, everyWidthOfInstructionsFindsTheSame) {
     setSimdWidth(usual);
 }
 
-/// Regression: cell indices that are further apart than an int can
-/// count were subtracted as ints. Detected by sanitized builds.
-TEST_P(BroadPhases, boxesMayBeAsWideAsNumbersGo) {
+/// Regression: cell indices whose difference does not fit an int were subtracted as ints. Detected by
+/// sanitizer builds.
+TEST_P(BroadPhases, supportBoxesOfAnyFiniteSize) {
     ProxyWorld world;
     for (const float half : {1.0e6f, 1.0e9f, 1.0e15f, 1.0e30f})
         world.add(boxAt({}, {half, half}), ProxyMotion::Awake);
@@ -379,7 +380,7 @@ TEST_P(BroadPhases, aSteadyStepAllocatesNothing) {
     std::vector<std::uint32_t> moved;
     std::size_t before = 0;
     for (int step = 0; step < 240; ++step) {
-        // There and back again, so that the second round needs no more memory than the first.
+        // The motion is repeated after step 120, so that the second half needs no more memory than the first.
         if (step == 120) before = plumb::test::allocations().made;
         const float way = step / 30 % 2 == 0 ? 0.05f : -0.05f;
         for (std::uint32_t id = 0; id < world.size(); ++id) {
@@ -392,14 +393,14 @@ TEST_P(BroadPhases, aSteadyStepAllocatesNothing) {
         phase->arrange(moved);
         pairs.clear();
         phase->findPairs(moved, world.isChanged, pairs);
-        world.noted();
+        world.clearChanged();
     }
     EXPECT_EQ(plumb::test::allocations().made, before);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BroadPhases, testing::Range(0u, kKinds), nameOfParam);
 
-TEST(BroadPhaseKinds, eachHasANameOfItsOwn) {
+TEST(BroadPhaseKinds, haveUniqueNames) {
     std::set<std::string_view> names;
     for (std::uint32_t kind = 0; kind < kKinds; ++kind)
         names.insert(nameOf(static_cast<BroadPhaseKind>(kind)));

@@ -7,7 +7,7 @@
 namespace plumb::physics {
 namespace {
 
-/// m: penetration of an effective mass under a load, in substeps of h seconds.
+/// Penetration of an effective mass under a load, with substeps of h seconds, m.
 double pressedIn(const World& world, double load, double mass, double h) {
     const double turns = 2.0 * 3.14159265358979 * static_cast<double>(world.settings.contactStiffness);
     return load * h * h / (mass * turns * turns);
@@ -26,7 +26,7 @@ TEST(ContactStiffness, isTheSameOnTheGroundAndBetweenBodies) {
         const double mass = static_cast<double>(scene.world.bodies.mass[low.index].mass);
         const double weight = 10.0 * mass;
         const double onGround = pressedIn(scene.world, 2.0 * weight, mass, h);
-        const double between = pressedIn(scene.world, weight, 0.5 * mass, h);  // both yield
+        const double between = pressedIn(scene.world, weight, 0.5 * mass, h);  // both bodies are compliant
         EXPECT_NEAR(0.5 - scene.y(low), onGround, 0.02 * onGround);
         EXPECT_NEAR(1.0 - (scene.y(high) - scene.y(low)), between, 0.02 * between);
     }

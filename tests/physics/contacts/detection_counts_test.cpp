@@ -6,7 +6,7 @@
 namespace plumb::physics {
 namespace {
 
-TEST(DetectionCounts, everyPairIsSentAwayOnceOrTouches) {
+TEST(DetectionCounts, everyPairIsCountedOnceAsRejectedOrTouching) {
     World world = makePit(120, 7);
     TaskPool pool{3};
     DetectionCounts all;
@@ -23,7 +23,7 @@ TEST(DetectionCounts, everyPairIsSentAwayOnceOrTouches) {
         EXPECT_GT(count, 100u);
 }
 
-TEST(DetectionCounts, ofOnePairSayWhichTestPartedIt) {
+TEST(DetectionCounts, ofOnePairNameTheTestThatRejectedIt) {
     const auto countsOf = [](WorldPosition place, float angle) {
         Playground scene;
         scene.world.settings.gravity = {};
@@ -34,13 +34,13 @@ TEST(DetectionCounts, ofOnePairSayWhichTestPartedIt) {
     };
     EXPECT_EQ(countsOf({9.0, 0.0}, 0.0f).pairs, 0u);
     EXPECT_EQ(countsOf({1.0, 0.0}, 0.0f).touching, 1u);
-    EXPECT_EQ(countsOf({1.06, 0.0}, 0.0f).apartByAxes, 1u);  // corners of their circles overlap
+    EXPECT_EQ(countsOf({1.06, 0.0}, 0.0f).apartByAxes, 1u);  // the bounding circles overlap at the corners
     const DetectionCounts apart = countsOf({1.06, 1.06}, 0.0f);
     EXPECT_EQ(apart.pairs, 1u);
     EXPECT_EQ(apart.apartByCircles, 1u);
 }
 
-TEST(DetectionCounts, areNoneAtRestAndOfACopy) {
+TEST(DetectionCounts, areZeroAtRestAndInACopy) {
     Playground scene;
     scene.floor();
     scene.crate({0.0, 0.5});

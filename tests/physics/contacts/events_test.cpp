@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Counts the events of one phase while a scene runs.
+/// Numbers of contact events in each phase while a scene runs.
 struct Counted {
     int began = 0;
     int stayed = 0;
@@ -20,21 +20,21 @@ struct Counted {
     }
 };
 
-/// Of two seconds.
+/// Counts the events of two seconds.
 Counted countEvents(Playground& scene) {
     Counted events;
     for (int i = 0; i < 120; ++i) scene.run(1), events.add(scene.world);
     return events;
 }
 
-/// A trigger 1 m wide.
+/// Adds a trigger of 1 m width.
 BodyId addZone(Playground& scene, BodyKind kind, WorldPosition place = {0.0, 0.0}, float height = 10.0f) {
     const BodyId zone = scene.body(kind, place);
     scene.shape(zone, box({0.5f, 0.5f * height}), {.isTrigger = true});
     return zone;
 }
 
-TEST(Events, whatIsPutToSleepAtTheMomentOfAHitHasBegunOnce) {
+TEST(Events, aBodyPutToSleepAtAHitReportsOneBeginEvent) {
     Playground scene;
     scene.world.settings.sleeping = true;
     scene.floor();
@@ -47,15 +47,15 @@ TEST(Events, whatIsPutToSleepAtTheMomentOfAHitHasBegunOnce) {
         while (isAwake(scene.world, lower) == awake && scene.world.events.empty() && ++ticks < 120);
         return ticks;
     };
-    EXPECT_GT(runWhile(true), 10);  // until it is on the floor
+    EXPECT_GT(runWhile(true), 10);  // ticks until the crate reaches the floor
     setAwake(scene.world, lower, false);
-    EXPECT_GT(runWhile(false), 10);  // until the other one falls on it
+    EXPECT_GT(runWhile(false), 10);  // ticks until the upper crate falls on the lower one
     EXPECT_TRUE(isAwake(scene.world, lower));
     EXPECT_EQ(events.began, 2);
     EXPECT_EQ(events.ended, 0);
 }
 
-TEST(Events, aCrateThatFallsTouchesOnceAndStays) {
+TEST(Events, aFallingCrateBeginsOneContactThatStays) {
     Playground scene;
     scene.world.settings.stayEvents = true;
     scene.floor();
@@ -66,14 +66,14 @@ TEST(Events, aCrateThatFallsTouchesOnceAndStays) {
     EXPECT_GT(events.stayed, 60);
 }
 
-/// N s: of all events of a step.
+/// Sum of the impulses of all events of a step, N s.
 float impulseOf(const World& world) {
     float sum = 0.0f;
     for (const ContactEvent& event : world.events) sum += event.impulse;
     return sum;
 }
 
-TEST(Events, theImpulseOfAnImpactIsTheWholeOneAtEveryQuality) {
+TEST(Events, theImpulseOfAnImpactIsCompleteAtEveryQuality) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -83,7 +83,7 @@ TEST(Events, theImpulseOfAnImpactIsTheWholeOneAtEveryQuality) {
         scene.world.settings.continuous = random.below(4) != 0;
         const float bounciness = random.below(3) == 0 ? 0.0f : random.between(0.1f, 1.0f);
         scene.floor({.friction = seed % 2 == 0 ? 0.0f : 0.6f});
-        // Bodies that cannot rotate use the reduced kernels.
+        // Fixed rotation selects the reduced kernels.
         const float speed = random.between(1.5f, 40.0f);
         const BodyId body = *createBody(scene.world, {.position = {0.0, 0.6 + random.unit()},
                                                       .velocity = {0.0f, -speed},
@@ -103,14 +103,14 @@ TEST(Events, theImpulseOfAnImpactIsTheWholeOneAtEveryQuality) {
     }
 }
 
-TEST(Events, theImpulseUnderWhatRestsIsItsWeightAtEveryQuality) {
+TEST(Events, theImpulseUnderARestingBodyIsItsWeightAtEveryQuality) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
         Playground scene;
         scene.world.settings.stayEvents = true;
         scene.world.settings.quality = static_cast<Quality>(seed % 5);
-        // Several pieces with one surface: one event.
+        // Several shapes with the same surface id report one event.
         const BodyId ground = scene.body(BodyKind::Static, {0.0, -1.0});
         const float width = random.between(0.4f, 3.0f);
         for (int i = -4; i < 4; ++i)
@@ -128,8 +128,9 @@ TEST(Events, theImpulseUnderWhatRestsIsItsWeightAtEveryQuality) {
     }
 }
 
-TEST(Events, theImpulsesOfABreakAreTheWholeOnes) {
-    // A row of balls transmits the impact within the step; each one is pushed and pushes the next.
+TEST(Events, theImpulsesOfAnImpactChainAreComplete) {
+    // The impact propagates through a row of balls within one step: each ball receives the impulse and passes
+    // it on.
     Playground scene;
     scene.world.settings.gravity = {};
     std::vector<BodyId> row;
@@ -163,7 +164,7 @@ TEST(Events, aTriggerReportsBodiesThatEnterAndLeaveAndStopsNone) {
     EXPECT_NEAR(scene.y(ball), 5.0 - 0.5 * 10.0 * 4.0, 1.0e-3);
 }
 
-TEST(Events, twoTriggersSeeEachOther) {
+TEST(Events, twoTriggersReportEachOther) {
     Playground scene;
     scene.world.settings.gravity = {};
     const BodyId a = scene.ball({0.0, 0.0}, 0.5f, {.isTrigger = true});
@@ -175,7 +176,7 @@ TEST(Events, twoTriggersSeeEachOther) {
     EXPECT_EQ(velocityOf(scene.world, a), Vec2{});
 }
 
-TEST(Events, aTriggerTellsOfBoxesThatGoThroughAlongItsNormal) {
+TEST(Events, aTriggerReportsBoxesThatPassAlongItsNormal) {
     Playground scene;
     scene.world.settings.gravity = {};
     addZone(scene, BodyKind::Static);
@@ -186,7 +187,7 @@ TEST(Events, aTriggerTellsOfBoxesThatGoThroughAlongItsNormal) {
     EXPECT_EQ(events.ended, 1) << "it left on the other side";
 }
 
-TEST(Events, aTriggerTellsOfWhatCannotBePushed) {
+TEST(Events, aTriggerReportsStaticAndKinematicBodies) {
     for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic}) {
         for (const bool solid : {true, false}) {
             Playground scene;
@@ -201,7 +202,7 @@ TEST(Events, aTriggerTellsOfWhatCannotBePushed) {
     }
 }
 
-TEST(Events, whatStandsStillMeetsNoTrigger) {
+TEST(Events, aStaticTriggerIgnoresStaticBodies) {
     Playground scene;
     scene.floor();
     const BodyId zone = scene.body(BodyKind::Static, {0.0, 0.0});
@@ -210,7 +211,7 @@ TEST(Events, whatStandsStillMeetsNoTrigger) {
     EXPECT_TRUE(scene.world.contacts.empty());
 }
 
-TEST(Events, aMovingTriggerLeavesWhatSleeps) {
+TEST(Events, aMovingTriggerDoesNotWakeSleepingBodies) {
     Playground scene;
     scene.sleeper();
     const BodyId zone = addZone(scene, BodyKind::Kinematic, {-4.0, 0.5}, 0.5f);
@@ -221,7 +222,7 @@ TEST(Events, aMovingTriggerLeavesWhatSleeps) {
     EXPECT_EQ(scene.world.awake.size(), 1u) << "no body was woken";
 }
 
-TEST(Events, aTriggerLeavesWhatFellAsleepInItWhicheverCameFirst) {
+TEST(Events, aTriggerEndsContactsWithSleepingBodiesInAnyOrderOfCreation) {
     for (const bool zoneFirst : {true, false}) {
         SCOPED_TRACE(zoneFirst);
         Playground scene;
@@ -269,7 +270,7 @@ TEST(Events, masksAndGroupsDecideWhichShapesCollide) {
     EXPECT_NEAR(scene.y(two), 0.5, 0.01);
 }
 
-TEST(Events, aFilterThatChangesEndsWhatTouches) {
+TEST(Events, aChangedFilterEndsContacts) {
     Playground scene;
     const BodyId crate = scene.sleeper();
     const std::uint32_t shape = scene.world.bodies.info[crate.index].firstShape;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr ShapeDefinition kElastic{.friction = 0.0f, .bounciness = 1.0f};
 
-/// Balls of 1 m in a row, the first `moving` of which arrive from the left at 4 m/s.
+/// A row of balls 1 m apart, of which the first `moving` arrive from the left at 4 m/s.
 struct Row {
     Playground scene;
     std::vector<BodyId> balls;
@@ -24,7 +24,7 @@ struct Row {
     [[nodiscard]] float speed(int i) const { return scene.velocity(balls[static_cast<std::size_t>(i)]).x; }
 };
 
-TEST(ImpactChains, asManyBallsLeaveARowAsCome) {
+TEST(ImpactChains, asManyBallsLeaveARowAsArrive) {
     for (int count = 2; count <= 9; ++count) {
         for (int moving = 1; moving < count; ++moving) {
             SCOPED_TRACE(testing::Message() << moving << " against " << count - moving);
@@ -36,7 +36,7 @@ TEST(ImpactChains, asManyBallsLeaveARowAsCome) {
     }
 }
 
-TEST(ImpactChains, aRowBeforeAWallThrowsTheFirstBallBack) {
+TEST(ImpactChains, aRowInFrontOfAWallReflectsTheFirstBall) {
     Row row{5, 1};
     const BodyId wall = row.scene.body(BodyKind::Static, {5.5, 0.0});
     row.scene.shape(wall, box({1.0f, 5.0f}), kElastic);
@@ -59,7 +59,7 @@ TEST(ImpactChains, ofUnequalBallsKeepMomentumAndEnergy) {
     EXPECT_NEAR(energy, 8.0f, 0.1f);
 }
 
-TEST(ImpactChains, aBallOnALoadedRowIsAnImpactLikeAnyOther) {
+TEST(ImpactChains, anImpactOnARowUnderLoadIsComplete) {
     Playground scene;
     scene.floor(kElastic);
     std::vector<BodyId> column;
@@ -71,7 +71,7 @@ TEST(ImpactChains, aBallOnALoadedRowIsAnImpactLikeAnyOther) {
         scene.run(1);
         highest = std::max(highest, static_cast<float>(scene.y(falling)));
     }
-    EXPECT_NEAR(highest, 6.0f, 0.15f);  // a tenth of the way that it fell
+    EXPECT_NEAR(highest, 6.0f, 0.15f);  // a tenth of the height of its fall
 }
 
 }  // namespace

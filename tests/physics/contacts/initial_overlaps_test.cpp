@@ -13,7 +13,7 @@ float fastestOf(const World& world) {
     return fastest;
 }
 
-TEST(InitialOverlaps, openSlowly) {
+TEST(InitialOverlaps, areSeparatedSlowly) {
     for (const float depth : {0.05f, 0.2f, 0.4f}) {
         for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
             SCOPED_TRACE(testing::Message() << depth << " m, quality " << int{quality});
@@ -43,7 +43,7 @@ TEST(InitialOverlaps, keepTheirBodiesAwake) {
     EXPECT_NEAR(scene.y(crate), 0.5, 0.01);
 }
 
-TEST(InitialOverlaps, areNoneWithATrigger) {
+TEST(InitialOverlaps, doNotExistWithATrigger) {
     const auto ticksAwake = [](bool inTrigger) {
         Playground scene;
         scene.world.settings.sleeping = true;
@@ -59,18 +59,18 @@ TEST(InitialOverlaps, areNoneWithATrigger) {
     EXPECT_EQ(ticksAwake(true), ticksAwake(false));
 }
 
-TEST(InitialOverlaps, areNoneWhereMotionExplainsTheDepth) {
+TEST(InitialOverlaps, doNotExistIfTheDepthResultsFromMotion) {
     Playground scene;
     scene.world.settings.continuous = false;
     scene.floor();
     const BodyId crate = scene.crate({0.0, 0.75});
     ASSERT_TRUE(setVelocity(scene.world, crate, {0.0f, -30.0f}).ok());
-    scene.run(1);  // it is 0.25 m deep at that time
+    scene.run(1);  // the crate overlaps the floor by 0.25 m after this step
     scene.run(12);
     EXPECT_NEAR(scene.y(crate), 0.5, 0.02);
 }
 
-TEST(InitialOverlaps, ofAHeavyBodyInALightOneOpenToo) {
+TEST(InitialOverlaps, ofAHeavyBodyInALightOneAreSeparatedToo) {
     Playground scene;
     scene.world.settings.automaticQuality = true;
     scene.floor();

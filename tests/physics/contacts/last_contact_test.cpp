@@ -3,7 +3,7 @@
 namespace plumb::physics {
 namespace {
 
-// Every contact that began ends, even if no effect needs contacts any more.
+// Every begin event is followed by an end event, even if no effect requires contacts afterwards.
 TEST(LastContact, endsWithTheLastShape) {
     for (const bool bodies : {true, false}) {
         Playground play;

@@ -10,8 +10,8 @@
 #include "physics/workspace.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Contacts without rotation or friction have kernels of their own, and axis-aligned boxes a narrow phase
-// of their own. Both are fast paths: the omitted terms are zero, so the results are the same bits.
+// Contacts without rotation or friction have kernels of their own, and axis-aligned boxes have a narrow phase
+// of their own. Both are fast paths that omit terms which are zero, so the results must be equal bit for bit.
 
 namespace plumb::physics {
 namespace {
@@ -20,8 +20,8 @@ constexpr int kSeeds = 60;
 
 Vec2 anyHalf(Random& random) { return {random.between(0.2f, 0.6f), random.between(0.2f, 0.6f)}; }
 
-/// A pit, and bodies without rotation that fall into it: onto bars that
-/// move and rotate; some are pulled, some are slowed by a viscous region.
+/// A pit into which bodies with fixed rotation fall: onto bars that move or rotate; some bodies are
+/// accelerated, some are slowed by a viscous region.
 World makeUprightPit(std::uint64_t seed, bool rubs) {
     Random random = Random::seeded(seed);
     World world;
@@ -39,7 +39,7 @@ World makeUprightPit(std::uint64_t seed, bool rubs) {
     for (const double side : {-7.0, 7.0})
         add({.kind = BodyKind::Static, .position = {side, 5.0}, .angle = random.between(-0.2f, 0.2f)},
             box({0.5f, 8.0f}));
-    const bool turning = random.below(2) == 0, tied = seed % 5 == 0;  // those with joints have full contacts
+    const bool turning = random.below(2) == 0, tied = seed % 5 == 0;  // bodies with joints use full contacts
     add({.kind = BodyKind::Kinematic,
          .position = {-2.0, 1.0},
          .velocity = {random.between(0.0f, 0.5f), 0.0f},
@@ -62,7 +62,7 @@ World makeUprightPit(std::uint64_t seed, bool rubs) {
     return world;
 }
 
-TEST(LeanContacts, moveBodiesAsFullOnesDoBitForBit) {
+TEST(LeanContacts, moveBodiesLikeFullContactsBitForBit) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         const bool rubs = seed % 2 == 0;
@@ -85,8 +85,8 @@ TEST(LeanContacts, moveBodiesAsFullOnesDoBitForBit) {
     }
 }
 
-/// Adds bodies that can rotate: balls that roll on a floor of their own, a pendulum, and in some
-/// pits a body that falls onto those that cannot, so that both kinds share an island for a while.
+/// Adds bodies that can rotate: balls on a floor of their own, a pendulum, and in some pits a body that falls
+/// onto those with fixed rotation, so that both kinds share an island for a while.
 void addRotating(World& world, std::uint64_t seed) {
     Random random = Random::seeded(seed ^ 77u);
     const BodyId floor = *createBody(world, {.kind = BodyKind::Static, .position = {40.0, -1.0}});
@@ -107,7 +107,7 @@ void addRotating(World& world, std::uint64_t seed) {
     EXPECT_TRUE(createShape(world, plank, box({0.8f, 0.1f}), lively).ok());
 }
 
-TEST(LeanContacts, ofIslandsThatCannotRotateAreLeanBesideOthersThatDo) {
+TEST(LeanContacts, areUsedInIslandsWithFixedRotationNextToOthers) {
     int apart = 0, together = 0;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
@@ -125,7 +125,7 @@ TEST(LeanContacts, ofIslandsThatCannotRotateAreLeanBesideOthersThatDo) {
             const bool hasLean = std::any_of(groups.begin(), groups.end(),
                                              [](const SolveGroup& group) { return group.withoutRotation; });
             (hasLean ? apart : together) += 1;
-            if (i == 70) lean = World{lean};  // cached data of former steps makes no difference
+            if (i == 70) lean = World{lean};  // a copy has no cached data; this must make no difference
         }
         ASSERT_EQ(lean.contacts.size(), full.contacts.size());
     }
@@ -139,7 +139,7 @@ std::vector<std::uint64_t> bitsAfter(std::uint64_t seed, const StepOptions& opti
     return bitsOf(world);
 }
 
-TEST(LeanContacts, giveTheSameBitsForAnyThreadsAndInstructionSet) {
+TEST(LeanContacts, haveTheSameBitsForAnyThreadsAndInstructionSet) {
     const SimdWidth widest = simdWidth();
     TaskPool pool{3};
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -154,7 +154,7 @@ TEST(LeanContacts, giveTheSameBitsForAnyThreadsAndInstructionSet) {
     }
 }
 
-TEST(LeanContacts, ofUprightBoxesAreTheDeepestPointOfBoxesThatMayTurn) {
+TEST(LeanContacts, ofUprightBoxesEqualTheDeepestPointOfFullContacts) {
     constexpr float kSpeculative = 0.02f;
     int met = 0, corners = 0;
     for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
@@ -194,7 +194,7 @@ TEST(LeanContacts, areReplacedAsSoonAsABodyCanRotateAndUsedAgainAfterwards) {
     EXPECT_EQ(runsOf(world, Effect::Rotation), 60u);
 }
 
-TEST(LeanContacts, ofABoxThatIsTurnedByHandAreFoundAnew) {
+TEST(LeanContacts, areRecomputedIfABoxIsRotatedByAnEdit) {
     Playground play;
     play.floor();
     BodyDefinition body{.position = {0.0, 0.5}, .fixedRotation = true};
@@ -205,7 +205,7 @@ TEST(LeanContacts, ofABoxThatIsTurnedByHandAreFoundAnew) {
     ASSERT_TRUE(setPosition(play.world, crate, {0.0, 1.0}, kPi / 4.0f).ok());
     play.run(120);
     EXPECT_EQ(play.world.contacts.at(0).flags & kAlongAxes, 0);
-    EXPECT_NEAR(play.y(crate), std::sqrt(0.5), 0.006);  // on its corner
+    EXPECT_NEAR(play.y(crate), std::sqrt(0.5), 0.006);  // it rests on its corner
     ASSERT_TRUE(setPosition(play.world, crate, {0.0, 1.0}, 0.0f).ok());
     play.run(120);
     EXPECT_NE(play.world.contacts.at(0).flags & kAlongAxes, 0);

@@ -7,17 +7,17 @@
 
 #include "physics/simulation.hpp"
 
-// Rolling on a round shape: the contact point moves, and the normal rotates with it.
+// A plank that rolls on a round shape: the contact point moves, and the normal rotates with it.
 
 namespace plumb::physics {
 namespace {
 
 constexpr float kTick = 1.0f / 60.0f;
-constexpr float kTilt = 0.2f;  // rad, at the start
+constexpr float kTilt = 0.2f;  // rad, initial tilt
 constexpr ShapeDefinition kRough{.friction = 10.0f};
 
-/// Maximum tilts (rad) within every two seconds of a plank that rocks on a shape
-/// whose top is a circle of radius 1 around the origin, and the mean period.
+/// Rocking motion of a plank on a shape whose top is a circle of radius 1 m around the origin: maximum tilts
+/// within every two seconds, rad, and the mean period.
 struct Rocking {
     std::vector<float> tilts;
     float period = 0.0f;  // s
@@ -29,7 +29,7 @@ struct Rocking {
         world.settings.quality = quality;
         const BodyId ground = *createBody(world, {.kind = BodyKind::Static});
         EXPECT_TRUE(createShape(world, ground, under, kRough).ok());
-        // Rolled away from its middle as far as it is tilted.
+        // Start pose after rolling without slip from the middle to the initial tilt.
         const float sine = std::sin(kTilt), cosine = std::cos(kTilt);
         const BodyId plank = *createBody(
             world,
@@ -68,7 +68,7 @@ const Under kUnder[] = {
     {"capsule", capsule({0.0f, -2.0f}, {0.0f, 0.0f}, 1.0f)},
     {"round corner", box({0.5f, 0.5f}, {0.0f, -kHalfRoot}, {kHalfRoot, kHalfRoot}, 1.0f)}};
 
-TEST(Rocking, swingsOnNeverHigherThanItBegan) {
+TEST(Rocking, neverExceedsItsInitialTilt) {
     for (const Under& under : kUnder) {
         for (Quality quality = 1; quality <= 5; ++quality) {
             SCOPED_TRACE(under.name);
@@ -80,10 +80,10 @@ TEST(Rocking, swingsOnNeverHigherThanItBegan) {
     }
 }
 
-TEST(Rocking, takesTheTimeOfTheFormula) {
-    // For small amplitudes; at 0.2 rad the period is slightly longer. Moment of inertia about the contact
-    // point, over the restoring torque: g times the height of the cylinder's radius above the centre.
-    const float inertia = (1.0f + 0.01f) / 3.0f + 0.01f;  // m2, of each kilogram
+TEST(Rocking, hasThePeriodOfTheFormula) {
+    // Formula for small amplitudes; at 0.2 rad the period is slightly longer. Moment of inertia about the
+    // contact point divided by the restoring torque, both per mass.
+    const float inertia = (1.0f + 0.01f) / 3.0f + 0.01f;  // m2, per kg
     const float period = 6.2831853f * std::sqrt(inertia / (10.0f * (1.0f - 0.1f)));
     for (const Under& under : kUnder) {
         SCOPED_TRACE(under.name);

@@ -5,16 +5,16 @@
 namespace plumb::physics {
 namespace {
 
-/// What a body touches: a single shape, or a surface.
+/// The two sides of a contact: each a single shape or a surface.
 using Touch = std::pair<std::uint64_t, std::uint64_t>;
 
-/// Both sides of an event, in either order.
+/// Returns both sides of an event, the smaller one first.
 Touch touchOf(const ContactEvent& event, const std::map<std::uint32_t, std::uint64_t>& sides) {
     const std::uint64_t a = sides.at(event.shapeA.index), b = sides.at(event.shapeB.index);
     return {std::min(a, b), std::max(a, b)};
 }
 
-TEST(SurfaceEvents, beginAndEndInTurnForEachBodyOnEachSurface) {
+TEST(SurfaceEvents, beginAndEndAlternatelyForEachBodyOnEachSurface) {
     int began = 0, ended = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
@@ -24,8 +24,9 @@ TEST(SurfaceEvents, beginAndEndInTurnForEachBodyOnEachSurface) {
         world.settings.stayEvents = seed % 2 == 0;
         world.settings.sleeping = seed % 3 == 0;
         world.settings.sleepTime = 0.1f;
-        // Three floors of many pieces, the middle one one-way, and a trigger of two shapes.
-        std::map<std::uint32_t, std::uint64_t> sides;  // by shape: its surface
+        // Three floors of many shapes with one surface each, of which the second is one-way, and a trigger of
+        // two shapes.
+        std::map<std::uint32_t, std::uint64_t> sides;  // surface of each shape
         const auto note = [&](ShapeId shape, std::uint64_t side) { sides[shape.index] = side; };
         const BodyId ground = scene.body(BodyKind::Static, {});
         for (std::uint32_t floor = 1; floor <= 3; ++floor) {
@@ -68,7 +69,7 @@ TEST(SurfaceEvents, beginAndEndInTurnForEachBodyOnEachSurface) {
                 default: break;
             }
             if (tick % 50 == 49) {
-                const World copy = world;  // counts are restored from the contacts
+                const World copy = world;  // contact counts are not copied but restored from the contacts
                 world = copy;
             }
             scene.run(1);

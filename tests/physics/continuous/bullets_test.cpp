@@ -9,8 +9,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Balls that fly without walls, on average one per cell,
-/// over an area that is proportional to their number.
+/// Balls without walls, on average one per cell of 9 m2, in an area proportional to their number.
 World makeFlight(int balls, int bullets, std::uint64_t seed) {
     World world;
     world.settings.gravity = {};
@@ -37,9 +36,10 @@ std::uint32_t sweptPairs(int balls, int bullets) {
 
 }  // namespace
 
-// 5 m of path (300 m/s) times the width of a ball's path (0.5 m), with one body on 9 m2: 1 to 3
-// bodies are near the path of a bullet, and both search. Without a search it would be n for n bodies.
-TEST(Bullets, areTestedAgainstWhatIsNearTheirPathOnly) {
+// In a step a bullet of 300 m/s covers 5 m x 0.5 m; with one body per 9 m2, 1 to 3 bodies are near its path,
+// and both bodies of a pair may find it. Without a spatial search every bullet would be tested against all
+// bodies.
+TEST(Bullets, areTestedOnlyAgainstBodiesNearTheirPath) {
     for (const auto& [balls, bullets] : {std::array{2000, 50}, {2000, 400}, {0, 800}, {8000, 100}}) {
         EXPECT_LE(sweptPairs(balls, bullets), static_cast<std::uint32_t>(6 * bullets))
             << bullets << " among " << balls;
@@ -59,7 +59,7 @@ TEST(Bullets, areTestedEquallyOftenWithAnyNumberOfThreads) {
     }
 }
 
-TEST(Bullets, flyThroughWhatTheyDoNotCollideWithAndThroughNothingElse) {
+TEST(Bullets, passOnlyBodiesThatTheyDoNotCollideWith) {
     enum class Wall { Plain, Trigger, OtherLayer, OtherMask, SameGroup, Joined, Filtered, Count };
     for (int kind = 0; kind < static_cast<int>(Wall::Count); ++kind) {
         for (const bool moves : {false, true}) {

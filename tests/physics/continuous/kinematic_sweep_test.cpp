@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A thin kinematic wall that moves so far in a step that it could pass a body in front of it.
+/// A thin kinematic wall that could tunnel through a body in front of it within a step.
 struct FastWall : Playground {
     BodyId wall;
     BodyId ball;
@@ -39,11 +39,11 @@ void expectPushing(Prepare&& prepare) {
     }
 }
 
-TEST(KinematicSweep, pushesWhatFloats) {
+TEST(KinematicSweep, pushesFloatingBodies) {
     expectPushing([](FastWall& scene) { scene.world.settings.gravity = {}; });
 }
 
-TEST(KinematicSweep, pushesWhatRestsOnAFloor) {
+TEST(KinematicSweep, pushesBodiesThatRestOnAFloor) {
     expectPushing([](FastWall& scene) { scene.floor({}, 500.0f); });
 }
 
@@ -58,7 +58,7 @@ TEST(KinematicSweep, wakesAndPushesSleepers) {
     });
 }
 
-TEST(OneWay, holdsWhatJumpedUpThroughIt) {
+TEST(OneWay, holdsBodiesThatPassedItFromBelow) {
     for (const float half : {0.1f, 0.3f, 0.6f}) {
         for (const float angle : {0.0f, 0.2f}) {
             SCOPED_TRACE(testing::Message() << half << " m, " << angle << " rad");

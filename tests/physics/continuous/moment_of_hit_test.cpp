@@ -6,13 +6,13 @@
 
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// A swept body continues after a hit at the time of the hit, not with the next step.
+// After a hit a swept body continues at the time of the hit, not with the next step.
 
 namespace plumb::physics {
 namespace {
 
 constexpr float kBounciness[] = {0.0f, 0.5f, 1.0f};
-constexpr double kLate = 1.0e-4;  // s: maximum error of the time of a hit
+constexpr double kLate = 1.0e-4;  // s, maximum error of the time of a hit
 
 World emptyWorld() {
     World world;
@@ -39,7 +39,7 @@ float energyOf(const World& world, BodyId body) {
                    mass.inertia * motion.angularVelocity * motion.angularVelocity);
 }
 
-/// kg m/s along x and y, and kg m2/s about the origin.
+/// Momentum along x and y, kg m/s, and angular momentum about the origin, kg m2/s.
 std::array<double, 3> momentumOf(const World& world) {
     std::array<double, 3> sum{};
     for (const std::uint32_t body : world.awake) {
@@ -93,7 +93,7 @@ TEST(MomentOfHit, ofBulletsAtAWallIsExact) {
     }
 }
 
-TEST(MomentOfHit, isWithGravityWhereItIsInFreeFlight) {
+TEST(MomentOfHit, isAtThePositionOfFreeFallWithGravity) {
     Random random = Random::seeded(12);
     for (int i = 0; i < 300; ++i) {
         const double bounciness = i % 2 == 0 ? 1.0 : 0.5;
@@ -139,9 +139,9 @@ TEST(MomentOfHit, ofAMovingWallIsRelativeToIt) {
     }
 }
 
-// A bullet hits a free ball or plate at any position and angle: linear and angular momentum
-// about any point are conserved, and so is the energy if it bounces fully without friction.
-TEST(MomentOfHit, ofTwoBodiesKeepsMomentumAndGivesNoEnergy) {
+// A bullet hits a free ball or plate at any position and angle: linear and angular momentum about any point
+// are conserved; so is the energy for bounciness 1 without friction.
+TEST(MomentOfHit, ofTwoBodiesConservesMomentumAndAddsNoEnergy) {
     int hits = 0;
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         Random random = Random::seeded(seed);
@@ -168,8 +168,8 @@ TEST(MomentOfHit, ofTwoBodiesKeepsMomentumAndGivesNoEnergy) {
             const double most = static_cast<double>(world.bodies.mass[bullet.index].mass * speed);
             ASSERT_NEAR(now[0], before[0], 1e-5 * most) << seed;
             ASSERT_NEAR(now[1], before[1], 1e-5 * most) << seed;
-            // Arms are accurate to 1 mm, because a gap is left at hits, and to more in
-            // later steps, where they refer to the poses in the middle of the step.
+            // The lever arms are inexact by 1 mm, because a gap is left at hits, and by more in later steps,
+            // in which they refer to the poses in the middle of the step.
             ASSERT_NEAR(now[2], before[2], 5e-3 * most) << seed;
             const float left = energyOf(world, bullet) + energyOf(world, target);
             ASSERT_LE(left, energy * 1.0001f) << seed;
@@ -206,8 +206,8 @@ TEST(MomentOfHit, isAnEventThatBeginsAndEndsOnce) {
     }
 }
 
-// A body that lands nearly flat does not begin to rotate: both of its corners are stopped.
-TEST(MomentOfHit, stopsWhatIsFlatOnBothCorners) {
+// A body that hits nearly flat must not start to rotate: both of its corners are stopped.
+TEST(MomentOfHit, stopsFlatBodiesOnBothCorners) {
     for (const float tilt : {0.0f, 0.001f, 0.01f, 0.03f, 0.06f}) {
         for (const float speed : {30.0f, 100.0f, 300.0f}) {
             World world = emptyWorld();
@@ -228,9 +228,9 @@ TEST(MomentOfHit, stopsWhatIsFlatOnBothCorners) {
     }
 }
 
-// A ball without spin gets it from the surface: with enough
-// friction to roll it keeps two thirds of its tangential velocity.
-TEST(MomentOfHit, rubsAsASurfaceDoes) {
+// Friction gives spin to a ball. With enough friction to roll it keeps two thirds of its tangential velocity
+// (solid disc).
+TEST(MomentOfHit, appliesFriction) {
     for (const float friction : {0.0f, 0.05f, 1.0f}) {
         World world = emptyWorld();
         const BodyId wall = addBody(world, BodyKind::Static, {});
@@ -245,7 +245,7 @@ TEST(MomentOfHit, rubsAsASurfaceDoes) {
     }
 }
 
-TEST(MomentOfHit, isNoneWhereTheOwnerLetsThemPass) {
+TEST(MomentOfHit, doesNotExistIfACallbackDisablesTheContact) {
     StepOptions options[2];
     options[0].hooks.filter = [](void*, const World&, ShapeId, ShapeId) { return false; };
     options[1].hooks.preSolve = [](void*, const World&, const Contact&) { return false; };
@@ -263,8 +263,8 @@ TEST(MomentOfHit, isNoneWhereTheOwnerLetsThemPass) {
     }
 }
 
-// A resting body is not swept: a fast wall pushes it as usual.
-TEST(MomentOfHit, isTheSolversWhereOnlyTheOtherMoves) {
+// A body at rest is not swept: the contact solver handles a fast wall that hits it.
+TEST(MomentOfHit, isHandledByTheSolverIfOnlyTheOtherBodyMoves) {
     World world = emptyWorld();
     const BodyId wall = addBody(world, BodyKind::Kinematic, {-1.01, 0.0});
     static_cast<void>(createShape(world, wall, box({1.0f, 5.0f})));
@@ -276,9 +276,9 @@ TEST(MomentOfHit, isTheSolversWhereOnlyTheOtherMoves) {
     }
 }
 
-// In a box full of bouncing bodies, none moves further in a
-// step than its velocities explain, and none gets faster.
-TEST(MomentOfHit, moveNothingFurtherThanItsSpeed) {
+// In a box full of bouncing bodies, no body moves further in a step than its speed allows, and the energy
+// does not grow.
+TEST(MomentOfHit, movesNoBodyFurtherThanItsSpeedAllows) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         World world = emptyWorld();
         Random random = Random::seeded(seed);

@@ -18,7 +18,7 @@ int shots() {
     return asked != nullptr ? std::atoi(asked) : 10000;
 }
 
-/// A bullet and a wall across its path, rotated by `angle` about the origin.
+/// A bullet and a wall in its path; the whole scene is rotated by `angle` about the origin.
 struct Shot {
     World world;
     BodyId bullet;
@@ -26,7 +26,8 @@ struct Shot {
     float thickness;
 
     [[nodiscard]] Vec2 seen() const { return unrotate(turn, centreOf(world, bullet) - WorldPosition{}); }
-    /// m: distance of the whole bullet behind the wall; below 0: it is not behind.
+    /// Distance between the rear of the bullet and the far side of the wall, m; negative unless the whole
+    /// bullet is behind the wall.
     [[nodiscard]] float behind() const {
         return seen().x - 0.5f * thickness - world.bodies.info[bullet.index].reach;
     }
@@ -106,7 +107,7 @@ TEST(SweepFastBodies, stopsAtTheTimeOfImpact) {
     }
 }
 
-TEST(SweepFastBodies, whatBouncesKeepsItsSpeed) {
+TEST(SweepFastBodies, bouncingBodiesKeepTheirSpeed) {
     for (const float speed : {20.0f, 300.0f, 1000.0f}) {
         World world;
         world.settings.gravity = {};
@@ -120,7 +121,7 @@ TEST(SweepFastBodies, whatBouncesKeepsItsSpeed) {
     }
 }
 
-TEST(SweepFastBodies, slidingOverAFloorOfManyPiecesIsNotHeldUp) {
+TEST(SweepFastBodies, slidingOverAFloorOfManyShapesIsNotStopped) {
     World world;
     world.settings.gravity = {0.0f, -10.0f};
     const BodyId floor = addBody(world, BodyKind::Static, {});
@@ -136,7 +137,7 @@ TEST(SweepFastBodies, slidingOverAFloorOfManyPiecesIsNotHeldUp) {
     EXPECT_NEAR(centreOf(world, crate).x - from, 40.0, 0.5);
 }
 
-TEST(SweepFastBodies, chainsLetThroughFromBehindAndStopInFront) {
+TEST(SweepFastBodies, chainsStopBodiesInFrontOnly) {
     for (const float side : {-1.0f, 1.0f}) {
         World world;
         world.settings.gravity = {};
@@ -158,7 +159,7 @@ TEST(SweepFastBodies, chainsLetThroughFromBehindAndStopInFront) {
     }
 }
 
-TEST(SweepFastBodies, onlyBulletsMeetMovingBodies) {
+TEST(SweepFastBodies, onlyBulletsAreSweptAgainstMovingBodies) {
     for (const bool asBullet : {false, true}) {
         World world;
         world.settings.gravity = {};

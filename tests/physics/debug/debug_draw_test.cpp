@@ -41,12 +41,12 @@ Points pointsOf(const World& world) {
 
 }  // namespace
 
-TEST(DebugDraw, anEmptyWorldIsAnEmptyPicture) {
+TEST(DebugDraw, anEmptyWorldDrawsNothing) {
     World world;
     EXPECT_EQ(drawn(world, kDrawAll).count(), 0u);
 }
 
-TEST(DebugDraw, nothingAskedForIsNothingDrawn) {
+TEST(DebugDraw, noRequestedPartsDrawNothing) {
     World world = makePit(20, 1);
     EXPECT_EQ(drawn(world, 0).count(), 0u);
 }
@@ -67,14 +67,14 @@ TEST(DebugDraw, everyShapeIsDrawnInItsRole) {
     add(BodyKind::Dynamic, box({1.0f, 1.0f}), true);
     const BodyId gone = add(BodyKind::Dynamic, circle(1.0f));
     destroyBody(world, gone);
-    const Recording picture = drawn(world, kDrawShapes);
-    EXPECT_EQ(picture.count(DebugRole::Fixed, 'p'), 1u);
-    EXPECT_EQ(picture.count(DebugRole::Fixed, 'l'), 1u);
-    EXPECT_EQ(picture.count(DebugRole::Driven, 'c'), 1u);
-    EXPECT_EQ(picture.count(DebugRole::Driven, 'l'), 1u);  // its spoke
-    EXPECT_EQ(picture.count(DebugRole::Awake, 'p'), 1u);
-    EXPECT_EQ(picture.count(DebugRole::Asleep, 'p'), 1u);
-    EXPECT_EQ(picture.count(), 6u);
+    const Recording recording = drawn(world, kDrawShapes);
+    EXPECT_EQ(recording.count(DebugRole::Fixed, 'p'), 1u);
+    EXPECT_EQ(recording.count(DebugRole::Fixed, 'l'), 1u);
+    EXPECT_EQ(recording.count(DebugRole::Driven, 'c'), 1u);
+    EXPECT_EQ(recording.count(DebugRole::Driven, 'l'), 1u);  // line from the centre that shows its rotation
+    EXPECT_EQ(recording.count(DebugRole::Awake, 'p'), 1u);
+    EXPECT_EQ(recording.count(DebugRole::Asleep, 'p'), 1u);
+    EXPECT_EQ(recording.count(), 6u);
     EXPECT_EQ(drawn(world, kDrawTriggers).count(DebugRole::Trigger, 'p'), 1u);
     EXPECT_EQ(drawn(world, kDrawTriggers).count(), 1u);
     EXPECT_EQ(drawn(world, kDrawBounds).count(DebugRole::Bounds, 'p'), 6u);
@@ -98,7 +98,7 @@ TEST(DebugDraw, everyContactPointIsDrawnAwakeAndAsleep) {
     }
 }
 
-TEST(DebugDraw, velocitiesAndJointsAreWhereTheyAre) {
+TEST(DebugDraw, velocitiesAndJointsAreDrawnAtTheirPositions) {
     World world;
     world.settings.gravity = {};
     const BodyId a = addBody(world, BodyKind::Dynamic, {1000000.0, 2.0}),
@@ -112,11 +112,11 @@ TEST(DebugDraw, velocitiesAndJointsAreWhereTheyAre) {
     EXPECT_GT(arrows.last[1].x, 0.0f);
     ASSERT_TRUE(createJoint(world, {.a = a, .b = b}));
     EXPECT_EQ(drawn(world, kDrawJoints).count(DebugRole::Joint, 'c'), 1u);
-    // The arm of a, and from anchor to anchor; what never moves has no arm.
+    // One line from the centre of a to its anchor and one between the anchors; the static body b has no arm.
     EXPECT_EQ(drawn(world, kDrawJoints).count(DebugRole::Joint, 'l'), 2u);
 }
 
-TEST(DebugDraw, leavesTheWorldAsItWas) {
+TEST(DebugDraw, doesNotChangeTheWorld) {
     World world = makePit(30, 3);
     for (int i = 0; i < 60; ++i) step(world, 1.0f / 60.0f);
     const std::uint64_t before = hashOf(world);
@@ -124,23 +124,24 @@ TEST(DebugDraw, leavesTheWorldAsItWas) {
     EXPECT_EQ(hashOf(world), before);
 }
 
-TEST(DebugDraw, anOutlineOfSomethingRoundGoesRoundItAtItsRadius) {
+TEST(DebugDraw, outlinesOfRoundedShapesAreAtTheirRadius) {
     World world;
     const BodyId body = addBody(world, BodyKind::Static, {});
     static_cast<void>(createShape(world, body, capsule({-1.0f, 0.0f}, {1.0f, 0.0f}, 0.5f)));
-    const Recording picture = drawn(world, kDrawShapes);
-    ASSERT_GE(picture.last.size(), 16u);
+    const Recording recording = drawn(world, kDrawShapes);
+    ASSERT_GE(recording.last.size(), 16u);
     float area = 0.0f;
-    for (std::size_t i = 0; i < picture.last.size(); ++i) {
-        const Vec2 point = picture.last[i], next = picture.last[(i + 1) % picture.last.size()];
+    for (std::size_t i = 0; i < recording.last.size(); ++i) {
+        const Vec2 point = recording.last[i], next = recording.last[(i + 1) % recording.last.size()];
         const Vec2 nearest{std::clamp(point.x, -1.0f, 1.0f), 0.0f};
         EXPECT_NEAR(length(point - nearest), 0.5f, 1e-6f);
         area += 0.5f * (point.x * next.y - point.y * next.x);
     }
-    EXPECT_NEAR(std::fabs(area), 2.0f + 0.25f * 3.1415927f, 0.03f);  // two by one, and two half circles
+    // a rectangle of 2 m2 and two half circles
+    EXPECT_NEAR(std::fabs(area), 2.0f + 0.25f * 3.1415927f, 0.03f);
 }
 
-TEST(DebugDraw, bodiesThatRestTogetherAreOfOneColourAndOthersOfAnother) {
+TEST(DebugDraw, eachIslandHasItsOwnColour) {
     World world;
     world.settings.gravity = {0.0f, -10.0f};
     const BodyId floor = addBody(world, BodyKind::Static, {});
@@ -160,10 +161,10 @@ TEST(DebugDraw, bodiesThatRestTogetherAreOfOneColourAndOthersOfAnother) {
         EXPECT_EQ(islands[2], islands[3]);
         EXPECT_NE(islands[0], islands[2]);
     }
-    EXPECT_TRUE(world.awake.empty());  // so that both kinds of islands were drawn
+    EXPECT_TRUE(world.awake.empty());  // all islands sleep now, so both awake and sleeping ones were drawn
 }
 
-TEST(DebugDraw, theArrowOfAnImpulseIsAsLongAsTheLoadIsLarge) {
+TEST(DebugDraw, theArrowOfAnImpulseIsProportionalToTheLoad) {
     World world;
     world.settings.gravity = {0.0f, -10.0f};
     const BodyId floor = addBody(world, BodyKind::Static, {});
@@ -174,57 +175,57 @@ TEST(DebugDraw, theArrowOfAnImpulseIsAsLongAsTheLoadIsLarge) {
     }
     world.settings.sleepTime = 1e6f;
     for (int i = 0; i < 300; ++i) step(world, 1.0f / 60.0f);
-    Recording picture = drawn(world, kDrawImpulses);
-    ASSERT_EQ(picture.arrows.size(), 6u);
-    // Two points share the load of three, two and one boxes.
-    std::sort(picture.arrows.begin(), picture.arrows.end());
-    const float weight = picture.arrows[0];
+    Recording recording = drawn(world, kDrawImpulses);
+    ASSERT_EQ(recording.arrows.size(), 6u);
+    // Each interface has two contact points, which share the weight of three, two or one boxes.
+    std::sort(recording.arrows.begin(), recording.arrows.end());
+    const float weight = recording.arrows[0];
     EXPECT_GT(weight, 0.01f);
-    EXPECT_NEAR(picture.arrows[2], 2.0f * weight, 0.1f * weight);
-    EXPECT_NEAR(picture.arrows[4], 3.0f * weight, 0.1f * weight);
+    EXPECT_NEAR(recording.arrows[2], 2.0f * weight, 0.1f * weight);
+    EXPECT_NEAR(recording.arrows[4], 3.0f * weight, 0.1f * weight);
 }
 
-TEST(DebugDraw, anImpulseIsTheWholeStepsWhateverTheQuality) {
+TEST(DebugDraw, anImpulseIsThatOfTheWholeStepAtAnyQuality) {
     for (const Quality quality : {Quality{0}, Quality{2}, Quality{5}}) {
         SCOPED_TRACE(int{quality});
         Playground scene;
         scene.floor();
         scene.crate({0.0, 0.5});
-        // A group of its own, in addition to that of the world's quality.
+        // The second crate is in a group with another quality than the first.
         ASSERT_TRUE(setQuality(scene.world, scene.crate({5.0, 0.5}), quality).ok());
         scene.world.settings.quality = 0;
         scene.run(120);
-        const auto isAsLongAsALoad = [](const Recording& picture) {
-            ASSERT_EQ(picture.arrows.size(), 4u);
+        const auto isAsLongAsALoad = [](const Recording& recording) {
+            ASSERT_EQ(recording.arrows.size(), 4u);
             for (std::size_t i = 0; i < 4; i += 2)
-                EXPECT_NEAR(picture.arrows[i] + picture.arrows[i + 1], 0.2f, 0.002f);
+                EXPECT_NEAR(recording.arrows[i] + recording.arrows[i + 1], 0.2f, 0.002f);
         };
         isAsLongAsALoad(drawn(scene.world, kDrawImpulses));
         scene.world.settings.sleeping = true;
         scene.run(120);
         ASSERT_TRUE(scene.world.awake.empty());
         isAsLongAsALoad(drawn(scene.world, kDrawImpulses));
-        World copied = scene.world;  // has no last step
+        World copied = scene.world;  // a copy has no data of the last step
         isAsLongAsALoad(drawn(copied, kDrawImpulses));
     }
 }
 
-TEST(DebugDraw, anImpulseIsAsLongHoweverLongTheStepIs) {
+TEST(DebugDraw, theArrowOfAnImpulseDoesNotDependOnTheTimeStep) {
     for (const float dt : {1.0f / 30.0f, 1.0f / 60.0f, 1.0f / 240.0f}) {
         SCOPED_TRACE(dt);
         Playground scene;
         scene.floor();
         scene.crate({0.0, 0.5});
         for (float time = 0.0f; time < 2.0f; time += dt) step(scene.world, dt);
-        const Recording picture = drawn(scene.world, kDrawImpulses);
-        ASSERT_EQ(picture.arrows.size(), 2u);
-        EXPECT_NEAR(picture.arrows[0] + picture.arrows[1], 0.2f, 0.002f);  // 0.02 m for each m/s2
+        const Recording recording = drawn(scene.world, kDrawImpulses);
+        ASSERT_EQ(recording.arrows.size(), 2u);
+        EXPECT_NEAR(recording.arrows[0] + recording.arrows[1], 0.2f, 0.002f);  // 0.02 m for each m/s2
         World copied = scene.world;
-        EXPECT_EQ(drawn(copied, kDrawImpulses).arrows, picture.arrows);
+        EXPECT_EQ(drawn(copied, kDrawImpulses).arrows, recording.arrows);
     }
 }
 
-TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
+TEST(DebugDraw, frictionIsDrawnAlongASlope) {
     const float slope = 0.3f;  // rad
     World world;
     world.settings.sleeping = false;
@@ -247,10 +248,11 @@ TEST(DebugDraw, whatLiesOnASlopeIsHeldByFrictionAlongIt) {
     float pushed = 0.0f;
     for (const Stroke& push : pushes) pushed += length(push.points[1] - push.points[0]);
     EXPECT_NEAR(length(along) / pushed, std::tan(slope), 0.02f);
-    EXPECT_NEAR(pushed, 0.2f * std::cos(slope), 0.01f);  // as long as for a hanging load
+    // normal part of the weight, 0.02 m for each m/s2
+    EXPECT_NEAR(pushed, 0.2f * std::cos(slope), 0.01f);
 }
 
-TEST(DebugDraw, betweenTwoStepsBodiesAreDrawnOnTheWayFromOneToTheOther) {
+TEST(DebugDraw, bodiesAreInterpolatedBetweenSteps) {
     World world;
     world.settings.gravity = {};
     const BodyId body = addBody(world, BodyKind::Dynamic, {2.0, 3.0}),
@@ -259,9 +261,9 @@ TEST(DebugDraw, betweenTwoStepsBodiesAreDrawnOnTheWayFromOneToTheOther) {
     ASSERT_TRUE(setVelocity(world, body, {6.0f, -3.0f}));
     ASSERT_TRUE(setAngularVelocity(world, body, 3.0f));
     const auto boxes = [&](float behind) {
-        Recording picture;
-        debugDraw(world, picture, {.parts = kDrawShapes, .behind = behind});
-        return picture.strokes;
+        Recording recording;
+        debugDraw(world, recording, {.parts = kDrawShapes, .behind = behind});
+        return recording.strokes;
     };
     const auto before = boxes(0.0f);
     step(world, 1.0f / 60.0f);
@@ -275,16 +277,16 @@ TEST(DebugDraw, betweenTwoStepsBodiesAreDrawnOnTheWayFromOneToTheOther) {
     EXPECT_EQ(after[1].points, before[1].points);
 }
 
-TEST(DebugDraw, aPathEndsWhereAThrownBodyIsASecondLater) {
+TEST(DebugDraw, aPredictedPathEndsWhereAThrownBodyIsOneSecondLater) {
     World world;
     const BodyId body = addBody(world, BodyKind::Dynamic, {500000.0, 3.0});
     static_cast<void>(createShape(world, body, circle(0.2f)));
     ASSERT_TRUE(setVelocity(world, body, {4.0f, -6.0f}));
-    const Recording picture = drawn(world, kDrawPaths, {500000.0, 0.0});
-    const auto path = strokesOf(picture, DebugRole::Path);
+    const Recording recording = drawn(world, kDrawPaths, {500000.0, 0.0});
+    const auto path = strokesOf(recording, DebugRole::Path);
     ASSERT_GE(path.size(), 10u);
     EXPECT_EQ(path.front().points[0], (Vec2{0.0f, 3.0f}));
-    // A parabola: x = 4 t, y = 3 - 6 t + 5 t2.
+    // Parabola: x = 4 t, y = 3 - 6 t + 5 t2.
     EXPECT_NEAR(path.back().points[1].x, 4.0f, 1e-4f);
     EXPECT_NEAR(path.back().points[1].y, 2.0f, 1e-4f);
     for (int i = 0; i < 60; ++i) step(world, 1.0f / 60.0f);
@@ -292,7 +294,7 @@ TEST(DebugDraw, aPathEndsWhereAThrownBodyIsASecondLater) {
     EXPECT_NEAR(positionOf(world, body).y, 2.0, 1e-2);
 }
 
-TEST(DebugDraw, aPathBendsByDrag) {
+TEST(DebugDraw, aPredictedPathIncludesDrag) {
     World world;
     const BodyId body = *createBody(world, {.velocity = {4.0f, -6.0f}, .linearDrag = 3.0f});
     static_cast<void>(createShape(world, body, circle(0.2f)));
@@ -316,7 +318,7 @@ TEST(DebugDraw, aTriggerIsConnectedToTheBodiesInside) {
     EXPECT_EQ(drawn(world, kDrawContacts).count(), 0u) << "a trigger has no points";
 }
 
-TEST(DebugDraw, aFastBodyLeavesItsPathAndWhereItHitSomething) {
+TEST(DebugDraw, theSweptPathAndTheHitOfAFastBodyAreDrawn) {
     World world;
     world.settings.gravity = {};
     const BodyId wall = addBody(world, BodyKind::Static, {5.0, 0.0});
@@ -325,11 +327,11 @@ TEST(DebugDraw, aFastBodyLeavesItsPathAndWhereItHitSomething) {
     static_cast<void>(createShape(world, shot, circle(0.1f)));
     ASSERT_TRUE(setVelocity(world, shot, {600.0f, 0.0f}));
     step(world, 1.0f / 60.0f);
-    const Recording picture = drawn(world, kDrawSweeps);
-    const auto stops = strokesOf(picture, DebugRole::Impact);
+    const Recording recording = drawn(world, kDrawSweeps);
+    const auto stops = strokesOf(recording, DebugRole::Impact);
     ASSERT_EQ(stops.size(), 1u);
     EXPECT_NEAR(stops[0].points[0].x, 4.85f, 1e-2f);
-    const auto ways = strokesOf(picture, DebugRole::Sweep);
+    const auto ways = strokesOf(recording, DebugRole::Sweep);
     ASSERT_EQ(ways.back().kind, 'l');
     EXPECT_EQ(ways.back().points[0], stops[0].points[0]) << "its path since the hit";
     EXPECT_NEAR(ways.back().points[1].x, 4.85f, 1e-2f) << "it does not bounce";
@@ -338,7 +340,7 @@ TEST(DebugDraw, aFastBodyLeavesItsPathAndWhereItHitSomething) {
     EXPECT_EQ(drawn(world, kDrawSweeps).count(), 0u) << "what is slow was not swept";
 }
 
-TEST(DebugDraw, aRestingBodyFillsUpUntilItSleeps) {
+TEST(DebugDraw, theSleepTimerOfARestingBodyIsDrawn) {
     World world;
     const BodyId ground = addBody(world, BodyKind::Static, {});
     static_cast<void>(createShape(world, ground, box({5.0f, 0.5f})));
@@ -360,46 +362,46 @@ TEST(DebugDraw, aRestingBodyFillsUpUntilItSleeps) {
     EXPECT_EQ(before, 1.0f);
 }
 
-TEST(DebugDraw, theRegionsOfEveryBroadPhaseHoldAllBoxesBetweenThem) {
+TEST(DebugDraw, theRegionsOfEveryBroadPhaseContainAllBoxes) {
     for (const BroadPhaseKind kind : {BroadPhaseKind::Tree, BroadPhaseKind::Grid,
                                       BroadPhaseKind::SweepAndPrune, BroadPhaseKind::Quadtree}) {
         SCOPED_TRACE(nameOf(kind));
         World world = makePit(300, 5);
         world.settings.broadPhase = kind;
         for (int i = 0; i < 30; ++i) step(world, 1.0f / 60.0f);
-        const Recording picture = drawn(world, kDrawBroadPhase);
-        const auto regions = strokesOf(picture, DebugRole::Region);
+        const Recording recording = drawn(world, kDrawBroadPhase);
+        const auto regions = strokesOf(recording, DebugRole::Region);
         ASSERT_GT(regions.size(), 0u);
-        std::size_t homeless = 0;
-        for (const Stroke& box : strokesOf(picture, DebugRole::BroadPhase)) {
+        std::size_t outside = 0;
+        for (const Stroke& box : strokesOf(recording, DebugRole::BroadPhase)) {
             const Vec2 middle = (box.points[0] + box.points[2]) * 0.5f;
             const bool isHeld = std::any_of(regions.begin(), regions.end(), [&](const Stroke& region) {
-                // A cell is where the corner of a box is, a square where its middle is.
+                // Grid cells contain a corner of a box, quadtree squares its middle.
                 return std::any_of(box.points.begin(), box.points.end(),
                                    [&](Vec2 corner) {
                                        return contains({region.points[0], region.points[2]}, corner);
                                    }) ||
                        contains({region.points[0], region.points[2]}, middle);
             });
-            if (!isHeld) ++homeless;
+            if (!isHeld) ++outside;
         }
-        // Grids and rows keep a few apart: proxies as large as everything, and new strays.
+        // Grid and sweep-and-prune store some proxies separately: very large ones and newly added ones.
         const bool hasStrays = kind == BroadPhaseKind::Grid || kind == BroadPhaseKind::SweepAndPrune;
-        EXPECT_LE(homeless, hasStrays ? 30u : 0u);
+        EXPECT_LE(outside, hasStrays ? 30u : 0u);
     }
 }
 
-TEST(DebugDraw, ofAWorldThatWasOverwrittenTheLastStepIsUnknownUntilTheNext) {
+TEST(DebugDraw, anOverwrittenWorldHasNoLastStepUntilTheNextOne) {
     const World crowd = makePit(60, 2);
     World world = makePit(3, 1);
-    ASSERT_TRUE(setQuality(world, {1, 1}, 4));  // two groups: bodies are looked up by index
+    ASSERT_TRUE(setQuality(world, {1, 1}, 4));  // two groups, so that bodies are looked up by index
     for (int i = 0; i < 60; ++i) step(world, 1.0f / 60.0f);
     EXPECT_NE(lastStepOf(world), nullptr);
     EXPECT_GT(detectionOf(world).touching, 0);
     World later = crowd;
     for (int i = 0; i < 60; ++i) step(later, 1.0f / 60.0f);
     world = later;
-    // A query refills a part of the workspace.
+    // The query overwrites a part of the workspace.
     static_cast<void>(castRay(world, {0.0, 50.0}, {0.0f, -60.0f}));
     EXPECT_EQ(lastStepOf(world), nullptr);
     EXPECT_EQ(detectionOf(world).touching, 0);
@@ -413,7 +415,7 @@ TEST(DebugDraw, ofAWorldThatWasOverwrittenTheLastStepIsUnknownUntilTheNext) {
     EXPECT_EQ(lastStepOf(world), nullptr);  // NOLINT(bugprone-use-after-move)
 }
 
-TEST(DebugDraw, fieldsShowWhereTheyActAndWhatTheyPull) {
+TEST(DebugDraw, fieldsShowTheirRegionAndTheirBodies) {
     World world;
     const BodyId body = addBody(world, BodyKind::Dynamic, {3.0, 0.0});
     static_cast<void>(createShape(world, body, circle(0.5f)));
@@ -421,8 +423,8 @@ TEST(DebugDraw, fieldsShowWhereTheyActAndWhatTheyPull) {
     wind.half = {2.0f, 1.0f};
     wind.velocity = {5.0f, 0.0f};
     ASSERT_TRUE(createField(world, wind));
-    Recording picture = drawn(world, kDrawFields);
-    auto strokes = strokesOf(picture, DebugRole::Field);
+    Recording recording = drawn(world, kDrawFields);
+    auto strokes = strokesOf(recording, DebugRole::Field);
     ASSERT_EQ(strokes.size(), 2u);
     EXPECT_EQ(strokes[0].points,
               (std::vector<Vec2>{{-1.0f, 1.0f}, {3.0f, 1.0f}, {3.0f, 3.0f}, {-1.0f, 3.0f}}));
@@ -441,29 +443,30 @@ TEST(DebugDraw, aRopeIsDrawnLinkByLink) {
     ASSERT_TRUE(createRope(world, {0.0, 0.0}, {1.0, 0.0}, 5));
     std::size_t links = 0;
     for (const SoftBody& soft : world.softBodies.all) links += soft.links.size();
-    const Recording picture = drawn(world, kDrawShapes);
-    EXPECT_EQ(picture.count(DebugRole::Soft, 'l'), links);
+    const Recording recording = drawn(world, kDrawShapes);
+    EXPECT_EQ(recording.count(DebugRole::Soft, 'l'), links);
     EXPECT_GE(links, 4u);
 }
 
-TEST(DebugDraw, ofSomeSoftBodiesOnlyTheseAreDrawn) {
+TEST(DebugDraw, onlySelectedSoftBodiesAreDrawn) {
     World world;
     const SoftBodyId ropes[] = {*createRope(world, {0.0, 0.0}, {1.0, 0.0}, 5),
                                 *createRope(world, {0.0, 2.0}, {1.0, 2.0}, 8)};
     for (const SoftBodyId rope : ropes) {
-        std::vector<std::uint8_t> chosen(rope.index + 1);  // short where it is the first
+        // shorter than the list of soft bodies for the first one
+        std::vector<std::uint8_t> chosen(rope.index + 1);
         chosen[rope.index] = 1;
-        Recording picture;
-        debugDraw(world, picture, {.parts = kDrawShapes, .chosenOnly = true, .softBodies = chosen});
-        EXPECT_EQ(picture.count(), softBodyOf(world, rope).links.size());
-        EXPECT_EQ(picture.last.back().y, static_cast<float>(particlesOf(world, rope)[0].place.y));
+        Recording recording;
+        debugDraw(world, recording, {.parts = kDrawShapes, .selectedOnly = true, .softBodies = chosen});
+        EXPECT_EQ(recording.count(), softBodyOf(world, rope).links.size());
+        EXPECT_EQ(recording.last.back().y, static_cast<float>(particlesOf(world, rope)[0].place.y));
     }
     Recording none;
-    debugDraw(world, none, {.parts = kDrawShapes, .chosenOnly = true});
+    debugDraw(world, none, {.parts = kDrawShapes, .selectedOnly = true});
     EXPECT_EQ(none.count(), 0u);
 }
 
-TEST(DebugDraw, ofSomeBodiesOnlyTheirsIsDrawn) {
+TEST(DebugDraw, onlyPartsOfSelectedBodiesAreDrawn) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         SCOPED_TRACE(seed);
         World world = makePit(40, seed);

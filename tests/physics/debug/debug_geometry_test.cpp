@@ -1,11 +1,11 @@
 #include "tests/physics/support/debug_strokes.hpp"
 
-// Positions of the strokes of the debug view, by formula.
+// Compares the strokes of the debug view with positions computed by formulas.
 
 using namespace plumb;
 using namespace plumb::physics;
 
-TEST(DebugGeometry, roundedOutlinesAreTheCornersGrownByTheRadius) {
+TEST(DebugGeometry, roundedOutlinesAreOffsetByTheRadius) {
     Random random = Random::seeded(1);
     for (int i = 0; i < 50; ++i) {
         SCOPED_TRACE(i);
@@ -28,16 +28,18 @@ TEST(DebugGeometry, roundedOutlinesAreTheCornersGrownByTheRadius) {
             perimeter += length(corners[(c + 1) % corners.size()] - corners[c]);
         const float sharpArea = std::fabs(areaOf(corners));
         const float wanted = sharpArea + perimeter * radius + kPi * radius * radius;
-        // Arcs of eight chords lose r2 t3 / 768 each for an angle of t, which is at most two half circles.
+        // Eight chords across an angle of t lose an area of r2 t3 / 768; the angles of all corners sum to two
+        // half circles.
         EXPECT_NEAR(std::fabs(areaOf(points)), wanted, 0.082f * radius * radius + 1e-4f);
-        float turned = 0.0f;
+        float turnAngle = 0.0f;
         for (std::size_t p = 0; p < points.size(); ++p) {
             EXPECT_NEAR(distanceFrom(corners, unrotate(rotFromAngle(angle), points[p])), radius, 2e-5f);
             const Vec2 in = points[p] - points[(p + points.size() - 1) % points.size()],
                        out = points[(p + 1) % points.size()] - points[p];
-            if (length(in) > 1e-4f && length(out) > 1e-4f) turned += std::atan2(cross(in, out), dot(in, out));
+            if (length(in) > 1e-4f && length(out) > 1e-4f)
+                turnAngle += std::atan2(cross(in, out), dot(in, out));
         }
-        EXPECT_NEAR(std::fabs(turned), 2.0f * kPi, 0.05f) << "it goes round once";
+        EXPECT_NEAR(std::fabs(turnAngle), 2.0f * kPi, 0.05f) << "it goes round once";
     }
 }
 
@@ -73,11 +75,11 @@ TEST(DebugGeometry, oneWayShapesShowTheirOpenDirection) {
     const BodyId body = addBody(world, BodyKind::Static, {2.0, 3.0}, 0.5f);
     ASSERT_TRUE(createShape(world, body, box({1.0f, 0.2f}, {0.5f, 0.0f}),
                             {.oneWay = true, .oneWayDirection = {0.0f, 1.0f}}));
-    const Recording picture = drawn(world, kDrawShapes);
-    ASSERT_EQ(picture.strokes.back().kind, 'a');
+    const Recording recording = drawn(world, kDrawShapes);
+    ASSERT_EQ(recording.strokes.back().kind, 'a');
     const Vec2 middle = Vec2{2.0f, 3.0f} + rotate(rotFromAngle(0.5f), {0.5f, 0.0f});
-    expectLine(picture.strokes.back(), middle, middle + rotate(rotFromAngle(0.5f), {0.0f, 0.25f}));
-    EXPECT_EQ(picture.count(DebugRole::Fixed, 'p'), 1u);
+    expectLine(recording.strokes.back(), middle, middle + rotate(rotFromAngle(0.5f), {0.0f, 0.25f}));
+    EXPECT_EQ(recording.count(DebugRole::Fixed, 'p'), 1u);
 }
 
 TEST(DebugGeometry, contactsAreWhereTheShapesTouch) {
@@ -109,14 +111,14 @@ TEST(DebugGeometry, contactsAreWhereTheShapesTouch) {
             expectNear(normals[i].points[0], circles[i].points[0]);
             expectNear(unrotate(turn, normals[i].points[1] - normals[i].points[0]), {0.0f, -0.2f}, 1e-4f);
             expectNear(pushes[i].points[0], circles[i].points[0]);
-            // Half of 0.02 m for each m/s2 of its weight.
+            // Half the weight, at 0.02 m for each m/s2.
             expectNear(unrotate(turn, pushes[i].points[1] - pushes[i].points[0]), {0.0f, -0.1f}, 2e-3f);
         }
         EXPECT_NEAR(ends, 0.0f, 2e-3f) << "one at each end";
     }
 }
 
-TEST(DebugGeometry, frictionIsDrawnInTheMiddleOfThePointsAndHoldsBackWhatSlides) {
+TEST(DebugGeometry, frictionIsDrawnBetweenTheContactPointsAgainstTheSliding) {
     for (const float side : {-1.0f, 1.0f}) {
         Playground scene;
         scene.floor({.friction = 0.5f});
@@ -125,7 +127,8 @@ TEST(DebugGeometry, frictionIsDrawnInTheMiddleOfThePointsAndHoldsBackWhatSlides)
         scene.run(10);
         const auto holds = strokesOf(drawn(scene.world, kDrawFriction), DebugRole::Friction);
         ASSERT_EQ(holds.size(), 1u);
-        // Points are where they were computed, at the start of the step. It brakes at 5 m/s2: 0.1 m.
+        // The point is drawn where it was computed, at the start of the step. The deceleration of 5 m/s2 is
+        // drawn as 0.1 m.
         const auto place = static_cast<float>(scene.x(crate)) - kTick * velocityOf(scene.world, crate).x;
         EXPECT_NEAR(holds[0].points[0].x, place, 0.01f);
         EXPECT_NEAR(holds[0].points[0].y, 0.0f, 2e-3f);
@@ -133,7 +136,7 @@ TEST(DebugGeometry, frictionIsDrawnInTheMiddleOfThePointsAndHoldsBackWhatSlides)
     }
 }
 
-TEST(DebugGeometry, hardHitsAreDrawnAsArrowsOfAMetre) {
+TEST(DebugGeometry, arrowsOfHardHitsAreLimitedToOneMetre) {
     Playground scene;
     scene.floor();
     const BodyId ball = scene.ball({0.0, 0.52});
@@ -142,7 +145,7 @@ TEST(DebugGeometry, hardHitsAreDrawnAsArrowsOfAMetre) {
     const auto pushes = strokesOf(drawn(scene.world, kDrawImpulses), DebugRole::Impulse);
     ASSERT_EQ(pushes.size(), 1u);
     expectNear(pushes[0].points[1] - pushes[0].points[0], {0.0f, 1.0f});
-    // The same for a strained joint: 1000 N on 1 kg would be 20 m.
+    // Joint forces are also limited to 1 m: 1000 N on 1 kg would be 20 m.
     const BodyId post = scene.body(BodyKind::Static, {10.0, 5.0}), hung = scene.crate({10.0, 5.0});
     ASSERT_TRUE(createJoint(scene.world, {.a = post, .b = hung}));
     for (int i = 0; i < 10; ++i) {
@@ -168,13 +171,13 @@ TEST(DebugGeometry, fieldsAreDrawnByTheirRegion) {
     auto strokes = strokesOfField(wind);
     ASSERT_EQ(strokes.size(), 2u);
     EXPECT_EQ(strokes[0].kind, 'c');
-    expectLine(strokes[0], {3.0f, 2.0f}, {4.0f, 0.0f});  // and its radius
+    expectLine(strokes[0], {3.0f, 2.0f}, {4.0f, 0.0f});  // with its radius
     expectLine(strokes[1], {3.0f, 2.3f}, {3.0f, 1.7f});  // 0.2 m for each m/s
     wind.region = RegionKind::Everywhere;
     wind.velocity = {6.0f, -8.0f};
     strokes = strokesOfField(wind);
     ASSERT_EQ(strokes.size(), 1u) << "no region";
-    expectLine(strokes[0], {2.7f, 2.4f}, {3.3f, 1.6f});  // not above a metre
+    expectLine(strokes[0], {2.7f, 2.4f}, {3.3f, 1.6f});  // limited to 1 m
     FieldDefinition area{.kind = FieldKind::AreaGravity, .region = RegionKind::Box, .place = {101.0, 1.0}};
     area.half = {0.5f, 2.0f};
     area.acceleration = {0.0f, 5.0f};
@@ -221,7 +224,7 @@ TEST(DebugGeometry, attractorsShowTheirPullAtTheirBody) {
     }
 }
 
-TEST(DebugGeometry, springsLeadFromAnchorToAnchor) {
+TEST(DebugGeometry, springsAreDrawnFromAnchorToAnchor) {
     Random random = Random::seeded(3);
     Pair pair{random, {.kind = JointKind::Filter}};
     FieldDefinition spring{.kind = FieldKind::Spring, .strength = 1.0f, .a = pair.a, .b = pair.b};
@@ -234,7 +237,7 @@ TEST(DebugGeometry, springsLeadFromAnchorToAnchor) {
     ASSERT_EQ(strokes.size(), 3u);
     expectLine(strokes[0], ends[0], ends[1]);
     for (std::size_t i = 0; i < 2; ++i) expectLine(strokes[i + 1], ends[i], {0.06f, 0.0f});
-    // It is shown with either of its bodies, or if it is selected itself.
+    // It is drawn if either of its bodies or the spring itself is selected.
     EXPECT_EQ(drawnOf(pair.world, kDrawFields, {}).count(), 0u);
     for (const BodyId body : {pair.a, pair.b})
         EXPECT_EQ(drawnOf(pair.world, kDrawFields, {&body, 1}).count(), 3u);
@@ -243,14 +246,14 @@ TEST(DebugGeometry, springsLeadFromAnchorToAnchor) {
     ASSERT_TRUE(createField(pair.world, wind));
     EXPECT_EQ(drawnOf(pair.world, kDrawFields, {&pair.a, 1}).count(), 3u) << "only springs are their bodies'";
     const std::vector<std::uint8_t> chosen{0, 1};
-    Recording picture;
-    debugDraw(pair.world, picture, {.parts = kDrawFields, .chosenOnly = true, .fields = chosen});
-    EXPECT_EQ(picture.count(), 1u);
+    Recording recording;
+    debugDraw(pair.world, recording, {.parts = kDrawFields, .selectedOnly = true, .fields = chosen});
+    EXPECT_EQ(recording.count(), 1u);
     destroyField(pair.world, FieldId{0, pair.world.fields.all[0].generation});
     EXPECT_EQ(drawn(pair.world, kDrawFields).count(), 1u);
 }
 
-TEST(DebugGeometry, velocitiesAreDrawnInTenthsOfASecondAndPathsInTwentiethsOfTheirs) {
+TEST(DebugGeometry, velocitiesAreDrawnForATenthOfASecondAndPathsInTwentySegments) {
     World world;
     world.settings.gravity = {0.0f, 10.0f};
     const BodyId slow = *createBody(world, {.position = {0.0, 5.0}, .velocity = {0.04f, 0.0f}}),
@@ -278,16 +281,16 @@ TEST(DebugGeometry, velocitiesAreDrawnInTenthsOfASecondAndPathsInTwentiethsOfThe
     expectLine(middles[1], {2.0f, 1.0f}, {0.02f, 0.0f});
 }
 
-TEST(DebugGeometry, whatIsOutOfSightIsLeftOutAndWhatIsSmallIsABox) {
+TEST(DebugGeometry, invisibleBodiesAreOmittedAndSmallOnesDrawnAsBoxes) {
     World world;
     for (const double x : {0.0, 5.0, 9.0}) {
         const BodyId body = addBody(world, BodyKind::Static, {x, 0.0});
         static_cast<void>(createShape(world, body, circle(0.5f)));
     }
     const auto discs = [&](AABB sight, float minimum = 0.0f) {
-        Recording picture;
-        debugDraw(world, picture, {.parts = kDrawShapes, .sight = &sight, .minimum = minimum});
-        return std::pair{picture.count(DebugRole::Fixed, 'c'), picture.count(DebugRole::Fixed, 'p')};
+        Recording recording;
+        debugDraw(world, recording, {.parts = kDrawShapes, .sight = &sight, .minimum = minimum});
+        return std::pair{recording.count(DebugRole::Fixed, 'c'), recording.count(DebugRole::Fixed, 'p')};
     };
     EXPECT_EQ(discs({{-1.0f, -1.0f}, {10.0f, 1.0f}}).first, 3u);
     EXPECT_EQ(discs({{1.0f, -1.0f}, {10.0f, 1.0f}}).first, 2u);
@@ -296,7 +299,7 @@ TEST(DebugGeometry, whatIsOutOfSightIsLeftOutAndWhatIsSmallIsABox) {
     EXPECT_EQ(discs({{-1.0f, -1.0f}, {10.0f, 1.0f}}, 2.0f), (std::pair<std::size_t, std::size_t>{0u, 3u}));
 }
 
-TEST(DebugGeometry, sweptShapesAreDrawnWhereTheyWereSweptFrom) {
+TEST(DebugGeometry, sweptShapesAreDrawnAtTheStartOfTheSweep) {
     World world;
     world.settings.gravity = {};
     const BodyId shot = addBody(world, BodyKind::Dynamic, {4.0, 1.0});
@@ -305,17 +308,17 @@ TEST(DebugGeometry, sweptShapesAreDrawnWhereTheyWereSweptFrom) {
     static_cast<void>(createShape(world, wall, box({0.05f, 5.0f})));
     ASSERT_TRUE(setVelocity(world, shot, {600.0f, 0.0f}));
     step(world, kTick);
-    const Recording picture = drawn(world, kDrawSweeps);
-    EXPECT_EQ(picture.count(DebugRole::Impact, 'c'), 0u);
-    const auto strokes = strokesOf(picture, DebugRole::Sweep);
-    ASSERT_EQ(strokes.size(), 3u);  // a disc, its spoke and the path
+    const Recording recording = drawn(world, kDrawSweeps);
+    EXPECT_EQ(recording.count(DebugRole::Impact, 'c'), 0u);
+    const auto strokes = strokesOf(recording, DebugRole::Sweep);
+    ASSERT_EQ(strokes.size(), 3u);  // a disc, the line that shows its rotation, and the path
     expectLine(strokes[0], {4.0f, 1.0f}, {0.1f, 0.0f});
     expectLine(strokes[2], {4.0f, 1.0f}, {14.0f, 1.0f}, 1e-3f);
     EXPECT_EQ(drawnOf(world, kDrawSweeps, {&wall, 1}).count(), 0u);
     EXPECT_EQ(drawnOf(world, kDrawSweeps, {&shot, 1}).count(), 3u);
 }
 
-TEST(DebugGeometry, whatConnectsTwoBodiesIsDrawnWithEitherAndNotOnceItIsGone) {
+TEST(DebugGeometry, connectionsAreDrawnWithEitherSelectedBodyUntilDestroyed) {
     Random random = Random::seeded(5);
     Pair pair{random, {.kind = JointKind::Weld}};
     for (const BodyId body : {pair.a, pair.b})
@@ -325,7 +328,7 @@ TEST(DebugGeometry, whatConnectsTwoBodiesIsDrawnWithEitherAndNotOnceItIsGone) {
     EXPECT_EQ(drawn(pair.world, kDrawJoints | kDrawJointForces).count(), 0u);
 }
 
-TEST(DebugGeometry, ofASleeperEveryCornerIsDrawnAsRest) {
+TEST(DebugGeometry, sleepingBodiesAreFilledUpToEveryCorner) {
     for (const int count : {3, 15, 16, 17, 31, 32}) {
         SCOPED_TRACE(count);
         World world;

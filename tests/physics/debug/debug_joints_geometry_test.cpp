@@ -1,11 +1,11 @@
 #include "tests/physics/support/debug_strokes.hpp"
 
-// Positions of the strokes of the debug view, by formula.
+// Compares the strokes of the debug view with positions computed by formulas.
 
 using namespace plumb;
 using namespace plumb::physics;
 
-TEST(DebugGeometry, armsLeadFromTheCentresToTheAnchors) {
+TEST(DebugGeometry, armsAreDrawnFromTheCentresToTheAnchors) {
     for (std::uint64_t seed = 0; seed < kPairs; ++seed) {
         Random random = Random::seeded(seed);
         Pair pair{random,
@@ -23,7 +23,7 @@ TEST(DebugGeometry, armsLeadFromTheCentresToTheAnchors) {
     }
 }
 
-TEST(DebugGeometry, ofAHingeWithLimitsTheSectorOfBsCentreIsDrawn) {
+TEST(DebugGeometry, limitsOfAHingeAreDrawnAsTheSectorOfBsCentre) {
     for (std::uint64_t seed = 0; seed < 2 * kPairs; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -35,14 +35,14 @@ TEST(DebugGeometry, ofAHingeWithLimitsTheSectorOfBsCentreIsDrawn) {
                    .referenceAngle = reference,
                    .limit = {true, lower, upper}}};
         const auto strokes = pair.strokes(DebugRole::JointLimit);
-        ASSERT_EQ(strokes.size(), 18u);  // 16 chords and two sides
+        ASSERT_EQ(strokes.size(), 18u);  // 16 chords and two radii
         const Vec2 arm = toVec2(centreOf(pair.world, pair.b)) - pair.anchorB;
         const float radius = std::clamp(0.6f * length(arm), 0.08f, 0.35f);
-        // The expected position of B's center at an angle.
+        // Expected direction from the anchor to B's center at an angle, scaled to the radius.
         const auto at = [&](float angle) {
-            const Vec2 own = unrotate(pair.turnB, normalized(arm));
+            const Vec2 own = unrotate(pair.rotationB, normalized(arm));
             return pair.anchorB +
-                   radius * rotate(pair.turnA * rotFromAngle(reference) * rotFromAngle(angle), own);
+                   radius * rotate(pair.rotationA * rotFromAngle(reference) * rotFromAngle(angle), own);
         };
         const float range = std::min(upper - lower, 2.0f * std::numbers::pi_v<float>);
         for (int i = 0; i < 16; ++i) {
@@ -68,10 +68,10 @@ TEST(DebugGeometry, aHingeAtTheCentreOfBHasASectorToo) {
     EXPECT_EQ(strokesOf(drawn(world, kDrawJoints), DebugRole::JointLimit).size(), 0u);
 }
 
-TEST(DebugGeometry, slidersShowTheirRangeAlongAsAxis) {
+TEST(DebugGeometry, limitsOfASliderAreDrawnAlongTheAxisOfBodyA) {
     for (std::uint64_t seed = 0; seed < kPairs; ++seed) {
         Random random = Random::seeded(seed);
-        const Vec2 axis = rotate(test::randomTurn(random), {1.0f, 0.0f});
+        const Vec2 axis = rotate(test::randomRotation(random), {1.0f, 0.0f});
         for (const JointKind kind : {JointKind::Prismatic, JointKind::Wheel}) {
             for (const bool limited : {false, true}) {
                 const float lower = random.between(-2.0f, 0.0f), upper = random.between(0.0f, 2.0f);
@@ -81,7 +81,7 @@ TEST(DebugGeometry, slidersShowTheirRangeAlongAsAxis) {
                            .axis = axis,
                            .limit = {limited, lower, upper}}};
                 const auto strokes = pair.strokes(DebugRole::JointLimit);
-                const Vec2 along = rotate(pair.turnA, axis);
+                const Vec2 along = rotate(pair.rotationA, axis);
                 const Vec2 from = pair.anchorA + (limited ? lower : -0.5f) * along,
                            to = pair.anchorA + (limited ? upper : 0.5f) * along;
                 ASSERT_EQ(strokes.size(), limited ? 3u : 1u);
@@ -94,7 +94,7 @@ TEST(DebugGeometry, slidersShowTheirRangeAlongAsAxis) {
     }
 }
 
-TEST(DebugGeometry, rodsShowTheirShortestAndTheirLongest) {
+TEST(DebugGeometry, limitsOfARodAreDrawnAtItsMinimumAndMaximumLength) {
     for (std::uint64_t seed = 0; seed < kPairs; ++seed) {
         Random random = Random::seeded(seed);
         for (const float lower : {0.0f, 0.5f}) {
@@ -113,7 +113,7 @@ TEST(DebugGeometry, rodsShowTheirShortestAndTheirLongest) {
     Random random = Random::seeded(1);
     Pair loose{random, {.kind = JointKind::Distance, .limit = {false, 0.5f, 2.0f}}};
     EXPECT_EQ(loose.strokes(DebugRole::JointLimit).size(), 0u);
-    World world;  // Both anchors at one place: no direction.
+    World world;  // both anchors coincide, so the rod has no direction
     const BodyId a = addBody(world, BodyKind::Static, {}), b = addBody(world, BodyKind::Dynamic, {});
     ASSERT_TRUE(createShape(world, b, circle(0.5f)));
     ASSERT_TRUE(
@@ -121,7 +121,7 @@ TEST(DebugGeometry, rodsShowTheirShortestAndTheirLongest) {
     EXPECT_EQ(strokesOf(drawn(world, kDrawJoints), DebugRole::JointLimit).size(), 0u);
 }
 
-TEST(DebugGeometry, pulleysGearsAndMiceAreDrawnByWhatTheyConnect) {
+TEST(DebugGeometry, pulleysGearsAndMouseJointsAreDrawnBetweenTheirBodies) {
     for (std::uint64_t seed = 0; seed < kPairs; ++seed) {
         Random random = Random::seeded(seed);
         const Vec2 groundA = test::randomPoint(random, 3.0f), groundB = test::randomPoint(random, 3.0f);

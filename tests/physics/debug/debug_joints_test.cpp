@@ -12,7 +12,7 @@ using namespace plumb::physics;
 
 namespace {
 
-/// A box of one kilogram and one meter that hangs from a joint in its middle.
+/// A box of 1 kg and 1 m that hangs from a joint at its center.
 struct Hung {
     World world;
     BodyId ground;
@@ -32,8 +32,8 @@ struct Hung {
 
 }  // namespace
 
-TEST(DebugDraw, theArrowOfAJointIsTheLoadThatHangsFromIt) {
-    // Twice the mass and the force, but the same acceleration: 10 m/s2 upwards is 0.2 m.
+TEST(DebugDraw, theArrowOfAJointIsItsLoad) {
+    // Twice the density doubles mass and force, but not the acceleration: 10 m/s2 upwards is drawn as 0.2 m.
     for (const float density : {1.0f, 2.0f}) {
         Hung hung{{.kind = JointKind::Weld, .anchorA = {2.0f, 0.0f}}, density};
         for (int i = 0; i < 120; ++i) step(hung.world, 1.0f / 60.0f);
@@ -46,20 +46,20 @@ TEST(DebugDraw, theArrowOfAJointIsTheLoadThatHangsFromIt) {
     }
 }
 
-TEST(DebugDraw, aSliderShowsItsWayFromLimitToLimit) {
+TEST(DebugDraw, aSliderShowsItsRangeFromLimitToLimit) {
     Hung hung{{.kind = JointKind::Prismatic,
                .anchorA = {2.0f, 0.0f},
                .axis = {0.0f, 1.0f},
                .limit = {true, -0.5f, 1.5f}}};
     const auto lines = strokesOf(drawn(hung.world, kDrawJoints), DebugRole::JointLimit);
-    ASSERT_EQ(lines.size(), 3u);  // the way and a stroke at each end of it
+    ASSERT_EQ(lines.size(), 3u);  // the range and a stroke at each end
     EXPECT_EQ(lines[0].points, (std::vector<Vec2>{{2.0f, -0.5f}, {2.0f, 1.5f}}));
     EXPECT_EQ((lines[1].points[0] + lines[1].points[1]) * 0.5f, (Vec2{2.0f, -0.5f}));
     EXPECT_EQ((lines[2].points[0] + lines[2].points[1]) * 0.5f, (Vec2{2.0f, 1.5f}));
 }
 
-TEST(DebugDraw, aHingeShowsTheAnglesThatTheArmMayHave) {
-    // The arm points along x from (1, 0): a quarter of a turn either way is straight up and down.
+TEST(DebugDraw, aHingeShowsItsAllowedAngles) {
+    // The arm points along x from (1, 0); limits of a quarter turn point straight up and down.
     const float quarter = 1.5707964f;
     Hung hung{{.anchorA = {1.0f, 0.0f}, .anchorB = {-1.0f, 0.0f}, .limit = {true, -quarter, quarter}}};
     const auto lines = strokesOf(drawn(hung.world, kDrawJoints), DebugRole::JointLimit);
@@ -76,7 +76,7 @@ TEST(DebugDraw, aHingeShowsTheAnglesThatTheArmMayHave) {
     EXPECT_GT(down, 0.1f);
 }
 
-TEST(DebugDraw, everyKindOfJointIsDrawnInNumbersThatAreFinite) {
+TEST(DebugDraw, everyKindOfJointIsDrawnWithFiniteNumbers) {
     for (std::uint8_t kind = 0; kind < static_cast<std::uint8_t>(JointKind::Count); ++kind) {
         SCOPED_TRACE(int{kind});
         World world;

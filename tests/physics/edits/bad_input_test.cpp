@@ -28,21 +28,21 @@ bool isSound(const World& world) {
            std::all_of(world.bodies.motion.begin(), world.bodies.motion.end(), calm);
 }
 
-/// A world with one object of each kind, for invalid input.
-struct Patient {
+/// A world with one object of each kind, to which invalid input is passed.
+struct Samples {
     World world = makePit(6, 1);
     BodyId body = {1, 1}, other = {2, 1};
     BodyId kinematic = addBody(world, BodyKind::Kinematic, {0.0, 20.0});
     ShapeId shape = {world.bodies.info[1].firstShape, 1};
     JointId joint = *createJoint(world, {.a = body, .b = other});
 
-    Patient() {
+    Samples() {
         for (int i = 0; i < 30; ++i) step(world, kTick);
     }
 };
 
-/// Passes an invalid number as one parameter. @return the Error, or nothing if it was accepted
-using Attempt = std::function<std::optional<Error>(Patient&, double bad)>;
+/// Passes an invalid number as one parameter. @return the error; nothing if the number was accepted
+using Attempt = std::function<std::optional<Error>(Samples&, double bad)>;
 
 template <class T>
 std::optional<Error> errorOf(const Result<T>& result) {
@@ -52,7 +52,7 @@ std::optional<Error> errorOf(const Result<T>& result) {
 
 template <class Definition, class Create>
 Attempt creating(Definition fixed, std::function<void(Definition&, float)> spoil, Create create) {
-    return [=](Patient& patient, double bad) {
+    return [=](Samples& patient, double bad) {
         Definition definition = fixed;
         spoil(definition, static_cast<float>(bad));
         return errorOf(create(patient, definition));
@@ -60,22 +60,22 @@ Attempt creating(Definition fixed, std::function<void(Definition&, float)> spoil
 }
 
 Attempt body(std::function<void(BodyDefinition&, float)> spoil) {
-    return creating<BodyDefinition>({}, std::move(spoil), [](Patient& p, const BodyDefinition& definition) {
+    return creating<BodyDefinition>({}, std::move(spoil), [](Samples& p, const BodyDefinition& definition) {
         return createBody(p.world, definition);
     });
 }
 Attempt shape(std::function<void(ShapeDefinition&, float)> spoil) {
-    return creating<ShapeDefinition>({}, std::move(spoil), [](Patient& p, const ShapeDefinition& definition) {
+    return creating<ShapeDefinition>({}, std::move(spoil), [](Samples& p, const ShapeDefinition& definition) {
         return createShape(p.world, p.body, circle(1.0f), definition);
     });
 }
 Attempt outline(const Geometry& good, std::function<void(Geometry&, float)> spoil) {
-    return creating<Geometry>(good, std::move(spoil), [](Patient& p, const Geometry& geometry) {
+    return creating<Geometry>(good, std::move(spoil), [](Samples& p, const Geometry& geometry) {
         return createShape(p.world, p.body, geometry);
     });
 }
 Attempt joint(std::function<void(JointDefinition&, float)> spoil) {
-    return [spoil = std::move(spoil)](Patient& p, double bad) {
+    return [spoil = std::move(spoil)](Samples& p, double bad) {
         JointDefinition definition{.a = p.body, .b = p.other};
         spoil(definition, static_cast<float>(bad));
         return errorOf(createJoint(p.world, definition));
@@ -92,7 +92,7 @@ Attempt joint(std::function<void(JointDefinition&, float)> spoil) {
     }
 #define PLUMB_CALL(call)                                                                                                          \
     {                                                                                                                             \
-#call, [](Patient& p, [[maybe_unused]] double d) { [[maybe_unused]] const auto f = static_cast<float>(d); return errorOf(call); } \
+#call, [](Samples& p, [[maybe_unused]] double d) { [[maybe_unused]] const auto f = static_cast<float>(d); return errorOf(call); } \
     }
 
 struct Named {
@@ -203,7 +203,7 @@ std::vector<Named> setters() {
 }
 
 void expectRefused(const std::vector<Named>& attempts) {
-    Patient patient;
+    Samples patient;
     ASSERT_TRUE(alive(patient.world, patient.shape));
     const std::uint64_t before = hashOf(patient.world);
     for (const double bad : {kNan, kInf, -kInf, 1.0e300, -1.0e300}) {
@@ -222,11 +222,11 @@ void expectRefused(const std::vector<Named>& attempts) {
 
 }  // namespace
 
-TEST(BadInput, creatorsRefuseWhatIsNotFinite) { expectRefused(creators()); }
+TEST(BadInput, creationRejectsNumbersThatAreNotFinite) { expectRefused(creators()); }
 
-TEST(BadInput, settersRefuseWhatIsNotFinite) { expectRefused(setters()); }
+TEST(BadInput, settersRejectNumbersThatAreNotFinite) { expectRefused(setters()); }
 
-TEST(BadInput, sizesAndRatesBelowZeroAreRefused) {
+TEST(BadInput, negativeSizesAndRatesAreRejected) {
     const std::vector<Named> attempts = {
         PLUMB_SPOIL(body, BodyDefinition, linearDrag),
         PLUMB_SPOIL(body, BodyDefinition, angularDrag),
@@ -252,25 +252,25 @@ TEST(BadInput, sizesAndRatesBelowZeroAreRefused) {
         PLUMB_CALL(setBounciness(p.world, p.shape, f)),
         PLUMB_CALL(moveTo(p.world, p.kinematic, {}, 0.0f, f)),
     };
-    Patient patient;
+    Samples patient;
     for (const Named& one : attempts) EXPECT_TRUE(one.attempt(patient, -1.0).has_value()) << one.name;
 }
 
-TEST(BadInput, strengthsMayBeEndlessButMustBeNumbers) {
+TEST(BadInput, strengthsMayBeInfiniteButNotNaN) {
     const std::vector<Named> attempts = {
         PLUMB_SPOIL(joint, JointDefinition, motor.maxForce), PLUMB_SPOIL(joint, JointDefinition, maxForce),
         PLUMB_SPOIL(joint, JointDefinition, maxTorque),      PLUMB_SPOIL(joint, JointDefinition, breakForce),
         PLUMB_SPOIL(joint, JointDefinition, breakTorque),
     };
     for (const Named& one : attempts) {
-        Patient patient;
+        Samples patient;
         EXPECT_TRUE(one.attempt(patient, kNan).has_value()) << one.name;
         EXPECT_TRUE(one.attempt(patient, -kInf).has_value()) << one.name;
         EXPECT_FALSE(one.attempt(patient, kInf).has_value()) << one.name;
     }
 }
 
-TEST(BadInput, thingsWithoutASizeAreRefused) {
+TEST(BadInput, shapesWithoutASizeAreRejected) {
     const std::vector<Named> attempts = {
         PLUMB_OUTLINE(circle(1.0f), radius),
         PLUMB_OUTLINE(capsule({}, {1.0f, 0.0f}, 1.0f), radius),
@@ -281,28 +281,28 @@ TEST(BadInput, thingsWithoutASizeAreRefused) {
                                  std::array<Vec2, 3>{Vec2{f, f}, Vec2{1.0f, 0.0f}, Vec2{2.0f, 0.0f}})),
         PLUMB_CALL(moveTo(p.world, p.kinematic, {}, 0.0f, f)),
     };
-    Patient patient;
+    Samples patient;
     const std::uint64_t before = hashOf(patient.world);
     for (const Named& one : attempts) EXPECT_TRUE(one.attempt(patient, 0.0).has_value()) << one.name;
     EXPECT_EQ(hashOf(patient.world), before);
 }
 
 TEST(BadInput, aOneWayShapeNeedsADirection) {
-    Patient patient;
+    Samples patient;
     const auto made =
         createShape(patient.world, patient.body, circle(1.0f), {.oneWay = true, .oneWayDirection = {}});
     ASSERT_FALSE(made.ok());
     EXPECT_NE(made.error().text().find("oneWayDirection"), std::string::npos);
 }
 
-TEST(BadInput, messagesHaveNumbersAsTheyWereWritten) {
-    Patient patient;
+TEST(BadInput, messagesContainNumbersAsPassed) {
+    Samples patient;
     const auto made = createShape(patient.world, patient.body, circle(0.00003f));
     ASSERT_FALSE(made.ok());
     EXPECT_EQ(made.error().what, "expected 5e-05 to 1e+06 m, found 3e-05");
 }
 
-TEST(BadInput, numbersNextToNothingDoNotBlowUp) {
+TEST(BadInput, numbersCloseToZeroStayFinite) {
     for (const float tiny : {1.0e-45f, 1.0e-38f, 1.0e-30f, 1.0e-20f}) {
         SCOPED_TRACE(tiny);
         World world = makePit(6, 1);
@@ -323,7 +323,7 @@ TEST(BadInput, numbersNextToNothingDoNotBlowUp) {
     }
 }
 
-TEST(BadInput, settingsThatMakeNoSenseAreBroughtIntoTheirRange) {
+TEST(BadInput, invalidSettingsAreClamped) {
     float Settings::*const members[] = {&Settings::contactStiffness,
                                         &Settings::jointStiffness,
                                         &Settings::contactDampingRatio,
@@ -357,12 +357,13 @@ TEST(BadInput, settingsThatMakeNoSenseAreBroughtIntoTheirRange) {
     }
 }
 
-TEST(BadInput, aQualityThatThereIsNotIsTheNearest) {
+TEST(BadInput, invalidQualitiesAreClamped) {
     for (const int bad : {-128, -1, 7, 127}) {
         SCOPED_TRACE(bad);
         World asked = makePit(6, 1), meant = makePit(6, 1);
         for (World* world : {&asked, &meant})
-            ASSERT_TRUE(setQuality(*world, {1, 1}, 1).ok());  // islands have qualities of their own
+            // island qualities are used only if a body has its own quality
+            ASSERT_TRUE(setQuality(*world, {1, 1}, 1).ok());
         asked.settings.quality = static_cast<Quality>(bad);
         meant.settings.quality = bad < 0 ? Quality{0} : kMaxQuality;
         for (int i = 0; i < 5; ++i) step(asked, kTick), step(meant, kTick);
@@ -370,7 +371,7 @@ TEST(BadInput, aQualityThatThereIsNotIsTheNearest) {
     }
 }
 
-TEST(BadInput, predictionsAreFiniteWhateverTheTime) {
+TEST(BadInput, predictionsAreFiniteForAnyTime) {
     Playground scene;
     const BodyId crate = scene.crate({1.0, 2.0});
     ASSERT_TRUE(setAngularVelocity(scene.world, crate, 3.0f).ok());
@@ -384,8 +385,8 @@ TEST(BadInput, predictionsAreFiniteWhateverTheTime) {
     EXPECT_EQ(predictTransform(scene.world, crate, static_cast<float>(kNan)).position, (Vec2{1.0f, 2.0f}));
 }
 
-TEST(BadInput, kindsThatDoNotExistAreRefused) {
-    Patient patient;
+TEST(BadInput, invalidKindsAreRejected) {
+    Samples patient;
     World& world = patient.world;
     BodyDefinition noKind;
     noKind.kind = BodyKind::None;
@@ -410,8 +411,8 @@ TEST(BadInput, kindsThatDoNotExistAreRefused) {
     EXPECT_FALSE(setQuality(world, patient.body, -2).ok());
 }
 
-TEST(BadInput, namesOfWhatIsGoneDoNothing) {
-    Patient patient;
+TEST(BadInput, idsOfDestroyedObjectsDoNothing) {
+    Samples patient;
     World& world = patient.world;
     destroyBody(world, patient.body);
     EXPECT_FALSE(alive(world, patient.body));
@@ -447,8 +448,8 @@ TEST(BadInput, namesOfWhatIsGoneDoNothing) {
     EXPECT_EQ(hashOf(world), before);
 }
 
-TEST(BadInput, gearsWithoutTeethAreRefused) {
-    Patient patient;
+TEST(BadInput, gearsWithoutValidJointsAreRejected) {
+    Samples patient;
     const auto jointOf = [&](JointKind kind) {
         return *createJoint(patient.world, {.kind = kind, .a = patient.body, .b = patient.other});
     };
@@ -463,7 +464,7 @@ TEST(BadInput, gearsWithoutTeethAreRefused) {
     EXPECT_FALSE(gear(*gear(hinge, slider), slider).ok());
 }
 
-TEST(BadInput, thingsMayBeDestroyedInAnyOrder) {
+TEST(BadInput, objectsMayBeDestroyedInAnyOrder) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);

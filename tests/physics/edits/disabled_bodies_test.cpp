@@ -8,7 +8,8 @@ namespace {
 
 using namespace test;
 
-/// A body of a crowd is changed while it is disabled. @return how high it is after it was enabled and fell
+/// Changes body `which` of a crowd while it is disabled. @return its height after it was enabled again and
+/// fell, m
 double heightAfter(int crowd, int which, const std::function<void(World&, BodyId, ShapeId)>& change) {
     World world = makeWorld();
     addFloor(world);
@@ -29,7 +30,7 @@ double heightAfter(int crowd, int which, const std::function<void(World&, BodyId
     return heightOf(world, bodies[at]);
 }
 
-TEST(DisabledBodies, collideAgainWhateverWasChangedMeanwhile) {
+TEST(DisabledBodies, collideAgainAfterAnyChange) {
     const auto change = [](World& world, BodyId body, ShapeId shape) {
         setFilter(world, shape, 2, 1, 0);
         EXPECT_TRUE(setPosition(world, body, positionOf(world, body), 0.5f).ok());
@@ -41,7 +42,7 @@ TEST(DisabledBodies, collideAgainWhateverWasChangedMeanwhile) {
     }
 }
 
-TEST(DisabledBodies, areInNoIslandOfTheBodiesThatJointsConnectThemWith) {
+TEST(DisabledBodies, areNotInTheIslandsOfJointedBodies) {
     for (const bool swapped : {false, true}) {
         World world = makeWorld();
         world.settings.tolerance = 0.001f;
@@ -50,7 +51,8 @@ TEST(DisabledBodies, areInNoIslandOfTheBodiesThatJointsConnectThemWith) {
         const BodyId b = addBody(world, BodyKind::Dynamic, {3.0, -0.5}, box({0.5f, 0.5f}));
         ShapeDefinition heavy;
         heavy.density = 300.0f;
-        addBody(world, BodyKind::Dynamic, {3.0, -1.5}, box({0.5f, 0.5f}), heavy);  // b needs many substeps
+        // this body on b makes b's island need many substeps
+        addBody(world, BodyKind::Dynamic, {3.0, -1.5}, box({0.5f, 0.5f}), heavy);
         run(world, 30);
         setEnabled(world, b, false);
         step(world, kStep);

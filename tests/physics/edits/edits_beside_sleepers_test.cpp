@@ -19,7 +19,7 @@ struct Beside : Playground {
         shape = *createShape(world, crate, box({0.5f, 0.5f}));
     }
 
-    /// Number of contacts of the crate with another shape that began (or ended) within so many steps.
+    /// Number of contacts between the crate and another shape that begin (or end) within `steps` steps.
     int count(ContactPhase phase, ShapeId with, int steps) {
         int found = 0;
         for (int i = 0; i < steps; ++i) {
@@ -36,7 +36,7 @@ struct Beside : Playground {
 
 enum class Way { Created, Moved, TurnedInto, Enabled, Count };
 
-/// Places a trigger of 2 m over the sleeping crate.
+/// Puts a trigger of 2 m width over the sleeping crate by one of four edits.
 ShapeId putTrigger(Beside& scene, BodyKind kind, Way way) {
     World& world = scene.world;
     const bool isThere = way != Way::Created;
@@ -68,7 +68,7 @@ ShapeId putTrigger(Beside& scene, BodyKind kind, Way way) {
     return trigger;
 }
 
-TEST(EditsBesideSleepers, aTriggerReportsTheSleeperThatItIsPutOver) {
+TEST(EditsBesideSleepers, aTriggerReportsASleepingBodyOverWhichItIsPlaced) {
     for (const BodyKind kind : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
         for (int way = 0; way < static_cast<int>(Way::Count); ++way) {
             Beside scene;
@@ -78,14 +78,14 @@ TEST(EditsBesideSleepers, aTriggerReportsTheSleeperThatItIsPutOver) {
             std::vector<ShapeId> inside;
             overlapsOf(scene.world, trigger, inside);
             EXPECT_EQ(std::count(inside.begin(), inside.end(), scene.shape), 1) << way;
-            // It comes to rest again, without an event.
+            // The crate falls asleep again, without another event.
             EXPECT_EQ(scene.count(ContactPhase::Began, trigger, 120), 0) << way;
             EXPECT_FALSE(isAwake(scene.world, scene.crate)) << way;
         }
     }
 }
 
-TEST(EditsBesideSleepers, aBodyThatIsMadeAsleepInATriggerIsReported) {
+TEST(EditsBesideSleepers, aBodyCreatedAsleepInATriggerIsReported) {
     Beside scene;
     const BodyId zone = addBody(scene.world, BodyKind::Static, {5.0, 1.0});
     const ShapeId trigger = *createShape(scene.world, zone, box({1.0f, 1.0f}), {.isTrigger = true});
@@ -94,7 +94,7 @@ TEST(EditsBesideSleepers, aBodyThatIsMadeAsleepInATriggerIsReported) {
     EXPECT_EQ(scene.count(ContactPhase::Began, trigger, 5), 1);
 }
 
-TEST(EditsBesideSleepers, contactsThatAnEditEndsEndThoughTheBodyIsPutToSleepAtOnce) {
+TEST(EditsBesideSleepers, editsEndContactsEvenIfTheBodyIsPutToSleepAtOnce) {
     using Edit = void (*)(Beside&);
     const Edit edits[] = {
         [](Beside& s) { destroyBody(s.world, s.ground); },
@@ -119,7 +119,7 @@ TEST(EditsBesideSleepers, contactsThatAnEditEndsEndThoughTheBodyIsPutToSleepAtOn
     }
 }
 
-TEST(EditsBesideSleepers, setAwakePutsToSleepWhatNoEditConcerns) {
+TEST(EditsBesideSleepers, setAwakeFalsePutsAnUneditedBodyToSleep) {
     Beside scene;
     scene.run(10);
     EXPECT_TRUE(isAwake(scene.world, scene.crate));
@@ -127,7 +127,7 @@ TEST(EditsBesideSleepers, setAwakePutsToSleepWhatNoEditConcerns) {
     EXPECT_FALSE(isAwake(scene.world, scene.crate));
 }
 
-// A callback must not change its world, but may change a copy of it.
+// A callback must not change the world that calls it, but may change a copy of that world.
 TEST(Callbacks, mayCopyTheWorldToChangeTheCopy) {
     Beside scene;
     World copy;
@@ -144,7 +144,7 @@ TEST(Callbacks, mayCopyTheWorldToChangeTheCopy) {
     EXPECT_EQ(copy.steps, scene.world.steps + 1);
 }
 
-TEST(Callbacks, thatThrowLeaveAWorldThatCanBeChanged) {
+TEST(Callbacks, thatThrowLeaveTheWorldEditable) {
     Beside scene;
     StepOptions options;
     options.hooks.preSolve = [](void*, const World&, const Contact&) -> bool {

@@ -7,12 +7,12 @@
 #include "physics/queries/ray_cast.hpp"
 #include "tests/physics/support/edited_worlds.hpp"
 
-// Edits at run time: afterwards the world behaves as if it had been created that way.
+// After an edit at run time the world behaves as if it had been created that way.
 
 namespace plumb::physics {
 namespace {
 
-TEST(Edits, shapesGetAnyDefinitionAndOutlineAsIfTheyHadBeenCreatedSo) {
+TEST(Edits, changedShapesBehaveAsIfCreatedThatWay) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -43,7 +43,7 @@ TEST(Edits, shapesGetAnyDefinitionAndOutlineAsIfTheyHadBeenCreatedSo) {
     }
 }
 
-TEST(Edits, bodiesBecomeOfAnyKindAsIfTheyHadBeenCreatedSo) {
+TEST(Edits, bodiesOfChangedKindBehaveAsIfCreatedThatWay) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -64,15 +64,15 @@ TEST(Edits, bodiesBecomeOfAnyKindAsIfTheyHadBeenCreatedSo) {
             const BodyId body = bodyAt(changed, i + 1);
             ASSERT_TRUE(setKind(changed, body, after[i]).ok());
         }
-        // The order of World::awake differs, so sums over islands, and with
-        // them corrections of the energy of islands, are rounded differently.
+        // The order of World::awake differs, so sums over islands, and the corrections of their energy, are
+        // rounded differently.
         run(changed, 25);
         run(created, 25);
         expectNear(changed, created, 1.0e-4);
     }
 }
 
-TEST(Edits, aBodyThatIsDisabledAndEnabledAgainIsTheSameAsBefore) {
+TEST(Edits, disablingAndEnablingABodyChangesNothing) {
     World touched = makePit(40, 3), plain = makePit(40, 3);
     for (std::uint32_t i = 0; i < 41; ++i) setEnabled(touched, bodyAt(touched, i), false);
     EXPECT_TRUE(touched.awake.empty());
@@ -83,7 +83,7 @@ TEST(Edits, aBodyThatIsDisabledAndEnabledAgainIsTheSameAsBefore) {
     expectSame(touched, plain);
 }
 
-TEST(Edits, aDisabledBodyIsAsIfItWasNotThere) {
+TEST(Edits, aDisabledBodyHasNoInfluence) {
     for (std::uint32_t gone = 5; gone < 40; gone += 7) {
         World disabled = makePit(40, 4), without = makePit(40, 4);
         setEnabled(disabled, bodyAt(disabled, gone), false);
@@ -99,7 +99,7 @@ TEST(Edits, aDisabledBodyIsAsIfItWasNotThere) {
     }
 }
 
-TEST(Edits, whileItRunsACopyGoesOnWithTheSameBits) {
+TEST(Edits, aCopyOfAnEditedWorldContinuesWithTheSameBits) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);
         World world = makePit(25, seed);
@@ -107,13 +107,13 @@ TEST(Edits, whileItRunsACopyGoesOnWithTheSameBits) {
         Random random = Random::seeded(seed);
         for (int round = 0; round < 12; ++round) {
             run(world, static_cast<int>(random.below(25)));
-            World copy = world;  // has no workspace
+            World copy = world;  // a copy has no workspace
             Random same = random;
             const std::uint32_t edits = 1 + random.below(4);
             static_cast<void>(same.below(4));
             for (std::uint32_t i = 0; i < edits; ++i) {
-                meddle(world, random);
-                meddle(copy, same);
+                applyRandomEdit(world, random);
+                applyRandomEdit(copy, same);
             }
             ASSERT_EQ(hashOf(world), hashOf(copy));
             for (int i = 0; i < 5; ++i) {
@@ -127,13 +127,13 @@ TEST(Edits, whileItRunsACopyGoesOnWithTheSameBits) {
     }
 }
 
-TEST(Edits, theEffectsInUseAreThoseOfAWorldThatIsLoaded) {
-    // After any edits, removing everything leaves no user of any effect.
+TEST(Edits, theEffectsInUseAreConsistentAfterEdits) {
+    // If everything is destroyed after random edits, no effect must be in use any more.
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         World world = makePit(15, seed);
         Random random = Random::seeded(seed);
         for (int i = 0; i < 60; ++i) {
-            meddle(world, random);
+            applyRandomEdit(world, random);
             if (i % 6 == 0) step(world, kTick);
         }
         for (std::uint32_t i = 0; i < world.bodies.size(); ++i) destroyBody(world, bodyAt(world, i));
@@ -145,7 +145,7 @@ TEST(Edits, theEffectsInUseAreThoseOfAWorldThatIsLoaded) {
     }
 }
 
-TEST(Edits, sleepersNoticeWhatBecomesOfTheirGround) {
+TEST(Edits, sleepingBodiesWakeUpIfTheirGroundChanges) {
     const std::function<void(Shelf&)> changes[] = {
         [](Shelf& s) { setEnabled(s.world, s.shelf, false); },
         [](Shelf& s) { EXPECT_TRUE(setKind(s.world, s.shelf, BodyKind::Dynamic).ok()); },
@@ -188,7 +188,7 @@ TEST(Edits, endedAndBeganEventsMatchTheTouchingPairsAfterAChange) {
     EXPECT_EQ(s.world.events[0].phase, ContactPhase::Ended);
 }
 
-TEST(Edits, aTriggerThatIsSwitchedOnReportsWhatIsInIt) {
+TEST(Edits, enablingATriggerReportsTheBodiesInside) {
     Shelf s;
     EXPECT_TRUE(change(s.world, s.board, [](auto& d) { d.isTrigger = true; }).ok());
     run(s.world, 1);
@@ -251,7 +251,7 @@ TEST(Edits, callbacksCannotChangeTheWorld) {
     EXPECT_EQ(hashOf(world), hashOf(plain));
 }
 
-TEST(Edits, massDataOfTheShapesThemselvesChangesNothing) {
+TEST(Edits, settingTheMassDataOfTheShapesChangesNothing) {
     World set = makePit(20, 5), plain = makePit(20, 5);
     for (std::uint32_t i = 1; i <= 20; ++i) {
         const BodyId body = bodyAt(set, i);
@@ -270,8 +270,8 @@ TEST(Edits, massDataOfTheShapesThemselvesChangesNothing) {
     }
 }
 
-TEST(Edits, aStackRestsOnWhenAShapeMovesACenterOfMass) {
-    // A light shape inside the crate moves its center by up to 0.1 m and adds little weight.
+TEST(Edits, aStackStaysAtRestIfAShapeMovesACenterOfMass) {
+    // The light shape moves the crate's center of mass by up to 0.1 m and adds little weight.
     for (const Vec2 place : {Vec2{0.3f, 0.0f}, Vec2{-0.2f, 0.2f}, Vec2{0.0f, -0.3f}}) {
         for (const bool removes : {false, true}) {
             for (int changed = 0; changed < 3; ++changed) {
@@ -308,7 +308,7 @@ TEST(Edits, aStackRestsOnWhenAShapeMovesACenterOfMass) {
     }
 }
 
-TEST(Edits, aTorqueTurnsABodyByItsSetInertia) {
+TEST(Edits, torqueUsesTheInertiaThatWasSet) {
     World world;
     world.settings.gravity = {};
     const BodyId body = addBody(world, BodyKind::Dynamic, {});

@@ -19,7 +19,7 @@ struct Counter : BoxCollider {
     void onCollisionExit(Collider*) override { ++left; }
 };
 
-/// Destroys what touches it, and itself.
+/// A collider that destroys the colliders that touch it, and then itself.
 struct Mine : CircleCollider {
     Physics& physics;
     int entered = 0;
@@ -32,7 +32,7 @@ struct Mine : CircleCollider {
     }
 };
 
-TEST(Objects, aCubeThatLandsEntersStaysAndLeavesWhenItJumps) {
+TEST(Objects, aFallingCubeEntersStaysAndExitsWhenItJumps) {
     Physics physics;  // y down
     Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
     RigidBody* const body = *physics.createBody({0.0, -2.0});
@@ -51,7 +51,7 @@ TEST(Objects, aCubeThatLandsEntersStaysAndLeavesWhenItJumps) {
     EXPECT_FALSE(physics.isTouching(*floor, *cube));
 }
 
-TEST(Objects, whatIsInAnotherPhysicsOrInNoneIsLeftAlone) {
+TEST(Objects, collidersOfAnotherPhysicsOrOfNoneAreIgnored) {
     Physics physics, other;
     RigidBody* const body = *physics.createBody({0.0, 0.0});
     BoxCollider* const cube = *physics.create<BoxCollider>(body, Vec2{0.5f, 0.5f});
@@ -77,7 +77,7 @@ TEST(Objects, whatIsInAnotherPhysicsOrInNoneIsLeftAlone) {
     EXPECT_TRUE(alive(other.world(), stranger->id()));
 }
 
-TEST(Objects, callbacksMayDestroyWhatTouchesAndThemselves) {
+TEST(Objects, callbacksMayDestroyBothColliders) {
     Physics physics;
     Mine* const mine = *physics.create<Mine>(nullptr, physics, 1.0f, ColliderSettings{.isTrigger = true});
     Counter* const floor =
@@ -115,14 +115,14 @@ TEST(Objects, forcesGravityAndConstraintsDoWhatTheySay) {
     EXPECT_EQ(body->angularVelocity(), 0.0f);
 }
 
-TEST(Objects, whatMakesNoSenseIsRefusedAndLeavesNothingBehind) {
+TEST(Objects, invalidObjectsAreRejectedWithoutTraces) {
     Physics physics;
     EXPECT_FALSE(physics.create<CircleCollider>(nullptr, -1.0f).ok());
     EXPECT_FALSE(physics.create<BoxCollider>(nullptr, Vec2{}).ok());
     EXPECT_EQ(bodyCount(physics.world()), 0u);
 }
 
-TEST(Objects, aJumpKeepsTheAngleUnlessOneIsGiven) {
+TEST(Objects, setPositionKeepsTheAngleUnlessOneIsGiven) {
     Physics physics;
     RigidBody* const body = *physics.createBody({0.0, 0.0}, 0.5f);
     ASSERT_TRUE(body->setPosition({3.0, 4.0}).ok());
@@ -160,7 +160,7 @@ TEST(Objects, aRayFindsTheColliderThatItHits) {
     EXPECT_EQ(physics.colliderOf(hit->shape), nullptr);
 }
 
-TEST(Objects, aPlatformCarriesWhatStandsOnIt) {
+TEST(Objects, aPlatformCarriesBodies) {
     Physics physics;
     RigidBody* const platform =
         *physics.createBody({.kind = BodyKind::Kinematic, .position = {0.0, 1.0}, .velocity = {1.0f, 0.0f}});
@@ -173,7 +173,7 @@ TEST(Objects, aPlatformCarriesWhatStandsOnIt) {
     EXPECT_FALSE(physics.createBody({.kind = BodyKind::None}).ok());
 }
 
-/// Counts its exit events in a counter that outlives it.
+/// A collider that counts its exit events in a variable that outlives it.
 struct Tally : BoxCollider {
     int& left;
     Tally(Vec2 half, const ColliderSettings& settings, int& count)
@@ -181,7 +181,7 @@ struct Tally : BoxCollider {
     void onCollisionExit(Collider*) override { ++left; }
 };
 
-TEST(Objects, whatSleepsIsStillTouchedAndItsEndIsHeardOf) {
+TEST(Objects, sleepingCollidersKeepTheirContactsAndReportTheirEnd) {
     Physics physics;
     int heard = 0;
     Counter* const floor = *physics.create<Counter>(nullptr, Vec2{10.0f, 1.0f});
@@ -200,7 +200,7 @@ TEST(Objects, whatSleepsIsStillTouchedAndItsEndIsHeardOf) {
     EXPECT_EQ(heard, 0) << "what is destroyed hears nothing more";
 }
 
-/// Tries to advance time during a collision callback.
+/// A collider that tries to step the physics in a collision callback.
 struct Hasty : BoxCollider {
     Physics& physics;
     int entered = 0;
@@ -212,7 +212,7 @@ struct Hasty : BoxCollider {
     }
 };
 
-TEST(Objects, timeDoesNotPassInsideOfACall) {
+TEST(Objects, steppingInACallbackIsRejected) {
     Physics physics;
     Hasty* const floor = *physics.create<Hasty>(nullptr, physics, Vec2{10.0f, 1.0f}, ColliderSettings{});
     RigidBody* const body = *physics.createBody({0.0, -1.49});
@@ -222,7 +222,7 @@ TEST(Objects, timeDoesNotPassInsideOfACall) {
     EXPECT_EQ(physics.world().steps, 5u);
 }
 
-TEST(Objects, aBodyOfAnotherWorldIsRefused) {
+TEST(Objects, aBodyOfAnotherWorldIsRejected) {
     Physics physics, other;
     RigidBody* const stranger = *other.createBody({0.0, 0.0});
     const auto made = physics.create<CircleCollider>(stranger, 1.0f);
@@ -236,7 +236,7 @@ template <class Kind, class... Arguments>
 concept CanBeMade = requires(Physics& physics, Arguments... arguments) {
     physics.create<Kind>(nullptr, arguments...);
 };
-// Classes that cannot be created give a one-line error at the call, not deep inside the library.
+// Classes that cannot be created give a one-line compile error at the call, not deep inside the library.
 static_assert(CanBeMade<BoxCollider, Vec2> && CanBeMade<CircleCollider, float, ColliderSettings>);
 static_assert(!CanBeMade<BoxCollider, float> && !CanBeMade<Collider> && !CanBeMade<World>);
 

@@ -10,7 +10,7 @@
 #include "tests/physics/support/random_shapes.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// The limits of a range are accepted, the next number is not.
+// The limits of a range are accepted; the next floating-point number outside is rejected.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -57,7 +57,7 @@ bool isGood(const std::vector<Corner>& corners, float radius = 0.0f) {
 
 }  // namespace
 
-TEST(RangeLimits, ofBodiesAreTaken) {
+TEST(RangeLimits, ofBodiesAreAccepted) {
     constexpr Range<BodyDefinition, float> kRanges[] = {
         {"linearDrag", &BodyDefinition::linearDrag, 0.0f, kFastest},
         {"angularDrag", &BodyDefinition::angularDrag, 0.0f, kFastest},
@@ -93,7 +93,7 @@ TEST(RangeLimits, ofBodiesAreTaken) {
                   quality >= -1 && quality <= 6);
 }
 
-TEST(RangeLimits, ofFieldsAreTaken) {
+TEST(RangeLimits, ofFieldsAreAccepted) {
     constexpr Range<FieldDefinition, float> kRanges[] = {
         {"radius", &FieldDefinition::radius, 0.0f, 1.0e9f},
         {"strength", &FieldDefinition::strength, -1.0e12f, 1.0e12f},
@@ -125,7 +125,7 @@ TEST(RangeLimits, ofFieldsAreTaken) {
     EXPECT_FALSE(createField(world, wind).ok());
 }
 
-TEST(RangeLimits, ofJointsAreTaken) {
+TEST(RangeLimits, ofJointsAreAccepted) {
     constexpr Range<JointDefinition, float> kRanges[] = {
         {"referenceAngle", &JointDefinition::referenceAngle, -1.0e5f, 1.0e5f},
         {"length", &JointDefinition::length, 0.0f, kLargest},
@@ -147,14 +147,14 @@ TEST(RangeLimits, ofJointsAreTaken) {
             return createJoint(one.world, definition).ok();
         });
     }
-    // A range of limits may be empty, but not inverted.
+    // The lower and upper limit may be equal, but not inverted.
     JointDefinition hinge{.a = one.other, .b = one.body, .limit = {true, 0.5f, 0.5f}};
     EXPECT_TRUE(createJoint(one.world, hinge).ok());
     hinge.limit.upper = std::nextafter(0.5f, 0.0f);
     EXPECT_FALSE(createJoint(one.world, hinge).ok());
 }
 
-TEST(RangeLimits, ofOutlinesAreTaken) {
+TEST(RangeLimits, ofOutlinesAreAccepted) {
     OneBody one;
     expectRange("circle.radius", 0.5f * kSmallest, kLargest,
                 [&](float value) { return one.takes(circle(value)); });
@@ -205,7 +205,7 @@ TEST(RangeLimits, ofOutlinesAreTaken) {
     EXPECT_FALSE(one.takes(round));
 }
 
-TEST(RangeLimits, polygonsAreTakenIfTheyAreHulls) {
+TEST(RangeLimits, polygonsAreAcceptedIfTheyAreHulls) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -235,7 +235,7 @@ TEST(RangeLimits, polygonsAreTakenIfTheyAreHulls) {
             EXPECT_FALSE(isGood(spoiled([](Corner& c) { c.point = -0.1f * c.point; })));
             EXPECT_FALSE(isGood(spoiled([](Corner& c) { c.point = 1.5f * c.point; })));
             EXPECT_FALSE(isGood({good.rbegin(), good.rend()}));
-            std::vector<Corner> shifted = good;  // begins with another corner
+            std::vector<Corner> shifted = good;  // the same polygon, starting at another corner
             std::rotate(shifted.begin(), shifted.begin() + at, shifted.end());
             EXPECT_TRUE(isGood(shifted));
             EXPECT_FALSE(isGood({good[0], good[1]}));
@@ -244,7 +244,7 @@ TEST(RangeLimits, polygonsAreTakenIfTheyAreHulls) {
     expectRange("polygon.radius", 0.0f, kLargest,
                 [](float value) { return isGood(cornersOf(test::regularPolygon(5, 1.0f)), value); });
     EXPECT_TRUE(isGood(cornersOf(test::regularPolygon(kMaxCorners, 1.0f))));
-    // As wide as the smallest size, and less.
+    // Squares at and beyond the smallest and largest size.
     const auto square = [](float side) {
         return std::vector<Corner>{{{0.0f, 0.0f}, {0.0f, -1.0f}},
                                    {{side, 0.0f}, {1.0f, 0.0f}},
@@ -255,7 +255,7 @@ TEST(RangeLimits, polygonsAreTakenIfTheyAreHulls) {
     EXPECT_FALSE(isGood(square(std::nextafter(kSmallest, 0.0f))));
     EXPECT_TRUE(isGood(square(kLargest)));
     EXPECT_FALSE(isGood(square(std::nextafter(kLargest, kInfinite))));
-    // A long one: its size is that of its longer side.
+    // A long strip is large enough, because its size is that of its longer side.
     const std::vector<Corner> strip{{{0.0f, 0.0f}, {0.0f, -1.0f}},
                                     {{1.0f, 0.0f}, {1.0f, 0.0f}},
                                     {{1.0f, 1.0e-4f}, {0.0f, 1.0f}},
@@ -270,14 +270,14 @@ TEST(RangeLimits, polygonsAreTakenIfTheyAreHulls) {
     EXPECT_FALSE(checkGeometry(polygon, pool).ok()) << "its last corner is not there";
     polygon.first = 5;
     EXPECT_FALSE(checkGeometry(polygon, pool).ok());
-    // Nor if the memory after the pool would be valid.
+    // The index must not exceed the pool even if the memory behind it contains valid corners.
     std::vector<Corner> twice = pool;
     twice.insert(twice.end(), pool.begin(), pool.end());
     for (std::uint32_t first = 0; first <= 4; ++first) {
         polygon.first = first;
         EXPECT_EQ(checkGeometry(polygon, std::span{twice}.first(6)).ok(), first <= 2) << first;
     }
-    std::vector<Corner> doubled = pool;  // a side of no length
+    std::vector<Corner> doubled = pool;  // a side of zero length
     doubled.insert(doubled.begin() + 1, doubled[1]);
     EXPECT_FALSE(isGood(doubled));
 }

@@ -4,7 +4,7 @@
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Ids of destroyed objects.
+// Ids of destroyed objects must stay invalid when their indices are reused.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -19,7 +19,7 @@ struct Ids {
     SoftBodyId soft;
 };
 
-/// One object of each kind.
+/// Adds one object of each kind.
 Ids addAll(World& world, BodyId ground, double x) {
     Ids ids;
     ids.body = addBody(world, BodyKind::Dynamic, {x, 5.0});
@@ -40,7 +40,7 @@ void expectAll(const World& world, const Ids& ids, bool alive) {
 
 }  // namespace
 
-TEST(ReusedIds, ofWhatWasMadeAfterASnapshotNameNothingOnceThatIsRestored) {
+TEST(ReusedIds, ofObjectsCreatedAfterASnapshotAreInvalidOnceItIsRestored) {
     for (int before = 0; before < 4; ++before) {
         SCOPED_TRACE(before);
         World world;
@@ -50,7 +50,7 @@ TEST(ReusedIds, ofWhatWasMadeAfterASnapshotNameNothingOnceThatIsRestored) {
         std::vector<Ids> later;
         for (int i = 0; i < 3; ++i) later.push_back(addAll(world, ground, 10.0 + i));
         for (const Ids& ids : later) expectAll(world, ids, true);
-        world = snapshot;  // its memory may still have room, and old content
+        world = snapshot;  // the memory of the copy may still contain the later objects
         for (const Ids& ids : later) expectAll(world, ids, false);
         EXPECT_EQ(fieldCount(world), static_cast<std::size_t>(before));
         EXPECT_EQ(bodyCount(world), static_cast<std::size_t>(before) + 1);
@@ -69,7 +69,7 @@ TEST(ReusedIds, ofWhatWasMadeAfterASnapshotNameNothingOnceThatIsRestored) {
     }
 }
 
-TEST(ReusedIds, ofWhatIsGoneDoNotNameWhatTakesItsPlace) {
+TEST(ReusedIds, ofDestroyedObjectsDoNotReferToTheirSuccessors) {
     World world;
     const BodyId ground = addBody(world, BodyKind::Static, {});
     Ids ids = addAll(world, ground, 0.0);
@@ -92,15 +92,15 @@ TEST(ReusedIds, ofWhatIsGoneDoNotNameWhatTakesItsPlace) {
         EXPECT_EQ(ids.shape.index, gone.shape.index);
     }
     expectAll(world, {}, false);
-    Ids never = ids;  // the generation 0 is of no one
+    Ids never = ids;  // generation 0 is never assigned
     never.body.generation = never.shape.generation = never.joint.generation = never.field.generation =
         never.soft.generation = 0;
     expectAll(world, never, false);
 }
 
-// Regression: the contact of a destroyed body was updated once more and ended as one of a fixed
-// body. The body that reused its index was solved as if it touched something; in a copy it was not.
-TEST(ReusedIds, takeNothingOverFromContactsOfWhatIsGone) {
+// Regression: the contact of a destroyed body was updated once more and ended as a contact of a static body.
+// The next body with the same index was then solved as touching, but not in a copy of the world.
+TEST(ReusedIds, keepNoContactsOfDestroyedBodies) {
     for (const int gone : {0, 1}) {
         SCOPED_TRACE(gone);
         World world;
@@ -125,7 +125,7 @@ TEST(ReusedIds, takeNothingOverFromContactsOfWhatIsGone) {
     }
 }
 
-TEST(Edits, noJointIsLeftWithoutABodyThatItCanPull) {
+TEST(Edits, kindChangesThatLeaveAJointWithoutAMovableBodyAreRejected) {
     constexpr BodyKind kKinds[] = {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic};
     for (const JointKind kind :
          {JointKind::Revolute, JointKind::Distance, JointKind::Mouse, JointKind::Motor}) {

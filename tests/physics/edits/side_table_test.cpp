@@ -8,7 +8,8 @@
 #include "core/random.hpp"
 #include "physics/simulation.hpp"
 
-// Rare properties of bodies and shapes are in rows that are created and freed with them.
+// Rarely used properties of bodies and shapes are stored in side-table rows that are created and freed with
+// them.
 
 namespace plumb::physics {
 namespace {
@@ -21,26 +22,26 @@ TEST(SideTable, hasOneRowOfDefaultsForAllWithoutOne) {
     std::uint32_t a = kNone, b = kNone;
     table.own(a).linearDrag = 1.0f;
     table.own(b).linearDrag = 2.0f;
-    table.own(a).angularDrag = 3.0f;  // the same row
+    table.own(a).angularDrag = 3.0f;  // a already has a row
     EXPECT_EQ(table[a].linearDrag, 1.0f);
     EXPECT_EQ(table[a].angularDrag, 3.0f);
     EXPECT_EQ(table[b].linearDrag, 2.0f);
     EXPECT_EQ(table[kNone], BodyDrive{});
 }
 
-TEST(SideTable, givesAFreedRowAwayAsIfItWereNew) {
+TEST(SideTable, reusedRowsHaveDefaults) {
     SideTable<BodyDrive> table;
     std::uint32_t a = kNone, b = kNone;
     table.own(a).linearDrag = 1.0f;
     table.release(a);
     EXPECT_EQ(a, kNone);
-    table.release(a);  // there is nothing left to free
+    table.release(a);  // no effect: its row is already free
     EXPECT_EQ(table.own(b), BodyDrive{});
     EXPECT_EQ(table.rows.size(), 1u);
     EXPECT_TRUE(table.free.empty());
 }
 
-/// Every index names a row of its own, and all other rows are free.
+/// Expects that every used index has a row of its own and that all other rows are in the free list.
 void expectNoRowIsLostOrShared(std::vector<std::uint32_t> used, const std::vector<std::uint32_t>& free,
                                std::size_t rows) {
     used.erase(std::remove(used.begin(), used.end(), kNone), used.end());
@@ -99,7 +100,7 @@ public:
 private:
     static void expectOk(const Result<Done>& result) { EXPECT_TRUE(result.ok()); }
 
-    /// Has its default value about half of the time.
+    /// Returns the default value 0 in half of the cases, otherwise a random one.
     float value() { return random_.below(2) == 0 ? 0.0f : random_.between(0.1f, 2.0f); }
 
     void add() {
@@ -130,7 +131,7 @@ private:
     Random random_;
 };
 
-TEST(SideTable, ofBodiesAndShapesSaysWhatWasSetWhileTheyComeAndGo) {
+TEST(SideTable, keepsPropertiesWhileBodiesAndShapesAreAddedAndRemoved) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
         Crowd crowd{seed};
@@ -153,7 +154,7 @@ TEST(SideTable, ofBodiesAndShapesSaysWhatWasSetWhileTheyComeAndGo) {
     }
 }
 
-TEST(SideTable, needsNoRowForWhatIsAsUsual) {
+TEST(SideTable, needsNoRowForDefaults) {
     World world;
     const BodyId body = *createBody(world, {});
     const ShapeId shape =
@@ -167,7 +168,7 @@ TEST(SideTable, needsNoRowForWhatIsAsUsual) {
     EXPECT_TRUE(world.shapes.extras.rows.empty());
 }
 
-TEST(Mass, thatWasSetStaysWhateverBecomesOfTheShapes) {
+TEST(Mass, staysAsSetWhenShapesChange) {
     World world;
     const BodyId body = *createBody(world, {});
     ASSERT_TRUE(createShape(world, body, box({0.5f, 0.5f})).ok());
@@ -176,7 +177,7 @@ TEST(Mass, thatWasSetStaysWhateverBecomesOfTheShapes) {
     setFixedRotation(world, body, true);
     EXPECT_EQ(massOf(world, body), 7.0f);
     ASSERT_TRUE(setMass(world, body, 0.0f).ok());
-    EXPECT_EQ(massOf(world, body), 2.0f);  // kg: of two boxes of 1 m2
+    EXPECT_EQ(massOf(world, body), 2.0f);  // mass of two boxes of 1 m2, kg
     destroyBody(world, body);
     step(world, kTick);
     const BodyId next = *createBody(world, {});

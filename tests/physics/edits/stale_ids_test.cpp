@@ -6,7 +6,7 @@
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Getters return defaults for objects that do not exist, and change nothing.
+// Getters called with stale ids return defaults and change nothing.
 
 namespace plumb::physics {
 namespace {
@@ -16,7 +16,7 @@ std::vector<Id<Thing>> gone(Id<Thing> destroyed) {
     return {destroyed, {}, {0, 77}, {9999, 1}, {kNone, 1}, {kNone - 1, kNone}};
 }
 
-TEST(StaleIds, bodiesThatAreGoneRestAtTheOrigin) {
+TEST(StaleIds, destroyedBodiesReadAsAtRestAtTheOrigin) {
     World world = makePit(6, 1);
     const BodyId destroyed{3, world.bodies.info[3].generation};
     destroyBody(world, destroyed);
@@ -50,7 +50,7 @@ TEST(StaleIds, bodiesThatAreGoneRestAtTheOrigin) {
     }
 }
 
-TEST(StaleIds, shapesThatAreGoneHaveNoBodyAndTheUsualDefinition) {
+TEST(StaleIds, destroyedShapesReadAsWithoutBodyAndWithDefaults) {
     World world = makePit(6, 1);
     for (int i = 0; i < 60; ++i) step(world, kTick);
     const ShapeId destroyed{3, world.shapes.info[3].generation};
@@ -73,7 +73,7 @@ TEST(StaleIds, shapesThatAreGoneHaveNoBodyAndTheUsualDefinition) {
     }
 }
 
-TEST(StaleIds, jointsFieldsAndSoftBodiesThatAreGoneReadAsNothing) {
+TEST(StaleIds, destroyedJointsFieldsAndSoftBodiesReadAsDefaults) {
     World world = makePit(6, 1);
     const JointId joint = *createJoint(world, {.a = {1, 1}, .b = {2, 1}, .length = 7.0f});
     const FieldId field = *createField(world, {.strength = 3.0f});
@@ -99,7 +99,7 @@ TEST(StaleIds, jointsFieldsAndSoftBodiesThatAreGoneReadAsNothing) {
     }
 }
 
-TEST(StaleIds, anErrorSaysWhichPointsOfAChainAreInOnePlace) {
+TEST(StaleIds, anErrorNamesTheCoincidingPointsOfAChain) {
     World world;
     const BodyId ground = addBody(world, BodyKind::Static, {});
     for (const bool closed : {true, false}) {

@@ -9,15 +9,15 @@ namespace {
 
 using namespace test;
 
-// One-way shapes.
+// ---- One-way shapes
 
 BodyId addLedge(World& world) {
     ShapeDefinition shape;
     shape.oneWay = true;
-    return addBody(world, BodyKind::Static, {0.0, 0.1}, box({5.0f, 0.1f}), shape);  // its top is at 0
+    return addBody(world, BodyKind::Static, {0.0, 0.1}, box({5.0f, 0.1f}), shape);  // its top is at y = 0
 }
 
-TEST(OneWay, carriesWhatFallsOnIt) {
+TEST(OneWay, carriesBodiesThatFallOnIt) {
     World world = makeWorld();
     addLedge(world);
     const BodyId box1 = addBody(world, BodyKind::Dynamic, {0.0, -3.0}, box({0.5f, 0.5f}));
@@ -25,7 +25,7 @@ TEST(OneWay, carriesWhatFallsOnIt) {
     EXPECT_NEAR(heightOf(world, box1), 0.5, 0.01);
 }
 
-TEST(OneWay, letsThroughWhatComesFromBelowAndCatchesItOnTheWayBack) {
+TEST(OneWay, letsBodiesPassFromBelowAndCatchesThemFromAbove) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -43,12 +43,12 @@ TEST(OneWay, letsThroughWhatComesFromBelowAndCatchesItOnTheWayBack) {
             step(world, kStep);
             highest = std::max(highest, heightOf(world, thrown));
         }
-        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // as if there were no ledge
+        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // the ledge does not slow it
         EXPECT_NEAR(heightOf(world, thrown), 0.4, 0.02);
     }
 }
 
-TEST(OneWay, letsFallWhatIsInsideAtTheBeginning) {
+TEST(OneWay, letsBodiesFallThatStartInside) {
     World world = makeWorld();
     addLedge(world);
     const BodyId stuck = addBody(world, BodyKind::Dynamic, {0.0, -0.2}, box({0.5f, 0.5f}));
@@ -71,7 +71,7 @@ TEST(OneWay, stopsFastBodiesThatComeFromAbove) {
     }
 }
 
-TEST(OneWay, dropsABodyThatWantsToAndTellsOfIt) {
+TEST(OneWay, dropsABodyOnRequestAndReportsTheEnd) {
     World world = makeWorld();
     addLedge(world);
     const BodyId box1 = addBody(world, BodyKind::Dynamic, {0.0, -0.5}, box({0.5f, 0.5f}));
@@ -81,7 +81,7 @@ TEST(OneWay, dropsABodyThatWantsToAndTellsOfIt) {
     ASSERT_EQ(world.events.size(), 1u);
     EXPECT_EQ(world.events[0].phase, ContactPhase::Ended);
     run(world, 4);
-    setDropThrough(world, box1, false);  // half through, it goes on
+    setDropThrough(world, box1, false);  // the body is halfway through the ledge and falls on
     for (int i = 0; i < 60; ++i) {
         step(world, kStep);
         EXPECT_TRUE(world.events.empty());
@@ -89,16 +89,16 @@ TEST(OneWay, dropsABodyThatWantsToAndTellsOfIt) {
     EXPECT_LT(heightOf(world, box1), -3.0);
 }
 
-TEST(OneWay, turnsWithItsBody) {
+TEST(OneWay, rotatesWithItsBody) {
     World world = makeWorld();
     const BodyId ledge = addLedge(world);
-    ASSERT_TRUE(setPosition(world, ledge, {0.0, 0.1}, kPi).ok());  // now open from above
+    ASSERT_TRUE(setPosition(world, ledge, {0.0, 0.1}, kPi).ok());  // the ledge now stops bodies from below
     const BodyId box1 = addBody(world, BodyKind::Dynamic, {0.0, -2.0}, box({0.5f, 0.5f}));
     run(world, 90);
     EXPECT_LT(heightOf(world, box1), -3.0);
 }
 
-// Conveyors.
+// ---- Conveyors
 
 TEST(Conveyor, carriesAtItsSurfaceSpeed) {
     ShapeDefinition belt;
@@ -124,21 +124,23 @@ TEST(Conveyor, speedsUpByFriction) {
     EXPECT_NEAR(velocityOf(world, box1).x, 0.5f * 10.0f * 1.0f, 0.15f);  // mu g t, mu = sqrt(0.25 * 1)
 }
 
-// Rolling resistance.
+// ---- Rolling resistance
 
-TEST(Rolling, stopsADiscAfterTheWayOfTheFormula) {
+TEST(Rolling, stopsADiscAfterTheDistanceOfTheFormula) {
     constexpr float kSpeed = 2.0f, kRadius = 0.5f, kResistance = 0.1f;
     ShapeDefinition tyre;
     tyre.rollingResistance = kResistance;
     tyre.friction = 1.0f;
     BodyDefinition rolling;
     rolling.velocity = {kSpeed, 0.0f};
-    rolling.angularVelocity = kSpeed / kRadius;  // y points down: forward is clockwise, which is positive
+    // y points down: rolling forward is clockwise, which is positive
+    rolling.angularVelocity = kSpeed / kRadius;
     World world = makeWorld();
     addFloor(world);
     const BodyId disc = addBody(world, BodyKind::Dynamic, {0.0, -0.5}, circle(kRadius), tyre, rolling);
     run(world, 400);
-    // With k the resistance over the radius: m a r + I a / r = k m g r, so a = 2/3 k g.
+    // With k the resistance divided by the radius: m a r + I a / r = k m g r with I = m r2 / 2, so a = 2/3 k
+    // g.
     const float deceleration = 2.0f / 3.0f * kResistance * 10.0f;
     EXPECT_NEAR(positionOf(world, disc).x, kSpeed * kSpeed / (2.0f * deceleration), 0.03);
     EXPECT_NEAR(angularVelocityOf(world, disc), 0.0f, 1e-3f);
@@ -170,9 +172,9 @@ TEST(Rolling, slowsADiscOnAnotherBody) {
     EXPECT_NEAR(positionOf(world, disc).x, -4.0 + 1.0 / (2.0 * 2.0 / 3.0 * 0.2 * 10.0), 0.05);
 }
 
-// Locked axes.
+// ---- Locked axes
 
-TEST(Locks, keepABodyOnItsLineWhateverPushesIt) {
+TEST(Locks, keepABodyOnItsAxisUnderAnyForce) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -194,7 +196,7 @@ TEST(Locks, keepABodyOnItsLineWhateverPushesIt) {
     }
 }
 
-// Callbacks of the owner.
+// ---- Callbacks of StepOptions
 
 struct Say {
     ShapeId refused;
@@ -209,7 +211,7 @@ struct Say {
     }
 };
 
-TEST(ContactHooks, aRefusedPairNeverMeets) {
+TEST(ContactHooks, aFilteredPairNeverCollides) {
     World world = makeWorld();
     addFloor(world);
     const BodyId ghost = *createBody(world, {.position = {0.0, -2.0}});
@@ -222,7 +224,7 @@ TEST(ContactHooks, aRefusedPairNeverMeets) {
     EXPECT_NEAR(heightOf(world, solid), 0.5, 0.01);
 }
 
-TEST(ContactHooks, aContactThatMayNotPushIsFallenThrough) {
+TEST(ContactHooks, aContactDisabledBeforeSolvingDoesNotPush) {
     World world = makeWorld();
     addFloor(world);
     const BodyId body = addBody(world, BodyKind::Dynamic, {0.0, -0.6}, circle(0.5f));
@@ -235,7 +237,7 @@ TEST(ContactHooks, aContactThatMayNotPushIsFallenThrough) {
     EXPECT_EQ(runsOf(world, "filter contacts"), 60u);
 }
 
-// Effects that nothing requires.
+// ---- Effects that no object requires
 
 World makePile() {
     World world = makeWorld();

@@ -4,8 +4,8 @@
 
 #include "tests/physics/support/effect_scenes.hpp"
 
-// What holds of each effect: a scene without it does not run it,
-// and a scene that runs it without a need moves as if it did not.
+// For each effect: a scene that does not require it does not run it, and running it without need changes no
+// bit.
 
 namespace plumb::physics {
 namespace {
@@ -37,7 +37,8 @@ TEST_P(EveryEffect, runsOnlyWhileABodyRequiresIt) {
     const Effect effect = GetParam();
     World world = makeSceneWithout(effect);
     run(world, 2);
-    ASSERT_TRUE(callFromAfar(world, effect)) << "add to effect_scenes.hpp what requires this effect";
+    ASSERT_TRUE(addDistantObject(world, effect))
+        << "effect_scenes.hpp has no object that requires this effect; add one to addDistantObject()";
     run(world, 5);
     const std::uint64_t runs = runsOf(world, effect);
     EXPECT_EQ(runs, effect == Effect::Explosion ? 1u : 5u);
@@ -49,7 +50,7 @@ TEST_P(EveryEffect, runsOnlyWhileABodyRequiresIt) {
 TEST_P(EveryEffect, changesNoBitWhenPinnedOnWithoutABodyThatRequiresIt) {
     const Effect effect = GetParam();
     World off = makeSceneWithout(effect), on = makeSceneWithout(effect);
-    pinOn(on, effect);
+    pinEffectOn(on, effect);
     for (int i = 0; i < 150; ++i) {
         step(off, kTick);
         step(on, kTick);
@@ -62,7 +63,8 @@ TEST_P(EveryEffect, changesNoBitWhenPinnedOnWithoutABodyThatRequiresIt) {
 TEST_P(EveryEffect, changesNoBitWhenOnlyABodyFarAwayRequiresIt) {
     const Effect effect = GetParam();
     World off = makeSceneWithout(effect), on = makeSceneWithout(effect);
-    ASSERT_TRUE(callFromAfar(on, effect)) << "add to effect_scenes.hpp what requires this effect";
+    ASSERT_TRUE(addDistantObject(on, effect))
+        << "effect_scenes.hpp has no object that requires this effect; add one to addDistantObject()";
     for (int i = 0; i < 150; ++i) {
         step(off, kTick);
         step(on, kTick);
@@ -81,7 +83,8 @@ TEST(Effects, noBodyIsPushedOnceContactsArePinnedOff) {
     const double before = world.bodies.pose[1].centre.y;
     world.manifest.pinnedOff |= Manifest::bit(Effect::Contacts);
     run(world, 60);
-    EXPECT_GT(world.bodies.pose[1].centre.y, before + 4.0);  // y points down: through the floor
+    // y points down: the body falls through the floor
+    EXPECT_GT(world.bodies.pose[1].centre.y, before + 4.0);
 }
 
 }  // namespace

@@ -8,17 +8,18 @@
 #include "tests/physics/support/random_shapes.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// The effect of each field on a body at any pose and velocity in one short step, by its formula.
+// Compares the effect of each field on a body of any pose and velocity in one short step with its formula.
 
 using namespace plumb;
 using namespace plumb::physics;
 
 namespace {
 
-constexpr float kStep = 1.0e-3f;  // s: so short that the state at its begin counts
+constexpr float kStep = 1.0e-3f;  // s, so short that changes of the state within a step are negligible
 constexpr std::uint64_t kFieldSeeds = 40;
 
-/// A body of two shapes, off its center, that moves and rotates; and its acceleration in one step.
+/// A moving and rotating body of two shapes, with its center of mass off its origin; measures its
+/// acceleration by a field in one step.
 struct Flight {
     World world;
     Random random;
@@ -48,13 +49,14 @@ struct Flight {
         Vec2 linear;    // m/s2
         float angular;  // rad/s2
     };
-    /// Of a body in one step, by a field.
+    /// Acceleration of a body in one step by a field.
     Change changeBy(const FieldDefinition& field, BodyId of) {
         EXPECT_TRUE(createField(world, field).ok());
         const Vec2 before = velocityOf(world, of);
-        const float turned = angularVelocityOf(world, of);
+        const float spinBefore = angularVelocityOf(world, of);
         step(world, kStep);
-        return {(velocityOf(world, of) - before) / kStep, (angularVelocityOf(world, of) - turned) / kStep};
+        return {(velocityOf(world, of) - before) / kStep,
+                (angularVelocityOf(world, of) - spinBefore) / kStep};
     }
     Change changeBy(const FieldDefinition& field) { return changeBy(field, body); }
 
@@ -72,7 +74,7 @@ void expectChange(const Flight::Change& found, Vec2 linear, float angular = 0.0f
 
 }  // namespace
 
-TEST(FieldFormulas, areaGravityPullsAlongItsDirectionAndToItsPlace) {
+TEST(FieldFormulas, areaGravityPullsAlongItsDirectionOrToItsCenter) {
     for (std::uint64_t seed = 0; seed < kFieldSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Flight flight{seed};
@@ -91,7 +93,7 @@ TEST(FieldFormulas, areaGravityPullsAlongItsDirectionAndToItsPlace) {
     }
 }
 
-TEST(FieldFormulas, attractorsPullBySquareOfTheDistanceOrInProportion) {
+TEST(FieldFormulas, attractorsPullByInverseSquareOrProportionally) {
     for (std::uint64_t seed = 0; seed < kFieldSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Flight flight{seed};
@@ -111,7 +113,7 @@ TEST(FieldFormulas, attractorsPullBySquareOfTheDistanceOrInProportion) {
                                          : (field.strength / std::pow(softened, 1.5f)) * displacement;
         expectChange(flight.changeBy(field), wanted);
     }
-    // No direction in the middle.
+    // At the center of an attractor the direction is undefined: no force.
     World world;
     world.settings.gravity = {};
     const BodyId body = addBody(world, BodyKind::Dynamic, {});
@@ -121,7 +123,7 @@ TEST(FieldFormulas, attractorsPullBySquareOfTheDistanceOrInProportion) {
     EXPECT_EQ(velocityOf(world, body), Vec2{});
 }
 
-TEST(FieldFormulas, springsPullByTheirLengthAndDampTheSpeedOfTheirEnds) {
+TEST(FieldFormulas, springsPullByTheirStretchAndDampTheirLengthChange) {
     for (std::uint64_t seed = 0; seed < kFieldSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Flight flight{seed};
@@ -191,7 +193,7 @@ TEST(FieldFormulas, explosionsPushByWidthAndDistance) {
     }
 }
 
-TEST(FieldFormulas, windPushesByTheWidthAcrossTheSquareOfTheSpeed) {
+TEST(FieldFormulas, windPushesByProjectedWidthAndSquaredSpeed) {
     for (std::uint64_t seed = 0; seed < kFieldSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -215,8 +217,8 @@ TEST(FieldFormulas, windPushesByTheWidthAcrossTheSquareOfTheSpeed) {
     }
 }
 
-TEST(FieldFormulas, gustsStayWithinTheirSpeedAndGoSmoothlyFromOneToTheNext) {
-    // The velocity of a body so light that it moves with the air is that of the air.
+TEST(FieldFormulas, gustsAreLimitedAndSmooth) {
+    // A very light body moves with the velocity of the air.
     World world;
     world.settings.gravity = {};
     const BodyId leaf = addBody(world, BodyKind::Dynamic, {});
@@ -246,7 +248,7 @@ TEST(FieldFormulas, gustsStayWithinTheirSpeedAndGoSmoothlyFromOneToTheNext) {
     EXPECT_LT(jump, 6.0f * 1.5f / 20.0f + 0.05f) << "the steepest of 3 t2 - 2 t3 is 1.5";
 }
 
-TEST(FieldFormulas, fluidsLiftAndDragWhatIsInThem) {
+TEST(FieldFormulas, fluidsLiftAndDragSubmergedBodies) {
     for (std::uint64_t seed = 0; seed < kFieldSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Flight flight{seed};
@@ -258,12 +260,13 @@ TEST(FieldFormulas, fluidsLiftAndDragWhatIsInThem) {
         field.linearDrag = flight.random.between(0.0f, 3.0f);
         field.angularDrag = flight.random.between(0.0f, 3.0f);
         field.velocity = test::randomPoint(flight.random, 2.0f);
-        // All of it is inside: a large box or circle around it, or far below a surface.
+        // The whole body is in the fluid: a large box or circle around it, or far below the surface of an
+        // unbounded fluid.
         field.region = static_cast<RegionKind>(seed % 3);
         field.half = {50.0f, 40.0f};
         field.radius = 60.0f;
         if (field.region == RegionKind::Everywhere) field.place = WorldPosition{-30.0f * normalized(gravity)};
-        // A trigger displaces nothing.
+        // A trigger displaces no fluid.
         static_cast<void>(
             createShape(world, flight.body, circle(1.0f), {.density = 0.0f, .isTrigger = true}));
         const Vec2 centre = flight.centre(), velocity = velocityOf(world, flight.body);

@@ -15,12 +15,12 @@ namespace {
 
 using namespace test;
 
-TEST(AreaGravity, isExactInsideOfItsRegionAndNothingOutside) {
+TEST(AreaGravity, isExactInsideItsRegionAndZeroOutside) {
     World world = makeWorld();
     FieldDefinition field = fieldOf(FieldKind::AreaGravity);
     field.region = RegionKind::Box;
     field.half = {10.0f, 1000.0f};
-    field.acceleration = {3.0f, -10.0f};  // cancels the world's gravity, and pulls to the right
+    field.acceleration = {3.0f, -10.0f};  // cancels gravity and pulls to the right
     ASSERT_TRUE(createField(world, field).ok());
     const BodyId inside = addBody(world, BodyKind::Dynamic, {0.0, 0.0}, circle(0.5f));
     const BodyId outside = addBody(world, BodyKind::Dynamic, {20.0, 0.0}, circle(0.5f));
@@ -31,7 +31,7 @@ TEST(AreaGravity, isExactInsideOfItsRegionAndNothingOutside) {
     EXPECT_NEAR(positionOf(world, outside).y, 5.0, 1e-4);
 }
 
-TEST(AreaGravity, canTakeThePlaceOfTheWorldsAndPullToAPoint) {
+TEST(AreaGravity, canReplaceGravityAndPullToAPoint) {
     World world = makeWorld();
     FieldDefinition field = fieldOf(FieldKind::AreaGravity);
     field.region = RegionKind::Circle;
@@ -47,8 +47,8 @@ TEST(AreaGravity, canTakeThePlaceOfTheWorldsAndPullToAPoint) {
     EXPECT_NEAR(positionOf(world, walker).y, 0.0, 0.01);
 }
 
-TEST(Wind, leadsToTheTerminalVelocityOfTheFormula) {
-    // m g = density * width * v^2
+TEST(Wind, hasTheTerminalVelocityOfTheFormula) {
+    // Terminal velocity v: m g = density * width * v^2.
     World world = makeWorld();
     FieldDefinition air = fieldOf(FieldKind::Wind);
     air.density = 0.5f;
@@ -59,7 +59,7 @@ TEST(Wind, leadsToTheTerminalVelocityOfTheFormula) {
     EXPECT_NEAR(velocityOf(world, disc).y, terminal, 1e-3f * terminal);
 }
 
-TEST(Wind, carriesALightBodyNoFasterThanItself) {
+TEST(Wind, carriesALightBodyNoFasterThanTheWind) {
     World world = makeSpace();
     FieldDefinition air = fieldOf(FieldKind::Wind);
     air.velocity = {30.0f, 0.0f};
@@ -75,7 +75,7 @@ TEST(Wind, carriesALightBodyNoFasterThanItself) {
     EXPECT_NEAR(velocityOf(world, leaf).x, 30.0f, 0.1f);
 }
 
-TEST(Wind, doesNotFillTriggers) {
+TEST(Wind, doesNotActOnTriggers) {
     World world = makeSpace();
     FieldDefinition air = fieldOf(FieldKind::Wind);
     air.velocity = {10.0f, 0.0f};
@@ -88,7 +88,7 @@ TEST(Wind, doesNotFillTriggers) {
     EXPECT_EQ(velocityOf(world, guard), velocityOf(world, ball));
 }
 
-TEST(Wind, gustsFollowFromTheSeedAndTheStepAlone) {
+TEST(Wind, gustsDependOnlyOnSeedAndStep) {
     const auto flight = [](std::uint32_t seed) {
         World world = makeSpace();
         FieldDefinition air = fieldOf(FieldKind::Wind);
@@ -108,9 +108,9 @@ TEST(Wind, gustsFollowFromTheSeedAndTheStepAlone) {
     EXPECT_NE(flight(1), flight(2));
 }
 
-// Fluids.
+// ---- Fluids
 
-TEST(Submerged, halfAShapeOnTheSurfaceIsHalfItsArea) {
+TEST(Submerged, aShapeCentredOnTheSurfaceIsHalfSubmerged) {
     const AABB sea{{-1.0e6f, 0.0f}, {1.0e6f, 1.0e6f}};
     const Submerged disc = submergedPart(circle(2.0f), {}, {}, sea);
     EXPECT_NEAR(disc.area, 2.0f * kPi, 1e-5f);
@@ -124,7 +124,7 @@ TEST(Submerged, halfAShapeOnTheSurfaceIsHalfItsArea) {
     EXPECT_NEAR(pill.area, 0.5f * (4.0f + 0.25f * kPi), 1e-5f);
 }
 
-/// Counts the points of a fine grid that are in both.
+/// Computes the submerged part by counting the points of a fine grid that are in the shape and in the fluid.
 Submerged byCounting(const Geometry& geometry, std::span<const Corner> corners, const Frame& toFluid,
                      const AABB& fluid) {
     const AABB bounds = boundsOf(geometry, corners, toFluid);
@@ -146,7 +146,7 @@ Submerged byCounting(const Geometry& geometry, std::span<const Corner> corners, 
             {static_cast<float>(x / inside), static_cast<float>(y / inside)}};
 }
 
-TEST(Submerged, isWhatCountingPointsGivesForEveryOutlineAndPlace) {
+TEST(Submerged, equalsCountingPointsForEveryOutlineAndPose) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -188,19 +188,19 @@ FieldDefinition sea() {
     return fluid;
 }
 
-TEST(Buoyancy, letsABoxFloatAtTheDepthOfItsDensity) {
+TEST(Buoyancy, floatsABoxAtTheDepthOfItsDensity) {
     World world = makeWorld();
     ASSERT_TRUE(createField(world, sea()).ok());
     ShapeDefinition wood;
     wood.density = 0.5f;
     const BodyId raft = addBody(world, BodyKind::Dynamic, {0.0, -1.0}, box({2.0f, 0.5f}), wood);
     run(world, 1200);
-    // A quarter of it, 0.25 m, is in the fluid.
+    // A quarter of its height, 0.25 m, is submerged.
     EXPECT_NEAR(positionOf(world, raft).y, -0.25, 1e-3);
     EXPECT_NEAR(length(velocityOf(world, raft)), 0.0f, 1e-3f);
 }
 
-TEST(Buoyancy, holdsADiscOfHalfItsDensityHalfInTheFluid) {
+TEST(Buoyancy, floatsADiscOfHalfTheDensityHalfSubmerged) {
     World world = makeWorld();
     ASSERT_TRUE(createField(world, sea()).ok());
     const BodyId buoy = addBody(world, BodyKind::Dynamic, {0.0, 3.0}, circle(0.7f));
@@ -218,12 +218,12 @@ TEST(Buoyancy, turnsATallBoxOnItsSide) {
     EXPECT_NEAR(std::fabs(rotationOf(world, plank).sin), 1.0f, 0.01f);
 }
 
-TEST(Buoyancy, ofABoxOfFluidEndsAtItsSides) {
+TEST(Buoyancy, ofABoundedFluidEndsAtItsSides) {
     World world = makeWorld();
     FieldDefinition pool = sea();
     pool.region = RegionKind::Box;
     pool.place = {0.0, 5.0};
-    pool.half = {5.0f, 5.0f};  // its surface is at y = 0
+    pool.half = {5.0f, 5.0f};  // the surface is at y = 0
     ASSERT_TRUE(createField(world, pool).ok());
     const BodyId inside = addBody(world, BodyKind::Dynamic, {0.0, 0.0}, circle(0.5f));
     const BodyId outside = addBody(world, BodyKind::Dynamic, {8.0, 0.0}, circle(0.5f));
@@ -232,7 +232,7 @@ TEST(Buoyancy, ofABoxOfFluidEndsAtItsSides) {
     EXPECT_NEAR(positionOf(world, outside).y, 5.0 * 25.0, 0.1);
 }
 
-// Explosions.
+// ---- Explosions
 
 TEST(Explosion, givesTheImpulseOfTheFormulaOnce) {
     World world = makeSpace();
@@ -245,7 +245,7 @@ TEST(Explosion, givesTheImpulseOfTheFormulaOnce) {
     EXPECT_EQ(fieldCount(world), 1u);
     step(world, kStep);
     EXPECT_EQ(fieldCount(world), 0u);
-    // Width 1 m, nearest point at 4.5 m.
+    // The projected width is 1 m and the nearest point is 4.5 m away.
     const float speed = 20.0f * 1.0f * (1.0f - 4.5f / 9.0f) / massOf(world, disc);
     EXPECT_NEAR(velocityOf(world, disc).x, 0.6f * speed, 1e-4f * speed);
     EXPECT_NEAR(velocityOf(world, disc).y, 0.8f * speed, 1e-4f * speed);
@@ -255,7 +255,7 @@ TEST(Explosion, givesTheImpulseOfTheFormulaOnce) {
     EXPECT_EQ(runsOf(world, "explosions"), 1u);
 }
 
-TEST(Explosion, wakesWhatSleeps) {
+TEST(Explosion, wakesSleepingBodies) {
     World world = makeWorld();
     world.settings.sleeping = true;
     addFloor(world);
@@ -270,13 +270,13 @@ TEST(Explosion, wakesWhatSleeps) {
     step(world, kStep);
     EXPECT_TRUE(isAwake(world, crate));
     EXPECT_GT(velocityOf(world, crate).x, 1.0f);
-    // Regression: it touched the floor all the time, and its contact returned after the narrow phase
-    // had made its lists, beyond whose end it was read. Detected by builds that check indices.
+    // Regression: the crate touches the floor all the time. Its contact was added after the narrow phase had
+    // built its lists and was read beyond their end. Detected by builds with index checks.
     EXPECT_EQ(world.contacts.size(), 1u);
     for (const ContactEvent& event : world.events) EXPECT_NE(event.phase, ContactPhase::Began);
 }
 
-// Attractors and springs.
+// ---- Attractors and springs
 
 TEST(Attractor, doesNotPullItsOwnBody) {
     World world = makeSpace();
@@ -311,7 +311,7 @@ TEST(Spring, keepsTheMomentumOfItsTwoBodies) {
     }
 }
 
-TEST(Spring, holdsAHangingBodyWhereItsForceIsTheWeight) {
+TEST(Spring, holdsAHangingBodyWhereItsForceEqualsTheWeight) {
     World world = makeWorld();
     FieldDefinition spring = fieldOf(FieldKind::Spring);
     spring.a = addBody(world, BodyKind::Dynamic, {0.0, 1.0}, circle(0.5f));
@@ -323,7 +323,7 @@ TEST(Spring, holdsAHangingBodyWhereItsForceIsTheWeight) {
     EXPECT_NEAR(positionOf(world, spring.a).y, 1.0 + massOf(world, spring.a) * 10.0 / 20.0, 1e-3);
 }
 
-TEST(Spring, ofAbsurdStiffnessNeverGainsEnergyWithoutEnd) {
+TEST(Spring, ofExtremeStiffnessGainsNoUnboundedEnergy) {
     for (const float stiffness : {1.0e3f, 1.0e6f, 1.0e12f}) {
         for (int kind = 1; kind < 4; ++kind) {
             World world = makeWorld();
@@ -342,7 +342,7 @@ TEST(Spring, ofAbsurdStiffnessNeverGainsEnergyWithoutEnd) {
     }
 }
 
-TEST(Spring, goesWithItsBody) {
+TEST(Spring, isDestroyedWithItsBody) {
     World world = makeWorld();
     FieldDefinition spring = fieldOf(FieldKind::Spring);
     spring.a = addBody(world, BodyKind::Dynamic, {0.0, 1.0}, circle(0.5f));
@@ -388,7 +388,7 @@ TEST(Fields, actOnlyOnTheirLayers) {
     EXPECT_GT(positionOf(world, moved).x, 0.01);
 }
 
-TEST(Fields, pushBodiesThatTouchSomethingToo) {
+TEST(Fields, pushBodiesInContact) {
     World world = makeWorld();
     ShapeDefinition ice;
     ice.friction = 0.0f;
@@ -401,7 +401,7 @@ TEST(Fields, pushBodiesThatTouchSomethingToo) {
     EXPECT_NEAR(velocityOf(world, sled).x, 2.0f, 0.01f);
 }
 
-TEST(Fields, refuseWhatMakesNoSense) {
+TEST(Fields, rejectInvalidDefinitions) {
     World world = makeWorld();
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     for (const float bad : {nan, inf, -1.0f}) {

@@ -9,7 +9,8 @@ namespace {
 
 using namespace test;
 
-/// Fluid of 1.5 to 10^5 times the density of a body, with a drag of `fluid.linearDrag` times that ratio.
+/// A fluid of 1.5 to 10^5 times the density of a body (`ratio`); its drag on the body is `fluid.linearDrag`
+/// times that ratio.
 struct HeavyFluid {
     FieldDefinition fluid;
     float ratio = 0.0f;
@@ -17,7 +18,7 @@ struct HeavyFluid {
     float size = 0.0f;  // m
 };
 
-/// Adds one of them, with a random quality and integrator, to a world.
+/// Adds a random heavy fluid to a world and sets a random quality and integrator.
 HeavyFluid heavyFluid(Random& random, World& world) {
     HeavyFluid made{
         fieldOf(FieldKind::Buoyancy), 1.5f * std::pow(10.0f, random.between(0.0f, 4.8f)), {}, 0.0f};
@@ -32,7 +33,7 @@ HeavyFluid heavyFluid(Random& random, World& world) {
     return made;
 }
 
-TEST(HeavyFluids, ofAnyDensityAndDragThrowsNothingHigherThanItFell) {
+TEST(HeavyFluids, ofAnyDensityAndDragThrowsNoBodyHigherThanItFell) {
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
         Random random = Random::seeded(seed);
         World world = makeWorld();
@@ -47,11 +48,11 @@ TEST(HeavyFluids, ofAnyDensityAndDragThrowsNothingHigherThanItFell) {
             bottom = std::max(bottom, positionOf(world, buoy).y);
         }
         EXPECT_GE(top, -1.05 * height - 0.01);
-        EXPECT_GT(bottom, -static_cast<double>(made.size));  // it met the fluid
+        EXPECT_GT(bottom, -static_cast<double>(made.size));  // the body reached the fluid
     }
 }
 
-TEST(HeavyFluids, ofAnyDensityAndDragEndsAtTheDepthOfItsDensity) {
+TEST(HeavyFluids, ofAnyDensityAndDragFloatsBodiesAtTheirDepth) {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         Random random = Random::seeded(seed);
         World world = makeWorld();
@@ -59,7 +60,7 @@ TEST(HeavyFluids, ofAnyDensityAndDragEndsAtTheDepthOfItsDensity) {
         SCOPED_TRACE(testing::Message() << seed << " ratio " << made.ratio << " size " << made.size
                                         << " drag " << made.fluid.linearDrag);
         made.outline = box({2.0f * made.size, made.size});
-        // Less leaves it swinging for longer than this minute, more makes it sink in for longer.
+        // With less drag it oscillates for longer than this minute, with more it sinks for longer.
         if (made.fluid.linearDrag < 1.0f || made.fluid.linearDrag > 30.0f) continue;
         const double depth = static_cast<double>(made.size) * (2.0 / static_cast<double>(made.ratio) - 1.0);
         const BodyId raft = addBody(world, BodyKind::Dynamic, {0.0, depth - 0.3 * made.size}, made.outline);

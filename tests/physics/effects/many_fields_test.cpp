@@ -13,8 +13,9 @@ namespace {
 
 using namespace test;
 
-/// Fields of every kind and size, over as many bodies, some of them exactly on the edges.
-World strewnFields(std::uint64_t seed, int fields) {
+/// Scatters fields of every kind and size over as many bodies, some of which lie exactly on region
+/// boundaries.
+World scatteredFields(std::uint64_t seed, int fields) {
     Random random = Random::seeded(seed);
     World world = makeSpace();
     const double side = 2.0 * std::sqrt(static_cast<double>(fields));
@@ -51,9 +52,9 @@ World strewnFields(std::uint64_t seed, int fields) {
 TEST(Fields, actOnExactlyTheBodiesInTheirRegions) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         SCOPED_TRACE(seed);
-        World world = strewnFields(seed, seed % 4 == 0 ? 7 : 200);
+        World world = scatteredFields(seed, seed % 4 == 0 ? 7 : 200);
         for (int i = 0; i < 20; ++i) {
-            step(world, kStep);  // the first one removes the explosions
+            step(world, kStep);  // the first step removes the explosions
             const World before = world;
             step(world, kStep);
             const Workspace& work = *world.work.lastStep();
@@ -72,10 +73,10 @@ TEST(Fields, actOnExactlyTheBodiesInTheirRegions) {
     }
 }
 
-TEST(Fields, fromTheNinthOnAreSearchedWithTheSameBits) {
+TEST(Fields, haveTheSameBitsWithSpatialSearchFromNineFieldsOn) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         SCOPED_TRACE(seed);
-        World few = strewnFields(seed, 8), many = few;
+        World few = scatteredFields(seed, 8), many = few;
         for (int i = 0; i < 40; ++i) {
             FieldDefinition far = fieldOf(static_cast<FieldKind>(i % 4));
             far.region = RegionKind::Box;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-/// A random quality and integrator that is stable for oscillations.
+/// Sets a random quality and an integrator that is stable for oscillations.
 void chooseScheme(Random& random, World& world) {
     world.settings.quality = static_cast<Quality>(random.below(5));
     world.settings.integrator = static_cast<IntegratorKind>(1 + random.below(3));
@@ -28,7 +28,7 @@ FieldDefinition springOf(Random& random, BodyId body, WorldPosition place, float
     return spring;
 }
 
-TEST(StiffFields, fluidWindAndSpringsTogetherThrowNoBody) {
+TEST(StiffFields, fluidWindAndSpringsTogetherDoNotEjectBodies) {
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
         Random random = Random::seeded(seed);
         World world = makeWorld();
@@ -56,7 +56,7 @@ TEST(StiffFields, fluidWindAndSpringsTogetherThrowNoBody) {
             farthest =
                 std::max(farthest, static_cast<double>(length(positionOf(world, body) - WorldPosition{})));
         }
-        // The wind carries it for 15 m at most, the springs are up to 2 m long.
+        // The wind carries the body by at most 15 m, the springs are up to 2 m long.
         EXPECT_LT(farthest, 18.0);
     }
 }
@@ -81,7 +81,8 @@ TEST(StiffFields, aTetheredBuoyStaysWhereItsSpringBalancesTheFluid) {
         const float stretch = random.between(0.1f, 2.0f);                                   // m
         spring.strength = lift / stretch;
         spring.length = 1.0f;
-        // Half the longest step, squared, times the square of the frequency: a stiffer spring is softened.
+        // Springs with (frequency * step)^2 / 2 > 1 are softened by the solver, which changes the
+        // equilibrium.
         if (0.5f * spring.strength / (massOf(world, buoy) * 60.0f * 60.0f) > 1.0f) continue;
         ASSERT_TRUE(createField(world, spring).ok());
         SCOPED_TRACE(testing::Message() << seed << " density " << fluid.density << " stretch " << stretch);
@@ -123,7 +124,7 @@ TEST(StiffFields, aSpringOnASliderKeepsItsSwing) {
     }
 }
 
-TEST(SlowBodies, thatNothingHoldsGoOnToWhereTheyBelong) {
+TEST(SlowBodies, outsideEquilibriumDoNotFallAsleep) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random = Random::seeded(seed);
         World world = makeWorld();
@@ -131,7 +132,7 @@ TEST(SlowBodies, thatNothingHoldsGoOnToWhereTheyBelong) {
         chooseScheme(random, world);
         const float radius = powerOfTen(random, -1.5f, 0.0f);
         const BodyId bubble = addBody(world, BodyKind::Dynamic, {0.0, 1.5}, circle(radius));
-        const float rise = random.between(0.015f, 0.045f);  // m/s: below the sleep speed
+        const float rise = random.between(0.015f, 0.045f);  // rising speed, m/s; below the sleep speed
         FieldDefinition fluid = fieldOf(FieldKind::Buoyancy);
         fluid.density = 1.2f;
         fluid.linearDrag = (1.2f - 1.0f) * 10.0f / (1.2f * rise);
@@ -139,13 +140,13 @@ TEST(SlowBodies, thatNothingHoldsGoOnToWhereTheyBelong) {
         SCOPED_TRACE(testing::Message() << seed << " m/s " << rise);
         run(world, 600);
         EXPECT_NEAR(velocityOf(world, bubble).y, -rise, 0.02f * rise);
-        run(world, 9000);  // 150 s: more than it needs to the surface
+        run(world, 9000);  // 150 s, longer than the way to the surface takes
         EXPECT_LT(positionOf(world, bubble).y, static_cast<double>(radius));
         EXPECT_FALSE(isAwake(world, bubble));
     }
 }
 
-/// A square net of springs between balls, with strengths that differ by up to 10^6.
+/// Builds a square net of springs between balls, with strengths that differ by factors up to 10^6.
 std::vector<BodyId> netOf(Random& random, World& world, int size) {
     std::vector<BodyId> net;
     for (int i = 0; i < size * size; ++i) {

@@ -6,7 +6,7 @@
 namespace plumb::physics {
 namespace {
 
-TEST(IslandReport, countsWhatIsInEachIsland) {
+TEST(IslandReport, countsBodiesContactsAndJointsOfEachIsland) {
     Playground scene;
     scene.floor();
     const BodyId low = scene.crate({0.0, 0.5}), high = scene.crate({0.0, 1.5});
@@ -39,7 +39,7 @@ TEST(IslandReport, countsWhatIsInEachIsland) {
     EXPECT_EQ(islandIndices(scene.world)[hung.index], 2u);
 }
 
-TEST(IslandReport, tellsTheQualityOfTheLastStep) {
+TEST(IslandReport, reportsTheQualityOfTheLastStep) {
     Playground scene;
     scene.floor();
     scene.crate({0.0, 0.5});
@@ -56,7 +56,7 @@ TEST(IslandReport, tellsTheQualityOfTheLastStep) {
     }
 }
 
-TEST(IslandReport, tellsTheQualityOfTheWorldOfWhatWasNotInTheLastStep) {
+TEST(IslandReport, reportsTheQualityOfTheWorldForNewBodies) {
     Playground scene;
     const BodyId sleeper = scene.sleeper();
     const BodyId fine = *createBody(scene.world, {.position = {20.0, 0.5}, .canSleep = false, .quality = 5});
@@ -71,7 +71,7 @@ TEST(IslandReport, tellsTheQualityOfTheWorldOfWhatWasNotInTheLastStep) {
     EXPECT_EQ(islands[2].quality, 2) << "it was not there";
 }
 
-TEST(IslandReport, tellsTheQualityThatWasChosenForTheFirstBodyToo) {
+TEST(IslandReport, reportsTheOwnQualityOfTheFirstBodyToo) {
     Playground scene;
     scene.world.settings.automaticQuality = true;
     scene.floor();
@@ -83,7 +83,7 @@ TEST(IslandReport, tellsTheQualityThatWasChosenForTheFirstBodyToo) {
     EXPECT_EQ(reportIslands(scene.world)[0].quality, 3);
 }
 
-TEST(IslandReport, leavesOutWhatSleepsAndChangesNothing) {
+TEST(IslandReport, omitsSleepingBodiesAndChangesNothing) {
     Playground scene;
     const BodyId sleeper = scene.sleeper();
     EXPECT_TRUE(reportIslands(scene.world).empty());
@@ -95,7 +95,7 @@ TEST(IslandReport, leavesOutWhatSleepsAndChangesNothing) {
     EXPECT_EQ(hashOf(pit), before);
 }
 
-TEST(IslandReport, openingsAreWhatTheyAre) {
+TEST(IslandReport, reportsTheSeparationOfJoints) {
     struct Case {
         JointDefinition joint;
         float expected;  // m

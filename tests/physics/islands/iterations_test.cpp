@@ -7,7 +7,7 @@
 namespace plumb::physics {
 namespace {
 
-/// m: elongation of a chain of 20 by a ball of 100 times a link's mass.
+/// Elongation of a chain of 20 links by a ball of 100 times a link's mass, m.
 float stretchAfter(std::uint8_t iterations, float seconds) {
     JointWorld scene;
     scene.world.settings.directJoints = false;
@@ -22,21 +22,21 @@ float stretchAfter(std::uint8_t iterations, float seconds) {
     return -20.5f - scene.place(above).y;
 }
 
-TEST(Iterations, leaveOfAnErrorWhatIsCompliance) {
-    constexpr float kRested = 30.0f;  // s: until then it swings up and down
+TEST(Iterations, doNotReduceTheElongationByCompliance) {
+    constexpr float kRested = 30.0f;  // s, until the oscillation has decayed
     const float once = stretchAfter(1, kRested);
     EXPECT_GT(once, 0.3f);
     EXPECT_NEAR(stretchAfter(8, kRested), once, 0.005f * once);
     EXPECT_NEAR(stretchAfter(64, kRested), once, 0.005f * once);
 }
 
-TEST(Iterations, areOneAtLeastAndSixtyFourAtMost) {
+TEST(Iterations, areClampedToOneToSixtyFour) {
     EXPECT_EQ(stretchAfter(0, 0.5f), stretchAfter(1, 0.5f));
     EXPECT_EQ(stretchAfter(255, 0.5f), stretchAfter(64, 0.5f));
     EXPECT_NE(stretchAfter(2, 0.5f), stretchAfter(1, 0.5f));
 }
 
-TEST(Iterations, areBroughtIntoTheirRangeInTheSettings) {
+TEST(Iterations, areClampedInTheSettings) {
     for (const int bad : {0, 1, 7, 64, 65, 255}) {
         Settings settings;
         settings.iterations = static_cast<std::uint8_t>(bad);
@@ -45,12 +45,12 @@ TEST(Iterations, areBroughtIntoTheirRangeInTheSettings) {
     }
 }
 
-TEST(Iterations, giveAPendulumNoEnergyWhateverHoldsIt) {
+TEST(Iterations, addNoEnergyToAPendulumOnAnyJoint) {
     for (const JointKind kind : {JointKind::Revolute, JointKind::Distance}) {
         for (const int iterations : {2, 8}) {
             SCOPED_TRACE(testing::Message() << static_cast<int>(kind) << " with " << iterations);
             JointWorld scene;
-            scene.world.settings.directJoints = false;  // the SIMD solver
+            scene.world.settings.directJoints = false;  // selects the iterative SIMD solver
             scene.world.settings.iterations = static_cast<std::uint8_t>(iterations);
             const BodyId bob = scene.disc({1.0, 0.0});
             JointDefinition definition = scene.define(kind, scene.ground, bob, {});
@@ -59,13 +59,13 @@ TEST(Iterations, giveAPendulumNoEnergyWhateverHoldsIt) {
             const double before = scene.energyOf(bob);
             for (int i = 0; i < 600; ++i) {
                 scene.run(JointWorld::kDt);
-                ASSERT_NEAR(scene.energyOf(bob), before, 0.1) << i;  // of 10 J that oscillate
+                ASSERT_NEAR(scene.energyOf(bob), before, 0.1) << i;  // the energy that oscillates is 10 J
             }
         }
     }
 }
 
-TEST(Iterations, solveNothingTwiceInTrees) {
+TEST(Iterations, haveNoEffectOnTrees) {
     for (const int iterations : {1, 2, 8}) {
         SCOPED_TRACE(iterations);
         JointWorld scene;
@@ -79,7 +79,7 @@ TEST(Iterations, solveNothingTwiceInTrees) {
             ASSERT_NEAR(scene.energyOf(bob), before, 0.01) << i;
             most = std::fmax(most, length(jointForce(scene.world, joint)));
         }
-        // At the bottom: m g + m v2 / r, with v2 = 2 g r / (1 + 1/8).
+        // Load at the bottom of the swing: m g + m v2 / r, with v2 = 2 g r / (1 + 1/8) for discs.
         const float load = 2.0f * JointWorld::kGravity * (1.0f + 2.0f / 1.125f);
         EXPECT_NEAR(most, load, 0.01f * load);
     }

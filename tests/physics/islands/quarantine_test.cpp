@@ -7,7 +7,7 @@
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/support/joint_world.hpp"
 
-// A body with non-finite numbers stays where it is, and does not affect others.
+// A body with non-finite numbers is frozen at its position and does not affect other bodies.
 
 namespace plumb::physics {
 namespace {
@@ -22,7 +22,7 @@ bool areSound(const World& world, SoftBodyId soft) {
     });
 }
 
-/// A box between a joint and a cloth that lies on it.
+/// A box that hangs from a joint, with a cloth on top.
 struct UnderACloth {
     JointWorld scene;
     BodyId body;
@@ -41,7 +41,7 @@ struct UnderACloth {
     }
 };
 
-TEST(Quarantine, ofABodyStaysWithIt) {
+TEST(Quarantine, ofABodyDoesNotSpread) {
     for (const float bad : {kNoNumber, kEndless}) {
         SCOPED_TRACE(bad);
         UnderACloth under;
@@ -68,7 +68,7 @@ TEST(Quarantine, ofABodyStaysWithIt) {
     }
 }
 
-TEST(Quarantine, ofAParticleStaysWithItAndIsReported) {
+TEST(Quarantine, ofAParticleDoesNotSpreadAndIsReported) {
     for (const float bad : {kNoNumber, kEndless}) {
         SCOPED_TRACE(bad);
         UnderACloth under;
@@ -87,8 +87,8 @@ TEST(Quarantine, ofAParticleStaysWithItAndIsReported) {
     }
 }
 
-// Regression: a body of Settings::maxSpeed hits a cloth between walls: particles reached 190,000 m/s.
-TEST(Quarantine, isNotNeededWhereParticlesAreNoFasterThanBodies) {
+// Regression: a body at Settings::maxSpeed hits a cloth between walls; particles reached 190,000 m/s.
+TEST(Quarantine, isNotNeededForParticlesHitByFastBodies) {
     for (int k = 0; k < 60; ++k) {
         SCOPED_TRACE(k);
         World world;
@@ -112,7 +112,7 @@ TEST(Quarantine, isNotNeededWhereParticlesAreNoFasterThanBodies) {
     }
 }
 
-/// A body with more joints to the ground than there are colors: the excess is solved one by one.
+/// Adds a body with 40 joints to the ground, more than there are graph colors: the excess is solved serially.
 BodyId hold(JointWorld& scene, WorldPosition place) {
     const BodyId body = scene.disc(place);
     for (int i = 0; i < 40; ++i) {
@@ -122,7 +122,7 @@ BodyId hold(JointWorld& scene, WorldPosition place) {
     return body;
 }
 
-TEST(Quarantine, isNotHeardOfThroughWhatNothingMoves) {
+TEST(Quarantine, doesNotSpreadThroughImmovableBodies) {
     JointWorld scene;
     const BodyId first = hold(scene, {0.0, 0.0}), second = hold(scene, {9.0, 0.0});
     scene.run(0.1f);
@@ -137,8 +137,8 @@ TEST(Quarantine, isNotHeardOfThroughWhatNothingMoves) {
     }
 }
 
-// Regression: restitution against a fast body gave up to three times the maximum speed.
-TEST(Quarantine, isFarFromBodiesThatAreNoFasterThanTheyMayAfterAHit) {
+// Regression: restitution against a fast body resulted in up to three times the maximum speed.
+TEST(Quarantine, isNotNeededBecauseBodiesStayBelowTheMaximumSpeedAfterAHit) {
     JointWorld scene;
     World& world = scene.world;
     world.settings.gravity = {};

@@ -6,14 +6,14 @@
 #include "physics/model/fields.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// When exactly bodies rest and fall asleep, and their maximum speed.
+// Exact limits for rest and sleep, and the maximum speed of bodies.
 
 using namespace plumb;
 using namespace plumb::physics;
 
 namespace {
 
-/// Steps until a freely drifting body sleeps; -1: not within three seconds.
+/// Number of steps until a freely drifting body sleeps; -1 if it does not within three seconds.
 int stepsToSleep(float speed, float spin, float sleepSpeed, float sleepTime, float dt = kTick) {
     World world;
     world.settings.gravity = {};
@@ -22,7 +22,8 @@ int stepsToSleep(float speed, float spin, float sleepSpeed, float sleepTime, flo
         world,
         {.velocity = {0.6f * speed, -0.8f * speed}, .angularVelocity = spin, .sleepSpeed = sleepSpeed});
     static_cast<void>(createShape(world, body, circle(0.5f, {1.5f, 0.0f}), {}));
-    static_cast<void>(setMassData(world, body, {1.0f, {}, 1.0f}));  // its farthest point is 2 m away
+    // its farthest point is 2 m from the center of mass
+    static_cast<void>(setMassData(world, body, {1.0f, {}, 1.0f}));
     for (int i = 1; i < static_cast<int>(3.0f / dt); ++i) {
         step(world, dt);
         if (!isAwake(world, body)) return i;
@@ -32,11 +33,11 @@ int stepsToSleep(float speed, float spin, float sleepSpeed, float sleepTime, flo
 
 }  // namespace
 
-TEST(SleepLimits, whatIsSlowerThanItsSpeedSleepsAfterTheTimeAndNotBefore) {
+TEST(SleepLimits, bodiesBelowTheSleepSpeedSleepExactlyAfterTheSleepTime) {
     for (const float limit : {0.05f, 0.4f}) {
         EXPECT_EQ(stepsToSleep(0.99f * limit, 0.0f, limit, 0.495f), 30);
         EXPECT_EQ(stepsToSleep(1.01f * limit, 0.0f, limit, 0.495f), -1);
-        // The farthest point of it is 2 m from its middle.
+        // The farthest point is 2 m from the center of mass, so its speed is twice the angular velocity.
         EXPECT_EQ(stepsToSleep(0.0f, 0.49f * limit, limit, 0.495f), 30);
         EXPECT_EQ(stepsToSleep(0.0f, -0.49f * limit, limit, 0.495f), 30);
         EXPECT_EQ(stepsToSleep(0.0f, 0.51f * limit, limit, 0.495f), -1);
@@ -62,12 +63,12 @@ TEST(SleepLimits, anIslandSleepsWithTheMostRestlessOfItsBodies) {
         step(world, kTick);
         EXPECT_EQ(isAwake(world, alone), i < 30) << i;
         EXPECT_EQ(isAwake(world, a), isAwake(world, b)) << i;
-        EXPECT_EQ(isAwake(world, a), i < 49) << i;  // b rests from step 20 on
+        EXPECT_EQ(isAwake(world, a), i < 49) << i;  // b is slow enough from step 20 on
     }
 }
 
-TEST(SleepLimits, whatSwaysAboutItsPlaceSleepsByTheMeanOfItsEnergy) {
-    // Of a sine the time below the limit outweighs the energy above it up to an amplitude of 1.5 limits.
+TEST(SleepLimits, oscillatingBodiesSleepByTheirMeanEnergy) {
+    // For a sine the time below the limit outweighs the energy above it up to an amplitude of 1.5 limits.
     for (const auto& [amplitude, sleeps] : {std::pair{1.2f, true}, {2.0f, false}}) {
         World world;
         world.settings.gravity = {};
@@ -81,14 +82,15 @@ TEST(SleepLimits, whatSwaysAboutItsPlaceSleepsByTheMeanOfItsEnergy) {
         const float frequency = 30.0f;  // rad/s
         spring.strength = massOf(world, body) * frequency * frequency;
         ASSERT_TRUE(createField(world, spring).ok());
-        const float limit = world.settings.slop / world.settings.sleepTime;  // m/s: of what only fields push
+        // m/s, for bodies moved only by fields
+        const float limit = world.settings.slop / world.settings.sleepTime;
         ASSERT_TRUE(setVelocity(world, body, {0.0f, amplitude * limit}).ok());
         for (int i = 0; i < 600; ++i) step(world, kTick);
         EXPECT_EQ(!isAwake(world, body), sleeps) << amplitude;
     }
 }
 
-TEST(SleepLimits, whatFallsSlowlyDoesNotSleepInTheAir) {
+TEST(SleepLimits, slowlyFallingBodiesDoNotSleepInTheAir) {
     for (const float gravity : {1.0e-3f, 0.02f, 0.09f}) {
         World world;
         world.settings.gravity = {0.0f, gravity};
@@ -99,7 +101,7 @@ TEST(SleepLimits, whatFallsSlowlyDoesNotSleepInTheAir) {
     }
 }
 
-TEST(SleepLimits, pyramidsThatSwayComeToRest) {
+TEST(SleepLimits, swayingPyramidsComeToRest) {
     for (const std::uint32_t rows : {12u, 16u, 19u}) {
         for (const Quality quality : {Quality{1}, Quality{2}, Quality{3}}) {
             World world;
@@ -119,7 +121,7 @@ TEST(SleepLimits, pyramidsThatSwayComeToRest) {
     }
 }
 
-TEST(SpeedLimits, bodiesAreNoFasterThanTheyMayAndKeepTheirDirection) {
+TEST(SpeedLimits, fasterBodiesAreClampedAndKeepTheirDirection) {
     for (const float speed : {5.0f, 39.9f, 40.1f, 1000.0f, 1.0e6f}) {
         for (const float spin : {0.0f, 3.0f, -30.0f, 5000.0f, -1.0e6f}) {
             SCOPED_TRACE(testing::Message() << speed << " m/s, " << spin << " rad/s");

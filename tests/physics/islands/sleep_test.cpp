@@ -9,7 +9,7 @@ struct Sleepy : Playground {
     Sleepy() { world.settings.sleeping = true; }
 };
 
-TEST(Sleep, aStackFallsAsleepAndItsWorldRestsWithIt) {
+TEST(Sleep, aStackFallsAsleepAndNothingIsAwake) {
     Sleepy scene;
     scene.floor();
     BodyId top;
@@ -23,7 +23,7 @@ TEST(Sleep, aStackFallsAsleepAndItsWorldRestsWithIt) {
     EXPECT_EQ(bitsOf(scene.world), before);
 }
 
-TEST(Sleep, endsWhereItIsSwitchedOff) {
+TEST(Sleep, endsWhenItIsDisabled) {
     Sleepy scene;
     scene.floor();
     const BodyId crate = scene.crate({0.0, 0.5});
@@ -34,7 +34,7 @@ TEST(Sleep, endsWhereItIsSwitchedOff) {
     EXPECT_TRUE(isAwake(scene.world, crate));
 }
 
-TEST(Sleep, whatHitsASleeperWakesItsIslandAndNoOther) {
+TEST(Sleep, aHitWakesOnlyTheIslandOfTheSleepingBody) {
     Sleepy scene;
     scene.floor();
     const BodyId left = scene.crate({0.0, 0.5}), onLeft = scene.crate({0.0, 1.5}),
@@ -49,7 +49,7 @@ TEST(Sleep, whatHitsASleeperWakesItsIslandAndNoOther) {
     EXPECT_FALSE(isAwake(scene.world, right));
 }
 
-TEST(Sleep, whatStandsOnSomethingFallsWhenThatGoes) {
+TEST(Sleep, bodiesFallWhenTheBodyBelowIsDestroyed) {
     Sleepy scene;
     scene.floor();
     const BodyId below = scene.crate({0.0, 0.5}), above = scene.crate({0.0, 1.5});
@@ -60,7 +60,7 @@ TEST(Sleep, whatStandsOnSomethingFallsWhenThatGoes) {
     EXPECT_NEAR(scene.y(above), 0.5, 0.01);
 }
 
-TEST(Sleep, whatStandsOnAFloorFallsWhenTheFloorGoes) {
+TEST(Sleep, bodiesFallWhenTheirFloorIsDestroyed) {
     Sleepy scene;
     const BodyId ground = scene.floor();
     const BodyId crate = scene.crate({0.0, 0.5});
@@ -82,7 +82,7 @@ TEST(Sleep, setVelocityWakes) {
     EXPECT_GT(scene.y(crate), 1.0);
 }
 
-TEST(Sleep, anotherMassAndLeaveToTurnWakeABodyOnce) {
+TEST(Sleep, changedMassAndFixedRotationWakeABodyOnce) {
     Playground scene;
     const BodyId crate = scene.sleeper();
     ASSERT_TRUE(setMass(scene.world, crate, 5.0f).ok());
@@ -95,7 +95,7 @@ TEST(Sleep, anotherMassAndLeaveToTurnWakeABodyOnce) {
     EXPECT_TRUE(isAwake(scene.world, crate));
 }
 
-TEST(Sleep, aPlatformThatStartsToMoveWakesWhatLiesOnItAndWhatHangsFromIt) {
+TEST(Sleep, aPlatformThatStartsToMoveWakesBodiesOnItAndHangingFromIt) {
     Sleepy scene;
     const BodyId platform = scene.body(BodyKind::Kinematic, {0.0, 0.0});
     scene.shape(platform, box({2.0f, 0.25f}));
@@ -121,12 +121,12 @@ TEST(Sleep, aSlowLiftLeavesNoBodyInTheAir) {
     const BodyId lift = scene.body(BodyKind::Kinematic, {0.0, 0.0});
     scene.shape(lift, box({2.0f, 0.25f}));
     const BodyId crate = scene.crate({0.0, 0.75});
-    ASSERT_TRUE(setVelocity(scene.world, lift, {0.0f, -0.02f}).ok());  // slower than the sleep speed
+    ASSERT_TRUE(setVelocity(scene.world, lift, {0.0f, -0.02f}).ok());  // below the sleep speed
     scene.run(600);
     EXPECT_NEAR(scene.y(crate), 0.55, 0.01);
 }
 
-/// A crate asleep on a floor, and a kinematic body of any shape that approaches at a given speed.
+/// A crate asleep on a floor, and a kinematic body of a random shape that approaches it at a given speed.
 struct Sweeper {
     Sleepy scene;
     BodyId crate;
@@ -136,7 +136,7 @@ struct Sweeper {
     Sweeper(BroadPhaseKind kind, int shape, float metersPerSecond) : speed{metersPerSecond} {
         scene.world.settings.broadPhase = kind;
         crate = scene.sleeper();
-        // It is 0.1 s or 1 cm away, whichever is more; at 20 m/s it moves 0.33 m in a step.
+        // The gap is the path of 0.1 s, at least 1 cm; at 20 m/s the sweeper moves 0.33 m per step.
         const double gap = std::max(0.1 * static_cast<double>(speed), 0.01);
         sweeper = scene.body(BodyKind::Kinematic, {-1.0 - gap, 0.5});
         switch (shape) {
@@ -157,12 +157,12 @@ struct Sweeper {
         scene.run(1);
     }
 
-    /// The crate has to be awake as soon as the sweeper overlaps it by more than
-    /// a resting contact does, plus the displacement of a step at this speed.
+    /// Expects that the crate is awake as soon as the sweeper overlaps it by more than a resting contact may,
+    /// plus the displacement of one step at this speed.
     void expectWaking(bool byTarget) {
         if (!byTarget) (void)setVelocity(scene.world, sweeper, {speed, 0.0f});
         const double startX = scene.x(crate);
-        const double reach = startX - 1.0 - 0.005;  // where both touch, less the slop
+        const double reach = startX - 1.0 - 0.005;  // position at which both touch, minus the slop
         while (!isAwake(scene.world, crate)) {
             tick(byTarget);
             ASSERT_LT(positionOf(scene.world, sweeper).x, reach + 0.011 + static_cast<double>(speed * kTick))
@@ -173,7 +173,7 @@ struct Sweeper {
     }
 };
 
-TEST(Sleep, aKinematicBodyWakesWhatItRunsInto) {
+TEST(Sleep, aKinematicBodyWakesBodiesThatItHits) {
     for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(BroadPhaseKind::Count); ++kind) {
         for (int shape = 0; shape < 4; ++shape) {
             for (const float speed : {0.01f, 0.04f, 0.3f, 1.0f, 5.0f, 20.0f}) {
@@ -187,15 +187,15 @@ TEST(Sleep, aKinematicBodyWakesWhatItRunsInto) {
     }
 }
 
-TEST(Sleep, aKinematicBodyWakesWhatItCreepsUpToWhileOthersFallAsleep) {
-    // Contacts of islands that fall asleep leave the step. This must not remove
-    // the pair of the sweeper and the sleeping body, which do not touch yet.
+TEST(Sleep, aSlowKinematicBodyWakesABodyWhileOthersFallAsleep) {
+    // Contacts of islands that fall asleep are removed from the step. The pair of the sweeper and the
+    // sleeping crate, which do not touch yet, must not be removed with them.
     Sweeper sweep{BroadPhaseKind::Tree, 0, 0.04f};
     sweep.scene.crate({20.0, 0.5});
     sweep.expectWaking(false);
 }
 
-TEST(Sleep, aKinematicTriggerSeesASleeper) {
+TEST(Sleep, aKinematicTriggerReportsASleepingBody) {
     Sleepy scene;
     const BodyId crate = scene.sleeper();
     const BodyId sensor = scene.body(BodyKind::Kinematic, {-3.0, 0.8});
@@ -222,7 +222,7 @@ TEST(Sleep, aChangeOfGravityWakesEverything) {
     EXPECT_GT(scene.y(crate), 5.0);
 }
 
-TEST(Sleep, aBodyMadeAsleepWaitsToBeHit) {
+TEST(Sleep, aBodyCreatedAsleepSleepsUntilHit) {
     Sleepy scene;
     const Result<BodyId> hanging = createBody(scene.world, {.position = {0.0, 5.0}, .awake = false});
     ASSERT_TRUE(hanging.ok());
@@ -234,7 +234,7 @@ TEST(Sleep, aBodyMadeAsleepWaitsToBeHit) {
     EXPECT_LT(scene.y(*hanging), 4.0);
 }
 
-TEST(Sleep, sleepersKeepTheirContactsAndWakeWithThem) {
+TEST(Sleep, sleepingBodiesKeepTheirContacts) {
     Sleepy scene;
     scene.floor();
     const BodyId low = scene.crate({0.0, 0.5}), high = scene.crate({0.0, 1.5});

@@ -7,7 +7,7 @@
 #include "core/random.hpp"
 #include "physics/tuning.hpp"
 
-// The rule by which an island chooses its quality, for islands whose answer is a formula.
+// Tests the rule that selects the quality of an island, with simulated islands whose answer is a formula.
 
 namespace plumb::physics {
 namespace {
@@ -15,12 +15,13 @@ namespace {
 constexpr float kTolerance = 0.001f;   // m
 constexpr float kStep = 1.0f / 60.0f;  // s
 
-/// An island whose error falls by `gain` per quality level, and follows a change with a delay.
+/// A simulated island whose error falls by the factor `gain` per quality level and follows a change with a
+/// delay.
 struct Island {
     SubstepController effort = begun(2, kStep);
-    float load = 0.0f;     // m: its error at quality 0
-    float gain = 4.0f;     // ratio
-    float follows = 0.2f;  // part of the remaining difference per step
+    float load = 0.0f;     // error at quality 0, m
+    float gain = 4.0f;     // ratio of the errors of two successive quality levels
+    float follows = 0.2f;  // fraction of the remaining difference per step
     float error = 0.0f;    // m
     int changes = 0;
 
@@ -35,14 +36,14 @@ struct Island {
     }
 };
 
-TEST(SubstepController, aLightIslandComesDownToTheCheapest) {
+TEST(SubstepController, aLightIslandGetsTheLowestQuality) {
     Island island{.load = 0.0005f};
     island.run(300);
     EXPECT_EQ(island.effort.quality, 0);
     EXPECT_EQ(island.changes, 2);
 }
 
-TEST(SubstepController, aHardOneRisesByAsManyAsItsErrorSays) {
+TEST(SubstepController, aHardIslandRisesByTheLevelsThatItsErrorRequires) {
     Island island{.effort = begun(0, kStep), .load = 0.1f, .follows = 1.0f};
     island.run(6);
     EXPECT_EQ(island.effort.quality, 1) << "not all at once: it would hop";
@@ -52,19 +53,19 @@ TEST(SubstepController, aHardOneRisesByAsManyAsItsErrorSays) {
     EXPECT_LE(island.error, kTolerance);
 }
 
-TEST(SubstepController, aBlowRaisesNothing) {
+TEST(SubstepController, aShortShockDoesNotRaiseTheQuality) {
     Island island{.load = 0.0005f};
     island.run(300);
     island.changes = 0;
     for (int blow = 0; blow < 20; ++blow) {
-        island.error = 0.05f;  // gone two steps later
+        island.error = 0.05f;  // decays within two steps
         island.follows = 0.9f;
         island.run(10);
     }
     EXPECT_EQ(island.changes, 0);
 }
 
-TEST(SubstepController, keepsToTheToleranceWithoutFlicker) {
+TEST(SubstepController, keepsTheToleranceWithoutOscillation) {
     Random random = Random::seeded(3);
     for (int i = 0; i < 300; ++i) {
         Island island{.load = kTolerance * std::pow(4.0f, random.between(-2.0f, 5.5f)),
@@ -87,7 +88,7 @@ TEST(SubstepController, keepsToTheToleranceWithoutFlicker) {
 
 TEST(SubstepController, comesDownWhenTheLoadIsGone) {
     Island island{.load = 0.1f};
-    island.run(60 * 60);  // has learned that less is not enough
+    island.run(60 * 60);  // the controller has learned that a lower quality is not sufficient
     const Quality high = island.effort.quality;
     ASSERT_GE(high, 3);
     island.load = 0.0001f;
@@ -95,7 +96,7 @@ TEST(SubstepController, comesDownWhenTheLoadIsGone) {
     EXPECT_EQ(island.effort.quality, 0);
 }
 
-TEST(SubstepController, whereQualityDoesNotHelpItIsNotBought) {
+TEST(SubstepController, doesNotRaiseTheQualityWhereItDoesNotHelp) {
     Island island{.load = 0.05f, .gain = 1.0f};
     double substeps = 0.0;
     constexpr int kSteps = 60 * 120;
@@ -106,12 +107,12 @@ TEST(SubstepController, whereQualityDoesNotHelpItIsNotBought) {
     EXPECT_LE(island.effort.quality, 2);
     EXPECT_LT(substeps / kSteps, 1.5 * 4.0);
     island.gain = 4.0f;
-    island.load = 0.3f;  // now a higher quality would help
+    island.load = 0.3f;  // from now on a higher quality helps
     island.run(120);
     EXPECT_LE(island.error, kTolerance);
 }
 
-TEST(SubstepController, neverBelowWhatIsAskedForNorAboveTheMost) {
+TEST(SubstepController, staysBetweenTheRequestedAndTheMaximumQuality) {
     SubstepController effort = begun(0, kStep);
     for (int i = 0; i < 1000; ++i) {
         effort = judged(effort, 0.0f, kTolerance, 3, kStep);
@@ -128,7 +129,7 @@ struct Tie {
     float error = 0.0f, tolerance = 0.0f;  // m
 };
 
-/// An error that is exactly kRoom of a tolerance when multiplied by `factor`.
+/// Finds an error that is exactly kRoom of a tolerance when multiplied by `factor`.
 Tie tieOf(float factor) {
     for (float tolerance = 1.0f; tolerance < 1.001f; tolerance = std::nextafter(tolerance, 2.0f)) {
         const float limit = kRoom * tolerance, error = limit / factor;
@@ -139,7 +140,7 @@ Tie tieOf(float factor) {
     return {};
 }
 
-TEST(SubstepController, whatIsAtALimitIsWithinIt) {
+TEST(SubstepController, limitsAreInclusive) {
     const auto after = [](SubstepController one, float error, float tolerance = 1.0f) {
         one.before = 1;
         one.quality = 2;
@@ -147,18 +148,18 @@ TEST(SubstepController, whatIsAtALimitIsWithinIt) {
     };
     constexpr std::uint32_t kLong = 1000;  // steps
     using Phase = SubstepPhase;
-    // The tolerance.
+    // Errors equal to the tolerance.
     for (const Phase phase : {Phase::Calm, Phase::Strained, Phase::Rising, Phase::Resigned})
         EXPECT_EQ(after({.phase = phase, .wait = kLong}, 1.0f).phase, Phase::Calm);
     EXPECT_EQ(after({.phase = Phase::Trying, .wait = kLong}, kRoom).phase, Phase::Trying);
-    // The maximum error at which a lower quality is tried, and the error that one more level corrects.
+    // Maximum error at which a lower quality is tried, and the error that one more level corrects.
     const Tie small = tieOf(kMaxGain), large = tieOf(1.0f / kMinGain);
     EXPECT_EQ(after({.phase = Phase::Calm}, small.error, small.tolerance).phase, Phase::Trying);
     EXPECT_EQ(after({.phase = Phase::Rising, .error = large.error, .first = large.error}, large.error,
                     large.tolerance)
                   .phase,
               Phase::Resigned);
-    // A load that neither grew nor shrank.
+    // Changes of the load exactly at the thresholds count as neither growth nor shrinkage.
     EXPECT_EQ(after({.phase = Phase::Rising, .wait = kLong, .first = 10.0f}, kGrew * 10.0f).first, 10.0f);
     for (const float change : {kGrew, kHelped})
         EXPECT_EQ(after({.phase = Phase::Resigned, .wait = kLong, .error = 10.0f}, change * 10.0f).phase,
@@ -167,7 +168,7 @@ TEST(SubstepController, whatIsAtALimitIsWithinIt) {
               3);
 }
 
-/// With three qualities only, so that many pairs have the same.
+/// Random state with only three qualities, so that many pairs have equal ones.
 SubstepController anyController(Random& random) {
     SubstepController one;
     one.quality = static_cast<Quality>(static_cast<int>(random.below(3)) - 1);
@@ -190,7 +191,7 @@ void expectSame(const SubstepController& a, const SubstepController& b) {
     EXPECT_EQ(a.first, b.first);
 }
 
-TEST(SubstepController, ofIslandsThatMeetIsThatOfTheHardestInAnyOrder) {
+TEST(SubstepController, ofMergedIslandsIsThatOfTheHardestInAnyOrder) {
     Random random = Random::seeded(1);
     for (int i = 0; i < 1000; ++i) {
         const SubstepController a = anyController(random), b = anyController(random),

@@ -5,7 +5,7 @@
 #include "tests/physics/support/world_of_bodies.hpp"
 #include "tests/support/allocations.hpp"
 
-// Settings::tolerance in whole worlds; the rule itself is tested in substep_controller_test.cpp.
+// Tests Settings::tolerance in whole worlds. The rule itself is tested in substep_controller_test.cpp.
 
 namespace plumb::physics {
 namespace {
@@ -34,7 +34,7 @@ struct Held : Playground {
         return index < islands.size() ? islands[index] : IslandReport{};
     }
     [[nodiscard]] Quality qualityOf(BodyId body) const { return islandOf(body).quality; }
-    /// m: maximum error within so many steps.
+    /// Maximum error within `steps` steps, m.
     float worstIn(int steps) {
         float worst = 0.0f;
         for (int i = 0; i < steps; ++i) {
@@ -46,7 +46,7 @@ struct Held : Playground {
     }
 };
 
-/// A net of hinges, which is no tree, with a heavy load.
+/// Hangs a net of hinges with a heavy load; its loops exclude the direct solver for trees.
 void hangNet(Held& scene) {
     constexpr int kSide = 6;
     std::vector<BodyId> knots;
@@ -101,7 +101,7 @@ const HardCase kHardCases[] = {
     {"a heap", heap},
 };
 
-TEST(Tolerance, islandsThatPartAreJudgedApart) {
+TEST(Tolerance, separatedIslandsAreControlledSeparately) {
     Held scene;
     scene.world.settings.sleeping = false;
     scene.tower(0.0, 10);
@@ -126,7 +126,7 @@ TEST(Tolerance, isKept) {
     }
 }
 
-TEST(Tolerance, eachIslandTakesWhatItNeeds) {
+TEST(Tolerance, eachIslandGetsTheQualityItNeeds) {
     Held scene;
     const BodyId alone = scene.crate({-20.0, 0.5});
     const BodyId small = scene.tower(-10.0, 2);
@@ -139,7 +139,7 @@ TEST(Tolerance, eachIslandTakesWhatItNeeds) {
     EXPECT_GT(scene.qualityOf(high), 2);
 }
 
-TEST(Tolerance, whatIsNewBeginsWithTheGuess) {
+TEST(Tolerance, newBodiesStartWithTheEstimatedQuality) {
     Held scene;
     const BodyId high = scene.tower(0.0, 25);
     const BodyId alone = scene.crate({20.0, 0.5});
@@ -150,7 +150,7 @@ TEST(Tolerance, whatIsNewBeginsWithTheGuess) {
     EXPECT_LT(sunk, 2.0f * kTolerance);
 }
 
-TEST(Tolerance, aBodysOwnQualityIsTheLeast) {
+TEST(Tolerance, theQualityOfABodyIsTheMinimumForItsIsland) {
     Held scene;
     const BodyId made = *createBody(scene.world, {.position = {0.0, 0.5}, .quality = 3});
     scene.shape(made, box({0.5f, 0.5f}));
@@ -158,7 +158,7 @@ TEST(Tolerance, aBodysOwnQualityIsTheLeast) {
     EXPECT_EQ(scene.qualityOf(made), 3);
 }
 
-TEST(Tolerance, doesNotFlickerAtRest) {
+TEST(Tolerance, doesNotOscillateAtRest) {
     for (const HardCase& hard : kHardCases) {
         SCOPED_TRACE(hard.name);
         Held scene;
@@ -189,7 +189,7 @@ TEST(Tolerance, comesDownWhenTheLoadIsGone) {
     EXPECT_EQ(scene.qualityOf(below), 0);
 }
 
-TEST(Tolerance, risesWhenSomethingHeavyComes) {
+TEST(Tolerance, qualityRisesWhenAHeavyBodyArrives) {
     Held scene;
     const BodyId below = scene.crate({0.0, 0.5});
     scene.run(300);
@@ -201,9 +201,9 @@ TEST(Tolerance, risesWhenSomethingHeavyComes) {
     EXPECT_NEAR(scene.y(below), 0.5, static_cast<double>(kTolerance));
 }
 
-/// Impulses are those of a substep: with another number of substeps they differ.
-/// And a deep overlap is a compressed spring that must not be released at once.
-TEST(Tolerance, nothingHopsWhenQualityChanges) {
+/// Stored impulses are per substep, so they must be rescaled when the number of substeps changes. A deep
+/// overlap acts like a compressed spring and must not be released at once.
+TEST(Tolerance, changesOfQualityDoNotMakeBodiesJump) {
     Held scene;
     const BodyId top = scene.tower(0.0, 8);
     scene.run(300);
@@ -211,7 +211,7 @@ TEST(Tolerance, nothingHopsWhenQualityChanges) {
     int changes = 0;
     for (int i = 0; i < 900; ++i) {
         const Quality before = scene.world.bodies.substepControllers.back().quality;
-        if (i % 90 == 0) {  // down, as far as it may, and up
+        if (i % 90 == 0) {  // first the lowest possible quality, then up again
             for (SubstepController& effort : scene.world.bodies.substepControllers) effort.wait = 0;
             scene.world.settings.tolerance = i % 180 == 0 ? 0.02f : 0.0005f;
         }
@@ -223,7 +223,7 @@ TEST(Tolerance, nothingHopsWhenQualityChanges) {
     EXPECT_LT(highest, 7.501);
 }
 
-TEST(Tolerance, sleepersWakeWithTheQualityThatTheyHad) {
+TEST(Tolerance, sleepingBodiesWakeWithTheirFormerQuality) {
     Held scene;
     scene.world.settings.sleeping = true;
     const BodyId top = scene.tower(0.0, 25);
@@ -239,7 +239,7 @@ TEST(Tolerance, sleepersWakeWithTheQualityThatTheyHad) {
     EXPECT_LE(scene.worstIn(300), kTolerance);
 }
 
-TEST(Tolerance, nothingFallsAsleepTooDeep) {
+TEST(Tolerance, noBodyFallsAsleepWithADeepOverlap) {
     Held scene;
     scene.world.settings.sleeping = true;
     scene.world.settings.quality = 0;
@@ -252,7 +252,8 @@ TEST(Tolerance, nothingFallsAsleepTooDeep) {
     EXPECT_NEAR(scene.y(below), 0.5, static_cast<double>(kTolerance));
 }
 
-/// Bodies that fall on each other, a net, a lift, and bodies that are created and destroyed.
+/// Builds and runs a world with bodies that fall on each other, a net, a lift, and bodies that are created
+/// and destroyed.
 World busyWorldAfter(int ticks, const StepOptions& options, bool rewinds) {
     Held scene;
     scene.world.settings.sleeping = true;
@@ -300,7 +301,7 @@ TEST(Tolerance, isTheSameForAnyThreadsAndAfterRollbacks) {
     EXPECT_EQ(hashOf(busyWorldAfter(400, {}, true)), hashOf(expected));
 }
 
-TEST(Tolerance, aSteadyStepAsksForNoMemory) {
+TEST(Tolerance, aSteadyStepAllocatesNothing) {
     Held scene;
     heap(scene);
     hangNet(scene);
@@ -311,7 +312,7 @@ TEST(Tolerance, aSteadyStepAsksForNoMemory) {
     EXPECT_EQ(test::allocations().made - before, 0u);
 }
 
-TEST(Tolerance, withoutOneNothingIsKept) {
+TEST(Tolerance, withoutAToleranceNoControllersAreStored) {
     Held scene;
     scene.tower(0.0, 25);
     scene.run(10);
@@ -325,7 +326,7 @@ TEST(Tolerance, withoutOneNothingIsKept) {
     EXPECT_EQ(scene.world.settings.tolerance, 0.0f);
 }
 
-TEST(Tolerance, aNewBodyInAnOldPlaceIsJudgedAnew) {
+TEST(Tolerance, aBodyWithAReusedIndexStartsWithANewController) {
     Held scene;
     const BodyId old = scene.heavy({0.0, 0.5}, {0.5f, 0.5f}, 1.0f);
     scene.run(300);

@@ -6,13 +6,14 @@
 
 #include "tests/physics/support/joint_world.hpp"
 
-// Joints whose anchors are many body sizes away from the body, as in levels that
-// give all anchors in world coordinates: forces and torques are large there.
+// Joints whose anchors are many body sizes away from the body, as in levels that give all anchors in world
+// coordinates. Forces and torques are large there.
 
 namespace plumb::physics {
 namespace {
 
-constexpr float kClosing = 30.0f;  // m/s: maximum at which joint errors close, 10 times Settings::pushSpeed
+// m/s, maximum speed at which joint errors are corrected: 10 times Settings::pushSpeed
+constexpr float kClosing = 30.0f;
 
 /// A box that is pressed against crates under a ceiling.
 struct Press {
@@ -40,7 +41,7 @@ struct Press {
         return body;
     }
     [[nodiscard]] float weight() const { return JointWorld::kGravity * massOf(scene.world, lift); }
-    /// m/s: maximum within five seconds.
+    /// Maximum speed within five seconds, m/s.
     float fastest() {
         float most = 0.0f;
         for (int i = 0; i < 300; ++i) {
@@ -52,7 +53,7 @@ struct Press {
     }
 };
 
-TEST(LongArms, changeNothingOfALift) {
+TEST(LongArms, doNotAffectALift) {
     float height = 0.0f;
     for (const float arm : {0.0f, 5.0f, 20.0f, 50.0f}) {
         SCOPED_TRACE(arm);
@@ -67,7 +68,7 @@ TEST(LongArms, changeNothingOfALift) {
         if (arm == 0.0f) height = press.scene.place(press.lift).y;
         EXPECT_NEAR(press.scene.place(press.lift).y, height, 0.01f);
         EXPECT_NEAR(press.scene.angle(press.lift), 0.0f, 0.001f);
-        // The ceiling holds the lift in the middle, the motor at the anchor.
+        // The ceiling pushes the lift at its center, the motor acts at the anchor.
         EXPECT_NEAR(jointForce(press.scene.world, joint).y, 400.0f, 1.0f);
         EXPECT_NEAR(jointTorque(press.scene.world, joint), 400.0f * arm, 8.0f * arm + 8.0f);
     }
@@ -94,7 +95,7 @@ RandomPress pressOf(JointKind kind, std::uint64_t seed) {
     return {std::move(press), definition, arm, speed};
 }
 
-TEST(LongArms, ofRandomSlidersGiveNoSpeedThatTheirMotorDoesNot) {
+TEST(LongArms, ofRandomSlidersAddNoSpeedBeyondThatOfTheirMotor) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
         RandomPress slider = pressOf(JointKind::Prismatic, seed);
@@ -103,7 +104,7 @@ TEST(LongArms, ofRandomSlidersGiveNoSpeedThatTheirMotorDoesNot) {
     }
 }
 
-TEST(LongArms, ofRandomWeldsToWhatRisesGiveNoSpeedThatItHasNot) {
+TEST(LongArms, ofRandomWeldsToARisingBodyAddNoSpeedBeyondItsOwn) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
         RandomPress weld = pressOf(JointKind::Weld, seed);
@@ -113,13 +114,13 @@ TEST(LongArms, ofRandomWeldsToWhatRisesGiveNoSpeedThatItHasNot) {
         riser.velocity = {0.0f, weld.speed};
         weld.definition.a = *createBody(world, riser);
         (void)weld.press.scene.join(weld.definition);
-        // The body that it is pressed through pushes it out.
+        // The crates that overlap it push it out.
         EXPECT_LT(weld.press.fastest(), 1.1f * weld.speed + 2.0f * world.settings.pushSpeed);
     }
 }
 
-/// m/s: maximum speed of a box of `half` between a weld to the
-/// ground at `-arm` and a wheel at `arm` to a body that moves away.
+/// Maximum speed (m/s) of a box with half extents `half` between a weld to the ground at `-arm` and a wheel
+/// joint at `arm` to a body that moves away.
 float fastestBetween(Vec2 half, float density, Vec2 arm, Vec2 velocity) {
     JointWorld scene;
     BodyDefinition definition;
@@ -142,7 +143,7 @@ float fastestBetween(Vec2 half, float density, Vec2 arm, Vec2 velocity) {
     return fastest;
 }
 
-TEST(LongArms, ofJointsThatContradictEachOtherStretchThem) {
+TEST(LongArms, ofContradictingJointsOnlyStretchThem) {
     const Vec2 velocity{1.5f, 2.3f};
     EXPECT_LT(fastestBetween({0.15f, 0.1f}, 1.5f, {8.0f, 0.0f}, velocity), 4.0f * length(velocity));
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -153,8 +154,8 @@ TEST(LongArms, ofJointsThatContradictEachOtherStretchThem) {
         const Rot away = rotFromAngle(random.between(-kPi, kPi)),
                   moves = rotFromAngle(random.between(-kPi, kPi));
         const Vec2 half{size, size * random.between(0.4f, 1.0f)};
-        // The speed amplified by a lever of the arm's length, and what stretched
-        // joints return where they flip over. It was Settings::maxSpeed, 4000 m/s.
+        // The speed amplified by a lever of the arm's length, plus what stretched joints release when they
+        // flip. Regression: it reached Settings::maxSpeed, 4000 m/s.
         const float most = 3.0f * speed * (1.0f + ratio) + 4.0f * kClosing;
         EXPECT_LT(
             fastestBetween(half, density, rotate(away, {size * ratio, 0.0f}), rotate(moves, {speed, 0.0f})),

@@ -8,7 +8,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A net of discs, connected by every kind of joint that has two bodies.
+/// Builds a net of discs connected by every kind of two-body joint.
 void weave(JointWorld& scene, std::uint64_t seed) {
     Random random = Random::seeded(seed);
     constexpr int kSide = 8;
@@ -61,7 +61,7 @@ TEST(Joints, giveTheSameBitsForEachInstructionSetAndAnyNumberOfThreads) {
     }
 }
 
-TEST(Joints, goOnFromASnapshotAsIfNothingHadHappened) {
+TEST(Joints, continueFromASnapshotWithTheSameBits) {
     JointWorld scene;
     weave(scene, 7);
     scene.run(0.5f);
@@ -111,7 +111,7 @@ TEST(Joints, wakeTogether) {
     EXPECT_GT(scene.place(last).x, 0.1f);
 }
 
-TEST(Joints, ofMoreThanAllColoursOnOneBodyHoldAllTheSame) {
+TEST(Joints, ofOneBodyMayExceedTheNumberOfGraphColours) {
     JointWorld scene;
     const BodyId hub = scene.disc({0.0, 0.0}, 10.0f);
     for (int i = 0; i < 40; ++i) {
@@ -126,7 +126,7 @@ TEST(Joints, ofMoreThanAllColoursOnOneBodyHoldAllTheSame) {
     EXPECT_LT(length(scene.gapOf(pin)), 0.01f);
 }
 
-TEST(Joints, refuseNonsense) {
+TEST(Joints, rejectInvalidDefinitions) {
     JointWorld scene;
     const BodyId body = scene.disc({0.0, 0.0});
     JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, body, {0.0, 0.0});

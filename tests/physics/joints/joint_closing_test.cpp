@@ -4,15 +4,15 @@
 
 #include "tests/physics/support/joint_world.hpp"
 
-// Joints that are created open, or whose bodies are moved apart, close:
-// within the speed limit, completely, and without a remaining velocity.
+// Joints that are created open, or whose bodies are moved apart, close: within the speed limit, completely,
+// and without a remaining velocity.
 
 namespace plumb::physics {
 namespace {
 
 constexpr float kTimes = 10.0f;  // closing speed, as a multiple of Settings::pushSpeed
 
-/// A disc of 1 kg at rest, joined to the ground at its center, `gap` away along x.
+/// A disc of 1 kg at rest, joined at its center to a point of the ground that is `gap` away along x.
 struct Open {
     JointWorld scene;
     BodyId disc;
@@ -33,7 +33,7 @@ float fastestIn(JointWorld& scene, BodyId body, int steps) {
     return fastest;
 }
 
-TEST(JointClosing, goesOnToTheEndBeforeItSleeps) {
+TEST(JointClosing, isCompleteBeforeItSleeps) {
     for (const bool direct : {true, false}) {
         for (const JointKind kind : {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic}) {
             for (const float gap : {0.5f, 5.0f, 40.0f}) {
@@ -43,7 +43,8 @@ TEST(JointClosing, goesOnToTheEndBeforeItSleeps) {
                 world.settings.gravity = {};
                 world.settings.sleeping = true;
                 world.settings.directJoints = direct;
-                const float most = kTimes * world.settings.pushSpeed * JointWorld::kDt;  // m in a step
+                // maximum correction per step, m
+                const float most = kTimes * world.settings.pushSpeed * JointWorld::kDt;
                 int steps = 0;
                 for (float left = gap; left > world.settings.slop && steps < 600; ++steps) {
                     step(world, JointWorld::kDt);
@@ -59,7 +60,7 @@ TEST(JointClosing, goesOnToTheEndBeforeItSleeps) {
     }
 }
 
-TEST(JointClosing, isOverWhereJointsContradictEachOther) {
+TEST(JointClosing, endsIfJointsContradictEachOther) {
     Open open{JointKind::Revolute, 2.0f};
     open.scene.world.settings.sleeping = true;
     (void)open.scene.join(
@@ -81,7 +82,7 @@ TEST(JointClosing, leavesASliderToGravityAlongItsAxis) {
     }
 }
 
-// It left 537 m/s.
+// Regression: bodies had 537 m/s after the break.
 TEST(JointClosing, leavesNoVelocityWhenTheJointBreaks) {
     for (const float gap : {5.0f, 15.0f, 40.0f}) {
         SCOPED_TRACE(gap);
@@ -102,8 +103,8 @@ TEST(JointClosing, leavesNoVelocityWhenTheJointBreaks) {
     }
 }
 
-// 124 m/s at quality 2, 662 m/s at 3.
-TEST(JointClosing, ofAPulleyThrowsNothingAgainstAnObstacle) {
+// Regression: bodies reached 124 m/s at quality 2 and 662 m/s at quality 3.
+TEST(JointClosing, ofAPulleyEjectsNoBodyAtAnObstacle) {
     for (const int quality : {2, 3}) {
         SCOPED_TRACE(quality);
         JointWorld scene;
@@ -134,7 +135,7 @@ TEST(JointClosing, ofAPulleyThrowsNothingAgainstAnObstacle) {
     }
 }
 
-TEST(JointClosing, ofAMotorJointIsAsFastAsOfOthersUnlessItsOwnerNamesAFrequency) {
+TEST(JointClosing, ofAMotorJointHasTheSameSpeedUnlessAFrequencyIsSet) {
     for (const float hertz : {0.0f, 5.0f}) {
         SCOPED_TRACE(hertz);
         Open open{JointKind::Motor, 40.0f};

@@ -52,7 +52,7 @@ TEST(DistanceJoint, asARopeIsSlackUntilItIsTight) {
     EXPECT_NEAR(jointForce(scene.world, rope).y, JointWorld::kGravity, 0.1f);
 }
 
-TEST(DistanceJoint, asASpringHasItsFrequencyAndHangsAsLowAsItShould) {
+TEST(DistanceJoint, asASpringHasItsFrequencyAndDeflection) {
     for (const float hertz : {0.5f, 1.0f, 2.0f, 5.0f}) {
         SCOPED_TRACE(hertz);
         JointWorld scene;
@@ -68,7 +68,7 @@ TEST(DistanceJoint, asASpringHasItsFrequencyAndHangsAsLowAsItShould) {
     }
 }
 
-TEST(DistanceJoint, asADampedSpringComesToRestWhereTheLoadIsCarried) {
+TEST(DistanceJoint, asADampedSpringComesToRestAtItsEquilibrium) {
     JointWorld scene;
     const float hertz = 3.0f, omega = kTau * hertz;
     const BodyId bob = scene.disc({0.0, -4.0});
@@ -83,7 +83,7 @@ TEST(DistanceJoint, asADampedSpringComesToRestWhereTheLoadIsCarried) {
     EXPECT_NEAR(jointForce(scene.world, spring).y, JointWorld::kGravity, 0.1f);
 }
 
-TEST(DistanceJoint, withEndsInOnePlacePushesNowhere) {
+TEST(DistanceJoint, withCoincidingAnchorsAppliesNoForce) {
     JointWorld scene;
     const BodyId bob = scene.disc({0.0, 0.0});
     (void)scene.join(between(scene, bob, 1.0f));

@@ -5,7 +5,7 @@
 #include "physics/model/shape_wind.hpp"
 #include "tests/physics/support/joint_world.hpp"
 
-// Joints that are edited and read while they are active; features of Box2D's joints.
+// Editing and reading joints while they are active, with the features of Box2D's joints.
 
 namespace plumb::physics {
 namespace {
@@ -27,7 +27,7 @@ JointDefinition randomJoint(JointWorld& scene, Random& random, JointKind kind, B
     return d;
 }
 
-TEST(JointEdits, aJointGetsAnyDefinitionAsIfItHadBeenCreatedSo) {
+TEST(JointEdits, changedJointsBehaveAsIfCreatedThatWay) {
     for (std::uint64_t seed = 1; seed <= 120; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -49,7 +49,7 @@ TEST(JointEdits, aJointGetsAnyDefinitionAsIfItHadBeenCreatedSo) {
     }
 }
 
-TEST(JointEdits, whatMakesItAnotherJointIsRefused) {
+TEST(JointEdits, invalidChangesAreRejected) {
     JointWorld scene;
     const BodyId disc = scene.disc({0.0, -1.0});
     const JointId joint = scene.join(scene.define(JointKind::Revolute, scene.ground, disc, {}));
@@ -73,7 +73,7 @@ TEST(JointEdits, anchorsStayOnTheShapesWhenTheCenterOfMassMoves) {
     EXPECT_LT(readingOf(scene.world, joint).separation, 1.0e-3f);
 }
 
-TEST(JointEdits, limitsMotorsAndSpringsWorkFromTheNextStepOn) {
+TEST(JointEdits, limitsMotorsAndSpringsTakeEffectInTheNextStep) {
     JointWorld scene;
     const BodyId disc = scene.disc({1.0, 0.0});
     const JointId joint = scene.join(scene.define(JointKind::Revolute, scene.ground, disc, {}));
@@ -82,7 +82,7 @@ TEST(JointEdits, limitsMotorsAndSpringsWorkFromTheNextStepOn) {
     scene.run(0.5f);
     JointReading now = readingOf(scene.world, joint);
     EXPECT_NEAR(now.speed, 1.5f, 1.0e-3f);
-    // It lifts 1 kg at a lever arm of 1 m.
+    // The motor lifts 1 kg at a lever arm of 1 m.
     EXPECT_NEAR(now.motorForce, 10.0f * std::cos(now.value), 0.7f);
     ASSERT_TRUE(change(scene.world, joint, [&](auto& d) {
                     d.motor.on = false;
@@ -93,7 +93,7 @@ TEST(JointEdits, limitsMotorsAndSpringsWorkFromTheNextStepOn) {
     EXPECT_EQ(readingOf(scene.world, joint).motorForce, 0.0f);
 }
 
-TEST(JointEdits, motorSpeedsAndTargetsAreRefusedWhereTheyHaveNoEffect) {
+TEST(JointEdits, motorSpeedsAndTargetsAreRejectedIfTheyHaveNoEffect) {
     for (int kind = 0; kind < static_cast<int>(JointKind::Gear); ++kind) {
         JointWorld scene;
         const BodyId disc = scene.disc({1.0, -1.0});
@@ -127,7 +127,7 @@ TEST(JointEdits, readingsOfLengths) {
     EXPECT_NEAR(readingOf(scene.world, joint).value, 1.0f, 0.03f);
     EXPECT_NEAR(std::fabs(readingOf(scene.world, joint).motorForce), 10.0f, 0.1f);
     scene.run(1.0f);
-    EXPECT_NEAR(readingOf(scene.world, joint).value, 0.5f, 0.01f);  // at its end
+    EXPECT_NEAR(readingOf(scene.world, joint).value, 0.5f, 0.01f);  // at its upper limit
 }
 
 TEST(JointEdits, aSliderIsReadAlongItsAxis) {
@@ -183,8 +183,8 @@ TEST(JointEdits, aMotorJointKeepsAVelocityWithLimitedForce) {
     }
 }
 
-TEST(JointEdits, aWeldHasSpringsOfItsOwnAlongAndAround) {
-    // Rigid in position and springy in its angle: a torque rotates it, its anchor stays.
+TEST(JointEdits, aWeldHasSeparateLinearAndAngularSprings) {
+    // Rigid in position and springy in its angle: a torque rotates the disc, its anchor stays.
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId disc = scene.disc({0.0, 0.0});
@@ -200,7 +200,7 @@ TEST(JointEdits, aWeldHasSpringsOfItsOwnAlongAndAround) {
         turns += before != (angularVelocityOf(scene.world, disc) > 0.0f) ? 1 : 0;
         furthest = std::max(furthest, readingOf(scene.world, joint).value);
     }
-    EXPECT_EQ(turns, 10);                                // 5 s at 1 Hz
+    EXPECT_EQ(turns, 10);                                // oscillations in 5 s at 1 Hz
     EXPECT_NEAR(furthest, 1.0f / (2.0f * kPi), 0.004f);  // amplitude = speed / (2 pi f)
     EXPECT_LT(readingOf(scene.world, joint).separation, 1.0e-4f);
     // Springy in position and rigid in its angle.
@@ -216,7 +216,7 @@ TEST(JointEdits, aWeldHasSpringsOfItsOwnAlongAndAround) {
     EXPECT_NEAR(scene.place(disc).y, -sag, 0.02f * sag);
 }
 
-TEST(JointEdits, aFilterOnlyKeepsApart) {
+TEST(JointEdits, aFilterJointOnlyDisablesCollision) {
     JointWorld scene;
     scene.world.settings.sleeping = true;
     World& world = scene.world;
@@ -241,7 +241,7 @@ TEST(JointEdits, aFilterOnlyKeepsApart) {
     EXPECT_GT(std::fabs(positionOf(world, b).x - positionOf(world, a).x), 0.95);
 }
 
-TEST(JointEdits, treesAreSolvedDirectlyBesideFiltersAndDisabledBodies) {
+TEST(JointEdits, treesAreSolvedDirectlyDespiteFilterJointsAndDisabledBodies) {
     JointWorld scene;
     BodyId above = scene.ground;
     std::vector<JointId> chain;
@@ -265,7 +265,7 @@ TEST(JointEdits, treesAreSolvedDirectlyBesideFiltersAndDisabledBodies) {
     EXPECT_LT(readingOf(scene.world, hinge).separation, 1.0e-3f) << "it was made while its body was off";
 }
 
-TEST(JointEdits, windDragsAndLiftsAsAFlatPlate) {
+TEST(JointEdits, windDragsAndLiftsABoxLikeAFlatPlate) {
     for (const float angle : {0.2f, 0.7f, 1.2f}) {
         JointWorld scene;
         const BodyId body = *createBody(scene.world, {.angle = angle});
@@ -283,7 +283,7 @@ TEST(JointEdits, windDragsAndLiftsAsAFlatPlate) {
         EXPECT_NEAR(scene.world.bodies.driveOf(body.index).torque, 0.0f, 1.0e-6f);
         EXPECT_FALSE(applyWind(scene.world, mass, {NAN, 0.0f}, 0.5f, 0.25f).ok());
     }
-    // Wind does not accelerate a very light body beyond its own speed.
+    // Wind does not accelerate a very light body beyond the wind speed.
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId feather = scene.disc({}, 1.0e-4f);
@@ -296,8 +296,9 @@ TEST(JointEdits, windDragsAndLiftsAsAFlatPlate) {
     EXPECT_GT(velocityOf(scene.world, feather).x, 49.0f);
 }
 
-// Regression: trees of joints kept its color, so their bodies seemed to touch something; a copy's did not.
-TEST(JointEdits, aJointThatWasInNoStepLeavesNothingBehind) {
+// Regression: a joint solved in a tree kept its graph color, so its bodies counted as touching in this world,
+// but not in a copy.
+TEST(JointEdits, anInactiveJointLeavesNoTrace) {
     JointWorld scene;
     const BodyId swinging = scene.disc({1.0, 0.0}), off = scene.disc({2.0, 0.0});
     (void)scene.join(scene.define(JointKind::Revolute, scene.ground, swinging, {0.0, 0.0}));

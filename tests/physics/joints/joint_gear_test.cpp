@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Two wheels on axles, coupled by a gear.
+/// Two wheels on axles, coupled by a gear joint.
 struct Gears : JointWorld {
     BodyId first, second;
     JointId axleA, axleB, gear;
@@ -27,7 +27,7 @@ struct Gears : JointWorld {
     }
 };
 
-TEST(GearJoint, turnsTheSecondWheelByItsRatioForManyTurns) {
+TEST(GearJoint, rotatesTheSecondWheelByItsRatioForManyRevolutions) {
     Gears scene{2.0f};
     (void)*setAngularVelocity(scene.world, scene.first, 12.0f);
 
@@ -41,22 +41,23 @@ TEST(GearJoint, turnsTheSecondWheelByItsRatioForManyTurns) {
     EXPECT_NEAR(turns - kTau * std::floor(turns / kTau + 0.5f), 0.0f, 0.01f);
 }
 
-TEST(GearJoint, passesTorqueOnByItsRatio) {
+TEST(GearJoint, transmitsTorqueByItsRatio) {
     Gears scene{2.0f};
-    for (int i = 0; i < 60; ++i) {  // 1 N m on the first wheel
+    for (int i = 0; i < 60; ++i) {  // torque of 1 N m on the first wheel
         (void)*applyTorque(scene.world, scene.first, 1.0f);
         scene.run(JointWorld::kDt);
     }
 
-    // With w1 = -2 w2: 1 = I a1 + f, 2 f = I a2 for the second, so a1 = 1 / (I + I / 4).
+    // With w1 = -2 w2, gear force f, and I the inertia: 1 = I a1 + f and 2 f = I a2, so a1 = 1 / (I + I / 4).
     EXPECT_NEAR(angularVelocityOf(scene.world, scene.first), 1.0f / (0.125f * 1.25f), 0.05f);
 }
 
-TEST(GearJoint, takesBackHowFarItWasForcedApartWhateverIsSwitchedOnMeanwhile) {
+TEST(GearJoint, correctsItsErrorAlsoIfItIsEditedMeanwhile) {
     for (const bool switches : {false, true}) {
         SCOPED_TRACE(switches);
         Gears scene{1.0f};
-        const auto drive = [&](bool on) {  // both wheels in the same direction, which the gear prevents
+        // drives both wheels in the same direction, which the gear prevents
+        const auto drive = [&](bool on) {
             for (const JointId axle : {scene.axleA, scene.axleB})
                 ASSERT_TRUE(change(scene.world, axle, [on](auto& d) { d.motor = {on, 2.0f, 1.0e6f}; }).ok());
         };
@@ -73,7 +74,7 @@ TEST(GearJoint, takesBackHowFarItWasForcedApartWhateverIsSwitchedOnMeanwhile) {
     }
 }
 
-TEST(GearJoint, goesWithEitherOfItsJoints) {
+TEST(GearJoint, isDestroyedWithEitherOfItsJoints) {
     for (const bool first : {true, false}) {
         Gears scene{1.0f};
         const JointId other =
@@ -91,7 +92,7 @@ TEST(GearJoint, goesWithEitherOfItsJoints) {
     }
 }
 
-TEST(GearJoint, goesWithTheBodyOfOneOfItsJointsOrWhenThatBreaks) {
+TEST(GearJoint, isDestroyedWithABodyOfItsJointsOrWhenOneBreaks) {
     for (const bool breaks : {true, false}) {
         Gears scene{1.0f};
         if (breaks) {

@@ -10,15 +10,15 @@ namespace plumb::physics {
 namespace {
 
 constexpr float kMass = 2.0f;   // kg
-constexpr float kSpeed = 8.0f;  // rad/s or m/s: of the motors
+constexpr float kSpeed = 8.0f;  // rad/s or m/s, speed of the motors
 
-/// A motor that drives a value back and forth between two limits, against or with its weight.
+/// A joint whose motor drives its value back and forth between two limits, with or against the weight.
 struct Driven {
     std::string_view name;
     JointDefinition (*define)(JointWorld& scene);
-    float (*value)(const JointWorld& scene, BodyId body);        ///< rad or m
-    float (*load)(const JointWorld& scene, BodyId, JointId id);  ///< N or N m: reported by the joint
-    float (*weight)(float value);                                ///< the expected value by formula
+    float (*value)(const JointWorld& scene, BodyId body);        ///< value of the joint, rad or m
+    float (*load)(const JointWorld& scene, BodyId, JointId id);  ///< load reported by the joint, N or N m
+    float (*weight)(float value);                                ///< expected load of the weight by formula
 };
 
 JointDefinition defineHinge(JointWorld& scene) {
@@ -98,7 +98,7 @@ TEST(EachLimit, stopsAMotorOfAnyStrengthWithinASubstep) {
     });
 }
 
-TEST(EachLimit, holdsWhatAMotorOfAnyStrengthPressesAgainstItAndSaysHowMuch) {
+TEST(EachLimit, holdsAMotorOfAnyStrengthAndReportsItsLoad) {
     forEachDriven([](const Driven& driven, JointWorld& scene, const JointDefinition& definition) {
         const JointId joint = scene.join(definition);
         scene.run(2.0f);
@@ -113,7 +113,7 @@ TEST(EachLimit, holdsWhatAMotorOfAnyStrengthPressesAgainstItAndSaysHowMuch) {
     });
 }
 
-TEST(EachLimit, letsAMotorGoAtOnceThatTurnsRound) {
+TEST(EachLimit, releasesAReversedMotorAtOnce) {
     forEachDriven([](const Driven& driven, JointWorld& scene, const JointDefinition& definition) {
         const JointId joint = scene.join(definition);
         scene.run(2.0f);
@@ -126,7 +126,7 @@ TEST(EachLimit, letsAMotorGoAtOnceThatTurnsRound) {
     });
 }
 
-TEST(Limits, ofAHingeAreWithinATurnForItsAngleIs) {
+TEST(Limits, ofAHingeAreWithinOneRevolution) {
     JointWorld scene;
     JointDefinition definition = defineHinge(scene);
     definition.limit = {true, -kPi, kPi};

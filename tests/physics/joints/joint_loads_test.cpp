@@ -8,7 +8,7 @@
 namespace plumb::physics {
 namespace {
 
-/// The load that a joint of each kind carries at rest, as N and N m for each 1 m/s2 of gravity.
+/// The load that a joint carries at rest, in N and N m per 1 m/s2 of gravity.
 struct Load {
     JointId joint;
     float force = 0.0f;
@@ -21,8 +21,8 @@ struct Hanging {
     Load (*hang)(JointWorld& scene, float breakForce, float breakTorque);
 };
 
-constexpr float kArm = 0.5f;     // m: from a hinge to the hanging body
-constexpr float kHold = 1.0e6f;  // N or N m: practically fixed
+constexpr float kArm = 0.5f;     // m, distance between hinge and hanging body
+constexpr float kHold = 1.0e6f;  // N or N m, practically rigid
 
 Load join(JointWorld& scene, JointDefinition definition, float breakForce, float breakTorque, Load load) {
     definition.breakForce = breakForce;
@@ -32,19 +32,19 @@ Load join(JointWorld& scene, JointDefinition definition, float breakForce, float
     return load;
 }
 
-/// A disc of 2 kg below the ground's anchor.
+/// Defines a joint for a disc of 2 kg, 1 m below the origin.
 JointDefinition below(JointWorld& scene, JointKind kind) {
     return scene.define(kind, scene.ground, scene.disc({0.0, -1.0}, 2.0f), {0.0, -1.0});
 }
 
-/// On a rod of 1 m.
+/// Defines a rod of 1 m from which the disc hangs.
 JointDefinition onARod(JointWorld& scene) {
     JointDefinition definition = below(scene, JointKind::Distance);
     definition.anchorA = {};
     return definition;
 }
 
-/// On a slider that moves up and down.
+/// Defines a joint along a vertical axis.
 JointDefinition onASlide(JointWorld& scene, JointKind kind) {
     JointDefinition definition = below(scene, kind);
     definition.axis = {0.0f, 1.0f};
@@ -56,7 +56,7 @@ JointDefinition atItsEnd(JointDefinition definition) {
     return definition;
 }
 
-/// A disc of 2 kg beside its hinge.
+/// Defines a joint for a disc of 2 kg beside its hinge.
 JointDefinition beside(JointWorld& scene, JointKind kind) {
     const BodyId disc = scene.disc({static_cast<double>(kArm), 0.0}, 2.0f);
     return scene.define(kind, scene.ground, disc, {});
@@ -76,7 +76,7 @@ Load hangSpring(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
 }
 
-/// Its limit carries the torque.
+/// A hinge whose limit carries the torque of the disc.
 Load hangHinge(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, atItsEnd(beside(scene, JointKind::Revolute)), breakForce, breakTorque,
                 {.force = 2.0f, .torque = 2.0f * kArm});
@@ -88,12 +88,12 @@ Load hangDrivenHinge(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f, .torque = 2.0f * kArm});
 }
 
-/// Across its axis.
+/// A horizontal slider that carries the load perpendicular to its axis.
 Load hangSlider(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, below(scene, JointKind::Prismatic), breakForce, breakTorque, {.force = 2.0f});
 }
 
-/// Along its axis, at its limit.
+/// A vertical slider that carries the load at its limit.
 Load hangSliderAtItsEnd(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, atItsEnd(onASlide(scene, JointKind::Prismatic)), breakForce, breakTorque,
                 {.force = 2.0f});
@@ -132,7 +132,7 @@ Load hangOnMotor(JointWorld& scene, float breakForce, float breakTorque) {
     return join(scene, definition, breakForce, breakTorque, {.force = 2.0f});
 }
 
-/// A disc beside its hinge, whose rotation is locked by a gear of ratio 2 to a fixed wheel.
+/// A disc beside its hinge, whose rotation is locked by a gear of ratio 2 to a wheel that does not rotate.
 Load hangOnGear(JointWorld& scene, float breakForce, float breakTorque) {
     const BodyId wheel = scene.disc({-2.0, 0.0}), disc = scene.disc({static_cast<double>(kArm), 0.0}, 2.0f);
     JointDefinition axle = scene.define(JointKind::Revolute, scene.ground, wheel, {-2.0, 0.0});
@@ -169,7 +169,7 @@ constexpr Hanging kHangings[] = {
     {"pulley", hangOnPulley},
 };
 
-/// Gravity that grows slowly to its final value, so that nothing swings.
+/// Increases gravity slowly to its final value, so that nothing swings.
 void pullSlowly(JointWorld& scene, float seconds) {
     const int steps = static_cast<int>(seconds / JointWorld::kDt);
     for (int i = 1; i <= steps; ++i) {
@@ -179,18 +179,18 @@ void pullSlowly(JointWorld& scene, float seconds) {
     }
 }
 
-TEST(EachJoint, isAmongThoseThatHang) {
+TEST(EachJoint, hasALoadCase) {
     std::array<bool, static_cast<std::size_t>(JointKind::Count)> hangs{};
     for (const Hanging& hanging : kHangings) {
         JointWorld scene;
         const JointId joint = hanging.hang(scene, kHold, kHold).joint;
         hangs[static_cast<std::size_t>(scene.world.joints.definition[joint.index].kind)] = true;
     }
-    hangs[static_cast<std::size_t>(JointKind::Filter)] = true;  // carries nothing
+    hangs[static_cast<std::size_t>(JointKind::Filter)] = true;  // a filter joint carries no load
     for (std::size_t kind = 0; kind < hangs.size(); ++kind) EXPECT_TRUE(hangs[kind]) << kind;
 }
 
-TEST(EachJoint, carriesItsLoadForTenSecondsAtRestAndSaysHowMuch) {
+TEST(EachJoint, carriesAndReportsItsLoadAtRest) {
     for (const Hanging& hanging : kHangings) {
         SCOPED_TRACE(hanging.name);
         JointWorld scene;
@@ -211,7 +211,7 @@ TEST(EachJoint, carriesItsLoadForTenSecondsAtRestAndSaysHowMuch) {
     }
 }
 
-/// The gravity at which a joint broke: 0 if it did not.
+/// Gravity at which the joint broke, m/s2; 0 if it did not.
 float whereItBroke(const Hanging& hanging, float breakForce, float breakTorque) {
     JointWorld scene;
     scene.world.settings.gravity = {};
@@ -224,7 +224,7 @@ float whereItBroke(const Hanging& hanging, float breakForce, float breakTorque) 
     return 0.0f;
 }
 
-TEST(EachJoint, breaksWhereItsLoadGrowsTooLargeAndNotBefore) {
+TEST(EachJoint, breaksExactlyAtItsBreakForceOrTorque) {
     const float half = 0.5f * JointWorld::kGravity;
     for (const Hanging& hanging : kHangings) {
         SCOPED_TRACE(hanging.name);
@@ -240,14 +240,14 @@ TEST(EachJoint, breaksWhereItsLoadGrowsTooLargeAndNotBefore) {
     }
 }
 
-TEST(EachJoint, withAMotorLiftsWhatItCanAtItsSpeed) {
+TEST(EachJoint, withAMotorLiftsLoadsUpToItsForceAtItsSpeed) {
     for (const float strength : {0.9f, 1.5f}) {
         SCOPED_TRACE(strength);
         JointWorld scene;
         JointDefinition definition = below(scene, JointKind::Distance);
         definition.anchorA = {0.0f, 5.0f};
         definition.limit = {true, 0.5f, 8.0f};
-        definition.motor = {true, -1.0f, strength * 2.0f * JointWorld::kGravity};  // reels in
+        definition.motor = {true, -1.0f, strength * 2.0f * JointWorld::kGravity};  // shortens the joint
         (void)scene.join(definition);
         scene.run(2.0f);
         if (strength > 1.0f) {

@@ -23,7 +23,7 @@ TEST(MotorJoint, drivesToItsOffsetAndAngle) {
     EXPECT_NEAR(scene.angle(box), 0.5f, 0.01f);
 }
 
-TEST(MotorJoint, givesNoMoreThanItsForceAndTorque) {
+TEST(MotorJoint, isLimitedToItsForceAndTorque) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId box = scene.disc({0.0, 0.0});

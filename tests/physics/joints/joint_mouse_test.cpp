@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-TEST(MouseJoint, pullsToItsTargetWithoutSwingingOver) {
+TEST(MouseJoint, pullsToItsTargetWithoutOvershoot) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId box = scene.disc({0.0, 0.0});
@@ -23,7 +23,7 @@ TEST(MouseJoint, pullsToItsTargetWithoutSwingingOver) {
     EXPECT_LT(furthest, 3.01f);
 }
 
-TEST(MouseJoint, pullsNoHarderThanItMay) {
+TEST(MouseJoint, isLimitedToItsMaximumForce) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId box = scene.disc({0.0, 0.0}, 2.0f);
@@ -38,7 +38,7 @@ TEST(MouseJoint, pullsNoHarderThanItMay) {
     EXPECT_NEAR(jointForce(scene.world, joint).x, 6.0f, 0.01f);
 }
 
-TEST(MouseJoint, leavesItsFirstBodyAlone) {
+TEST(MouseJoint, doesNotAffectItsFirstBody) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId other = scene.disc({5.0, 5.0}), box = scene.disc({0.0, 0.0});
@@ -54,8 +54,8 @@ TEST(MouseJoint, leavesItsFirstBodyAlone) {
     EXPECT_NEAR(scene.place(box).x, -1.0f, 0.001f);
 }
 
-// Regression: with unlimited force a crate passed through 2 m of floor at 212 m/s.
-TEST(MouseJoint, ofAnyForcePullsNothingThroughAFloor) {
+// Regression: with unlimited force a crate was pulled through 2 m of floor at 212 m/s.
+TEST(MouseJoint, ofAnyForcePullsNoBodyThroughAFloor) {
     for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {
         SCOPED_TRACE(int{quality});
         JointWorld scene;

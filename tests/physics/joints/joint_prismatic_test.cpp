@@ -11,7 +11,7 @@ JointDefinition slide(const JointWorld& scene, BodyId body, Vec2 axis) {
     return definition;
 }
 
-TEST(PrismaticJoint, slidesAlongItsAxisAsOnAnIncline) {
+TEST(PrismaticJoint, slidesAlongItsAxisLikeOnAnIncline) {
     JointWorld scene;
     const BodyId car = scene.disc({0.0, 0.0});
     (void)scene.join(slide(scene, car, {0.8f, -0.6f}));
@@ -19,15 +19,15 @@ TEST(PrismaticJoint, slidesAlongItsAxisAsOnAnIncline) {
     scene.run(1.0f);
 
     const Vec2 place = scene.place(car);
-    const float way = 0.5f * JointWorld::kGravity * 0.6f;  // m
-    EXPECT_NEAR(dot(place, {0.8f, -0.6f}), way, 0.02f * way);
+    const float distance = 0.5f * JointWorld::kGravity * 0.6f;  // m, along the axis
+    EXPECT_NEAR(dot(place, {0.8f, -0.6f}), distance, 0.02f * distance);
     EXPECT_NEAR(dot(place, {0.6f, 0.8f}), 0.0f, 0.002f);
     EXPECT_NEAR(scene.angle(car), 0.0f, 0.001f);
 }
 
-TEST(PrismaticJoint, carriesLoadAcrossAndTorque) {
+TEST(PrismaticJoint, carriesPerpendicularForceAndTorque) {
     JointWorld scene;
-    const BodyId arm = scene.disc({2.0, 0.0});  // 2 m from the slide
+    const BodyId arm = scene.disc({2.0, 0.0});  // 2 m from the slider's anchor
     const JointId joint = scene.join(slide(scene, arm, {1.0f, 0.0f}));
 
     scene.run(5.0f);
@@ -50,7 +50,7 @@ TEST(PrismaticJoint, stopsAtItsLimitsWithTheForceOfTheLoad) {
     EXPECT_NEAR(jointForce(scene.world, joint).y, JointWorld::kGravity, 0.01f * JointWorld::kGravity);
 }
 
-TEST(PrismaticJoint, motorLiftsWhatItCanAndNotMore) {
+TEST(PrismaticJoint, motorLiftsLoadsUpToItsForce) {
     for (const float force : {0.9f, 1.5f}) {
         SCOPED_TRACE(force);
         JointWorld scene;
@@ -61,7 +61,8 @@ TEST(PrismaticJoint, motorLiftsWhatItCanAndNotMore) {
 
         scene.run(2.0f);
 
-        const float sinking = (force - 1.0f) * JointWorld::kGravity * 2.0f;  // m/s after 2 s
+        // m/s after 2 s, if the motor is too weak
+        const float sinking = (force - 1.0f) * JointWorld::kGravity * 2.0f;
         EXPECT_NEAR(velocityOf(scene.world, lift).y, force > 1.0f ? 2.0f : sinking, 0.02f);
     }
 }
@@ -79,7 +80,7 @@ TEST(PrismaticJoint, springHasItsFrequency) {
     EXPECT_NEAR(period, 1.0f / 1.5f, 0.004f);
 }
 
-TEST(PrismaticJoint, keepsItsAxisInABodyThatTurns) {
+TEST(PrismaticJoint, keepsItsAxisInARotatingBody) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId rail = scene.disc({0.0, 0.0}, 100.0f), bead = scene.disc({1.0, 0.0}, 0.1f);

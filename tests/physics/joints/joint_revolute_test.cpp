@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A chain from the ground, of `count` discs.
+/// Hangs a chain of `count` discs from the ground.
 std::vector<JointId> hang(JointWorld& scene, int count) {
     std::vector<JointId> joints;
     BodyId above = scene.ground;
@@ -17,7 +17,7 @@ std::vector<JointId> hang(JointWorld& scene, int count) {
     return joints;
 }
 
-TEST(RevoluteJoint, carriesWhatHangsOnItAndSaysHowMuch) {
+TEST(RevoluteJoint, carriesAndReportsItsLoad) {
     JointWorld scene;
     const std::vector<JointId> joints = hang(scene, 5);
 
@@ -31,7 +31,7 @@ TEST(RevoluteJoint, carriesWhatHangsOnItAndSaysHowMuch) {
     }
 }
 
-TEST(RevoluteJoint, letsAPendulumSwingForTenSecondsWithItsEnergy) {
+TEST(RevoluteJoint, keepsTheEnergyOfAPendulumForTenSeconds) {
     JointWorld scene;
     const BodyId bob = scene.disc({1.0, 0.0});
     const JointId joint = scene.join(scene.define(JointKind::Revolute, scene.ground, bob, {0.0, 0.0}));
@@ -39,12 +39,12 @@ TEST(RevoluteJoint, letsAPendulumSwingForTenSecondsWithItsEnergy) {
 
     scene.run(10.0f);
 
-    const double height = 1.0 * JointWorld::kGravity;  // J for the meter that it falls and rises
+    const double height = 1.0 * JointWorld::kGravity;  // J, for a height difference of 1 m
     EXPECT_NEAR(scene.energyOf(bob), before, 0.005 * height);
     EXPECT_LT(length(scene.gapOf(joint)), 0.002f);
 }
 
-TEST(RevoluteJoint, swingsWithThePeriodOfAPhysicalPendulum) {
+TEST(RevoluteJoint, hasThePeriodOfAPhysicalPendulum) {
     JointWorld scene;
     const BodyId bob = scene.disc({0.05, -1.0});
     (void)scene.join(scene.define(JointKind::Revolute, scene.ground, bob, {0.0, 0.0}));
@@ -62,7 +62,7 @@ TEST(RevoluteJoint, keepsMomentumBetweenTwoFreeBodies) {
     (void)scene.join(scene.define(JointKind::Revolute, a, b, {0.0, 0.0}));
     (void)*setVelocity(scene.world, a, {0.0f, 4.0f});
     (void)*setAngularVelocity(scene.world, b, -5.0f);
-    const auto spinOf = [&](BodyId body) {  // about the origin
+    const auto spinOf = [&](BodyId body) {  // angular momentum about the origin
         const BodyMass& mass = scene.world.bodies.mass[body.index];
         return mass.mass * cross(scene.place(body), velocityOf(scene.world, body)) +
                mass.inertia * angularVelocityOf(scene.world, body);
@@ -76,7 +76,7 @@ TEST(RevoluteJoint, keepsMomentumBetweenTwoFreeBodies) {
     EXPECT_NEAR(spinOf(a) + spinOf(b), spin, 0.02f * std::fabs(spin));
 }
 
-TEST(RevoluteJoint, holdsWithTheFixedBodyOnEitherSide) {
+TEST(RevoluteJoint, worksWithTheStaticBodyOnEitherSide) {
     JointWorld first, second;
     const BodyId bobA = first.disc({0.5, 0.0}), bobB = second.disc({0.5, 0.0});
     (void)first.join(first.define(JointKind::Revolute, first.ground, bobA, {0.0, 0.0}));
@@ -99,11 +99,11 @@ TEST(RevoluteJoint, stopsAtItsLimits) {
     scene.run(10.0f);
 
     EXPECT_NEAR(scene.angle(bob), -0.5f, 0.005f);
-    const float torque = JointWorld::kGravity * std::cos(0.5f);  // of the weight at 1 m
+    const float torque = JointWorld::kGravity * std::cos(0.5f);  // torque of the weight at 1 m
     EXPECT_NEAR(jointTorque(scene.world, joint), torque, 0.01f * torque);
 }
 
-TEST(RevoluteJoint, motorTurnsAtItsSpeedAndNoHarderThanItMay) {
+TEST(RevoluteJoint, motorRotatesAtItsSpeedWithLimitedTorque) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId wheel = scene.disc({0.0, 0.0});
@@ -117,7 +117,7 @@ TEST(RevoluteJoint, motorTurnsAtItsSpeedAndNoHarderThanItMay) {
     EXPECT_NEAR(angularVelocityOf(scene.world, wheel), 8.0f, 0.001f);
 }
 
-TEST(RevoluteJoint, springTurnsWithItsFrequency) {
+TEST(RevoluteJoint, springOscillatesWithItsFrequency) {
     for (const float hertz : {0.5f, 2.0f, 5.0f}) {
         SCOPED_TRACE(hertz);
         JointWorld scene;
@@ -134,17 +134,17 @@ TEST(RevoluteJoint, springTurnsWithItsFrequency) {
             scene.run(JointWorld::kDt);
             highest = std::fmax(highest, angle());
         }
-        EXPECT_NEAR(highest, 0.6f, 0.03f);  // it swings as far as at the beginning
+        EXPECT_NEAR(highest, 0.6f, 0.03f);  // amplitude as at the start
     }
 }
 
-TEST(RevoluteJoint, breaksUnderMoreThanItsForceAndNotUnderLess) {
+TEST(RevoluteJoint, breaksExactlyAboveItsForce) {
     for (const float strength : {0.98f, 1.02f}) {
         SCOPED_TRACE(strength);
         JointWorld scene;
         const BodyId bob = scene.disc({0.0, -1.0});
         JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, bob, {0.0, 0.0});
-        definition.breakForce = strength * JointWorld::kGravity;  // of what hangs on it
+        definition.breakForce = strength * JointWorld::kGravity;  // relative to the hanging weight
         const JointId joint = scene.join(definition);
         bool broke = false;
         for (int i = 0; i < 60; ++i) {
@@ -156,9 +156,9 @@ TEST(RevoluteJoint, breaksUnderMoreThanItsForceAndNotUnderLess) {
     }
 }
 
-/// Regression: impulses of joints of the previous step were looked up in groups
-/// that no longer existed. Detected by builds that check indices (PLUMB_ASSERTS).
-TEST(RevoluteJoint, isForgottenWithItsGroup) {
+/// Regression: joint impulses of the previous step were looked up in groups that no longer existed. Detected
+/// by builds with index checks (PLUMB_ASSERTS).
+TEST(RevoluteJoint, impulsesAreNotReadFromRemovedGroups) {
     JointWorld scene;
     scene.disc({5.0, 0.0});
     const BodyId bob = scene.disc({0.0, -1.0});

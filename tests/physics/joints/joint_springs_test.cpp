@@ -4,8 +4,8 @@
 
 #include "tests/physics/support/joint_world.hpp"
 
-// Springs of every kind of joint, from soft ones to ones that
-// are too stiff for the substep, deflect by their formula.
+// Springs of every kind of joint, from soft ones to ones that are too stiff for the substep, must deflect by
+// their formula.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -14,14 +14,15 @@ namespace {
 
 constexpr float kHertz[] = {0.7f, 3.0f, 10.0f, 25.0f, 60.0f};
 
-/// m: deflection of a spring of this frequency under the weight of the mass that determines its frequency.
+/// Deflection of a spring of this frequency under the weight of the mass that determines its frequency, m.
 float sagOf(float hertz) { return JointWorld::kGravity / (kTau * hertz * kTau * hertz); }
 
 /// A spring joint between a disc and the ground.
 struct Case {
     const char* name;
     JointDefinition joint;
-    bool whole = false;  ///< all of it is springy, by its own hertz, instead of only its spring
+    /// true if the whole joint is springy (JointDefinition::hertz) instead of only its spring
+    bool whole = false;
 };
 
 const Case kHanging[] = {
@@ -52,7 +53,7 @@ const Case kTurning[] = {
     {"motor", {.kind = JointKind::Motor}, true},
 };
 
-/// @return a disc of 3 kg at the origin, held by one joint of this frequency, critically damped
+/// @return a disc of 3 kg at the origin, held by a critically damped joint of this frequency
 BodyId tieDisc(JointWorld& scene, const Case& one, float hertz) {
     scene.world.settings.quality = 3;
     JointDefinition joint = one.joint;
@@ -70,7 +71,7 @@ BodyId tieDisc(JointWorld& scene, const Case& one, float hertz) {
 
 }  // namespace
 
-TEST(JointSprings, sagByTheLoadOverTheirStiffness) {
+TEST(JointSprings, deflectByTheForceOverTheirStiffness) {
     for (const Case& one : kHanging) {
         for (const float hertz : kHertz) {
             SCOPED_TRACE(testing::Message() << one.name << ", " << hertz << " Hz");
@@ -83,7 +84,7 @@ TEST(JointSprings, sagByTheLoadOverTheirStiffness) {
     }
 }
 
-TEST(JointSprings, turnByTheTorqueOverTheirStiffness) {
+TEST(JointSprings, rotateByTheTorqueOverTheirStiffness) {
     constexpr float kTorque = 1.0f;  // N m
     for (const Case& one : kTurning) {
         for (const float hertz : {3.0f, 10.0f, 25.0f, 60.0f}) {
@@ -102,8 +103,8 @@ TEST(JointSprings, turnByTheTorqueOverTheirStiffness) {
     }
 }
 
-// Joints are solved in blocks of eight; here the last block is not full.
-TEST(JointSprings, manyDoWhatEachDoesAlone) {
+// Joints are solved in blocks of eight; here the last block is incomplete.
+TEST(JointSprings, inBlocksBehaveLikeSingleOnes) {
     constexpr int kDiscs = 19;
     const auto push = [](World& world, BodyId disc, int i) {
         const float speed = 0.1f * static_cast<float>(i);
@@ -135,8 +136,9 @@ TEST(JointSprings, manyDoWhatEachDoesAlone) {
     }
 }
 
-TEST(JointSprings, swingWithTheirFrequencyAndDamping) {
-    // x = exp(-z w t) cos(w sqrt(1 - z2) t): the next peak is at exp(-2 pi z / sqrt(1 - z2)).
+TEST(JointSprings, oscillateWithTheirFrequencyAndDamping) {
+    // x = exp(-z w t) cos(w sqrt(1 - z2) t) with damping ratio z: successive peaks differ by the factor
+    // exp(-2 pi z / sqrt(1 - z2)).
     for (const float hertz : {1.0f, 2.5f}) {
         for (const float damping : {0.0f, 0.1f, 0.3f}) {
             for (const JointKind kind : {JointKind::Prismatic, JointKind::Wheel, JointKind::Mouse}) {
@@ -166,7 +168,7 @@ TEST(JointSprings, swingWithTheirFrequencyAndDamping) {
     }
 }
 
-TEST(JointSprings, theMotorOfAWheelTurnsItAndLeavesItInItsPlace) {
+TEST(JointSprings, theMotorOfAWheelRotatesItWithoutMovingIt) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId disc = scene.disc({1.0, 2.0});
@@ -194,7 +196,7 @@ TEST(JointSprings, aMotorJointDrivesAtItsVelocityInTheFrameOfA) {
         drive.maxTorque = 0.5f;
         scene.join(drive);
         const Vec2 wanted = rotate(rotFromAngle(angle), drive.velocity);
-        scene.run(0.1f);  // 6 N and 0.5 N m on 1 kg and 1/8 kg m2
+        scene.run(0.1f);  // up to 6 N and 0.5 N m act on 1 kg and 1/8 kg m2
         const Vec2 early = velocityOf(scene.world, disc);
         EXPECT_NEAR(length(early), 0.6f, 0.01f);
         EXPECT_NEAR(dot(normalized(early), normalized(wanted)), 1.0f, 1.0e-4f);

@@ -10,7 +10,7 @@ namespace {
 
 bool solvesTrees(JointWorld& scene) { return scene.world.work.get().joints.trees.some; }
 
-/// Maximum error of joints that hold two points together.
+/// Maximum distance between anchors that joints must hold together, m.
 float worstGap(const JointWorld& scene, const std::vector<JointId>& joints) {
     float worst = 0.0f;
     for (const JointId id : joints) {
@@ -24,7 +24,7 @@ float worstGap(const JointWorld& scene, const std::vector<JointId>& joints) {
     return worst;
 }
 
-TEST(JointTrees, holdWhateverTheyCarry) {
+TEST(JointTrees, holdAnyLoad) {
     for (const float ratio : {1.0f, 100.0f, 10000.0f}) {
         SCOPED_TRACE(ratio);
         JointWorld scene;
@@ -55,7 +55,7 @@ TEST(JointTrees, ofAnyShapeAndKindKeepTheirGapsClosed) {
     }
 }
 
-TEST(JointTrees, swingForTenSecondsWithTheirEnergy) {
+TEST(JointTrees, keepTheirEnergyForTenSeconds) {
     JointWorld scene;
     std::vector<BodyId> bodies;
     BodyId above = scene.ground;
@@ -72,11 +72,11 @@ TEST(JointTrees, swingForTenSecondsWithTheirEnergy) {
     const double before = energy(), height = 12.5 * static_cast<double>(JointWorld::kGravity);
     for (int i = 0; i < 600; ++i) {
         scene.run(JointWorld::kDt);
-        ASSERT_NEAR(energy(), before, 0.02 * height) << i;  // its end whips
+        ASSERT_NEAR(energy(), before, 0.02 * height) << i;  // the end of the chain whips
     }
 }
 
-TEST(JointTrees, thatFlyKeepTheirMomentumAndFallAsTheyShould) {
+TEST(JointTrees, inFreeFlightConserveMomentumAndFallFreely) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -91,7 +91,7 @@ TEST(JointTrees, thatFlyKeepTheirMomentumAndFallAsTheyShould) {
             }
             return sum / mass;
         };
-        scene.run(JointWorld::kDt);  // closes initial errors
+        scene.run(JointWorld::kDt);  // corrects initial errors
         const Vec2 before = middle();
         const float v = 0.5f * JointWorld::kGravity;
         scene.run(1.0f);
@@ -119,7 +119,7 @@ TEST(JointTrees, giveTheSameBitsForAnyNumberOfThreadsAndFromASnapshot) {
     EXPECT_EQ(hashes[0], hashes[1]);
 }
 
-TEST(JointTrees, leaveNothingBehindWhenTheyAreCutDown) {
+TEST(JointTrees, leaveNoTraceWhenDestroyed) {
     JointWorld scene;
     Random random = Random::seeded(9);
     for (const JointId joint : growTree(scene, random, {0.0, 0.0}, true)) {
@@ -132,7 +132,7 @@ TEST(JointTrees, leaveNothingBehindWhenTheyAreCutDown) {
     for (const BodyId disc : discs) EXPECT_NEAR(scene.place(disc).y, -0.5f * JointWorld::kGravity, 1.0e-4f);
 }
 
-TEST(JointTrees, areNoReasonForMoreSubsteps) {
+TEST(JointTrees, doNotRequireMoreSubsteps) {
     JointWorld scene;
     scene.world.settings.automaticQuality = true;
     BodyId above = scene.ground;
@@ -146,7 +146,7 @@ TEST(JointTrees, areNoReasonForMoreSubsteps) {
     EXPECT_EQ(scene.world.work.get().groups.front().quality, scene.world.settings.quality);
 }
 
-TEST(JointTrees, hangFromWhatMoves) {
+TEST(JointTrees, hangFromMovingBodies) {
     JointWorld scene;
     BodyDefinition definition;
     definition.kind = BodyKind::Kinematic;
@@ -166,7 +166,7 @@ TEST(JointTrees, hangFromWhatMoves) {
     EXPECT_LT(worstGap(scene, joints), 0.002f);
 }
 
-TEST(JointTrees, areNotWhereJointsMakeLoopsOrHaveLimitsOrMotors) {
+TEST(JointTrees, excludeLoopsLimitsAndMotors) {
     for (const bool loop : {false, true}) {
         JointWorld scene;
         const BodyId a = scene.disc({0.5, 0.0}), b = scene.disc({0.5, -1.0}), c = scene.disc({1.5, -1.0});
@@ -184,7 +184,7 @@ TEST(JointTrees, areNotWhereJointsMakeLoopsOrHaveLimitsOrMotors) {
     }
 }
 
-TEST(JointTrees, areLeftToTheLanesWhileTheyTouchSomething) {
+TEST(JointTrees, useTheIterativeSolverWhileInContact) {
     JointWorld scene;
     BodyId above = scene.ground;
     std::vector<BodyId> discs;
@@ -207,7 +207,7 @@ TEST(JointTrees, areLeftToTheLanesWhileTheyTouchSomething) {
     for (const BodyId disc : discs) EXPECT_GT(scene.place(disc).y, -1.7f);
 }
 
-TEST(JointTrees, gainNoEnergyHoweverTheyWhip) {
+TEST(JointTrees, gainNoEnergyWhenTheyWhip) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -231,7 +231,7 @@ TEST(JointTrees, gainNoEnergyHoweverTheyWhip) {
     }
 }
 
-/// A plank or crate of a bridge; planks do not collide with each other.
+/// Adds a plank of the bridge or a crate; planks do not collide with each other.
 BodyId addBox(JointWorld& scene, WorldPosition at, Vec2 half, float angle, float density,
               std::int16_t group) {
     BodyDefinition definition;
@@ -245,7 +245,7 @@ BodyId addBox(JointWorld& scene, WorldPosition at, Vec2 half, float angle, float
     return body;
 }
 
-/// Thirty planks of 1 m between two posts 29.8 m apart, hung as a V.
+/// Builds a bridge of thirty planks of 1 m between two posts 29.8 m apart, initially in the shape of a V.
 void buildBridge(JointWorld& scene) {
     const float across = 14.9f, down = std::sqrt(15.0f * 15.0f - across * across);
     const Vec2 left = Vec2{across, -down} / 15.0f, right = Vec2{across, down} / 15.0f;
@@ -267,7 +267,7 @@ void buildBridge(JointWorld& scene) {
     (void)scene.join(end);
 }
 
-TEST(JointTrees, doNotThrowWhatFallsOnABridge) {
+TEST(JointTrees, doNotEjectBodiesThatFallOnABridge) {
     JointWorld scene;
     buildBridge(scene);
     scene.run(3.0f);
@@ -284,7 +284,7 @@ TEST(JointTrees, doNotThrowWhatFallsOnABridge) {
     }
 }
 
-TEST(JointTrees, breakWhereTheyArePulledTooHard) {
+TEST(JointTrees, breakAtTheOverloadedJoint) {
     for (const float strength : {0.98f, 1.02f}) {
         SCOPED_TRACE(strength);
         JointWorld scene;

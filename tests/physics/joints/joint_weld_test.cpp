@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-TEST(WeldJoint, holdsACantileverStiff) {
+TEST(WeldJoint, holdsACantileverRigidly) {
     JointWorld scene;
     const BodyId arm = scene.disc({1.0, 0.0});
     const JointId joint = scene.join(scene.define(JointKind::Weld, scene.ground, arm, {0.0, 0.0}));
@@ -31,7 +31,7 @@ TEST(WeldJoint, keepsTheReferenceAngle) {
     EXPECT_NEAR(scene.angle(piece), 0.7f, 0.001f);
 }
 
-TEST(WeldJoint, withAStiffnessOfItsOwnSwingsWithThatFrequency) {
+TEST(WeldJoint, withAFrequencyOscillatesWithIt) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId piece = scene.disc({0.0, 0.0});
@@ -44,7 +44,7 @@ TEST(WeldJoint, withAStiffnessOfItsOwnSwingsWithThatFrequency) {
     EXPECT_NEAR(scene.periodOf(0.0f, 10.0f, [&] { return scene.angle(piece); }), 0.5f, 0.003f);
 }
 
-// Their relative angle cannot be changed, however small its error: no torque could correct it.
+// With two fixed rotations the relative angle cannot change: no torque can correct its error.
 TEST(WeldJoint, appliesNoImpulseWhereNeitherBodyCanRotate) {
     JointWorld scene;
     scene.world.settings.gravity = {};
@@ -72,7 +72,8 @@ TEST(WeldJoint, breaksByTorque) {
         JointWorld scene;
         const BodyId arm = scene.disc({1.0, 0.0});
         JointDefinition definition = scene.define(JointKind::Weld, scene.ground, arm, {0.0, 0.0});
-        definition.breakTorque = strength * JointWorld::kGravity;  // of its weight at 1 m, put on at once
+        // relative to the weight at 1 m, which is applied suddenly
+        definition.breakTorque = strength * JointWorld::kGravity;
         const JointId joint = scene.join(definition);
 
         scene.run(1.0f);

@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A wheel below a fixed car, sprung along y.
+/// Defines a wheel joint below a static car, with its suspension along y.
 JointDefinition mount(const JointWorld& scene, BodyId wheel) {
     JointDefinition definition = scene.define(JointKind::Wheel, scene.ground, wheel, {0.0, 0.0});
     definition.axis = {0.0f, 1.0f};
@@ -24,7 +24,7 @@ TEST(WheelJoint, springCarriesTheLoadWithItsFrequency) {
     EXPECT_NEAR(scene.place(wheel).x, 0.0f, 0.002f);
 }
 
-TEST(WheelJoint, turnsFreelyAndByItsMotor) {
+TEST(WheelJoint, rotatesFreelyAndByItsMotor) {
     JointWorld scene;
     scene.world.settings.gravity = {};
     const BodyId free = scene.disc({0.0, 0.0}), driven = scene.disc({5.0, 0.0});
@@ -44,7 +44,7 @@ TEST(WheelJoint, turnsFreelyAndByItsMotor) {
     EXPECT_NEAR(angularVelocityOf(scene.world, driven), 4.0f, 0.001f);
 }
 
-TEST(WheelJoint, stopsAtTheEndsOfItsWay) {
+TEST(WheelJoint, stopsAtItsLimits) {
     JointWorld scene;
     const BodyId wheel = scene.disc({0.0, 0.0});
     JointDefinition definition = mount(scene, wheel);

@@ -8,10 +8,10 @@
 namespace plumb::physics {
 namespace {
 
-// Linkages that are closed through the ground and driven by a motor. Kinematics determines
-// their motion exactly: the crank rotates by speed times time, and every joint stays closed.
+// Linkages that are closed through the ground and driven by a motor. Kinematics determines their motion
+// exactly: the angle of the crank is speed times time, and every joint stays closed.
 
-constexpr float kTorque = 500.0f;  ///< N m: far more than any of them needs
+constexpr float kTorque = 500.0f;  ///< N m, far more than any linkage needs
 
 struct Linkage : JointWorld {
     std::vector<JointId> joints;
@@ -19,7 +19,7 @@ struct Linkage : JointWorld {
 
     explicit Linkage(bool direct) { world.settings.directJoints = direct; }
 
-    /// A rod between two points that collides with nothing, 1 kg per meter.
+    /// Creates a rod of 1 kg/m between two points; it collides with nothing.
     BodyId rod(WorldPosition from, WorldPosition to) {
         const Vec2 span = to - from;
         const BodyId body =
@@ -41,13 +41,14 @@ struct Linkage : JointWorld {
         joints.push_back(join(definition));
     }
 
-    /// Along x at the height of the ground's origin.
+    /// Adds a slider that moves along x at the height of the ground's origin.
     void slider(BodyId body, WorldPosition at) {
         JointDefinition definition = define(JointKind::Prismatic, ground, body, at);
         joints.push_back(join(definition));
     }
 
-    /// Ground hinges at the ends; the first rod is driven, the last one too if it has a speed.
+    /// Builds a four-bar linkage with ground hinges at both ends. The first rod is driven, the last one too
+    /// if `rockerSpeed` is not 0.
     void fourBar(WorldPosition base, std::array<WorldPosition, 2> knees, WorldPosition end, float speed,
                  float rockerSpeed = 0.0f) {
         crank = rod(base, knees[0]);
@@ -58,7 +59,8 @@ struct Linkage : JointWorld {
         hinge(ground, rocker, end, rockerSpeed);
     }
 
-    /// @return the maximum gap of a joint (m) while it rotates for so many seconds; adds to `turned` (rad).
+    /// Runs for `seconds` and adds the rotation of the crank to `turned`, rad. @return maximum gap of a
+    /// joint, m
     float turn(float seconds, double& turned) {
         float widest = 0.0f;
         for (int i = 0; i < static_cast<int>(seconds / kDt); ++i) {
@@ -85,17 +87,17 @@ struct Linkage : JointWorld {
 
 class Linkages : public testing::TestWithParam<bool> {};
 
-TEST_P(Linkages, aFourBarTurnsAsItsMotorSays) {
+TEST_P(Linkages, aFourBarFollowsItsMotor) {
     Linkage scene{GetParam()};
-    // Crank 1 m, coupler 3.16 m, rocker 2 m on a ground of 3 m: Grashof, so the crank can rotate fully.
+    // Crank 1 m, coupler 3.16 m, rocker 2 m, ground 3 m: by Grashof's law the crank can rotate fully.
     scene.fourBar({0.0, 0.0}, {WorldPosition{0.0, 1.0}, WorldPosition{3.0, 2.0}}, {3.0, 0.0}, 2.0f);
     scene.expectTurning(2.0f);
 }
 
-TEST_P(Linkages, aSliderCrankTurnsAsItsMotorSays) {
+TEST_P(Linkages, aSliderCrankFollowsItsMotor) {
     Linkage scene{GetParam()};
     scene.crank = scene.rod({0.0, 0.0}, {0.0, 1.0});
-    const BodyId link = scene.rod({0.0, 1.0}, {std::sqrt(8.0), 0.0});  // 3 m
+    const BodyId link = scene.rod({0.0, 1.0}, {std::sqrt(8.0), 0.0});  // 3 m long
     const BodyId piston = scene.disc({std::sqrt(8.0), 0.0});
     scene.hinge(scene.ground, scene.crank, {0.0, 0.0}, 4.0f);
     scene.hinge(scene.crank, link, {0.0, 1.0});
@@ -104,16 +106,16 @@ TEST_P(Linkages, aSliderCrankTurnsAsItsMotorSays) {
     scene.expectTurning(4.0f);
 }
 
-TEST_P(Linkages, aParallelogramTurnsAsItsMotorsSay) {
-    // Where all rods are on one line a parallelogram may change to its crossed form. Driven at
-    // both ends it cannot, but its equations are singular there and the joints are redundant.
+TEST_P(Linkages, aParallelogramFollowsItsMotors) {
+    // When all rods are in line, a parallelogram may change to its crossed form. Driving it at both ends
+    // prevents this, but its equations are singular in that position and the joints are redundant.
     Linkage scene{GetParam()};
     scene.fourBar({0.0, 0.0}, {WorldPosition{0.0, 1.0}, WorldPosition{3.0, 1.0}}, {3.0, 0.0}, 1.0f, 1.0f);
     scene.expectTurning(1.0f);
 }
 
-TEST_P(Linkages, aRopeHungAtBothEndsTurnsWhereItIsDriven) {
-    // Nothing can rotate fully: its neighbors hold the motor in the middle, and everything comes to rest.
+TEST_P(Linkages, aRopeHungAtBothEndsHoldsItsMotor) {
+    // The driven rod cannot rotate fully: its neighbors hold it, and everything comes to rest.
     Linkage scene{GetParam()};
     WorldPosition at{0.0, 0.0};
     BodyId before = scene.ground;

@@ -4,7 +4,7 @@
 #include "physics/model/joints.hpp"
 #include "tests/physics/support/effect_worlds.hpp"
 
-// Joints that a level or a script opens close again, though that takes energy.
+// Joints whose bodies were moved apart by a level or a script close again, although that takes energy.
 
 namespace plumb::physics {
 namespace {
@@ -17,7 +17,7 @@ BodyId addBob(World& world) {
     return addBody(world, BodyKind::Dynamic, {0.0, 0.25}, box({0.05f, 0.25f}), alone);
 }
 
-/// A bob, and the ground that it is to hang on, in a world with a random quality and solver of joints.
+/// A bob and the ground from which it will hang, in a world with random quality and joint solver.
 struct Hung {
     explicit Hung(Random& random) {
         world.settings.quality = static_cast<Quality>(random.below(5));
@@ -29,7 +29,7 @@ struct Hung {
     BodyId ground, bob;
 };
 
-TEST(OpenedJoints, ofABodyThatWasPutElsewhereClose) {
+TEST(OpenedJoints, ofAMovedBodyClose) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random = Random::seeded(seed);
         Hung hung{random};
@@ -37,18 +37,19 @@ TEST(OpenedJoints, ofABodyThatWasPutElsewhereClose) {
         const JointKind kind = random.below(2) == 0 ? JointKind::Revolute : JointKind::Weld;
         const JointId joint =
             *createJoint(world, {.kind = kind, .a = ground, .b = bob, .anchorB = {0.0f, -0.25f}});
-        run(world, random.below(2) == 0 ? 30 : 120);  // at rest or asleep
-        const float way = random.between(0.1f, 2.0f), angle = random.between(-kPi, kPi);
-        ASSERT_TRUE(
-            setPosition(world, bob, {way * std::cos(angle), way * std::sin(angle)}, random.between(-kPi, kPi))
-                .ok());
+        run(world, random.below(2) == 0 ? 30 : 120);  // until it is at rest or asleep
+        const float shift = random.between(0.1f, 2.0f), angle = random.between(-kPi, kPi);
+        ASSERT_TRUE(setPosition(world, bob, {shift * std::cos(angle), shift * std::sin(angle)},
+                                random.between(-kPi, kPi))
+                        .ok());
         EXPECT_GT(readingOf(world, joint).separation, world.settings.slop);
         run(world, 120);
-        EXPECT_LE(readingOf(world, joint).separation, 0.02f) << seed;  // it swings, at quality 0 too
+        // m; the bob still swings, also at quality 0
+        EXPECT_LE(readingOf(world, joint).separation, 0.02f) << seed;
     }
 }
 
-TEST(OpenedJoints, closeWhenWhatTheyHangOnWasPutElsewhere) {
+TEST(OpenedJoints, closeWhenTheBodyAboveWasMoved) {
     World world;
     const BodyId ground = *createBody(world, {.kind = BodyKind::Static});
     const BodyId bob = addBob(world);
@@ -60,7 +61,7 @@ TEST(OpenedJoints, closeWhenWhatTheyHangOnWasPutElsewhere) {
     EXPECT_LE(readingOf(world, joint).separation, world.settings.slop);
 }
 
-TEST(OpenedJoints, beginOutsideOfTheirLimitsAndComeIntoThem) {
+TEST(OpenedJoints, returnToTheirLimitsFromOutside) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random = Random::seeded(seed);
         Hung hung{random};
@@ -76,7 +77,7 @@ TEST(OpenedJoints, beginOutsideOfTheirLimitsAndComeIntoThem) {
     }
 }
 
-TEST(JointRatios, ofNothingAreRefused) {
+TEST(JointRatios, ofZeroAreRejected) {
     World world;
     const BodyId a = addBob(world), b = addBob(world);
     for (const float ratio : {0.0f, -1.0f}) {

@@ -10,14 +10,14 @@
 #include "physics/ranges.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Queries with equal distances, mere touching, or values at the end of a range; damaged snapshots.
+// Queries with equal distances, shapes that only touch, and values at the ends of ranges; damaged snapshots.
 
 using namespace plumb;
 using namespace plumb::physics;
 
 namespace {
 
-/// Discs, each with its own body.
+/// Adds discs, each on a body of its own.
 std::vector<ShapeId> addDiscs(World& world, std::initializer_list<WorldPosition> places, float radius,
                               const ShapeDefinition& definition = {}) {
     std::vector<ShapeId> made;
@@ -29,7 +29,7 @@ std::vector<ShapeId> addDiscs(World& world, std::initializer_list<WorldPosition>
 
 }  // namespace
 
-TEST(QueryLimits, ofEquallyNearShapesTheFirstIsFound) {
+TEST(QueryLimits, theFirstOfEquallyNearShapesIsFound) {
     for (int kind = 0; kind < static_cast<int>(BroadPhaseKind::Count); ++kind) {
         World world;
         world.settings.broadPhase = static_cast<BroadPhaseKind>(kind);
@@ -48,7 +48,7 @@ TEST(QueryLimits, ofEquallyNearShapesTheFirstIsFound) {
     }
 }
 
-TEST(QueryLimits, whatOnlyTouchesOverlapsAndTheReachIncludesItsEnd) {
+TEST(QueryLimits, touchingCountsAsOverlapAndRangesIncludeTheirEnd) {
     World world;
     const ShapeId square =
         *createShape(world, addBody(world, BodyKind::Static, {2.0, 0.0}), box({1.0f, 1.0f}));
@@ -78,7 +78,7 @@ TEST(QueryLimits, whatOnlyTouchesOverlapsAndTheReachIncludesItsEnd) {
     EXPECT_FALSE(castRay(world, {}, {2.0f, 2.001f}).has_value());
 }
 
-TEST(QueryLimits, layersGoBothWaysAndAStaleBodyIsNoException) {
+TEST(QueryLimits, layersAreMatchedBothWaysAndAStaleBodyExcludesNothing) {
     World world;
     const auto seen = addDiscs(world, {{3.0, 0.0}}, 1.0f, {.layers = 2, .mask = 4});
     const BodyId body = bodyOf(world, seen[0]);
@@ -96,7 +96,7 @@ TEST(QueryLimits, layersGoBothWaysAndAStaleBodyIsNoException) {
     EXPECT_FALSE(hits({.fixed = false}));
 }
 
-TEST(QueryLimits, placesUpToTheFarthestAreAsked) {
+TEST(QueryLimits, positionsUpToTheFarthestAreSupported) {
     for (const double end : {-kFarthest, kFarthest}) {
         for (const bool vertical : {false, true}) {
             World world;
@@ -142,7 +142,7 @@ TEST(QueryLimits, placesUpToTheFarthestAreAsked) {
     }
 }
 
-TEST(Snapshot, ofWhichAnyByteIsMissingOrChangedIsRefused) {
+TEST(Snapshot, withAnyMissingOrChangedByteIsRejected) {
     World world = makePit(3, 1);
     static_cast<void>(createJoint(world, {.a = {1, 1}, .b = {2, 1}}));
     for (int i = 0; i < 20; ++i) step(world, kTick);
@@ -164,7 +164,7 @@ TEST(Snapshot, ofWhichAnyByteIsMissingOrChangedIsRefused) {
     EXPECT_FALSE(worldFrom(longer).ok());
 }
 
-TEST(Snapshot, ofARecordingGoesOnFromAnyOfItsSteps) {
+TEST(Snapshot, ofARecordingContinuesFromAnyStep) {
     World world = makePit(5, 2);
     WorldRecording recording{world};
     std::vector<std::uint64_t> hashes{hashOf(world)};

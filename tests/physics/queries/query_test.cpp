@@ -18,16 +18,16 @@ using namespace plumb::physics;
 
 namespace {
 
-/// Each of them at even seeds and at odd ones.
+/// Returns each kind of broad phase for even and for odd seeds.
 BroadPhaseKind anyBroadPhase(std::uint64_t seed) {
     return static_cast<BroadPhaseKind>(seed / 2 % static_cast<std::uint64_t>(BroadPhaseKind::Count));
 }
 }  // namespace
 
-TEST(CastRay, findsWhatTryingAllShapesFinds) {
+TEST(CastRay, findsTheSameAsBruteForce) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
-        World world = strew(seed, seed % 2 == 0 ? 0.0 : kFar);
+        World world = scatterShapes(seed, seed % 2 == 0 ? 0.0 : kFar);
         world.settings.broadPhase = anyBroadPhase(seed);
         Random random = Random::seeded(seed);
         std::vector<CastHit> hits;
@@ -68,7 +68,7 @@ TEST(CastRay, findsWhatTryingAllShapesFinds) {
     }
 }
 
-TEST(CastRay, givesTheKnownAnswers) {
+TEST(CastRay, hasTheResultsOfSimpleCases) {
     World world;
     const BodyId ball = addBody(world, BodyKind::Dynamic, {5.0, 0.0});
     const BodyId crate = addBody(world, BodyKind::Static, {10.0, 0.0}, 0.5f * kPi);
@@ -89,10 +89,10 @@ TEST(CastRay, givesTheKnownAnswers) {
     EXPECT_EQ(castRay(world, {5.2, 0.0}, {20.0f, 0.0f})->fraction, 0.0f);
 }
 
-TEST(CastRay, isAsExactAThousandKilometresAway) {
+TEST(CastRay, isEquallyExactAThousandKilometresAway) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
-        World here = strew(seed, 0.0), there = strew(seed, kFar);
+        World here = scatterShapes(seed, 0.0), there = scatterShapes(seed, kFar);
         Random random = Random::seeded(seed);
         for (int i = 0; i < 20; ++i) {
             const double x = static_cast<double>(random.below(2560)) / 128.0 - 10.0;
@@ -108,7 +108,7 @@ TEST(CastRay, isAsExactAThousandKilometresAway) {
     }
 }
 
-TEST(Queries, seeTheWorldAsItIsBetweenSteps) {
+TEST(Queries, includeEditsBetweenSteps) {
     World world;
     const BodyId body = addBody(world, BodyKind::Dynamic, {0.0, 0.0});
     const auto sees = [&](double x) { return castRay(world, {x, -5.0}, {0.0f, 10.0f}).has_value(); };
@@ -128,7 +128,7 @@ TEST(Queries, seeTheWorldAsItIsBetweenSteps) {
     EXPECT_FALSE(sees(7.0));
 }
 
-TEST(Queries, doNotChangeWhatStepsDo) {
+TEST(Queries, doNotChangeSteps) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
         SCOPED_TRACE(seed);
         World plain = makePit(40, seed), asked = plain;
@@ -158,12 +158,12 @@ TEST(Queries, doNotChangeWhatStepsDo) {
     }
 }
 
-TEST(Overlap, findsWhatTryingAllShapesFinds) {
+TEST(Overlap, findsTheSameAsBruteForce) {
     std::size_t all = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         const double origin = seed % 2 == 0 ? 0.0 : kFar;
-        World world = strew(seed, origin);
+        World world = scatterShapes(seed, origin);
         world.settings.broadPhase = anyBroadPhase(seed);
         Random random = Random::seeded(seed);
         std::vector<ShapeId> found;
@@ -192,7 +192,7 @@ TEST(Overlap, findsWhatTryingAllShapesFinds) {
     EXPECT_GT(all, 500u);
 }
 
-TEST(Overlap, givesTheKnownAnswers) {
+TEST(Overlap, hasTheResultsOfSimpleCases) {
     World world;
     const BodyId floor = addBody(world, BodyKind::Static, {0.0, 0.0});
     const ShapeId left = *createShape(world, floor, box({1.0f, 1.0f}, {-2.0f, 0.0f}));
@@ -204,7 +204,7 @@ TEST(Overlap, givesTheKnownAnswers) {
     EXPECT_TRUE(found.empty());
     overlapCircle(world, {0.0, 0.0}, 1.01f, {}, found);
     EXPECT_EQ(found.size(), 2u);
-    overlapCircle(world, {2.9, 0.9}, 0.2f, {}, found);  // in the corner of its bounds only
+    overlapCircle(world, {2.9, 0.9}, 0.2f, {}, found);  // overlaps only a corner of the disc's bounding box
     EXPECT_TRUE(found.empty());
     overlapPoint(world, {-1.5, 0.5}, {}, found);
     EXPECT_EQ(found, (std::vector<ShapeId>{left}));
@@ -212,7 +212,7 @@ TEST(Overlap, givesTheKnownAnswers) {
     EXPECT_TRUE(found.empty());
 }
 
-TEST(Overlap, aPolygonBringsItsOwnCorners) {
+TEST(Overlap, aPolygonUsesItsOwnCorners) {
     World world;
     const BodyId body = addBody(world, BodyKind::Static, {0.0, 0.0});
     static_cast<void>(createShape(world, body, box({1.0f, 1.0f})));
@@ -225,14 +225,14 @@ TEST(Overlap, aPolygonBringsItsOwnCorners) {
     overlapShape(world, {polygon(hull, 0), {1.1, 0.9}, {}, corners}, {}, found);
     EXPECT_TRUE(found.empty());
     overlapShape(world, {polygon(hull, 7), {0.9, 0.9}, {}, corners}, {},
-                 found);  // corners that are not there
+                 found);  // the polygon refers to corners beyond the end of the list
     EXPECT_TRUE(found.empty());
 }
 
 TEST(ClosestPoint, isTheNearestOfAllShapes) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
-        World world = strew(seed, 0.0);
+        World world = scatterShapes(seed, 0.0);
         world.settings.broadPhase = anyBroadPhase(seed);
         Random random = Random::seeded(seed);
         for (int i = 0; i < 20; ++i) {
@@ -256,8 +256,8 @@ TEST(ClosestPoint, isTheNearestOfAllShapes) {
     }
 }
 
-TEST(Queries, badNumbersFindNothing) {
-    World world = strew(1, 0.0);
+TEST(Queries, invalidNumbersFindNothing) {
+    World world = scatterShapes(1, 0.0);
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
     const float fnan = std::numeric_limits<float>::quiet_NaN(), finf = std::numeric_limits<float>::infinity();

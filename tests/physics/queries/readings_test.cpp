@@ -9,7 +9,7 @@
 #include "tests/physics/support/random_shapes.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Measurements of bodies and joints at any pose and velocity, compared with formulas.
+// Compares measurements of bodies and joints at any pose and velocity with formulas.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kScenes = 40;
 
-/// Two bodies that move and rotate, with offset centers of mass.
+/// Two moving and rotating bodies with offset centers of mass.
 struct Two {
     World world;
     Random random;
@@ -37,7 +37,7 @@ struct Two {
             createShape(world, made, circle(0.5f, test::randomPoint(random, 0.5f)), {.mask = 0}));
         return made;
     }
-    /// rad: from A to B.
+    /// Rotation of B relative to A, rad.
     [[nodiscard]] float angle() const { return angleOf(between(rotationOf(world, a), rotationOf(world, b))); }
     [[nodiscard]] float spin() const { return angularVelocityOf(world, b) - angularVelocityOf(world, a); }
     struct Gap {
@@ -65,7 +65,7 @@ float beyond(float value, float lower, float upper) { return std::max({0.0f, low
 
 }  // namespace
 
-TEST(Readings, ofHingesAreTheAngleAndItsSpeed) {
+TEST(Readings, ofHingesAreAngleAndAngularVelocity) {
     for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
         SCOPED_TRACE(seed);
         Two two{seed};
@@ -83,7 +83,7 @@ TEST(Readings, ofHingesAreTheAngleAndItsSpeed) {
     }
 }
 
-TEST(Readings, ofRodsAreTheLengthAndItsSpeed) {
+TEST(Readings, ofRodsAreLengthAndItsRateOfChange) {
     for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
         SCOPED_TRACE(seed);
         Two two{seed};
@@ -102,18 +102,19 @@ TEST(Readings, ofRodsAreTheLengthAndItsSpeed) {
     }
 }
 
-TEST(Readings, ofSlidersAreTheWayAlongTheAxisAndItsSpeed) {
+TEST(Readings, ofSlidersAreDisplacementAlongTheAxisAndItsSpeed) {
     for (std::uint64_t seed = 0; seed < 2 * kScenes; ++seed) {
         SCOPED_TRACE(seed);
         Two two{seed};
         const bool turns = seed % 2 == 0;
         JointDefinition d = two.define(turns ? JointKind::Wheel : JointKind::Prismatic);
-        const Vec2 axis = rotate(test::randomTurn(two.random), {1.0f, 0.0f});
+        const Vec2 axis = rotate(test::randomRotation(two.random), {1.0f, 0.0f});
         d.axis = 3.0f * axis;
         if (seed % 4 < 2) d.limit = {true, -0.5f, 0.5f};
         const JointReading reading = two.read(d);
         const Two::Gap gap = two.gapOf(d);
-        const auto wayOf = [&](float time) {  // in the frame of A, which rotates with it
+        // displacement along the axis at a time, in the rotating frame of A
+        const auto wayOf = [&](float time) {
             const Rot turn =
                 rotFromAngle(time * angularVelocityOf(two.world, two.a)) * rotationOf(two.world, two.a);
             return unrotate(turn, gap.displacement + time * gap.speed);
@@ -130,7 +131,7 @@ TEST(Readings, ofSlidersAreTheWayAlongTheAxisAndItsSpeed) {
     }
 }
 
-TEST(Readings, ofWeldsMiceAndMotorsAreTheirErrors) {
+TEST(Readings, ofWeldMouseAndMotorJointsAreTheirErrors) {
     for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
         SCOPED_TRACE(seed);
         Two two{seed};
@@ -167,7 +168,7 @@ TEST(Readings, ofWeldsMiceAndMotorsAreTheirErrors) {
     }
 }
 
-TEST(Readings, energyIsThatOfAllBodiesSpringsAndAttractors) {
+TEST(Readings, ofEnergyIncludeAllBodiesSpringsAndAttractors) {
     for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
         SCOPED_TRACE(seed);
         Two two{seed};
@@ -197,7 +198,7 @@ TEST(Readings, energyIsThatOfAllBodiesSpringsAndAttractors) {
         EXPECT_NEAR(energyOf(world), wanted, 1e-4);
         FieldDefinition pull{.kind = FieldKind::Attractor, .linear = true, .strength = 2.0f};
         pull.place = {-1.0, 2.0};
-        if (seed % 4 < 2) pull.a = two.b;  // which does not attract itself
+        if (seed % 4 < 2) pull.a = two.b;  // an attractor does not attract its own body
         const WorldPosition centre = pull.a ? centreOf(world, two.b) : pull.place;
         for (const BodyId body : {two.a, two.b}) {
             const Vec2 displacement = centreOf(world, body) - centre;
@@ -205,7 +206,7 @@ TEST(Readings, energyIsThatOfAllBodiesSpringsAndAttractors) {
         }
         ASSERT_TRUE(createField(world, pull));
         EXPECT_NEAR(energyOf(world), wanted, 1e-3);
-        pull.layers = 2;  // of nothing here
+        pull.layers = 2;  // no body here is on this layer
         ASSERT_TRUE(createField(world, pull));
         EXPECT_NEAR(energyOf(world), wanted, 1e-3);
     }

@@ -11,9 +11,9 @@ namespace {
 
 using namespace test;
 
-constexpr float kFar = 0.02f;  // m: the speculative distance
+constexpr float kFar = 0.02f;  // m, speculative distance
 
-/// Segments from point to point; closed chains end at their first point.
+/// Builds the chain segments between successive points; closed chains end at their first point.
 std::vector<Geometry> chainOf(const std::vector<Vec2>& points, bool closed) {
     std::vector<Geometry> chain;
     const std::size_t n = points.size();
@@ -26,13 +26,13 @@ std::vector<Geometry> chainOf(const std::vector<Vec2>& points, bool closed) {
 }
 
 struct Touch {
-    Vec2 normal;  ///< out of the chain
+    Vec2 normal;  ///< points out of the chain
     float separation = 0.0f;
     std::size_t segment = 0;
 };
 
-/// All points at which an outline in a frame touches a
-/// chain. Computed in both orders, which must agree.
+/// Returns all contact points of an outline, placed at a frame, with a chain. They are computed in both
+/// argument orders, which must agree.
 std::vector<Touch> touches(const std::vector<Geometry>& chain, const Outline& outline, const Frame& frame) {
     std::vector<Touch> all;
     for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -74,7 +74,7 @@ TEST(CollideChainProperty, aClosedConvexChainIsTouchedLikeTheSolidPolygon) {
         if (apart.distance < 0.0f) continue;
         frame.position -= apart.normal * (apart.distance - random.between(-0.02f, 0.025f));
         if (containsPoint(ground.geometry, ground.corners, apply(frame, other.centre)))
-            continue;  // behind the chain
+            continue;  // the shape is behind the chain
         const float distance = distanceBetween(solid, other, frame).distance;
         const std::vector<Touch> all = touches(chain, outline, frame);
         if (distance > kFar + 1e-4f) {
@@ -83,7 +83,7 @@ TEST(CollideChainProperty, aClosedConvexChainIsTouchedLikeTheSolidPolygon) {
         }
         if (distance > kFar - 2e-3f || std::fabs(distance) < 2e-5f) continue;
         ++touching;
-        EXPECT_NEAR(least(all), distance, 1e-3f);  // the preference for the chain's own face
+        EXPECT_NEAR(least(all), distance, 1e-3f);  // tolerance: the chain's own face is preferred over others
         for (const Touch& touch : all) {
             const Geometry& segment = chain[touch.segment];
             const Vec2 before = chain[(touch.segment + chain.size() - 1) % chain.size()].a;
@@ -95,7 +95,7 @@ TEST(CollideChainProperty, aClosedConvexChainIsTouchedLikeTheSolidPolygon) {
     EXPECT_GT(touching, 1000);
 }
 
-TEST(CollideChainProperty, noJointOfAFlatFloorIsFelt) {
+TEST(CollideChainProperty, jointsOfAFlatFloorHaveNoEffect) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -108,10 +108,10 @@ TEST(CollideChainProperty, noJointOfAFlatFloorIsFelt) {
         const Vec2 up = normalOfChain(floor[0]);
         const Outline outline = randomOutline(random, kConvexKinds[seed % 5], 1.0f);
         const Convex convex = convexOf(outline.geometry, outline.corners);
-        const Rot posture = randomTurn(random);
+        const Rot posture = randomRotation(random);
         const float depth = random.between(0.0f, 0.01f);
         for (float x = -10.0f; x < 10.0f; x += 0.037f) {
-            // Lowered until its lowest corner is at a depth of `depth` in the floor.
+            // Lower the outline until its lowest corner is `depth` deep in the floor.
             Frame frame{rotate(turn, {x, 0.0f}), posture};
             const auto lowest = static_cast<std::size_t>(farthest(convex.corners(), -unrotate(posture, up)));
             const float height = dot(apply(frame, convex.corners()[lowest].point), up) - convex.radius;
@@ -124,8 +124,8 @@ TEST(CollideChainProperty, noJointOfAFlatFloorIsFelt) {
     }
 }
 
-TEST(CollideChain, aBoxThatSlidesIntoAnInnerCornerTouchesFloorAndWallAndNothingBetween) {
-    // On a screen: the floor runs to the right, then the wall goes up.
+TEST(CollideChain, aBoxInAnInnerCornerTouchesOnlyFloorAndWall) {
+    // In screen coordinates: the floor runs to the right, then the wall goes up.
     const std::vector<Geometry> room = chainOf({{-5, 0}, {-2, 0}, {0, 0}, {2, 0}, {2, -2}, {2, -5}}, false);
     const Outline crate{box({0.5f, 0.5f}), {}};
     EXPECT_EQ(normalOfChain(room[0]), (Vec2{0, -1}));
@@ -145,7 +145,7 @@ TEST(CollideChain, aBoxThatSlidesIntoAnInnerCornerTouchesFloorAndWallAndNothingB
     EXPECT_TRUE(wall);
 }
 
-TEST(CollideChainProperty, aBallOnAnyTerrainTouchesWhereItIsNearest) {
+TEST(CollideChainProperty, aBallOnAnyTerrainTouchesAtTheNearestPoint) {
     int touching = 0;
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         SCOPED_TRACE(seed);
@@ -166,7 +166,7 @@ TEST(CollideChainProperty, aBallOnAnyTerrainTouchesWhereItIsNearest) {
             closest = i;
             out = place.normal;
         }
-        if (dot(out, normalOfChain(ground[closest])) < 0.01f) continue;  // below the ground
+        if (dot(out, normalOfChain(ground[closest])) < 0.01f) continue;  // the ball is below the ground
         const std::vector<Touch> all = touches(ground, {circle(radius, centre), {}}, {});
         if (nearest - radius > kFar) {
             EXPECT_TRUE(all.empty());
@@ -181,7 +181,7 @@ TEST(CollideChainProperty, aBallOnAnyTerrainTouchesWhereItIsNearest) {
     EXPECT_GT(touching, 300);
 }
 
-TEST(CollideChainProperty, onAnyTerrainWhatHoversIsAsNearAsTheNearestSegment) {
+TEST(CollideChainProperty, theSeparationFromAnyTerrainIsThatOfTheNearestSegment) {
     int touching = 0;
     for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
         SCOPED_TRACE(seed);
@@ -200,8 +200,8 @@ TEST(CollideChainProperty, onAnyTerrainWhatHoversIsAsNearAsTheNearestSegment) {
             }
             return least;
         };
-        // Lowered from above until it nearly touches. y points down.
-        Frame frame{{random.between(-2.0f, 2.0f), -5.0f}, randomTurn(random)};
+        // Lower it from above (y points down) until the gap is as small as wanted.
+        Frame frame{{random.between(-2.0f, 2.0f), -5.0f}, randomRotation(random)};
         const float gap = random.between(0.0f, 0.018f);
         for (int i = 0; i < 200; ++i) frame.position.y += std::fmax(0.0f, nearest(frame) - gap);
         const float distance = nearest(frame);
@@ -212,19 +212,20 @@ TEST(CollideChainProperty, onAnyTerrainWhatHoversIsAsNearAsTheNearestSegment) {
     EXPECT_GT(touching, 2000);
 }
 
-TEST(CollideChain, isNotThereFromBehind) {
+TEST(CollideChain, doesNotCollideFromBehind) {
     const std::vector<Geometry> floor = chainOf({{-2, 0}, {-1, 0}, {1, 0}, {2, 0}}, false);
     const Outline hexagon = regularPolygon(6, 0.5f);
     for (const Geometry& shape :
          {circle(0.5f), box({0.5f, 0.5f}), capsule({-0.2f, 0}, {0.2f, 0}, 0.4f), hexagon.geometry}) {
         const Outline outline{shape, hexagon.corners};
-        EXPECT_FALSE(touches(floor, outline, {{0.1f, -0.39f}, {}}).empty());  // y points down: above
+        // y points down: it is above the floor
+        EXPECT_FALSE(touches(floor, outline, {{0.1f, -0.39f}, {}}).empty());
         EXPECT_TRUE(touches(floor, outline, {{0.1f, 0.45f}, {}}).empty());
         EXPECT_TRUE(touches(floor, outline, {{0.1f, 0.1f}, {}}).empty());
     }
 }
 
-TEST(CollideChain, aFreeEndIsASquareCorner) {
+TEST(CollideChain, aFreeEndActsAsASquareCorner) {
     const std::vector<Geometry> ledge = chainOf({{0, 0}, {1, 0}}, false);
     const Outline ball{circle(0.25f), {}};
     const std::vector<Touch> diagonal = touches(ledge, ball, {{1.15f, -0.2f}, {}});
@@ -234,7 +235,7 @@ TEST(CollideChain, aFreeEndIsASquareCorner) {
     EXPECT_EQ(touches(ledge, ball, {{-0.15f, -0.2f}, {}}).size(), 1u);
     EXPECT_EQ(touches(ledge, ball, {{1.2f, 0.1f}, {}}).size(), 0u);
 
-    // A crate on the edge stays on the edge until its middle has passed it, and then tips over the corner.
+    // A crate at the edge tips over the corner as soon as its center has passed the edge.
     const Outline crate{box({0.5f, 0.5f}), {}};
     const std::vector<Touch> tipping = touches(ledge, crate, {{1.0f, -0.5f}, rotFromAngle(0.3f)});
     ASSERT_FALSE(tipping.empty());
@@ -242,7 +243,8 @@ TEST(CollideChain, aFreeEndIsASquareCorner) {
 }
 
 TEST(CollideChainProperty, aCrateTipsOverALedgeWithoutFallingThrough) {
-    // The ledge's wall is behind the crate's middle for as long as it stands.
+    // As long as the crate stands on the ledge, its center is behind the plane of the side wall, which it
+    // cannot hit.
     const std::vector<Geometry> ledge = chainOf({{-3, 3}, {-3, 0}, {0, 0}, {0, 3}}, false);
     const Convex solid = convexOf(box({1.5f, 1.5f}, {-1.5f, 1.5f}), {});
     for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
@@ -257,7 +259,7 @@ TEST(CollideChainProperty, aCrateTipsOverALedgeWithoutFallingThrough) {
             frame.position.y += std::fmax(0.0f, distanceBetween(solid, convex, frame).distance);
         frame.position.y += random.between(0.0f, 0.008f);
         const float distance = distanceBetween(solid, convex, frame).distance;
-        if (distance > 0.0f) continue;  // it passes the wall
+        if (distance > 0.0f) continue;  // it falls past the ledge
         const std::vector<Touch> all = touches(ledge, crate, frame);
         ASSERT_FALSE(all.empty());
         EXPECT_NEAR(least(all), distance, 1e-3f);

@@ -13,8 +13,8 @@ namespace {
 
 using namespace test;
 
-constexpr float kFar = 0.02f;    // m: the speculative distance
-constexpr float kTie = 1.6e-3f;  // m: three times the maximum preference of a face
+constexpr float kFar = 0.02f;    // m, speculative distance
+constexpr float kTie = 1.6e-3f;  // m, three times the maximum preference for a face
 
 float least(const Manifold& manifold) {
     float least = std::numeric_limits<float>::infinity();
@@ -22,11 +22,11 @@ float least(const Manifold& manifold) {
     return least;
 }
 
-/// Two outlines with their corners in one pool.
+/// Two outlines whose corners are in one list.
 struct Couple {
     Geometry a, b;
     std::vector<Corner> corners;
-    Frame frame;  ///< of B in A's
+    Frame frame;  ///< pose of B in the frame of A
 
     [[nodiscard]] Manifold collided(float speculative) const {
         return collide(a, b, corners, frame, speculative);
@@ -46,12 +46,12 @@ Couple coupled(const Outline& a, const Outline& b, const Frame& frame) {
     return couple;
 }
 
-/// Overlapping or separated with equal probability, and mostly close enough to touch.
+/// Creates two outlines that overlap or are separated with equal probability, mostly close to touching.
 Couple randomCouple(Random& random, ShapeKind kindA, ShapeKind kindB, float size) {
     const Outline a = randomOutline(random, kindA, size);
     const Outline b = randomOutline(random, kindB, size);
     Couple couple = coupled(a, b, randomFrame(random, 2.0f * size));
-    if (random.below(3) > 0) {  // nearly touching
+    if (random.below(3) > 0) {  // in two of three cases nearly touching
         const Distance found = couple.distance();
         couple.frame.position -= found.normal * (found.distance - random.between(-0.02f, 0.025f) * size);
     }
@@ -66,7 +66,7 @@ protected:
     }
 };
 
-TEST_P(EveryPair, hasTheSeparationThatGjkAndTheExpandingPolytopeFind) {
+TEST_P(EveryPair, hasTheSeparationOfGjkAndEpa) {
     int touching = 0;
     for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
         SCOPED_TRACE(seed);
@@ -81,7 +81,8 @@ TEST_P(EveryPair, hasTheSeparationThatGjkAndTheExpandingPolytopeFind) {
         ++touching;
         ASSERT_GE(manifold.count, 1);
         EXPECT_NEAR(length(manifold.normal), 1.0f, 1e-5f);
-        // A corner just beyond the end of a face may stay with it: 0.016 % of the distance of the cores.
+        // A corner just beyond the end of a face may be assigned to the face: error up to 0.016 % of the
+        // distance of the cores.
         const float cores = found.distance + pair.a.radius + pair.b.radius;
         const float rounded = pair.a.radius + pair.b.radius > 0.0f ? kTie / 3.0f : 0.0f;
         EXPECT_LE(least(manifold), found.distance + 2e-5f + 1.6e-4f * std::fmax(cores, 0.0f) + rounded);
@@ -105,7 +106,8 @@ TEST_P(EveryPair, touchesMidwayBetweenTheSurfaces) {
             const ClosestPoint onA = closestPoint(pair.a, pair.corners, point.point - half);
             const ClosestPoint onB =
                 closestPoint(pair.b, pair.corners, applyInverse(pair.frame, point.point + half));
-            // One is the face or the corner; the other is a corner, or a point where its edge was clipped.
+            // One of the points is on a face or a corner; the other is a corner or a clipped point of an
+            // edge.
             EXPECT_LT(std::fmin(std::fabs(onA.distance), std::fabs(onB.distance)), 2e-5f);
             if (pair.a.radius == 0.0f && pair.b.radius == 0.0f) {
                 EXPECT_LT(std::fmax(onA.distance, onB.distance), 2e-5f);
@@ -117,7 +119,7 @@ TEST_P(EveryPair, touchesMidwayBetweenTheSurfaces) {
     }
 }
 
-TEST_P(EveryPair, isTheSameSeenFromTheOtherSide) {
+TEST_P(EveryPair, isSymmetric) {
     int compared = 0;
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         SCOPED_TRACE(seed);
@@ -128,8 +130,9 @@ TEST_P(EveryPair, isTheSameSeenFromTheOtherSide) {
         ASSERT_EQ(there.count > 0, back.count > 0);
         if (there.count == 0) continue;
         EXPECT_NEAR(least(there), least(back), kTie);
-        if (dot(there.normal, back.normal) < 0.9999f) continue;  // another face that is equally good
-        if (there.count != back.count) continue;                 // at the limit of the distance
+        // another face with the same depth was selected
+        if (dot(there.normal, back.normal) < 0.9999f) continue;
+        if (there.count != back.count) continue;  // at the limit of the speculative distance
         ++compared;
         for (int i = 0; i < there.count; ++i) {
             const bool found =
@@ -142,7 +145,7 @@ TEST_P(EveryPair, isTheSameSeenFromTheOtherSide) {
     EXPECT_GT(compared, 150);
 }
 
-/// The same outline, written in a frame.
+/// Returns the same outline transformed by a frame.
 Geometry placed(const Geometry& geometry, const Frame& frame) {
     Geometry moved = geometry;
     moved.a = apply(frame, geometry.a);
@@ -151,7 +154,7 @@ Geometry placed(const Geometry& geometry, const Frame& frame) {
     return moved;
 }
 
-TEST_P(EveryPair, turnsWithItsOutlines) {
+TEST_P(EveryPair, isInvariantUnderRotation) {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(seed);
         const Couple pair = couple(seed);
@@ -176,7 +179,7 @@ TEST_P(EveryPair, turnsWithItsOutlines) {
     }
 }
 
-TEST_P(EveryPair, keepsItsDigitsFromAMillimetreToAKilometre) {
+TEST_P(EveryPair, isEquallyPreciseFromAMillimetreToAKilometre) {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(seed);
         const float size = seed % 2 == 0 ? 0.001f : 1000.0f;
@@ -219,7 +222,7 @@ TEST(Collide, aBoxOnABoxTouchesInTwoPoints) {
     EXPECT_EQ(manifold.roundB, 0.0f);
 }
 
-TEST(Collide, equalBoxesOnEachOtherKeepBothPointsWhileTheyTurnALittle) {
+TEST(Collide, stackedEqualBoxesKeepBothPointsUnderSmallRotations) {
     for (int i = -20; i <= 20; ++i) {
         SCOPED_TRACE(i);
         const Frame frame{{0.0f, 1.004f}, rotFromAngle(static_cast<float>(i) * 1e-5f)};
@@ -229,7 +232,7 @@ TEST(Collide, equalBoxesOnEachOtherKeepBothPointsWhileTheyTurnALittle) {
     }
 }
 
-TEST(Collide, idsStayWhileABoxSlidesAndRocksOnAnother) {
+TEST(Collide, idsPersistWhileABoxSlidesAndRocksOnAnother) {
     Manifold before;
     for (int i = 0; i < 200; ++i) {
         SCOPED_TRACE(i);
@@ -245,7 +248,7 @@ TEST(Collide, idsStayWhileABoxSlidesAndRocksOnAnother) {
     }
 }
 
-TEST(Collide, roundCornersMeetInOnePointAndSayHowRoundTheyAre) {
+TEST(Collide, roundedCornersTouchInOnePointAndReportTheirRadii) {
     const Geometry a = box({0.5f, 0.5f}, {}, {}, 0.1f);
     const Geometry b = box({0.5f, 0.5f}, {}, {}, 0.2f);
     const Vec2 direction = normalized(Vec2{1.0f, 1.5f});
@@ -272,21 +275,21 @@ TEST(Collide, roundCornersMeetInOnePointAndSayHowRoundTheyAre) {
     EXPECT_EQ(ball.roundB, 0.0f);
 }
 
-TEST(Collide, aCapsuleLiesOnTwoPointsAndStandsOnOne) {
+TEST(Collide, aLyingCapsuleHasTwoPointsAndAStandingOneHasOne) {
     const Geometry floor = box({5.0f, 0.5f});
     const Geometry pill = capsule({-1.0f, 0.0f}, {1.0f, 0.0f}, 0.25f);
     EXPECT_EQ(collide(floor, pill, {}, {{0.0f, 0.75f}, {}}, kFar).count, 2);
     EXPECT_EQ(collide(floor, pill, {}, {{0.0f, 1.75f}, rotFromAngle(1.57f)}, kFar).count, 1);
     EXPECT_EQ(collide(pill, pill, {}, {{0.5f, 0.5f}, {}}, kFar).count, 2);
     EXPECT_EQ(collide(pill, pill, {}, {{2.5f, 0.0f}, {}}, kFar).count, 1);
-    const Geometry ball = capsule({1.0f, 0.0f}, {1.0f, 0.0f}, 0.25f);  // as short as a disc
+    const Geometry ball = capsule({1.0f, 0.0f}, {1.0f, 0.0f}, 0.25f);  // a capsule of zero length is a disc
     const Manifold onFloor = collide(floor, ball, {}, {{0.0f, 0.75f}, {}}, kFar);
     ASSERT_EQ(onFloor.count, 1);
     EXPECT_NEAR(onFloor.points[0].point.x, 1.0f, 1e-6f);
     EXPECT_EQ(onFloor.roundB, 0.25f);
 }
 
-TEST(Collide, outlinesOnOnePlaceHaveANormal) {
+TEST(Collide, coincidingOutlinesHaveANormal) {
     const Outline hexagon = regularPolygon(6, 1.0f);
     const Geometry all[] = {circle(1.0f), capsule({-1, 0}, {1, 0}, 0.5f), box({1, 2}), hexagon.geometry,
                             segment({-1, 0}, {1, 0})};
@@ -299,7 +302,7 @@ TEST(Collide, outlinesOnOnePlaceHaveANormal) {
     }
 }
 
-TEST(CollideProperty, sliversNeedlesAndFarApartSizesGiveFiniteAnswers) {
+TEST(CollideProperty, extremeShapesGiveFiniteResults) {
     const float sizes[] = {1e-4f, 1e-3f, 0.03f, 1.0f, 40.0f, 1e3f, 1e5f};
     for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
         SCOPED_TRACE(seed);
@@ -321,7 +324,7 @@ TEST(CollideProperty, sliversNeedlesAndFarApartSizesGiveFiniteAnswers) {
         const Outline b = any();
         const Vec2 places[] = {
             {}, {sizes[random.below(7)], 0}, {0, sizes[random.below(7)]}, randomPoint(random, 1.0f)};
-        const Rot turns[] = {{}, {0, 1}, {-1, 0}, randomTurn(random), {std::sqrt(0.5f), std::sqrt(0.5f)}};
+        const Rot turns[] = {{}, {0, 1}, {-1, 0}, randomRotation(random), {std::sqrt(0.5f), std::sqrt(0.5f)}};
         const Couple pair = coupled(a, b, {places[random.below(4)], turns[random.below(5)]});
         const Manifold manifold = pair.collided(kFar);
         ASSERT_GE(manifold.count, 0);
@@ -335,7 +338,7 @@ TEST(CollideProperty, sliversNeedlesAndFarApartSizesGiveFiniteAnswers) {
     }
 }
 
-TEST(Collide, aPlaceThatIsNoNumberIsNoContact) {
+TEST(Collide, aNonFinitePositionGivesNoContact) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const Outline hexagon = regularPolygon(6, 1.0f);
     const Geometry all[] = {

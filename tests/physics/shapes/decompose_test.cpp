@@ -22,7 +22,7 @@ float areaOfLoop(const std::vector<Vec2>& loop) {
     return static_cast<float>(0.5 * std::fabs(twice));
 }
 
-/// Crossings of a ray to the right: odd inside.
+/// True if a point is inside a loop: a ray to the right crosses it an odd number of times.
 bool isInside(const std::vector<Vec2>& loop, Vec2 p) {
     bool inside = false;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -41,7 +41,7 @@ int piecesAround(const std::vector<Hull>& pieces, Vec2 p, float margin) {
     }));
 }
 
-/// A star of random arms: simple, and dented as often as not.
+/// Creates a star with random arms: a simple polygon, concave in about half of the corners.
 std::vector<Vec2> randomStar(Random& random, float size) {
     std::vector<Vec2> loop;
     const std::uint32_t count = 4 + random.below(60);
@@ -53,7 +53,7 @@ std::vector<Vec2> randomStar(Random& random, float size) {
     return loop;
 }
 
-TEST(DecomposeProperty, thePiecesCoverTheOutlineOnceAndNothingElse) {
+TEST(DecomposeProperty, thePiecesCoverTheOutlineExactly) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -110,7 +110,7 @@ TEST(Decompose, repeatedPointsAndStraightSidesDoNotMatter) {
     EXPECT_EQ(pieces->front().corners.size(), 4u);
 }
 
-TEST(Decompose, whatIsNoOutlineIsRefusedByName) {
+TEST(Decompose, invalidOutlinesAreRejectedWithTheirReason) {
     const auto refusal = [](std::vector<Vec2> points) {
         const auto pieces = decompose(points);
         return pieces.ok() ? std::string{} : pieces.error().text();
@@ -126,7 +126,7 @@ TEST(Decompose, whatIsNoOutlineIsRefusedByName) {
     EXPECT_NE(refusal(std::vector<Vec2>(kMaxOutline + 1)).find("2049 points"), std::string::npos);
 }
 
-TEST(DecomposeProperty, anyPointsArePiecesOrAnError) {
+TEST(DecomposeProperty, anyPointsGivePiecesOrAnError) {
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);

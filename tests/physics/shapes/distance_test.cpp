@@ -9,8 +9,8 @@ namespace {
 
 using namespace test;
 
-/// The maximum gap along many directions and along the normals of the
-/// faces: the exact distance or overlap, up to the angular resolution.
+/// Maximum gap over many directions and the normals of all faces: the exact distance (or overlap, if
+/// negative) up to the angular resolution.
 float widestGapOf(const Convex& a, const Convex& b, const Frame& bInA) {
     float widest = -1e30f;
     const auto look = [&](Vec2 direction) {
@@ -32,7 +32,7 @@ float widestGapOf(const Convex& a, const Convex& b, const Frame& bInA) {
     return widest;
 }
 
-TEST(DistanceProperty, isTheWidestGapOfAllDirectionsApartAndInsideEachOther) {
+TEST(DistanceProperty, isTheMaximumGapOverAllDirections) {
     int apart = 0;
     int inside = 0;
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
@@ -45,7 +45,7 @@ TEST(DistanceProperty, isTheWidestGapOfAllDirectionsApartAndInsideEachOther) {
         const Convex convexB = convexOf(b.geometry, b.corners);
         const Distance found = distanceBetween(convexA, convexB, frame);
         const float gap = widestGapOf(convexA, convexB, frame);
-        // A direction that is wrong by half a step has this error for points across it.
+        // Error of a direction that is wrong by half a step.
         EXPECT_GE(found.distance, gap - 1e-5f);
         EXPECT_LE(found.distance, gap + 2e-5f + 4.0f * 1.3e-6f * std::fabs(gap));
         EXPECT_NEAR(length(found.normal), 1.0f, 1e-5f);
@@ -57,7 +57,7 @@ TEST(DistanceProperty, isTheWidestGapOfAllDirectionsApartAndInsideEachOther) {
     EXPECT_GT(inside, 500);
 }
 
-TEST(DistanceProperty, theNearestPointsAreOnBothSurfaces) {
+TEST(DistanceProperty, theClosestPointsAreOnBothSurfaces) {
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -72,7 +72,7 @@ TEST(DistanceProperty, theNearestPointsAreOnBothSurfaces) {
     }
 }
 
-TEST(DistanceProperty, aCacheChangesNothingButTheTimeItTakes) {
+TEST(DistanceProperty, aCacheChangesOnlyTheRunningTime) {
     int cold = 0;
     int warm = 0;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
@@ -82,8 +82,9 @@ TEST(DistanceProperty, aCacheChangesNothingButTheTimeItTakes) {
         const Outline b = randomPolygon(random, 1.0f);
         const Convex convexA = convexOf(a.geometry, a.corners);
         const Convex convexB = convexOf(b.geometry, b.corners);
-        SimplexCache cache{static_cast<std::uint8_t>(random.below(256)), {200, 1, 7}, {0, 99, 3}};  // rubbish
-        Frame frame{{2.5f, 0.0f}, randomTurn(random)};
+        // random invalid indices
+        SimplexCache cache{static_cast<std::uint8_t>(random.below(256)), {200, 1, 7}, {0, 99, 3}};
+        Frame frame{{2.5f, 0.0f}, randomRotation(random)};
         for (int i = 0; i < 20; ++i) {
             frame.position += {-0.05f, 0.01f};
             frame.rotation = frame.rotation * rotFromAngle(0.02f);
@@ -98,7 +99,7 @@ TEST(DistanceProperty, aCacheChangesNothingButTheTimeItTakes) {
     EXPECT_LT(warm, cold);
 }
 
-TEST(DistanceProperty, sizesFromAMillimetreToAKilometreKeepTheirDigits) {
+TEST(DistanceProperty, isEquallyPreciseFromAMillimetreToAKilometre) {
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -113,7 +114,7 @@ TEST(DistanceProperty, sizesFromAMillimetreToAKilometreKeepTheirDigits) {
     }
 }
 
-TEST(Distance, outlinesOnOnePlaceHaveADepthAndANormal) {
+TEST(Distance, coincidingOutlinesHaveADepthAndANormal) {
     const Outline hexagon = regularPolygon(6, 1.0f);
     const Geometry all[] = {circle(1.0f), capsule({-1, 0}, {1, 0}, 0.5f), box({1, 2}), hexagon.geometry,
                             segment({-1, 0}, {1, 0})};

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-TEST(HullProperty, aHullContainsAllPointsAndTurnsOneWay) {
+TEST(HullProperty, aHullContainsAllPointsAndIsConvex) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -31,7 +31,7 @@ TEST(HullProperty, aHullContainsAllPointsAndTurnsOneWay) {
             EXPECT_NEAR(dot(corner.normal, next - corner.point), 0.0f, 1e-6f * size);
             for (const Vec2 point : points) {
                 EXPECT_LT(dot(corner.normal, point - corner.point),
-                          3e-5f * size);  // smaller protrusions are omitted
+                          3e-5f * size);  // smaller protrusions may be omitted
             }
         }
     }
@@ -51,7 +51,7 @@ TEST(HullProperty, theOrderOfThePointsDoesNotMatter) {
     }
 }
 
-TEST(Hull, doublesAndPointsOnASideAreNoCorners) {
+TEST(Hull, duplicatesAndPointsOnASideAreNoCorners) {
     const Vec2 points[] = {{0, 0}, {1, 0},     {2, 0},     {2, 2}, {0, 2}, {0, 2},
                            {1, 2}, {2, 1e-6f}, {1e-6f, 0}, {1, 1}, {0, 1}, {2.000001f, 2}};
     const auto hull = makeHull(points);
@@ -74,7 +74,7 @@ TEST(Hull, aHullFarFromTheOriginKeepsItsAreaAndCentroid) {
     EXPECT_EQ(hull->centroid, (at + Vec2{0.25f, 0.125f}));
 }
 
-TEST(Hull, whatIsNoPolygonIsRefusedByName) {
+TEST(Hull, invalidPolygonsAreRejectedWithTheirReason) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
     const auto refusal = [](std::vector<Vec2> points) {
@@ -88,7 +88,7 @@ TEST(Hull, whatIsNoPolygonIsRefusedByName) {
     EXPECT_NE(refusal({{0, 0}, {1, 0}, {2, 1e-6f}}).find("too thin"), std::string::npos);
     EXPECT_NE(refusal({{0, 0}, {1, nan}, {2, 1}}).find("point 1 is (1, nan)"), std::string::npos);
     EXPECT_NE(refusal({{0, 0}, {1, 0}, {infinity, 1}}).find("point 2"), std::string::npos);
-    EXPECT_NE(refusal({{0, 0}, {2e6f, 0}, {0, 1}}).find("not within"), std::string::npos);
+    EXPECT_NE(refusal({{0, 0}, {2e6f, 0}, {0, 1}}).find("further than"), std::string::npos);
     EXPECT_NE(refusal({{0, 0}, {2e-5f, 0}, {0, 2e-5f}}).find("large"), std::string::npos);
 
     std::vector<Vec2> circle;
@@ -96,10 +96,10 @@ TEST(Hull, whatIsNoPolygonIsRefusedByName) {
         const SinCos at = sinCos(kTau * static_cast<float>(i) / 40.0f);
         circle.push_back({at.cos, at.sin});
     }
-    EXPECT_NE(refusal(circle).find("it has 40 corners, the maximum is 32"), std::string::npos);
+    EXPECT_NE(refusal(circle).find("found 40 corners, expected at most 32"), std::string::npos);
 }
 
-TEST(HullProperty, anyFloatsAreAHullOrAnError) {
+TEST(HullProperty, anyFloatsGiveAHullOrAnError) {
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);

@@ -12,14 +12,14 @@ constexpr GridPoint at(double x, double y) {
     return {static_cast<std::int32_t>(x * kCellUnits), static_cast<std::int32_t>(y * kCellUnits)};
 }
 
-/// The outline of a map that fits in one chunk.
+/// Builds the outline of a map that fits in one chunk.
 TerrainOutline outlineOf(const TileMask& mask) {
     TerrainOutline outline;
     OutlineBuilder{}.build(mask, {0, 0, mask.width(), mask.height()}, outline);
     return outline;
 }
 
-/// The segment that begins at a point; fails if there is none, or more than one.
+/// Returns the segment that begins at a point; the test fails unless there is exactly one.
 TerrainSegment from(const TerrainOutline& outline, GridPoint a) {
     const auto begins = [a](const TerrainSegment& segment) { return segment.a == a; };
     EXPECT_EQ(std::count_if(outline.begin(), outline.end(), begins), 1);
@@ -27,7 +27,7 @@ TerrainSegment from(const TerrainOutline& outline, GridPoint a) {
     return found != outline.end() ? *found : TerrainSegment{};
 }
 
-TEST(Outlines, ofNothingAreNothing) {
+TEST(Outlines, ofAnEmptyMapAreEmpty) {
     EXPECT_EQ(outlineOf(TileMask{}), TerrainOutline{});
     EXPECT_EQ(outlineOf(TileMask{1, 1}), TerrainOutline{});
     EXPECT_EQ(outlineOf(TileMask{32, 32}), TerrainOutline{});
@@ -57,11 +57,13 @@ TEST(Outlines, ofAFullMapAreItsFourBorders) {
     EXPECT_EQ(from(outline, at(0, 0)).b, at(32, 0));
 }
 
-TEST(Outlines, ofAHoleRunTheOtherWayRound) {
+TEST(Outlines, ofAHoleHaveTheOppositeOrientation) {
     const TerrainOutline outline = outlineOf(drawn({"#####", "#...#", "#.#.#", "#...#", "#####"}));
     ASSERT_EQ(outline.size(), 12u);
-    EXPECT_EQ(from(outline, at(1, 1)).b, at(1, 4));  // down: the hole's left wall has its normal to the right
-    EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));  // the same orientation for an island in the hole
+    // downwards: the normal of the hole's left wall points right
+    EXPECT_EQ(from(outline, at(1, 1)).b, at(1, 4));
+    // an island in the hole has the orientation of any other solid
+    EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));
 }
 
 TEST(Outlines, ofNarrowCorridorsHaveBothWalls) {
@@ -71,18 +73,20 @@ TEST(Outlines, ofNarrowCorridorsHaveBothWalls) {
     EXPECT_EQ(from(outline, at(1, 2)).after, at(6, 3));
 }
 
-TEST(Outlines, turnWithinTheOpenSideWhereTwoSolidsTouchInAPoint) {
+TEST(Outlines, stayOnTheOpenSideWhereTwoSolidsTouchInAPoint) {
     const TerrainOutline outline = outlineOf(drawn({"#.", ".#"}));
     ASSERT_EQ(outline.size(), 8u);
-    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(outline[i].b, outline[(i + 1) % 8].a);  // one chain
+    // all segments form one chain
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(outline[i].b, outline[(i + 1) % 8].a);
     const auto wall =
         std::find_if(outline.begin(), outline.end(), [](const TerrainSegment& s) { return s.a == at(1, 0); });
     ASSERT_NE(wall, outline.end());
     EXPECT_EQ(wall->b, at(1, 1));
-    EXPECT_EQ(wall->after, at(2, 1));  // the floor of the pocket, not the underside of the wall's own tile
+    // the floor of the pocket, not the underside of the tile that has this wall
+    EXPECT_EQ(wall->after, at(2, 1));
 }
 
-TEST(Outlines, ofACheckerboardTurnWithinEachPocket) {
+TEST(Outlines, ofACheckerboardStayWithinEachPocket) {
     TileMask mask{8, 8};
     for (int y = 0; y < 8; ++y) {
         for (int x = y % 2; x < 8; x += 2) mask.set(x, y, {TileForm::Full});
@@ -111,7 +115,7 @@ TEST(Outlines, splitWhereTheMaterialChangesButGoOnAsGhosts) {
     for (const int x : {2, 3}) mask.set(x, 0, {TileForm::Full, ice});
     const TerrainOutline outline = outlineOf(mask);
 
-    EXPECT_EQ(outline.size(), 6u);  // no edge between the materials
+    EXPECT_EQ(outline.size(), 6u);  // no edge between the two materials
     const TerrainSegment stone = from(outline, at(0, 0));
     const TerrainSegment icy = from(outline, at(2, 0));
     EXPECT_EQ(stone.b, at(2, 0));
@@ -138,7 +142,7 @@ TEST(Outlines, mergeSlopesOverManyTiles) {
 TEST(Outlines, goOnAcrossTheBordersOfChunks) {
     const TerrainOutlines terrain = built(drawn({"............", "############"}), 4);
     const TerrainOutline& middle = terrain.chunks()[1];
-    ASSERT_EQ(middle.size(), 2u);  // floor and underside, no edge along the border
+    ASSERT_EQ(middle.size(), 2u);  // floor and underside; no edge along the chunk border
     const TerrainSegment floor = from(middle, at(4, 1));
     EXPECT_EQ(floor.b, at(8, 1));
     EXPECT_EQ(floor.before, at(3, 1));
@@ -152,16 +156,16 @@ TEST(Outlines, ofOneWayTilesAreTheirTopsAlone) {
     EXPECT_EQ(top.a, at(0, 1));
     EXPECT_EQ(top.b, at(3, 1));
     EXPECT_EQ(top.kind.oneWay, OneWay::Up);
-    EXPECT_EQ(top.before, at(-3, 1));  // free ends continue straight on, so that nothing catches there
+    EXPECT_EQ(top.before, at(-3, 1));  // free ends are extended straight on, so that nothing catches there
     EXPECT_EQ(top.after, at(6, 1));
 }
 
-TEST(Outlines, ofOneWayTilesEndAtWallsAndGoOnAtFloors) {
+TEST(Outlines, ofOneWayTilesEndAtWallsAndContinueAtFloors) {
     const TerrainOutline outline = outlineOf(drawn({"#...", "#--#", "#..#"}));
     const TerrainSegment platform = from(outline, at(1, 1));
     EXPECT_EQ(platform.b, at(3, 1));
-    EXPECT_EQ(platform.before, at(1, 0));  // the wall on its left
-    EXPECT_EQ(platform.after, at(4, 1));   // the floor on its right
+    EXPECT_EQ(platform.before, at(1, 0));  // the wall to its left
+    EXPECT_EQ(platform.after, at(4, 1));   // the floor to its right
     const auto begins = [](GridPoint a, GridPoint b) {
         return [a, b](const TerrainSegment& s) { return s.a == a && s.b == b; };
     };
@@ -169,12 +173,12 @@ TEST(Outlines, ofOneWayTilesEndAtWallsAndGoOnAtFloors) {
     const auto side = std::find_if(outline.begin(), outline.end(), begins(at(3, 3), at(3, 1)));
     ASSERT_NE(floor, outline.end());
     ASSERT_NE(side, outline.end());
-    EXPECT_EQ(floor->before, at(1, 1));              // from the platform on to the floor nothing catches
-    EXPECT_EQ(side->after, at(4, 1));                // from below, the block has its corner
-    EXPECT_EQ(from(outline, at(1, 0)).b, at(1, 3));  // the wall is one piece
+    EXPECT_EQ(floor->before, at(1, 1));              // nothing catches between platform and floor
+    EXPECT_EQ(side->after, at(4, 1));                // from below, the block has a corner here
+    EXPECT_EQ(from(outline, at(1, 0)).b, at(1, 3));  // the wall is one segment
 }
 
-TEST(Outlines, ofFloorsAreNotTurnedAsideByOneWaySlopesThatStandOnThem) {
+TEST(Outlines, ofFloorsIgnoreOneWaySlopesThatStandOnThem) {
     TileMask mask = drawn({"....", "####"});
     const std::uint8_t ice = *mask.palette.addMaterial({.friction = 0.0f});
     for (const int x : {2, 3}) mask.set(x, 1, {TileForm::Full, ice});
@@ -186,7 +190,7 @@ TEST(Outlines, ofFloorsAreNotTurnedAsideByOneWaySlopesThatStandOnThem) {
     }
 }
 
-TEST(Outlines, ofOneWayTilesLeaveTheCornerToTheSlopeThatBendsAway) {
+TEST(Outlines, ofOneWayTilesContinueStraightWhereASlopeBendsAway) {
     const TerrainOutline outline = outlineOf(drawn({"..", "-\\"}));
     EXPECT_EQ(from(outline, at(0, 1)).after, at(2, 1));  // straight on
     const TerrainSegment slope = from(outline, at(1, 1));
@@ -194,7 +198,7 @@ TEST(Outlines, ofOneWayTilesLeaveTheCornerToTheSlopeThatBendsAway) {
     EXPECT_EQ(slope.before, at(0, 1));
 }
 
-TEST(Outlines, ofAOneWayTileUnderASolidOneAreNothing) {
+TEST(Outlines, ofAOneWayTileUnderASolidOneAreEmpty) {
     const TerrainOutline outline = outlineOf(drawn({"#", "-"}));
     EXPECT_EQ(outline.size(), 4u);
 }
@@ -222,27 +226,29 @@ TEST(Outlines, betweenLayersStopBodiesThatDoNotCollideWithTheOtherLayer) {
                              [a](const TerrainSegment& s) { return s.a == a && s.kind.isInner(); });
     };
     EXPECT_EQ(outline.size(), 8u);
-    const TerrainSegment right = inner(at(1, 0));  // of the left tile
+    const TerrainSegment right = inner(at(1, 0));  // right edge of the left tile
     EXPECT_EQ(right.b, at(1, 1));
     EXPECT_EQ(right.kind, (EdgeKind{0, 0, OneWay::No, static_cast<std::uint8_t>(two + 1)}));
-    EXPECT_EQ(right.before, at(0, 0));  // a shape that collides with it sees the left tile alone
+    // shapes that collide only with this edge treat the left tile as free-standing
+    EXPECT_EQ(right.before, at(0, 0));
     EXPECT_EQ(right.after, at(0, 1));
     const TerrainSegment left = inner(at(1, 1));
     EXPECT_EQ(left.kind, (EdgeKind{0, two, OneWay::No, 1}));
     EXPECT_EQ(left.after, at(2, 0));
-    // The common floor is smooth for shapes that collide with both.
+    // For shapes that collide with both tiles, the common floor is smooth.
     EXPECT_EQ(std::count_if(outline.begin(), outline.end(),
                             [](const TerrainSegment& s) { return s.a == at(0, 0) && s.after == at(2, 0); }),
               1);
 }
 
-TEST(Outlines, betweenLayersAreNeededOnlyWhereTheOtherMeetsFewer) {
+TEST(Outlines, betweenLayersExistOnlyIfTheOtherLayerCollidesWithFewerShapes) {
     TileMask mask{2, 1};
     const std::uint8_t both = *mask.palette.addLayers({3, 0xffffffffu});
     mask.set(0, 0, {TileForm::Full});
     mask.set(1, 0, {TileForm::Full, 0, both});
     const TerrainOutline outline = outlineOf(mask);
-    EXPECT_EQ(outline.size(), 7u);  // shapes that collide with the left tile collide with the right one too
+    // no inner edge: shapes that collide with the left tile also collide with the right one
+    EXPECT_EQ(outline.size(), 7u);
 }
 
 TEST(Outlines, inMetresAreExactNearTheirChunk) {

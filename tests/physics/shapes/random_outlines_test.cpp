@@ -10,8 +10,8 @@ namespace {
 
 using namespace test;
 
-/// The shortest part of an edge, whose ends are multiples
-/// of kStep, as one number: position, direction and kind.
+/// Packs a step, the shortest part of an edge, whose ends are multiples of kStep, into one number: position,
+/// direction and kind.
 std::uint64_t stepKey(GridPoint a, GridPoint way, EdgeKind kind) {
     const auto part = [](std::int32_t units, int offset) {
         return static_cast<std::uint64_t>(units / kStep + offset);
@@ -45,7 +45,7 @@ MaskCell solidAt(const TileMask& mask, GridPoint point) {
     return isInside(mask.palette.outline(cell.form), point - cornerOfCell(x, y)) ? cell : MaskCell{};
 }
 
-/// The open steps of one edge of a cell, by the cell in front of each.
+/// Appends the open steps of one edge of a cell; a step is open depending on the cell in front of it.
 void appendOpenSteps(const TileMask& mask, MaskCell cell, GridPoint a, GridPoint b,
                      std::vector<std::uint64_t>& steps) {
     const GridPoint way = b - a;
@@ -63,7 +63,7 @@ void appendOpenSteps(const TileMask& mask, MaskCell cell, GridPoint a, GridPoint
     }
 }
 
-/// The expected edges of the tiles, without any merging.
+/// Computes the expected edges directly from the tiles, without merging.
 std::vector<std::uint64_t> stepsOfTiles(const TileMask& mask) {
     std::vector<std::uint64_t> steps;
     for (int y = 0; y < mask.height(); ++y) {
@@ -99,8 +99,8 @@ std::int64_t doubleAreaOfOutlines(const TerrainOutlines& terrain) {
     return sum;
 }
 
-/// Chains are connected, of one kind, and maximal: a segment that continues
-/// in another one of its kind is followed by it, or closes its chain with it.
+/// Expects that chains are connected, of one kind, and maximal: a segment that can be continued by another
+/// one of its kind is followed by it in the list or closes its chain with it.
 void expectGoodChains(const TerrainOutline& outline) {
     const auto isConnected = [](const TerrainSegment& one, const TerrainSegment& next) {
         return one.b == next.a && one.kind == next.kind;
@@ -142,8 +142,8 @@ bool isOrdinary(const TileMask& mask, GridPoint vertex) {
     return true;
 }
 
-/// A body that rotates around a vertex from one edge to the next hits nothing
-/// between: the wedge between them, on the side of their normals, is open.
+/// Expects that the wedge between two edges at a vertex, on the side of their normals, is empty, so that a
+/// body that rotates around the vertex hits nothing there.
 void expectOpenBetween(const TileMask& mask, GridPoint vertex, GridPoint from, GridPoint to) {
     const auto angle = [](GridPoint way) {
         return std::atan2(static_cast<double>(way.y), static_cast<double>(way.x));
@@ -160,8 +160,8 @@ void expectOpenBetween(const TileMask& mask, GridPoint vertex, GridPoint from, G
     }
 }
 
-/// The segment whose far end is a given ghost vertex: it begins (or for `backwards` ends) at a vertex.
-/// @return whether there is one; in another chunk the ghost may be anywhere on it
+/// True if some segment that begins at `vertex` (or ends there, for `backwards`) contains the ghost vertex.
+/// In another chunk the ghost vertex may lie anywhere on that segment, not only at its far end.
 bool isGhostOfSome(const std::vector<TerrainSegment>& segments, GridPoint vertex, GridPoint ghost,
                    bool backwards) {
     return std::any_of(segments.begin(), segments.end(), [&](const TerrainSegment& s) {
@@ -183,7 +183,7 @@ void expectGoodGhosts(const TerrainOutlines& terrain) {
     }
 }
 
-/// Within a chunk, consecutive segments have each other's far ends as ghost vertices.
+/// Expects that within a chunk successive segments have each other's far ends as ghost vertices.
 void expectGhostsAgree(const TerrainOutlines& terrain) {
     for (const TerrainOutline& outline : terrain.chunks()) {
         for (const TerrainSegment& s : outline) {
@@ -199,7 +199,7 @@ void expectGhostsAgree(const TerrainOutlines& terrain) {
     }
 }
 
-TEST(RandomOutlines, ofRandomMasksAreTheTilesOpenEdgesEachOnceWithItsKindAndSide) {
+TEST(RandomOutlines, ofRandomMasksAreTheOpenEdgesOfTheTiles) {
     const int count = masksToTry(2000);
     for (int seed = 0; seed < count; ++seed) {
         SCOPED_TRACE(seed);
@@ -213,7 +213,7 @@ TEST(RandomOutlines, ofRandomMasksAreTheTilesOpenEdgesEachOnceWithItsKindAndSide
     }
 }
 
-TEST(RandomOutlines, ofRandomMasksHaveUnbrokenChainsAndGhostsThatGoOn) {
+TEST(RandomOutlines, ofRandomMasksHaveConnectedChainsAndMatchingGhostVertices) {
     const int count = masksToTry(2000) / 5;
     for (int seed = 0; seed < count; ++seed) {
         SCOPED_TRACE(seed);

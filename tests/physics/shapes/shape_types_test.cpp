@@ -13,7 +13,7 @@ using namespace test;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-TEST(ShapeTypes, everyKindHasANameOfItsOwn) {
+TEST(ShapeTypes, kindsHaveUniqueNames) {
     std::vector<std::string_view> names;
     for (int kind = 0; kind < static_cast<int>(ShapeKind::Count); ++kind) {
         const ShapeType& type = shapeTypeOf(static_cast<ShapeKind>(kind));
@@ -23,7 +23,7 @@ TEST(ShapeTypes, everyKindHasANameOfItsOwn) {
     }
 }
 
-TEST(MassProperties, ofSimpleOutlinesAreThoseOfTheTextbook) {
+TEST(MassProperties, ofSimpleOutlinesFollowTheFormulas) {
     const MassProperties disc = massProperties(circle(2.0f, {5.0f, 1.0f}), {}, 3.0f);
     EXPECT_NEAR(disc.mass, 3.0f * kPi * 4.0f, 1e-5f);
     EXPECT_NEAR(disc.inertia, 0.5f * disc.mass * 4.0f, 1e-4f);
@@ -35,8 +35,8 @@ TEST(MassProperties, ofSimpleOutlinesAreThoseOfTheTextbook) {
     EXPECT_NEAR(block.inertia, block.mass * (1.0f + 9.0f) / 12.0f, 1e-5f);
     EXPECT_NEAR(block.centre.x, -2.0f, 1e-6f);
 
-    // A box of 2 by 1 m between two half discs of radius 0.5 m, whose centroids are 4r/3pi from their flat
-    // sides.
+    // A box of 2 x 1 m between two half discs of radius 0.5 m, whose centroids are 4 r / (3 pi) from their
+    // flat sides.
     const MassProperties pill = massProperties(capsule({0.0f, 1.0f}, {2.0f, 1.0f}, 0.5f), {}, 1.0f);
     const float half = kPi * 0.125f;
     const float out = 4.0f * 0.5f / (3.0f * kPi);
@@ -48,7 +48,7 @@ TEST(MassProperties, ofSimpleOutlinesAreThoseOfTheTextbook) {
     const Outline hexagon = regularPolygon(6, 1.0f);
     const MassProperties six = massProperties(hexagon.geometry, hexagon.corners, 1.0f);
     EXPECT_NEAR(six.mass, 2.5980762f, 1e-6f);
-    EXPECT_NEAR(six.inertia, 1.0825318f, 1e-5f);  // 5 sqrt(3) / 8
+    EXPECT_NEAR(six.inertia, 1.0825318f, 1e-5f);  // 5 sqrt(3) / 8 for a regular hexagon
 
     EXPECT_EQ(massProperties(segment({0, 0}, {2, 2}), {}, 1.0f).mass, 0.0f);
     EXPECT_EQ(massProperties(segment({0, 0}, {2, 2}), {}, 1.0f).centre, (Vec2{1, 1}));
@@ -56,7 +56,8 @@ TEST(MassProperties, ofSimpleOutlinesAreThoseOfTheTextbook) {
     EXPECT_EQ(massProperties(circle(1.0f), {}, kNan).mass, 0.0f);
 }
 
-/// Integrates over horizontal slices, each between the entry points of rays from the left and from the right.
+/// Computes mass properties by integration over horizontal slices, each between the hits of rays from the
+/// left and from the right.
 MassProperties sliced(const Outline& outline, int slices) {
     const AABB box = boundsOf(outline.geometry, outline.corners, {});
     const double height = static_cast<double>(box.size().y) / slices;
@@ -80,7 +81,7 @@ MassProperties sliced(const Outline& outline, int slices) {
     return {static_cast<float>(area), centre, static_cast<float>(second - (x * x + y * y) / area)};
 }
 
-TEST(MassPropertiesProperty, areThoseOfTheOutlineCutIntoSlices) {
+TEST(MassPropertiesProperty, equalAnIntegrationOverSlices) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -94,7 +95,7 @@ TEST(MassPropertiesProperty, areThoseOfTheOutlineCutIntoSlices) {
     }
 }
 
-/// Points on the boundary of an outline, found from outside.
+/// Returns points on the boundary of an outline, found by rays from outside.
 std::vector<Vec2> placesOnTheEdge(const Outline& outline) {
     const Vec2 middle = convexOf(outline.geometry, outline.corners).centre;
     std::vector<Vec2> places;
@@ -108,7 +109,7 @@ std::vector<Vec2> placesOnTheEdge(const Outline& outline) {
     return places;
 }
 
-TEST(ClosestPointProperty, isOnTheEdgeAndNoOtherPlaceOfTheEdgeIsNearer) {
+TEST(ClosestPointProperty, isTheNearestPointOfTheBoundary) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -129,7 +130,7 @@ TEST(ClosestPointProperty, isOnTheEdgeAndNoOtherPlaceOfTheEdgeIsNearer) {
     }
 }
 
-TEST(BoundsProperty, touchTheTurnedOutlineOnAllFourSides) {
+TEST(BoundsProperty, touchTheRotatedOutlineOnAllFourSides) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -149,7 +150,7 @@ TEST(BoundsProperty, touchTheTurnedOutlineOnAllFourSides) {
     }
 }
 
-TEST(ReachProperty, isThatOfTheFarthestPlaceOfTheEdge) {
+TEST(ReachProperty, isTheDistanceOfTheFarthestBoundaryPoint) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -160,11 +161,11 @@ TEST(ReachProperty, isThatOfTheFarthestPlaceOfTheEdge) {
             farthest = std::fmax(farthest, distance(place, from));
         const float reach = reachOf(outline.geometry, outline.corners, from);
         EXPECT_GE(reach, farthest - 1e-5f);
-        EXPECT_LT(reach, farthest + 0.05f);  // the points are some centimeters apart
+        EXPECT_LT(reach, farthest + 0.05f);  // tolerance: the points are some centimeters apart
     }
 }
 
-TEST(CastRayProperty, entersOnTheEdgeAndMeetsNothingBefore) {
+TEST(CastRayProperty, hitsTheBoundaryAndNothingBefore) {
     int hits = 0;
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         SCOPED_TRACE(seed);
@@ -194,7 +195,7 @@ TEST(CastRayProperty, entersOnTheEdgeAndMeetsNothingBefore) {
     EXPECT_GT(hits, 300);
 }
 
-TEST(CastRay, startsInsideAtZeroAndAChainIsOneSided) {
+TEST(CastRay, startingInsideHasFractionZeroAndChainsAreOneSided) {
     EXPECT_EQ(castRay(box({1, 1}), {}, {{0.9f, 0.0f}, {5, 0}})->fraction, 0.0f);
     EXPECT_EQ(castRay(box({1, 1}), {}, {{0.9f, 0.0f}, {5, 0}})->normal, (Vec2{1, 0}));
     EXPECT_FALSE(castRay(circle(1.0f), {}, {{2, 0}, {}}).has_value());
@@ -217,7 +218,7 @@ TEST(CastRay, aRayOfAHundredKilometresHitsAPea) {
     EXPECT_NEAR(hit->normal.y, -0.4f, 1e-3f);
 }
 
-TEST(CheckGeometry, takesGoodOutlinesAndNamesTheMemberThatIsWrong) {
+TEST(CheckGeometry, acceptsValidOutlinesAndNamesTheInvalidMember) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);

@@ -15,12 +15,12 @@
 #include "tests/physics/support/random_shapes.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Small shared functions, compared with the simplest possible implementations.
+// Compares small shared functions with the simplest possible implementations.
 
 using namespace plumb;
 using namespace plumb::physics;
 
-TEST(PairSet, holdsWhatASetHolds) {
+TEST(PairSet, behavesLikeASet) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -48,13 +48,13 @@ TEST(PairSet, holdsWhatASetHolds) {
     }
 }
 
-TEST(BoxStatistics, areThoseOfEvenlySpreadBoxes) {
+TEST(BoxStatistics, matchAGridOfBoxes) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
         test::ProxyWorld world;
         std::vector<std::uint32_t> ids;
-        // A grid of boxes with spacing 1; boxes that are nowhere do not count.
+        // A grid of boxes, with additional empty boxes that must not be counted.
         const int columns = 20 + static_cast<int>(random.below(30)),
                   rows = 20 + static_cast<int>(random.below(30));
         const float apart = random.between(0.5f, 5.0f), size = random.between(0.1f, 4.0f);
@@ -75,7 +75,7 @@ TEST(BoxStatistics, areThoseOfEvenlySpreadBoxes) {
     }
 }
 
-TEST(BoxStatistics, aQuarterOfLargeBoxesDoesNotCount) {
+TEST(BoxStatistics, ignoreAQuarterOfLargeBoxes) {
     for (const float large : {2.0f, 8.0f, 100.0f}) {
         test::ProxyWorld world;
         std::vector<std::uint32_t> ids;
@@ -95,7 +95,7 @@ TEST(BoxStatistics, aQuarterOfLargeBoxesDoesNotCount) {
     }
 }
 
-TEST(SubstepEstimate, asksForALevelMoreAboveEachLimit) {
+TEST(SubstepEstimate, addsALevelAboveEachLimit) {
     const auto levels = [](auto&& change) {
         SubstepEstimate island;
         island.bodies = 10.0f;
@@ -154,7 +154,7 @@ TEST(Convex, ofBoxesAndSegmentsHasCornersInTheOrderOfTheirNormals) {
         Random random = Random::seeded(seed);
         const Vec2 centre = test::randomPoint(random, 3.0f),
                    half{random.between(0.1f, 2.0f), random.between(0.1f, 2.0f)};
-        const Rot turn = test::randomTurn(random);
+        const Rot turn = test::randomRotation(random);
         const Geometry geometry = box(half, centre, turn, 0.25f);
         const Convex convex = convexOf(geometry, {});
         EXPECT_EQ(convex.centre, centre);
@@ -184,7 +184,7 @@ TEST(Convex, ofBoxesAndSegmentsHasCornersInTheOrderOfTheirNormals) {
     EXPECT_EQ(convexOf(capsule({}, {kBlur, 0.0f}, 1.0f), {}).count, 1);
 }
 
-TEST(Lists, areWhatLookingAtEveryContactFinds) {
+TEST(Lists, matchASearchOfAllContacts) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
         World world = makePit(30, seed);
@@ -249,7 +249,7 @@ TEST(Lists, areWhatLookingAtEveryContactFinds) {
             for (std::size_t i = 0; i < points.size(); ++i) {
                 EXPECT_EQ(points[i].separation, separations[i]);
                 EXPECT_EQ(points[i].impulse, std::fabs(impulses[i]));
-                // At both, but for the last step.
+                // The point is near both shapes, up to their motion in the last step.
                 if ((contact->flags & kTriggered) != 0) continue;
                 for (const std::uint32_t shape : {contact->shapeA, contact->shapeB})
                     EXPECT_TRUE(contains(grown(world.shapes.bounds[shape], 0.4f), toVec2(points[i].point)));
@@ -258,7 +258,7 @@ TEST(Lists, areWhatLookingAtEveryContactFinds) {
     }
 }
 
-TEST(Lists, boundsHoldAllShapesAndNoMoreThanTheirMargin) {
+TEST(Lists, boundsContainAllShapesWithTheirMargin) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         Random random = Random::seeded(seed);
         World world;

@@ -7,7 +7,7 @@
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/support/effect_worlds.hpp"
 
-// Interaction of soft and rigid bodies.
+// Contacts between soft and rigid bodies.
 
 namespace plumb::physics {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 
 constexpr float kDensity = 4.2f;  // kg/m2
-constexpr float kSmall = 0.15f;   // m: radius of balls, half size of crates
+constexpr float kSmall = 0.15f;   // m, radius of balls and half size of crates
 
 SoftBodyId addJelly(World& world, WorldPosition place, float radius, const SoftMaterial& material) {
     std::vector<Vec2> ring;
@@ -42,18 +42,18 @@ BodyId addBall(World& world, WorldPosition place) { return addSmall(world, place
 BodyId addCrate(World& world, WorldPosition place) { return addSmall(world, place, box({kSmall, kSmall})); }
 void addPost(World& world, double x) { addBody(world, BodyKind::Static, {x, -0.5}, box({0.1f, 0.5f})); }
 
-/// Sums over soft bodies and bodies, about the origin.
+/// Momenta and energy of all soft and rigid bodies; angular momentum about the origin.
 struct Motion {
-    double x = 0.0, y = 0.0;  // kg m/s
-    double turning = 0.0;     // kg m2/s
-    double energy = 0.0;      // J
-    double size = 0.0;        // kg m/s: of all momenta
+    double x = 0.0, y = 0.0;       // kg m/s
+    double angularMomentum = 0.0;  // kg m2/s
+    double energy = 0.0;           // J
+    double size = 0.0;             // kg m/s, sum of the magnitudes of all momenta
 };
 
 void add(Motion& sum, float mass, WorldPosition place, Vec2 velocity) {
     const double m = mass, x = velocity.x, y = velocity.y;
     sum.x += m * x, sum.y += m * y;
-    sum.turning += m * (place.x * y - place.y * x);
+    sum.angularMomentum += m * (place.x * y - place.y * x);
     sum.energy += 0.5 * m * (x * x + y * y);
     sum.size += m * std::sqrt(x * x + y * y);
 }
@@ -69,14 +69,14 @@ Motion motionOf(const World& world) {
         if (mass.inverseMass == 0.0f) continue;
         add(sum, mass.mass, world.bodies.pose[i].centre, motion.velocity);
         const double spin = motion.angularVelocity, inertia = mass.inertia;
-        sum.turning += inertia * spin;
+        sum.angularMomentum += inertia * spin;
         sum.energy += 0.5 * inertia * spin * spin;
     }
     return sum;
 }
 
-/// m/s: maximum speed of any body within the next two
-/// seconds. Damped motion decays; a driven one does not.
+/// Maximum speed of any body within the next two seconds, m/s. Damped motion decays, motion driven by an
+/// error does not.
 float fastestPoint(World& world) {
     float most = 0.0f;
     for (int i = 0; i < 120; ++i) {
@@ -89,7 +89,7 @@ float fastestPoint(World& world) {
     return most;
 }
 
-/// One of a few impacts, without gravity and damping.
+/// Builds a world with one of a few impacts, without gravity and damping.
 World makeBlow(std::uint64_t seed) {
     Random random = Random::seeded(seed);
     World world = makeWorld();
@@ -106,7 +106,7 @@ World makeBlow(std::uint64_t seed) {
 
 float thrownOf(const World& world) { return world.bodies.motion[0].velocity.x; }
 
-TEST(SoftContacts, blowsKeepMomentumAndGiveNoEnergy) {
+TEST(SoftContacts, impactsConserveMomentumAndAddNoEnergy) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         World world = makeBlow(seed);
@@ -123,20 +123,20 @@ TEST(SoftContacts, blowsKeepMomentumAndGiveNoEnergy) {
     }
 }
 
-TEST(SoftContacts, blowsKeepTurning) {
+TEST(SoftContacts, impactsConserveAngularMomentum) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         World world = makeBlow(seed);
         const Motion before = motionOf(world);
         run(world, 120);
-        EXPECT_NEAR(motionOf(world).turning, before.turning, 0.03 * before.size);
+        EXPECT_NEAR(motionOf(world).angularMomentum, before.angularMomentum, 0.03 * before.size);
     }
 }
 
-/// A jelly on the floor and bodies that lean on it, between two posts.
+/// A jelly on the floor between two posts, with bodies that lean on it.
 struct Leaning {
     const char* name;
-    double post;  // m: the right one; the left one is at -0.8
+    double post;  // m, position of the right post; the left one is at -0.8 m
     void (*add)(World& world);
 };
 
@@ -173,7 +173,7 @@ World makeLeaning(const Leaning& leaning, float mass) {
     return world;
 }
 
-TEST(SoftContacts, whatLeansAtAJellyComesToRest) {
+TEST(SoftContacts, bodiesThatLeanOnAJellyComeToRest) {
     const float slow = BodyDefinition{}.sleepSpeed;
     for (const Leaning& leaning : kLeanings) {
         for (const float mass : {20.0f, 60.0f}) {
@@ -185,14 +185,14 @@ TEST(SoftContacts, whatLeansAtAJellyComesToRest) {
     }
 }
 
-TEST(SoftContacts, whatRestsOnAJellyFallsAsleep) {
+TEST(SoftContacts, bodiesOnAJellyFallAsleep) {
     World world = makeLeaning(kLeanings[4], 20.0f);
     world.settings.sleeping = true;
     run(world, 1200);
     EXPECT_TRUE(world.awake.empty());
 }
 
-TEST(SoftContacts, whatSleptOnAJellyFallsWhenThatIsTakenAway) {
+TEST(SoftContacts, sleepingBodiesFallWhenTheirJellyIsDestroyed) {
     World world = makeLeaning(kLeanings[0], 20.0f);
     world.settings.sleeping = true;
     run(world, 1200);

@@ -8,7 +8,7 @@
 #include "tests/physics/support/random_shapes.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Construction of soft bodies, and single substeps of them, compared with formulas.
+// Compares the construction and single substeps of soft bodies with formulas.
 
 using namespace plumb;
 using namespace plumb::physics;
@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kStep = 0.01f;  // s
 
-/// One substep per step, no damping.
+/// A material with one substep per step, no damping and no bending links.
 SoftMaterial bare() {
     SoftMaterial material;
     material.damping = 0.0f;
@@ -50,7 +50,7 @@ Links linksOf(const World& world, SoftBodyId body) {
 
 }  // namespace
 
-TEST(SoftFormulas, aRopeLinksNeighboursAndTheNextButOne) {
+TEST(SoftFormulas, aRopeLinksNeighboursAndSecondNeighbours) {
     for (const int count : {2, 3, 7}) {
         World world;
         SoftMaterial material;
@@ -106,7 +106,7 @@ TEST(SoftFormulas, aClothLinksRowsColumnsAndDiagonals) {
     EXPECT_EQ(linksOf(world, cloth), wanted);
 }
 
-TEST(SoftFormulas, aJellyLinksItsRingAndKnowsItsArea) {
+TEST(SoftFormulas, aJellyLinksItsRingAndStoresItsArea) {
     for (const int count : {3, 4, 5, 8}) {
         for (const bool reversed : {false, true}) {
             World world;
@@ -148,7 +148,7 @@ TEST(SoftFormulas, noTwoNeighbouringLinksOfTheListShareAParticle) {
     EXPECT_LE(shared, 8u) << "but where one color ends and the next begins";
 }
 
-TEST(SoftFormulas, rangesOfCountsEndWhereTheyEnd) {
+TEST(SoftFormulas, rangesOfCountsAreExact) {
     World world;
     EXPECT_FALSE(createRope(world, {}, {1.0, 0.0}, 1).ok());
     EXPECT_FALSE(createRope(world, {1.0, 2.0}, {1.0, 2.0}, 5).ok()) << "without a length";
@@ -173,7 +173,7 @@ TEST(SoftFormulas, rangesOfCountsEndWhereTheyEnd) {
     for (const int particle : {0, 2}) EXPECT_TRUE(pinParticle(world, rope, particle, true).ok());
 }
 
-TEST(SoftFormulas, aLinkGivesWayByItsCompliance) {
+TEST(SoftFormulas, aLinkYieldsByItsCompliance) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -187,7 +187,8 @@ TEST(SoftFormulas, aLinkGivesWayByItsCompliance) {
         const bool pinned = seed % 2 == 0;
         ASSERT_TRUE(pinParticle(world, rope, 0, pinned));
         step(world, kStep);
-        // XPBD: the multiplier is C / (w + compliance / h2), and each end moves by its share.
+        // XPBD: the multiplier is C / (w + compliance / h2), and each end moves in proportion to its inverse
+        // mass.
         const float inverse = 2.0f / material.mass, weight = pinned ? inverse : 2.0f * inverse;
         const float push = (length(end) - 2.0f) / (weight + material.stretchCompliance / (kStep * kStep));
         const Vec2 along = normalized(end);
@@ -199,12 +200,12 @@ TEST(SoftFormulas, aLinkGivesWayByItsCompliance) {
     }
 }
 
-TEST(SoftFormulas, aJellyClosesTheErrorOfItsAreaInOneStepWhereItIsNotCompliant) {
+TEST(SoftFormulas, aRigidJellyCorrectsItsAreaInOneStep) {
     for (const float compliance : {0.0f, 1e-3f}) {
         for (const float scale : {0.95f, 1.05f}) {
             World world = weightless();
             SoftMaterial material = bare();
-            material.stretchCompliance = 1e6f;  // edges have no effect
+            material.stretchCompliance = 1e6f;  // so soft that edges have no effect
             material.areaCompliance = compliance;
             const std::vector<Vec2> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
             const SoftBodyId jelly = *createJelly(world, {}, square, material);
@@ -212,17 +213,17 @@ TEST(SoftFormulas, aJellyClosesTheErrorOfItsAreaInOneStepWhereItIsNotCompliant) 
                 ASSERT_TRUE(moveParticle(world, jelly, i,
                                          WorldPosition{scale * square[static_cast<std::size_t>(i)]}));
             step(world, kStep);
-            // C = 4 s2 - 4; four gradients of half a diagonal, sqrt(2) s; masses of 1/4.
+            // C = 4 s2 - 4; four gradients, each half a diagonal, sqrt(2) s; particle masses of 1/4 kg.
             const float weight = 4.0f * 4.0f * 2.0f * scale * scale + compliance / (kStep * kStep);
             const float push = -(4.0f * scale * scale - 4.0f) / weight;
-            const float wanted = scale + push * 4.0f * scale;  // of each coordinate: the gradient is (s, s)
+            const float wanted = scale + push * 4.0f * scale;  // each coordinate; the gradient is (s, s)
             for (std::size_t i = 0; i < 4; ++i)
                 EXPECT_NEAR(length(placeOf(world, jelly, i) - wanted * square[i]), 0.0f, 1e-4f);
         }
     }
 }
 
-TEST(SoftFormulas, particlesFallAndSlowDownByTheirDampingAndAreNoFasterThanTheyMay) {
+TEST(SoftFormulas, particlesFallAreDampedAndHaveAMaximumSpeed) {
     World world;
     world.settings.gravity = {1.0f, 10.0f};
     world.settings.maxSpeed = 20.0f;

@@ -6,7 +6,7 @@
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/support/effect_worlds.hpp"
 
-// Soft bodies that carry bodies much heavier or lighter than they are, or lie on them.
+// Soft bodies under or on top of bodies that are much heavier or lighter.
 
 namespace plumb::physics {
 namespace {
@@ -14,21 +14,22 @@ namespace {
 using namespace test;
 
 constexpr float kGravity = 10.0f;     // m/s2
-constexpr int kTenSeconds = 600;      // steps
-constexpr float kNearRest = 4.0e-3f;  // m/s: crates rock on round jellies for a while
+constexpr int kTenSeconds = 600;      // number of steps in ten seconds
+constexpr float kNearRest = 4.0e-3f;  // m/s; crates rock on round jellies for a while
 constexpr float kAtRest = 1.0e-3f;    // m/s
 
 /// A jelly of 1 kg between two posts, and crates on it or a crate below it.
 struct Load {
     float radius = 0.5f;      // m
-    float crate = 0.2f;       // m: half a side
-    float mass = 1.0f;        // kg, of all crates
+    float crate = 0.2f;       // m, half the side length of a crate
+    float mass = 1.0f;        // kg, total mass of the crates
     float compliance = 0.0f;  // m/N
     int crates = 1;
     bool below = false;
 };
 
-/// Masses from 1/1000 to 1000 times that of the jelly. Links stretch by at most 1 cm under all of it.
+/// Creates a random load of 1/1000 to 1000 times the mass of the jelly. Links stretch by at most 1 cm under
+/// the whole load.
 Load randomLoad(std::uint64_t seed) {
     Random random = Random::seeded(seed);
     Load load;
@@ -46,7 +47,7 @@ struct Loaded {
     std::vector<BodyId> crates;
 };
 
-constexpr float kParticle = 0.02f;  // m: radius
+constexpr float kParticle = 0.02f;  // m, radius of a particle
 
 Loaded build(const Load& load) {
     Loaded made{makeWorld(), {}, {}};
@@ -80,14 +81,14 @@ Loaded build(const Load& load) {
     return made;
 }
 
-/// m/s
+/// Maximum speed of a crate, m/s.
 float fastest(const Loaded& made) {
     float most = 0.0f;
     for (const BodyId body : made.crates) most = std::max(most, length(velocityOf(made.world, body)));
     return most;
 }
 
-/// m: depth of the middle of a particle inside a crate.
+/// Maximum depth of a particle's center inside a crate, m.
 float entered(const Loaded& made, float crate) {
     float most = 0.0f;
     for (const BodyId body : made.crates) {
@@ -100,7 +101,7 @@ float entered(const Loaded& made, float crate) {
     return most;
 }
 
-/// J: kinetic and potential energy. Springs are at rest at the start, so they contain none.
+/// Kinetic and potential energy, J. Springs start at rest, so they contain no energy.
 double energyOf(const Loaded& made) {
     const auto g = static_cast<double>(kGravity);
     double sum = 0.0;
@@ -118,7 +119,7 @@ double energyOf(const Loaded& made) {
     return sum;
 }
 
-TEST(SoftLoads, ofAnyMassComeToRestOnAJellyAndUnderIt) {
+TEST(SoftLoads, ofAnyMassComeToRestOnOrUnderAJelly) {
     for (std::uint64_t seed = 0; seed < 45; ++seed) {
         const Load load = randomLoad(seed);
         Loaded made = build(load);
@@ -154,7 +155,7 @@ TEST(SoftLoads, stacksOfCratesStayOnAJelly) {
     }
 }
 
-TEST(SoftLoads, aRopeCarriesWhatLiesOnIt) {
+TEST(SoftLoads, aRopeCarriesBodies) {
     for (const float mass : {0.01f, 1.0f, 20.0f}) {
         SCOPED_TRACE(mass);
         World world = makeWorld();
@@ -170,7 +171,7 @@ TEST(SoftLoads, aRopeCarriesWhatLiesOnIt) {
     }
 }
 
-TEST(SoftLoads, aJellyInFreeFlightComesToRestInItself) {
+TEST(SoftLoads, aJellyInFreeFlightStopsDeforming) {
     for (const float compliance : {0.0f, 2.0e-5f, 1.0e-3f}) {
         SCOPED_TRACE(compliance);
         Loaded made = build({.compliance = compliance});
@@ -182,7 +183,7 @@ TEST(SoftLoads, aJellyInFreeFlightComesToRestInItself) {
     }
 }
 
-TEST(SoftLoads, islandsThatShareASoftBodyAreSolvedWithIt) {
+TEST(SoftLoads, islandsThatShareASoftBodyAreSolvedTogether) {
     World world = makeWorld();
     world.settings.gravity = {};
     SoftMaterial material;

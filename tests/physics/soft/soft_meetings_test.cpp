@@ -54,7 +54,7 @@ Vec2 meanVelocity(const World& world, SoftBodyId body) {
     return sum / static_cast<float>(particlesOf(world, body).size());
 }
 
-/// m: from a particle to the nearest edge of another body; negative inside its ring.
+/// Distance from a position to the nearest edge of a soft body, m; negative inside its ring.
 float gapTo(const SoftBody& other, WorldPosition place) {
     float nearest = 1.0e9f, winding = 0.0f;
     for (const SoftLink& link : other.links) {
@@ -67,7 +67,7 @@ float gapTo(const SoftBody& other, WorldPosition place) {
     return !other.ring.empty() && std::fabs(winding) > kPi ? -nearest : nearest;
 }
 
-/// m: the minimum over all particles of both.
+/// Minimum distance of any particle of one body to the other body, m.
 float gapBetween(const World& world, SoftBodyId a, SoftBodyId b) {
     float gap = 1.0e9f;
     for (const SoftParticle& p : particlesOf(world, a))
@@ -77,7 +77,7 @@ float gapBetween(const World& world, SoftBodyId a, SoftBodyId b) {
     return gap;
 }
 
-constexpr float kApart = 0.1f;  // m: both radii
+constexpr float kApart = 0.1f;  // m, sum of both particle radii
 
 struct Momentum {
     double x = 0.0, y = 0.0;
@@ -98,7 +98,7 @@ TEST(SoftSoftContacts, aJellyRestsOnAnother) {
     addFloor(world);
     const SoftBodyId below = addJelly(world, {0.0, -0.7}, 0.6f, firm(2.0f));
     const SoftBodyId above = addJelly(world, {0.05, -2.2}, 0.6f, firm(2.0f));
-    addBody(world, BodyKind::Static, {-1.0, -2.0}, box({0.3f, 2.0f}));  // keeps it from rolling away
+    addBody(world, BodyKind::Static, {-1.0, -2.0}, box({0.3f, 2.0f}));  // posts that keep it from rolling off
     addBody(world, BodyKind::Static, {1.0, -2.0}, box({0.3f, 2.0f}));
     for (int i = 0; i < 600; ++i) {
         run(world, 1);
@@ -109,7 +109,7 @@ TEST(SoftSoftContacts, aJellyRestsOnAnother) {
     EXPECT_LT(middleOf(world, above).y, middleOf(world, below).y - 0.8f);
 }
 
-TEST(SoftSoftContacts, aJellyLiesOnARopeThatCarriesIt) {
+TEST(SoftSoftContacts, aRopeCarriesAJelly) {
     World world = makeWorld();
     const SoftBodyId rope = *createRope(world, {-1.5, 0.0}, {1.5, 0.0}, 40, firm(1.0f));
     ASSERT_TRUE(pinParticle(world, rope, 0, true).ok());
@@ -131,7 +131,7 @@ TEST(SoftSoftContacts, aRopeHangsOverAnother) {
     EXPECT_LT(particlesOf(world, rope)[20].place.y, -0.55);
 }
 
-TEST(SoftSoftContacts, blowsKeepAllMomentum) {
+TEST(SoftSoftContacts, impactsConserveMomentum) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -186,7 +186,7 @@ TEST(SoftSoftContacts, bodiesFarAwayOrInAnotherLayerAreIgnored) {
     EXPECT_TRUE(sameBytes(softBodyOf(alone, a).particles, softBodyOf(far, a).particles));
 }
 
-TEST(SoftSoftContacts, whatWasMadeInsideOfAnotherIsPushedOutAndNotThrown) {
+TEST(SoftSoftContacts, overlappingBodiesArePushedApartSlowly) {
     World world = makeWorld();
     world.settings.gravity = {};
     const SoftBodyId a = addJelly(world, {0.0, 0.0}, 0.6f, firm(1.0f)),
@@ -195,13 +195,13 @@ TEST(SoftSoftContacts, whatWasMadeInsideOfAnotherIsPushedOutAndNotThrown) {
     for (int i = 0; i < 180; ++i) {
         run(world, 1);
         for (const SoftBodyId body : {a, b})
-            // Compressed links add some.
+            // Compressed links add some speed.
             ASSERT_LT(length(meanVelocity(world, body)), 1.5f * world.settings.pushSpeed) << i;
     }
     EXPECT_GT(gapBetween(world, a, b), kApart - 0.002f);
 }
 
-/// Ropes, a cloth and jellies on a floor, with a ball.
+/// Builds a heap of ropes, a cloth and jellies on a floor, with a ball.
 World makeHeap() {
     World world = makeWorld();
     addFloor(world);
@@ -213,7 +213,7 @@ World makeHeap() {
     return world;
 }
 
-TEST(SoftSoftContacts, haveTheSameBitsAgainFromASnapshotAndOverThreads) {
+TEST(SoftSoftContacts, haveTheSameBitsFromASnapshotAndWithThreads) {
     World world = makeHeap();
     run(world, 60);
     World copy = world;
@@ -229,7 +229,7 @@ TEST(SoftSoftContacts, haveTheSameBitsAgainFromASnapshotAndOverThreads) {
     EXPECT_TRUE(met);
 }
 
-TEST(SoftSoftContacts, askForNoMemoryInASteadyStep) {
+TEST(SoftSoftContacts, makeNoAllocationsInASteadyStep) {
     World world = makeHeap();
     run(world, 60);
     const World saved = world;
@@ -241,8 +241,8 @@ TEST(SoftSoftContacts, askForNoMemoryInASteadyStep) {
     EXPECT_EQ(plumb::test::allocations().made, before);
 }
 
-// Regression: they moved at 12 to 40 m/s for minutes.
-TEST(SoftSoftContacts, jelliesInOnePlacePartAndComeToRest) {
+// Regression: coinciding jellies moved at 12 to 40 m/s for minutes.
+TEST(SoftSoftContacts, coincidingJelliesSeparateAndComeToRest) {
     for (const int count : {2, 3, 6}) {
         for (const float apart : {0.0f, 0.1f, 0.4f}) {
             SCOPED_TRACE(testing::Message() << count << " jellies, " << apart << " m apart");
@@ -263,7 +263,7 @@ TEST(SoftSoftContacts, jelliesInOnePlacePartAndComeToRest) {
     }
 }
 
-TEST(SoftSoftContacts, whatIsPushedApartKeepsItsMomentum) {
+TEST(SoftSoftContacts, separationConservesMomentum) {
     World world = makeSpace();
     const SoftBodyId a = addJelly(world, {0.0, 0.0}, 0.6f, firm(2.0f)),
                      b = addJelly(world, {0.3, 0.1}, 0.6f, firm(1.0f));
@@ -271,7 +271,7 @@ TEST(SoftSoftContacts, whatIsPushedApartKeepsItsMomentum) {
     push(world, b, {0.4f, 0.0f});
     const Momentum before = momentumOf(world);
     run(world, 60);
-    const double kept = 1.0 - 0.5 / 60.0;  // about: damping
+    const double kept = 1.0 - 0.5 / 60.0;  // approximate effect of the damping in one step
     EXPECT_NEAR(momentumOf(world).x, before.x * std::pow(kept, 60), 0.01 * before.x);
     EXPECT_NEAR(momentumOf(world).y, 0.0, 0.01 * before.x);
 }

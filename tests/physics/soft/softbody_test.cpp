@@ -16,7 +16,7 @@ Vec2 wayOf(const World& world, SoftBodyId body, std::size_t from, std::size_t to
     return particles[to].place - particles[from].place;
 }
 
-TEST(SoftBody, aRopeFallsByTheParabola) {
+TEST(SoftBody, aRopeFallsFreely) {
     World world = makeWorld();
     SoftMaterial material;
     material.damping = 0.0f;
@@ -46,7 +46,7 @@ TEST(SoftBody, aClothLiesOnTheFloor) {
     EXPECT_EQ(runsOf(world, "soft bodies"), 300u);
 }
 
-TEST(SoftBody, windBlowsARopeAsideWhereItBlows) {
+TEST(SoftBody, windMovesARopeOnlyInsideItsRegion) {
     const auto asideIn = [](Vec2 half) {
         World world = makeWorld();
         const SoftBodyId rope = *createRope(world, {0.0, 0.0}, {0.0, 2.0}, 20);
@@ -109,7 +109,7 @@ TEST(SoftBody, pushesABodyThatItFallsOn) {
     EXPECT_NEAR(momentum(), 15.0f, 0.3f);
 }
 
-TEST(SoftBody, aCopyOfTheWorldGoesOnWithTheSameBits) {
+TEST(SoftBody, aCopyOfTheWorldContinuesWithTheSameBits) {
     World world = makeWorld();
     addFloor(world);
     addBody(world, BodyKind::Dynamic, {0.2, -0.5}, circle(0.5f));
@@ -122,7 +122,7 @@ TEST(SoftBody, aCopyOfTheWorldGoesOnWithTheSameBits) {
     EXPECT_TRUE(sameState(world, copy));
 }
 
-TEST(SoftBody, isNeitherRunNorKeptWhenGone) {
+TEST(SoftBody, isNeitherSimulatedNorStoredOnceDestroyed) {
     World world = makeWorld();
     const SoftBodyId rope = *createRope(world, {0.0, 0.0}, {2.0, 0.0}, 20);
     destroySoftBody(world, rope);
@@ -134,7 +134,7 @@ TEST(SoftBody, isNeitherRunNorKeptWhenGone) {
     EXPECT_FALSE(pinParticle(world, rope, 0, true).ok());
 }
 
-TEST(SoftBody, refusesWhatMakesNoSense) {
+TEST(SoftBody, rejectsInvalidDefinitions) {
     World world = makeWorld();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const float bad : {nan, 0.0f, -1.0f, std::numeric_limits<float>::infinity()}) {
@@ -151,7 +151,7 @@ TEST(SoftBody, refusesWhatMakesNoSense) {
     EXPECT_FALSE(moveParticle(world, rope, -1, {}).ok());
 }
 
-TEST(SoftBody, aParticleIsPushedUnlessItIsPinnedOrTheNumberIsBad) {
+TEST(SoftBody, impulsesMoveParticlesUnlessPinnedOrInvalid) {
     World world;
     const SoftBodyId rope = *createRope(world, {0.0, 0.0}, {0.0, 1.0}, 5);
     ASSERT_TRUE(pinParticle(world, rope, 0, true).ok());

@@ -13,7 +13,7 @@
 namespace plumb::physics {
 
 inline constexpr float kTick = 1.0f / 60.0f;  // s
-inline constexpr float kGap = 0.001f;         // m: CharacterDefinition::gap
+inline constexpr float kGap = 0.001f;         // m, equal to the default of CharacterDefinition::gap
 
 enum class Figure { Box, RoundedBox, Circle, Capsule, Count };
 inline constexpr Figure kFigures[] = {Figure::Box, Figure::RoundedBox, Figure::Circle, Figure::Capsule};
@@ -26,7 +26,7 @@ inline Geometry outlineOf(Figure figure, float size = 1.0f) {
         default: return capsule({0.0f, -0.5f * size}, {0.0f, 0.5f * size}, 0.4f * size);
     }
 }
-/// m: from its position to its feet.
+/// Distance from the origin of the outline to its lowest point (y down), m.
 inline float feetOf(const Geometry& outline) {
     return outline.kind == ShapeKind::Circle ? outline.radius : outline.b.y + outline.radius;
 }
@@ -37,7 +37,7 @@ inline bool walkOn(CharacterController& character, float speed) {
     return character.setVelocity({speed, character.grounded() ? 0.0f : character.velocity().y}).ok();
 }
 
-/// A world with y down, with helpers to fill it and to move a character in it.
+/// A world with y down, with helpers to add bodies and to move a character.
 struct Course {
     World world;
 
@@ -50,7 +50,7 @@ struct Course {
         return made;
     }
     BodyId wall(WorldPosition centre, Vec2 half) { return block(BodyKind::Static, centre, half); }
-    /// A platform with its top at y, solid only from above.
+    /// A platform that is solid only from above; `top` is the middle of its upper edge.
     BodyId shelf(BodyKind kind, WorldPosition top, float half = 2.0f) {
         return block(kind, {top.x, top.y + 0.125}, {half, 0.125f}, {.oneWay = true});
     }
@@ -75,7 +75,7 @@ struct Course {
         }
         return motion;
     }
-    /// m: distance straight down from a character to the next surface; 1 if that is further away.
+    /// Distance from a character straight down to the next surface, m; 1 if there is none within 1 m.
     float heightOver(const CharacterController& character) {
         const QueryShape shape{character.definition().outline, character.position(), {}};
         const auto hit = castShape(world, shape, {0.0f, 1.0f});
@@ -83,7 +83,7 @@ struct Course {
     }
 };
 
-/// Number of random runs of a test: PLUMB_CHARACTER, or `usual`.
+/// Number of random runs of a test: the environment variable PLUMB_CHARACTER if set, otherwise `usual`.
 inline int runsToTry(int usual) {
     const char* wanted = std::getenv("PLUMB_CHARACTER");
     return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;

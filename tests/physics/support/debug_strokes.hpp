@@ -33,26 +33,26 @@ inline float areaOf(std::span<const Vec2> points) {
     return 0.5f * twice;
 }
 
-/// m: distance from a convex outline; 0 inside.
+/// Distance of a point from a convex outline, m; 0 inside it.
 inline float distanceFrom(std::span<const Vec2> corners, Vec2 point) {
     float nearest = std::numeric_limits<float>::max();
     bool isInside = true;
-    const float turns = areaOf(corners) > 0.0f ? 1.0f : -1.0f;
+    const float orientation = areaOf(corners) > 0.0f ? 1.0f : -1.0f;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec2 from = corners[i], side = corners[(i + 1) % corners.size()] - from;
         const float part = std::clamp(dot(point - from, side) / dot(side, side), 0.0f, 1.0f);
         nearest = std::min(nearest, length(point - from - part * side));
-        if (turns * cross(side, point - from) < 0.0f) isInside = false;
+        if (orientation * cross(side, point - from) < 0.0f) isInside = false;
     }
     return isInside ? 0.0f : nearest;
 }
 
-/// Two bodies at any poses, connected by a joint; nothing moves.
+/// Two bodies at random poses, connected by a joint. The world is never stepped.
 struct Pair {
     World world;
     BodyId a, b;
-    Rot turnA, turnB;
-    Vec2 anchorA, anchorB;  // m, in the world
+    Rot rotationA, rotationB;
+    Vec2 anchorA, anchorB;  // m, world space
 
     Pair(Random& random, JointDefinition joint) {
         world.settings.gravity = {};
@@ -60,14 +60,14 @@ struct Pair {
             const BodyId body =
                 addBody(world, BodyKind::Dynamic, WorldPosition{test::randomPoint(random, 3.0f)},
                         random.between(-3.0f, 3.0f));
-            // Its center of mass is not its position.
+            // The offset of the shape makes the center of mass differ from the position of the body.
             static_cast<void>(createShape(world, body, circle(0.5f, test::randomPoint(random, 0.5f))));
             return body;
         };
         a = joint.a = add();
         b = joint.b = add();
-        turnA = rotationOf(world, a);
-        turnB = rotationOf(world, b);
+        rotationA = rotationOf(world, a);
+        rotationB = rotationOf(world, b);
         anchorA = toVec2(worldPoint(world, a, joint.anchorA));
         anchorB = toVec2(worldPoint(world, b, joint.anchorB));
         EXPECT_TRUE(createJoint(world, joint));
@@ -75,7 +75,7 @@ struct Pair {
     [[nodiscard]] std::vector<Stroke> strokes(DebugRole role) {
         return strokesOf(drawn(world, kDrawJoints), role);
     }
-    /// A stroke across `along` at a point, 0.2 m long.
+    /// Expects a stroke of 0.2 m, centered at `at` and perpendicular to `along`.
     static void expectTick(const Stroke& stroke, Vec2 at, Vec2 along) {
         const Vec2 half = 0.1f * perpendicular(along);
         expectLine(stroke, at - half, at + half);

@@ -8,14 +8,14 @@
 
 namespace plumb::physics {
 
-// Worlds whose bodies, shapes and joints are edited while they run.
+// Helpers for worlds whose bodies, shapes and joints are edited between steps.
 
 template <class T>
 inline bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// All that moves is equal up to rounding, and the same effects are in use.
+/// Expects equal bodies up to rounding, the same effects in use and as many contacts.
 inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6) {
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         EXPECT_NEAR(a.bodies.pose[i].centre.x, b.bodies.pose[i].centre.x, tolerance) << i;
@@ -26,7 +26,7 @@ inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6
     EXPECT_EQ(a.contacts.size(), b.contacts.size());
 }
 
-/// The same bits.
+/// Expects poses, motions and masses that are equal bit for bit.
 inline void expectSame(const World& a, const World& b) {
     EXPECT_TRUE(sameBytes(a.bodies.pose, b.bodies.pose));
     EXPECT_TRUE(sameBytes(a.bodies.motion, b.bodies.motion));
@@ -60,7 +60,7 @@ inline ShapeDefinition randomDefinition(Random& random) {
     return d;
 }
 
-/// @param exact  its center of mass is exactly at the origin of the body
+/// @param exact  makes the center of mass lie exactly at the origin of the body
 inline Geometry randomGeometry(Random& random, bool exact = false) {
     const float size = random.between(0.3f, 0.6f);
     if (exact && random.below(2) == 0) return box({size, random.between(0.2f, 0.6f)});
@@ -71,7 +71,7 @@ inline Geometry randomGeometry(Random& random, bool exact = false) {
     }
 }
 
-/// A floor and a heap of bodies with one shape each, body i having shape i.
+/// Builds a floor (body 0, shape 0) and a heap of bodies with one shape each: body i has shape i.
 inline World heap(int count, const std::function<BodyKind(int)>& kindOf,
                   const std::function<ShapeDefinition(int)>& definitionOf,
                   const std::function<Geometry(int)>& geometryOf) {
@@ -89,8 +89,8 @@ inline World heap(int count, const std::function<BodyKind(int)>& kindOf,
 
 inline BodyKind dynamic(int) { return BodyKind::Dynamic; }
 
-/// A random edit of a random object.
-inline void meddle(World& world, Random& random) {
+/// Applies a random edit to a random body, shape or joint. Rejected edits are ignored.
+inline void applyRandomEdit(World& world, Random& random) {
     const auto bodies = static_cast<std::uint32_t>(world.bodies.size());
     const BodyId body = bodyAt(world, random.below(bodies));
     const ShapeId shape = shapeAt(world, random.below(static_cast<std::uint32_t>(world.shapes.size())));
@@ -133,7 +133,7 @@ inline void meddle(World& world, Random& random) {
     }
 }
 
-/// A crate that sleeps on a shelf.
+/// A crate that sleeps on a static shelf.
 struct Shelf {
     World world;
     BodyId shelf, crate;

@@ -7,38 +7,38 @@
 #include "physics/simulation.hpp"
 #include "physics/soft/softbody.hpp"
 
-// One table over all effects: for each, a scene without it, and a body far away that requires it
-// and has nothing to do. The tests cover every new effect by themselves; add here what requires it.
+// For every effect: a scene that does not require it, and a distant object that requires it but touches
+// nothing else. Tests iterate over all effects; a new effect needs a case in addDistantObject().
 
 namespace plumb::physics::test {
 
 inline constexpr int kCrates = 30;
 
-/// A pile of boxes and discs in which nothing requires `left`, nor the effects that few scenes need.
-inline World makeSceneWithout(Effect left) {
+/// Builds a pile of boxes and discs that requires neither the effect `omitted` nor any rarely used effect.
+inline World makeSceneWithout(Effect omitted) {
     World world;
     world.settings.sleeping = false;
-    world.settings.continuous = left != Effect::Continuous;
+    world.settings.continuous = omitted != Effect::Continuous;
     ShapeDefinition shape;
-    if (left == Effect::Friction) shape.friction = 0.0f;
-    if (left == Effect::ContactEvents) shape.reportsContacts = false;
+    if (omitted == Effect::Friction) shape.friction = 0.0f;
+    if (omitted == Effect::ContactEvents) shape.reportsContacts = false;
     const BodyId floor = *createBody(world, {.kind = BodyKind::Static, .position = {0.0, 1.0}});
     static_cast<void>(createShape(world, floor, box({100.0f, 1.0f}), shape));
     for (int i = 0; i < kCrates; ++i) {
         BodyDefinition body;
         body.position = {-3.0 + 0.7 * (i % 7), -0.6 - 0.9 * (i / 7)};
-        body.fixedRotation = left == Effect::Rotation;
-        body.canSleep = left != Effect::Sleep;
-        if (left == Effect::Gravity) body.gravityScale = 0.0f, body.acceleration = {0.0f, 10.0f};
+        body.fixedRotation = omitted == Effect::Rotation;
+        body.canSleep = omitted != Effect::Sleep;
+        if (omitted == Effect::Gravity) body.gravityScale = 0.0f, body.acceleration = {0.0f, 10.0f};
         const BodyId crate = *createBody(world, body);
-        if (left == Effect::Contacts) continue;
+        if (omitted == Effect::Contacts) continue;
         const Geometry outline = i % 2 == 0 ? box({0.3f, 0.4f}) : circle(0.35f);
         static_cast<void>(createShape(world, crate, outline, shape));
     }
     return world;
 }
 
-/// Objects far away from the rest of the scene.
+/// Creates objects far away from the rest of the scene.
 struct Remote {
     World& world;
     BodyDefinition body{
@@ -64,8 +64,8 @@ struct Remote {
     }
 };
 
-/// Adds a far-away body that requires an effect. @return false if this table does not know the effect
-inline bool callFromAfar(World& world, Effect effect) {
+/// Adds a distant object that requires an effect. @return false if the switch has no case for the effect
+inline bool addDistantObject(World& world, Effect effect) {
     Remote far{world};
     switch (effect) {
         case Effect::Gravity: far.body.gravityScale = 1.0f; break;
@@ -102,14 +102,14 @@ inline bool callFromAfar(World& world, Effect effect) {
     return true;
 }
 
-/// Runs it although nothing requires it.
-inline void pinOn(World& world, Effect effect) {
+/// Makes the world run an effect that no object requires.
+inline void pinEffectOn(World& world, Effect effect) {
     world.manifest.pinnedOn |= Manifest::bit(effect);
     if (effect == Effect::Continuous) world.settings.continuous = true;
     if (effect == Effect::Sleep) world.settings.sleeping = true;
 }
 
-/// True if the pile moved the same way, bit for bit.
+/// True if the poses and motions of the floor and the pile are equal bit for bit.
 inline bool samePile(const World& a, const World& b) {
     const std::size_t count = kCrates + 1;
     return std::memcmp(a.bodies.pose.data(), b.bodies.pose.data(), count * sizeof(BodyPose)) == 0 &&

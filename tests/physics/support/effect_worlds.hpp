@@ -11,14 +11,14 @@ namespace plumb::physics::test {
 
 inline constexpr float kStep = 1.0f / 60.0f;  // s
 
-/// A world with gravity 10 m/s2 downwards (y points down), without sleep, so that everything keeps moving.
+/// Makes a world with gravity 10 m/s2 downwards (y points down) in which no body falls asleep.
 inline World makeWorld() {
     World world;
     world.settings.sleeping = false;
     return world;
 }
 
-/// The same without gravity.
+/// Makes a world without gravity in which no body falls asleep.
 inline World makeSpace() {
     World world = makeWorld();
     world.settings.gravity = {};
@@ -49,14 +49,14 @@ inline void run(World& world, int steps) {
     for (int i = 0; i < steps; ++i) step(world, kStep);
 }
 
-inline double heightOf(const World& world, BodyId body) { return -positionOf(world, body).y; }  // m above 0
+inline double heightOf(const World& world, BodyId body) { return -positionOf(world, body).y; }  // m, upwards
 
 template <class T>
 bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// The bytes of the poses and motions.
+/// True if all poses and motions are equal bit for bit.
 inline bool sameState(const World& a, const World& b) {
     return sameBytes(a.bodies.pose, b.bodies.pose) && sameBytes(a.bodies.motion, b.bodies.motion);
 }

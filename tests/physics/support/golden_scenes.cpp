@@ -11,7 +11,7 @@ namespace plumb::physics::test {
 
 namespace {
 
-// Programs that compare bits compare the scalar kernels, too.
+// Programs that compare state hashes also compare those of the scalar kernels, so these must be linked in.
 [[maybe_unused]] const bool kLinked = (linkScalarKernels(), true);
 
 BodyId add(World& world, const BodyDefinition& body, const Geometry& outline,
@@ -63,7 +63,7 @@ World makeTumbler() {
     return world;
 }
 
-/// Head, body, arms and legs.
+/// Adds a torso with head, arms and legs that do not collide with each other.
 void addRagdoll(World& world, WorldPosition place, int group) {
     ShapeDefinition shape;
     shape.group = -group;
@@ -243,7 +243,7 @@ void explodeOnce(World& world, int step) {
     static_cast<void>(createField(world, blast));
 }
 
-/// The boxes of a platformer, without rotation or friction: contacts of their own kind.
+/// Boxes like in a platformer, without rotation or friction: their contacts use kernels of their own.
 World makeUpright() {
     World world = makeWorld();
     ShapeDefinition ice;

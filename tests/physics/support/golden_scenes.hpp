@@ -8,13 +8,13 @@ struct World;
 
 namespace plumb::physics::test {
 
-/// A scene whose exact bits after some steps are recorded: tests/replay/physics.golden.
+/// A scene whose state hash after `steps` steps is recorded in tests/replay/physics.golden.
 struct GoldenScene {
     const char* name;
     World (*build)();
     int steps;
-    bool joints = false;                               ///< it has some
-    bool contacts = true;                              ///< some shapes touch at some time
+    bool joints = false;                               ///< true if the scene has joints
+    bool contacts = true;                              ///< true if shapes touch at some time
     void (*before)(World& world, int step) = nullptr;  ///< called before each step
 };
 

@@ -9,7 +9,7 @@
 
 namespace plumb::physics {
 
-/// A world for hanging bodies on joints: meters, y up, no sleep, no collisions.
+/// A world for bodies that hang on joints: y up, no sleep, no collisions.
 struct JointWorld {
     static constexpr float kDt = 1.0f / 60.0f;
     static constexpr float kGravity = 10.0f;
@@ -26,7 +26,7 @@ struct JointWorld {
         ground = *createBody(world, definition);
     }
 
-    /// A disc of 1 kg and 1/8 kg m2, unless its mass is given.
+    /// Creates a disc of radius 0.5 m; with the default mass of 1 kg its inertia is 1/8 kg m2.
     BodyId disc(WorldPosition place, float mass = 1.0f) {
         constexpr float kRadius = 0.5f;
         BodyDefinition definition;
@@ -48,7 +48,7 @@ struct JointWorld {
         definition.anchorB = pivot - positionOf(world, b);
         return definition;
     }
-    /// Discs of 1 and 2 kg that hang 3 m below the wheels of a pulley.
+    /// Creates discs of 1 and 2 kg, each 3 m below its pulley wheel.
     JointDefinition definePulley(float ratio) {
         JointDefinition definition;
         definition.kind = JointKind::Pulley;
@@ -66,7 +66,7 @@ struct JointWorld {
         for (int i = 0; i < static_cast<int>(seconds / kDt + 0.5f); ++i) step(world, kDt, options);
     }
 
-    /// m: between the two anchors of a joint.
+    /// Vector from anchor A to anchor B of a joint, world space, m.
     [[nodiscard]] Vec2 gapOf(JointId id) const {
         const Joint& joint = world.joints.hot[id.index];
         const BodyPose& a = world.bodies.pose[joint.bodyA];
@@ -76,7 +76,7 @@ struct JointWorld {
     [[nodiscard]] float angle(BodyId body) const { return angleOf(rotationOf(world, body)); }
     [[nodiscard]] Vec2 place(BodyId body) const { return toVec2(centreOf(world, body)); }
 
-    /// J: kinetic and potential energy.
+    /// Kinetic plus potential energy, J.
     [[nodiscard]] double energyOf(BodyId body) const {
         const BodyMass& mass = world.bodies.mass[body.index];
         const double speed = length(velocityOf(world, body)), spin = angularVelocityOf(world, body);
@@ -84,7 +84,7 @@ struct JointWorld {
                mass.mass * -static_cast<double>(world.settings.gravity.y) * centreOf(world, body).y;
     }
 
-    /// s: mean time between upward crossings of `rest` by the result of `measure`.
+    /// Mean time between upward crossings of `rest` by the result of `measure`, s; 0 after fewer than two.
     template <class Measure>
     float periodOf(float rest, float seconds, Measure&& measure) {
         float first = 0.0f, last = 0.0f, before = measure();
@@ -102,7 +102,8 @@ struct JointWorld {
     }
 };
 
-/// A random tree of discs, with joints that the direct solver supports, attached to the ground or free.
+/// Creates a random tree of discs with joints that the direct solver supports.
+/// @param hangs  attaches its root to the ground
 inline std::vector<JointId> growTree(JointWorld& scene, Random& random, WorldPosition root, bool hangs) {
     constexpr JointKind kKinds[] = {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic,
                                     JointKind::Distance};

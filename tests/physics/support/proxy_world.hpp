@@ -10,12 +10,12 @@
 
 namespace plumb::physics::test {
 
-/// Proxies for testing broad phases, and the expected results, computed by brute force.
+/// Proxies for tests of broad phases, with the expected results computed by brute force.
 struct ProxyWorld {
     std::vector<AABB> bounds;
     std::vector<Filter> filters;
     std::vector<ProxyMotion> motions;
-    std::vector<std::uint32_t> changed;  ///< since noted() was called
+    std::vector<std::uint32_t> changed;  ///< proxies added or changed since the last call of clearChanged()
     std::vector<std::uint8_t> isChanged;
 
     [[nodiscard]] Proxies proxies() const { return {bounds, filters, motions}; }
@@ -43,12 +43,12 @@ struct ProxyWorld {
         motions[id] = motion;
         touch(id);
     }
-    void noted() {
+    void clearChanged() {
         for (const std::uint32_t id : changed) isChanged[id] = 0;
         changed.clear();
     }
 
-    /// The keys, sorted, of all pairs with a changed one.
+    /// Keys of all pairs with at least one changed proxy, sorted.
     [[nodiscard]] std::vector<PairKey> pairsOfChanged() const {
         std::vector<PairKey> pairs;
         for (const std::uint32_t a : changed) {
@@ -83,7 +83,7 @@ struct ProxyWorld {
         return overlap(bounds[a], bounds[b]) && meet(filters[a], filters[b]);
     }
 
-    /// Inverted boxes and those with a NaN overlap nothing.
+    /// True if two boxes overlap. Inverted boxes and boxes with a NaN overlap nothing.
     static bool overlap(const AABB& a, const AABB& b) {
         const auto real = [](const AABB& box) { return box.min.x <= box.max.x && box.min.y <= box.max.y; };
         return real(a) && real(b) && a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y &&
@@ -96,7 +96,7 @@ inline AABB boxAt(Vec2 centre, Vec2 half) { return {centre - half, centre + half
 /// Distribution of the boxes of a random world.
 enum class BoxStatistics : std::uint8_t { Even, Crowds, Sizes, Column, Lattice, Spot, Giants, Far, Count };
 
-/// Half size and position of a random box.
+/// Creates a box with random half extents and position.
 inline AABB randomBox(Random& random, BoxStatistics spread) {
     const Vec2 half{random.between(0.0f, 0.6f), random.between(0.0f, 0.6f)};
     const Vec2 even{random.between(-8.0f, 8.0f), random.between(-8.0f, 8.0f)};
@@ -111,13 +111,13 @@ inline AABB randomBox(Random& random, BoxStatistics spread) {
             return boxAt(even, half * size);
         }
         case BoxStatistics::Column: return boxAt({even.x * 0.1f, even.y * 20.0f}, half);
-        case BoxStatistics::Lattice: {  // many that only touch, many of no size
+        case BoxStatistics::Lattice: {  // many boxes only touch, many have zero size
             const Vec2 corner{static_cast<float>(random.below(16)), static_cast<float>(random.below(16))};
             const Vec2 size{static_cast<float>(random.below(3)), static_cast<float>(random.below(3))};
             return {corner, corner + size};
         }
         case BoxStatistics::Spot: return boxAt({3.0f, 3.0f}, half);
-        case BoxStatistics::Giants:  // a kilometre wide among crumbs
+        case BoxStatistics::Giants:  // few boxes 1 km wide among many small ones
             return boxAt(even * 60.0f, random.below(50) == 0 ? Vec2{500.0f, 500.0f} : half * 0.1f);
         default: return boxAt(even + Vec2{1e6f, -1e6f}, half);
     }

@@ -11,10 +11,10 @@
 
 namespace plumb::physics {
 
-// Unreasonable scenes: sizes over six decades, masses over eight, speeds up to 10 km/s, all on top of
-// each other, connected and edited at random. Whatever happens, numbers stay finite and steps end.
+// Extreme scenes: sizes over six decades, masses over eight, speeds up to 10 km/s, overlapping bodies, random
+// joints and edits. In all of them the numbers must stay finite and every step must end.
 
-/// A random world, and counts of what was accepted.
+/// A random world, with counts of contacts and of rejected calls.
 class RandomScene {
 public:
     explicit RandomScene(std::uint64_t seed) : random_{Random::seeded(seed)} {
@@ -36,7 +36,7 @@ public:
     void run() {
         const std::uint32_t ticks = 2 + random_.below(12);
         for (std::uint32_t i = 0; i < ticks; ++i) {
-            if (oneIn(3)) meddle();
+            if (oneIn(3)) applyRandomEdit();
             step(world_, oneIn(20) ? number(1.0e-4f, 1.0f) : kTick);
             contacts_ += static_cast<int>(world_.contacts.size());
         }
@@ -60,7 +60,7 @@ public:
 
 private:
     static constexpr float kTick = 1.0f / 60.0f;  ///< s
-    static constexpr std::uint32_t kBox = 5;      ///< of the shapes
+    static constexpr std::uint32_t kBox = 5;      ///< the case of addShape() that creates a box
     static constexpr float kBadNumbers[] = {std::numeric_limits<float>::quiet_NaN(),
                                             std::numeric_limits<float>::infinity(),
                                             -std::numeric_limits<float>::infinity(),
@@ -71,7 +71,7 @@ private:
                                             1.0e30f};
 
     bool oneIn(std::uint32_t times) { return random_.below(times) == 0; }
-    /// Uniform over the decades; now and then an invalid number.
+    /// Log-uniform between low and high; an invalid or extreme number in one of 200 calls.
     float number(float low, float high) {
         if (oneIn(200)) return kBadNumbers[random_.below(static_cast<std::uint32_t>(std::size(kBadNumbers)))];
         return low * exponential(random_.unit() * std::log(high / low));
@@ -83,7 +83,7 @@ private:
         return bodies_[random_.below(static_cast<std::uint32_t>(bodies_.size()))];
     }
     template <class T>
-    bool took(const Result<T>& result) {
+    bool accepted(const Result<T>& result) {
         refused_ += result.ok() ? 0 : 1;
         return result.ok();
     }
@@ -100,20 +100,20 @@ private:
         const float size = size_ * number(1.0e-2f, 1.0f);
         const Vec2 offset = oneIn(2) ? Vec2{} : vector(1.0e-3f * size_, size_);
         switch (plain_ && !oneIn(4) ? kBox : random_.below(kBox + 1)) {
-            case 0: took(createShape(world_, body, circle(size, offset), shape)); break;
+            case 0: accepted(createShape(world_, body, circle(size, offset), shape)); break;
             case 1:
-                took(createShape(world_, body, capsule(offset, vector(1.0e-3f * size, size), 0.3f * size),
-                                 shape));
+                accepted(createShape(world_, body, capsule(offset, vector(1.0e-3f * size, size), 0.3f * size),
+                                     shape));
                 break;
             case 2:
-                took(createShape(world_, body, segment(offset, vector(1.0e-3f * size, size)), shape));
+                accepted(createShape(world_, body, segment(offset, vector(1.0e-3f * size, size)), shape));
                 break;
             case 3:
-                took(createPolygon(world_, body, corners(size), oneIn(3) ? 0.1f * size : 0.0f, shape));
+                accepted(createPolygon(world_, body, corners(size), oneIn(3) ? 0.1f * size : 0.0f, shape));
                 break;
-            case 4: took(createChain(world_, body, corners(size), oneIn(2), shape)); break;
+            case 4: accepted(createChain(world_, body, corners(size), oneIn(2), shape)); break;
             case kBox:
-                took(createShape(
+                accepted(createShape(
                     world_, body,
                     box({size, size * number(1.0e-3f, 1.0f)}, offset, {}, oneIn(3) ? 0.1f * size : 0.0f),
                     shape));
@@ -142,10 +142,10 @@ private:
         body.bullet = oneIn(8);
         body.awake = !oneIn(8);
         const auto made = createBody(world_, body);
-        if (!took(made)) return;
+        if (!accepted(made)) return;
         bodies_.push_back(*made);
         for (std::uint32_t i = random_.below(3) + 1; i > 0; --i) addShape(*made);
-        if (oneIn(3)) took(setMass(world_, *made, number(1.0e-4f, 1.0e4f)));
+        if (oneIn(3)) accepted(setMass(world_, *made, number(1.0e-4f, 1.0e4f)));
     }
     void addJoint() {
         JointDefinition joint;
@@ -164,34 +164,34 @@ private:
         joint.collideConnected = oneIn(2);
         if (!joints_.empty()) joint.jointA = joints_.front(), joint.jointB = joints_.back();
         const auto made = createJoint(world_, joint);
-        if (took(made)) joints_.push_back(*made);
+        if (accepted(made)) joints_.push_back(*made);
     }
     void addField() {
         FieldDefinition field;
         field.kind = static_cast<FieldKind>(random_.below(static_cast<std::uint32_t>(FieldKind::Count)));
         field.a = randomBody();
         field.b = randomBody();
-        took(createField(world_, field));
+        accepted(createField(world_, field));
     }
 
-    void meddle() {
+    void applyRandomEdit() {
         const BodyId body = randomBody();
         switch (random_.below(9)) {
-            case 0: took(setVelocity(world_, body, vector(1.0e-2f, 1.0e4f))); break;
+            case 0: accepted(setVelocity(world_, body, vector(1.0e-2f, 1.0e4f))); break;
             case 1:
-                took(setPosition(world_, body, WorldPosition{vector(1.0e-3f, 1.0e4f)},
-                                 number(1.0e-2f, 10.0f)));
+                accepted(setPosition(world_, body, WorldPosition{vector(1.0e-3f, 1.0e4f)},
+                                     number(1.0e-2f, 10.0f)));
                 break;
-            case 2: took(applyImpulse(world_, body, vector(1.0e-3f, 1.0e6f))); break;
-            case 3: took(setMass(world_, body, number(1.0e-4f, 1.0e4f))); break;
+            case 2: accepted(applyImpulse(world_, body, vector(1.0e-3f, 1.0e6f))); break;
+            case 3: accepted(setMass(world_, body, number(1.0e-4f, 1.0e4f))); break;
             case 4: destroyBody(world_, body); break;
             case 5: addBody(); break;
             case 6:
                 if (!joints_.empty()) destroyJoint(world_, joints_.back());
                 break;
             case 7:
-                took(moveTo(world_, body, WorldPosition{vector(1.0e-3f, 1.0e3f)}, number(1.0e-2f, 10.0f),
-                            kTick));
+                accepted(moveTo(world_, body, WorldPosition{vector(1.0e-3f, 1.0e3f)}, number(1.0e-2f, 10.0f),
+                                kTick));
                 break;
             default: setAwake(world_, body, oneIn(2));
         }
@@ -202,7 +202,7 @@ private:
     std::vector<BodyId> bodies_;
     std::vector<JointId> joints_;
     float size_ = 1.0f;
-    bool plain_ = false;  ///< nothing rotates, bounces or has joints: the case for the reduced kernels
+    bool plain_ = false;  ///< fixed rotation, no bounce or joints, mostly boxes: runs the reduced kernels
     int contacts_ = 0;
     int refused_ = 0;
 };

@@ -6,13 +6,13 @@
 #include "physics/shapes/hull.hpp"
 #include "physics/shapes/shape_types.hpp"
 
-// Random outlines for property tests, each of about the requested size.
+// Random outlines for property tests, each about as large as the parameter `size`.
 
 namespace plumb::physics::test {
 
 inline constexpr std::uint64_t kSeeds = 200;
 
-/// A geometry with its corners.
+/// A geometry together with its corners.
 struct Outline {
     Geometry geometry;
     std::vector<Corner> corners;
@@ -21,16 +21,16 @@ struct Outline {
 inline Vec2 randomPoint(Random& random, float size) {
     return {random.between(-size, size), random.between(-size, size)};
 }
-inline Rot randomTurn(Random& random) { return rotFromAngle(random.between(-kPi, kPi)); }
+inline Rot randomRotation(Random& random) { return rotFromAngle(random.between(-kPi, kPi)); }
 inline Frame randomFrame(Random& random, float size) {
-    return {randomPoint(random, size), randomTurn(random)};
+    return {randomPoint(random, size), randomRotation(random)};
 }
 
 inline Outline outlineOf(const Hull& hull, float radius = 0.0f) {
     return {polygon(hull, 0, radius), {hull.corners.begin(), hull.corners.end()}};
 }
 
-/// 3 to 12 corners.
+/// Creates a random convex polygon of up to 12 corners.
 inline Outline randomPolygon(Random& random, float size, float radius = 0.0f) {
     for (;;) {
         std::vector<Vec2> points;
@@ -60,7 +60,7 @@ inline Outline randomOutline(Random& random, ShapeKind kind, float size) {
                     {}};
         case ShapeKind::Box:
             return {box({random.between(0.05f, 1.0f) * size, random.between(0.05f, 1.0f) * size},
-                        randomPoint(random, size), randomTurn(random), radius),
+                        randomPoint(random, size), randomRotation(random), radius),
                     {}};
         case ShapeKind::Polygon: return randomPolygon(random, size, radius);
         case ShapeKind::Segment:

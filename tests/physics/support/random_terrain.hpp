@@ -10,17 +10,16 @@
 
 namespace plumb::physics::test {
 
-/// All corners of random terrains are multiples of this part of a cell
-/// (units), so that edges consist of steps whose ends are multiples too.
+/// All corners of random terrains are multiples of this length (units), so that edges consist of whole steps.
 inline constexpr std::int32_t kStep = kCellUnits / 4;
 
-/// Number of random terrains of a test: its share of PLUMB_MASKS, or `usual`.
+/// Number of random terrains of a test: the environment variable PLUMB_MASKS if set, otherwise `usual`.
 inline int masksToTry(int usual) {
     const char* wanted = std::getenv("PLUMB_MASKS");
     return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;
 }
 
-/// A random mix of forms, materials and layers, from plain full tiles to everything possible.
+/// Random cells: from full tiles only up to all tile forms, polygons, materials and layers.
 class RandomCells {
 public:
     RandomCells(TilePalette& palette, Random& random) : random_{random} {
@@ -52,7 +51,7 @@ private:
         return list[random_.below(static_cast<std::uint32_t>(list.size()))];
     }
 
-    /// A polygon of random corners on the grid of steps; non-convex ones are not added.
+    /// Adds a polygon with random corners on a grid of quarter cells, unless it is not convex.
     void addPolygon(TilePalette& palette) {
         std::vector<Vec2> points;
         for (std::uint32_t i = 3 + random_.below(3); i > 0; --i) {
@@ -71,7 +70,7 @@ private:
     float density_ = 0.5f;
 };
 
-/// A random mask: noise, or noise with large even areas.
+/// Creates a random mask: independent random cells, sometimes with uniform rectangles on top.
 inline TileMask randomMask(int width, int height, Random& random) {
     TileMask mask{width, height};
     RandomCells cells{mask.palette, random};
@@ -91,14 +90,14 @@ inline TileMask randomMask(int width, int height, Random& random) {
     return mask;
 }
 
-/// Twice the area of an outline (units^2).
+/// Twice the signed area of an outline, units^2.
 inline std::int64_t doubleAreaOf(const TileOutline& outline) {
     std::int64_t sum = 0;
     for (int i = 0; i < outline.count; ++i) sum += cross(outline.corner(i), outline.cornerAfter(i));
     return sum;
 }
 
-/// Twice the area of the solid cells (units^2), computed from the tiles.
+/// Twice the area of the solid cells, computed from the tile outlines, units^2.
 inline std::int64_t doubleAreaOf(const TileMask& mask) {
     std::int64_t sum = 0;
     for (int y = 0; y < mask.height(); ++y) {
@@ -110,7 +109,7 @@ inline std::int64_t doubleAreaOf(const TileMask& mask) {
     return sum;
 }
 
-/// Sets a mask by characters: # full, - one-way, / slope up, \ slope down, others empty.
+/// Builds a mask from characters: # full, - one-way, / slope up, \ slope down, any other empty.
 inline TileMask drawn(const std::vector<const char*>& rows) {
     const auto width = static_cast<int>(std::string_view{rows.front()}.size());
     TileMask mask{width, static_cast<int>(rows.size())};

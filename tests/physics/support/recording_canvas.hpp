@@ -12,11 +12,11 @@ namespace plumb::physics {
 
 struct Stroke {
     DebugRole role;
-    char kind;  // l, c, p or a
+    char kind;  // l line, c circle, p polygon or a arrow
     std::vector<Vec2> points;
 };
 
-/// Counts strokes by role and kind, and checks that all of them are drawable.
+/// Records and counts strokes by role and kind, and checks that all their points are finite.
 class Recording final : public DebugCanvas {
 public:
     void line(Vec2 from, Vec2 to, DebugInk ink) override { note(ink.role, 'l', {from, to}); }
@@ -42,9 +42,9 @@ public:
         return all;
     }
     std::vector<Vec2> last;
-    std::vector<float> arrows;           // m: how long they are
-    std::vector<Stroke> strokes;         // all of them
-    std::vector<std::uint32_t> islands;  // of each polygon of one
+    std::vector<float> arrows;  // lengths of all arrows, m
+    std::vector<Stroke> strokes;
+    std::vector<std::uint32_t> islands;  // island index of each polygon with DebugRole::Island
 
 private:
     void note(DebugRole role, char kind, std::vector<Vec2> points) {
@@ -63,19 +63,19 @@ inline Recording drawn(World& world, std::uint32_t parts, WorldPosition origin =
     return recording;
 }
 
-/// Only of some bodies.
+/// Draws only the given bodies.
 inline Recording drawnOf(World& world, std::uint32_t parts, std::span<const BodyId> bodies) {
-    std::vector<std::uint8_t> chosen(world.bodies.size());
-    for (const BodyId body : bodies) chosen[body.index] = 1;
+    std::vector<std::uint8_t> selected(world.bodies.size());
+    for (const BodyId body : bodies) selected[body.index] = 1;
     Recording recording;
     debugDraw(world, recording,
-              {.parts = parts, .lastStep = lastStepOf(world), .chosenOnly = true, .bodies = chosen});
+              {.parts = parts, .lastStep = lastStepOf(world), .selectedOnly = true, .bodies = selected});
     return recording;
 }
 
-inline std::vector<Stroke> strokesOf(const Recording& picture, DebugRole role) {
+inline std::vector<Stroke> strokesOf(const Recording& recording, DebugRole role) {
     std::vector<Stroke> found;
-    for (const Stroke& stroke : picture.strokes) {
+    for (const Stroke& stroke : recording.strokes) {
         if (stroke.role == role) found.push_back(stroke);
     }
     return found;

@@ -5,12 +5,13 @@
 
 namespace plumb::physics {
 
-// Worlds for tests of queries, and the expected candidates.
+// Worlds for tests of queries, and the shapes that a query is expected to consider.
 
-inline constexpr double kFar = 1048576.0;  // m: exact together with everything that is on a grid
+/// 2^20 m: its sum with a position on the grid of 1/128 m is exact.
+inline constexpr double kFar = 1048576.0;
 
-/// Shapes of all kinds, scattered over 20 x 20 m around a position, of bodies of all kinds.
-inline World strew(std::uint64_t seed, double origin) {
+/// Scatters bodies and shapes of all kinds over 20 x 20 m around (origin, 0).
+inline World scatterShapes(std::uint64_t seed, double origin) {
     World world;
     world.settings.gravity = {};
     Random random = Random::seeded(seed);

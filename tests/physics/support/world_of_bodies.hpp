@@ -11,7 +11,7 @@
 
 namespace plumb::physics {
 
-// Worlds for tests of whole steps. y points up here: gravity is (0, -10).
+// Worlds for tests of whole steps. y points up here, unlike the default: gravity is (0, -10).
 
 inline constexpr float kTick = 1.0f / 60.0f;  ///< s
 
@@ -38,7 +38,7 @@ inline ShapeId addRandomShape(World& world, BodyId body, Random& random, float s
     }
 }
 
-/// A floor and two walls, and bodies of all kinds in between that fall on each other.
+/// Builds a floor and two walls with dynamic bodies of random shapes between them that fall on each other.
 inline World makePit(int bodies, std::uint64_t seed) {
     World world;
     world.settings.gravity = {0.0f, -10.0f};
@@ -88,7 +88,7 @@ struct Playground {
         shape(made, circle(radius), definition);
         return made;
     }
-    /// A crate that sleeps on a floor.
+    /// Adds a floor and a crate that sleeps on it.
     BodyId sleeper() {
         world.settings.sleeping = true;
         floor();
@@ -105,7 +105,7 @@ struct Playground {
     [[nodiscard]] Vec2 velocity(BodyId body) const { return velocityOf(world, body); }
 };
 
-/// All poses and motions, bit for bit: what determinism promises.
+/// Returns all poses and motions bit for bit: the state that must be deterministic.
 inline std::vector<std::uint64_t> bitsOf(const World& world) {
     std::vector<std::uint64_t> bits;
     const auto add = [&](const void* memory, std::size_t bytes) {
@@ -120,7 +120,7 @@ inline std::vector<std::uint64_t> bitsOf(const World& world) {
     return bits;
 }
 
-/// Contacts that touch.
+/// Number of contacts that touch.
 inline int touching(const World& world) {
     int count = 0;
     for (const Contact& contact : world.contacts) count += (contact.flags & kTouching) != 0 ? 1 : 0;

@@ -9,7 +9,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Number of random runs of a test: PLUMB_SEAMS, or `usual`.
+/// Number of random runs of a test: the environment variable PLUMB_SEAMS if set, otherwise `usual`.
 int runsToTry(int usual) {
     const char* wanted = std::getenv("PLUMB_SEAMS");
     return wanted != nullptr ? std::max(std::atoi(wanted), 1) : usual;
@@ -26,7 +26,7 @@ Geometry outlineOf(Slider slider, float half) {
     }
 }
 
-/// Terrain of cells in a world with y down, with seams of chunks of 8 cells and of two materials.
+/// Terrain in a world with y down, with seams between chunks of 8 cells and between two materials.
 struct Ground {
     World world;
     TerrainOutlines terrain;
@@ -49,7 +49,7 @@ struct Ground {
     }
 };
 
-/// A flat floor, or one of steps that a cell form makes; its top cells begin at row `top(x)`.
+/// Builds a floor whose top cells have a form and begin at row `top`; for SlopeDown the row increases with x.
 TileMask floorMask(int width, int height, TileForm form, int top) {
     TileMask mask{width, height};
     const std::uint8_t other = *mask.palette.addMaterial({.friction = 0.0f});
@@ -77,7 +77,7 @@ struct Heard {
 
 constexpr ShapeDefinition kSmooth{.friction = 0.0f};
 
-TEST(Seams, nothingThatSlidesOverAFlatFloorFeelsThem) {
+TEST(Seams, doNotDisturbBodiesSlidingOnAFlatFloor) {
     for (int run = 0; run < runsToTry(100); ++run) {
         SCOPED_TRACE(run);
         Random random = Random::seeded(static_cast<std::uint64_t>(run) + 1);
@@ -108,7 +108,7 @@ TEST(Seams, nothingThatSlidesOverAFlatFloorFeelsThem) {
     }
 }
 
-TEST(Seams, nothingThatSlidesDownASlopeFeelsThem) {
+TEST(Seams, doNotDisturbBodiesSlidingDownASlope) {
     const float root = std::sqrt(0.5f);
     for (int run = 0; run < runsToTry(40); ++run) {
         SCOPED_TRACE(run);
@@ -117,7 +117,7 @@ TEST(Seams, nothingThatSlidesDownASlopeFeelsThem) {
         const float speed = random.between(2.0f, 40.0f);
         const auto kind = static_cast<Slider>(run % static_cast<int>(Slider::Count));
         Ground ground{floorMask(80, 84, TileForm::SlopeDown, 1), {cell, cell}};
-        // The surface goes through (0, cell) and falls by one for one; its normal is (root, -root).
+        // The surface passes through (0, cell) at 45 degrees downwards; its normal is (root, -root).
         const Vec2 start = Vec2{4.0f * cell, 5.0f * cell} + half * Vec2{root, -root};
         const BodyId body = ground.slider(outlineOf(kind, half), start, 0.25f * kPi, kSmooth);
         ASSERT_TRUE(setVelocity(ground.world, body, speed * Vec2{root, root}).ok());
@@ -137,7 +137,7 @@ TEST(Seams, nothingThatSlidesDownASlopeFeelsThem) {
     }
 }
 
-TEST(Seams, stairsTakeNoSpeedFromWhatGoesDownThem) {
+TEST(Seams, stairsDoNotSlowBodiesThatMoveDownThem) {
     for (int run = 0; run < runsToTry(40); ++run) {
         SCOPED_TRACE(run);
         Random random = Random::seeded(static_cast<std::uint64_t>(run) + 1);
@@ -165,7 +165,7 @@ TEST(Seams, anEditUnderABodyWakesItAndDropsIt) {
     Heard heard;
     for (int i = 0; i < 120; ++i) step(ground.world, kTick), heard.add(ground.world);
     ASSERT_FALSE(isAwake(ground.world, body));
-    // Elsewhere in the chunk: it stays on the floor, without events.
+    // An edit elsewhere in the chunk: the body stays on the floor, without events.
     ground.terrain.set(14, 2, {});
     ASSERT_TRUE(ground.body.update(ground.world, ground.terrain, ground.terrain.update()).ok());
     for (int i = 0; i < 30; ++i) step(ground.world, kTick), heard.add(ground.world);
@@ -179,7 +179,7 @@ TEST(Seams, anEditUnderABodyWakesItAndDropsIt) {
 }
 
 TEST(Seams, anInnerEdgeOfATerrainStopsOnlyBodiesThatDoNotCollideWithTheTileBeforeIt) {
-    // Above, ground that only layer 2 collides with; below it, ground for all.
+    // Upper ground on layer bit 4 only, which one of the bodies ignores; below it ordinary ground.
     TileMask mask{8, 4};
     const std::uint8_t soft = *mask.palette.addLayers({.layers = 4});
     for (int x = 0; x < 8; ++x) {

@@ -71,7 +71,7 @@ TEST(TerrainBody, hasTheSegmentsOfTheOutlinesInTheWorld) {
                 EXPECT_EQ(shape.user, 42u);
                 EXPECT_TRUE(shape.reportsContacts);
                 surfaces.insert(world.shapes.info[*found].surface);
-                // Among several of one place, one of these layers.
+                // If several segments coincide, their layers differ: one of them must match.
                 const TileLayers& layers = palette.layers(segment.kind.layers);
                 EXPECT_TRUE(std::any_of(shapes.begin(), shapes.end(), [&](std::uint32_t s) {
                     const ShapeDefinition one =
@@ -92,7 +92,7 @@ TEST(TerrainBody, hasTheSegmentsOfTheOutlinesInTheWorld) {
     }
 }
 
-TEST(TerrainBody, takesOnlyChunksThatItHasAndCellsOfASize) {
+TEST(TerrainBody, ignoresUnknownChunksAndRejectsInvalidCellSizes) {
     Random random = Random::seeded(1);
     TerrainOutlines small = built(randomMask(8, 8, random), 8), large = built(randomMask(16, 8, random), 8);
     World world;
@@ -107,7 +107,7 @@ TEST(TerrainBody, takesOnlyChunksThatItHasAndCellsOfASize) {
     EXPECT_EQ(bodyCount(world), 1u);
 }
 
-TEST(PolygonStore, usesThePlacesOfPolygonsThatAreGoneAgain) {
+TEST(PolygonStore, reusesTheBlocksOfDestroyedPolygons) {
     World world;
     const BodyId body = addBody(world, BodyKind::Static, {});
     const auto add = [&](int corners) {
@@ -118,7 +118,7 @@ TEST(PolygonStore, usesThePlacesOfPolygonsThatAreGoneAgain) {
         }
         return *createPolygon(world, body, points);
     };
-    // Blocks of 4, 8, 16 and 32 corners.
+    // Corners are stored in blocks of 4, 8, 16 or 32.
     constexpr std::pair<int, std::size_t> kBlocks[] = {{3, 4},  {4, 4},   {5, 8},   {8, 8},
                                                        {9, 16}, {16, 16}, {17, 32}, {32, 32}};
     for (const auto& [corners, block] : kBlocks) {
@@ -140,12 +140,12 @@ TEST(PolygonStore, usesThePlacesOfPolygonsThatAreGoneAgain) {
     }
 }
 
-/// The results of the callbacks.
+/// Values returned by the material callbacks.
 struct Answer {
     float friction, bounciness;
 };
 
-TEST(ContactHooks, materialsAreTakenUpToTheirLimits) {
+TEST(ContactHooks, materialsAreClamped) {
     const auto landed = [](Answer answer, Vec2 velocity) {
         Playground scene;
         scene.floor();

@@ -20,7 +20,7 @@ std::vector<std::uint32_t> chunksThatDiffer(const std::vector<TerrainOutline>& a
     return differ;
 }
 
-TEST(TerrainOutlines, editedAtRandomAreEqualToARebuildAndNameWhatChanged) {
+TEST(TerrainOutlines, afterRandomEditsEqualARebuildAndReportTheChanges) {
     const int count = masksToTry(2000) / 5;
     for (int seed = 0; seed < count; ++seed) {
         SCOPED_TRACE(seed);
@@ -44,7 +44,7 @@ TEST(TerrainOutlines, editedAtRandomAreEqualToARebuildAndNameWhatChanged) {
     }
 }
 
-/// Whole chunks of one cell, empty ones, and random ones, as in real maps.
+/// Builds a mask of uniform, empty and random chunks, as in real maps.
 TileMask patchwork(int columns, int rows, Random& random, bool byChunks) {
     constexpr int kSide = TileGrid::kChunkSide;
     TileMask mask{columns * kSide - 5, rows * kSide - 9};
@@ -69,7 +69,7 @@ TileMask patchwork(int columns, int rows, Random& random, bool byChunks) {
     return mask;
 }
 
-TEST(TerrainOutlines, areTheSameHoweverTheCellsCameAndHoweverManyThreadsMakeThem) {
+TEST(TerrainOutlines, areTheSameForAnyOrderOfCellsAndAnyNumberOfThreads) {
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
         SCOPED_TRACE(seed);
         Random one = Random::seeded(seed), other = Random::seeded(seed);
@@ -82,7 +82,7 @@ TEST(TerrainOutlines, areTheSameHoweverTheCellsCameAndHoweverManyThreadsMakeThem
         ASSERT_EQ((std::vector<std::uint32_t>{changed.begin(), changed.end()}),
                   (std::vector<std::uint32_t>{changedQuick.begin(), changedQuick.end()}));
         ASSERT_GT(changed.size(), 400u);
-        // A hole in a uniform chunk is detected, and nothing else changes with it.
+        // A hole in a uniform chunk is detected and changes nothing else.
         const TileMask before = quick.mask();
         for (TerrainOutlines* each : {&terrain, &quick}) each->set(6 * 32 + 50, 100, {TileForm::SlopeDown});
         terrain.update(), quick.update(&pool);
@@ -92,7 +92,7 @@ TEST(TerrainOutlines, areTheSameHoweverTheCellsCameAndHoweverManyThreadsMakeThem
     }
 }
 
-TEST(TerrainOutlines, doNotDependOnTheSizeOfChunksButForCuts) {
+TEST(TerrainOutlines, dependOnTheChunkSizeOnlyByCuts) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
@@ -108,7 +108,7 @@ TEST(TerrainOutlines, doNotDependOnTheSizeOfChunksButForCuts) {
     }
 }
 
-TEST(TerrainOutlines, tellOfNoChangeWhereNothingChanged) {
+TEST(TerrainOutlines, reportNoChangeWithoutAChange) {
     TerrainOutlines terrain{drawn({"#...", "####"})};
     EXPECT_EQ(terrain.update().size(), 1u);
     EXPECT_TRUE(terrain.update().empty());
@@ -121,14 +121,14 @@ TEST(TerrainOutlines, tellOfNoChangeWhereNothingChanged) {
     EXPECT_TRUE(terrain.update().empty());
 }
 
-TEST(TerrainOutlines, tellOfTheNeighbourWhoseEdgesGoOnDifferently) {
+TEST(TerrainOutlines, reportNeighboursWhoseGhostVerticesChange) {
     TileMask mask{16, 8};
     for (int x = 0; x < 16; ++x) mask.set(x, 7, {TileForm::Full});
     TerrainOutlines terrain = built(mask, 8);
 
-    terrain.set(12, 3, {TileForm::Full});  // far from the border
+    terrain.set(12, 3, {TileForm::Full});  // far from the chunk border
     EXPECT_EQ(terrain.update().size(), 1u);
-    terrain.set(8, 6, {TileForm::Full});  // a wall where the first chunk's floor ends
+    terrain.set(8, 6, {TileForm::Full});  // a wall at the end of the first chunk's floor
     const auto changed = terrain.update();
     ASSERT_EQ((std::vector<std::uint32_t>{changed.begin(), changed.end()}),
               (std::vector<std::uint32_t>{0, 1}));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kWhole = 2 * std::int64_t{kCellUnits} * kCellUnits;
 
-TEST(TilePalette, hasTheAreasOfItsOwnForms) {
+TEST(TilePalette, builtInFormsHaveTheirAreas) {
     constexpr double kAreas[] = {0, 1, 1, 0.5, 0.5, 0.25, 0.75, 0.75, 0.25, 0.5, 0.5, 0.5, 0.5};
     const TilePalette palette;
     for (int form = 0; form < static_cast<int>(TileForm::Count); ++form) {
@@ -24,7 +24,7 @@ TEST(TilePalette, hasTheAreasOfItsOwnForms) {
     EXPECT_FALSE(palette.hasForm(TileForm::Count));
 }
 
-TEST(TilePalette, findsFormsThatItHas) {
+TEST(TilePalette, reusesEqualForms) {
     TilePalette palette;
     constexpr Vec2 kCounterClockwise[] = {{0, 0}, {0, 1}, {1, 1}, {1, 0.5f}, {1, 0}};
     EXPECT_EQ(*palette.addPolygon(kCounterClockwise), TileForm::Full);
@@ -41,11 +41,11 @@ TEST(TilePalette, findsFormsThatItHas) {
     EXPECT_EQ(*palette.flipped(TileForm::SlopeUp, kTileFlipY), first);
 }
 
-TEST(TilePalette, flipsFormsAsTilesAreDrawn) {
+TEST(TilePalette, flipsFormsLikeDrawnTiles) {
     TilePalette palette;
     constexpr Vec2 kPoints[] = {{0.25f, 0}, {1, 0.5f}, {0, 1}};
     const TileForm form = *palette.addPolygon(kPoints);
-    // Diagonal first: (0.25, 0) becomes (0, 0.25), then X: (1, 0.25).
+    // Diagonal first: (0.25, 0) becomes (0, 0.25); then horizontally: (1, 0.25).
     const TileOutline& turned = palette.outline(*palette.flipped(form, kTileFlipDiagonal | kTileFlipX));
     const TileOutline expected = [&] {
         constexpr Vec2 kTurned[] = {{1, 0.25f}, {0.5f, 1}, {0, 0}};
@@ -61,7 +61,7 @@ TEST(TilePalette, closesSeamsOfCarelesslyDrawnTiles) {
     EXPECT_EQ(*palette.addPolygon(kAlmostFull), TileForm::Full);
 }
 
-TEST(TilePalette, refusesWhatIsNoConvexPolygonInTheCell) {
+TEST(TilePalette, rejectsPolygonsThatAreNotConvexOrOutsideTheCell) {
     TilePalette palette;
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     constexpr float kHuge = std::numeric_limits<float>::max();
@@ -73,7 +73,7 @@ TEST(TilePalette, refusesWhatIsNoConvexPolygonInTheCell) {
         {{0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}},
         {{0, 0}, {1, 0}, {0.2f, 0.2f}, {0, 1}},
         {{0, 0}, {1, 1}, {1, 0}, {0, 1}},
-        {{0.5f, 0}, {0.8f, 1}, {0, 0.4f}, {1, 0.4f}, {0.2f, 1}},  // a star winds around twice
+        {{0.5f, 0}, {0.8f, 1}, {0, 0.4f}, {1, 0.4f}, {0.2f, 1}},  // a star, which winds around twice
         {{0, 0}, {1.5f, 0}, {0, 1}},
         {{kNan, 0}, {1, 0}, {0, 1}},
         {{0, kHuge}, {1, 0}, {0, 1}},
@@ -111,7 +111,7 @@ TEST(TilePalette, keepsOnlyTheEdgesThatFaceTheOneWaySide) {
     EXPECT_FALSE(slope.isSolid());
 }
 
-TEST(TilePalette, numbersMaterialsAndLayersAndRefusesWhatMakesNoSense) {
+TEST(TilePalette, numbersMaterialsAndLayersAndRejectsInvalidOnes) {
     TilePalette palette;
     EXPECT_EQ(*palette.addMaterial({}), 0);
     EXPECT_EQ(*palette.addMaterial({.friction = 0.0f}), 1);
@@ -136,7 +136,7 @@ TEST(TilePalette, numbersMaterialsAndLayersAndRefusesWhatMakesNoSense) {
     EXPECT_EQ(palette.layers(5).layers, 4u);
 }
 
-TEST(TilePalette, knowsWhoseLayersCoverWhose) {
+TEST(TilePalette, computesWhichLayersCoverOthers) {
     TilePalette palette;
     const std::uint8_t more = *palette.addLayers({3, 0xffffffffu});
     const std::uint8_t other = *palette.addLayers({2, 0xffffffffu});
@@ -149,7 +149,7 @@ TEST(TilePalette, knowsWhoseLayersCoverWhose) {
     EXPECT_FALSE(palette.covers(shy, more));
 }
 
-TEST(TileMask, isEmptyAtFirstAndHasWhatIsSet) {
+TEST(TileMask, isInitiallyEmptyAndStoresCells) {
     TileMask mask{3, 2};
     EXPECT_EQ(mask.at(2, 1), MaskCell{});
     EXPECT_TRUE(mask.set(2, 1, {TileForm::HalfTop}));
@@ -161,7 +161,7 @@ TEST(TileMask, isEmptyAtFirstAndHasWhatIsSet) {
     }
 }
 
-TEST(TileMask, ofAbsurdSizesIsCutToWhatMemoryHolds) {
+TEST(TileMask, ofInvalidSizesIsClamped) {
     EXPECT_EQ(TileMask(-5, 10).width(), 0);
     EXPECT_EQ(TileMask(-5, 10).height(), 10);
     const TileMask thin{2'000'000'000, 3};

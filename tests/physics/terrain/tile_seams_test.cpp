@@ -5,7 +5,7 @@
 
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// Adjacent static shapes act as one: bodies slide, roll and rest on them as on a single shape.
+// Adjacent static shapes act like one: bodies slide, roll and rest on them as on a single shape.
 
 namespace plumb::physics {
 namespace {
@@ -17,19 +17,19 @@ int membersToTry(int usual) {
 
 enum class Rider { Box, Ball, Pentagon, Capsule, Count };
 
-/// A body and its floor, in a frame in which the floor is y = 0 along x.
+/// A body and its tiled floor, in a frame in which the floor is y = 0 along x.
 struct Ride {
     Rider rider = Rider::Box;
     float half = 0.5f;   // m
     float speed = 1.0f;  // m/s
     float friction = 0.0f;
-    float tile = 1.0f;     // m, at most
-    float unlike = 0.0f;   // ratio by which tiles are smaller
-    float slant = 0.0f;    // m: slant of the sides of tiles that are polygons
-    float overlap = 0.0f;  // m: of neighbors
-    float uneven = 0.0f;   // m: height differences of their tops
-    float slope = 0.0f;    // rad: of everything, including gravity
-    bool inRows = false;   // tiles under tiles
+    float tile = 1.0f;     // m, maximum width of a tile
+    float unlike = 0.0f;   // maximum ratio by which tiles are smaller
+    float slant = 0.0f;    // m, slant of the sides of polygon tiles
+    float overlap = 0.0f;  // m, overlap of neighboring tiles
+    float uneven = 0.0f;   // m, height differences of the tops
+    float slope = 0.0f;    // rad, rotation of everything including gravity
+    bool inRows = false;   // more rows of tiles below
     bool oneBody = false;  // all tiles belong to one body
     BodyKind kind = BodyKind::Static;
     std::uint64_t seed = 0;
@@ -149,7 +149,7 @@ struct Track {
 };
 
 struct Loss {
-    float speed = 0.0f;  // ratio to that on a single floor
+    float speed = 0.0f;  // ratio of the speeds on tiles and on a single floor
     float hop = 0.0f;    // m
 };
 
@@ -166,7 +166,7 @@ Loss lossOf(const Ride& ride) {
     return loss;
 }
 
-TEST(TileSeams, areNotFeltOnFlushFloors) {
+TEST(TileSeams, haveNoEffectOnFlushFloors) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         const Ride ride = randomRide(static_cast<std::uint64_t>(i));
         const Loss loss = lossOf(ride);
@@ -175,7 +175,7 @@ TEST(TileSeams, areNotFeltOnFlushFloors) {
     }
 }
 
-// Height differences below the tolerance of 1 mm are ignored.
+// Steps lower than the tolerance of 1 mm are ignored.
 TEST(TileSeams, stepsBelowTheToleranceStopNothing) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Ride ride = randomRide(static_cast<std::uint64_t>(i));
@@ -186,13 +186,13 @@ TEST(TileSeams, stepsBelowTheToleranceStopNothing) {
     }
 }
 
-/// A floor of tiles, compared with a single shape, that ends at x = `end`, with a wall or an edge there.
+/// A floor that ends at x = `end` at a wall or an edge, built of tiles and of a single shape for comparison.
 struct Ends {
-    float half = 0.2f;  // m: of the body
+    float half = 0.2f;  // m, half size of the body
     float speed = 1.0f;
     float end = 1.0f;
     float tile = 0.5f;
-    float wall = 0.0f;  // m: its height; 0: an edge
+    float wall = 0.0f;  // m, height of the wall; 0 means an edge
     bool turns = true;
     std::uint64_t seed = 0;
 
@@ -240,8 +240,8 @@ Ends randomEnds(std::uint64_t seed) {
     return ends;
 }
 
-// Where the floor ends, bodies leave and tip over as from a single shape.
-TEST(TileSeams, realEdgesAreEdges) {
+// At the end of the floor, bodies leave and tip over like on a single shape.
+TEST(TileSeams, realEdgesActAsEdges) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         const Ends ends = randomEnds(static_cast<std::uint64_t>(i));
         Playground tiles, single;
@@ -260,7 +260,7 @@ TEST(TileSeams, realStepsStopBodies) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Ends ends = randomEnds(static_cast<std::uint64_t>(i));
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 9);
-        // A rotating body tips over a step below its middle.
+        // A body that can rotate would tip over a step below its center.
         ends.wall = ends.turns ? random.between(1.2f, 3.0f) * ends.half : random.between(0.01f, 1.0f);
         Playground tiles, single;
         const BodyId a = ends.build(tiles, true), b = ends.build(single, false);
@@ -275,14 +275,14 @@ TEST(TileSeams, realStepsStopBodies) {
     }
 }
 
-// A corner of an overlapping floor and wall holds on both sides, at any angle and load.
+// The corner of an overlapping floor and wall holds a body on both sides, at any angle and load.
 TEST(TileSeams, cornersOfOverlappingShapesHoldOnBothSides) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 21);
         const float half = 0.05f * std::pow(20.0f, random.unit()), lean = random.between(0.0f, 0.8f);
         const float load = random.between(10.0f, 60.0f);  // m/s2
         Playground ground;
-        // It does not move up along the wall.
+        // The load is too steep to push the body up along the wall.
         const float side = random.between(0.2f, 0.8f) * std::min(1.0f, std::cos(lean) / std::sin(lean));
         ground.world.settings.gravity = load * normalized(Vec2{-side, -1.0f});
         const BodyId fixed = ground.body(BodyKind::Static, {});
@@ -310,9 +310,8 @@ TEST(TileSeams, cornersOfOverlappingShapesHoldOnBothSides) {
     }
 }
 
-// Ground as a row of polygons carries bodies like a
-// chain, whose joints are smooth by their ghost vertices.
-TEST(TileSeams, slopesOfPolygonsAreAsChains) {
+// A row of polygons must act on bodies like a chain, whose joints are smooth due to ghost vertices.
+TEST(TileSeams, slopesOfPolygonsActLikeChains) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 3);
         std::vector<Vec2> line{{-2.0f, 0.0f}, {0.0f, 0.0f}};
@@ -350,7 +349,7 @@ TEST(TileSeams, slopesOfPolygonsAreAsChains) {
     }
 }
 
-// A swept body hits the floor, not the edges between its tiles.
+// A swept body must hit the floor, not the edges between its tiles.
 TEST(TileSeams, fastBodiesBounceAsOffASingleFloor) {
     for (int i = 0; i < membersToTry(1000); ++i) {
         Random random = Random::seeded(static_cast<std::uint64_t>(i) + 11);

@@ -4,21 +4,22 @@
 
 namespace plumb {
 
-/// An enemy that dies, instead of hurting, when a player jumps on it.
+/// Makes a Hazard an enemy that dies, instead of hurting, when a player jumps on it.
 struct Stompable {
-    float bounce = 260.0f;  ///< px/s, upwards, for the player
-    float lingers = 0.3f;   ///< s, shown flattened before it is gone
+    float bounce = 260.0f;  ///< px/s, upward speed that the player gets
+    float lingers = 0.3f;   ///< s from the stomp until the entity is destroyed
 
     static void describe(TypeBuilder<Stompable>& type) {
-        type.name("Stompable").doc("An enemy that dies, instead of hurting, when a player jumps on it.");
+        type.name("Stompable")
+            .doc("Makes a Hazard an enemy that dies, instead of hurting, when a player jumps on it.");
         type.field<&Stompable::bounce>("bounce")
             .unit(Unit::PixelsPerSecond)
             .range(0.0f, 10000.0f)
-            .doc("Upwards, for the player.");
+            .doc("Upward speed that the player gets, px/s.");
         type.field<&Stompable::lingers>("lingers")
             .unit(Unit::Seconds)
             .range(0.0f, 60.0f)
-            .doc("Shown flattened before it is gone.");
+            .doc("Time from the stomp until the entity is destroyed, s.");
     }
 };
 

@@ -8,21 +8,23 @@ namespace plumb {
 
 enum class MenuAction : std::uint8_t { Close, GoTo, Restart, Quit, Open };
 
-/// A choice in a Menu; its Label is what is read.
+/// An item of a Menu; its text is the entity's Label.
 struct MenuItem {
-    std::int32_t order = 0;  ///< lowest first
+    std::int32_t order = 0;  ///< position in the menu: ascending order
     MenuAction action = MenuAction::Close;
-    SceneId scene;  ///< where GoTo leads, what Open lays over
+    SceneId scene;  ///< scene for GoTo and Open
 
     static void describe(TypeBuilder<MenuItem>& type) {
-        type.name("MenuItem").doc("A choice in a Menu; its Label is what is read.");
-        type.field<&MenuItem::order>("order").doc("Lowest first.");
+        type.name("MenuItem").doc("An item of a Menu; its text is the entity's Label.");
+        type.field<&MenuItem::order>("order").doc(
+            "Position in the menu: items are sorted by ascending order.");
         type.field<&MenuItem::action>("action")
             .names({{"close", 0}, {"goTo", 1}, {"restart", 2}, {"quit", 3}, {"open", 4}})
             .doc(
-                "Takes the overlay away, goes to a scene, begins the scene below anew, ends the game, "
-                "lays a scene over this one.");
-        type.field<&MenuItem::scene>("scene").doc("Where goTo leads, what open lays over.");
+                "Action of the item: close the overlay, change to a scene, restart the scene below, quit the "
+                "game, "
+                "or open a scene as an overlay.");
+        type.field<&MenuItem::scene>("scene").doc("Scene for the actions goTo and open.");
     }
 };
 

@@ -5,20 +5,25 @@
 
 namespace plumb {
 
-/// A hand that follows the mouse: it pulls the RigidBody, Rope, Cloth or Jelly it was pressed on. What else
-/// the entity has, e.g. a Sprite, is seen while it holds something.
+/// Lets the mouse drag bodies: pulls the RigidBody, Rope, Cloth or Jelly
+/// under the mouse while the left button is held. The entity follows the
+/// mouse, and its Sprite and children are visible while a body is dragged.
 struct MouseDrag {
-    float acceleration = 12'000.0f;   ///< px/s^2: the most, so that nothing is dragged through walls
-    std::uint32_t mask = 0xffffffff;  ///< bits: what it can take
-    EntityId held;                    ///< empty while nothing is dragged
+    float acceleration = 12'000.0f;   ///< px/s^2: maximum acceleration, so that walls stop the dragged body
+    std::uint32_t mask = 0xffffffff;  ///< bits: collision layers of bodies that can be dragged
+    EntityId held;                    ///< entity that is dragged; may be empty
 
     static void describe(TypeBuilder<MouseDrag>& type) {
-        type.name("MouseDrag").doc("A hand that follows the mouse and pulls bodies; seen while it does.");
+        type.name("MouseDrag")
+            .doc(
+                "Lets the mouse drag bodies. The entity follows the mouse and is visible while a body is "
+                "dragged.");
         type.field<&MouseDrag::acceleration>("acceleration")
             .unit(Unit::PixelsPerSecondSquared)
             .range(1.0f, 1e6f)
-            .doc("The most, so that nothing is dragged through walls.");
-        type.field<&MouseDrag::mask>("mask").layerBits().doc("What it can take.");
+            .doc("Maximum acceleration of the dragged body, px/s2; walls can stop it.");
+        type.field<&MouseDrag::mask>("mask").layerBits().doc(
+            "Collision layers of bodies that can be dragged.");
         type.field<&MouseDrag::held>("held").transient();
     }
 };

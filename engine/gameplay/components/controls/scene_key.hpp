@@ -6,21 +6,22 @@
 
 namespace plumb {
 
-/// An action that changes the scene at once: back to a menu, begin anew, pause, quit.
+/// An input action that changes the scene: back to a menu, restart, pause, quit.
 struct SceneKey {
-    TextId action;  ///< one of project.json
-    MenuAction does = MenuAction::GoTo;
-    SceneId scene;  ///< where GoTo leads, what Open lays over
+    TextId action;                       ///< name of the input action (project.json)
+    MenuAction does = MenuAction::GoTo;  ///< scene change that the action performs
+    SceneId scene;                       ///< scene for GoTo and Open
 
     static void describe(TypeBuilder<SceneKey>& type) {
-        type.name("SceneKey").doc("An action that changes the scene at once.");
-        type.field<&SceneKey::action>("action").doc("One of project.json.");
+        type.name("SceneKey").doc("An input action that changes the scene.");
+        type.field<&SceneKey::action>("action").doc("Input action, by its name in project.json.");
         type.field<&SceneKey::does>("does")
             .names({{"close", 0}, {"goTo", 1}, {"restart", 2}, {"quit", 3}, {"open", 4}})
             .doc(
-                "Takes the overlay away, goes to a scene, begins this one anew, ends the game, "
-                "lays a scene over this one.");
-        type.field<&SceneKey::scene>("scene").doc("Where goTo leads, what open lays over.");
+                "Scene change: close the overlay, change to a scene, restart the scene, quit the game, or "
+                "open a "
+                "scene as an overlay.");
+        type.field<&SceneKey::scene>("scene").doc("Scene for goTo and open.");
     }
 };
 

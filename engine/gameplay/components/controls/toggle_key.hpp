@@ -5,13 +5,13 @@
 
 namespace plumb {
 
-/// An action that shows the entity and hides it again.
+/// An input action that toggles the visibility of the entity.
 struct ToggleKey {
-    TextId action;  ///< one of project.json
+    TextId action;  ///< name of the input action (project.json)
 
     static void describe(TypeBuilder<ToggleKey>& type) {
-        type.name("ToggleKey").doc("An action that shows the entity and hides it again.");
-        type.field<&ToggleKey::action>("action").doc("One of project.json.");
+        type.name("ToggleKey").doc("An input action that toggles the visibility of the entity.");
+        type.field<&ToggleKey::action>("action").doc("Input action, by its name in project.json.");
     }
 };
 

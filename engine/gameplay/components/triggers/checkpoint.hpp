@@ -5,16 +5,16 @@
 
 namespace plumb {
 
-/// A trigger at which a player that touched it comes back to life.
+/// A trigger at which a player that touched it respawns.
 struct Checkpoint {
-    Vec2 offset;          ///< px, from its Transform to where the player appears
-    bool active = false;  ///< the one that counts now
+    Vec2 offset;          ///< px, from the Transform to the respawn position
+    bool active = false;  ///< the checkpoint touched last
 
     static void describe(TypeBuilder<Checkpoint>& type) {
-        type.name("Checkpoint").doc("A trigger at which a player that touched it comes back to life.");
+        type.name("Checkpoint").doc("A trigger at which a player that touched it respawns.");
         type.field<&Checkpoint::offset>("offset")
             .unit(Unit::Pixels)
-            .doc("From its Transform to where the player appears.");
+            .doc("Vector from the Transform to the respawn position, px.");
         type.field<&Checkpoint::active>("active").transient();
     }
 };

@@ -4,16 +4,19 @@
 
 namespace plumb {
 
-/// A wall that opens for a key, or while its button is pressed.
+/// A wall that opens with keys, or while its button is pressed.
 struct Door {
-    int keys = 1;       ///< keys it takes; 0 for a door with a button
-    EntityId button;    ///< the Button that opens it
-    bool open = false;  ///< lets all through
+    int keys = 1;       ///< number of keys that opening it uses up; 0: cannot be opened with keys
+    EntityId button;    ///< entity of the Button that opens it; then keys are not used
+    bool open = false;  ///< the door is open: its collider is a trigger
 
     static void describe(TypeBuilder<Door>& type) {
-        type.name("Door").doc("A wall that opens for a key, or while its button is pressed.");
-        type.field<&Door::keys>("keys").range(0.0f, 100.0f).doc("Keys it takes; 0 for a door with a button.");
-        type.field<&Door::button>("button").doc("The Button that opens it.");
+        type.name("Door").doc("A wall that opens with keys, or while its button is pressed.");
+        type.field<&Door::keys>("keys")
+            .range(0.0f, 100.0f)
+            .doc("Number of keys that opening it uses up; 0: cannot be opened with keys.");
+        type.field<&Door::button>("button").doc(
+            "Entity of the Button that opens it; then keys are not used.");
         type.field<&Door::open>("open").transient();
     }
 };

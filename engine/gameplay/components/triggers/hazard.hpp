@@ -5,18 +5,18 @@
 
 namespace plumb {
 
-/// A trigger that hurts what has Health and touches it: spikes, fire, enemies.
+/// A trigger that damages entities with Health on touch: spikes, fire, enemies.
 struct Hazard {
-    int damage = 1;                      ///< points of health it takes
-    Vec2 knockback = {120.0f, -160.0f};  ///< px/s, thrown away from it, if that does not kill
+    int damage = 1;                      ///< health points that a touch removes
+    Vec2 knockback = {120.0f, -160.0f};  ///< px/s, velocity of a survivor; x points away from the hazard
 
     static void describe(TypeBuilder<Hazard>& type) {
         type.name("Hazard").doc(
-            "A trigger that hurts what has Health and touches it: spikes, fire, enemies.");
-        type.field<&Hazard::damage>("damage").range(0.0f, 1000.0f).doc("Points of health it takes.");
+            "A trigger that damages entities with Health on touch: spikes, fire, enemies.");
+        type.field<&Hazard::damage>("damage").range(0.0f, 1000.0f).doc("Health points that a touch removes.");
         type.field<&Hazard::knockback>("knockback")
             .unit(Unit::PixelsPerSecond)
-            .doc("Thrown away from it, if that does not kill.");
+            .doc("Velocity of a survivor, px/s; x points away from the hazard.");
     }
 };
 

@@ -4,11 +4,13 @@
 
 namespace plumb {
 
-/// Kills whatever has Health, and removes loose bodies, below the Transform of this entity.
+/// Kills entities with Health, and destroys other entities
+/// with a RigidBody, below the Transform of this entity.
 struct KillPlane {
     static void describe(TypeBuilder<KillPlane>& type) {
         type.name("KillPlane")
-            .doc("Kills whatever has Health, and removes loose bodies, below the Transform of this entity.");
+            .doc(
+                "Kills entities with Health, and destroys other bodies, below the Transform of this entity.");
     }
 };
 

@@ -5,15 +5,18 @@
 
 namespace plumb {
 
-/// A trigger that takes the RigidBodies that enter it elsewhere.
+/// A trigger that teleports every RigidBody that enters it.
 struct Portal {
-    Vec2 shift;                ///< px, from where they are to where they go
-    bool keepVelocity = true;  ///< else they begin there at rest
+    Vec2 shift;                ///< px, displacement of the teleported body
+    bool keepVelocity = true;  ///< false: the body is at rest after teleporting
 
     static void describe(TypeBuilder<Portal>& type) {
-        type.name("Portal").doc("A trigger that takes the bodies that enter it elsewhere.");
-        type.field<&Portal::shift>("shift").unit(Unit::Pixels).doc("From where they are to where they go.");
-        type.field<&Portal::keepVelocity>("keepVelocity").doc("Else they begin there at rest.");
+        type.name("Portal").doc("A trigger that teleports every RigidBody that enters it.");
+        type.field<&Portal::shift>("shift")
+            .unit(Unit::Pixels)
+            .doc("Displacement of the teleported body, px.");
+        type.field<&Portal::keepVelocity>("keepVelocity")
+            .doc("The body keeps its velocity; off: it is at rest after teleporting.");
     }
 };
 

@@ -5,18 +5,18 @@
 
 namespace plumb {
 
-/// A trigger that throws up what touches it.
+/// A trigger that launches every RigidBody that touches it.
 struct Spring {
-    Vec2 speed = {0.0f, -420.0f};  ///< px/s, what it gives; a zero part keeps the own speed
-    bool onlyFromAbove = true;     ///< lets pass what comes from below
-    int pressed = 0;               ///< ticks, since it threw something, counted down
+    Vec2 speed = {0.0f, -420.0f};  ///< px/s, velocity that the body gets; where 0, it keeps its own
+    bool onlyFromAbove = true;     ///< ignore bodies that move upwards
+    int pressed = 0;               ///< ticks until it is shown as released, counted down from a launch
 
     static void describe(TypeBuilder<Spring>& type) {
-        type.name("Spring").doc("A trigger that throws up what touches it.");
+        type.name("Spring").doc("A trigger that launches every RigidBody that touches it.");
         type.field<&Spring::speed>("speed")
             .unit(Unit::PixelsPerSecond)
-            .doc("What it gives; a zero part keeps the own speed.");
-        type.field<&Spring::onlyFromAbove>("onlyFromAbove").doc("Lets pass what comes from below.");
+            .doc("Velocity that the body gets, px/s; where x or y is 0, the body keeps its own.");
+        type.field<&Spring::onlyFromAbove>("onlyFromAbove").doc("Ignores bodies that move upwards.");
         type.field<&Spring::pressed>("pressed").unit(Unit::Ticks).transient();
     }
 };

@@ -4,11 +4,12 @@
 
 namespace plumb {
 
-/// Marks a body that a controller moves itself, step by step through the solid world. Physics leaves its
-/// Transform and velocity alone, and lets it push what is loose.
+/// Marks a body that a character controller moves by sweeping it through the solid world. The physics step
+/// does not write its Transform or velocity; dynamic bodies are pushed by it.
 struct CharacterBody {
     static void describe(TypeBuilder<CharacterBody>& type) {
-        type.name("CharacterBody").doc("Moved by a controller, not by forces; pushes what is loose.");
+        type.name("CharacterBody")
+            .doc("Marks a body that a controller moves, not forces; it pushes dynamic bodies.");
     }
 };
 

@@ -5,63 +5,65 @@
 
 namespace plumb {
 
-/// Walks, rides, pushes and is pushed like a character of a game. Game code writes its velocity; it needs a
-/// BoxCollider, a CircleCollider or a CapsuleCollider, and no RigidBody.
+/// Moves the entity as a game character: it walks, rides on platforms, pushes bodies and is pushed. Game code
+/// writes `velocity`. Needs a BoxCollider, CircleCollider or CapsuleCollider, and no RigidBody.
 struct CharacterController {
-    Vec2 velocity;                   ///< px/s, over the ground while it stands on one; upwards it jumps
-    float gravityScale = 1.0f;       ///< ratio, of the scene's; 0 leaves falling to the game
-    float steepest = 0.8901179f;     ///< rad: it slides down steeper ground
-    float stepHeight = 0.0f;         ///< px: it walks up steps no higher than this
-    float snap = 6.0f;               ///< px: ground this far under its feet is followed down
-    float cornerCorrection = 0.0f;   ///< px: ceilings that its head misses by this little are passed
-    float pushForce = 12800.0f;      ///< kg px/s^2, with which it pushes what is in its way
-    float pushMass = 200.0f;         ///< kg: heavier bodies are walls to it
-    float weight = 0.0f;             ///< kg, on what it stands on
-    bool evenSpeed = true;           ///< as fast along x on every slope
-    bool grounded = false;           ///< stands on something
-    EntityId ground;                 ///< what it stands on
-    Vec2 groundNormal{0.0f, -1.0f};  ///< of that
-    bool hitWall = false;            ///< in the last tick
-    bool hitCeiling = false;         ///< in the last tick
+    Vec2 velocity;                  ///< px/s, relative to the ground while grounded; an upward velocity jumps
+    float gravityScale = 1.0f;      ///< ratio to the scene's gravity; 0: game code applies gravity
+    float steepest = 0.8901179f;    ///< rad: maximum slope it can stand on; it slides down steeper ground
+    float stepHeight = 0.0f;        ///< px: maximum height of steps it walks up
+    float snap = 6.0f;              ///< px: maximum drop of the ground that it follows while it walks
+    float cornerCorrection = 0.0f;  ///< px: maximum sideways shift by which its head passes a ceiling corner
+    float pushForce = 12800.0f;     ///< kg px/s^2: maximum force on bodies it pushes
+    float pushMass = 200.0f;        ///< kg: maximum mass of bodies it pushes; heavier ones are walls
+    float weight = 0.0f;            ///< kg: load on the body it stands on
+    bool evenSpeed = true;          ///< same speed along x on every slope; false: same speed along the slope
+    bool grounded = false;          ///< stands on ground
+    EntityId ground;                ///< the entity it stands on
+    Vec2 groundNormal{0.0f, -1.0f};  ///< unit normal of the ground
+    bool hitWall = false;            ///< touched a wall in the last tick
+    bool hitCeiling = false;         ///< touched a ceiling in the last tick
 
     static void describe(TypeBuilder<CharacterController>& type) {
         type.name("CharacterController")
             .doc(
-                "Walks, rides and pushes like a character. Needs a box, circle or capsule; game code writes "
-                "its velocity.");
+                "Moves the entity as a character that walks, rides and pushes. Needs a box, circle or "
+                "capsule "
+                "collider; game code writes its velocity.");
         type.field<&CharacterController::velocity>("velocity").unit(Unit::PixelsPerSecond);
         type.field<&CharacterController::gravityScale>("gravityScale")
             .unit(Unit::Ratio)
             .range(-10.0f, 10.0f)
-            .doc("0 leaves falling to the game.");
+            .doc("Ratio to the scene's gravity; 0: game code applies gravity.");
         type.field<&CharacterController::steepest>("steepest")
             .unit(Unit::Radians)
             .range(0.0f, 1.5f)
-            .doc("It slides down steeper ground.");
+            .doc("Maximum slope it can stand on, degrees; it slides down steeper ground.");
         type.field<&CharacterController::stepHeight>("stepHeight")
             .unit(Unit::Pixels)
             .range(0.0f, 1000.0f)
-            .doc("It walks up steps no higher than this.");
+            .doc("Maximum height of steps it walks up, px.");
         type.field<&CharacterController::snap>("snap")
             .unit(Unit::Pixels)
             .range(0.0f, 1000.0f)
-            .doc("Ground this far under its feet is followed down.");
+            .doc("Maximum drop of the ground that it follows while it walks, px.");
         type.field<&CharacterController::cornerCorrection>("cornerCorrection")
             .unit(Unit::Pixels)
             .range(0.0f, 100.0f)
-            .doc("Ceilings that its head misses by this little are passed.");
+            .doc("Maximum sideways shift by which its head passes a ceiling corner, px.");
         type.field<&CharacterController::pushForce>("pushForce")
             .range(0.0f, 1e9f)
-            .doc("kg px/s2, with which it pushes what is in its way.");
+            .doc("Maximum force on bodies it pushes, kg px/s2.");
         type.field<&CharacterController::pushMass>("pushMass")
             .unit(Unit::Kilograms)
             .range(0.0f, 1e6f)
-            .doc("Heavier bodies are walls to it.");
+            .doc("Maximum mass of bodies it pushes, kg; heavier ones are walls.");
         type.field<&CharacterController::weight>("weight")
             .unit(Unit::Kilograms)
             .range(0.0f, 1e6f)
-            .doc("On what it stands on.");
-        type.field<&CharacterController::evenSpeed>("evenSpeed").doc("As fast along x on every slope.");
+            .doc("Load on the body it stands on, kg.");
+        type.field<&CharacterController::evenSpeed>("evenSpeed")
+            .doc("Same speed along x on every slope; off: same speed along the slope.");
         type.field<&CharacterController::grounded>("grounded").transient();
         type.field<&CharacterController::ground>("ground").transient();
         type.field<&CharacterController::groundNormal>("groundNormal").transient();

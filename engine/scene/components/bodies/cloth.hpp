@@ -11,21 +11,24 @@ namespace plumb {
 
 enum class ClothPins : std::uint8_t { None, TopCorners, TopEdge };
 
-/// A net of threads whose top-left corner is at the entity. The entity stays where it is.
+/// A cloth: a grid of particles whose top-left corner starts at the entity. The entity itself does not move.
 struct Cloth : SoftLook {
-    Vec2 size{200.0f, 200.0f};  ///< px
-    int columns = 20;           ///< particles from left to right
-    int rows = 20;              ///< and from top to bottom
+    Vec2 size{200.0f, 200.0f};  ///< px, width and height at the start
+    int columns = 20;           ///< number of particles from left to right
+    int rows = 20;              ///< number of particles from top to bottom
     ClothPins pinned = ClothPins::TopEdge;
 
     static void describe(TypeBuilder<Cloth>& type) {
-        type.name("Cloth").doc("A net of threads whose top-left corner is at the entity.");
-        type.field<&Cloth::size>("size").unit(Unit::Pixels);
-        type.field<&Cloth::columns>("columns").range(2.0f, 100.0f).doc("Particles from left to right.");
-        type.field<&Cloth::rows>("rows").range(2.0f, 100.0f).doc("And from top to bottom.");
+        type.name("Cloth").doc(
+            "A cloth made of a grid of particles; its top-left corner starts at the entity.");
+        type.field<&Cloth::size>("size").unit(Unit::Pixels).doc("Width and height at the start, px.");
+        type.field<&Cloth::columns>("columns")
+            .range(2.0f, 100.0f)
+            .doc("Number of particles from left to right.");
+        type.field<&Cloth::rows>("rows").range(2.0f, 100.0f).doc("Number of particles from top to bottom.");
         type.field<&Cloth::pinned>("pinned")
             .names({{"none", 0}, {"topCorners", 1}, {"topEdge", 2}})
-            .doc("What of it stays in its place.");
+            .doc("Particles that are fixed at their initial positions.");
         describeSoft(type);
     }
     [[nodiscard]] int across() const { return std::clamp(columns, 2, 100); }
@@ -40,7 +43,7 @@ struct Cloth : SoftLook {
         return physics::createCloth(world, at, size * metres, across(), std::clamp(rows, 2, 100),
                                     material(metres));
     }
-    /// px from the Transform: where it begins
+    /// Initial bounds, px from the Transform.
     [[nodiscard]] AABB box() const { return {min(Vec2{}, size), max(Vec2{}, size)}; }
     [[nodiscard]] bool isPinned(int particle) const {
         if (pinned == ClothPins::None || particle >= across()) return false;

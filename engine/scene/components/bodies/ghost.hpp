@@ -9,40 +9,44 @@
 
 namespace plumb {
 
-/// On, off, or as the scene has it.
+/// A setting that a ghost turns off or on, or takes from the scene (Same).
 enum class AsScene : std::uint8_t { Same, Off, On };
 
-/// The scene's physics a second time with other settings, beginning from where the scene stands. Its outlines
-/// are drawn, and plots show it; it touches nothing, and game code never sees it.
+/// A copy of the scene's physics world that is simulated with other settings, for comparison. It is drawn as
+/// outlines and appears in plots, but does not interact with the scene and is not visible to game code.
 struct Ghost {
-    int quality = -1;    ///< 2^quality substeps; -1: the scene's
-    int iterations = 0;  ///< of each substep; 0: the scene's
-    physics::IntegratorKind integrator = physics::IntegratorKind::Count;  ///< Count: the scene's
+    int quality = -1;    ///< 2^quality substeps per tick; -1: the scene's quality
+    int iterations = 0;  ///< solver iterations per substep; 0: the scene's number
+    physics::IntegratorKind integrator = physics::IntegratorKind::Count;  ///< Count: the scene's integrator
     AsScene continuous = AsScene::Same;
     AsScene automaticQuality = AsScene::Same;
-    AsScene jointTrees = AsScene::Same;  ///< joints that make up trees are solved at once
-    float nudge = 0.0f;                  ///< px: so far to the right its first body begins
-    Vec2 offset;                         ///< px: so far beside the scene it is drawn
+    AsScene jointTrees = AsScene::Same;  ///< solve joints that form a tree with a direct solver
+    float nudge = 0.0f;                  ///< px: initial displacement of its first dynamic body to the right
+    Vec2 offset;                         ///< px: displacement of its drawing from the scene
     Color color{120, 200, 255, 255};
 
     static void describe(TypeBuilder<Ghost>& type) {
         type.name("Ghost").doc(
-            "The scene's physics a second time with other settings: drawn and plotted, never met.");
-        type.field<&Ghost::quality>("quality").range(-1.0f, 6.0f).doc("2^quality substeps; -1: the scene's.");
+            "A copy of the scene's physics with other settings: drawn and plotted, without interaction.");
+        type.field<&Ghost::quality>("quality")
+            .range(-1.0f, 6.0f)
+            .doc("Quality: 2^quality substeps per tick; -1: the scene's quality.");
         type.field<&Ghost::iterations>("iterations")
             .range(0.0f, 64.0f)
-            .doc("Of each substep; 0: the scene's.");
+            .doc("Solver iterations per substep; 0: the scene's number.");
         type.field<&Ghost::integrator>("integrator")
             .names({{"ExplicitEuler", 0}, {"SemiImplicitEuler", 1}, {"Verlet", 2}, {"Rk4", 3}, {"same", 4}});
         type.field<&Ghost::continuous>("continuous").names({{"same", 0}, {"off", 1}, {"on", 2}});
         type.field<&Ghost::automaticQuality>("automaticQuality").names({{"same", 0}, {"off", 1}, {"on", 2}});
         type.field<&Ghost::jointTrees>("jointTrees")
             .names({{"same", 0}, {"off", 1}, {"on", 2}})
-            .doc("Joints that make up trees are solved at once.");
+            .doc("Solves joints that form a tree with a direct solver.");
         type.field<&Ghost::nudge>("nudge")
             .unit(Unit::Pixels)
-            .doc("So far to the right its first body begins.");
-        type.field<&Ghost::offset>("offset").unit(Unit::Pixels).doc("So far beside the scene it is drawn.");
+            .doc("Initial displacement of its first dynamic body to the right, px.");
+        type.field<&Ghost::offset>("offset")
+            .unit(Unit::Pixels)
+            .doc("Displacement of its drawing from the scene, px.");
         type.field<&Ghost::color>("color");
     }
 };

@@ -12,13 +12,14 @@
 
 namespace plumb {
 
-/// A round skin that keeps its area, at first around the entity. The entity stays where it is.
+/// A jelly: a closed skin of particles that preserves its area. It starts as a circle around the entity; the
+/// entity itself does not move.
 struct Jelly : SoftLook {
-    static constexpr int kMostPoints = 128;
+    static constexpr int kMostPoints = 128;  ///< maximum number of particles
 
-    float radius = 48.0f;  ///< px
-    int points = 24;       ///< particles of its skin
-    float squeeze = 0.0f;  ///< m/N: larger is squeezed more easily
+    float radius = 48.0f;  ///< px, at the start
+    int points = 24;       ///< number of particles of the skin
+    float squeeze = 0.0f;  ///< area compliance, m/N: larger is easier to compress
 
     Jelly() {
         softness = 1e-4f;
@@ -26,12 +27,15 @@ struct Jelly : SoftLook {
     }
 
     static void describe(TypeBuilder<Jelly>& type) {
-        type.name("Jelly").doc("A round skin that keeps its area.");
-        type.field<&Jelly::radius>("radius").unit(Unit::Pixels).range(1.0f, 1e5f);
-        type.field<&Jelly::points>("points").range(5.0f, 128.0f).doc("Particles of its skin.");
+        type.name("Jelly").doc("A round soft body that preserves its area.");
+        type.field<&Jelly::radius>("radius")
+            .unit(Unit::Pixels)
+            .range(1.0f, 1e5f)
+            .doc("Radius at the start, px.");
+        type.field<&Jelly::points>("points").range(5.0f, 128.0f).doc("Number of particles of the skin.");
         type.field<&Jelly::squeeze>("squeeze")
             .range(0.0f, 1000.0f)
-            .doc("m/N: larger is squeezed more easily.");
+            .doc("Area compliance, m/N; larger is easier to compress.");
         describeSoft(type);
     }
     void addTo(Hasher& hasher) const {
@@ -52,7 +56,7 @@ struct Jelly : SoftLook {
         return physics::createJelly(world, at, std::span{outline.data(), static_cast<std::size_t>(count)},
                                     made);
     }
-    /// px from the Transform: where it begins
+    /// Initial bounds, px from the Transform.
     [[nodiscard]] AABB box() const { return {{-radius, -radius}, {radius, radius}}; }
     [[nodiscard]] static bool isPinned(int) { return false; }
 };

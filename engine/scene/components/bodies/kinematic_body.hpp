@@ -5,17 +5,21 @@
 
 namespace plumb {
 
-/// A body that moves by its velocity and pushes others: platforms, doors, lifts.
+/// A body that moves at its own velocity, is not affected by
+/// forces, and pushes dynamic bodies: platforms, doors, lifts.
 struct KinematicBody {
     Vec2 velocity;                 ///< px/s
     float angularVelocity = 0.0f;  ///< rad/s, clockwise on screen
 
     static void describe(TypeBuilder<KinematicBody>& type) {
-        type.name("KinematicBody").doc("Moves by its velocity and pushes others: platforms, doors, lifts.");
+        type.name("KinematicBody")
+            .doc(
+                "Moves at its velocity, unaffected by forces, and pushes dynamic bodies: platforms, doors, "
+                "lifts.");
         type.field<&KinematicBody::velocity>("velocity").unit(Unit::PixelsPerSecond);
         type.field<&KinematicBody::angularVelocity>("angularVelocity")
             .unit(Unit::RadiansPerSecond)
-            .doc("Clockwise on screen.");
+            .doc("Angular velocity, degrees/s, clockwise on screen.");
     }
 };
 

@@ -8,19 +8,21 @@
 
 namespace plumb {
 
-/// A rope that hangs from the entity. The entity stays where it is.
+/// A rope that starts at the entity. The entity itself does not move.
 struct Rope : SoftLook {
-    Vec2 to{0.0f, 200.0f};  ///< px from the Transform to its other end
-    int points = 24;        ///< particles that it is made of
-    bool pinStart = true;   ///< its start stays at the Transform
-    bool pinEnd = false;    ///< so does its other end where it begins
+    Vec2 to{0.0f, 200.0f};  ///< px from the Transform to the initial position of the other end
+    int points = 24;        ///< number of particles
+    bool pinStart = true;   ///< its first particle is fixed at the Transform
+    bool pinEnd = false;    ///< its last particle is fixed at its initial position
 
     static void describe(TypeBuilder<Rope>& type) {
-        type.name("Rope").doc("A rope that hangs from the entity.");
-        type.field<&Rope::to>("to").unit(Unit::Pixels).doc("From the Transform to its other end.");
-        type.field<&Rope::points>("points").range(2.0f, 500.0f).doc("Particles that it is made of.");
-        type.field<&Rope::pinStart>("pinStart").doc("Its start stays at the Transform.");
-        type.field<&Rope::pinEnd>("pinEnd").doc("Its other end stays where it begins.");
+        type.name("Rope").doc("A rope that starts at the entity.");
+        type.field<&Rope::to>("to")
+            .unit(Unit::Pixels)
+            .doc("Vector from the Transform to the initial position of the other end, px.");
+        type.field<&Rope::points>("points").range(2.0f, 500.0f).doc("Number of particles of the rope.");
+        type.field<&Rope::pinStart>("pinStart").doc("The first particle is fixed at the Transform.");
+        type.field<&Rope::pinEnd>("pinEnd").doc("The last particle is fixed at its initial position.");
         describeSoft(type);
     }
     void addTo(Hasher& hasher) const {
@@ -33,7 +35,7 @@ struct Rope : SoftLook {
                                                    float metres) const {
         return physics::createRope(world, at, at + to * metres, std::clamp(points, 2, 500), material(metres));
     }
-    /// px from the Transform: where it begins
+    /// Initial bounds, px from the Transform.
     [[nodiscard]] AABB box() const { return {min(Vec2{}, to), max(Vec2{}, to)}; }
     [[nodiscard]] bool isPinned(int particle) const {
         return (pinStart && particle == 0) || (pinEnd && particle == std::clamp(points, 2, 500) - 1);

@@ -4,10 +4,10 @@
 
 namespace plumb {
 
-/// A collider that never moves by itself: ground, walls, platforms.
+/// Marks an entity whose colliders never move by themselves: ground, walls, platforms.
 struct StaticBody {
     static void describe(TypeBuilder<StaticBody>& type) {
-        type.name("StaticBody").doc("Never moves by itself; others collide with it.");
+        type.name("StaticBody").doc("A body that never moves by itself; other bodies collide with it.");
     }
 };
 

@@ -6,17 +6,19 @@
 
 namespace plumb {
 
-/// A line of ground without thickness, over whose corners nothing trips. It is solid on its left hand side,
-/// seen along the way from point to point: drawn from left to right it is a floor.
+/// A chain of line segments without thickness, for smooth ground: bodies do not catch on its corners. It is
+/// solid on the left of the direction from point to point: points from left to right make a floor.
 struct ChainCollider : ColliderSurface {
-    FixedList<Vec2, 64> points;  ///< px from the Transform
-    bool loop = false;           ///< the last point leads to the first
+    FixedList<Vec2, 64> points;  ///< px from the Transform, in order
+    bool loop = false;           ///< the last point is connected to the first
 
     static void describe(TypeBuilder<ChainCollider>& type) {
         type.name("ChainCollider")
-            .doc("A line of ground without thickness; drawn from left to right it is a floor.");
-        type.field<&ChainCollider::points>("points").unit(Unit::Pixels).doc("From the Transform.");
-        type.field<&ChainCollider::loop>("loop").doc("The last point leads to the first.");
+            .doc("A chain of line segments for smooth ground; points from left to right make a floor.");
+        type.field<&ChainCollider::points>("points")
+            .unit(Unit::Pixels)
+            .doc("Points of the chain, px from the Transform.");
+        type.field<&ChainCollider::loop>("loop").doc("Connects the last point to the first.");
         describeSurface(type);
     }
 };

@@ -5,20 +5,20 @@
 
 namespace plumb {
 
-/// A circle around position + offset.
+/// A circle whose center is at position + offset.
 struct CircleCollider : ColliderSurface {
     float radius = 16.0f;  ///< px
-    Vec2 offset;           ///< px, from the Transform to the middle
+    Vec2 offset;           ///< px, from the Transform to the center
 
     CircleCollider() = default;
     explicit CircleCollider(float size) : radius{size} {}
 
     static void describe(TypeBuilder<CircleCollider>& type) {
-        type.name("CircleCollider").doc("A circle; its middle is at the Transform plus the offset.");
+        type.name("CircleCollider").doc("A circle collider; its center is at the Transform plus the offset.");
         type.field<&CircleCollider::radius>("radius").unit(Unit::Pixels).range(0.0f, 1e6f);
         type.field<&CircleCollider::offset>("offset")
             .unit(Unit::Pixels)
-            .doc("From the Transform to the middle.");
+            .doc("Vector from the Transform to the center, px.");
         describeSurface(type);
     }
 };

@@ -6,23 +6,25 @@
 
 namespace plumb {
 
-/// An outline of corners, which may bend inwards; it is cut into convex pieces then.
+/// A polygon; a concave one is decomposed into convex pieces.
 struct PolygonCollider : ColliderSurface {
-    FixedList<Vec2, 64> points;  ///< px from the Transform, in order, either way round
+    FixedList<Vec2, 64> points;  ///< px from the Transform, in order, clockwise or counterclockwise
     Vec2 offset;                 ///< px, added to all points
-    float rounding = 0.0f;       ///< px by which it is larger on all sides, with round corners
+    float rounding = 0.0f;       ///< px: radius by which it is enlarged on all sides, with round corners
 
     static void describe(TypeBuilder<PolygonCollider>& type) {
-        type.name("PolygonCollider").doc("An outline of corners; it may bend inwards.");
+        type.name("PolygonCollider").doc("A polygon collider; it may be concave.");
         type.field<&PolygonCollider::points>("points")
             .unit(Unit::Pixels)
-            .doc("From the Transform, in order, either way round.");
-        type.field<&PolygonCollider::offset>("offset").unit(Unit::Pixels).doc("Added to all points.");
+            .doc("Corners in order, px from the Transform, clockwise or counterclockwise.");
+        type.field<&PolygonCollider::offset>("offset")
+            .unit(Unit::Pixels)
+            .doc("Offset added to all points, px.");
         describeSurface(type);
         type.field<&PolygonCollider::rounding>("rounding")
             .unit(Unit::Pixels)
             .range(0.0f, 1e6f)
-            .doc("How much larger it is on all sides, with round corners.");
+            .doc("Radius by which it is enlarged on all sides, with round corners, px.");
     }
 };
 

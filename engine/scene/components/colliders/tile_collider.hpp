@@ -6,23 +6,29 @@
 
 namespace plumb {
 
-/// Makes the tiles of the entity's TileLayer solid, each by the collision that its tileset gives it.
+/// Makes the tiles of the entity's TileLayer solid, with the collision shapes that the tileset defines.
 struct TileCollider {
-    std::uint32_t layers = 1;          ///< bits: what these tiles are
-    std::uint32_t mask = 0xffffffffu;  ///< bits: what they collide with
-    float friction = 0.1f;             ///< 0 is ice
-    float bounciness = 0.0f;           ///< ratio of the speed that comes back
+    std::uint32_t layers = 1;          ///< bits: collision layers of the tiles
+    std::uint32_t mask = 0xffffffffu;  ///< bits: layers that the tiles collide with
+    float friction = 0.1f;             ///< friction coefficient; 0 is frictionless
+    float bounciness = 0.0f;           ///< restitution: ratio of the impact speed kept after a bounce
 
     static void describe(TypeBuilder<TileCollider>& type) {
         type.name("TileCollider")
-            .doc("Makes the tiles of the entity's TileLayer solid, as their tileset says.");
-        type.field<&TileCollider::layers>("layers").layerBits().doc("What these tiles are.");
-        type.field<&TileCollider::mask>("mask").layerBits().doc("What they collide with.");
-        type.field<&TileCollider::friction>("friction").unit(Unit::Ratio).range(0.0f, 10.0f).doc("0 is ice.");
+            .doc(
+                "Makes the tiles of the entity's TileLayer solid, with the collision shapes of their "
+                "tileset.");
+        type.field<&TileCollider::layers>("layers").layerBits().doc("Collision layers of the tiles.");
+        type.field<&TileCollider::mask>("mask").layerBits().doc(
+            "Collision layers that the tiles collide with.");
+        type.field<&TileCollider::friction>("friction")
+            .unit(Unit::Ratio)
+            .range(0.0f, 10.0f)
+            .doc("Friction coefficient of tiles without their own; 0 is frictionless.");
         type.field<&TileCollider::bounciness>("bounciness")
             .unit(Unit::Ratio)
             .range(0.0f, 1.0f)
-            .doc("Part of the speed that comes back.");
+            .doc("Restitution of tiles without their own: ratio of the impact speed kept after a bounce.");
     }
 };
 

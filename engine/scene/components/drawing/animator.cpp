@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-/// A name for clips made by code: equal clips get equal names, so that they are kept once.
+/// Returns an asset name computed from the content, so that equal clips are stored once.
 std::string nameOf(const AnimationSet& set) {
     return "code:" + hexText(hashText(writeAnimationSet(set))) + ".anim.json";
 }
@@ -17,7 +17,7 @@ std::string nameOf(const AnimationSet& set) {
 
 Animator::Animator(World& world, const std::vector<Animation>& clips) {
     auto* assets = world.service<AssetStore>();
-    if (assets == nullptr) return;  // a world without assets has nothing to show
+    if (assets == nullptr) return;  // e.g. in tests
     AnimationSet set = animationSetOf(clips);
     const std::string name = nameOf(set);
     animation = assets->addAnimation(name, std::move(set));

@@ -10,39 +10,41 @@ namespace plumb {
 class World;
 struct Animation;
 
-/// Plays the clips of an animation file on the entity's Sprite, by hand or by the file's state machine.
+/// Plays the clips of an animation file on the entity's
+/// Sprite. Code selects the clip, or the file's state machine.
 struct Animator {
-    static constexpr std::size_t kParameters = 8;
+    static constexpr std::size_t kParameters = 8;  ///< maximum number of state machine parameters
 
     AnimationId animation;
-    int clip = 0;        ///< index in the animation; the state machine sets it
-    float speed = 1.0f;  ///< ratio; negative plays backwards
+    int clip = 0;        ///< index of the clip in the animation; a state machine sets it
+    float speed = 1.0f;  ///< playback speed (ratio); negative plays backwards
     bool playing = true;
-    bool loop = true;                          ///< false stops every clip after one turn
-    int frame = 0;                             ///< index in the clip
-    float timer = 0.0f;                        ///< s since the frame began
-    int direction = 0;                         ///< 1 forth, -1 on the way back; 0 until the clip has begun
-    bool ended = false;                        ///< a clip that plays once is over
-    int state = 0;                             ///< of the state machine
-    FixedList<float, kParameters> parameters;  ///< of the state machine; bools and triggers as 0 and 1
+    bool loop = true;                          ///< false: every clip plays once, then stops
+    int frame = 0;                             ///< index of the frame in the clip
+    float timer = 0.0f;                        ///< s since the frame was first shown
+    int direction = 0;                         ///< 1 forward, -1 backward; 0 until the clip has started
+    bool ended = false;                        ///< a clip that plays once has finished
+    int state = 0;                             ///< index of the state in the state machine
+    FixedList<float, kParameters> parameters;  ///< values for the state machine; bools and triggers: 0 or 1
 
     Animator() = default;
     explicit Animator(AnimationId file) : animation{file} {}
-    /// Clips made by code. They are kept by the world under an id made from what is in them.
+    /// Makes an animation from clips defined in code. The asset
+    /// store keeps it under an id computed from its content.
     Animator(World& world, const std::vector<Animation>& clips);
 
     static void describe(TypeBuilder<Animator>& type) {
         type.name("Animator").doc("Plays the clips of an animation file on the entity's Sprite.");
-        type.field<&Animator::animation>("animation").doc("The animation file.");
+        type.field<&Animator::animation>("animation").doc("Animation file to play.");
         type.field<&Animator::clip>("clip")
             .range(0.0f, 1023.0f)
-            .doc("The clip at the start; a state machine chooses its own.");
+            .doc("Index of the clip played first; a state machine selects its own.");
         type.field<&Animator::speed>("speed")
             .unit(Unit::Ratio)
             .range(-10.0f, 10.0f)
-            .doc("Negative plays backwards.");
-        type.field<&Animator::playing>("playing").doc("Keeps the frame while false.");
-        type.field<&Animator::loop>("loop").doc("False stops every clip after one turn.");
+            .doc("Playback speed as a ratio; negative plays backwards.");
+        type.field<&Animator::playing>("playing").doc("Plays the clip; off keeps the current frame.");
+        type.field<&Animator::loop>("loop").doc("Repeats clips; off plays every clip once, then stops.");
         type.field<&Animator::frame>("frame").transient();
         type.field<&Animator::timer>("timer").unit(Unit::Seconds).transient();
         type.field<&Animator::direction>("direction").transient();

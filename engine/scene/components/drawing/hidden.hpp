@@ -4,10 +4,10 @@
 
 namespace plumb {
 
-/// Is not drawn, nor are its children.
+/// Hides the entity and its children: they are not drawn.
 struct Hidden {
     static void describe(TypeBuilder<Hidden>& type) {
-        type.name("Hidden").doc("Is not drawn, nor are its children.");
+        type.name("Hidden").doc("Hides the entity and its children: they are not drawn.");
     }
 };
 

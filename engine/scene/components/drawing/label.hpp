@@ -10,29 +10,36 @@ namespace plumb {
 
 enum class LabelAlign : std::uint8_t { Left, Center, Right };
 
-/// A line or more of text at the entity's Transform. {coins}, {deaths}, {time} and so on are filled in.
+/// Text of one or more lines at the entity's Transform. Placeholders like {coins}, {deaths}, {time} are
+/// replaced by their values.
 struct Label {
     TextId text;
-    FontId font;        ///< empty for the engine's own
+    FontId font;        ///< font file; empty: the engine's default font
     float size = 8.0f;  ///< px, height of a line
     Color color;
-    Color shadow{0, 0, 0, 0};   ///< one px below and right; invisible without opacity
-    Color outline{0, 0, 0, 0};  ///< one px all around; invisible without opacity
+    Color shadow{0, 0, 0, 0};   ///< color of the shadow, 1 px below and right; transparent for none
+    Color outline{0, 0, 0, 0};  ///< color of the 1 px outline; transparent for none
     LabelAlign align = LabelAlign::Left;
-    int layer = 100;      ///< order of drawing: higher is in front
-    bool screen = false;  ///< stays on the screen: the Transform is px of the view from its top-left corner
+    int layer = 100;      ///< drawing layer; higher numbers are in front
+    bool screen = false;  ///< fixed on the screen: the Transform is px from the view's top-left corner
 
     static void describe(TypeBuilder<Label>& type) {
-        type.name("Label").doc("Text at the entity's Transform; {coins}, {deaths}, {time} are filled in.");
-        type.field<&Label::text>("text").doc("Placeholders in braces are filled in by the game.");
-        type.field<&Label::font>("font").doc("Empty for the engine's own.");
-        type.field<&Label::size>("size").unit(Unit::Pixels).range(1.0f, 512.0f).doc("Height of a line.");
+        type.name("Label").doc(
+            "Text at the entity's Transform; {coins}, {deaths}, {time} are replaced by their values.");
+        type.field<&Label::text>("text").doc(
+            "Text to show; the game replaces placeholders in braces by their values.");
+        type.field<&Label::font>("font").doc("Font file; empty for the engine's default font.");
+        type.field<&Label::size>("size").unit(Unit::Pixels).range(1.0f, 512.0f).doc("Height of a line, px.");
         type.field<&Label::color>("color");
-        type.field<&Label::shadow>("shadow").doc("One pixel below and right; none without opacity.");
-        type.field<&Label::outline>("outline").doc("One pixel all around; none without opacity.");
+        type.field<&Label::shadow>("shadow").doc(
+            "Color of the shadow, 1 px below and right; transparent for none.");
+        type.field<&Label::outline>("outline").doc("Color of the 1 px outline; transparent for none.");
         type.field<&Label::align>("align").names({{"left", 0}, {"center", 1}, {"right", 2}});
-        type.field<&Label::layer>("layer").range(-1000.0f, 1000.0f).doc("Higher is in front.");
-        type.field<&Label::screen>("screen").doc("Stays on the screen while the camera moves.");
+        type.field<&Label::layer>("layer")
+            .range(-1000.0f, 1000.0f)
+            .doc("Drawing layer; higher numbers are in front.");
+        type.field<&Label::screen>("screen").doc(
+            "The label stays fixed on the screen while the camera moves.");
     }
 };
 

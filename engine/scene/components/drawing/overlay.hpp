@@ -4,16 +4,17 @@
 
 namespace plumb {
 
-/// Says how its scene lies over others when it is opened as an overlay. Without one it pauses what is below
-/// and takes the input, as menus do.
+/// Settings of its scene for when it is opened as an overlay over other scenes. An overlay without this
+/// component pauses the scenes below and takes their input, as menus do.
 struct Overlay {
-    bool pauses = true;      ///< what is below stands still
-    bool takesInput = true;  ///< what is below hears nothing of the player
+    bool pauses = true;      ///< pauses the scenes below
+    bool takesInput = true;  ///< the scenes below receive no input
 
     static void describe(TypeBuilder<Overlay>& type) {
-        type.name("Overlay").doc("How its scene lies over others when it is opened as an overlay.");
-        type.field<&Overlay::pauses>("pauses").doc("What is below stands still.");
-        type.field<&Overlay::takesInput>("takesInput").doc("What is below hears nothing of the player.");
+        type.name("Overlay").doc(
+            "Settings of this scene for when it is opened as an overlay over other scenes.");
+        type.field<&Overlay::pauses>("pauses").doc("Pauses the scenes below.");
+        type.field<&Overlay::takesInput>("takesInput").doc("The scenes below receive no input.");
     }
 };
 

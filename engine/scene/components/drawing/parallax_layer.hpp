@@ -5,20 +5,21 @@
 
 namespace plumb {
 
-/// Makes the entity's Sprite a backdrop that moves slower or faster than the world and may repeat for ever.
+/// Makes the entity's Sprite a backdrop that scrolls slower
+/// or faster than the world and may repeat endlessly.
 struct ParallaxLayer {
-    Vec2 factor{0.5f,
-                0.5f};  ///< ratio of the camera's movement; 0 stays on the screen, 1 is part of the world
+    Vec2 factor{0.5f, 0.5f};  ///< scroll ratio: 0 stays fixed on the screen, 1 moves like the world
     bool repeatX = true;
     bool repeatY = false;
 
     static void describe(TypeBuilder<ParallaxLayer>& type) {
-        type.name("ParallaxLayer").doc("Makes the entity's Sprite a backdrop that moves with the camera.");
+        type.name("ParallaxLayer")
+            .doc("Makes the entity's Sprite a backdrop that scrolls slower or faster than the world.");
         type.field<&ParallaxLayer::factor>("factor")
             .unit(Unit::Ratio)
-            .doc("0 stays on the screen, 1 is part of the world.");
-        type.field<&ParallaxLayer::repeatX>("repeatX").doc("Repeats to the left and right.");
-        type.field<&ParallaxLayer::repeatY>("repeatY").doc("Repeats up and down.");
+            .doc("Scroll ratio: 0 stays fixed on the screen, 1 moves like the world.");
+        type.field<&ParallaxLayer::repeatX>("repeatX").doc("Repeats the backdrop to the left and right.");
+        type.field<&ParallaxLayer::repeatY>("repeatY").doc("Repeats the backdrop up and down.");
     }
 };
 

@@ -4,19 +4,24 @@
 
 namespace plumb {
 
-/// Pushes what is around the entity away, once, in the next tick; then the component is gone.
+/// Pushes bodies away from the entity once, in the next tick; the component is then removed.
 struct Explosion {
-    float radius = 128.0f;               ///< px
-    float impulse = 20.0f;               ///< kg px/s for each px of width that faces it, at its middle
-    std::uint32_t layers = 0xffffffffu;  ///< bits: acts on colliders of these layers
+    float radius = 128.0f;               ///< px, at which the impulse has fallen to 0
+    float impulse = 20.0f;               ///< kg px/s per px of the body's width, at the center
+    std::uint32_t layers = 0xffffffffu;  ///< bits: collision layers that it acts on
 
     static void describe(TypeBuilder<Explosion>& type) {
-        type.name("Explosion").doc("Pushes what is around it away, once, in the next tick.");
-        type.field<&Explosion::radius>("radius").unit(Unit::Pixels).range(0.0f, 1e6f);
+        type.name("Explosion")
+            .doc("Pushes bodies away from the entity once, in the next tick; the component is then removed.");
+        type.field<&Explosion::radius>("radius")
+            .unit(Unit::Pixels)
+            .range(0.0f, 1e6f)
+            .doc("Radius at which the impulse has fallen to 0, px.");
         type.field<&Explosion::impulse>("impulse")
             .range(-1e9f, 1e9f)
-            .doc("kg px/s for each px of width that faces it, at its middle.");
-        type.field<&Explosion::layers>("layers").layerBits().doc("Acts on colliders of these layers.");
+            .doc("Impulse at the center, kg px/s per px of the body's width.");
+        type.field<&Explosion::layers>("layers").layerBits().doc(
+            "Collision layers that the explosion acts on.");
     }
     void apply(physics::FieldDefinition& field, float metres) const {
         field.kind = physics::FieldKind::Explosion;

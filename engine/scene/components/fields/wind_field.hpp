@@ -4,26 +4,30 @@
 
 namespace plumb {
 
-/// Air that moves: takes along what is light and large.
+/// A region of moving air, with gusts. It accelerates light bodies with a large width most.
 struct WindField : FieldRegion {
-    Vec2 velocity{200.0f, 0.0f};  ///< px/s
-    float density = 1.0f;         ///< kg/m^2: half that of the air times the drag of what is in it
-    float gust = 0.0f;            ///< px/s: at most so much more or less
-    int gustTicks = 30;           ///< ticks from gust to gust
+    Vec2 velocity{200.0f, 0.0f};  ///< px/s, mean velocity of the air
+    float density = 1.0f;         ///< kg/m^2: half the air's density times the drag coefficient
+    float gust = 0.0f;            ///< px/s: maximum deviation from the mean speed
+    int gustTicks = 30;           ///< ticks between gusts
 
     static void describe(TypeBuilder<WindField>& type) {
-        type.name("WindField").doc("Air that moves, in gusts.");
+        type.name("WindField").doc("A region of moving air, with gusts.");
         describeRegion(type);
-        type.field<&WindField::velocity>("velocity").unit(Unit::PixelsPerSecond);
-        type.field<&WindField::density>("density").range(0.0f, 1e6f).doc("How hard it blows.");
+        type.field<&WindField::velocity>("velocity")
+            .unit(Unit::PixelsPerSecond)
+            .doc("Mean velocity of the air, px/s.");
+        type.field<&WindField::density>("density")
+            .range(0.0f, 1e6f)
+            .doc("Strength of the wind, kg/m2: half the air's density times the drag coefficient.");
         type.field<&WindField::gust>("gust")
             .unit(Unit::PixelsPerSecond)
             .range(0.0f, 1e5f)
-            .doc("At most so much more or less.");
+            .doc("Maximum deviation from the mean speed in gusts, px/s.");
         type.field<&WindField::gustTicks>("gustTicks")
             .unit(Unit::Ticks)
             .range(1.0f, 1e6f)
-            .doc("From gust to gust.");
+            .doc("Time between gusts, ticks.");
     }
     void apply(physics::FieldDefinition& field, float metres) const {
         field.kind = physics::FieldKind::Wind;

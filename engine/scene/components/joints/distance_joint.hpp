@@ -4,21 +4,23 @@
 
 namespace plumb {
 
-/// Keeps two anchors at a length: a rod, a rope, or a spring.
+/// Keeps two anchors at a given distance: a rod, a rope, or a spring.
 struct DistanceJoint : JointLink, JointStiffness {
-    float length = 0.0f;  ///< px; 0 is as long as at the start
-    bool rope = false;    ///< may be shorter
+    float length = 0.0f;  ///< px; 0: the distance of the anchors at the start
+    bool rope = false;    ///< limits only the maximum distance; the anchors may come closer
 
     DistanceJoint() { autoAnchor = false; }
 
     static void describe(TypeBuilder<DistanceJoint>& type) {
-        type.name("DistanceJoint").doc("A rod, rope or spring to another body, or the world.");
+        type.name("DistanceJoint")
+            .doc(
+                "Keeps two anchors at a given distance: a rod, rope or spring to another body or the world.");
         describeLink(type);
         type.field<&DistanceJoint::length>("length")
             .unit(Unit::Pixels)
             .range(0.0f, 1e6f)
-            .doc("0 is as long as at the start.");
-        type.field<&DistanceJoint::rope>("rope").doc("May be shorter.");
+            .doc("Distance of the anchors, px; 0: their distance at the start.");
+        type.field<&DistanceJoint::rope>("rope").doc("Limits only the maximum distance, like a rope.");
         describeStiffness(type);
     }
     void apply(physics::JointDefinition& joint, float metres) const {

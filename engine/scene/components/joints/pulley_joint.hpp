@@ -4,12 +4,12 @@
 
 namespace plumb {
 
-/// A rope over two wheels: when one body goes down, the other goes up.
+/// A rope over two fixed wheels that connects two bodies: when one moves down, the other moves up.
 struct PulleyJoint : JointLink {
-    Vec2 wheel;           ///< px in the world: above this body
-    Vec2 otherWheel;      ///< px in the world: above the other
-    float ratio = 1.0f;   ///< how much further the other one moves
-    float length = 0.0f;  ///< px: both ropes, the own one times the ratio; 0 is as at the start
+    Vec2 wheel;           ///< px in the world, position of the wheel above this body
+    Vec2 otherWheel;      ///< px in the world, position of the wheel above the other body
+    float ratio = 1.0f;   ///< displacement of the other body per displacement of this one
+    float length = 0.0f;  ///< px: length on the other side + ratio * length on this side; 0: as at the start
 
     PulleyJoint() {
         autoAnchor = false;
@@ -17,20 +17,22 @@ struct PulleyJoint : JointLink {
     }
 
     static void describe(TypeBuilder<PulleyJoint>& type) {
-        type.name("PulleyJoint").doc("A rope over two wheels to another body.");
+        type.name("PulleyJoint").doc("A rope over two fixed wheels to another body.");
         describeLink(type);
-        type.field<&PulleyJoint::wheel>("wheel").unit(Unit::Pixels).doc("In the world, above this body.");
+        type.field<&PulleyJoint::wheel>("wheel")
+            .unit(Unit::Pixels)
+            .doc("Position of the wheel above this body, px in the world.");
         type.field<&PulleyJoint::otherWheel>("otherWheel")
             .unit(Unit::Pixels)
-            .doc("In the world, above the other body.");
+            .doc("Position of the wheel above the other body, px in the world.");
         type.field<&PulleyJoint::ratio>("ratio")
             .unit(Unit::Ratio)
             .range(0.001f, 1000.0f)
-            .doc("How much further the other one moves.");
+            .doc("Displacement of the other body per displacement of this one, as a ratio.");
         type.field<&PulleyJoint::length>("length")
             .unit(Unit::Pixels)
             .range(0.0f, 1e6f)
-            .doc("Both ropes, the own one times the ratio; 0 is as at the start.");
+            .doc("Length on the other side plus ratio times length on this side, px; 0: as at the start.");
     }
     void apply(physics::JointDefinition& joint, float metres) const {
         joint.kind = physics::JointKind::Pulley;

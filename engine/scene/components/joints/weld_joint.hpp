@@ -4,10 +4,11 @@
 
 namespace plumb {
 
-/// Keeps two bodies as one piece; with hertz, as one that bends.
+/// Fixes two bodies to each other; with `hertz` above 0 the connection is elastic.
 struct WeldJoint : JointLink, JointStiffness {
     static void describe(TypeBuilder<WeldJoint>& type) {
-        type.name("WeldJoint").doc("Makes two bodies one piece; with hertz, one that bends.");
+        type.name("WeldJoint")
+            .doc("Fixes two bodies to each other; with hertz above 0 the connection is elastic.");
         describeLink(type);
         describeStiffness(type);
     }

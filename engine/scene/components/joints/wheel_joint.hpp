@@ -4,38 +4,48 @@
 
 namespace plumb {
 
-/// Ties a wheel to its car: it turns freely and moves along the car's axis by a spring.
+/// Attaches a wheel to a car (the other body): the wheel rotates
+/// freely and is suspended by a spring along an axis of the car.
 struct WheelJoint : JointLink, JointStiffness {
-    Vec2 axis{0.0f, 1.0f};  ///< direction of the spring, turned with the other body
-    bool limited = false;
-    float lower = 0.0f;  ///< px along the axis, from the start
-    float upper = 0.0f;  ///< px
+    Vec2 axis{0.0f, 1.0f};  ///< direction of the spring, in the other body's frame
+    bool limited = false;   ///< limits the spring travel to `lower` .. `upper`
+    float lower = 0.0f;     ///< px along the axis, from the position at the start
+    float upper = 0.0f;     ///< px along the axis, from the position at the start
     bool motor = false;
     float motorSpeed = 0.0f;  ///< rad/s, clockwise on screen
-    float maxTorque = 0.0f;   ///< kg px^2/s^2 of the motor; 0 is as much as it takes
+    float maxTorque = 0.0f;   ///< kg px^2/s^2, maximum torque of the motor; 0: unlimited
 
     WheelJoint() { hertz = 4.0f; }
 
     static void describe(TypeBuilder<WheelJoint>& type) {
-        type.name("WheelJoint").doc("Ties a wheel to a car, which is the other body, by a spring.");
+        type.name("WheelJoint").doc("Attaches a wheel to a car, which is the other body, with a spring.");
         describeLink(type);
-        type.field<&WheelJoint::axis>("axis").doc("Direction of the spring, turned with the other body.");
-        type.field<&WheelJoint::limited>("limited").doc("Moves between lower and upper only.");
-        type.field<&WheelJoint::lower>("lower").unit(Unit::Pixels).shownIf("limited");
-        type.field<&WheelJoint::upper>("upper").unit(Unit::Pixels).shownIf("limited");
-        type.field<&WheelJoint::motor>("motor");
-        type.field<&WheelJoint::motorSpeed>("motorSpeed").unit(Unit::RadiansPerSecond).shownIf("motor");
+        type.field<&WheelJoint::axis>("axis").doc("Direction of the spring, in the other body's frame.");
+        type.field<&WheelJoint::limited>("limited").doc("Limits the spring travel to lower .. upper.");
+        type.field<&WheelJoint::lower>("lower")
+            .unit(Unit::Pixels)
+            .shownIf("limited")
+            .doc("Minimum translation along the axis from the start, px.");
+        type.field<&WheelJoint::upper>("upper")
+            .unit(Unit::Pixels)
+            .shownIf("limited")
+            .doc("Maximum translation along the axis from the start, px.");
+        type.field<&WheelJoint::motor>("motor").doc("Drives the rotation of the wheel.");
+        type.field<&WheelJoint::motorSpeed>("motorSpeed")
+            .unit(Unit::RadiansPerSecond)
+            .shownIf("motor")
+            .doc("Target speed of the motor, degrees/s, clockwise on screen.");
         type.field<&WheelJoint::maxTorque>("maxTorque")
             .range(0.0f, 1e18f)
             .shownIf("motor")
-            .doc("kg px2/s2 of the motor; 0 is as much as it takes.");
+            .doc("Maximum torque of the motor, kg px2/s2; 0: unlimited.");
         describeStiffness(type);
     }
     void apply(physics::JointDefinition& joint, float metres) const {
         joint.kind = physics::JointKind::Wheel;
         joint.axis = axis;
         joint.limit = {limited, lower * metres, upper * metres};
-        joint.motor = {motor, motorSpeed, forceOrEndless(maxTorque, metres * metres)};
+        joint.motor = {motor, motorSpeed, forceLimit(maxTorque, metres * metres)};
         joint.spring = {hertz > 0.0f, hertz, dampingRatio};
     }
 };

@@ -1,8 +1,7 @@
-// Bullets fired in a room at its walls, at plates that turn and at crates.
+// Bullets fired in a room at its walls, at rotating plates and at crates.
 //
-// Everything that is dynamic stays in the part of the room where it began: the walls are static and reach
-// from floor to ceiling. Plates turn where the largest crate has room to pass between them and any wall, so
-// that nothing has to be crushed.
+// Every dynamic body must stay in its room: the walls are static and reach from floor to ceiling. The gap
+// between a rotating plate and any wall is wider than the largest crate, so that no crate is crushed.
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +12,13 @@
 namespace plumb::families {
 
 Blueprint makeBullets(Random& random) {
-    constexpr float kCrate = 0.5f;  // m: half the diagonal of the largest crate
+    constexpr float kCrate = 0.5f;  // half the diagonal of the largest crate, m
     Blueprint plan;
     plan.seconds = 4.0;
     if (random.below(2) == 0) plan.gravity = {};
     const int rooms = 1 + static_cast<int>(random.below(3));
-    const float width = random.between(6.0f, 14.0f), height = random.between(6.0f, 10.0f);  // m, of a room
-    const float wall = random.between(0.025f, 0.25f);            // m: half a wall's thickness
+    const float width = random.between(6.0f, 14.0f), height = random.between(6.0f, 10.0f);  // of a room, m
+    const float wall = random.between(0.025f, 0.25f);            // half the thickness of a wall, m
     const float speed = 10.0f * std::pow(30.0f, random.unit());  // m/s
     const float caliber = random.between(0.03f, 0.15f), weight = random.between(1.0f, 20.0f);
     const bool spins = random.below(2) == 0;
@@ -38,7 +37,7 @@ Blueprint makeBullets(Random& random) {
         const float left = static_cast<float>(room) * width, right = left + width;
         const Vec2 middle{left + 0.5f * width, 0.5f * height};
         std::vector<std::uint32_t> inside;
-        // A plate that turns about the middle of the room: on a hinge, or kinematic.
+        // A plate that rotates about the center of the room: on a hinge, or kinematic.
         const float reach = random.between(0.4f, 0.5f * std::min(width, height) - 2.0f * kCrate - 0.5f);
         if (spins) {
             plan.add({.motion = Motion::Kinematic, .position = middle, .spin = spin},
@@ -60,7 +59,7 @@ Blueprint makeBullets(Random& random) {
                 stuff));
         }
         for (int i = 0; i < bullets; ++i) {
-            // In a row along the left wall, in any direction to the right.
+            // Bullets start in a column along the left wall, with random directions to the right.
             const float heading = random.between(-1.2f, 1.2f);
             const bool round = random.below(2) == 0;
             const float y = height * (static_cast<float>(i) + 1.0f) / static_cast<float>(bullets + 1);
@@ -73,7 +72,7 @@ Blueprint makeBullets(Random& random) {
         }
         plan.goals.push_back(staysIn(inside, {left, 0.0f}, {right, height}));
     }
-    // What meets at 6 m/s is 0.1 m in each other at the end of that step.
+    // Bodies that collide at 6 m/s overlap by 0.1 m at the end of that step.
     plan.goals.push_back(overlapsAtMost(0.1));
     return plan;
 }

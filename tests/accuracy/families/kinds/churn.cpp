@@ -1,8 +1,8 @@
-// A pit in which bodies are created, destroyed, teleported, pushed and
-// change their mass, with pauses in which everything falls asleep.
+// A pit in which bodies are created, destroyed, teleported, pushed
+// and get new masses, with pauses in which all bodies fall asleep.
 //
-// Bodies are created at, or teleported to, any place in the upper half of a closed pit, possibly
-// overlapping others: the pit is never more than a third full, so there is room for all. Nothing leaves it.
+// Bodies are created at, or teleported to, random positions in the upper half of a closed pit, possibly
+// overlapping others. The pit is at most a third full, so no body may be forced out of it.
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace {
 struct Pit {
     float half = 3.0f;  // m
     float height = 8.0f;
-    float size = 0.3f;       // m: the largest circle around a body
-    float speed = 5.0f;      // m/s: of pushes
-    float rate = 0.2f;       // changes a step
-    float heaviest = 10.0f;  // times the lightest
+    float size = 0.3f;       // maximum radius of a body, m
+    float speed = 5.0f;      // maximum speed of pushes, m/s
+    float rate = 0.2f;       // changes per step
+    float heaviest = 10.0f;  // maximum mass ratio
     std::uint32_t maxCount = 40;
     Material stuff;
 };
@@ -64,14 +64,14 @@ void change(Stage& stage, Random& random, const Pit& pit, std::vector<std::uint3
 }  // namespace
 
 Blueprint makeChurn(Random& random) {
-    constexpr int kPhase = 90;  // steps of change, and then of rest
+    constexpr int kPhase = 90;  // number of steps with changes, and of the following steps without
     Blueprint plan;
     plan.closed = false;
     plan.seconds = 8.0;
     Pit pit;
     pit.half = random.between(1.5f, 4.0f);
     pit.height = random.between(6.0f, 12.0f);
-    // A third of the pit at most.
+    // Sizes limit the area of all bodies to a third of the pit.
     pit.maxCount = 10 + random.below(31);
     pit.size =
         std::min(std::sqrt(2.0f * pit.half * pit.height / (9.5f * static_cast<float>(pit.maxCount))), 0.6f);

@@ -1,5 +1,4 @@
-// A crowd asleep in a box of kinematic walls, which then close on it until it fills three quarters of the
-// room.
+// Sleeping bodies in a box of kinematic walls, which close until the bodies fill three quarters of the box.
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +9,14 @@
 namespace plumb::families {
 
 Blueprint makeClosingBox(Random& random) {
-    constexpr float kFull = 0.75f;      // part of the final room that the crowd fills
-    constexpr float kThickness = 1.0f;  // m: half of a wall's
-    constexpr int kAsleep = 300;        // steps until the walls start: the crowd rests long before
+    constexpr float kFull = 0.75f;      // ratio of the bodies' area to the final area of the box
+    constexpr float kThickness = 1.0f;  // half the thickness of a wall, m
+    constexpr int kAsleep = 300;        // steps until the walls start; all bodies are asleep by then
     Blueprint plan;
     plan.closed = false;
     const int count = 50 + static_cast<int>(random.below(101));
     const float radius = random.between(0.1f, 0.4f), friction = random.between(0.0f, 0.8f);
-    const float speed = 0.02f * std::pow(250.0f, random.unit());  // m/s, even over the decades up to 5
+    const float speed = 0.02f * std::pow(250.0f, random.unit());  // m/s, log-uniform from 0.02 to 5
     const bool byTarget = random.below(2) == 0;
     const Material stuff{.density = random.between(0.5f, 5.0f), .friction = friction};
     const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(count))));
@@ -37,7 +36,7 @@ Blueprint makeClosingBox(Random& random) {
     }
     plan.addStatic(scenes::box({half + 3.0f, kThickness}), {0.0f, -kThickness}, stuff);
     plan.addStatic(scenes::box({half + 3.0f, kThickness}), {0.0f, height + kThickness}, stuff);
-    // The crowd has to be able to get out of the walls' way under the ceiling.
+    // The final width leaves room for all bodies below the ceiling.
     const float finalHalf = std::min(half, 0.5f * area / (kFull * height) + radius);
     std::vector<std::uint32_t> walls;
     for (const float side : {-1.0f, 1.0f})
@@ -62,7 +61,7 @@ Blueprint makeClosingBox(Random& random) {
     plan.goals.push_back(staysIn(crowd, {-half, 0.0f}, {half, height}));
     plan.goals.push_back({"is pushed, not passed through",
                           [=](const Stage& stage) {
-                              // Centers behind the inner face of a wall.
+                              // Counts body centers behind the inner face of a wall.
                               double behind = 0.0;
                               for (const std::uint32_t body : crowd) {
                                   if (!stage.has(body) || !stage.has(walls[0]) || !stage.has(walls[1]))

@@ -1,11 +1,11 @@
-// Dominoes in a row, the first of which is pushed over.
+// A row of dominoes, the first of which is pushed over.
 //
-// The first one rotates about its lower edge with more energy than its center needs to pass over that
-// edge. The wave must then continue even if every hit takes all speed: a domino of height h and
-// thickness t that leans on the next one across a gap g touches it at the height y = root (h^2 - g^2).
-// About its edge, its weight W pushes with N (y + f g) = W (g - t) / 2 or more against friction f, and
-// the next one tips if N (y - f t) > W t / 2. That is g > t (1 + (y + f g) / (y - f t)), and members
-// keep a margin of 5 %. In a leaning row at rest the cosine of the angle to the vertical is t / (t + g).
+// The first domino starts with enough energy to rotate over its lower edge. The wave must then continue even
+// if every impact stops the domino: a domino of height h and thickness t that leans on the next one across a
+// gap g touches it at the height y = sqrt(h^2 - g^2). Its weight W pushes with a force N, N (y + f g) >= W (g
+// - t) / 2, at friction f, and the next domino tips if N (y - f t) > W t / 2. So g > t (1 + (y + f g) / (y -
+// f t)); members have a margin of 5 %. In a leaning row at rest the cosine of the angle to the vertical is t
+// / (t + g).
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace plumb::families {
 
 namespace {
 
-/// For the goals: the step at which each domino finally passed over its edge.
+/// Records the step in which each domino finally fell, for the goals.
 struct Falls {
     std::vector<std::uint32_t> dominoes;
-    double angle = 0.0;  ///< rad: larger angles count as fallen
+    double angle = 0.0;  ///< angle above which a domino counts as fallen, rad
     std::vector<int> steps;
 
     void look(const Stage& stage, int step) {
@@ -66,11 +66,11 @@ Blueprint makeDominoRun(Random& random) {
     const int count = 8 + static_cast<int>(random.below(23));
     const float height = 0.2f * std::pow(10.0f, random.unit());  // m, 0.2 to 2
     const float thickness = height * random.between(0.06f, 0.2f);
-    // Dominoes slide along each other and grip the floor.
-    // The friction of a pair is the root of the product.
+    // Low friction between dominoes, high friction with the
+    // floor. The friction of a pair is the geometric mean.
     const float friction = random.between(0.1f, 0.4f), foot = random.between(0.5f, 0.9f);
     const Material tile{.density = random.between(0.5f, 100.0f), .friction = friction};
-    constexpr float kWidest = 0.55f;  // gap over height
+    constexpr float kWidest = 0.55f;  // maximum ratio of gap to height
     const float touch = height * std::sqrt(1.0f - kWidest * kWidest);
     const float lever = (touch + friction * kWidest * height) / (touch - friction * thickness);
     const float gap = random.between(1.05f * thickness * (1.0f + lever), kWidest * height);
@@ -79,19 +79,20 @@ Blueprint makeDominoRun(Random& random) {
 
     auto falls = std::make_shared<Falls>();
     const float pitch = thickness + gap;
-    // The final angles of a row at rest, with its last one flat; goals require half of the steepest one's
-    // rotation.
+    // At rest the dominoes lean at acos(t / pitch), except for the
+    // last one, which lies flat. Goals require half of this angle.
     falls->angle = 0.5 * std::acos(static_cast<double>(thickness / pitch));
     for (int i = 0; i < count; ++i)
         falls->dominoes.push_back(plan.addDynamic(scenes::box({0.5f * thickness, 0.5f * height}),
                                                   {static_cast<float>(i) * pitch, 0.5f * height}, tile));
-    // About its edge: I = m d^2 / 3, and the center rises by (d - height) / 2, where d is the diagonal.
+    // Rotation about the lower edge: I = m d^2 / 3, and the
+    // center rises by (d - height) / 2; d is the diagonal.
     const float diagonal = std::sqrt(height * height + thickness * thickness);
     const float spin = push * std::sqrt(3.0f * 10.0f * (diagonal - height)) / diagonal;
     BodySetup& first = plan.bodies[falls->dominoes[0]].setup;
     first.spin = -spin;
     first.velocity = spin * Vec2{0.5f * height, 0.5f * thickness};
-    // No wave is slower than half of root (g height); then they settle.
+    // The wave is faster than sqrt(g height) / 2; then the dominoes settle.
     plan.seconds = 2.0 +
                    2.0 * static_cast<double>(static_cast<float>(count) * pitch / std::sqrt(10.0f * height)) +
                    3.0 * std::sqrt(static_cast<double>(height));

@@ -1,10 +1,10 @@
-// Arms, cranes and grabs on a fixed base: rods in a chain, with a motor and limits at each hinge, some
-// with a telescopic boom, fingers at the tip, and a load that is held there or hangs from a rope.
+// Arms, cranes and grabs on a fixed base: chains of rods with a motor and limits at each hinge. Some have a
+// telescopic boom, fingers at the tip, or a load that is fixed to the tip or hangs from it by a rope.
 //
-// A motor can hold everything beyond it at full reach, times 3 or more: that is statics. Accelerating at the
-// motors' speeds takes less than a tenth of that: (2 rad/s)^2 x 9 m is 36 m/s2 for the tip of the longest
-// arm if all motors rotate in one direction at once, so the fastest of them rotate at 1.2 rad/s divided by
-// the number of rods. Each joint then reaches the limit that its motor drives to, and stays there.
+// Each motor has at least 3 times the static torque of the horizontal chain beyond it. The motors' speed is
+// limited to 1.2 rad/s divided by the number of rods, so that accelerations need less than a tenth of this
+// torque; at 2 rad/s the tip of a 9 m arm would have 36 m/s2. So each joint must reach the limit that its
+// motor drives to, and stay there.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr float kGravity = 10.0f;  // m/s2
 struct Driven {
     std::uint32_t a, b;
     bool slides = false;
-    float target = 0.0f;  ///< rad or m from where it starts
+    float target = 0.0f;  ///< displacement from the start to the limit, rad or m
 };
 
 struct Builder {
@@ -34,11 +34,12 @@ struct Builder {
     float excess = 3.0f;   ///< ratio of motor to static torque
     float fastest = 1.0f;  ///< rad/s
     std::vector<Driven> driven;
-    std::vector<float> lengths;  ///< m: of the arm's rods, with the travel of a boom
+    std::vector<float> lengths;  ///< lengths of the rods, m, including the travel of a boom
     std::vector<float> masses;   ///< kg
-    float tipMass = 0.0f;        ///< kg: fingers and load
+    float tipMass = 0.0f;        ///< mass of fingers and load, kg
 
-    /// N m and N: for a rod of the arm, and everything beyond it.
+    /// Motor torque at the hinge of a rod, N m: `excess` times the
+    /// static torque of the horizontal chain from this rod on.
     [[nodiscard]] float torqueAt(std::size_t rod) const {
         float reach = 0.0f, sum = 0.0f;
         for (std::size_t i = rod; i < lengths.size(); ++i) {
@@ -90,7 +91,7 @@ double errorOf(const Stage& stage, const Driven& joint) {
     return std::fabs(now - planned - static_cast<double>(joint.target));
 }
 
-/// A load that hangs from the tip by a rope, or is held by it.
+/// Adds a load that is fixed to the tip, or hangs from it by a rope.
 void addLoad(Builder& builder, std::uint32_t tip, Vec2 at, float mass, int rope) {
     std::uint32_t above = tip;
     for (int i = 0; i < rope; ++i) {
@@ -149,7 +150,7 @@ Blueprint makeDrivenChain(Random& random) {
         at = end;
     }
     if (hasBoom) {
-        // It starts inside the last rod.
+        // The boom starts inside the last rod.
         const std::uint32_t rod =
             addRod(plan, at - builder.lengths[rods - 1] * along, at, builder.width, builder.density);
         builder.boom(last, rod, at, along, slide, builder.forceAt(rods));

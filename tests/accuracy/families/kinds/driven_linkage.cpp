@@ -1,4 +1,4 @@
-// Linkages with one degree of freedom that are closed through the ground and driven by a motor at the crank.
+// Linkages with one degree of freedom that form loops with the ground and are driven by a motor at the crank.
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +22,11 @@ struct Builder {
     }
 };
 
-/// Crank, coupler and rocker; the crank can rotate fully (F. Grashof, 1883), with a margin.
+/// Adds a four-bar linkage whose crank can rotate fully (Grashof's condition, 1883), with a margin.
 std::uint32_t fourBar(Builder& builder, Random& random, float speed, float torque) {
     const float crank = random.between(0.3f, 1.0f), base = crank * random.between(2.0f, 4.0f);
     const float coupler = crank * random.between(2.0f, 4.0f);
-    // Shortest + longest < the other two, and the triangle closes in both extreme positions.
+    // Grashof: shortest + longest < sum of the other two; the triangle then closes in both extreme positions.
     const float low = std::max(std::fabs(base - coupler) + 1.15f * crank, 1.2f * crank);
     const float high = base + coupler - 1.15f * crank;
     const float rocker = low + (high - low) * random.between(0.05f, 0.6f);
@@ -42,7 +42,8 @@ std::uint32_t fourBar(Builder& builder, Random& random, float speed, float torqu
     return first;
 }
 
-/// Two equal cranks, both driven, so that it cannot fold where all rods are on one line.
+/// Adds two equal cranks with a coupler; both are driven,
+/// as the loop could change its branch when folded flat.
 std::uint32_t parallelogram(Builder& builder, Random& random, float speed, float torque) {
     const float crank = random.between(0.3f, 1.0f), base = random.between(1.5f, 4.0f);
     const float angle = random.between(0.3f, 2.8f);
@@ -72,15 +73,14 @@ std::uint32_t sliderCrank(Builder& builder, Random& random, float speed, float t
     return first;
 }
 
-/// A four-bar linkage whose rocker drives a second loop: seven rods in two loops.
+/// Adds a four-bar linkage whose rocker drives a second loop.
 std::uint32_t twoLoops(Builder& builder, Random& random, float speed, float torque) {
     const std::uint32_t crank = fourBar(builder, random, speed, torque);
     const std::uint32_t rocker = crank + 2;
     const Blueprint& plan = builder.plan;
     const scenes::BodySetup& body = plan.bodies[rocker].setup;
     const Vec2 middle = body.position;
-    // A rod from the rocker's middle to a slider beside it: the
-    // rocker swings, so the slider's rod is longer than the rocker.
+    // A rod from the rocker's center to a slider; it is longer than the rocker's swing.
     const float link = 2.5f * plan.bodies[rocker].shapes[0].outline.half.x + 1.0f;
     const Vec2 end{middle.x + std::sqrt(link * link - middle.y * middle.y), 0.0f};
     if (!(link > std::fabs(middle.y))) return crank;
@@ -101,7 +101,7 @@ Blueprint makeDrivenLinkage(Random& random) {
     builder.density = random.between(1.0f, 50.0f);
     builder.ground = builder.plan.addAnchor({});
     const float speed = 0.5f * std::pow(16.0f, random.unit()) * (random.below(2) == 0 ? 1.0f : -1.0f);
-    // N m: a hundred times the torque that holds the heaviest rods (4 m, 0.1 m wide) horizontal.
+    // A hundred times the torque that holds the heaviest rods (4 m long, 0.1 m wide) horizontal, N m.
     const float torque = 100.0f * builder.density * 4.0f * 0.1f * 2.0f * 10.0f;
     std::uint32_t crank = 0;
     switch (random.below(4)) {
@@ -111,7 +111,7 @@ Blueprint makeDrivenLinkage(Random& random) {
         default: crank = twoLoops(builder, random, speed, torque);
     }
     Blueprint& plan = builder.plan;
-    // Full turns are counted in each step, so that the crank's state is sufficient.
+    // Sums the crank's rotation over all steps, as its angle alone does not contain full turns.
     struct Count {
         double turned = 0.0;
         Rot last;

@@ -1,13 +1,13 @@
 // Discs and boxes that bounce off each other and off walls without friction and gravity.
 //
-// Energy: an elastic bounce conserves it, whatever the direction of its normal. Bounces slower
+// Energy: an elastic impact conserves it for any direction of the normal. Impacts slower
 // than Settings::bounceSpeed (1 m/s in all engines here) are not elastic. At a mean speed v
-// the approach is slower than that in a fraction 1 / (2 v^2) of all hits (flux of a Maxwell
-// gas), which then lose m (1 m/s)^2 / 8 on average: at the lowest speed here, 4 m/s, 5e-4 of a
-// body's energy in each of some tens of hits. So 5 % is enough for gases whose bodies move by
-// no more than a quarter of the smallest one's size per step. Faster bodies overlap deeply, or
-// with several others, before they are detected; then half of the energy is required. Energy
-// never grows. Momentum: without walls linear and angular momentum are conserved.
+// the approach speed is below 1 m/s in a fraction 1 / (2 v^2) of all impacts (flux of a Maxwell
+// gas); each loses m (1 m/s)^2 / 8 on average: at the lowest speed here, 4 m/s, 5e-4 of a
+// body's energy in each of some tens of impacts. So a loss of 5 % is allowed if bodies move by
+// at most a quarter of the smallest body's size per step. Faster bodies overlap deeply, or
+// with several others, before a contact is detected; then half of the energy must remain. Energy
+// must never grow. Momentum: without walls linear and angular momentum are conserved.
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,8 @@ struct Book {
     double x = 0.0;       // kg m/s
     double y = 0.0;
     double around = 0.0;  // kg m2/s
-    double size = 0.0;    // kg m/s: sum of the magnitudes of all momenta
-    double reach = 0.0;   // kg m2/s: the same of the angular momenta
+    double size = 0.0;    // sum of the magnitudes of all momenta, kg m/s
+    double reach = 0.0;   // sum of the magnitudes of all angular momenta, kg m2/s
 };
 
 Book bookOf(const Stage& stage, const std::vector<Molecule>& gas) {
@@ -63,13 +63,13 @@ Blueprint makeElasticGas(Random& random) {
     const int columns = 2 + static_cast<int>(random.below(6));
     const float unlike = random.between(0.0f, 0.6f), density = random.between(0.2f, 20.0f);
     const float speed = 4.0f * std::pow(10.0f, random.unit());  // m/s
-    // m: of the largest one; the smallest one is 0.7 to 4, or 4 to 10, times the distance of a step at the
-    // mean speed.
+    // Radius of the largest body, m, chosen so that the smallest is 0.7 to 4 (fast) or 4 to 10 times the
+    // distance travelled in a step at the mean speed.
     const bool fast = random.below(2) == 0;
     const float share = fast ? random.between(0.7f, 4.0f) : random.between(4.0f, 10.0f);
     const float radius = share * speed * kStep / (1.0f - unlike);
     const float spacing = radius * random.between(2.5f, 6.0f);
-    const float boxes = random.unit();  // part of them that are boxes
+    const float boxes = random.unit();  // fraction of bodies that are boxes
     const Material hard{.density = density, .friction = 0.0f, .bounciness = 1.0f};
     const float half = 0.5f * static_cast<float>(columns) * spacing;
 
@@ -80,7 +80,7 @@ Blueprint makeElasticGas(Random& random) {
                       (static_cast<float>(i / columns) + 0.5f) * spacing - half};
         const float size = radius * (1.0f - unlike * random.unit());
         const float heading = random.between(0.0f, kTau);
-        // Without walls all fly towards the middle, so that they hit each other.
+        // Without walls the bodies move towards the center, so that they collide.
         Vec2 velocity{speed * std::cos(heading), speed * std::sin(heading)};
         if (!walled) velocity = 0.3f * velocity - (speed / std::max(half, 0.1f)) * at;
         const bool isBox = random.unit() < boxes;

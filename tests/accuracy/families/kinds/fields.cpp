@@ -1,12 +1,11 @@
-// Planets, water and attractors.
+// Family "fields": planets with gravity, water, and linear attractors.
 //
-// On a planet of radius R with an attraction of k / d^2, a falling body comes to rest on the ground or on
-// others; one that starts at a distance d with a tangential speed of sqrt(k / d) stays at that distance. In
-// water a box of height h and a fraction s of the water's density floats with s h of it under water
-// (Archimedes); boxes with a width of 1.5 heights and more do not capsize, because the metacenter is above
-// the center of mass if width^2 / height^2 > 6 s (1 - s), at most 1.5. Damped by more than 1/s, it rests
-// after 10 s. A heavier box lies on the ground. Around the center of a linear attractor k everything
-// oscillates as cos(sqrt(k) t), along x and along y.
+// Planet of radius R with an acceleration k / d^2: a falling body comes to rest on the ground or on others; a
+// moon at distance d with a tangential speed of sqrt(k / d) keeps this distance. Water: a box of height h and
+// density ratio s < 1 floats with s h under water (Archimedes). A box at least 1.5 times as wide as high does
+// not capsize: its metacenter is above the center of mass if width^2 / height^2 > 6 s (1 - s), whose maximum
+// is 1.5. Damped by more than 1/s it is at rest after 10 s. A denser box lies on the ground. Linear attractor
+// with constant k: positions oscillate as cos(sqrt(k) t) in x and y.
 
 #include "physics/model/fields.hpp"
 
@@ -21,7 +20,7 @@ namespace plumb::families {
 
 namespace {
 
-/// A field of the blueprint, and its result in one run.
+/// State of a field in one run.
 struct FieldState {
     std::string refused;
 };
@@ -34,7 +33,8 @@ void addField(Blueprint& plan, const physics::FieldDefinition& field, Vec2 place
         physics::FieldDefinition made = field;
         made.place = stage.placeOf(place);
         made.length *= stage.scale();
-        // m3/s2 of the inverse square, 1/s2 of a linear attractor.
+        // The strength of an inverse-square attractor has the unit m3/s2, so it scales with the cube of
+        // lengths; that of a linear one is in 1/s2.
         if (field.kind == physics::FieldKind::Attractor && !field.linear)
             made.strength *= stage.scale() * stage.scale() * stage.scale();
         const auto id = physics::createField(*stage.world(), made);
@@ -45,7 +45,7 @@ void addField(Blueprint& plan, const physics::FieldDefinition& field, Vec2 place
 
 void makePlanet(Blueprint& plan, Random& random) {
     plan.gravity = {};
-    plan.closed = false;  // the energy account has no height above a planet
+    plan.closed = false;  // energyOf() does not include the potential energy of attractors
     plan.seconds = 10.0;
     const float radius = random.between(1.0f, 6.0f), surface = random.between(3.0f, 20.0f);  // m, m/s2
     const float pull = surface * radius * radius;
@@ -56,7 +56,7 @@ void makePlanet(Blueprint& plan, Random& random) {
     const float size = random.between(0.1f, 0.3f);
     std::vector<std::uint32_t> landers;
     for (int i = 0; i < count; ++i) {
-        // In rings around it, with some distance.
+        // Landers start in rings around the planet, apart from each other.
         const int around = std::max(static_cast<int>(kTau * radius / (3.0f * size)), 4);
         const float angle =
             kTau * (static_cast<float>(i % around) + random.between(0.0f, 0.2f)) / static_cast<float>(around);
@@ -67,7 +67,7 @@ void makePlanet(Blueprint& plan, Random& random) {
         landers.push_back(plan.addDynamic(outline, out * Vec2{std::cos(angle), std::sin(angle)}, stuff,
                                           random.between(0.0f, kTau)));
     }
-    // Moons, far out and with distance from each other.
+    // Moons, which do not collide.
     std::vector<std::uint32_t> moons;
     Material stone = stuff;
     stone.mask = 0;
@@ -80,7 +80,7 @@ void makePlanet(Blueprint& plan, Random& random) {
     }
     plan.goals.push_back({"lies on the planet",
                           [=](const Stage& stage) {
-                              // m: maximum height in a heap of all of them
+                              // maximum height above the ground, m
                               double furthest = 0.0;
                               for (const std::uint32_t body : landers) {
                                   if (!stage.has(body)) continue;
@@ -117,11 +117,11 @@ void makeWater(Blueprint& plan, Random& random) {
     water.linearDrag = random.between(2.0f, 5.0f);
     water.angularDrag = random.between(2.0f, 5.0f);
     addField(plan, water, {});
-    plan.closed = false;  // the energy account has no fluids
+    plan.closed = false;  // energyOf() does not include buoyancy
     plan.addStatic(scenes::box({100.0f, 1.0f}), {0.0f, -kDeep - 1.0f}, {});
     struct Floater {
         std::uint32_t body = 0;
-        float y = 0.0f;       // m: where its center floats
+        float y = 0.0f;       // height of the floating center, m
         float height = 0.0f;  // m
     };
     std::vector<Floater> floaters;
@@ -169,7 +169,8 @@ void makeSwing(Blueprint& plan, Random& random) {
     plan.gravity = {};
     plan.seconds = 5.0;
     const float strength = std::pow(36.0f, random.unit());  // 1/s2
-    // The energy of an oscillation of rate w fluctuates by w h / 2 in substeps of h, by 0.4 % here.
+    // In substeps of h the energy of an oscillation of angular
+    // frequency w fluctuates by w h / 2: 0.4 % at w = 2/s.
     plan.closed = strength < 4.0f;
     addField(plan, {.kind = physics::FieldKind::Attractor, .linear = true, .strength = strength}, {});
     Material air;

@@ -1,14 +1,14 @@
-// Linkages that swing under gravity alone: four-bars, parallelograms, Jansen's leg and its like, closed
-// through the ground, and pendulums of several rods, pantographs and scissors, which hang from it.
+// Linkages without motors that swing under gravity: four-bar linkages, parallelograms and Jansen legs, which
+// form loops with the ground; multiple pendulums, pantographs and scissors, which hang from the ground.
 //
-// Nothing takes energy from rigid rods and pins without friction, so they keep it. At quality 2 a step of
-// 1/60 s has 4 substeps of 4 ms, of which semi-implicit Euler keeps the mean energy; what is allowed to be
-// lost in 8 s is a tenth of the largest energy of motion, which is what a player sees as a swing that is 5 %
-// lower. Linkages that can fold flat have a limit at a hinge instead, which takes energy at every stop.
+// Rigid rods and hinges without friction conserve energy. Semi-implicit Euler with 4 substeps of 4 ms
+// (quality 2) conserves the mean energy; the allowed loss in 8 s is a tenth of the maximum kinetic energy,
+// which makes the speed 5 % lower. Linkages that could fold flat have a limit at a hinge, which dissipates
+// energy at every stop; they have no energy goal.
 //
-// Positions where all rods of a loop are on one line are left out: there a loop chooses its branch. A
-// four-bar only gets there if its shortest and longest rods are as long as both others; a parallelogram,
-// which always could, starts at rest below the height at which it would.
+// Positions with all rods of a loop on one line are avoided, as the loop can change its branch there. A
+// four-bar linkage reaches one only if its shortest and longest rods together are as long as both others. A
+// parallelogram always could; it starts at rest below the height of such a position.
 
 #include <algorithm>
 #include <array>
@@ -23,11 +23,11 @@ namespace plumb::families {
 
 namespace {
 
-/// The densities of rods, from one to ten times the minimum.
+/// Random densities of rods, 1 to 10 times the minimum.
 struct Densities {
     Random& random;
     float minimum = 1.0f;
-    float spread = 1.0f;  ///< of the logarithm
+    float spread = 1.0f;  ///< maximum ratio as a power of 10
     float operator()() { return minimum * std::pow(10.0f, spread * random.unit()); }
 };
 
@@ -67,7 +67,7 @@ void parallelogram(Mechanism& made, Random& random, Densities& density) {
     made.rod({leftEnd, rightEnd}, density());
 }
 
-/// The leg of T. Jansen's walker, its lengths varied by 2 %: 11 rods in five loops.
+/// Adds the leg of T. Jansen's walking machine with lengths varied by 2 %: 11 rods in five loops.
 void jansenLeg(Mechanism& made, Random& random, Densities& density) {
     const auto side = [&](float length) { return 0.02f * length * random.between(0.98f, 1.02f); };
     const std::size_t axle = made.point({}), fixed = made.point({-side(38.0f), -side(7.8f)});
@@ -105,7 +105,7 @@ void pendulums(Mechanism& made, Random& random, Densities& density) {
     }
 }
 
-/// A parallelogram with two longer arms, which draws larger what it is led along.
+/// Adds a pantograph: a parallelogram with two extended arms.
 void pantograph(Mechanism& made, Random& random, Densities& density) {
     const float angle = random.between(-2.2f, -0.9f), opening = random.between(0.6f, 1.2f);
     const float upper = random.between(1.0f, 2.0f), lower = random.between(1.0f, 2.0f);
@@ -123,7 +123,7 @@ void pantograph(Mechanism& made, Random& random, Densities& density) {
     made.rod({onLower, inner}, density());
 }
 
-/// Pairs of crossed rods, one below the other.
+/// Adds a scissor mechanism: pairs of crossed rods, one below the other.
 void scissors(Mechanism& made, Random& random, Densities& density) {
     const int stages = 2 + static_cast<int>(random.below(4));
     const float width = random.between(0.3f, 0.7f), height = random.between(0.3f, 0.7f);
@@ -140,7 +140,8 @@ void scissors(Mechanism& made, Random& random, Densities& density) {
     }
 }
 
-/// Keeps all loops of a chain of them from folding flat: their shape follows from this one angle.
+/// Limits the hinge between two rods, so that no loop can
+/// fold flat: this angle determines the shape of all loops.
 void limit(Blueprint& plan, std::uint32_t a, std::uint32_t b, float by) {
     for (JointSetup& joint : plan.joints) {
         if (joint.a.index != a || joint.b.index != b) continue;
@@ -150,14 +151,14 @@ void limit(Blueprint& plan, std::uint32_t a, std::uint32_t b, float by) {
     }
 }
 
-/// The energy of rods in any engine, looked at before each step.
+/// Records the energy of the rods before each step, in any engine.
 struct EnergyBook {
     struct Body {
         std::uint32_t body;
         double mass, inertia;
     };
     std::vector<Body> bodies;
-    double first = 0.0, highest = 0.0;  ///< J: at the start; of motion
+    double first = 0.0, highest = 0.0;  ///< energy at the start, maximum kinetic energy, J
 
     [[nodiscard]] double motion(const Stage& stage) const {
         double sum = 0.0;

@@ -1,10 +1,11 @@
 // Kinematic bodies that hit sleeping and awake bodies: a lift that carries
 // crates, a sweeper in a corridor, a rotor in a room, a piston in a cylinder.
 //
-// Crates stay on a lift: its path is a cosine with accelerations below 0.4 friction g horizontally and 0.5
-// g vertically, and crates are no higher than wide, so that they do not tip over (friction at most 0.8).
-// Bodies that a sweeper, rotor or piston hits have room to move aside: the corridor is open at its end, the
-// rotor passes walls at 2.5 times the size of the largest crate, the cylinder is never more than 60 % full.
+// Crates must stay on a lift: its position is a cosine of time with accelerations below
+// 0.4 friction g horizontally and 0.5 g vertically, and crates are no higher than wide, so
+// that they do not tip over (friction at most 0.8). Bodies hit by a sweeper, rotor or
+// piston have room to move aside: the corridor is open at its end, the gap between rotor
+// and walls is 2.5 times the size of the largest crate, the cylinder is at most 60 % full.
 
 #include <algorithm>
 #include <cmath>
@@ -18,21 +19,21 @@ namespace plumb::families {
 namespace {
 
 constexpr float kGravity = 10.0f;  // m/s2
-constexpr int kAsleep = 75;        // steps: everything is asleep by then
-constexpr int kWakes = 2;          // steps that waking may take
+constexpr int kAsleep = 75;        // steps until the first motion; all bodies are asleep by then
+constexpr int kWakes = 2;          // maximum number of steps until a moved body is awake
 
-/// A body that moves back and forth on a line: rests, moves, rests.
+/// A kinematic body that moves back and forth between two points, with rests at both ends.
 struct Shuttle {
     std::uint32_t body = 0;
     Vec2 start;
-    Vec2 stroke;          // m: to the other end
+    Vec2 stroke;          // displacement to the other end, m
     int rests = kAsleep;  // steps at each end
     int moves = 60;       // steps from end to end
     bool byTarget = true;
-    bool even = false;  ///< at constant speed from its first step on, instead of a cosine
+    bool even = false;  ///< true: constant speed; false: cosine of time
 
     [[nodiscard]] bool isMoving(int step) const { return step % (rests + moves) >= rests; }
-    /// Its target position after a step: the two ends alternate.
+    /// Target position at the end of a step.
     [[nodiscard]] Vec2 at(int step) const {
         const int cycle = step / (rests + moves), phase = step % (rests + moves) - rests + 1;
         float part = 0.0f;
@@ -52,7 +53,7 @@ struct Shuttle {
 };
 
 struct Watch {
-    double asleep = 0.0;  // bodies, summed over steps, that were asleep while they were moved
+    double asleep = 0.0;  // sum over steps of the number of bodies that were asleep while the lift moved them
 };
 
 Goal staysAwake(const std::shared_ptr<Watch>& watch) {
@@ -65,8 +66,8 @@ void makeLift(Blueprint& plan, Random& random) {
     const Material stuff{.density = random.between(0.5f, 10.0f), .friction = friction};
     Shuttle lift;
     lift.start = {0.0f, 5.0f};
-    const float speed = 0.01f * std::pow(500.0f, random.unit());  // m/s, the highest of its path
-    // A cosine over A meters in T seconds reaches A pi / 2 T and A pi^2 / 2 T^2.
+    const float speed = 0.01f * std::pow(500.0f, random.unit());  // maximum speed, m/s
+    // A cosine over A meters in T seconds has a maximum speed of A pi / 2T and acceleration of A pi^2 / 2T^2.
     const float bound = upright ? 0.5f * kGravity : 0.4f * friction * kGravity;
     const float seconds = std::max(0.5f, kPi * speed / bound) * random.between(1.0f, 2.0f);
     const float length = speed * seconds * 2.0f / kPi;
@@ -90,7 +91,7 @@ void makeLift(Blueprint& plan, Random& random) {
     auto watch = std::make_shared<Watch>();
     plan.drive = [=](Stage& stage, int step) {
         if (step == 0) *watch = {};
-        // Asleep in the last step of a move that began some steps ago.
+        // Counts bodies that are still asleep kWakes steps after the motion began.
         if (stage.has(lift.body) && step > kWakes && lift.isMoving(step - 1) &&
             lift.isMoving(step - 1 - kWakes))
             for (const std::uint32_t crate : crates)
@@ -118,7 +119,7 @@ Outline crateOf(Random& random, float size) {
     return random.below(2) == 0 ? scenes::circle(size) : scenes::box({0.8f * size, 0.6f * size});
 }
 
-/// Pushes along a corridor with a ceiling, or back and forth in a closed cylinder.
+/// Adds a sweeper in a corridor with a ceiling, or a piston in a closed cylinder.
 void makeSweeper(Blueprint& plan, Random& random, bool piston) {
     const Material stuff{.density = random.between(0.5f, 10.0f), .friction = random.between(0.0f, 0.8f)};
     const float size = random.between(0.1f, 0.4f), height = size * random.between(3.0f, 8.0f);
@@ -141,16 +142,16 @@ void makeSweeper(Blueprint& plan, Random& random, bool piston) {
         area += kPi * own * own;
     }
     Shuttle pusher;
-    const float thick = 0.02f * std::pow(50.0f, random.unit());  // m: half of it
+    const float thick = 0.02f * std::pow(50.0f, random.unit());  // half the thickness, m
     pusher.start = {-1.0f - thick, 0.5f * height};
     const float free = piston ? end - area / (0.6f * height) : random.between(0.5f, 1.5f) * room;
     float stroke = std::max(free, 0.2f) + 1.0f;
-    // As far as time and speed allow.
+    // The stroke is limited by time and speed.
     pusher.even = random.below(2) == 0;
-    const float highest = pusher.even ? 1.0f : 0.5f * kPi;  // speed over the mean
+    const float highest = pusher.even ? 1.0f : 0.5f * kPi;  // ratio of maximum to mean speed
     const float seconds = std::min(highest * stroke / speed, piston ? 2.0f : 5.0f);
     stroke = std::min(stroke, speed * seconds / highest);
-    // Slow ones start where they touch the first body.
+    // A short stroke starts at the first body.
     pusher.start.x = std::max(-1.0f, -0.5f * stroke) - thick;
     stroke = std::min(stroke, free - thick - pusher.start.x);
     pusher.stroke = {stroke, 0.0f};
@@ -178,14 +179,14 @@ void makeSweeper(Blueprint& plan, Random& random, bool piston) {
     plan.goals.push_back(overlapsAtMost(0.05));
 }
 
-/// In a room seen from above: no gravity, crates with drag.
+/// Adds a rotor in a room seen from above: no gravity, crates with drag.
 void makeRotor(Blueprint& plan, Random& random) {
     plan.gravity = {};
     plan.seconds = 5.0;
     const Material stuff{.density = random.between(0.5f, 10.0f), .friction = random.between(0.0f, 0.8f)};
     const float size = random.between(0.1f, 0.4f), reach = random.between(1.5f, 4.0f);
     const float half = reach + 5.0f * size, thick = random.between(0.05f, 0.3f);
-    // rad/s: its tip at up to 20 m/s
+    // Angular velocity, rad/s, for a tip speed of 0.01 to 20 m/s.
     const float spin =
         0.01f * std::pow(2000.0f, random.unit()) / reach * (random.below(2) == 0 ? 1.0f : -1.0f);
     for (const float side : {-1.0f, 1.0f}) {
@@ -196,7 +197,8 @@ void makeRotor(Blueprint& plan, Random& random) {
     std::vector<std::uint32_t> crowd;
     const int count = 4 + static_cast<int>(random.below(13));
     for (int i = 0; i < count; ++i) {
-        // In two rings around the hub, clear of each other and of the rotor's rest position.
+        // Crates lie around the hub on both sides of the rotor,
+        // clear of each other and of its initial position.
         const float angle = kPi * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
         const float out = reach * 0.75f;
         const float room = 0.45f * out * kPi / static_cast<float>(count);
@@ -209,7 +211,7 @@ void makeRotor(Blueprint& plan, Random& random) {
         crowd.push_back(plan.add(setup, crateOf(random, own), stuff));
     }
     plan.drive = [=](Stage& stage, int step) { stage.setSpin(rotor, step >= kAsleep ? spin : 0.0f); };
-    // After half a turn one of its ends has passed everywhere.
+    // After half a revolution the rotor has swept the whole circle.
     const float turned = std::fabs(spin) * (static_cast<float>(plan.seconds) - kAsleep * kStep);
     if (turned > kPi)
         plan.goals.push_back({"is hit by the rotor",

@@ -1,16 +1,16 @@
 // An arch of stones without mortar between two abutments, with a load on its keystone.
 //
-// Every member is statically stable. The half of the arch to the right of the crown is pushed by a
-// horizontal thrust H at the height c of the crown section. With the weights w between the crown and a
-// joint, at x, the joint carries the force (H, -sum w), which crosses it at a distance e from its middle:
+// Every member is statically stable. A horizontal thrust H at height c of the crown section pushes the right
+// half of the arch. With the weights w (at x) between the crown and a joint, the joint carries the force
+// (H, -sum w), which crosses it at a distance e from its middle:
 //   e (n.x V + n.y H) = c H + sum w x - p.x V - p.y H,   V = sum w, p the joint's middle, n its direction.
-// The arch stands if some H and c keep all e within the stones and all forces within the cones of friction.
-// Source: J. Heyman, The Stone Skeleton, 1966. For a semicircle of its own weight that gives the known
-// minimum thickness of 0.1075 radii. Members have at least 1.15 times the minimum thickness and 1.25 times
-// the minimum friction.
+// The arch stands if for some H and c all e are within the stones and all forces within
+// the friction cones. Source: J. Heyman, The Stone Skeleton, 1966. For a semicircle
+// under its own weight this gives the known minimum thickness of 0.1075 radii. Members
+// have at least 1.15 times the minimum thickness and 1.25 times the minimum friction.
 //
-// Contacts may overlap by the slop of 5 mm, which shortens stones of half a meter by 1 %, and lowers the
-// crown by up to 3 % of half the span: a fifth of the thinnest margin, so no member is thinner than 5 %.
+// Contacts may overlap by the slop of 5 mm. This shortens stones of 0.5 m by 1 % and lowers the crown by up
+// to 3 % of half the span, so no member is thinner than 5 % of half the span.
 
 #include <algorithm>
 #include <array>
@@ -23,16 +23,16 @@ namespace plumb::families {
 
 namespace {
 
-constexpr double kMinExcess = 1.15;     // thickness over the minimum that stands
-constexpr double kFrictionUsed = 0.8;   // part of the friction that a joint may need
-constexpr double kMinThickness = 0.05;  // part of half the span
+constexpr double kMinExcess = 1.15;     // minimum ratio of thickness to the minimum stable thickness
+constexpr double kFrictionUsed = 0.8;   // maximum ratio of required to available friction
+constexpr double kMinThickness = 0.05;  // ratio to half the span
 
 struct Joint {
     Vec2 middle;
     Vec2 outwards;
 };
 
-/// Half a span of 1, the middle of the arch from its left foot to its right one.
+/// Computes the joints of a circular arch of half span 1, from left to right.
 std::vector<Joint> circleOf(int stones, float halfAngle) {
     std::vector<Joint> joints;
     const float radius = 1.0f / sine(halfAngle);
@@ -44,7 +44,8 @@ std::vector<Joint> circleOf(int stones, float halfAngle) {
     return joints;
 }
 
-/// @param steepness  half the span over the radius of curvature at the crown
+/// Computes the joints of a catenary arch of half span 1, from left to right.
+/// @param steepness  ratio of half the span to the radius of curvature at the crown
 std::vector<Joint> catenaryOf(int stones, float steepness) {
     std::vector<Joint> joints;
     const float crown = 1.0f / steepness, half = crown * std::sinh(steepness);
@@ -80,7 +81,7 @@ struct Arch {
     std::vector<Joint> joints;
     float thickness = 0.1f;
     float friction = 0.6f;
-    float load = 0.0f;  ///< area of stone of the same weight
+    float load = 0.0f;  ///< weight of the load, as an area of stone
 
     [[nodiscard]] std::size_t stones() const { return joints.size() - 1; }
     [[nodiscard]] Stone stone(std::size_t i) const {
@@ -88,10 +89,11 @@ struct Arch {
     }
 };
 
-/// Whether a thrust H that crosses the crown at a height stays in stones of a part of the thickness.
+/// True if the line of thrust for the thrust H at a height of
+/// the crown stays within stones of a fraction of the thickness.
 bool holds(const Arch& arch, const std::vector<Stone>& stones, double thrust, double height, double part) {
     const std::size_t key = arch.stones() / 2;
-    // Half the keystone: from its middle to its right joint. The load stands on its corners.
+    // The right half of the keystone with half of the load.
     double weight = 0.5 * static_cast<double>(stones[key].area + arch.load);
     const auto reach = static_cast<double>(arch.joints[key + 1].middle.x);
     double moment = 0.5 * reach * static_cast<double>(0.5f * stones[key].area + 0.6f * arch.load);
@@ -111,7 +113,7 @@ bool holds(const Arch& arch, const std::vector<Stone>& stones, double thrust, do
 }
 
 bool stands(const Arch& arch, double part) {
-    constexpr int kTried = 48;  // of each: finer finds no thinner arch
+    constexpr int kTried = 48;  // number of thrusts and of heights tried; more find no thinner arch
     std::vector<Stone> stones;
     double weight = static_cast<double>(arch.load);
     for (std::size_t i = 0; i < arch.stones(); ++i) {
@@ -130,7 +132,8 @@ bool stands(const Arch& arch, double part) {
     return false;
 }
 
-/// Makes it as thick as it has to be, times an excess. @return false where no thickness helps
+/// Sets the thickness to the minimum stable thickness times
+/// an excess. @return false if no thickness is stable
 bool thicken(Arch& arch, float excess) {
     constexpr float kThickest = 0.5f, kFiner = 1.05f;
     arch.thickness = static_cast<float>(kMinThickness);
@@ -143,16 +146,16 @@ bool thicken(Arch& arch, float excess) {
 }  // namespace
 
 Blueprint makeMasonryArch(Random& random) {
-    const float half = random.between(3.0f, 12.0f);  // m: of the span
+    const float half = random.between(3.0f, 12.0f);  // half the span, m
     const bool circular = random.below(2) == 0;
     const float shape = circular ? random.between(0.9f, 0.5f * kPi) : random.between(0.8f, 2.0f);
-    // Stones are no shorter than half a meter: the shallowest arch is 2.3 half spans long.
+    // Stones are at least 0.5 m long: the flattest arch is 2.3 half spans long.
     const auto maxStones = static_cast<std::uint32_t>(std::min(2.3f * half / 0.5f, 25.0f));
     const int stones = 7 + 2 * static_cast<int>(random.below((maxStones - 5) / 2));
     const float density = random.between(1.0f, 50.0f), excess = random.between(1.15f, 2.0f);
     Arch arch{circular ? circleOf(stones, shape) : catenaryOf(stones, shape)};
     arch.friction = random.between(0.5f, 1.0f);
-    const float share = random.between(0.0f, 0.3f);  // of the load in the weight of the stones
+    const float share = random.between(0.0f, 0.3f);  // ratio of load to the weight of the stones
     for (float part = share;; part = 0.7f * part - 0.01f) {
         arch.load = 0.0f;
         for (std::size_t i = 0; i < arch.stones(); ++i)
@@ -181,7 +184,7 @@ Blueprint makeMasonryArch(Random& random) {
     }
     for (std::size_t i = 0; i < arch.stones(); ++i) bodies.push_back(lay(arch.stone(i), Motion::Dynamic));
     const Stone key = arch.stone(arch.stones() / 2);
-    const float width = 0.3f * (key.corners[2].x - key.corners[3].x);  // half of the load's
+    const float width = 0.3f * (key.corners[2].x - key.corners[3].x);  // half the width of the load, m
     if (arch.load > 0.0f) {
         BodyPlan load;
         load.setup.position = {0.0f, key.corners[2].y + 0.5f * width};

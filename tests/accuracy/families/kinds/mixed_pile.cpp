@@ -1,10 +1,9 @@
-// A pile of balls, boxes, polygons, slivers and crumbs that falls in a pit.
+// Balls, boxes, polygons, thin and tiny bodies that fall into a pit.
 //
-// Nothing bounces, so what falls 10 m at most, in a second and a half, loses its speed in the first hits, and
-// friction stops what slides and tips. A ball on a level floor would roll on: what is round has a drag of
-// 2/s, which takes a rolling ball's speed by two thirds of that, to below a thousandth in 10 s. At rest two
-// shapes may overlap by the slop, 5 mm, and by what the weight on it presses a soft contact: as much again at
-// the bottom.
+// Restitution is 0, so bodies that fall at most 10 m lose their speed in the first impacts, and friction
+// stops sliding and tipping. Balls would roll on, so they have a drag of 2/s, which reduces the speed of a
+// rolling ball at 2/3 of this rate, to below 1/1000 in 10 s. At rest two shapes may overlap by the slop (5
+// mm), and at the bottom by another 5 mm of contact compliance under the weight.
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,7 @@ namespace plumb::families {
 
 namespace {
 
-/// 3 to 8 corners on an ellipse, no two nearer than half of their even distance.
+/// Creates a polygon of 3 to 8 corners on an ellipse, at least half of the regular spacing apart.
 Outline polygonOf(Random& random, Vec2 half) {
     std::array<Vec2, 8> corners{};
     const std::size_t count = 3 + random.below(6);
@@ -35,13 +34,13 @@ Blueprint makeMixedPile(Random& random) {
     Blueprint plan;
     plan.seconds = 12.0;
     const int count = 15 + static_cast<int>(random.below(22));
-    const float size = random.between(0.3f, 0.8f);        // m: half of the largest
-    const float crumb = std::pow(20.0f, -random.unit());  // the smallest over the largest
-    const float slim = std::pow(20.0f, -random.unit());   // the thinnest sliver over its length
-    const float spread = random.unit();                   // of the logarithm of densities, up to 10
+    const float size = random.between(0.3f, 0.8f);        // half the size of the largest body, m
+    const float crumb = std::pow(20.0f, -random.unit());  // size ratio of the smallest to the largest body
+    const float slim = std::pow(20.0f, -random.unit());   // ratio of thickness to length of the thinnest body
+    const float spread = random.unit();                   // log10 of the maximum density ratio
     const Material stuff{.friction = random.between(0.2f, 0.9f)};
-    const float half = size * random.between(3.0f, 6.0f);  // m: of the pit
-    constexpr float kWall = 1.0f;                          // m: half of its thickness
+    const float half = size * random.between(3.0f, 6.0f);  // half the width of the pit, m
+    constexpr float kWall = 1.0f;                          // half the thickness of a wall, m
     const float height = 6.0f * half;
 
     std::vector<std::uint32_t> bodies;

@@ -1,10 +1,10 @@
-// Belts that carry boxes and balls, and one-way platforms.
+// Conveyor belts with boxes and balls, and one-way platforms.
 //
-// Sliding friction m gives a box a speed of m g t until it has the belt's speed: at the latest after u /
-// (m g). It also rotates a ball backwards at twice the rate at which it accelerates it (I = m r^2 / 2),
-// so that a ball rolls on the belt from a third of the belt's speed on, and keeps that.
-// A body that rises through a platform until all of it is above comes to rest on it, if its speed is
-// high enough (v^2 > 2 g h, by 20 %); otherwise it falls back; a body that falls from above stays on it.
+// Sliding friction f accelerates a box to the speed f g t until it has the belt's speed u
+// after u / (f g). A ball (I = m r^2 / 2) is also rotated backwards, at twice that rate, so
+// it rolls on the belt from a third of the belt's speed on, and keeps this speed. A body that
+// rises completely through a platform comes to rest on it; this needs a speed of v^2 > 2 g h
+// (members: by 20 %). Otherwise it falls back. A body that falls from above stays on it.
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +18,12 @@ namespace plumb::families {
 namespace {
 
 constexpr float kGravity = 10.0f;  // m/s2
-constexpr double kSettles = 0.05;  // s: until a body that was placed on a belt presses on it with its full
-                                   // weight
+/// Time until a body placed on a belt presses on it with its full weight, s.
+constexpr double kSettles = 0.05;
 
 struct Good {
     std::uint32_t body = 0;
-    float end = 0.0f;  // m/s: its final speed
+    float end = 0.0f;  // final speed, m/s
 };
 
 void makeBelt(Blueprint& plan, Random& random) {
@@ -42,17 +42,17 @@ void makeBelt(Blueprint& plan, Random& random) {
     std::vector<Good> goods;
     for (int i = 0; i < count; ++i) {
         const bool ball = random.below(3) == 0;
-        // The faster ones in front.
+        // Bodies start in a row, 2.5 sizes apart.
         const float along = 2.5f * size * (static_cast<float>(i) - 0.5f * static_cast<float>(count - 1));
         const float own = size * random.between(0.5f, 1.0f), high = own * random.between(0.3f, 0.8f);
         Material stuff{.density = density, .friction = friction};
-        stuff.mask = 2;  // they do not collide with each other
+        stuff.mask = 2;  // boxes and balls do not collide with each other
         const Outline outline = ball ? scenes::circle(own) : scenes::box({own, high});
         goods.push_back(
             {plan.addDynamic(outline, {along, ball ? own : high}, stuff), ball ? speed / 3.0f : speed});
     }
     plan.bodies[0].shapes[0].material.layers = 2;
-    // Half way to the belt's speed, and to a third of it.
+    // At a sixth of the time that a box needs to reach the belt's speed, boxes and balls still slide.
     const int early = static_cast<int>(seconds / 6.0f / kStep);
     struct Seen {
         std::vector<double> speeds;
@@ -85,7 +85,7 @@ void makeBelt(Blueprint& plan, Random& random) {
              for (std::size_t i = 0; i < seen->speeds.size(); ++i) {
                  if (!stage.has(goods[i].body)) continue;
                  const double rate = static_cast<double>(friction * kGravity);
-                 // Beyond what settling takes.
+                 // Deviation from friction * g * t, minus the speed lost while settling.
                  const double off = std::fabs(std::fabs(seen->speeds[i]) - rate * seen->time);
                  worst = std::max(worst, (off - rate * kSettles) / std::fabs(static_cast<double>(speed)));
              }
@@ -97,7 +97,8 @@ void makeBelt(Blueprint& plan, Random& random) {
 void makePlatform(Blueprint& plan, Random& random) {
     plan.seconds = 6.0;
     const float friction = random.between(0.3f, 0.9f), density = random.between(0.5f, 20.0f);
-    const float thick = random.between(0.02f, 0.3f), level = random.between(2.5f, 5.0f);  // m: of its top
+    // Thickness of the platform and height of its top, m.
+    const float thick = random.between(0.02f, 0.3f), level = random.between(2.5f, 5.0f);
     plan.addFloor({.friction = friction});
     Material gate;
     gate.friction = friction;
@@ -107,7 +108,7 @@ void makePlatform(Blueprint& plan, Random& random) {
                    {0.0f, level - 0.5f * thick}, gate);
     struct Jumper {
         std::uint32_t body = 0;
-        float end = 0.0f;  // m: height of its center at the end
+        float end = 0.0f;  // final height of the center, m
     };
     std::vector<Jumper> jumpers;
     for (int i = 0; i < count; ++i) {
@@ -117,14 +118,14 @@ void makePlatform(Blueprint& plan, Random& random) {
         const Material stuff{.density = density, .friction = friction};
         const float x = 3.0f * (static_cast<float>(i) - 0.5f * static_cast<float>(count - 1));
         const std::uint32_t kind = random.below(3);
-        // From the floor to the height at which its lower side is at the top of the platform.
+        // Height that the body must rise until its lower side is at the top of the platform.
         const float climb = level;
         float y = half, speed = 0.0f, end = half;
         if (kind == 0) {
             speed = std::sqrt(2.0f * kGravity * (climb * random.between(1.2f, 2.0f)));
             end = level + half;
         } else if (kind == 1) {
-            // Its upper side stays below the top of the platform, possibly inside it.
+            // The body's upper side stays below the top of the platform, possibly inside it.
             speed = std::sqrt(2.0f * kGravity * (climb - 2.0f * half) * random.between(0.5f, 0.98f));
         } else {
             y = level + half + random.between(0.05f, 3.0f);

@@ -1,7 +1,7 @@
-// Pyramids of bricks.
+// Family "pyramid": pyramids of bricks.
 //
-// Statics: each brick lies on two others with the same part of its width, and carries no more than the
-// weight above it, so any friction is enough. Overlap: each row may sink in by a slop (5 mm).
+// Statics: each brick lies on two others with equal parts of its width, and all forces are vertical, so any
+// friction is enough. Overlap: each row may sink by a slop (5 mm).
 
 #include "tests/accuracy/families/family.hpp"
 #include "tests/accuracy/families/goals.hpp"
@@ -12,8 +12,8 @@ Blueprint makePyramid(Random& random) {
     Blueprint plan;
     const float friction = random.between(0.3f, 0.9f);
     const Vec2 half{random.between(0.2f, 0.8f), random.between(0.2f, 0.4f)};
-    const float pitch = 2.0f * half.x * random.between(1.01f, 1.3f);  // m: between the middles of neighbors
-    const float unlike = random.between(1.0f, 2.0f);                  // ratio of the densities
+    const float pitch = 2.0f * half.x * random.between(1.01f, 1.3f);  // m, between centers of neighbours
+    const float unlike = random.between(1.0f, 2.0f);                  // maximum ratio of densities
     const std::uint32_t rows = 4 + random.below(17);
     plan.addFloor({.friction = friction});
     std::vector<std::uint32_t> bricks;

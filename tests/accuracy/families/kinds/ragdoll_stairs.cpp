@@ -1,8 +1,8 @@
-// Figures that fall on stairs with a spin, and come to lie there or on the floor below.
+// Ragdolls that fall on stairs with a spin, and come to rest there or on the floor below.
 //
-// Their limbs turn with friction at the hinges and between limits, and nothing bounces: what swings loses its
-// energy in a second or two, and friction holds what lies on level steps. A joint's 2 cm are what can be seen
-// of a figure of a meter.
+// Hinges have friction and limits, and restitution is 0: swinging limbs lose
+// their energy in a second or two, and friction holds bodies on the level
+// steps. Joint errors may be up to 2 cm, which is visible at a figure of 1 m.
 
 #include <algorithm>
 #include <array>
@@ -15,13 +15,13 @@ namespace plumb::families {
 
 namespace {
 
-/// A bone of a figure that is 1.7 m tall, with its arms down.
+/// A bone of a figure 1.7 m tall with hanging arms.
 struct Bone {
     std::size_t parent;
-    float y;          ///< m above the feet: its center
-    Vec2 half;        ///< m; a head is a circle of half.x
-    float pivot;      ///< m above the feet: its hinge to the parent
-    float low, high;  ///< rad
+    float y;          ///< height of its center above the feet, m
+    Vec2 half;        ///< half extents, m; the head is a circle of radius half.x
+    float pivot;      ///< height of the hinge to the parent above the feet, m
+    float low, high;  ///< limits of the hinge, rad
 };
 
 constexpr std::array kBones{
@@ -39,7 +39,7 @@ constexpr std::array kBones{
 constexpr std::size_t kHead = 1;
 
 struct Fall {
-    Vec2 at;  ///< m: of its torso
+    Vec2 at;  ///< position of the torso, m
     float angle = 0.0f;
     Vec2 velocity;
     float spin = 0.0f;
@@ -82,7 +82,7 @@ Blueprint makeRagdollStairs(Random& random) {
                        {run * (static_cast<float>(i) - 0.5f), 0.5f * top(i)}, stone);
 
     const int figures = 1 + static_cast<int>(random.below(3));
-    // A twentieth of what it takes to hold all of a figure out by an arm.
+    // Hinge friction of up to 1/20 of mass * gravity * size.
     const float mass = density * size * size * 0.5f,
                 torque = mass * 10.0f * size * random.between(0.005f, 0.05f);
     std::vector<std::uint32_t> bodies;
@@ -90,7 +90,7 @@ Blueprint makeRagdollStairs(Random& random) {
         Fall fall{.angle = random.between(-kPi, kPi),
                   .velocity = {random.between(-1.0f, 4.0f), random.between(-2.0f, 2.0f)},
                   .spin = random.between(-10.0f, 10.0f)};
-        // Feet reach 1.2 sizes from the torso.
+        // The feet are up to 1.2 sizes away from the torso.
         fall.at = {run * random.between(0.0f, static_cast<float>(steps)),
                    top(0) + size * (1.3f + 2.5f * static_cast<float>(i)) + random.between(0.0f, 1.0f)};
         addFigure(plan, size, fall, {.density = density, .friction = friction, .group = -1 - i}, torque,

@@ -1,11 +1,10 @@
-// Stacks of boxes of unlike masses and sizes.
+// Stacks of boxes with different masses and sizes.
 //
-// Statics lets every member stand: at each face between two boxes, and between the lowest box and the floor,
-// the center of mass of all above is inside the face, by 30 % of the face's half width. Nothing pushes
-// sideways, so any friction is enough. Overlap: contacts are stiff, but not rigid, and may sink in by a slop
-// (5 mm) on one side. That tilts a face of 0.4 m by 1/80. So a stack is no higher than 12 times its narrowest
-// face: three such tilts in one direction then move its top by half a face. The top may sink by one slop for
-// each box.
+// Every member is statically stable: at each face between two boxes, and between the lowest box and the
+// floor, the center of mass of all boxes above is inside the face by 30 % of its half width. There are no
+// sideways forces, so any friction is enough. Contacts may sink by a slop (5 mm) on one side, which tilts a
+// face of 0.4 m by 1/80. So the height of a stack is limited to 12 times its narrowest face: three such tilts
+// in one direction then move its top by half a face. The top may sink by one slop per box.
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +16,8 @@ namespace plumb::families {
 
 namespace {
 
-constexpr float kInside = 0.7f;    // part of a face's half width in which the center above has to be
-constexpr float kSlender = 12.0f;  // height over the narrowest face
+constexpr float kInside = 0.7f;  // maximum offset of the center of mass above a face, ratio to its half width
+constexpr float kSlender = 12.0f;  // maximum ratio of height to narrowest face
 
 struct Block {
     float halfWidth = 0.5f;  // m
@@ -27,9 +26,9 @@ struct Block {
     float mass = 1.0f;  // kg
 };
 
-/// Whether statics holds it, by the margin.
+/// True if the stack is statically stable with the margin kInside.
 bool stands(const std::vector<Block>& stack) {
-    float mass = 0.0f, moment = 0.0f;  // of all above
+    float mass = 0.0f, moment = 0.0f;  // of all boxes above
     for (std::size_t i = stack.size(); i-- > 0;) {
         const Block& block = stack[i];
         mass += block.mass;
@@ -45,15 +44,15 @@ bool stands(const std::vector<Block>& stack) {
     return true;
 }
 
-/// From 1 to `ratio`, by the rule of the stack.
+/// Returns the mass of box i, 1 to `ratio`, for one of five distributions.
 float massOf(std::uint32_t rule, std::size_t i, std::size_t count, float ratio, Random& random) {
     const float part = static_cast<float>(i) / static_cast<float>(count - 1);
     switch (rule) {
-        case 0: return std::pow(ratio, part);            // heavier and heavier
-        case 1: return std::pow(ratio, 1.0f - part);     // lighter and lighter
+        case 0: return std::pow(ratio, part);            // increasing upwards
+        case 1: return std::pow(ratio, 1.0f - part);     // decreasing upwards
         case 2: return i + 1 == count ? ratio : 1.0f;    // one heavy box on top
         case 3: return i % 2 == 0 ? 1.0f : ratio;        // alternating
-        default: return std::pow(ratio, random.unit());  // any
+        default: return std::pow(ratio, random.unit());  // random
     }
 }
 

@@ -1,13 +1,11 @@
-// Ropes, nets and bridges that hang between two banks, with loads that drop on them, hang from them or drive
-// over them.
+// Ropes, nets and bridges between two banks, with loads that drop on them, hang from them or drive over them.
 //
-// They hang along an arc of a circle, so they have slack, and no force is beyond all bounds: n links along an
-// arc of a radian or so, under a load P in the middle, are pulled by P span / (4 sag). Rigid links and pins
-// keep their joints whatever they carry; 5 % of a link is what can be seen.
+// The links start on a circular arc of about 1 rad, so they have slack and forces are limited: a load P in
+// the middle causes a tension of P span / (4 sag). Joint errors may be up to 5 % of a link, which is visible.
 //
-// Where an arc of radius r sways, at w = root (g / r), a drag d below 2 w takes its speed at a rate of d / 2.
-// Members with a radius below g, so that w > 1/s, and with d = 1.2 to 1.8 w, keep less than a thousandth of
-// it after 12 s. The others have no drag, and nothing makes them rest.
+// An arc of radius r swings at w = sqrt(g / r); a drag d below 2 w reduces its speed at a rate of d / 2.
+// Members with r < 10 m (w > 1/s) have d = 1.2 to 1.8 w and keep less than 1/1000 of the speed after 12 s.
+// The others have no drag, and no goal to rest.
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +21,14 @@ constexpr std::uint32_t kBanks = 1, kLinks = 2, kLoads = 4;
 
 struct Builder {
     Blueprint plan;
-    float link = 0.5f;       ///< m: length of one
+    float link = 0.5f;       ///< length of a link, m
     float thickness = 0.1f;  ///< m
-    float drag = 0.0f;       ///< 1/s, of all that moves
+    float drag = 0.0f;       ///< drag of all dynamic bodies, 1/s
     float linkMass = 1.0f;   ///< kg
     float friction = 0.6f;
-    std::vector<Vec2> knots;  ///< where links meet, from bank to bank; the banks' edges are at y = 0
+    std::vector<Vec2> knots;  ///< positions of the hinges, from bank to bank; the banks' edges are at y = 0
     std::vector<std::uint32_t> banks;
-    std::vector<std::uint32_t> hanging;  ///< links or nodes
+    std::vector<std::uint32_t> hanging;  ///< bodies of the bridge: links, or nodes of the net
     std::vector<std::uint32_t> loads;
 
     [[nodiscard]] float halfSpan() const { return knots.back().x; }
@@ -50,7 +48,7 @@ struct Builder {
         loads.push_back(body(at, 0.0f, outline, material(kLoads, ~0u), mass));
         return loads.back();
     }
-    /// A rod between two points, hinged to nothing yet.
+    /// Adds a rod between two points, without hinges.
     std::uint32_t rod(Vec2 from, Vec2 to) {
         const Vec2 span = to - from;
         return body(from + 0.5f * span, arcTangent(span.y, span.x),
@@ -58,8 +56,8 @@ struct Builder {
     }
 };
 
-/// Knots along the lower arc of a circle of an angle, links of one length between them.
-/// @return the radius, m
+/// Places the knots for links of equal length along the lowest part of a circle, an arc of `angle` rad.
+/// @return the radius of the circle, m
 float hang(Builder& builder, int links, float angle) {
     const float each = angle / static_cast<float>(links), radius = 0.5f * builder.link / sine(0.5f * each);
     for (int i = 0; i <= links; ++i) {
@@ -73,7 +71,7 @@ float hang(Builder& builder, int links, float angle) {
     return radius;
 }
 
-/// Links from bank to bank, hinged at the knots.
+/// Adds links from bank to bank with hinges at the knots.
 void bridge(Builder& builder) {
     for (std::size_t i = 0; i + 1 < builder.knots.size(); ++i) {
         builder.hanging.push_back(builder.rod(builder.knots[i], builder.knots[i + 1]));
@@ -83,7 +81,7 @@ void bridge(Builder& builder) {
     builder.plan.join(builder.hanging.back(), builder.banks[1], builder.knots.back());
 }
 
-/// The height of the bridge at x, of links that hang as planned.
+/// Height of the bridge at x in its initial shape, m.
 float heightAt(const Builder& builder, float x) {
     for (std::size_t i = 1; i < builder.knots.size(); ++i) {
         const Vec2 a = builder.knots[i - 1], b = builder.knots[i];
@@ -97,7 +95,7 @@ void dropLoads(Builder& builder, Random& random, float mass, int count) {
     for (int i = 0; i < count; ++i) {
         const float size = builder.link * random.between(0.5f, 1.2f);
         const float x = 0.5f * builder.halfSpan() * random.between(-1.0f, 1.0f);
-        // Above the ends of the arc below it, and above the load before.
+        // The load starts above the bridge below it, and above the previous load.
         const float low = std::max(heightAt(builder, x - size), heightAt(builder, x + size));
         const float y = std::max(low, ground) + builder.thickness + size + random.between(0.0f, 0.5f);
         ground = y + size;
@@ -106,7 +104,7 @@ void dropLoads(Builder& builder, Random& random, float mass, int count) {
     }
 }
 
-/// Weights on ropes of two links each.
+/// Adds weights on short ropes below the bridge.
 void hangLoads(Builder& builder, Random& random, float mass, int count) {
     const auto links = static_cast<std::uint32_t>(builder.hanging.size());
     for (int i = 0; i < count; ++i) {
@@ -122,14 +120,14 @@ void hangLoads(Builder& builder, Random& random, float mass, int count) {
             from = to;
         }
         const float size = 0.4f * builder.link;
-        // By its center: drag does not slow what rocks about an edge.
+        // Attached at its center: attached at an edge it would rock, and drag does not damp rotation.
         const std::uint32_t weight =
             builder.body(from, 0.0f, scenes::box({size, size}), builder.material(kLoads, 0), mass);
         builder.plan.join(above, weight, from);
     }
 }
 
-/// Nodes in rows and columns, rods without mass between them.
+/// Adds a net: nodes in rows and columns, connected by massless rods.
 void net(Builder& builder, int rows) {
     const std::size_t columns = builder.knots.size();
     const auto tie = [&](std::uint32_t a, std::uint32_t b) {
@@ -151,8 +149,7 @@ void net(Builder& builder, int rows) {
     }
 }
 
-/// A cart that drives from one bank to the other. A slack s lowers the bridge under a wheel by at most s
-/// times its length where it leaves the bank: two tenths of a wheel.
+/// Adds a cart that drives from one bank to the other.
 void drive(Builder& builder, Random& random, float mass) {
     const float radius = random.between(0.35f, 0.5f), base = random.between(1.6f, 2.4f);
     const float speed = random.between(1.5f, 3.0f);
@@ -162,7 +159,7 @@ void drive(Builder& builder, Random& random, float mass) {
     for (const float side : {-1.0f, 1.0f}) {
         const Vec2 at = start + Vec2{0.5f * side * base, 0.0f};
         const std::uint32_t wheel = builder.load(at, scenes::circle(radius), 0.2f * mass);
-        // Both wheels together pull up 40 degrees.
+        // The traction of both wheels together suffices for a slope of 40 degrees.
         builder.plan.join(
             chassis, wheel, at,
             {.driven = true, .speed = -speed / radius, .maxForce = 0.35f * mass * 10.0f * radius});
@@ -179,7 +176,7 @@ void drive(Builder& builder, Random& random, float mass) {
                                   0.0});
 }
 
-/// "falls through": loads below all that hangs.
+/// Goal: no load is below the lowest body of the bridge.
 Goal nothingFallsThrough(const Builder& builder) {
     return {"nothing falls through",
             [hanging = builder.hanging, loads = builder.loads](const Stage& stage) {
@@ -202,7 +199,7 @@ Blueprint makeRopeBridge(Random& random) {
     builder.link = random.between(0.4f, 1.0f);
     builder.thickness = builder.link * random.between(0.15f, 0.3f);
     builder.friction = random.between(0.6f, 0.9f);
-    builder.linkMass = 0.5f * std::pow(40.0f, random.unit());  // kg, 0.5 to 20
+    builder.linkMass = 0.5f * std::pow(40.0f, random.unit());  // 0.5 to 20 kg
     const int links = isNet ? 4 + static_cast<int>(random.below(5)) : 8 + static_cast<int>(random.below(17));
     const float mass = builder.linkMass * std::pow(isRoad ? 20.0f : 100.0f, random.unit());
     builder.plan.seconds = 12.0;

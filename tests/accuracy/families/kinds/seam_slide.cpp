@@ -1,8 +1,8 @@
-// A body slides or rolls over a floor of separate adjacent boxes.
+// A body that slides or rolls over a floor of adjacent boxes.
 //
-// The floor is flat, so the body moves as on a single one: sliding, it loses friction * g of its speed
-// per second; rolling, or sliding without friction, it loses nothing. Sliding boxes do not tip over
-// below a friction of width over height; of the shapes here the pentagon is the first to, at 0.73.
+// The floor is flat, so the body must move as on a single box: sliding decelerates it by friction * g;
+// rolling and sliding without friction keep the speed. Sliding shapes tip over if the friction exceeds width
+// / height; the lowest such limit here is 0.73, of the pentagon.
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ Outline outlineOf(Slider kind, float half) {
     return scenes::polygon(corners);
 }
 
-/// m: height of its center above its support.
+/// Height of the center above the floor, m.
 float heightOf(Slider kind, float half) {
     switch (kind) {
         case Slider::Box: return 0.8f * half;
@@ -47,29 +47,29 @@ float heightOf(Slider kind, float half) {
 }
 
 struct Ride {
-    double start = 0.0;  // m: height at which it rests
-    double hop = 0.0;    // m: maximum deviation from that
+    double start = 0.0;  // height at rest, m
+    double hop = 0.0;    // maximum deviation from `start`, m
 };
 
 }  // namespace
 
 Blueprint makeSeamSlide(Random& random) {
-    constexpr int kRests = 30;  // steps until it is pushed
-    constexpr int kTiles = 55;  // at most
+    constexpr int kRests = 30;  // steps at rest before the body is set in motion
+    constexpr int kTiles = 55;  // maximum number of boxes of the floor
     constexpr float kGravity = 10.0f;
     Blueprint plan;
-    plan.closed = false;  // it is pushed
+    plan.closed = false;  // the body is set in motion by the test
     const auto kind = static_cast<Slider>(random.below(static_cast<std::uint32_t>(Slider::Count)));
     const float half = 0.02f * std::pow(50.0f, random.unit());  // m
     const float speed = 0.5f * std::pow(40.0f, random.unit());  // m/s
     const bool rolls = kind == Slider::Ball;
     const float friction = random.below(2) == 0 ? 0.0f : random.between(0.05f, 0.5f);
-    const float width = half * std::pow(10.0f, random.between(-0.3f, 1.0f));  // m, of a tile on average
+    const float width = half * std::pow(10.0f, random.between(-0.3f, 1.0f));  // mean width of a tile, m
     const float unlike = random.between(0.0f, 0.8f);
     const Material stuff{.density = random.between(0.5f, 10.0f), .friction = friction};
-    const float slows = rolls ? 0.0f : friction * kGravity;  // m/s2
+    const float slows = rolls ? 0.0f : friction * kGravity;  // deceleration, m/s2
 
-    // It slides until it has half its speed, for 2 s, or to the end of the tiles.
+    // The run ends at half the speed, after 2 s, or at the last tiles.
     float seconds = 2.0f;
     if (slows > 0.0f) seconds = std::min(seconds, 0.5f * speed / slows);
     seconds = std::min(seconds, static_cast<float>(kTiles - 3) * width * (1.0f - 0.5f * unlike) / speed);

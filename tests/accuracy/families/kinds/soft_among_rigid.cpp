@@ -1,11 +1,9 @@
-// Jellies, ropes and cloths of 1/100 to 100 times the mass of the crates and balls that fall on them, in a
-// pit.
-// Soft bodies are damped and the pit is closed, so everything comes to rest,
-// with exceptions: a heavy crate on a light rope between two pins swings for
-// long, and balls roll on without rolling resistance. Nothing passes through
-// the floor, and no crate into a jelly whose particles are closer to each
-// other than the crate is wide. Kinetic plus potential energy never exceeds
-// the initial value, because springs store none at the start.
+// Jellies, ropes and cloths in a pit, with crates and balls of 1/100 to 100 times their mass
+// falling on them. Soft bodies are damped and the pit is closed, so all bodies come to rest,
+// except balls, which have no rolling resistance, and heavy crates on a light rope between two
+// pins, which swing for long. No body may pass through the floor, and no crate into a jelly
+// whose particles are closer to each other than the crate is wide. Kinetic plus potential
+// energy must not exceed the initial value, as springs store no energy at the start.
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +18,10 @@ namespace plumb::families {
 
 namespace {
 
-constexpr float kDent = 0.02f;  // m: by which a particle of 5 cm may be pressed into the ground
+constexpr float kDent = 0.02f;  // maximum penetration of a particle of 5 cm into the ground, m
 
 struct SoftScene {
-    float half = 3.0f;  // m, of the pit
+    float half = 3.0f;  // half the width of the pit, m
     std::uint32_t kind = 0;
     float size = 1.0f;      // m
     float mass = 1.0f;      // kg
@@ -34,18 +32,18 @@ struct SoftScene {
     int points = 12;
 };
 
-/// State of one run.
+/// State of the soft body in one run.
 struct SoftState {
     physics::SoftBodyId body;
     double start = 0.0;  // J
     double highest = 0.0;
     std::string refused;
-    std::vector<Vec2> before;  ///< m: its particles a second before the end
+    std::vector<Vec2> before;  ///< positions of the particles 1 s before the end, m
 };
 
 physics::SoftMaterial materialOf(const SoftScene& scene, float scale) {
     physics::SoftMaterial material;
-    // Forces grow by scale^3 and lengths by scale.
+    // Forces scale with scale^3 and lengths with scale, so compliances with 1 / scale^2.
     const float give = 1.0f / (scale * scale);
     material.mass = scene.mass * scale * scale;
     material.radius = 0.05f * scale;
@@ -71,7 +69,7 @@ Result<physics::SoftBodyId> build(Stage& stage, const SoftScene& scene) {
     if (scene.kind == 1)
         return physics::createRope(world, stage.placeOf({-scene.size, 2.0f}),
                                    stage.placeOf({scene.size, 2.0f}), scene.points, material);
-    // Columns go along x and rows along y of the world.
+    // Columns are along x and rows along y of the world, so a quarter turn swaps them.
     const bool turned = stage.variation().placement.quarterTurns % 2 != 0;
     const int columns = 6, rows = 3;
     return physics::createCloth(world, stage.placeOf({-scene.size, 2.0f}),
@@ -79,7 +77,7 @@ Result<physics::SoftBodyId> build(Stage& stage, const SoftScene& scene) {
                                 turned ? rows : columns, turned ? columns : rows, material);
 }
 
-/// J in the blueprint's scale: kinetic and potential, rigid and soft.
+/// Kinetic plus potential energy of rigid and soft bodies, J, in the blueprint's scale.
 double energyOf(const Stage& stage) {
     const physics::World& world = *stage.world();
     const auto scale = static_cast<double>(stage.scale());
@@ -104,8 +102,8 @@ std::vector<Vec2> pointsOf(const Stage& stage, physics::SoftBodyId body) {
     return points;
 }
 
-/// Whether a point is inside a ring. Source: M. Shimrat, "Algorithm 112: Position of point relative to
-/// polygon", 1962.
+/// True if a point is inside a polygon. Source: M. Shimrat,
+/// "Algorithm 112: Position of point relative to polygon", 1962.
 bool isInside(const std::vector<Vec2>& ring, Vec2 point) {
     bool inside = false;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -125,7 +123,7 @@ Vec2 at(const Stage& stage, std::uint32_t body) {
 
 Blueprint makeSoftAmongRigid(Random& random) {
     Blueprint plan;
-    plan.closed = false;  // a world's energy account does not include soft bodies: see the goal
+    plan.closed = false;  // the common energy check does not include soft bodies; a goal below checks them
     constexpr int kSteps = 600;
     plan.seconds = kSteps * static_cast<double>(kStep);
     plan.extraNeeds = "soft bodies";
@@ -134,7 +132,7 @@ Blueprint makeSoftAmongRigid(Random& random) {
     scene.half = random.between(1.5f, 4.0f);
     scene.size = scene.half * random.between(0.3f, 0.7f);
     const float crate = random.between(0.1f, 0.4f), crateMass = random.between(0.5f, 5.0f);  // m, kg
-    // Nearer than the narrower side of a crate, 1.2 times its size.
+    // The distance of a jelly's particles must be below the shorter side of a crate, 1.2 times its size.
     scene.size = std::min(scene.size, 40.0f * crate / kTau);
     scene.points = scene.kind == 0 ? std::max(static_cast<int>(kTau * scene.size / crate) + 1, 8)
                                    : 6 + static_cast<int>(random.below(10));
@@ -185,7 +183,7 @@ Blueprint makeSoftAmongRigid(Random& random) {
     };
     plan.goals.push_back({"is built", [=](const Stage&) { return state->refused.empty() ? 0.0 : 1.0; }, 0.0});
     if (scene.kind == 0 || !scene.pinned) {
-        // A jelly may continue to roll under a box on its top, as slowly as at the start.
+        // A jelly may continue to roll slowly under a box on its top.
         plan.goals.push_back(rests(boxes, scene.kind == 0 ? 0.5 : 0.2));
     }
     if (scene.kind == 0 && boxes.size() == crates.size()) {
@@ -200,7 +198,7 @@ Blueprint makeSoftAmongRigid(Random& random) {
                                   }
                                   return furthest;
                               },
-                              0.1});  // m in the last second
+                              0.1});  // maximum displacement in the last second, m
     }
     plan.goals.push_back(staysIn(crates, {-scene.half, 0.0f}, {scene.half, 20.0f}));
     plan.goals.push_back({"the soft body stays in the pit",

@@ -1,7 +1,7 @@
-// Bodies in a rotating drum: kinematic, or on a hinge with a motor.
+// Bodies in a rotating drum. The drum is kinematic, or on a hinge with a motor.
 //
-// The drum is a closed ring of boxes that overlap at its corners and
-// is at most 45 % full, so that nothing is forced out or crushed.
+// The drum is a closed ring of boxes that overlap at its corners. It
+// is at most 45 % full, so that no body is forced out or crushed.
 
 #include <cmath>
 
@@ -68,11 +68,12 @@ Blueprint makeTumbler(Random& random) {
     drum.setup.spin = driven ? 0.0f : spin;
     const std::uint32_t ring = plan.add(drum);
     if (driven) {
-        // N m: a hundred times the weight of its content at the rim.
+        // A hundred times the torque of the contents' weight at the rim, N m.
         const float torque = 100.0f * stuff.density * kPi * radius * radius * 10.0f * radius;
         plan.join(plan.addAnchor({}), ring, {}, {.driven = true, .speed = spin, .maxForce = torque});
     }
-    // In rows of cells that fill the square in the drum; `full` is the part of the drum in circles.
+    // Bodies start in a grid inside the drum; `full` is the
+    // ratio of their bounding circles' area to the drum's.
     const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(count))));
     const float cell = 1.2f * radius / static_cast<float>(columns);
     const float size = std::min(radius * std::sqrt(full / static_cast<float>(count)), 0.48f * cell);
@@ -92,9 +93,9 @@ Blueprint makeTumbler(Random& random) {
                               }
                               return furthest;
                           },
-                          // The corners of the ring.
+                          // The distance of the ring's corners from its center.
                           static_cast<double>(radius / std::cos(kPi / static_cast<float>(sides)))});
-    // Bodies that hit each other at the rim's speed overlap by a quarter of that times a step when detected.
+    // Bodies that collide at the rim's speed may overlap by a quarter of the distance travelled in a step.
     plan.goals.push_back(overlapsAtMost(0.05 + 0.25 * static_cast<double>(std::fabs(spin) * radius * kStep)));
     plan.goals.push_back(keepsJoints(0.05));
     return plan;

@@ -1,11 +1,11 @@
-// A car with two sprung and driven wheels on rough ground.
+// A car with two driven wheels on springs, on rough ground.
 //
-// The ground consists of lines of a random slope s each, |s| <= limit. Traction suffices: friction is over
-// twice the limit. The motors pull twice the weight's component along the steepest slope, and less than what
-// lifts the front wheels: half the weight times half the wheelbase. Between the wheels the ground rises by
-// at most half a wheelbase times the limit, which is below the axles. Where two slopes meet, the car leaves
-// the ground with up to 2 limit v, kept below 1.2 m/s: a quarter of a second of flight. So it moves at the
-// speed of its wheels, minus losses in the air, on slopes and at the start: at least 0.6 of it.
+// The ground consists of segments with random slopes s, |s| <= limit. Traction suffices, as friction exceeds
+// twice the limit. The motors' force is twice the weight's component on the steepest slope, and their torque
+// too low to lift the front wheel (half the weight times half the wheelbase). Between the wheels the ground
+// rises by at most half a wheelbase times the limit, which is below the axles. At a corner of the ground the
+// car takes off with a vertical speed of at most 2 limit v < 1.2 m/s, for a quarter of a second. So it must
+// move at 0.6 of its wheels' speed or more, which allows for losses in the air, on slopes and at the start.
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,10 @@ namespace plumb::families {
 
 namespace {
 
-/// Heights of a ground at equal distances.
+/// Heights of the ground at equal distances.
 struct Ground {
-    float start = 0.0f;  ///< m: x of the first
-    float pitch = 1.0f;  ///< m
+    float start = 0.0f;  ///< x of the first height, m
+    float pitch = 1.0f;  ///< distance between heights, m
     std::vector<float> heights;
 
     [[nodiscard]] Vec2 point(std::size_t i) const {
@@ -35,7 +35,7 @@ struct Ground {
     }
 };
 
-/// Flat where the car starts, and within 3 m of y = 0.
+/// Creates random ground, flat where the car starts, with heights of -3 to 3 m.
 Ground groundOf(Random& random, float pitch, float limit, float length) {
     Ground ground{.start = -10.0f, .pitch = pitch};
     float height = 0.0f;
@@ -52,7 +52,7 @@ void lay(Blueprint& plan, const Ground& ground, const Material& stuff, bool asLo
     made.setup.motion = Motion::Static;
     const std::size_t count = ground.heights.size();
     if (asLoop) {
-        // From right to left: free above.
+        // From right to left, so that the free side of the chain is above.
         std::vector<Vec2> loop;
         for (std::size_t i = count; i > 0; --i) loop.push_back(ground.point(i - 1));
         loop.push_back({ground.point(0).x, -10.0f});
@@ -75,8 +75,7 @@ Blueprint makeVehicleTerrain(Random& random) {
     const float radius = random.between(0.3f, 0.6f), base = radius * random.between(4.0f, 6.0f);
     const float hertz = random.between(2.5f, 6.0f), damping = random.between(0.4f, 1.0f);
     const float mass = random.between(5.0f, 500.0f), wheelShare = random.between(0.03f, 0.2f);
-    // A spring of f Hz is compressed by g / (2 pi f)^2
-    // under the chassis, and three times that at a landing.
+    // A spring of f Hz is compressed by g / (2 pi f)^2 at rest, and by up to three times that after a fall.
     const float sag = 3.0f * 10.0f / ((kTau * hertz) * (kTau * hertz));
     const float limit = random.between(0.3f, 1.0f) * std::min(0.3f, (radius - sag) / (0.5f * base));
     const float speed = random.between(0.5f, 1.0f) * std::min(4.0f, 0.6f / limit);
@@ -131,7 +130,7 @@ Blueprint makeVehicleTerrain(Random& random) {
                               return takesPart(stage, chassis) ? std::fabs(stage.turnOf(chassis)) : 0.0;
                           },
                           0.8});
-    // Only joint errors may separate wheels from their struts.
+    // The wheels' joints must hold within 3 % of the wheel radius.
     plan.goals.push_back(keepsJoints(0.03 * static_cast<double>(radius)));
     return plan;
 }

@@ -20,7 +20,7 @@ b2BodyType typeOf(Motion motion) {
     return b2_dynamicBody;
 }
 
-/// Its totals, as the profile of each step gives them in ms.
+/// Sums of Box2D's profile over all steps, ms.
 struct Totals {
     double collide = 0.0;
     double solve = 0.0;
@@ -72,9 +72,9 @@ public:
 
     [[nodiscard]] Pose poseOf(BodyHandle body) const override {
         const b2Transform& frame = at(body)->GetTransform();
-        const b2Vec2 place = frame.p - origin_;
-        return {static_cast<double>(place.x), static_cast<double>(place.y), static_cast<double>(frame.q.c),
-                static_cast<double>(frame.q.s)};
+        const b2Vec2 position = frame.p - origin_;
+        return {static_cast<double>(position.x), static_cast<double>(position.y),
+                static_cast<double>(frame.q.c), static_cast<double>(frame.q.s)};
     }
     [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {
         const b2Vec2 velocity = at(body)->GetLinearVelocity();
@@ -136,10 +136,10 @@ protected:
         }
     }
     void makeLoop(BodyHandle body, std::span<const Vec2> points, const Material& material) override {
-        std::vector<b2Vec2> places;
-        for (const Vec2 point : points) places.push_back(toPeer(point));
+        std::vector<b2Vec2> vertices;
+        for (const Vec2 point : points) vertices.push_back(toPeer(point));
         b2ChainShape shape;
-        shape.CreateLoop(places.data(), static_cast<int32>(places.size()));
+        shape.CreateLoop(vertices.data(), static_cast<int32>(vertices.size()));
         add(body, shape, material);
     }
     void makeJoint(const JointSetup& joint) override {

@@ -10,18 +10,19 @@ namespace plumb::scenes {
 namespace {
 
 constexpr int kIterations = 10;
-constexpr double kSlop = 0.005;     // m; its default is meant for pixels
+constexpr double kSlop = 0.005;     // m; Chipmunk's default is for lengths in pixels
 constexpr double kSleepTime = 0.5;  // s
 
 cpVect toPeer(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
-/// Moves a body whose user data is its drag.
+/// Velocity update of a body with drag, which is stored as its user data.
 void dragAlong(cpBody* body, cpVect gravity, cpFloat damping, cpFloat dt) {
     const double drag = *static_cast<const double*>(cpBodyGetUserData(body));
     cpBodyUpdateVelocity(body, gravity, damping * (1.0 - drag * dt), dt);
 }
 
-/// Counts each touching pair twice: from both bodies, or at once where the other body is not asked.
+/// Counts each touching pair twice: once for each dynamic body, or twice if the other body is not dynamic,
+/// because only dynamic bodies are visited.
 void countArbiter(cpBody* body, cpArbiter* arbiter, void* count) {
     cpBody* a = nullptr;
     cpBody* b = nullptr;
@@ -45,11 +46,11 @@ public:
     }
 
     void moveTo(BodyHandle body, Vec2 position, float /*angle*/, float dt) override {
-        const cpVect way = cpvsub(toPeer(position), cpBodyGetPosition(at(body)));
-        cpBodySetVelocity(at(body), cpvmult(way, 1.0 / static_cast<double>(dt)));
+        const cpVect displacement = cpvsub(toPeer(position), cpBodyGetPosition(at(body)));
+        cpBodySetVelocity(at(body), cpvmult(displacement, 1.0 / static_cast<double>(dt)));
     }
     void setMass(BodyHandle body, float kilograms) override {
-        // Its shapes would weigh the body anew with each change of theirs.
+        // Set the shapes' masses to 0; otherwise every change of a shape would recompute the body's mass.
         const double mass = cpBodyGetMass(at(body)), moment = cpBodyGetMoment(at(body));
         for (cpShape* shape : parts_[body.index].shapes) cpShapeSetMass(shape, 0.0);
         cpBodySetMass(at(body), static_cast<double>(kilograms));
@@ -72,9 +73,9 @@ public:
     void step(float dt) override { cpSpaceStep(space_, static_cast<double>(dt)); }
 
     [[nodiscard]] Pose poseOf(BodyHandle body) const override {
-        const cpVect place = cpBodyGetPosition(at(body));
-        const cpVect turn = cpBodyGetRotation(at(body));
-        return {place.x, place.y, turn.x, turn.y};
+        const cpVect position = cpBodyGetPosition(at(body));
+        const cpVect rotation = cpBodyGetRotation(at(body));
+        return {position.x, position.y, rotation.x, rotation.y};
     }
     [[nodiscard]] Vec2 velocityOf(BodyHandle body) const override {
         const cpVect velocity = cpBodyGetVelocity(at(body));
@@ -83,7 +84,7 @@ public:
     [[nodiscard]] float spinOf(BodyHandle body) const override {
         return static_cast<float>(cpBodyGetAngularVelocity(at(body)));
     }
-    /// It drops pairs that do not touch, so these are fewer than others hold.
+    /// Chipmunk does not track pairs that only are near, so the count is smaller than that of other engines.
     [[nodiscard]] std::size_t contactCount() const override {
         std::size_t count = 0;
         for (std::uint32_t i = 0; i < parts_.size(); ++i) {
@@ -143,7 +144,7 @@ protected:
         if (hinge.kind != JointKind::Hinge) return lacks("joints other than hinges");
         cpBody* a = at(hinge.a);
         cpBody* b = at(hinge.b);
-        // It ends the program when neither can be moved.
+        // Chipmunk would abort the program if neither body is dynamic.
         if (!isDynamic(hinge.a) && !isDynamic(hinge.b)) return;
         const auto reference = static_cast<double>(hinge.reference);
         join(hinge, cpPivotJointNew2(a, b, toPeer(hinge.anchorA), toPeer(hinge.anchorB)));
@@ -184,16 +185,16 @@ private:
     struct Parts {
         cpBody* body = nullptr;
         std::vector<cpShape*> shapes;
-        std::vector<cpConstraint*> constraints;  ///< also known to the other body
+        std::vector<cpConstraint*> constraints;  ///< also stored for the other body
     };
 
     [[nodiscard]] cpBody* at(BodyHandle body) const { return parts_[body.index].body; }
     void add(BodyHandle body, cpShape* shape, const Material& material) {
         if (isDynamic(body)) cpShapeSetDensity(shape, static_cast<double>(material.density));
-        // It multiplies the friction of two shapes where the scenes mean the root of the product.
+        // Chipmunk multiplies the friction of two shapes; the scenes expect the square root of the product.
         cpShapeSetFriction(shape, std::sqrt(static_cast<double>(material.friction)));
         cpShapeSetElasticity(shape, std::sqrt(static_cast<double>(material.bounciness)));
-        // Its groups only part, as those below 0 of the scenes do.
+        // Chipmunk's groups only prevent collisions, like negative groups in the scenes.
         cpShapeSetFilter(shape, {static_cast<cpGroup>(-material.group), material.layers, material.mask});
         cpSpaceAddShape(space_, shape);
         parts_[body.index].shapes.push_back(shape);
@@ -209,7 +210,7 @@ private:
     std::vector<Parts> parts_;
     std::deque<double> drags_;
     std::vector<BodyHandle> sleepers_;
-    std::vector<cpConstraint*> retired_;  ///< out of the space; the second body still has their address
+    std::vector<cpConstraint*> retired_;  ///< removed from the space, but still referenced by a body
 };
 
 }  // namespace

@@ -6,11 +6,11 @@
 
 namespace plumb::scenes {
 
-/// Other engines that were found on this machine at build time.
+/// Returns the other engines that were installed on this machine at build time.
 std::vector<Engine> peerEngines();
 
 Engine box2dEngine();         ///< Box2D 2.4, 8 velocity and 3 position iterations
-Engine box2dUnsweptEngine();  ///< the same without continuous collision
+Engine box2dUnsweptEngine();  ///< Box2D 2.4 without continuous collision
 Engine chipmunkEngine();      ///< Chipmunk 7, 10 iterations
 
 }  // namespace plumb::scenes

@@ -1,4 +1,4 @@
-#include "editor/model/tools/set_ways.hpp"
+#include "editor/model/tools/motion_paths.hpp"
 
 #include <algorithm>
 
@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kLeftEnd = 0;
 constexpr int kRightEnd = 1;
-constexpr float kNoLimit = 32.0f;  // px beside where it stands: there the end of a free way is taken hold of
-constexpr float kLeastLimit = 4.0f;  // px: what is shorter is no limit
+constexpr float kNoLimit = 32.0f;    // px from the entity: position of the handle of a path end without limit
+constexpr float kLeastLimit = 4.0f;  // px: a shorter distance removes the limit
 constexpr Color kWay{240, 185, 74, 220};
 constexpr Color kFree{240, 185, 74, 110};
-constexpr float kMark = 5.0f;  // px on screen
+constexpr float kMark = 5.0f;  // px on screen: half the length of an end mark
 
 Pose parentPose(const World& world, EntityId entity) {
     const EntityId parent = parentOf(world, entity);
@@ -25,13 +25,13 @@ Pose parentPose(const World& world, EntityId entity) {
 
 Vec2 placed(const Pose& parent, Vec2 at) { return composed(parent, {at, 0.0f, {1.0f, 1.0f}}).position; }
 
-SetWay platformWay(const World& world, EntityId entity, const MovingPlatform& platform) {
+MotionPath platformWay(const World& world, EntityId entity, const MovingPlatform& platform) {
     const Pose parent = parentPose(world, entity);
     const Vec2 home = platform.started ? platform.home : world.get<Transform>(entity).position;
     return {placed(parent, home), placed(parent, home + platform.way)};
 }
 
-SetWay patrolWay(const World& world, EntityId entity, const Patrol& patrol) {
+MotionPath patrolWay(const World& world, EntityId entity, const Patrol& patrol) {
     const Pose parent = parentPose(world, entity);
     Vec2 home = world.get<Transform>(entity).position;
     if (patrol.direction != 0) home.x = patrol.homeX;
@@ -45,7 +45,7 @@ float limitOf(float away) { return away < kLeastLimit ? 0.0f : away; }
 
 }  // namespace
 
-std::optional<SetWay> setWayOf(const World& world, EntityId entity) {
+std::optional<MotionPath> motionPathOf(const World& world, EntityId entity) {
     if (!world.alive(entity) || !world.has<Transform>(entity)) return std::nullopt;
     if (const auto* platform = world.find<MovingPlatform>(entity))
         return platformWay(world, entity, *platform);
@@ -53,14 +53,14 @@ std::optional<SetWay> setWayOf(const World& world, EntityId entity) {
     return std::nullopt;
 }
 
-void addWaySpots(const Document& document, ObjectId id, std::vector<ShapeSpot>& spots) {
-    const auto way = setWayOf(document.world, document.find(id));
+void addWaySpots(const Document& document, ObjectId id, std::vector<ShapeHandle>& spots) {
+    const auto way = motionPathOf(document.world, document.find(id));
     if (!way) return;
     const TypeRegistry& types = document.types();
     const TypeInfo& type = way->walks ? types.of<Patrol>() : types.of<MovingPlatform>();
-    // A platform's way begins where it stands: that is moved as all is.
-    if (way->walks) spots.push_back({way->from, &type, kLeftEnd, SpotKind::Way});
-    spots.push_back({way->to, &type, kRightEnd, SpotKind::Way});
+    // A platform's path starts at its position, which the other tools move, so only the far end has a handle.
+    if (way->walks) spots.push_back({way->from, &type, kLeftEnd, ShapeHandleKind::Way});
+    spots.push_back({way->to, &type, kRightEnd, ShapeHandleKind::Way});
 }
 
 void dragWay(const Document& document, ObjectId id, ComponentState& state, int part, Vec2 to) {
@@ -78,7 +78,7 @@ void dragWay(const Document& document, ObjectId id, ComponentState& state, int p
     }
 }
 
-void drawSetWay(const SetWay& way, float pixel, Overlay& overlay) {
+void drawSetWay(const MotionPath& way, float pixel, Overlay& overlay) {
     const bool free = !way.endsFrom && !way.endsTo;
     overlay.line(way.from, way.to, free ? kFree : kWay, 1.5f);
     for (const auto& [at, ends] : {std::pair{way.from, way.endsFrom}, std::pair{way.to, way.endsTo}}) {

@@ -1,4 +1,4 @@
-#include "editor/model/tools/shape_spots.hpp"
+#include "editor/model/tools/shape_handles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "ecs/hierarchy.hpp"
 #include "editor/model/document/prefab_root.hpp"
-#include "editor/model/tools/set_ways.hpp"
+#include "editor/model/tools/motion_paths.hpp"
 #include "math/angle.hpp"
 #include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/colliders/capsule_collider.hpp"
@@ -18,10 +18,11 @@
 namespace plumb::editor {
 namespace {
 
-constexpr float kLeast = 1.0f;  // px: no side is dragged shorter
-constexpr int kMiddle = 8;      // the part of a box or circle that moves it
+constexpr float kLeast = 1.0f;  // px: minimum length of a side and minimum radius
+constexpr int kMiddle = 8;      // part index of the handle that moves a whole box or circle
 
-/// Where an entity is. Offsets of boxes and circles turn with it, points of outlines grow with it too.
+/// Coordinate frames of an entity. "Turned" coordinates are rotated with the entity but not scaled: those of
+/// the offsets of boxes and circles. "Scaled" ones are also scaled: those of the points of outlines.
 struct Frame {
     explicit Frame(const Pose& at) : pose{at}, size{std::abs(at.scale.x), std::abs(at.scale.y)} {}
 
@@ -33,13 +34,13 @@ struct Frame {
     }
 
     Pose pose;
-    Vec2 size;  ///< ratio, never negative
+    Vec2 size;  ///< absolute value of the scale
 };
 
-/// The eight places around a box, as parts of its sides.
+/// The handles around a box, as ratios of its size: corners and centers of the sides.
 constexpr std::array<Vec2, 8> kAround{Vec2{0.0f, 0.0f}, Vec2{0.5f, 0.0f}, Vec2{1.0f, 0.0f}, Vec2{1.0f, 0.5f},
                                       Vec2{1.0f, 1.0f}, Vec2{0.5f, 1.0f}, Vec2{0.0f, 1.0f}, Vec2{0.0f, 0.5f}};
-/// The four places on a circle, as directions.
+/// Directions of the four handles on a circle.
 constexpr std::array<Vec2, 4> kCompass{Vec2{1.0f, 0.0f}, Vec2{0.0f, 1.0f}, Vec2{-1.0f, 0.0f},
                                        Vec2{0.0f, -1.0f}};
 
@@ -52,7 +53,7 @@ const T& valueOf(const ComponentState& state) {
     return *static_cast<const T*>(static_cast<const void*>(state.bytes.data()));
 }
 
-// Boxes and capsules: the box in which they are.
+// Boxes, and capsules by their bounding box.
 
 template <class Box>
 AABB boxIn(const Frame& frame, const Box& box) {
@@ -60,17 +61,19 @@ AABB boxIn(const Frame& frame, const Box& box) {
 }
 
 template <class Box>
-void addBox(const Frame& frame, const ComponentState& state, std::vector<ShapeSpot>& spots) {
+void addBox(const Frame& frame, const ComponentState& state, std::vector<ShapeHandle>& spots) {
     const AABB box = boxIn(frame, valueOf<Box>(state));
     for (int i = 0; i < 8; ++i) {
         const Vec2 part = kAround[static_cast<std::size_t>(i)];
         const Vec2 at = box.min + scaled(box.size(), part);
-        spots.push_back({frame.toWorld(at), state.type, i, i % 2 == 0 ? SpotKind::Corner : SpotKind::Side});
+        spots.push_back(
+            {frame.toWorld(at), state.type, i, i % 2 == 0 ? ShapeHandleKind::Corner : ShapeHandleKind::Side});
     }
-    spots.push_back({frame.toWorld(box.center()), state.type, kMiddle, SpotKind::Middle});
+    spots.push_back({frame.toWorld(box.center()), state.type, kMiddle, ShapeHandleKind::Middle});
 }
 
-/// One side of a box. Only what moves is written, so that the other numbers stay as they were typed.
+/// Drags a box along one axis. Writes only the values that change, so that the others stay exactly as typed.
+/// @param part  0: low side, 1: high side, 0.5: no change
 void dragSide(float part, float to, float low, float high, float scale, float& offset, float& length) {
     if (part == 0.5f || scale == 0.0f) return;
     if (part == 0.0f) {
@@ -111,13 +114,13 @@ float radiusIn(const Frame& frame, const CircleCollider& circle) {
     return circle.radius * std::max(frame.size.x, frame.size.y);
 }
 
-void addCircle(const Frame& frame, const ComponentState& state, std::vector<ShapeSpot>& spots) {
+void addCircle(const Frame& frame, const ComponentState& state, std::vector<ShapeHandle>& spots) {
     const auto& circle = valueOf<CircleCollider>(state);
     for (int i = 0; i < 4; ++i) {
         const Vec2 at = circle.offset + kCompass[static_cast<std::size_t>(i)] * radiusIn(frame, circle);
-        spots.push_back({frame.toWorld(at), state.type, i, SpotKind::Side});
+        spots.push_back({frame.toWorld(at), state.type, i, ShapeHandleKind::Side});
     }
-    spots.push_back({frame.toWorld(circle.offset), state.type, kMiddle, SpotKind::Middle});
+    spots.push_back({frame.toWorld(circle.offset), state.type, kMiddle, ShapeHandleKind::Middle});
 }
 
 void dragCircle(const Frame& frame, ComponentState& state, int part, Vec2 to) {
@@ -158,7 +161,7 @@ template <class Outline>
 Vec2 cornerIn(const Frame& frame, const Outline& outline, std::size_t i) {
     return frame.toWorld(scaled(outline.points[i] + offsetOf(outline), frame.pose.scale));
 }
-constexpr int kWhole = -1;  // the part of an outline that moves it
+constexpr int kWhole = -1;  // part index of the handle that moves a whole outline
 
 template <class Outline>
 Vec2 middleIn(const Frame& frame, const Outline& outline) {
@@ -169,13 +172,14 @@ Vec2 middleIn(const Frame& frame, const Outline& outline) {
 }
 
 template <class Outline>
-void addOutline(const Frame& frame, const ComponentState& state, std::vector<ShapeSpot>& spots) {
+void addOutline(const Frame& frame, const ComponentState& state, std::vector<ShapeHandle>& spots) {
     const auto& outline = valueOf<Outline>(state);
     for (std::size_t i = 0; i < outline.points.size(); ++i) {
-        spots.push_back({cornerIn(frame, outline, i), state.type, static_cast<int>(i), SpotKind::Corner});
+        spots.push_back(
+            {cornerIn(frame, outline, i), state.type, static_cast<int>(i), ShapeHandleKind::Corner});
     }
     if (!outline.points.empty())
-        spots.push_back({middleIn(frame, outline), state.type, kWhole, SpotKind::Middle});
+        spots.push_back({middleIn(frame, outline), state.type, kWhole, ShapeHandleKind::Middle});
 }
 
 template <class Outline>
@@ -219,15 +223,15 @@ bool takeCorner(ComponentState& state, int part) {
     return true;
 }
 
-/// What is known of one kind of collider. Places are px from the Transform, turned with the entity.
+/// Functions for one type of collider. Positions are in turned coordinates, px.
 struct ShapeRow {
     std::string_view type;
-    void (*spots)(const Frame&, const ComponentState&, std::vector<ShapeSpot>&);
+    void (*spots)(const Frame&, const ComponentState&, std::vector<ShapeHandle>&);
     void (*drag)(const Frame&, ComponentState&, int part, Vec2 to);
     void (*edges)(const Frame&, const ComponentState&, std::vector<ShapeEdge>&);
     bool (*insert)(const Frame&, ComponentState&, int part, Vec2 at) = nullptr;
     bool (*take)(ComponentState&, int part) = nullptr;
-    /// Moves it against its entity. @param by  px, turned
+    /// Moves the shape relative to its entity. @param by  px, turned coordinates
     void (*shift)(const Frame&, ComponentState&, Vec2 by) = nullptr;
 };
 
@@ -265,7 +269,7 @@ Frame frameOf(const Document& document, ObjectId id) {
     return Frame{worldPose(document.world, document.find(id))};
 }
 
-// Joints: whatever has the two anchors of a link.
+// Joints: all components with the fields "anchor" and "otherAnchor".
 
 constexpr int kOwnAnchor = 0;
 constexpr int kOtherAnchor = 1;
@@ -281,7 +285,8 @@ T fieldOf(const ComponentState& state, std::string_view name) {
     return *static_cast<const T*>(state.type->find(name)->in(static_cast<const void*>(state.bytes.data())));
 }
 
-/// The frame in which an anchor lies: that of the entity, of the other one, or the world.
+/// Returns the frame of an anchor: that of the joint's entity, of the connected entity, or of the world if
+/// the joint is connected to the world.
 Frame anchorFrame(const Document& document, ObjectId id, const ComponentState& state, int part) {
     if (part == kOwnAnchor) return frameOf(document, id);
     const ObjectId other = fieldOf<ObjectId>(state, "other");
@@ -289,24 +294,25 @@ Frame anchorFrame(const Document& document, ObjectId id, const ComponentState& s
 }
 
 void addAnchors(const Document& document, ObjectId id, const ComponentState& state,
-                std::vector<ShapeSpot>& spots) {
+                std::vector<ShapeHandle>& spots) {
     const auto add = [&](int part, std::string_view field) {
         const Frame frame = anchorFrame(document, id, state, part);
-        spots.push_back({frame.toWorld(fieldOf<Vec2>(state, field)), state.type, part, SpotKind::Anchor});
+        spots.push_back(
+            {frame.toWorld(fieldOf<Vec2>(state, field)), state.type, part, ShapeHandleKind::Anchor});
     };
     add(kOwnAnchor, "anchor");
     const bool follows = state.type->find("autoAnchor") != nullptr && fieldOf<bool>(state, "autoAnchor");
     if (!follows) add(kOtherAnchor, "otherAnchor");
 }
 
-// The pivot of a picture.
+// The pivot of a sprite.
 
 Vec2 pictureSize(const Sprite& sprite, const Frame& frame) {
     return {static_cast<float>(sprite.width) * frame.pose.scale.x,
             static_cast<float>(sprite.height) * frame.pose.scale.y};
 }
 
-/// The origin goes to another place; picture, colliders and children stay where they are.
+/// Moves the entity's origin to `to`; its sprite, colliders and children keep their world positions.
 void dragPivot(const Document& document, ObjectId id, std::vector<ChangeStates::Change>& states, Vec2 to) {
     const EntityId entity = document.find(id);
     const auto startOf = [&](const TypeInfo& type) -> ComponentState& {
@@ -321,7 +327,7 @@ void dragPivot(const Document& document, ObjectId id, std::vector<ChangeStates::
     const Pose outer = parent ? worldPose(document.world, parent) : Pose{};
     const Pose start = composed(outer, {transform.position, transform.rotation, transform.scale});
     const Frame before{start};
-    const Vec2 by = before.toTurned(to);  // px, turned: how far the origin goes
+    const Vec2 by = before.toTurned(to);  // px, turned coordinates: displacement of the origin
     const Vec2 inScale = before.toScaled(by);
     for (ChangeStates::Change& change : states) {
         if (change.object != id) {
@@ -340,8 +346,8 @@ void dragPivot(const Document& document, ObjectId id, std::vector<ChangeStates::
 
 }  // namespace
 
-std::vector<ShapeSpot> spotsOf(const Document& document, ObjectId id) {
-    std::vector<ShapeSpot> spots;
+std::vector<ShapeHandle> spotsOf(const Document& document, ObjectId id) {
+    std::vector<ShapeHandle> spots;
     const EntityId entity = document.find(id);
     const World& world = document.world;
     if (!world.has<Transform>(entity)) return spots;
@@ -353,9 +359,9 @@ std::vector<ShapeSpot> spotsOf(const Document& document, ObjectId id) {
         row != nullptr ? row->spots(frame, state, spots) : addAnchors(document, id, state, spots);
     }
     addWaySpots(document, id, spots);
-    // The pivot is where the entity stands, and the first one of a prefab stays.
+    // Dragging the pivot moves the entity's origin, which is fixed for the root of a prefab.
     if (world.has<Sprite>(entity) && id != prefabRootOf(document))
-        spots.push_back({frame.pose.position, &document.types().of<Sprite>(), 0, SpotKind::Pivot});
+        spots.push_back({frame.pose.position, &document.types().of<Sprite>(), 0, ShapeHandleKind::Pivot});
     return spots;
 }
 
@@ -371,10 +377,11 @@ std::vector<ShapeEdge> edgesOf(const Document& document, ObjectId id) {
     return edges;
 }
 
-std::vector<ChangeStates::Change> statesBehind(const Document& document, ObjectId id, const ShapeSpot& spot) {
+std::vector<ChangeStates::Change> statesBehind(const Document& document, ObjectId id,
+                                               const ShapeHandle& spot) {
     const World& world = document.world;
     const EntityId entity = document.find(id);
-    if (spot.kind != SpotKind::Pivot) return {{id, readComponent(document, *spot.type, entity)}};
+    if (spot.kind != ShapeHandleKind::Pivot) return {{id, readComponent(document, *spot.type, entity)}};
     std::vector<ChangeStates::Change> states;
     const TypeInfo& transform = document.types().of<Transform>();
     for (const TypeInfo& type : document.types().all()) {
@@ -389,14 +396,14 @@ std::vector<ChangeStates::Change> statesBehind(const Document& document, ObjectI
     return states;
 }
 
-std::vector<ChangeStates::Change> draggedTo(const Document& document, ObjectId id, const ShapeSpot& spot,
+std::vector<ChangeStates::Change> draggedTo(const Document& document, ObjectId id, const ShapeHandle& spot,
                                             std::vector<ChangeStates::Change> start, Vec2 to) {
     ComponentState& state = start.front().state;
-    if (spot.kind == SpotKind::Pivot) {
+    if (spot.kind == ShapeHandleKind::Pivot) {
         dragPivot(document, id, start, to);
-    } else if (spot.kind == SpotKind::Way) {
+    } else if (spot.kind == ShapeHandleKind::Way) {
         dragWay(document, id, state, spot.part, to);
-    } else if (spot.kind == SpotKind::Anchor) {
+    } else if (spot.kind == ShapeHandleKind::Anchor) {
         const Frame frame = anchorFrame(document, id, state, spot.part);
         fieldOf<Vec2>(state, spot.part == kOwnAnchor ? "anchor" : "otherAnchor") = frame.toTurned(to);
     } else {
@@ -415,7 +422,8 @@ std::optional<ComponentState> withCorner(const Document& document, ObjectId id, 
     return state;
 }
 
-std::optional<ComponentState> withoutCorner(const Document& document, ObjectId id, const ShapeSpot& corner) {
+std::optional<ComponentState> withoutCorner(const Document& document, ObjectId id,
+                                            const ShapeHandle& corner) {
     const ShapeRow* row = rowOf(*corner.type);
     if (row == nullptr || row->take == nullptr) return std::nullopt;
     ComponentState state = readComponent(document, *corner.type, document.find(id));
