@@ -16,5 +16,7 @@ int main(int count, char** arguments) {
         std::fputs(plumb::playerUsage().c_str(), stdout);
         return 0;
     }
-    return plumb::playProject(*options);
+    plumb::Module code;
+    plumbDescribeModule(code);
+    return plumb::playProject(*options, code);
 }

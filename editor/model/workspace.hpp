@@ -26,17 +26,17 @@
 
 namespace plumb::editor {
 
-/// What the editor knows of the project that it has open.
+/// Settings of the open project that the editor uses.
 struct ProjectFolder {
     Path root;
     std::string name = "Untitled";
-    Vec2 picture{640.0f, 360.0f};       ///< px of the game's own picture
-    bool smooth = false;                ///< its pictures are drawings, not pixel art
-    std::vector<std::string> layers{};  ///< names of the layers of collisions, from the lowest bit on
-    bool isNone = false;                ///< no project is open: the welcome screen
+    Vec2 picture{640.0f, 360.0f};       ///< size of the game's viewport, px
+    bool smooth = false;                ///< linear texture filter (drawings) instead of nearest (pixel art)
+    std::vector<std::string> layers{};  ///< names of the collision layers, lowest bit first
+    bool isNone = false;                ///< no project is open; the welcome screen is shown
 };
 
-/// What only the window can do; set by an action, taken by the window.
+/// Request of an action to the editor's window, e.g. to open a dialog.
 enum class WindowRequest : unsigned char {
     None,
     ChooseScene,
@@ -58,26 +58,26 @@ enum class WindowRequest : unsigned char {
     NameLayout
 };
 
-/// What things come to when they are moved with snapping.
+/// Positions to which moved entities snap.
 enum class SnapTo : unsigned char { Grid, HalfGrid, Pixel };
 
 struct GridSettings {
-    Vec2 size{16.0f, 16.0f};  ///< px
+    Vec2 size{16.0f, 16.0f};  ///< cell size, px
     bool snap = true;
     SnapTo to = SnapTo::Grid;
-    bool snapAngles = true;                             ///< with `snap`: turning goes in steps
-    float angle = kSnapAngle;                           ///< rad, of one step
-    Color color = kGridColor;                           ///< of its lines
+    bool snapAngles = true;    ///< if `snap` too: rotations snap to multiples of `angle`
+    float angle = kSnapAngle;  ///< rotation step, rad
+    Color color = kGridColor;  ///< color of the grid lines
     static constexpr float kSnapAngle = 0.2617993878f;  ///< rad: 15 degrees
     static constexpr Color kGridColor{255, 255, 255, 16};
 
-    /// px between two places that things come to.
+    /// Distance between neighboring snap positions, px.
     [[nodiscard]] Vec2 step() const {
         return to == SnapTo::Pixel ? Vec2{1.0f, 1.0f} : to == SnapTo::HalfGrid ? size * 0.5f : size;
     }
 };
 
-/// Everything that is open in one editor, without the window around it.
+/// State of one editor without its window: the project, the open scene, tools, settings and the running game.
 class Workspace {
 public:
     Workspace(const TypeRegistry& types, AssetStore& assets, ProjectFolder folder,
@@ -91,41 +91,43 @@ public:
     Document document;
     UndoStack undo;
     ViewCamera view;
-    PhysicsTimes physicsTimes;  ///< of the game that plays
+    PhysicsTimes physicsTimes;  ///< times of the running game
     PlayMode play;
     Profiler profiler{physicsTimes};
     bool followsGame =
-        true;  ///< the view goes with the camera of the game that plays, until it is moved by hand
+        true;  ///< the view follows the running game's camera; panning or zooming turns this off
     GridSettings grid;
     TilePaint tiles;
-    Settings settings;                                    ///< of the person, whatever the project
-    PhysicsView physics;                                  ///< what of it is shown over the scene
-    std::vector<std::string> overlays{"grid", "camera"};  ///< those that are shown, by name
-    std::vector<std::string> overlaysOfSelected;          ///< those that are shown of what is selected
+    Settings settings;                                    ///< user settings, for all projects
+    PhysicsView physics;                                  ///< layers of physics debug drawing
+    std::vector<std::string> overlays{"grid", "camera"};  ///< names of the overlays shown for all entities
+    std::vector<std::string> overlaysOfSelected;          ///< names of those shown for selected entities only
     std::string clipboard;
-    std::string notice;  ///< what was done last, for the status bar
+    std::string notice;  ///< status bar text: the last action or error
     WindowRequest request = WindowRequest::None;
-    std::string importFrom;     ///< with WindowRequest::Import: the file; empty: the person chooses
-    std::string projectToOpen;  ///< with WindowRequest::OpenProject: its folder
-    std::string assetToEdit;    ///< path of a file that the panel for its kind shall open
-    std::string panelToShow;    ///< title of a panel that comes to the front
-    std::string assetToShow;    ///< path of a file that the asset browser shall show
-    /// How this program plays a scene, given its path and its text with all changes.
+    std::string importFrom;     ///< file for WindowRequest::Import; empty: the user chooses one
+    std::string projectToOpen;  ///< project folder for WindowRequest::OpenProject
+    std::string assetToEdit;    ///< path of a file to open in the panel for its kind
+    std::string panelToShow;    ///< title of a panel to bring to the front
+    std::string assetToShow;    ///< path of a file to show in the asset browser
+    /// Starts a game from a scene's path and its text including unsaved changes.
     std::function<std::unique_ptr<PlaySession>(const std::string& path, const std::string& text)> makeSession;
-    std::function<InputFrame()> gameInput;  ///< what the player's hands do now
+    /// Must be called in every frame, if set: follows the code of the project. @param now  s, of any clock
+    std::function<void(double now)> followCode;
+    std::function<InputFrame()> gameInput;  ///< current state of the game's input
 
-    // The scene file.
+    // Scene file.
 
     Result<LoadReport> open(std::string_view path);
-    /// Opens a scene with another text than its file has: as if that had been changed and not saved.
+    /// Opens a scene from `text` instead of its file, as a scene with unsaved changes.
     Result<LoadReport> openText(std::string_view path, const std::string& text);
     /// Writes an empty scene and opens it.
-    /// @param name  of its file in scenes/, without ending
-    /// @error       no name, one that leaves the folder, or there is such a scene
+    /// @param name  file name in scenes/, without extension
+    /// @error       the name is not valid, or a scene of that name exists
     Result<Done> createScene(std::string_view name);
     Result<Done> save();
-    /// Looks at all that the scene's camera sees, as large as whole pixels allow; without a camera, at all
-    /// there is.
+    /// Frames the area that the scene's camera shows, at the largest pixel-perfect zoom; without a camera,
+    /// all entities.
     void showStart();
     [[nodiscard]] bool unsaved() const { return !undo.isSaved(); }
     [[nodiscard]] std::vector<std::string> scenes() const;
@@ -139,55 +141,57 @@ public:
     void useTool(std::size_t index);
     void useTool(std::string_view action);
     [[nodiscard]] ToolContext tools() { return {document, undo, document.selection, tiles}; }
-    /// Whether the tool has a part of the thing in hand that Del would take out.
-    [[nodiscard]] bool hasChosen() const {
-        return tool().hasChosen(const_cast<Workspace*>(this)->tools());  // only looks
+    /// True if the tool has selected a part of the edited entity (e.g. a corner) that Del would remove.
+    [[nodiscard]] bool hasSelectedPart() const {
+        return tool().hasSelectedPart(
+            const_cast<Workspace*>(this)->tools());  // does not change the workspace
     }
     [[nodiscard]] bool paintsTiles() const { return toolTable()[tool_].forTiles; }
 
     // Prefabs.
 
     [[nodiscard]] PrefabEdit prefabs() { return {document, undo, prefabs_, project.root}; }
+    /// Paths of all prefab files of the project.
     [[nodiscard]] std::vector<std::string> prefabFiles() const;
-    /// Whether one of the selected entities comes from a prefab.
+    /// True if one of the selected entities is an instance of a prefab or a part of one.
     [[nodiscard]] bool selectsInstance() const;
-    void revertToPrefab(const PrefabScope& scope = {});  ///< what is selected
-    void applyToPrefab(const PrefabScope& scope = {});   ///< of the entity selected last
+    void revertToPrefab(const PrefabScope& scope = {});  ///< resets the selected entities to their prefabs
+    void applyToPrefab(const PrefabScope& scope = {});   ///< writes the selection's overrides to its prefabs
 
     // Playing.
 
-    /// The world to look at: the one that plays, or the document's.
+    /// The world shown in the viewport: that of the running game, or the document's.
     [[nodiscard]] World& shownWorld() { return play.running() ? play.world() : document.world; }
     [[nodiscard]] const World& shownWorld() const { return play.running() ? play.world() : document.world; }
-    /// Which entity of the shown world an object is.
+    /// Maps between ObjectIds and the entities of the shown world.
     [[nodiscard]] const ObjectNames& shownNames() const {
         return play.running() ? static_cast<const ObjectNames&>(play) : document;
     }
     [[nodiscard]] EntityId shownEntity(ObjectId id) const { return shownNames().find(id); }
     void togglePlay();
-    /// @param paused  before the first tick
+    /// @param paused  pause before the first tick
     void startPlaying(bool paused = false);
-    /// What was changed by hand meanwhile is then in `toKeep`.
+    /// Stops the game. Changes that the user made while it ran are then in `offeredChanges`.
     void stopPlaying();
-    std::vector<KeepRow> toKeep;  ///< offered after the game stopped
-    /// Takes the ticked ones over into the scene, and forgets the list.
+    std::vector<KeepRow> offeredChanges;  ///< changes from the stopped game that the user may keep
+    /// Applies the ticked rows of `offeredChanges` to the scene and clears the list.
     void keepTicked();
     [[nodiscard]] bool canEdit() const { return !play.running(); }
 
-    /// What goes on by itself: the journal, overlays that are found out bit by bit. To be called in every
-    /// frame. @param seconds  since the last one
+    /// Updates background work: the journal, and overlays that are computed over several frames. Must be
+    /// called once per frame. @param seconds  since the last call
     void tend(double seconds);
 
     [[nodiscard]] bool shows(std::string_view overlay) const { return reachOf(overlay) != PhysicsReach::Off; }
     void toggleOverlay(std::string_view overlay);
-    /// The entities that an overlay is shown of.
+    /// Entities for which an overlay is shown: all, the selected ones, or none.
     [[nodiscard]] PhysicsReach reachOf(std::string_view overlay) const;
     void setReach(std::string_view overlay, PhysicsReach whose);
-    ReachView reach;            ///< of the overlay "reach"
-    Trajectories trajectories;  ///< of the overlay "trajectories"
+    ReachView reach;            ///< data of the overlay "reach"
+    Trajectories trajectories;  ///< data of the overlay "trajectories"
 
-    ViewFile viewFile{project.root};  ///< what is hidden and locked, between two sessions
-    SafetyNet safety{*this};          ///< of what is not saved
+    ViewFile viewFile{project.root};  ///< stores hidden and locked entities between sessions
+    SafetyNet safety{*this};          ///< journal of unsaved changes and watch on the scene's file
 
 private:
     [[nodiscard]] SceneContext context() const;

@@ -26,19 +26,19 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr const char* kExample = "projects/platformer";
-constexpr int kPictureWidth = 256;  // px
+constexpr int kPictureWidth = 256;  // px: size of a project's preview image
 constexpr int kPictureHeight = 144;
-constexpr int kScreenshotFrames = 4;  // panes and fonts have settled by then
+constexpr int kScreenshotFrames = 4;  // frames until the layout of panes and fonts is stable
 
 int fail(const Error& error) {
     std::fprintf(stderr, "plumb-editor: %s\n", error.text().c_str());
     return 1;
 }
 
-/// The window, the graphics card, and one project after another in the editor in them.
+/// The running editor: the window, the graphics device, and the open project.
 class App {
 public:
-    /// @param settingsFile  null: what the person chooses is not kept
+    /// @param settingsFile  null: changed settings are not saved
     App(std::unique_ptr<ProjectSession> session, LogBook& log, SettingsFile* settingsFile,
         std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device)
         : settingsFile_{settingsFile},
@@ -82,7 +82,7 @@ public:
         return writePicture(path);
     }
 
-    /// @param path  of the tour; its pictures are named from there
+    /// Runs a tour script. @param path  of the script; its screenshots are written relative to its folder
     Result<Done> playTour(const Path& path) {
         const Result<std::string> text = readFile(path);
         if (!text) return text.error();
@@ -102,7 +102,7 @@ private:
 
     [[nodiscard]] Workspace& workspace() { return open_.workspace(); }
 
-    /// Once, after the first frame: from then on it takes what the hands do.
+    /// Logs the startup time once, after the first frame, when the editor accepts input.
     void tellReady() {
         if (std::exchange(ready_, true)) return;
         logNote("Editor", "Ready after {} s", fixedText(processSeconds(), 2));
@@ -117,12 +117,12 @@ private:
         idleFrames_ = kIdleFrames;
     }
 
-    /// The scene as it is seen, for the list of recent projects.
+    /// Saves an image of the scene view as the preview of the project in the list of recent ones.
     void keepPicture() {
         const WidgetMap::Widget* scene = editor().widgets().find("Viewport");
         if (workspace().project.isNone || workspace().document.scenePath.empty() || scene == nullptr) return;
         const AABB box = scene->box;
-        frame({}, 1.0f / 60.0f);  // what was shown last is gone from the card
+        frame({}, 1.0f / 60.0f);  // draws again, as the swapped framebuffer is undefined
         const float pixels = static_cast<float>(window_->drawableSize().width) /
                              static_cast<float>(std::max(window_->size().width, 1));
         const Image small = thumbnailOf(device_->readPixels({}), {box.min * pixels, box.max * pixels},
@@ -157,7 +157,7 @@ private:
     SettingsFile* settingsFile_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<GlDevice> device_;
-    OpenProject open_;  // needs the two above
+    OpenProject open_;  // uses window_ and device_, so it must be destroyed first
     std::string title_;
     int idleFrames_ = kIdleFrames;
     bool ready_ = false;
@@ -168,12 +168,12 @@ void selectByName(Workspace& workspace, const std::string& name) {
     for (const ObjectId id : document.objects()) {
         if (document.nameOf(id) == name) document.selection.add(id);
     }
-    if (document.selection.empty()) workspace.notice = format("There is no entity \"{}\"", name);
+    if (document.selection.empty()) workspace.notice = format("The scene has no entity \"{}\"", name);
 }
 
-/// What the person chose before, and what the command line says instead.
-/// @param file    null: as at first
-/// @param notice  what was wrong with the file
+/// Returns the user's settings, overridden by the command line.
+/// @param file    null: the default settings are used
+/// @param notice  receives the last problem found in the file
 Settings loadSettings(SettingsFile* file, const EditorOptions& options, std::string& notice) {
     Settings settings;
     if (file != nullptr) {
@@ -194,9 +194,10 @@ int runEditor(const EditorOptions& given) {
     const bool namesScene = !options.scene.empty() || !options.select.empty();
     const bool withoutWindow = !options.importFrom.empty() || options.validate;
     if (options.project.empty() && (namesScene || withoutWindow)) options.project = kExample;
+    if (!options.newProject.empty()) return newProject(options);
     if (!options.importFrom.empty()) return importFile(options);
     LogBook log;
-    // Pictures look the same for every user, unless a folder of settings is named for them.
+    // Screenshots ignore the user's settings, so that they are reproducible, unless PLUMB_CONFIG is set.
     const bool takesPictures = !options.screenshot.empty() || !options.tour.empty();
     SettingsFile file;
     SettingsFile* kept = takesPictures && std::getenv("PLUMB_CONFIG") == nullptr ? nullptr : &file;
@@ -223,7 +224,7 @@ int runEditor(const EditorOptions& given) {
     workspace.settings = settings;
     if (!welcome) (*session)->openFirst(options.scene);
     if (takesPictures && !welcome && !options.scene.empty() && workspace.document.scenePath.empty())
-        return fail({options.scene, "there is no such scene",
+        return fail({options.scene, "the project has no such scene",
                      "name one of " + (*session)->workspace().project.root.string() + "/scenes"});
     if (!notice.empty()) workspace.notice = notice;
     if (!options.select.empty()) selectByName(workspace, options.select);
@@ -231,7 +232,7 @@ int runEditor(const EditorOptions& given) {
     auto window = Window::open(
         {.title = "Plumb", .width = options.width, .height = options.height, .hidden = takesPictures});
     if (!window) return fail(window.error());
-    (*window)->openPads();  // of games that play in it
+    (*window)->openPads();  // gamepads, for games run in the editor
     auto device = GlDevice::create();
     if (!device) return fail(device.error());
     App app{std::move(*session), log, kept, std::move(*window), std::move(*device)};

@@ -18,12 +18,12 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr float kToolbarHeight = 38.0f;  // px at scale 1
+constexpr float kToolbarHeight = 38.0f;  // px at scale 1: height of the toolbar
 constexpr float kStatusHeight = 24.0f;
-constexpr float kRunPause = 1.0f;  // s: nudges after a longer rest are another step
+constexpr float kRunPause = 1.0f;  // s: nudges after a longer pause start a new undo step
 
-/// When keys last added to the open gesture (s of ImGui's clock); below zero: it is not theirs. Nudges that
-/// follow each other are one step, until one rests or takes the mouse.
+/// Time at which a key last added to the open undo gesture (s of ImGui's clock); negative if the gesture was
+/// not started by keys. Successive nudges are one undo step, until a pause or a mouse press.
 float& keysAddedAt() {
     return *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("gesture of keys"), -1.0f);
 }
@@ -32,7 +32,8 @@ void endGestureOfKeys(UndoStack& undo) {
     if (std::exchange(keysAddedAt(), -1.0f) >= 0.0f) undo.endGesture();
 }
 
-/// While a game plays, plain letters belong to it; what is left are function keys and Ctrl combinations.
+/// True for keys that the editor handles while a game runs: function keys and Ctrl combinations. The game
+/// gets others.
 bool actsWhilePlaying(const Event& event) {
     return event.modifiers.control || (event.key >= Key::F1 && event.key <= Key::F12);
 }
@@ -40,7 +41,7 @@ bool actsWhilePlaying(const Event& event) {
 }  // namespace
 
 void tooltip(std::string_view text) {
-    // What cannot be pressed says why.
+    // Shown for disabled items too: their tooltips explain why they are disabled.
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
@@ -69,14 +70,14 @@ void selectionMenu(Ui& ui, const std::string& path) {
     items({"view.frame", "entity.rename", "entity.group", "entity.hide", "entity.lock"});
     ImGui::Separator();
     items({"entity.makePrefab"});
-    // Plain entities have nothing to do with the rest.
+    // The other prefab actions apply only to instances.
     if (workspace.selectsInstance())
         items({"entity.editPrefab", "entity.overrides", "entity.revert", "entity.apply"});
     ImGui::Separator();
     items({"entity.create", "entity.camera", "entity.particles", "entity.prefab"});
 }
 
-EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* picture, Path fonts, float scale)
+EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, SceneTexture* picture, Path fonts, float scale)
     : workspace_{workspace}, context_{ImGui::CreateContext()}, fontFolder_{std::move(fonts)}, ui_{workspace,
                                                                                                   widgets_,
                                                                                                   log,
@@ -84,7 +85,8 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, ScenePicture* pic
                                                                                                   scale,
                                                                                                   picture} {
     ImGui::SetCurrentContext(context_);
-    // As the renderer has it: a list may hold more corners than 16 bits count, e.g. of all tiles' collision.
+    // The renderer supports vertex offsets: a draw list may have more vertices than a 16-bit index, e.g. for
+    // the collision shapes of all tiles.
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     feed_ = std::make_unique<PlatformFeed>();
     workspace_.settings.scale = scale;
@@ -136,6 +138,7 @@ void EditorWindow::frame(const FrameInput& input) {
         handleKeys(events);
         playGame(input.seconds);
         hotReload_.poll(ImGui::GetTime());
+        if (workspace_.followCode) workspace_.followCode(ImGui::GetTime());
         showAssetPanel();
         workspace_.tend(input.seconds);
         drawAll();
@@ -178,12 +181,12 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
         if (event.kind == EventKind::MouseDown) endGestureOfKeys(workspace_.undo);
         if (ui_.takeEvent && ui_.takeEvent(event)) continue;
         if (event.kind == EventKind::Quit) workspace_.request = WindowRequest::Quit;
-        if (event.kind == EventKind::FileDropped) bringIn(workspace_, event.text);
+        if (event.kind == EventKind::FileDropped) addDroppedFile(workspace_, event.text);
         if (running && isForGame(event, typing)) devices_.handle(event);
         if (preferences_.take(workspace_.settings.keys, event)) continue;
         if (event.kind != EventKind::KeyDown || typing) continue;
         if (event.key == Key::Escape && ui_.takesEscape) continue;
-        if (anyPopupOpen()) {  // keys belong to the menu, and Esc leaves it
+        if (anyPopupOpen()) {  // the popup gets all keys; Esc closes it
             if (event.key == Key::Escape) closePopups();
             continue;
         }
@@ -193,7 +196,7 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
             keysAddedAt() = static_cast<float>(ImGui::GetTime());
     }
     ui_.takesEscape = false;
-    // A widget that vanished in the middle of a drag never says that it ended.
+    // Ends the gesture of a widget that disappeared during a drag and so did not report its end.
     const bool ofKeys = keysAddedAt() >= 0.0f;
     if (ofKeys && static_cast<float>(ImGui::GetTime()) - keysAddedAt() > kRunPause)
         endGestureOfKeys(workspace_.undo);
@@ -202,8 +205,9 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
         workspace_.undo.endGesture();
 }
 
-/// What is typed, and what is pressed or turned beside the scene, belongs to the editor; what is let go is
-/// let go for both. Also while the game is paused: what is held when it goes on counts.
+/// True if the game gets the event. Typed text, and mouse presses and wheel events outside the scene view, go
+/// only to the editor; releases go to both. Also used while the game is paused, so that keys held on resuming
+/// have an effect.
 bool EditorWindow::isForGame(const Event& event, bool typing) const {
     if (typing && (event.kind == EventKind::KeyDown || event.kind == EventKind::TextInput)) return false;
     const bool begins = event.kind == EventKind::MouseDown || event.kind == EventKind::MouseWheel;
@@ -224,7 +228,7 @@ void EditorWindow::playGame(float seconds) {
         devices_.releaseAll();
         return;
     }
-    // Keys that were only tapped meanwhile are not for the game.
+    // Discards keys that were pressed and released during the pause.
     if (workspace_.play.paused()) static_cast<void>(devices_.take());
     if (!workspace_.play.paused()) ui_.playAlpha = workspace_.play.advance(seconds, takeGameInput());
 }
@@ -240,7 +244,7 @@ void EditorWindow::drawMenu(const char* menu) {
             continue;
         }
         actionItem(ui_, action.id, std::string{"Menu/"} + menu);
-        // People look for these here as well.
+        // These actions of the menu Edit are repeated here, where users also expect them.
         if (action.id == "entity.rename") {
             for (const char* id : {"edit.duplicate", "edit.delete"})
                 actionItem(ui_, id, std::string{"Menu/"} + menu);
@@ -264,7 +268,7 @@ void EditorWindow::drawMenus() {
     float left = ImGui::GetCursorPosX();
     for (const char* menu : kMenus) left += width(menu);
     const bool all = left <= end;
-    // What has no room is in a menu of menus.
+    // Menus for which there is no room become submenus of a last menu.
     std::size_t shown = 0;
     for (; shown < kMenus.size(); ++shown) {
         if (!all && ImGui::GetCursorPosX() + width(kMenus[shown]) + width(kMore) > end) break;
@@ -280,7 +284,7 @@ void EditorWindow::drawMenus() {
     ImGui::EndMainMenuBar();
 }
 
-/// Which project and scene are open, at the right end, as far as the menus leave room.
+/// Draws the names of the project and the scene at the right end of the menu bar, as far as there is room.
 void EditorWindow::drawTitle() {
     const std::string played = sceneOfGame(workspace_);
     const std::string& scene = played.empty() ? workspace_.document.scenePath : played;
@@ -303,7 +307,7 @@ void EditorWindow::drawTitle() {
 void EditorWindow::drawOverlayMenu() {
     ImGui::Separator();
     for (const OverlayRow& row : overlayTable()) {
-        if (findAction(format("view.{}", row.name)) != nullptr) continue;  // it is in the menu by that
+        if (findAction(format("view.{}", row.name)) != nullptr) continue;  // its action is a menu item
         const std::string label{row.label};
         if (ImGui::MenuItem(label.c_str(), nullptr, workspace_.shows(row.name)))
             workspace_.toggleOverlay(row.name);
@@ -317,7 +321,7 @@ void EditorWindow::drawOverlayMenu() {
 }
 
 void EditorWindow::showAssetPanel() {
-    // A place in a panel, or in a dialog, is taken by that itself.
+    // A request with a part after '/' is cleared by the panel or dialog that handles the part.
     std::string wanted = workspace_.panelToShow.substr(0, workspace_.panelToShow.find('/'));
     if (wanted.size() == workspace_.panelToShow.size()) workspace_.panelToShow.clear();
     if (!workspace_.assetToShow.empty()) wanted = "Assets";

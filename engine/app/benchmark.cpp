@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/game.hpp"
-#include "app/system_order.hpp"
+#include "app/game_content.hpp"
 #include "core/clock.hpp"
 #include "core/profile.hpp"
 #include "core/random.hpp"
@@ -18,14 +18,14 @@
 namespace plumb {
 namespace {
 
-constexpr float kRoomPerEntity = 16.0f;  ///< px, a side: a quarter of the arena is filled
-constexpr int kWarmUp = 30;              ///< ticks
-constexpr int kTexels = 16;              ///< a side of a picture
-constexpr float kWide = 640.0f;          ///< px of the picture
-constexpr float kHigh = 360.0f;
-constexpr std::array kSides{4, 6, 8, 10, 12};  ///< px of the entities
+constexpr float kRoomPerEntity = 16.0f;  ///< px, side of an entity's square: a quarter of the arena is filled
+constexpr int kWarmUp = 30;              ///< ticks before measuring
+constexpr int kTexels = 16;              ///< side of a texture
+constexpr float kWide = 640.0f;          ///< px, width of the game image
+constexpr float kHigh = 360.0f;          ///< px, height of the game image
+constexpr std::array kSides{4, 6, 8, 10, 12};  ///< px, sides of the entities
 
-/// A crate with a dark rim, or a ball; the tint gives the color.
+/// Returns the texture of a crate or a ball with a dark rim, in grey, to be tinted.
 Image shadedPicture(bool round) {
     Image image{kTexels, kTexels, {}};
     constexpr float kMiddle = 0.5f * kTexels;
@@ -57,8 +57,8 @@ void addWalls(World& world, Vec2 room) {
     addWall(world, {room.x, 0.0f}, {kThick, room.y});
 }
 
-/// One that flies about and bounces off all others. @param round  a ball, else a crate
-void addFlier(World& world, Vec2 corner, int side, TextureId picture, bool round, Random& random) {
+/// Adds a body without friction and with full restitution. @param round  true: a ball, false: a crate
+void addBouncer(World& world, Vec2 corner, int side, TextureId picture, bool round, Random& random) {
     Entity entity = world.createEntity();
     entity.addComponent<Transform>(corner.x, corner.y);
     Sprite& sprite = entity.addComponent<Sprite>(picture, side, side);
@@ -78,7 +78,7 @@ void addFlier(World& world, Vec2 corner, int side, TextureId picture, bool round
     }
 }
 
-/// Crates and balls of five sizes in a closed room of the window's shape, all in view.
+/// Adds crates and balls of five sizes in a closed room with the window's aspect ratio, all in view.
 void fillArena(Game& game, int entities) {
     World& world = game.world;
     world.resource<PhysicsSettings>().gravity = {};
@@ -92,9 +92,9 @@ void fillArena(Game& game, int entities) {
     for (int i = 0; i < entities; ++i) {
         const Vec2 place{static_cast<float>(i % columns), static_cast<float>(i / columns)};
         const bool round = i % 2 == 1;
-        addFlier(world, place * kRoomPerEntity + Vec2{2.0f, 2.0f},
-                 kSides[random.below(static_cast<std::uint32_t>(kSides.size()))], round ? ball : crate, round,
-                 random);
+        addBouncer(world, place * kRoomPerEntity + Vec2{2.0f, 2.0f},
+                   kSides[random.below(static_cast<std::uint32_t>(kSides.size()))], round ? ball : crate,
+                   round, random);
     }
     Entity camera = world.createEntity();
     camera.addComponent<Transform>(room.x * 0.5f, room.y * 0.5f);
@@ -115,7 +115,7 @@ double secondsOf(const Profile& profile, std::string_view name) {
     return 0.0;
 }
 
-/// CPU seconds of each stage, frame by frame.
+/// CPU times of each stage, s, one value per frame.
 class StageTimes {
 public:
     void add(const Profile& profile, double simulation, double drawing) {
@@ -142,7 +142,7 @@ private:
 
 BenchmarkResult runBenchmark(const BenchmarkSettings& settings, Screen* screen) {
     Game game;
-    addAllSystems(game.world);
+    game.content.addSystems(game.world);
     fillArena(game, settings.entities);
     Profile profile;
     game.world.provide(profile);

@@ -5,32 +5,32 @@
 
 namespace plumb {
 
-/// How many entities are measured, and for how long.
+/// Size and length of a benchmark run.
 struct BenchmarkSettings {
     int entities = 10'000;
-    int frames = 120;  ///< after a warm-up; one tick each
+    int frames = 120;  ///< measured frames after the warm-up, one tick each
 };
 
-/// What a frame of moving, colliding, drawn entities costs this machine.
+/// Times of a frame with moving, colliding, drawn entities on this machine.
 struct BenchmarkResult {
     int entities = 0;
-    double systemsMs = 0.0;  ///< all systems without the two phases below
-    double broadMs = 0.0;
-    double narrowMs = 0.0;
-    double renderMs = 0.0;
+    double systemsMs = 0.0;  ///< ms, all systems except the two phases below
+    double broadMs = 0.0;    ///< ms, broad phase of collision detection
+    double narrowMs = 0.0;   ///< ms, narrow phase of collision detection
+    double renderMs = 0.0;   ///< ms, drawing
     std::size_t drawCalls = 0;
-    std::size_t contacts = 0;  ///< that began while measuring
-    PixelSize window;          ///< px; nothing when nothing was drawn
-    FrameTimes frameTimes;     ///< of the window, by the clock on the wall
+    std::size_t contacts = 0;  ///< number of contacts that began in the measured frames
+    PixelSize window;          ///< px; empty if nothing was drawn
+    FrameTimes frameTimes;     ///< times of whole frames, by wall clock
 
     [[nodiscard]] double totalMs() const { return systemsMs + broadMs + narrowMs + renderMs; }
 };
 
-/// Medians of CPU time over the frames, and what the frames took by the clock.
-/// @param screen  null leaves rendering out
+/// Runs the benchmark. Stage times are medians of CPU time over the frames.
+/// @param screen  null: do not render
 BenchmarkResult runBenchmark(const BenchmarkSettings& settings, Screen* screen);
 
-/// The table as the seed shows it; below it what else was counted.
+/// Returns the result as text: the table of times, then counters and frame times.
 std::string benchmarkTable(const BenchmarkResult& result);
 
 }  // namespace plumb

@@ -16,10 +16,10 @@ namespace plumb {
 namespace {
 
 constexpr double kMicro = 1e6;
-constexpr int kRounds = 3;           // the best counts: other programs can only make it slower
-constexpr int kWarmUpTicks = 20;     // ticks, until everything has its memory
-constexpr double kLongRound = 0.03;  // s: where ticks are so slow that fewer of them will do
-constexpr int kFewestTicks = 20;
+constexpr int kRounds = 3;        // repetitions; the fastest is used, as other programs can only slow it down
+constexpr int kWarmUpTicks = 20;  // ticks until all memory is allocated
+constexpr double kLongRound = 0.03;  // s: longer runs are shortened to fewer ticks
+constexpr int kFewestTicks = 20;     // minimum number of measured ticks
 
 bool isOfPhysics(const EffectRow& row) { return row.physics != physics::Effect::Count; }
 
@@ -31,26 +31,26 @@ double microsecondsOf(const Profile& profile, std::string_view zone, int ticks, 
     return 0.0;
 }
 
-/// µs of each tick. @param from  where the game is afterwards again
+/// Plays ticks and returns the mean time of one, µs. @param from  snapshot that is restored afterwards
 double play(Game& game, const Snapshot& from, int ticks) {
     const double start = threadSeconds();
     for (int i = 0; i < ticks; ++i) tickGame(game, InputFrame{});
     const double seconds = threadSeconds() - start;
     game.world.restore(from);
-    game.onLateUpdate(0.0f);  // what lies beside the world follows
+    game.onLateUpdate(0.0f);  // state outside of the world follows, e.g. held assets
     return seconds * kMicro / ticks;
 }
 
-// The table.
+// Text table.
 
 struct Column {
     std::string_view title;
     std::size_t width;
     bool right = false;
 };
-constexpr Column kColumns[] = {{"effect", 21},          {"runs", 6},        {"pinned", 8},
-                               {"us a tick", 11, true}, {"share", 8, true}, {"saves us", 10, true},
-                               {"  called for by", 0}};
+constexpr Column kColumns[] = {{"effect", 21},        {"runs", 6},        {"pinned", 8},
+                               {"us/tick", 11, true}, {"share", 8, true}, {"saves us", 10, true},
+                               {"  requested by", 0}};
 
 void cell(std::string& line, const Column& column, std::string_view text) {
     const std::size_t blank = column.width > text.size() ? column.width - text.size() : 0;
@@ -63,8 +63,8 @@ std::string callersText(const EffectRow& row, const EffectLine& line) {
     std::string text;
     for (const EffectCount& caller : line.callers)
         text += format("{}{} ({})", text.empty() ? "" : ", ", caller.type->name, caller.count);
-    if (!text.empty()) return line.calledFor ? text : text + ", none of which calls now";
-    if (line.calledFor) return "tiles, or game code";
+    if (!text.empty()) return line.isRequired ? text : text + ", none of which requests it now";
+    if (line.isRequired) return "tiles or game code";
     return "none of: " + missingCallers(row);
 }
 
@@ -110,7 +110,7 @@ std::string missingCallers(const EffectRow& row) {
     for (std::size_t i = 0; i < std::min(row.callers.size(), kMost); ++i)
         text += format("{}{}", i == 0 ? "" : ", ", row.callers[i].type().name);
     if (row.callers.size() > kMost) text += format(" and {} more", row.callers.size() - kMost);
-    return text.empty() ? "only game code can" : text;
+    return text.empty() ? "game code" : text;
 }
 
 EffectZones zonesOf(const EffectTable& table, std::size_t row) {
@@ -144,7 +144,7 @@ EffectReport reportEffects(const World& world, const Effects& effects, const Pro
     for (std::size_t i = 0; i < effects.table().rows().size(); ++i) {
         EffectLine line;
         line.row = i;
-        line.calledFor = effects.calledFor(world, i);
+        line.isRequired = effects.isRequired(world, i);
         line.runs = effects.runs(world, i);
         line.pin = effects.pinOf(i);
         line.pinnedBy = effects.pinnedBy(i);
@@ -176,7 +176,7 @@ EffectReport measureEffects(Game& game, Profile& profile, int ticks) {
         if (!line.runs || (line.zones.own.empty() && line.zones.shared.empty())) continue;
         double with = std::numeric_limits<double>::infinity(), without = with;
         for (int round = 0; round < kRounds;
-             ++round) {  // in turn, so that both meet what else the machine does
+             ++round) {  // alternately, so that other load on the machine affects both
             with = std::min(with, play(game, start, ticks));
             game.effects.setMeasured(line.row, Pin::Off);
             without = std::min(without, play(game, start, ticks));
@@ -185,7 +185,7 @@ EffectReport measureEffects(Game& game, Profile& profile, int ticks) {
         line.saves = with - without;
         report.microseconds = std::min(report.microseconds, with);
     }
-    if (std::isinf(report.microseconds)) report.microseconds = first;  // nothing runs at all
+    if (std::isinf(report.microseconds)) report.microseconds = first;  // no effect runs
     return report;
 }
 

@@ -11,57 +11,57 @@ namespace plumb {
 class Game;
 class Profile;
 
-/// What of a tick is an effect's, by the names of the profiler.
+/// Profiler zones of a tick that belong to an effect.
 struct EffectZones {
-    std::vector<std::string_view> own;     ///< systems, and stages of the physics, that run for it alone
-    std::vector<std::string_view> shared;  ///< stages that others need as well
+    std::vector<std::string_view> own;  ///< systems and stages of the physics that run only for this effect
+    std::vector<std::string_view> shared;  ///< stages of the physics that other effects need too
 };
 EffectZones zonesOf(const EffectTable& table, std::size_t row);
 
-/// Components of one kind that call for an effect.
+/// Number of components of a type that request an effect.
 struct EffectCount {
     const TypeInfo* type = nullptr;
     std::size_t count = 0;
 };
-/// What calls for an effect now, without the kinds of components that no entity has.
+/// Returns the components that currently request an effect, without types that no entity has.
 std::vector<EffectCount> callersOf(const World& world, const EffectRow& row);
 
-/// The first kinds of components that could call for an effect.
+/// Returns, as text, the first component types that can request an effect.
 std::string missingCallers(const EffectRow& row);
 
-/// s that a zone of a profile takes by itself: to be taken from what it measured, once a call.
+/// Measures the overhead of a profiler zone, s per call, to subtract it from measured times.
 double zoneOverhead();
 
-/// One effect of a world, for people.
+/// State and cost of one effect in a world, for display.
 struct EffectLine {
-    std::size_t row = 0;
-    bool calledFor = false;
+    std::size_t row = 0;  ///< index of the effect in the table
+    bool isRequired = false;
     bool runs = false;
     Pin pin = Pin::Auto;
-    std::string pinnedBy;  ///< path of a scene; empty: not pinned, or by the program
+    std::string pinnedBy;  ///< path of the scene that pins it; empty: not pinned, or pinned by the program
     std::vector<EffectCount> callers;
     EffectZones zones;
-    double microseconds = 0.0;  ///< of a tick: its own zones
-    double saves = 0.0;         ///< µs of a tick that are over without it; measured, so it may be below 0
+    double microseconds = 0.0;  ///< µs per tick in its own zones
+    double saves = 0.0;         ///< µs per tick that turning it off saves; measured, so it may be negative
 };
 
-/// All effects of a game, and what they cost.
+/// State and cost of all effects of a game.
 struct EffectReport {
     const EffectTable* table = nullptr;
-    int ticks = 0;              ///< that were measured; 0 for none
-    double microseconds = 0.0;  ///< a whole tick
+    int ticks = 0;              ///< number of measured ticks; 0: not measured
+    double microseconds = 0.0;  ///< µs of a whole tick
     std::vector<EffectLine> lines;
 };
 
-/// What calls for each effect. @param profile  of `ticks` ticks; null: nothing was measured
+/// Returns which components request each effect. @param profile  profile of `ticks` ticks; null: not measured
 EffectReport reportEffects(const World& world, const Effects& effects, const Profile* profile, int ticks);
 
-/// Plays some ticks, and the same ones without each effect that runs, to see what that saves. The game is
-/// afterwards as it was.
-/// @param profile  a service of the game's world from now on, so it has to outlive its last tick
+/// Measures what each running effect costs: plays some ticks, and the same ticks without the effect. The
+/// game's state is restored afterwards.
+/// @param profile  becomes a service of the game's world, so it must outlive the world's last tick
 EffectReport measureEffects(Game& game, Profile& profile, int ticks);
 
-/// The report as a table.
+/// Returns the report as a text table.
 std::string effectText(const EffectReport& report);
 
 }  // namespace plumb

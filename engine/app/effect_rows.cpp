@@ -5,6 +5,8 @@
 #include "app/system_order.hpp"
 #include "assets/asset_store.hpp"
 #include "gameplay/components.hpp"
+#include "gameplay/delayed_events.hpp"
+#include "gameplay/tweens.hpp"
 #include "scene/components.hpp"
 #include "scene/drawing/tile_drawing.hpp"
 #include "scene/lab.hpp"
@@ -14,7 +16,7 @@
 namespace plumb {
 namespace {
 
-/// An effect that systems run for as long as there is any of these components.
+/// Makes an effect for which systems run while any of these components exist.
 template <class... Callers>
 EffectRow row(std::string_view name, std::string_view doc, std::string_view device = {}) {
     EffectRow made{name, doc, kCallersOf<Callers...>, isThereAny<typename CallerOf<Callers>::Component...>};
@@ -22,24 +24,34 @@ EffectRow row(std::string_view name, std::string_view doc, std::string_view devi
     return made;
 }
 
-/// What the last emitters left has to go.
+bool hasDelayedEvents(const World& world) {
+    const auto* delayed = world.findResource<DelayedEvents>();
+    return delayed != nullptr && !delayed->entries.empty();
+}
+bool hasTweens(const World& world) {
+    const auto* tweens = world.findResource<Tweens>();
+    return tweens != nullptr && !tweens->entries.empty();
+}
+
+/// Also true while particles of destroyed emitters must be removed.
 bool hasParticles(const World& world) {
     if (isThereAny<ParticleEmitter>(world)) return true;
     const auto* left = world.findResource<Particles>();
     return left != nullptr && !left->streams.empty();
 }
 
-/// And what the last ghosts and plots left.
+/// Also true while physics worlds of destroyed ghosts must be removed.
 bool hasGhosts(const World& world) {
     const auto* left = world.findResource<GhostWorlds>();
     return isThereAny<Ghost>(world) || (left != nullptr && !left->all.empty());
 }
+/// Also true while curves of destroyed plots must be removed.
 bool hasPlots(const World& world) {
     const auto* left = world.findResource<PlotPast>();
     return isThereAny<Plot>(world) || (left != nullptr && !left->curves.empty());
 }
 
-/// A scene may be nothing but its color.
+/// Also true for a scene that has only a background color.
 bool hasPicture(const World& world) {
     if (isThereAny<Sprite, TileLayer, ParticleEmitter, Label, Rope, Cloth, Jelly, Slider, Plot, Ghost>(world))
         return true;
@@ -48,7 +60,7 @@ bool hasPicture(const World& world) {
                                             [](const LoadedScene& scene) { return scene.background.a > 0; });
 }
 
-/// Not asked in a tick, only where tiles are drawn.
+/// Not O(1), but called only when tiles are drawn, not in ticks.
 bool hasAnimatedTiles(const World& world) {
     const auto* assets = world.service<AssetStore>();
     if (assets == nullptr || !isThereAny<TileLayer>(world)) return false;
@@ -58,52 +70,55 @@ bool hasAnimatedTiles(const World& world) {
     return false;
 }
 
-/// Every effect beside those of the physics. A row is all that a new one needs; its systems name it in
-/// system_order.cpp.
+/// Returns all effects except those of the physics. To add one,
+/// add a row here and name it at its systems in system_order.cpp.
 std::vector<EffectRow> systemEffectRows() {
     std::vector<EffectRow> rows{
-        row<PlayerController>("progress", "Time, coins and levels are counted."),
-        row<MovingPlatform>("moving_platforms", "Platforms go their ways."),
-        row<Patrol>("patrols", "Enemies walk to and fro."),
-        row<PlayerController>("players", "The player runs, jumps and pauses."),
-        row<CharacterController>("characters", "Characters walk by their velocity."),
-        row<PushControl>("push_controls", "The player pushes bodies."),
-        row<MouseDrag>("mouse_drag", "The mouse drags bodies."),
-        row<Detonator>("detonators", "Bombs go off."),
-        row<Slider>("sliders", "Sliders on the screen change numbers."),
-        row<Experiment>("experiments", "Experiments begin anew."),
-        row<Ghost>("ghosts", "The physics runs again with other settings."),
-        row<Plot>("plots", "Curves are drawn of the physics."),
-        row<Label>("physics_counts", "Labels show numbers of the physics."),
-        row<Spring>("bouncers", "Springs throw up what lands on them."),
-        row<Portal>("portals", "Portals lead elsewhere."),
-        row<TouchColor>("touch_colors", "What is touched changes its color."),
-        row<Collectible>("collectibles", "Coins, keys and hearts are picked up."),
-        row<Checkpoint>("checkpoints", "Checkpoints are remembered."),
-        row<Goal, SceneLink>("goals", "Goals and links lead to other scenes."),
-        row<Menu>("menus", "Menus are chosen from."),
-        row<Door, Button>("doors", "Keys and buttons open doors."),
-        row<Hazard, KillPlane>("hazards", "Hazards hurt, enemies are stomped."),
-        row<Health, Respawn>("respawn", "The dead come back."),
-        row<SceneKey, ToggleKey>("shortcuts", "Keys lead to scenes, show and hide."),
-        row<Bob, Spin, Lifetime>("decor", "Things bob, spin and end."),
-        row<Animator, PlayerController>("character_animation", "Animations follow how characters move."),
-        row<Animator>("animation", "Pictures change by themselves."),
-        row<ParticleEmitter>("particles", "Emitters send particles."),
-        row<SoundCues, Music>("sound", "Sounds and music are played.", "audio device"),
-        row<Camera>("camera", "The view follows what it shall."),
+        {"timers", "Emits delayed events.", {}, hasDelayedEvents},
+        row<PlayerController>("progress", "Counts time, coins and levels."),
+        row<MovingPlatform>("moving_platforms", "Moves platforms along their paths."),
+        row<Patrol>("patrols", "Moves enemies back and forth."),
+        row<PlayerController>("players", "Lets the player run, jump and pause."),
+        row<CharacterController>("characters", "Moves characters at their velocity."),
+        row<PushControl>("push_controls", "Lets the player accelerate bodies with the input axes."),
+        row<MouseDrag>("mouse_drag", "Lets the mouse drag bodies."),
+        row<Detonator>("detonators", "Triggers the explosions of detonators."),
+        row<Slider>("sliders", "Lets sliders on the screen change numbers."),
+        row<Experiment>("experiments", "Restarts experiments."),
+        row<Ghost>("ghosts", "Simulates the physics of ghosts, with other settings."),
+        row<Plot>("plots", "Records the curves of plots."),
+        row<Label>("physics_counts", "Counts collision pairs for labels that show them."),
+        row<Spring>("bouncers", "Lets springs launch bodies."),
+        row<Portal>("portals", "Lets portals teleport bodies."),
+        row<TouchColor>("touch_colors", "Tints sprites while they are in triggers."),
+        row<Collectible>("collectibles", "Lets players pick up coins, keys and hearts."),
+        row<Checkpoint>("checkpoints", "Activates checkpoints."),
+        row<Goal, SceneLink>("goals", "Changes scenes at goals and scene links."),
+        row<Menu>("menus", "Handles the input of menus."),
+        row<Door, Button>("doors", "Opens doors with keys and buttons."),
+        row<Hazard, KillPlane>("hazards", "Applies the damage of hazards, and lets players stomp enemies."),
+        row<Health, Respawn>("respawn", "Respawns dead entities."),
+        row<SceneKey, ToggleKey>("shortcuts", "Lets input actions change scenes, show and hide entities."),
+        {"tweens", "Changes fields of components over time.", {}, hasTweens},
+        row<Bob, Spin, Lifetime>("decor", "Runs Bob, Spin and Lifetime."),
+        row<Animator, PlayerController>("character_animation",
+                                        "Sets the animation parameters of characters."),
+        row<Animator>("animation", "Plays sprite animations."),
+        row<ParticleEmitter>("particles", "Emits and moves particles."),
+        row<SoundCues, Music>("sound", "Plays sounds and music.", "audio device"),
+        row<Camera>("camera", "Moves cameras to the entities they follow."),
         row<Sprite, TileLayer, ParticleEmitter, Label, Rope, Cloth, Jelly, Slider, Plot, Ghost>(
-            "picture", "The scene is drawn.", "renderer"),
-        row<TileLayer>("tile_animation", "Animated tiles move."),
+            "picture", "Draws the scene.", "renderer"),
+        row<TileLayer>("tile_animation", "Animates tiles."),
         row<PlayerController, PushControl, SceneLink, Menu, SceneKey, ToggleKey, Detonator, Experiment>(
-            "pads", "Gamepads are heard.", "gamepads"),
+            "pads", "Reads gamepads.", "gamepads"),
     };
     for (EffectRow& made : rows) {
-        if (made.name == "particles") made.calledFor = hasParticles;
-        if (made.name == "ghosts") made.calledFor = hasGhosts;
-        if (made.name == "plots") made.calledFor = hasPlots;
-        if (made.name == "picture") made.calledFor = hasPicture;
-        if (made.name == "tile_animation") made.calledFor = hasAnimatedTiles;
+        if (made.name == "particles") made.isRequired = hasParticles;
+        if (made.name == "ghosts") made.isRequired = hasGhosts;
+        if (made.name == "plots") made.isRequired = hasPlots;
+        if (made.name == "picture") made.isRequired = hasPicture;
+        if (made.name == "tile_animation") made.isRequired = hasAnimatedTiles;
     }
     return rows;
 }

@@ -6,11 +6,11 @@
 
 namespace plumb {
 
-/// Every effect of the engine, those of the physics among them, and which systems run for them. To add an
-/// effect: one row in effect_rows.cpp.
+/// Returns all effects of the engine, including those of the physics, and the systems that run for them. To
+/// add an effect, add a row in effect_rows.cpp.
 const EffectTable& engineEffects();
 
-/// The effects of the physics library.
+/// Returns the effects of the physics library.
 std::vector<EffectRow> physicsEffectRows();
 
 }  // namespace plumb

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <span>
 
+#include "app/game_content.hpp"
 #include "app/game_loop.hpp"
 #include "app/screen.hpp"
 #include "app/step_clock.hpp"
-#include "app/system_order.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "platform/paths.hpp"
@@ -17,8 +17,8 @@
 namespace plumb {
 namespace {
 
-/// Those of PLUMB_OPTIONS, then those of the command line: the last one counts.
-/// @param words  of the command line, the program first
+/// Parses the options of PLUMB_OPTIONS, then those of the command line, which override them.
+/// @param words  argv, including the program's path
 Result<PlayerOptions> readGameOptions(std::span<const std::string> words) {
     std::vector<std::string> all;
     const char* text = std::getenv("PLUMB_OPTIONS");
@@ -33,7 +33,7 @@ Result<PlayerOptions> readGameOptions(std::span<const std::string> words) {
     return parseGameOptions(arguments);
 }
 
-/// "hello-code" of "build/bin/hello-code".
+/// Returns the name of the program, e.g. "hello-code" for "build/bin/hello-code".
 Path programOf(std::span<const std::string> words) {
     return words.empty() ? Path{} : Path{words.front()}.stem();
 }
@@ -55,7 +55,7 @@ void Engine::fixedUpdate([[maybe_unused]] float dt) {
     constexpr auto kTick = static_cast<float>(StepClock::kStep);
     PLUMB_ASSERT(dt > kTick * 0.99f && dt < kTick * 1.01f,
                  "a tick is 1/60 s; call fixedUpdate more often instead");
-    if (game_->world.systemNames().empty()) addAllSystems(game_->world);
+    if (game_->world.systemNames().empty()) game_->content.addSystems(game_->world);
     tickGame(*game_, InputFrame{});
 }
 
@@ -94,12 +94,12 @@ int Engine::loop() {
     game_->assets = AssetStore{codeGameFolder(programOf(words_)), engineAssets()};
     game_->world.resource<GameRandom>().random = Random::seeded(options_.seed);
     game_->world.resource<PictureSize>().size = {static_cast<float>(width_), static_cast<float>(height_)};
-    useSystemOrder(game_->world);
+    game_->content.useSystemOrder(game_->world);
     game_->onCreate();
-    if (game_->world.systemNames().empty()) addAllSystems(game_->world);
-    game_->effects.setProgram("pads", Pin::On);  // its own code may ask for them
+    if (game_->world.systemNames().empty()) game_->content.addSystems(game_->world);
+    game_->effects.setProgram("pads", Pin::On);  // game code may read gamepads, which no component requests
     const int code = GameLoop{*game_, screen_.get(), options_, title_}.run();
-    screen_.reset();  // before the assets that its textures came from
+    screen_.reset();  // before the assets that its textures refer to
     return code;
 }
 

@@ -14,21 +14,21 @@ namespace plumb {
 
 class Screen;
 
-/// Runs a game: window, loop, drawing, sound. Without run() it is a world to simulate, which needs no window.
+/// Runs a game: window, loop, drawing, sound. Without run() it only simulates a world and opens no window.
 class Engine {
 public:
-    /// A world without a window, for tests and tools.
+    /// Creates a world without a window, for tests and tools.
     Engine();
 
-    /// @param title          of the window and of the game
-    /// @param width, height  of the window and of the game's picture (px)
-    /// @param count, words   what main() was given, for the options of the command line; --help lists them
+    /// @param title          title of the window and the game
+    /// @param width, height  px, size of the window and of the game image
+    /// @param count, words   argc and argv of main(), for command line options; --help lists them
     Engine(std::string title, int width, int height, int count = 0, const char* const* words = nullptr);
     ~Engine();
 
-    /// Creates the game and runs it until it is closed. The variable PLUMB_OPTIONS may hold options too, e.g.
-    /// "--headless --frames 600 --hash"; those of the command line come after them.
-    /// @return the program's exit code, for main() to return: 2 where an option is wrong
+    /// Creates the game and runs it until it is closed. The environment variable PLUMB_OPTIONS may contain
+    /// options too, e.g. "--headless --frames 600 --hash"; options of the command line override them.
+    /// @return the exit code for main(): 2 if an option is invalid
     template <class G, class... Arguments>
     int run(Arguments&&... arguments) {
         static_assert(std::is_base_of_v<Game, G>, "a game derives from plumb::Game");
@@ -41,7 +41,7 @@ public:
     AssetStore& getAssets() { return game_->assets; }
     Input& getInput() { return game_->input; }
 
-    /// One tick without input. @param dt  s; a tick is always 1/60 s, so this must be it
+    /// Runs one tick without input. @param dt  s, must be 1/60
     void fixedUpdate(float dt);
 
 private:
@@ -51,14 +51,14 @@ private:
         game_ = make();
         return loop();
     }
-    /// @return the exit code where there is nothing to play
+    /// Reads the options and opens the window. @return the exit code if the program must end now
     std::optional<int> open();
     int loop();
 
     std::string title_ = "Plumb";
     int width_ = 1280;
     int height_ = 720;
-    std::vector<std::string> words_;  ///< of the command line, the program first
+    std::vector<std::string> words_;  ///< argv, including the program's path
     PlayerOptions options_;
     std::unique_ptr<Screen> screen_;
     std::unique_ptr<Game> game_;

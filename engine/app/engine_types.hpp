@@ -4,7 +4,8 @@
 
 namespace plumb {
 
-/// Every component of the engine, in the order in which files and the inspector list them.
+/// Returns a registry of all components of the engine, in
+/// the order in which files and the inspector list them.
 TypeRegistry engineTypes();
 
 }  // namespace plumb

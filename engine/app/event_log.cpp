@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-/// "assets/platform.png" as "Platform".
+/// Returns the title of a path, e.g. "Platform" for "assets/platform.png".
 std::string titleOf(std::string_view path) {
     path = path.substr(path.find_last_of('/') + 1);
     std::string title{path.substr(0, path.find('.'))};

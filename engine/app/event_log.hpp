@@ -6,12 +6,12 @@
 
 namespace plumb {
 
-/// What a person calls an entity in the log: its Name, else its picture's name with its number among those
-/// that share it, "Platform[3]".
+/// Returns the name of an entity for the log: its Name, otherwise its texture's name with its index among the
+/// entities that share the texture, e.g. "Platform[3]".
 std::string displayName(const World& world, EntityId entity);
 
-/// Writes what the last tick brought for the player's character, in the form
-/// `[Physics] Player grounded: true` and `[Collision] Player <-> Platform[3]`.
+/// Logs new collisions and changes of `grounded` of the player's character, in the form
+/// `[Collision] Player <-> Platform[3]` and `[Physics] Player grounded: true`.
 class EventLog {
 public:
     void write(const World& world);

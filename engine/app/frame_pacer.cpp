@@ -6,9 +6,9 @@ namespace plumb {
 
 StepClock::Frame FramePacer::next(double seconds) {
     if (paused_) return {0, alpha_};
-    if (seconds > 0.0) owed_ += seconds;
-    const double given = std::max(snappedToRefresh(owed_, refreshRate_), 0.0);
-    owed_ -= given;
+    if (seconds > 0.0) remainder_ += seconds;
+    const double given = std::max(snappedToRefresh(remainder_, refreshRate_), 0.0);
+    remainder_ -= given;
     const StepClock::Frame frame = clock_.advance(given);
     alpha_ = frame.alpha;
     return frame;

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-/// The smallest value that `part` of all do not exceed. @pre sorted and not empty
+/// Returns the smallest value that a ratio `part` of all values does not exceed. @pre sorted, not empty
 double percentile(std::span<const double> sorted, double part) {
     const double place = std::ceil(part * static_cast<double>(sorted.size())) - 1.0;
     return sorted[static_cast<std::size_t>(std::max(place, 0.0))];

@@ -6,21 +6,21 @@
 
 namespace plumb {
 
-/// What a row of frames took by the clock on the wall: what a player sees.
+/// Statistics of frame times by wall clock.
 struct FrameTimes {
     std::size_t frames = 0;
     double meanMs = 0.0;
     double medianMs = 0.0;
-    double slow95Ms = 0.0;  ///< 95 % of the frames took no longer
-    double slow99Ms = 0.0;
+    double slow95Ms = 0.0;  ///< ms, 95th percentile
+    double slow99Ms = 0.0;  ///< ms, 99th percentile
 
     [[nodiscard]] double framesPerSecond() const { return meanMs > 0.0 ? 1000.0 / meanMs : 0.0; }
 };
 
-/// @param seconds  of each frame, in any order
+/// Computes the statistics. @param seconds  s, times of the frames in any order
 FrameTimes frameTimesOf(std::span<const double> seconds);
 
-/// "Frame Rate: 145.2 FPS over 600 frames" and a line with the three times.
+/// Returns e.g. "Frame Rate: 145.2 FPS over 600 frames" and a line with median and percentiles.
 std::string frameTimesText(const FrameTimes& times);
 
 }  // namespace plumb

@@ -2,56 +2,42 @@
 
 #include <utility>
 
-#include "app/effect_rows.hpp"
-#include "app/engine_types.hpp"
+#include "app/game_content.hpp"
 #include "app/step_clock.hpp"
-#include "core/log.hpp"
-#include "gameplay/label_values.hpp"
-#include "scene/components/name.hpp"
+#include "gameplay/game_functions.hpp"
 #include "scene/drawing/draw_scene.hpp"
 #include "scene/files/prefab.hpp"
-#include "scene/play_sound.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
 
 namespace plumb {
 
-Game::Game()
-    : types{engineTypes()}, world{types}, input{world.resource<Input>()}, effects{engineEffects(), world} {
+Game::Game() : Game{engineContent()} {}
+
+Game::Game(const GameContent& gameContent)
+    : content{gameContent},
+      types{content.types()},
+      world{types},
+      input{world.resource<Input>()},
+      effects{content.effects(), world} {
     world.provide(assets);
     world.provide(threads);
 }
 
 Game::~Game() = default;
 
-void Game::play(SoundId sound, float volume) { world.emit(PlaySound{sound, volume, {}, world.tick}); }
-
-Entity Game::find(std::string_view name) {
-    const TextId wanted = textId(name);
-    EntityId first;
-    for (auto [entity, named] : std::as_const(world).query<const Name>(withPaused)) {
-        if (named.text == wanted && (!first || entity.id() < first)) first = entity.id();
-    }
-    return first ? world.entity(first) : Entity{};
-}
+Random& Game::random() { return randomOf(world); }
+void Game::play(SoundId sound, float volume) { playSound(world, sound, volume); }
+Entity Game::find(std::string_view name) { return findEntity(world, name); }
+Vec2 Game::mouseInWorld() { return plumb::mouseInWorld(world); }
+void Game::show(std::string_view word, std::string_view text) { showText(world, word, text); }
 
 Entity Game::spawn(std::string_view prefab, Vec2 place) {
-    if (spawned_ == nullptr) spawned_ = std::make_unique<PrefabLibrary>(types, assets.root());
-    const std::string inAssets = "assets/" + std::string{prefab};
-    const Result<Path> file = assets.resolve(prefab);  // as other assets are found by a bare name
-    const Result<Path> other = assets.resolve(inAssets);
-    const bool lies = file && other && *file == *other;
-    const Result<const Prefab*> found = spawned_->find(lies ? inAssets : prefab);
-    if (!found) {
-        logError("Scene", found.error());
-        return {};
+    if (world.service<PrefabLibrary>() == nullptr) {
+        spawned_ = std::make_unique<PrefabLibrary>(types, assets.root());
+        world.provide(*spawned_);
     }
-    for (const Error& problem : (*found)->problems) logWarning("Scene", problem);
-    return spawnPrefab(world, types, **found, place);
-}
-
-Vec2 Game::mouseInWorld() {
-    return toWorld(cameraView(world, world.resource<PictureSize>().size, 1.0f), input.mouse());
+    return plumb::spawn(world, prefab, place);
 }
 
 Sprite Game::wholePicture(TextureId texture, int width, int height) {
@@ -59,10 +45,6 @@ Sprite Game::wholePicture(TextureId texture, int width, int height) {
     if (const Texture* picture = assets.find(texture))
         sprite.source = {0.0f, 0.0f, static_cast<float>(picture->width), static_cast<float>(picture->height)};
     return sprite;
-}
-
-void Game::show(std::string_view word, std::string_view text) {
-    world.resource<LabelValues>().set(word, text);
 }
 
 void tickGame(Game& game, const InputFrame& frame) {

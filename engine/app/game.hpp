@@ -17,13 +17,16 @@
 
 namespace plumb {
 
+class GameContent;
 class PrefabLibrary;
 
-/// One running game: its world, its assets, its input. Derive from it to write a game in code; a game made
-/// of scenes needs no class of its own (see SceneGame).
+/// A running game: its world, assets and input. Derive from it to write a game in code; a game made of scene
+/// files needs no own class (see SceneGame).
 class Game {
 public:
     Game();
+    /// @param content  component types, systems and effects; must outlive the game
+    explicit Game(const GameContent& content);
     virtual ~Game();
     Game(const Game&) = delete;
     Game& operator=(const Game&) = delete;
@@ -38,49 +41,51 @@ public:
     /// Called every tick after the systems ran.
     virtual void onLateUpdate([[maybe_unused]] float dt) {}
 
-    /// Called between ticks after files of the project were edited and read again.
+    /// Called between ticks after changed files of the project were reloaded.
     virtual void onAssetsChanged([[maybe_unused]] std::span<const AssetChange> changes) {}
 
-    /// True when the game wants to end.
+    /// True if the game requests to quit.
     [[nodiscard]] virtual bool quitRequested() const { return false; }
 
-    // For the game's own code. All of it is of the simulation: a replay repeats it.
+    // For game code. All of these functions are part of the simulation and are repeated by replays.
 
-    /// Its random numbers. Others, from rand() or a clock, make replays differ.
-    [[nodiscard]] Random& random() { return world.resource<GameRandom>().random; }
-    /// A sound that begins in this tick.
-    /// @param volume  ratio
+    /// Random number generator of the simulation. Others, e.g. rand(), make replays diverge.
+    [[nodiscard]] Random& random();
+    /// Plays a sound, starting in this tick.
+    /// @param volume  ratio, 0..1
     void play(SoundId sound, float volume = 1.0f);
-    /// The first entity of that Name, or the empty handle.
+    /// Returns the first entity with this Name, or the empty handle.
     [[nodiscard]] Entity find(std::string_view name);
-    /// A new entity, and those below it, made of a prefab's file. What cannot be read is logged.
-    /// @param place  px
-    /// @return its root, or the empty handle
+    /// Instantiates a prefab file. Errors are logged.
+    /// @param place  px, position of the root
+    /// @return the root entity, or the empty handle
     Entity spawn(std::string_view prefab, Vec2 place);
-    /// Where the mouse points, as the first enabled camera looks (px, world).
+    /// Returns the world position of the mouse (px) in the view of the first enabled camera.
     [[nodiscard]] Vec2 mouseInWorld();
-    /// A sprite of the whole picture, scaled to a size; Sprite(texture, width, height) shows a cell of it.
-    /// @param width, height  px
+    /// Returns a sprite that shows the whole texture, scaled to
+    /// a size; Sprite(texture, width, height) shows one cell.
+    /// @param width, height  px, size of the sprite
     [[nodiscard]] Sprite wholePicture(TextureId texture, int width, int height);
-    /// What is drawn behind everything, black at first. A scene's file has its own.
+    /// Sets the background color of a game without scenes; black by default. Scene files define their own.
     void setBackground(Color color) { world.resource<Background>().color = color; }
-    /// Puts a text in place of {word} in every Label, for texts that change. (The world keeps each text that
-    /// was ever added to texts().)
+    /// Sets the text that replaces {word} in every Label. Use it for changing texts, as the world keeps every
+    /// text that was ever added to texts().
     void show(std::string_view word, std::string_view text);
 
-    const TypeRegistry types;
+    const GameContent& content;
+    const TypeRegistry& types;
     World world;
     AssetStore assets;
-    Input& input;            ///< lives in the world, so that a snapshot has it
-    Effects effects;         ///< which of them run
-    PhysicsThreads threads;  ///< of the physics, if there is work for them
+    Input& input;            ///< a world resource, so that snapshots include it
+    Effects effects;         ///< decides which effects run
+    PhysicsThreads threads;  ///< thread pool of the physics
 
 private:
-    std::unique_ptr<PrefabLibrary> spawned_;  ///< made when the first prefab is asked for
+    std::unique_ptr<PrefabLibrary> spawned_;  ///< prefabs of spawn(), created at the first call
 };
 
-/// Advances the game by one tick of 1/60 s: input, onUpdate, the systems in order, then scene changes.
-/// The same game and the same input give the same bits on every machine.
+/// Advances the game by one tick of 1/60 s: input, onUpdate(), the systems in order, onLateUpdate(), which
+/// also changes scenes. The same game with the same input is bit-identical on every machine.
 void tickGame(Game& game, const InputFrame& frame);
 
 }  // namespace plumb

@@ -12,12 +12,12 @@
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kDemoTicks = 600;        ///< played where there is no display: 10 s
-constexpr double kPausedWait = 0.1;             ///< s until a paused game looks again
-constexpr std::int64_t kCheckTicks = 600;       ///< between two hashes of a recording
-constexpr std::int64_t kSaveTicks = 300;        ///< between two times that it is written
-constexpr std::size_t kLongRecording = 50'000;  ///< runs of input, about 1 MB
-constexpr std::int64_t kHeadlessTicks = 600;    ///< played when nothing says for how long
+constexpr std::int64_t kDemoTicks = 600;        ///< default number of ticks without a display: 10 s
+constexpr double kPausedWait = 0.1;             ///< s for which a paused game waits for events
+constexpr std::int64_t kCheckTicks = 600;       ///< ticks between two hashes of a recording
+constexpr std::int64_t kSaveTicks = 300;        ///< ticks between two saves of a recording
+constexpr std::size_t kLongRecording = 50'000;  ///< input runs, about 1 MB; longer ones are saved less often
+constexpr std::int64_t kHeadlessTicks = 600;    ///< default number of ticks of a headless run
 
 void sleepSeconds(double seconds) {
     if (seconds > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>{seconds});
@@ -38,7 +38,7 @@ Result<Done> saveScreenshot(Screen& screen, const Path& path) {
 PlayerOptions begunAsRecorded(PlayerOptions options) {
     if (options.replay.empty()) return options;
     const Result<Replay> replay = loadReplay(options.replay);
-    if (!replay) return options;  // the loop says what is wrong
+    if (!replay) return options;  // GameLoop reports the error
     options.seed = replay->seed;
     if (options.scene.empty()) options.scene = replay->scene;
     return options;
@@ -80,7 +80,7 @@ bool GameLoop::prepare() {
     recorder_.replay.seed = options_.seed;
     if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 &&
         options_.replay.empty()) {
-        logNote("Engine", "No display here: playing 10 s into memory and saving a screenshot");
+        logNote("Engine", "No display: running 10 s offscreen and saving a screenshot");
         options_.frames = kDemoTicks;
         if (options_.screenshot.empty()) options_.screenshot = "plumb-screenshot.png";
     }
@@ -95,7 +95,7 @@ void GameLoop::runHeadless() {
 }
 
 void GameLoop::runScreen() {
-    // Pictures of known ticks are wanted: one tick a frame, whatever the clock says.
+    // One tick per frame, independent of the clock, so that saved images belong to known ticks.
     const bool lockstep = !screen_->window().hasDisplay() || !options_.capture.empty();
     pacer_ = FramePacer{refreshRate()};
     double before = wallSeconds();
@@ -117,7 +117,7 @@ void GameLoop::runScreen() {
     }
 }
 
-/// Opens the devices that effects call for; open ones stay open. The audio device opens with its first sound.
+/// Opens the gamepads when the effect "pads" runs; they stay open. The audio device is opened by SoundOutput.
 void GameLoop::openDevices() {
     if (padsOpen_ || !game_.effects.runs(game_.world, "pads")) return;
     padsOpen_ = true;
@@ -128,7 +128,7 @@ void GameLoop::openDevices() {
 void GameLoop::handleEvents() {
     pending_.clear();
     if (pacer_.paused()) {
-        screen_->window().waitEvents(pending_, kPausedWait);  // nothing moves: leave the machine to others
+        screen_->window().waitEvents(pending_, kPausedWait);  // paused: use no CPU time
     } else {
         screen_->window().pollEvents(pending_);
     }
@@ -136,7 +136,7 @@ void GameLoop::handleEvents() {
         if (event.kind == EventKind::Quit) quit();
         if (options_.physicsView.handle(event) && options_.physicsView.on)
             logNote("Engine",
-                    "Physics shown: Ctrl and Ctrl+Shift with digits choose what of it, F3 hides it");
+                    "Physics view on: Ctrl+digit and Ctrl+Shift+digit toggle layers, F3 turns it off");
         if (isFullscreenKey(event)) screen_->window().setFullscreen(!screen_->window().fullscreen());
         if (event.kind == EventKind::FocusLost) {
             pacer_.pause();
@@ -151,7 +151,7 @@ void GameLoop::handleEvents() {
     }
 }
 
-/// Edited files take effect while the game runs; one that is recorded or replayed keeps what it began with.
+/// Reloads files that were edited while the game runs, but not while it is recorded or replayed.
 void GameLoop::reloadEdited() {
     if (replayPlayer_ || !options_.record.empty()) return;
     const std::vector<AssetChange> changes = game_.assets.pollChanges();
@@ -184,9 +184,9 @@ void GameLoop::tick() {
     if (sounds_) sounds_->listen(game_.world);
     if (const HashCheck* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
         expected != nullptr && expected->hash != game_.world.hash()) {
-        logError("Input",
-                 Error{options_.replay, format("the game differs from the recorded one at tick {}", ticks_),
-                       "record it again if the game was changed on purpose"});
+        logError("Input", Error{options_.replay,
+                                format("the simulation differs from the recorded one at tick {}", ticks_),
+                                "record again if the game was changed on purpose"});
         failed_ = true;
         quit();
     }
@@ -196,11 +196,11 @@ void GameLoop::tick() {
     keepRecording();
 }
 
-/// A program that is killed has lost the last seconds of its recording, no more.
+/// Saves the recording regularly, so that a killed program loses only its last seconds.
 void GameLoop::keepRecording() {
     if (options_.record.empty()) return;
     if (ticks_ % kCheckTicks == 0) recorder_.check(game_.world.hash());
-    const bool isLong = recorder_.replay.runs.size() > kLongRecording;  // writing it takes a while
+    const bool isLong = recorder_.replay.runs.size() > kLongRecording;  // saving it takes long
     if (ticks_ % (isLong ? kSaveTicks * 12 : kSaveTicks) != 0) return;
     if (const auto saved = saveReplay(recorder_.replay, options_.record); !saved)
         logError("Input", saved.error());

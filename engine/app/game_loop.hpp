@@ -17,13 +17,13 @@
 
 namespace plumb {
 
-/// Runs a game in real time in a window, or as fast as it can without one.
+/// Runs a game in real time in a window, or headless as fast as possible.
 class GameLoop {
 public:
-    /// @param screen  null to run headless
+    /// @param screen  null: run headless
     GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName);
 
-    /// Plays until the window closes, the ticks asked for are over or the replay ends.
+    /// Runs until the window is closed, the requested number of ticks is reached or the replay ends.
     /// @return the program's exit code
     int run();
 
@@ -52,7 +52,7 @@ private:
     FramePacer pacer_;
     DeviceState devices_;
     EventLog events_;
-    std::optional<SoundOutput> sounds_;  ///< none headless
+    std::optional<SoundOutput> sounds_;  ///< empty if headless
     PhysicsTimes physicsTimes_;
     std::vector<Event> pending_;
     std::optional<Replay> replay_;
@@ -67,10 +67,10 @@ private:
     bool failed_ = false;
 };
 
-/// The options with which the game of their replay began: its seed, and its scene where none is named.
+/// Returns the options with the seed of their replay file, and its scene if they name none.
 PlayerOptions begunAsRecorded(PlayerOptions options);
 
-/// Files of the outside world that a loop writes: PNG, atomically.
+/// Saves the current image as PNG, atomically.
 Result<Done> saveScreenshot(Screen& screen, const Path& path);
 
 }  // namespace plumb

@@ -6,8 +6,7 @@ namespace {
 
 using physics::Effect;
 
-// Which components call for an effect of the physics. The physics counts its callers by itself; this list is
-// for people to read.
+// Components that request an effect of the physics, for display only: the physics counts the requests itself.
 
 bool falls(const RigidBody& body) { return body.gravityScale != 0.0f; }
 bool turns(const RigidBody& body) { return !body.fixedRotation; }
@@ -61,25 +60,28 @@ constexpr bool kByDefault = true;
 
 std::vector<EffectRow> physicsEffectRows() {
     std::vector<EffectRow> rows;
-    rows.push_back(
-        row<Some<RigidBody, falls>, Rope, Cloth, Jelly>(Effect::Gravity, "Bodies fall.", kByDefault));
-    rows.push_back(row<Some<RigidBody, turns>>(Effect::Rotation, "Bodies turn.", kByDefault));
+    rows.push_back(row<Some<RigidBody, falls>, Rope, Cloth, Jelly>(Effect::Gravity, "Gravity acts on bodies.",
+                                                                   kByDefault));
+    rows.push_back(row<Some<RigidBody, turns>>(Effect::Rotation, "Bodies rotate.", kByDefault));
     rows.push_back(row<Some<BoxCollider, rubs>, Some<CircleCollider, rubs>, Some<CapsuleCollider, rubs>,
                        Some<PolygonCollider, rubs>, Some<ChainCollider, rubs>, Some<TileCollider, tilesRub>>(
-        Effect::Friction, "What touches rubs.", kByDefault));
+        Effect::Friction, "Friction between touching bodies.", kByDefault));
     rows.push_back(
         row<Some<RigidBody, bouncesItself>, Some<BoxCollider, bounces>, Some<CircleCollider, bounces>,
             Some<CapsuleCollider, bounces>, Some<PolygonCollider, bounces>, Some<ChainCollider, bounces>,
-            Some<TileCollider, tilesBounce>>(Effect::Restitution, "What touches bounces off."));
-    rows.push_back(row(Effect::Rolling, "Round things roll out."));
-    rows.push_back(row<Some<RigidBody, slows>>(Effect::Drag, "The air slows bodies."));
+            Some<TileCollider, tilesBounce>>(Effect::Restitution, "Bodies bounce."));
+    rows.push_back(row(Effect::Rolling, "Rolling resistance slows round bodies."));
+    rows.push_back(row<Some<RigidBody, slows>>(Effect::Drag, "Drag slows bodies."));
     rows.push_back(row<RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, WheelJoint, MouseJoint,
-                       MotorJoint, PulleyJoint, GearJoint>(Effect::Joints, "Bodies are tied together."));
+                       MotorJoint, PulleyJoint, GearJoint>(Effect::Joints, "Joints connect bodies."));
     rows.push_back(
         row<Some<RevoluteJoint, hasMotor>, Some<PrismaticJoint, hasMotor>, Some<WheelJoint, hasMotor>>(
-            Effect::Motors, "Joints drive what they tie."));
-    rows.push_back(row<RigidBody>(Effect::Continuous, "Fast bodies pass through nothing.", kByDefault));
-    rows.push_back(row<Some<RigidBody, sleeps>>(Effect::Sleep, "What rests costs nothing.", kByDefault));
+            Effect::Motors, "Motors of joints drive bodies."));
+    rows.push_back(row<RigidBody>(Effect::Continuous,
+                                  "Continuous collision detection: fast bodies do not pass through others.",
+                                  kByDefault));
+    rows.push_back(row<Some<RigidBody, sleeps>>(Effect::Sleep, "Bodies at rest fall asleep and cost no time.",
+                                                kByDefault));
     rows.push_back(
         row<Some<BoxCollider, isSolid>, Some<CircleCollider, isSolid>, Some<CapsuleCollider, isSolid>,
             Some<PolygonCollider, isSolid>, Some<ChainCollider, isSolid>, TileCollider>(
@@ -87,27 +89,28 @@ std::vector<EffectRow> physicsEffectRows() {
     rows.push_back(
         row<Some<BoxCollider, isTrigger>, Some<CircleCollider, isTrigger>, Some<CapsuleCollider, isTrigger>,
             Some<PolygonCollider, isTrigger>, Some<ChainCollider, isTrigger>>(
-            Effect::Triggers, "Colliders notice what is inside them."));
+            Effect::Triggers, "Triggers detect overlapping colliders."));
     rows.push_back(
         row<BoxCollider, CircleCollider, CapsuleCollider, PolygonCollider, ChainCollider, TileCollider>(
-            Effect::ContactEvents, "Systems hear what touches what.", kByDefault));
+            Effect::ContactEvents, "Contacts and overlaps emit events.", kByDefault));
     rows.push_back(
         row<Some<BoxCollider, isOneWay>, Some<CircleCollider, isOneWay>, Some<CapsuleCollider, isOneWay>,
             Some<PolygonCollider, isOneWay>, Some<ChainCollider, isOneWay>>(
-            Effect::OneWay, "Planks let through from below."));
+            Effect::OneWay, "One-way colliders let bodies pass from below."));
     rows.push_back(
         row<Some<BoxCollider, conveys>, Some<CircleCollider, conveys>, Some<CapsuleCollider, conveys>,
             Some<PolygonCollider, conveys>, Some<ChainCollider, conveys>>(Effect::Conveyor,
-                                                                          "Surfaces carry along."));
-    rows.push_back(row<KinematicBody, CharacterBody>(Effect::Kinematics, "Platforms push and carry."));
-    rows.push_back(row<Some<RigidBody, isLocked>>(Effect::Locks, "Bodies keep to a line."));
-    rows.push_back(row<GravityField>(Effect::AreaGravity, "Regions with a gravity of their own."));
+                                                                          "Conveyor surfaces move bodies."));
+    rows.push_back(
+        row<KinematicBody, CharacterBody>(Effect::Kinematics, "Kinematic bodies push and carry others."));
+    rows.push_back(row<Some<RigidBody, isLocked>>(Effect::Locks, "Bodies are locked along an axis."));
+    rows.push_back(row<GravityField>(Effect::AreaGravity, "Regions have their own gravity."));
     rows.push_back(row<WindField>(Effect::Wind, "Wind blows in regions."));
-    rows.push_back(row<BuoyancyField>(Effect::Buoyancy, "Things swim."));
-    rows.push_back(row<Attractor>(Effect::Attractor, "Points pull or push away."));
-    rows.push_back(row<Explosion>(Effect::Explosion, "Blasts throw bodies about."));
-    rows.push_back(row(Effect::Springs, "Springs of game code, integrated with the bodies."));
-    rows.push_back(row<Rope, Cloth, Jelly>(Effect::SoftBodies, "Ropes, cloth and jellies."));
+    rows.push_back(row<BuoyancyField>(Effect::Buoyancy, "Bodies float in fluids."));
+    rows.push_back(row<Attractor>(Effect::Attractor, "Attractors pull bodies or push them away."));
+    rows.push_back(row<Explosion>(Effect::Explosion, "Explosions push bodies away."));
+    rows.push_back(row(Effect::Springs, "Springs made by game code, integrated with the motion of bodies."));
+    rows.push_back(row<Rope, Cloth, Jelly>(Effect::SoftBodies, "Ropes, cloth and jellies are simulated."));
     return rows;
 }
 

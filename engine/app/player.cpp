@@ -32,7 +32,7 @@ ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
     return settings;
 }
 
-/// What the scene is made of, what that calls for, and what it costs.
+/// Prints the components of the scene, the effects they request, and their cost.
 void listEffects(SceneGame& game, const PlayerOptions& options) {
     constexpr int kTicks = 120;
     Profile profile;
@@ -47,8 +47,8 @@ void listEffects(SceneGame& game, const PlayerOptions& options) {
         options.frames > 0 ? static_cast<int>(std::min<std::int64_t>(options.frames, 6000)) : kTicks);
     std::printf("\n%s\n", effectText(report).c_str());
     std::printf(
-        "A tick takes %s us (CPU time, best of 3 times %d ticks without input). \"shared\": part of a\n"
-        "stage of the physics that others need as well. \"saves\": the same ticks played without it.\n",
+        "A tick takes %s us (CPU time, best of 3 runs of %d ticks without input). \"shared\": part of a\n"
+        "stage of the physics that other effects use too. \"saves us\": us/tick saved without the effect.\n",
         fixedText(report.microseconds, 1).c_str(), report.ticks);
 }
 
@@ -74,9 +74,23 @@ int benchmark(const PlayerOptions& options) {
     return 0;
 }
 
+/// True if the folder of the project contains code.
+bool hasCode(const Project& project) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(project.root / "code", ignored);
+}
+
+void reportCode(const Project& project, const Module& code, const std::vector<Error>& problems) {
+    for (const Error& problem : problems) logError("Code", problem);
+    if (hasCode(project) && code.componentTypes().empty() && code.systems().empty())
+        logWarning("Code",
+                   Error{(project.root / "code").generic_string(), "this player does not contain this code",
+                         "use ./plumb play PROJECT, which builds a player with it"});
+}
+
 }  // namespace
 
-int playProject(const PlayerOptions& asked) {
+int playProject(const PlayerOptions& asked, const Module& code) {
     if (asked.benchmark) return benchmark(asked);
     const PlayerOptions options = begunAsRecorded(asked);
     Result<Project> project = loadProject(options.project);
@@ -96,7 +110,10 @@ int playProject(const PlayerOptions& asked) {
         }
         screen = std::move(*opened);
     }
-    SceneGame game{std::move(*project), options.scene, options.seed};
+    std::vector<Error> problems;
+    const GameContent content{code, problems};
+    reportCode(*project, code, problems);
+    SceneGame game{std::move(*project), options.scene, options.seed, content};
     if (screen == nullptr) game.assets.logging = false;
     game.onCreate();
     if (game.failed()) return 1;
@@ -104,9 +121,9 @@ int playProject(const PlayerOptions& asked) {
         listEffects(game, options);
         return 0;
     }
-    const int code = GameLoop{game, screen.get(), options, game.project().name}.run();
-    screen.reset();  // before the assets that its textures came from
-    return code;
+    const int exitCode = GameLoop{game, screen.get(), options, game.project().name}.run();
+    screen.reset();  // before the assets that its textures refer to
+    return exitCode;
 }
 
 }  // namespace plumb

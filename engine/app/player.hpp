@@ -1,11 +1,14 @@
 #pragma once
 
+#include "app/module.hpp"
 #include "app/player_options.hpp"
 
 namespace plumb {
 
-/// What plumb-player does: plays a project, or measures, or lists what a scene calls for.
+/// Runs plumb-player with these options: plays a project,
+/// runs the benchmark, or lists the effects of a scene.
+/// @param code  code of the project that is linked into this program
 /// @return the program's exit code
-int playProject(const PlayerOptions& options);
+int playProject(const PlayerOptions& options, const Module& code);
 
 }  // namespace plumb

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kLargestWindow = 16384;  ///< px a side
+constexpr std::int64_t kLargestWindow = 16384;  ///< px, maximum side of a window
 constexpr std::int64_t kMaxThreads = 64;
 
 using Row = OptionRow<PlayerOptions>;
@@ -74,50 +74,50 @@ bool setPhysicsView(PlayerOptions& options, std::string_view text) {
     return true;
 }
 
-/// Of every game.
+/// Options of every game.
 constexpr std::array kGameOptions{
-    Row{"--headless", "", "no window, no GL, no audio: as fast as it can",
+    Row{"--headless", "", "no window, OpenGL or audio; run as fast as possible",
         [](PlayerOptions& o, std::string_view) { return o.headless = true; }},
-    Row{"--frames", "N", "stop after N ticks; of the benchmark: measure N frames",
+    Row{"--frames", "N", "stop after N ticks; with --benchmark: measure N frames",
         [](PlayerOptions& o, std::string_view v) { return setNumber(v, 0, o.frames); }},
-    Row{"--hash", "", "print the hash of the whole simulation state last",
+    Row{"--hash", "", "print the hash of the whole simulation state at the end",
         [](PlayerOptions& o, std::string_view) { return o.hash = true; }},
-    Row{"--hash-every", "N", "print it every N ticks",
+    Row{"--hash-every", "N", "print the hash every N ticks",
         [](PlayerOptions& o, std::string_view v) { return setNumber(v, 1, o.hashEvery); }},
-    Row{"--screenshot", "FILE.png", "save the last frame",
+    Row{"--screenshot", "FILE.png", "save the last frame as PNG",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.screenshot); }},
-    Row{"--capture", "DIR", "save every frame",
+    Row{"--capture", "DIR", "save every frame as PNG in this folder",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.capture); }},
-    Row{"--record", "FILE", "record the input",
+    Row{"--record", "FILE", "record the input to a file",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.record); }},
-    Row{"--replay", "FILE", "play recorded input",
+    Row{"--replay", "FILE", "replay recorded input",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.replay); }},
-    Row{"--all-effects", "", "run every effect, called for or not, to compare",
+    Row{"--all-effects", "", "run every effect, requested or not, for comparison",
         [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
     Row{"--seed", "N", "seed of the game's random numbers", &setSeed},
-    Row{"--threads", "N", "of the physics, 1..64; otherwise as many as the machine has, up to 8",
+    Row{"--threads", "N", "number of physics threads, 1..64; default: as many as the machine has, up to 8",
         &setThreads},
     Row{"--scale", "N", "window size in multiples of the game's resolution, 1..16", &setScale},
     Row{"--window", "WxH", "window size in px, e.g. 1280x720", &setWindow},
-    Row{"--fullscreen", "", "fill the screen",
+    Row{"--fullscreen", "", "start in fullscreen mode",
         [](PlayerOptions& o, std::string_view) { return o.fullscreen = true; }},
     Row{"--physics-view", "LIST",
-        "show the physics (F3; Ctrl+digit and Ctrl+Shift+digit choose): all, or of "
+        "show physics layers (F3; Ctrl+digit and Ctrl+Shift+digit toggle them): all, or some of "
         "shapes,contacts,normals,impulses,friction,joints,jointForces,velocities,centres,islands,triggers,"
         "fields,sleep,sweeps,bounds,broadPhase,paths,times,counts",
         &setPhysicsView},
-    Row{"--help", "", "this text", [](PlayerOptions& o, std::string_view) { return o.help = true; }},
+    Row{"--help", "", "print this help", [](PlayerOptions& o, std::string_view) { return o.help = true; }},
 };
 
-/// Of the player, which plays projects.
+/// Options of the player, which plays projects.
 constexpr std::array kProjectOptions{
     Row{"--scene", "NAME", "start with this scene",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.scene); }},
-    Row{"--effects", "", "list what the scene calls for, and what it costs",
+    Row{"--effects", "", "list the effects that the scene requests, and their cost",
         [](PlayerOptions& o, std::string_view) { return o.effects = true; }},
     Row{"--benchmark", "", "measure 10,000 moving, colliding, drawn entities",
         [](PlayerOptions& o, std::string_view) { return o.benchmark = true; }},
-    Row{"--entities", "N", "so many in the benchmark, 1..1000000", &setEntities},
+    Row{"--entities", "N", "number of entities in the benchmark, 1..1000000", &setEntities},
 };
 
 constexpr auto kPlayerOptions = [] {
@@ -127,15 +127,15 @@ constexpr auto kPlayerOptions = [] {
     return all;
 }();
 
-/// Pictures are asked for where none are drawn.
+/// Fails if options that need rendered frames are combined with --headless.
 Result<Done> checkPictures(const PlayerOptions& options) {
     const char* asked = !options.screenshot.empty() ? "--screenshot"
                         : !options.capture.empty()  ? "--capture"
                         : options.physicsView.on    ? "--physics-view"
                                                     : nullptr;
     if (!options.headless || asked == nullptr) return Done{};
-    return Error{"command line", format("{} needs pictures, and --headless draws none", asked),
-                 "leave out --headless: without a display the game is drawn into memory"};
+    return Error{"command line", format("{} needs rendered frames, but --headless renders none", asked),
+                 "leave out --headless: without a display the game renders offscreen"};
 }
 
 }  // namespace
@@ -143,14 +143,14 @@ Result<Done> checkPictures(const PlayerOptions& options) {
 Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments) {
     PlayerOptions options;
     bool hasProject = false;
-    const Result<Done> read = readOptions<PlayerOptions>(
-        kPlayerOptions, arguments, options, [&](std::string_view word) -> Result<Done> {
-            if (hasProject)
-                return Error{"command line", format("\"{}\" is a second project", word), "name one project"};
-            options.project = word;
-            hasProject = true;
-            return Done{};
-        });
+    const Result<Done> read = readOptions<
+        PlayerOptions>(kPlayerOptions, arguments, options, [&](std::string_view word) -> Result<Done> {
+        if (hasProject)
+            return Error{"command line", format("\"{}\" is a second project", word), "give one project only"};
+        options.project = word;
+        hasProject = true;
+        return Done{};
+    });
     if (!read) return read.error();
     if (const Result<Done> drawn = checkPictures(options); !drawn) return drawn.error();
     return options;
@@ -164,7 +164,8 @@ Result<PlayerOptions> parseGameOptions(std::span<const char* const> arguments) {
     PlayerOptions options;
     const Result<Done> read = readOptions<PlayerOptions>(
         kGameOptions, arguments, options, [](std::string_view word) -> Result<Done> {
-            return Error{"command line", format("\"{}\" is no option", word), "write --help to see them"};
+            return Error{"command line", format("\"{}\" is not an option", word),
+                         "run with --help to list the options"};
         });
     if (!read) return read.error();
     if (const Result<Done> drawn = checkPictures(options); !drawn) return drawn.error();

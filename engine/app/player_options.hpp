@@ -11,41 +11,43 @@
 
 namespace plumb {
 
-/// What a person asked the player for on its command line.
+/// Command line options of the player.
 struct PlayerOptions {
     std::string project = "projects/platformer";
     std::string scene;           ///< empty: the project's start scene
-    bool headless = false;       ///< no window, no GL, no audio
-    std::int64_t frames = -1;    ///< ticks to play; -1 until closed
-    bool hash = false;           ///< print `hash: …` of the whole state last
-    std::int64_t hashEvery = 0;  ///< print it every so many ticks
-    std::string screenshot;      ///< PNG of the last frame
-    std::string capture;         ///< folder for a PNG of every frame
-    std::string record;
-    std::string replay;
-    bool allEffects = false;  ///< all run, also those that no component calls for
-    bool effects = false;     ///< list what the scene calls for, and what it costs
+    bool headless = false;       ///< no window, OpenGL or audio
+    std::int64_t frames = -1;    ///< number of ticks to play; -1: until closed
+    bool hash = false;           ///< print `hash: …` of the simulation state at the end
+    std::int64_t hashEvery = 0;  ///< print the hash every this many ticks; 0: never
+    std::string screenshot;      ///< path of a PNG file for the last frame
+    std::string capture;         ///< folder for PNG files of every frame
+    std::string record;          ///< path of a file to record input to
+    std::string replay;          ///< path of a file to replay input from
+    bool allEffects = false;     ///< run all effects, requested or not
+    bool effects = false;        ///< list the effects of the scene and their cost
     bool benchmark = false;
-    int entities = 0;  ///< of the benchmark; 0: as many as the seed's table has
+    int entities = 0;  ///< number of entities of the benchmark; 0: default
     std::uint64_t seed = 1;
-    int scale = 0;     ///< window size in multiples of the game's resolution; 0: the project's window
-    int threads = 0;   ///< of the physics; 0: as many as pay
-    PixelSize window;  ///< px; nothing: the project's window
+    int scale = 0;     ///< window size in multiples of the game resolution; 0: the project's window size
+    int threads = 0;   ///< threads of the physics; 0: automatic
+    PixelSize window;  ///< px, window size; empty: the project's window size
     bool fullscreen = false;
-    PhysicsView physicsView;  ///< what of the physics is shown over the game
+    PhysicsView physicsView;  ///< physics debug view shown over the game
     bool help = false;
 };
 
-/// @error an unknown option, a missing or wrong value; the remedy names the closest option
+/// Parses the options of plumb-player.
+/// @error an unknown option, or a missing or invalid value; the remedy suggests the closest option
 Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments);
 
+/// Returns the help text of plumb-player.
 std::string playerUsage();
 
-/// Those of a game in code: all but the options that are about scenes and projects.
-/// @error as parsePlayerOptions; a word that belongs to no option
+/// Parses the options of a game in code: all except those about scenes and projects.
+/// @error as parsePlayerOptions(); also an argument that belongs to no option
 Result<PlayerOptions> parseGameOptions(std::span<const char* const> arguments);
 
-/// @param program  its name
+/// Returns the help text of a game in code. @param program  name of the program
 std::string gameUsage(std::string_view program);
 
 }  // namespace plumb

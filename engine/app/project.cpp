@@ -21,15 +21,15 @@ constexpr std::array<std::pair<std::string_view, WindowScale>, 4> kScalings{
      {"stretch", WindowScale::Stretch},
      {"fill", WindowScale::Fill}}};
 
-/// Reads one object of the file; what is wrong becomes a warning and the default stays.
+/// Reads one JSON object of the file. An invalid value becomes a warning, and the default is kept.
 class Reader {
 public:
     Reader(const Json& json, std::string where, std::vector<Error>& warnings)
         : json_{json}, where_{std::move(where)}, warnings_{warnings} {}
 
     void text(std::string_view key, std::string& value) {
-        if (const Json* found = find(key, "a text", "\"My Game\"", &Json::is_string))
-            value = textOrEmpty(*found);
+        if (const Json* found = find(key, "a string", "\"My Game\"", &Json::is_string))
+            value = stringOrEmpty(*found);
     }
     void flag(std::string_view key, bool& value) {
         if (const Json* found = find(key, "true or false", "true", &Json::is_boolean))
@@ -71,11 +71,11 @@ public:
             if (values.size() == most || !name.is_string()) {
                 warn(key,
                      values.size() == most ? format("has more than {} names", most)
-                                           : format("expected a text, found {}", name.type_name()),
+                                           : format("expected a string, found {}", name.type_name()),
                      "write e.g. [\"ground\", \"player\"]; \"\" leaves one out");
                 return;
             }
-            values.push_back(textOrEmpty(name));
+            values.push_back(stringOrEmpty(name));
         }
     }
     const Json* object(std::string_view key) { return find(key, "an object", "{}", &Json::is_object); }
@@ -137,13 +137,13 @@ Result<Project> loadProject(const Path& path) {
     const Path file = isFolder ? path / "project.json" : path;
     Result<std::string> text = readFile(file);
     if (!text) {
-        // A path that means a file has the ending of one.
+        // A path without extension is meant as a folder.
         const bool noFolder = !isFolder && !path.has_extension() && !std::filesystem::exists(path, failed);
         return Error{file.generic_string(), noFolder ? "there is no such folder" : text.error().what,
                      "name a folder with a project.json in it, e.g. projects/platformer"};
     }
     const Path root = file.has_parent_path() ? file.parent_path() : Path{"."};
-    finishImport(root);  // one that was killed while its files took their places
+    finishImport(root);  // an import that was killed while it moved its files
     return projectFromText(*text, root, "project.json");
 }
 

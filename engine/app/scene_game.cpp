@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/system_order.hpp"
 #include "core/log.hpp"
 #include "gameplay/pause_scene.hpp"
 #include "gameplay/systems/progress_system.hpp"
@@ -21,14 +20,16 @@
 namespace plumb {
 namespace {
 
-/// What a scene leaves behind stays this long: its last sounds are still being heard, and a player that goes
-/// straight back finds it.
+/// Ticks for which unreferenced assets stay loaded after a scene change: its last sounds may still be
+/// playing, and returning to the scene is fast.
 constexpr int kUnloadTicks = 60;
 
 }  // namespace
 
-SceneGame::SceneGame(Project project, std::string firstScene, std::uint64_t seed)
-    : project_{std::move(project)},
+SceneGame::SceneGame(Project project, std::string firstScene, std::uint64_t seed,
+                     const GameContent& gameContent)
+    : Game{gameContent},
+      project_{std::move(project)},
       firstScene_{firstScene.empty() ? project_.startScene : scenePath(firstScene)},
       prefabs_{types, project_.root} {
     assets = AssetStore{project_.root, engineAssets()};
@@ -40,12 +41,13 @@ SceneGame::SceneGame(Project project, std::string firstScene, std::uint64_t seed
     world.resource<PictureSize>().size = {static_cast<float>(project_.width),
                                           static_cast<float>(project_.height)};
     world.resource<PauseScene>().path = {world.texts().add(project_.pauseScene)};
-    addAllSystems(world);
+    world.provide(prefabs_);
+    content.addSystems(world);
 }
 
 void SceneGame::onCreate() {
     if (firstScene_.empty()) {
-        logError("Scene", Error{"project.json", "names no startScene",
+        logError("Scene", Error{"project.json", "\"startScene\" is missing",
                                 "write \"startScene\": \"scenes/title.scene.json\""});
         failed_ = quit_ = true;
         return;
@@ -60,9 +62,9 @@ Result<Done> SceneGame::openScene(std::string_view path) {
     const bool isEdited = !editedPath_.empty() && path == editedPath_;
     const Result<LoadReport> report = switchScene(world, context(), path, isEdited ? &editedText_ : nullptr);
     if (!report) return report.error();
-    if (!isEdited) tell(*report);
+    if (!isEdited) logProblems(*report);
     beginLevel(world);
-    followed_.clear();
+    heldScenes_.clear();
     followAssets();
     storePreviousTransforms(world);
     world.cluster();
@@ -74,7 +76,7 @@ void SceneGame::edit(std::string path, std::string text) {
     editedText_ = std::move(text);
 }
 
-void SceneGame::tell(const LoadReport& report) const {
+void SceneGame::logProblems(const LoadReport& report) const {
     for (const Error& problem : report.problems) {
         logWarning("Scene", problem);
     }
@@ -85,22 +87,23 @@ std::string SceneGame::currentPath() const {
     return loaded == nullptr || loaded->scenes.empty() ? std::string{} : loaded->scenes.front().path;
 }
 
-/// Also after a snapshot was restored: the scenes of the world say what is needed, not the way to them.
+/// Acquires the assets of the world's current scenes. Compares with these instead of reacting to scene
+/// changes, as a restored snapshot can change scenes too.
 void SceneGame::followAssets() {
     const LoadedScenes& loaded = world.resource<LoadedScenes>();
     const bool same =
-        std::equal(loaded.scenes.begin(), loaded.scenes.end(), followed_.begin(), followed_.end(),
+        std::equal(loaded.scenes.begin(), loaded.scenes.end(), heldScenes_.begin(), heldScenes_.end(),
                    [](const LoadedScene& scene, SceneId id) { return scene.id == id; });
     if (same) return;
-    followed_.clear();
-    for (const LoadedScene& scene : loaded.scenes) followed_.push_back(scene.id);
+    heldScenes_.clear();
+    for (const LoadedScene& scene : loaded.scenes) heldScenes_.push_back(scene.id);
     held_.follow(world, types);
-    unloadIn_ = kUnloadTicks;
+    ticksToUnload_ = kUnloadTicks;
 }
 
 void SceneGame::unloadLater() {
-    if (unloadIn_ == 0 || --unloadIn_ > 0) return;
-    held_.follow(world, types);  // what the game itself began to use meanwhile
+    if (ticksToUnload_ == 0 || --ticksToUnload_ > 0) return;
+    held_.follow(world, types);  // assets that game code has used meanwhile
     assets.unloadUnused();
 }
 
@@ -110,7 +113,7 @@ void SceneGame::onAssetsChanged(std::span<const AssetChange> changes) {
         return change.kind == AssetKind::Scene && change.path == textId(current);
     };
     if (std::none_of(changes.begin(), changes.end(), isCurrent)) return;
-    // A file that cannot be read leaves the game as it is.
+    // If the file is invalid, the game continues unchanged.
     const Result<Path> file = assets.resolve(current);
     const Result<std::string> text = file ? readFile(*file) : Result<std::string>{file.error()};
     const Result<Json> json = text ? parseJson(*text, current) : Result<Json>{text.error()};
@@ -146,7 +149,7 @@ void SceneGame::follow(const std::string& path, bool overlay) {
         return;
     }
     const auto opened = openOverlay(world, context(), path);
-    opened ? tell(*opened) : logError("Scene", opened.error());
+    opened ? logProblems(*opened) : logError("Scene", opened.error());
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/game.hpp"
+#include "app/game_content.hpp"
 #include "app/project.hpp"
 #include "scene/files/prefab.hpp"
 #include "scene/files/scene_assets.hpp"
@@ -12,22 +13,26 @@
 
 namespace plumb {
 
-/// A game made of saved scenes: loads the first one and goes where the scenes lead.
+/// A game made of scene files: loads the first scene and performs the scene changes that the scenes request.
 class SceneGame final : public Game {
 public:
-    /// @param firstScene  path in the project; empty for the project's start scene
-    explicit SceneGame(Project project, std::string firstScene = {}, std::uint64_t seed = 1);
+    /// @param firstScene  path of the first scene in the project; empty: the project's start scene
+    explicit SceneGame(Project project, std::string firstScene = {}, std::uint64_t seed = 1,
+                       const GameContent& content = engineContent());
 
     void onCreate() override;
     void onLateUpdate(float dt) override;
     void onAssetsChanged(std::span<const AssetChange> changes) override;
 
-    /// Takes all scenes away and loads this one. Persistent entities stay.
-    /// @error the file cannot be read at all; the scenes before are still there
+    /// Unloads all scenes and loads this one. Persistent entities are kept.
+    /// @error the file cannot be read; the previous scenes are kept, unless the scene is one of them
     Result<Done> openScene(std::string_view path);
-    /// From now on a text stands for the file of one scene, whenever the game goes there: an editor has
-    /// changed it or plays what is not saved. What is wrong with it is not logged.
+    /// Uses this text instead of a scene's file whenever the scene is opened, e.g. for unsaved changes of an
+    /// editor. Errors in it are not logged.
     void edit(std::string path, std::string text);
+
+    /// Reads prefabs again when they are needed next.
+    void reloadPrefabs() { prefabs_.forget(); }
 
     [[nodiscard]] const Project& project() const { return project_; }
     [[nodiscard]] bool quitRequested() const override { return quit_; }
@@ -35,7 +40,7 @@ public:
     [[nodiscard]] SceneContext context() { return {types, &prefabs_, project_.root}; }
 
 private:
-    void tell(const LoadReport& report) const;
+    void logProblems(const LoadReport& report) const;
     [[nodiscard]] std::string currentPath() const;
     void followAssets();
     void unloadLater();
@@ -47,8 +52,8 @@ private:
     std::string editedPath_, editedText_;
     PrefabLibrary prefabs_;
     SceneAssets held_{assets};
-    std::vector<SceneId> followed_;  // the scenes whose assets are held
-    int unloadIn_ = 0;               // ticks until what no scene names is unloaded; 0 for nothing to unload
+    std::vector<SceneId> heldScenes_;  // the scenes whose assets are held
+    int ticksToUnload_ = 0;  // ticks until unreferenced assets are unloaded; 0: no unloading is scheduled
     bool quit_ = false;
     bool failed_ = false;
 };

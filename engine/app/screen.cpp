@@ -12,7 +12,7 @@ namespace plumb {
 
 namespace {
 
-constexpr int kSmoothSamples = 4;  // of each px
+constexpr int kSmoothSamples = 4;  // antialiasing samples per px
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Result<std::unique_ptr<Screen>> Screen::open(const ScreenSettings& settings) {
     Result<std::unique_ptr<GlDevice>> device = GlDevice::create();
     if (!device) return device.error();
     logNote("Engine", "OpenGL 3.3 Core Profile");
-    if (settings.smooth) (*device)->smoothWindow(kSmoothSamples);
+    if (settings.smooth) (*device)->enableMultisampling(kSmoothSamples);
     return std::unique_ptr<Screen>{new Screen{settings, std::move(*opened), std::move(*device)}};
 }
 
@@ -42,10 +42,10 @@ void Screen::clear() {
     device_->clear(Color{0, 0, 0, 255});
 }
 
-/// No effect calls for a picture: there is no device to draw one.
+/// Clears the window. Used while the effect "picture" does not run, so that no renderer is created.
 void Screen::drawNothing() {
     clear();
-    device_->finishWindow();
+    device_->resolveWindow();
     drawCalls_ = 0;
 }
 
@@ -64,7 +64,7 @@ void Screen::draw(const World& world, AssetStore& assets, float alpha, const Phy
     renderer_->renderer().resetCounts();
     if (draws) renderer_->draw(world, settings_.picture, alpha, viewport(), &fillPlaceholders);
     renderer_->drawPhysics(world, physics, renderer_->sceneView(), viewport());
-    device_->finishWindow();
+    device_->resolveWindow();
     drawCalls_ = renderer_->renderer().counts().drawCalls;
 }
 
@@ -79,7 +79,7 @@ void Screen::placeMouse(InputFrame& frame) const {
     if (window.width <= 0 || window.height <= 0) return;
     const Vec2 place{frame.mouse().x * static_cast<float>(drawn.width) / static_cast<float>(window.width),
                      frame.mouse().y * static_cast<float>(drawn.height) / static_cast<float>(window.height)};
-    const Vec2 picture = pictureFromWindow(viewport(), settings_.picture, place);
+    const Vec2 picture = screenFromWindow(viewport(), settings_.picture, place);
     frame.setMouse(picture);
 }
 

@@ -18,31 +18,33 @@ struct ScreenSettings {
     int windowWidth = 1280;  ///< px
     int windowHeight = 720;  ///< px
     bool fullscreen = false;
-    Vec2 picture{1280.0f, 720.0f};  ///< px of the game's own picture
+    Vec2 picture{1280.0f, 720.0f};  ///< px, size of the game image
     WindowScale scaling = WindowScale::Fit;
-    bool smooth = false;  ///< pictures are filtered, edges smoothed
+    bool smooth = false;  ///< linear texture filter and antialiasing
 };
 
-/// The window of a game and what draws into it.
+/// The window of a game and its renderer.
 class Screen {
 public:
-    /// @error no video driver, no OpenGL 3.3
+    /// Opens a window. @error there is no video driver, or no OpenGL 3.3
     static Result<std::unique_ptr<Screen>> open(const ScreenSettings& settings);
 
-    /// Draws the world into the window; `swap` shows it.
-    /// @param physics  what of it is drawn over the scene
+    /// Draws the world to the back buffer; swap() shows it.
+    /// @param physics  physics debug layers to draw over the scene
     void draw(const World& world, AssetStore& assets, float alpha, const PhysicsShown& physics = {});
     void swap() { window_->swap(); }
-    /// What was drawn, before the swap.
+    /// Reads the drawn image; call before swap().
     [[nodiscard]] Image picture();
 
     [[nodiscard]] Window& window() { return *window_; }
     [[nodiscard]] const ScreenSettings& settings() const { return settings_; }
-    /// Where the game's picture is in the window (px).
+    /// Returns the rectangle of the game image in the window (px).
     [[nodiscard]] Viewport viewport() const;
-    /// Turns the place of the mouse from px of the window into px of the picture.
+    /// Converts the mouse position from px of the window to px of the game image.
     void placeMouse(InputFrame& frame) const;
-    [[nodiscard]] std::size_t drawCalls() const { return drawCalls_; }  ///< of the last frame
+    [[nodiscard]] std::size_t drawCalls() const {
+        return drawCalls_;
+    }  ///< number of draw calls of the last frame
 
 private:
     Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device);

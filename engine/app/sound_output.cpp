@@ -15,7 +15,7 @@ void SoundOutput::stopMusic() {
 
 void SoundOutput::listen(const World& world) {
     if (Effects* effects = world.service<Effects>()) {
-        if (mixer_.isOpen() && !std::exchange(counted_, true)) effects->count("sound");
+        if (mixer_.isOpen() && !std::exchange(countedOpen_, true)) effects->count("sound");
         const Pin pin = effects->pinOf(effects->table().find("sound"));
         if (pin == Pin::Off) return stopMusic();
         if (pin == Pin::On) mixer_.open();
@@ -23,7 +23,7 @@ void SoundOutput::listen(const World& world) {
     for (const PlaySound& sound : world.events<PlaySound>()) {
         queue_.add({sound.tick, sound.sound, sound.volume, panOf(world, sound.source)});
     }
-    // An overlay without music of its own keeps that of what it pauses.
+    // If an overlay has no music, that of the scene it pauses continues.
     Entity entity = world.query<const Music>().first();
     if (!entity) entity = world.query<const Music>(withPaused).first();
     if (entity) {

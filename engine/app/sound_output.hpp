@@ -7,17 +7,17 @@
 
 namespace plumb {
 
-/// Makes audible what a world does: its PlaySound events and its Music. Changes nothing in the world. The
-/// device is opened for the first sound, or at once where the effect "sound" is pinned on; pinned off, all is
-/// silent and it stays closed.
+/// Plays the PlaySound events and the Music of a world. Does not change the
+/// world. The audio device is opened for the first sound, or at once if the
+/// effect "sound" is pinned on; if it is pinned off, no sound is played.
 class SoundOutput {
 public:
     explicit SoundOutput(AssetStore& assets, Mixer::OpenDevice open = openAudioDevice)
         : mixer_{assets, std::move(open)} {}
 
-    /// After every tick: gathers what the tick asked for.
+    /// Collects the sounds of a tick. Call after every tick.
     void listen(const World& world);
-    /// Once a frame: plays what was gathered.
+    /// Plays the collected sounds. Call once per frame.
     void play() { mixer_.play(queue_); }
     void setPaused(bool paused) { mixer_.setPaused(paused); }
 
@@ -27,7 +27,7 @@ private:
     Mixer mixer_;
     SoundQueue queue_;
     bool hasMusic_ = false;
-    bool counted_ = false;  // that the device is open
+    bool countedOpen_ = false;  // the opened device was counted as a use of the effect
 };
 
 }  // namespace plumb

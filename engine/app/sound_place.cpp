@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-constexpr float kWidest = 0.8f;  ///< ratio: at the picture's edge; both ears hear all of it
+constexpr float kWidest = 0.8f;  ///< pan at the edge of the view; below 1, so both channels play the sound
 
 }  // namespace
 

@@ -4,7 +4,8 @@
 
 namespace plumb {
 
-/// From where in its scene's picture a sound comes, -1 left .. 1 right; 0 for one without a place.
+/// Returns the stereo position of a sound from its source's position in the view: -1 left .. 1 right; 0 if
+/// the source has no position.
 float panOf(const World& world, EntityId source);
 
 }  // namespace plumb

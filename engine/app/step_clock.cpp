@@ -7,13 +7,13 @@ namespace plumb {
 
 StepClock::Frame StepClock::advance(double seconds, double speed) {
     if (!(seconds > 0.0)) seconds = 0.0;
-    rest_ += std::min(seconds, kLongestFrame) * std::max(speed, 0.0);
-    // A hair early counts as on time: 60 frames of exactly 1/60 s must be 60 ticks in spite of rounding.
+    remainder_ += std::min(seconds, kLongestFrame) * std::max(speed, 0.0);
+    // Tolerance for rounding: 60 frames of exactly 1/60 s must be 60 ticks.
     constexpr double kHair = 1.0e-9;
-    int ticks = static_cast<int>((rest_ + kHair) / kStep);
-    rest_ = std::max(0.0, rest_ - ticks * kStep);
+    int ticks = static_cast<int>((remainder_ + kHair) / kStep);
+    remainder_ = std::max(0.0, remainder_ - ticks * kStep);
     ticks = std::min(ticks, kMostTicks);
-    return {ticks, static_cast<float>(std::min(rest_ / kStep, 1.0))};
+    return {ticks, static_cast<float>(std::min(remainder_ / kStep, 1.0))};
 }
 
 double snappedToRefresh(double seconds, double rate) {

@@ -2,33 +2,32 @@
 
 namespace plumb {
 
-/// Turns the uneven time between frames into whole ticks of 1/60 s and a rest to interpolate by,
-/// so that the simulation is the same at any display rate.
-/// Source: G. Fiedler, "Fix Your Timestep!", 2004.
+/// Converts variable frame times to whole ticks of 1/60 s and a remainder for interpolation, so that the
+/// simulation does not depend on the frame rate. Source: G. Fiedler, "Fix Your Timestep!", 2004.
 class StepClock {
 public:
-    static constexpr double kStep = 1.0 / 60.0;    ///< s of a tick
-    static constexpr double kLongestFrame = 0.25;  ///< s; a longer pause is a hitch, not time to catch up
-    static constexpr int kMostTicks = 15;  ///< a frame; a machine that cannot keep up runs slower instead
+    static constexpr double kStep = 1.0 / 60.0;    ///< s, length of a tick
+    static constexpr double kLongestFrame = 0.25;  ///< s; longer frames are cut to this, not caught up
+    static constexpr int kMostTicks = 15;  ///< maximum number of ticks per frame; slow machines run slower
 
     struct Frame {
-        int ticks = 0;       ///< to simulate now
-        float alpha = 0.0f;  ///< where between the last two ticks to draw (ratio, 0..1)
+        int ticks = 0;       ///< number of ticks to simulate now
+        float alpha = 0.0f;  ///< ratio between the last two ticks at which to draw, 0..1
     };
 
-    /// @param seconds  since the frame before; negative and NaN count as 0
-    /// @param speed    of the game against the clock (ratio; 1 is real time)
+    /// @param seconds  s since the previous frame; negative values and NaN count as 0
+    /// @param speed    speed of the game as a ratio; 1 is real time
     Frame advance(double seconds, double speed = 1.0);
 
-    /// Forgets what was left over: after a pause, a load, or when the window comes back.
-    void reset() { rest_ = 0.0; }
+    /// Discards the remainder, e.g. after a pause or a scene change.
+    void reset() { remainder_ = 0.0; }
 
 private:
-    double rest_ = 0.0;  // s not yet simulated, 0..kStep
+    double remainder_ = 0.0;  // s not yet simulated, 0..kStep
 };
 
-/// The frame time that a display of `rate` Hz must have meant: measured times jitter by fractions of a
-/// millisecond around whole multiples of its period, and a sprite drawn by them would, too.
+/// Rounds a frame time to a multiple of the period of a display with `rate` Hz if it is close to one.
+/// Measured times jitter by fractions of a millisecond, which would make motion jitter too.
 double snappedToRefresh(double seconds, double rate);
 
 }  // namespace plumb

@@ -1,7 +1,6 @@
 #include "app/system_order.hpp"
 
 #include <array>
-#include <vector>
 
 #include "gameplay/systems.hpp"
 #include "scene/systems.hpp"
@@ -14,8 +13,9 @@ constexpr SystemRow row(std::string_view effect) {
     return {S::kName, effect, typeKey<S>, [](World& world) { static_cast<void>(world.addSystem<S>()); }};
 }
 
-// A tick, from top to bottom. What decides comes first, then what moves, then what answers, then what shows.
+// Order of execution in a tick: control, then physics, then reactions to it, then animation and drawing.
 constexpr std::array kSystems{
+    row<TimerSystem>("timers"),
     row<ProgressSystem>("progress"),
     row<MovingPlatformSystem>("moving_platforms"),
     row<PatrolSystem>("patrols"),
@@ -26,7 +26,7 @@ constexpr std::array kSystems{
     row<DetonatorSystem>("detonators"),
     row<SliderSystem>("sliders"),
     row<ExperimentSystem>("experiments"),
-    row<PhysicsSystem>(""),  // its own manifest says which of its stages run
+    row<PhysicsSystem>(""),  // its manifest controls which stages run
     row<GhostSystem>("ghosts"),
     row<PlotSystem>("plots"),
     row<PhysicsCountSystem>("physics_counts"),
@@ -42,6 +42,7 @@ constexpr std::array kSystems{
     row<RespawnSystem>("respawn"),
     row<ShortcutSystem>("shortcuts"),
     row<PauseSystem>("players"),
+    row<TweenSystem>("tweens"),
     row<MotionDecorSystem>("decor"),
     row<CharacterAnimationSystem>("character_animation"),
     row<AnimationSystem>("animation"),
@@ -54,20 +55,5 @@ constexpr std::array kSystems{
 }  // namespace
 
 std::span<const SystemRow> systemTable() { return kSystems; }
-
-void useSystemOrder(World& world) {
-    std::vector<std::string_view> names;
-    for (const SystemRow& system : kSystems) {
-        names.push_back(system.name);
-    }
-    world.setSystemOrder(names);
-}
-
-void addAllSystems(World& world) {
-    useSystemOrder(world);
-    for (const SystemRow& system : kSystems) {
-        system.add(world);
-    }
-}
 
 }  // namespace plumb

@@ -7,21 +7,15 @@
 
 namespace plumb {
 
-/// One row of the table of all systems.
+/// An entry of the table of all systems.
 struct SystemRow {
     std::string_view name;    ///< S::kName
-    std::string_view effect;  ///< for which it runs, of effect_rows.cpp; empty: always
+    std::string_view effect;  ///< name of the effect (effect_rows.cpp) for which it runs; empty: always
     TypeKey (*key)();
     void (*add)(World& world);
 };
 
-/// Every system of the engine in the order in which a tick runs them.
+/// Returns all systems of the engine in their order of execution.
 std::span<const SystemRow> systemTable();
-
-/// Makes the world run its systems in the table's order, those a game adds itself after them.
-void useSystemOrder(World& world);
-
-/// Adds every system of the table, for worlds that are made of scenes.
-void addAllSystems(World& world);
 
 }  // namespace plumb

@@ -14,11 +14,11 @@ namespace {
 
 /// Entities with the same components.
 struct Group {
-    std::uint64_t mask = 0;            ///< of the pools that have a bit of their own
-    std::vector<std::uint64_t> names;  ///< hashes of the names of its components' types, largest first
+    std::uint64_t mask = 0;            ///< bits of its components' pools, without the overflow bit
+    std::vector<std::uint64_t> names;  ///< hashes of the type names of its components, largest first
     std::uint32_t first = 0;           ///< the lowest index of its entities
     std::uint32_t count = 0;
-    std::uint32_t next = 0;  ///< where its next entity goes
+    std::uint32_t next = 0;  ///< position of its next entity in the order
 };
 
 /// The entities of a storage, grouped by which components they have.
@@ -37,7 +37,7 @@ public:
         nameGroups();
     }
 
-    /// All entity indices, group by group.
+    /// Returns the indices of all entities with components, group by group.
     ///
     /// The order of iteration is part of the simulation, so it depends only on the state: on type names and
     /// entity indices. It must not depend on pool numbers, which follow the order of first use: a program
@@ -123,7 +123,7 @@ private:
     const Storage& storage_;
     const EntityRecord* records_;
     std::vector<Group> groups_;
-    std::vector<std::uint32_t> groupOf_;  // by entity index
+    std::vector<std::uint32_t> groupOf_;  // group of each entity index
 };
 
 /// Sorts a pool into the given order; `scratch` is temporary storage for its column. Tags have none.
@@ -138,14 +138,14 @@ void reorder(Pool& pool, const std::vector<std::uint32_t>& order, std::vector<st
         slot.position = to;
         pool.dense[to++] = index;
     }
-    PLUMB_ASSERT(to == pool.count, "a pool and the entity records disagree");
+    PLUMB_ASSERT(to == pool.count, "a pool and the entity records are inconsistent");
     if (stride > 0) std::memcpy(pool.column, scratch.data(), stride * to);
 }
 
 }  // namespace
 
 void Storage::cluster() {
-    PLUMB_ASSERT(iterating_ == 0, "cluster() moves components; call it when no query is running");
+    PLUMB_ASSERT(iterating_ == 0, "cluster() was called inside a loop over a query, but it moves components");
     if (iterating_ != 0) return;
     const std::vector<std::uint32_t> order = Grouping{*this}.order();
     for (const std::unique_ptr<Pool>& pool : pools_) {

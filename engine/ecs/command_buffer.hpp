@@ -22,7 +22,7 @@ public:
     template <class T>
     void remove(EntityId id);
 
-    /// Applies all commands in order, including those that are recorded meanwhile.
+    /// Applies all commands in order, including those that are recorded while it runs.
     void flush(World& world);
     [[nodiscard]] bool empty() const { return commands_.empty(); }
     void clear() {

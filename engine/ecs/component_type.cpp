@@ -28,6 +28,15 @@ KnownTypes& knownTypes() {
     return known;
 }
 
+void describe(ComponentType& type, const TypeInfo& info) {
+    type.info = info;
+    type.name = info.name;
+    type.info.name = type.name;
+    type.nameHash = hashText(type.name);
+    type.namesTiles = std::any_of(info.fields.begin(), info.fields.end(),
+                                  [](const FieldInfo& field) { return field.kind == FieldKind::Tiles; });
+}
+
 }  // namespace
 
 const ComponentType& componentTypeOf(const TypeInfo& info) {
@@ -35,13 +44,17 @@ const ComponentType& componentTypeOf(const TypeInfo& info) {
     const std::lock_guard lock{known.mutex};
     if (const ComponentType* type = known.find(info.key)) return *type;
     ComponentType& type = known.types.emplace_back();
-    type.info = info;
-    type.name = info.name;
-    type.info.name = type.name;
-    type.nameHash = hashText(type.name);
-    type.namesTiles = std::any_of(info.fields.begin(), info.fields.end(),
-                                  [](const FieldInfo& field) { return field.kind == FieldKind::Tiles; });
+    describe(type, info);
     return type;
+}
+
+const ComponentType& updateComponentType(const TypeInfo& info) {
+    KnownTypes& known = knownTypes();
+    const std::lock_guard lock{known.mutex};
+    ComponentType* const type = known.find(info.key);
+    ComponentType& updated = type != nullptr ? *type : known.types.emplace_back();
+    describe(updated, info);
+    return updated;
 }
 
 const ComponentType* findComponentType(TypeKey key) {
@@ -90,7 +103,7 @@ void hashField(Hasher& hasher, const FieldInfo& field, const void* component) {
         hashValue(hasher, field.kind, at, field.size);
         return;
     }
-    const std::uint32_t count = *field.listCount(const_cast<void*>(at));
+    const std::uint32_t count = field.countOf(at);
     hasher.add(std::uint64_t{count});
     for (std::uint32_t i = 0; i < count && i < field.capacity; ++i) {
         hashValue(hasher, field.element, static_cast<const std::byte*>(at) + i * field.elementSize,

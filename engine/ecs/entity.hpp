@@ -9,7 +9,7 @@ namespace plumb {
 class World;
 
 /// A handle to an entity of a world: small, copyable, and checked. The handle of a destroyed entity
-/// stays invalid: alive() is false, find() returns nullptr, and get() reports what is wrong.
+/// stays invalid: alive() is false, find() returns nullptr, and get() reports an error.
 /// The functions are defined in ecs/world.hpp.
 class Entity {
 public:
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] World& world() const { return *world_; }
 
     friend bool operator==(Entity a, Entity b) { return a.world_ == b.world_ && a.id_ == b.id_; }
-    /// By index, then generation: an order that does not depend on addresses.
+    /// Orders by index, then by generation: independent of addresses.
     friend std::strong_ordering operator<=>(Entity a, Entity b) { return a.id_ <=> b.id_; }
 
 private:

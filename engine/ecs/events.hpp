@@ -17,12 +17,18 @@ public:
     void emit(E event) {
         listOf<E>().events.push_back(std::move(event));
     }
-    /// In the order of emission. Valid until the next event of this type is emitted.
+    /// The events of a type in the order of emission. Valid until the next event of this type is emitted.
     template <class E>
     [[nodiscard]] std::span<const E> of() const {
         const TypeKey key = typeKey<E>();
         if (key >= lists_.size() || lists_[key] == nullptr) return {};
         return static_cast<const ListOf<E>&>(*lists_[key]).events;
+    }
+    /// Removes the lists of types for which isReloadable() holds.
+    void dropReloadable() {
+        for (TypeKey key = 0; key < lists_.size(); ++key) {
+            if (isReloadable(key)) lists_[key].reset();
+        }
     }
     void clear() {
         for (const std::unique_ptr<List>& list : lists_) {
@@ -49,7 +55,7 @@ private:
         return static_cast<ListOf<E>&>(*lists_[key]);
     }
 
-    std::vector<std::unique_ptr<List>> lists_;  // by key
+    std::vector<std::unique_ptr<List>> lists_;  // indexed by TypeKey
 };
 
 }  // namespace plumb

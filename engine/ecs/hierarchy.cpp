@@ -4,7 +4,7 @@ namespace plumb {
 
 namespace {
 
-/// Takes a child out of its parent's list; its Parent component stays for the caller.
+/// Removes a child from its parent's list; the caller has to remove or replace its Parent component.
 void unlink(World& world, const Parent& link) {
     if (Parent* previous = world.find<Parent>(link.previous)) previous->next = link.next;
     if (Parent* next = world.find<Parent>(link.next)) next->previous = link.previous;
@@ -75,7 +75,7 @@ std::size_t ChildList::size() const {
 
 void leaveFamily(World& world, EntityId id) {
     while (const Children* family = world.find<const Children>(id)) {
-        world.destroy(family->first);  // its own leaveFamily takes it from the list
+        world.destroy(family->first);  // its leaveFamily() removes it from the list
     }
     if (const Parent* link = world.find<const Parent>(id)) {
         unlink(world, Parent{*link});

@@ -15,8 +15,8 @@ struct Parent {
     EntityId next;      ///< the sibling after; empty for the last
 
     static void describe(TypeBuilder<Parent>& type) {
-        type.name("Parent").doc("Moves with another entity, and is destroyed with it.");
-        type.field<&Parent::entity>("entity").doc("the parent");
+        type.name("Parent").doc("Parent of the entity, which moves and is destroyed with its parent.");
+        type.field<&Parent::entity>("entity").doc("The parent entity.");
         type.field<&Parent::previous>("previous").transient();
         type.field<&Parent::next>("next").transient();
     }
@@ -44,7 +44,7 @@ bool setParent(World& world, EntityId child, EntityId parent);
 [[nodiscard]] Entity parentOf(World& world, EntityId child);
 [[nodiscard]] EntityId parentOf(const World& world, EntityId child);
 
-/// Whether `ancestor` is a parent of `entity`, or of its parent, and so on.
+/// True if `ancestor` is the parent of `entity`, or of its parent, and so on.
 [[nodiscard]] bool isAncestor(const World& world, EntityId ancestor, EntityId entity);
 
 /// The children in order, for range-for: `for (Entity child : childrenOf(world, parent))`.

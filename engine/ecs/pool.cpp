@@ -34,8 +34,7 @@ Pool::Pool(const ComponentType& componentType, std::uint32_t bitOrdinal, std::ui
         memory_ = AddressRange{columnAt_ + rounded(std::size_t{limit_} * stride)};
         if (memory_.ok()) break;
     }
-    if (!memory_.ok())
-        failAssertion("the system has no addresses left for a component pool", __FILE__, __LINE__);
+    if (!memory_.ok()) failAssertion("not enough address space for a component pool", __FILE__, __LINE__);
     memory_.commit(0, sparseAt_);
     stamps = reinterpret_cast<std::uint64_t*>(memory_.start() + colour(ordinal * 4));
     sparse = reinterpret_cast<Slot*>(memory_.start() + sparseAt_ + colour(ordinal * 4 + 1));
@@ -45,7 +44,7 @@ Pool::Pool(const ComponentType& componentType, std::uint32_t bitOrdinal, std::ui
 
 void Pool::reserve(std::uint32_t positions, std::uint32_t index) {
     if (positions > limit_ || index >= limit_) {
-        failAssertion("a world is full: it holds more entities than a pool has addresses for", __FILE__,
+        failAssertion("too many entities: the address space of a component pool is used up", __FILE__,
                       __LINE__);
     }
     const auto steps = [this](std::uint32_t from, std::uint32_t wanted) {
@@ -63,7 +62,7 @@ void Pool::reserve(std::uint32_t positions, std::uint32_t index) {
         indexCapacity = steps(indexCapacity, index + 1);
         given = memory_.commit(sparseAt_, kColourSpan + indexCapacity * sizeof(Slot)) && given;
     }
-    if (!given) failAssertion("the memory is used up", __FILE__, __LINE__);
+    if (!given) failAssertion("out of memory", __FILE__, __LINE__);
 }
 
 void Pool::grow(std::uint32_t index) { reserve(count + 1, index); }

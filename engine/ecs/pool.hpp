@@ -11,14 +11,14 @@
 
 namespace plumb {
 
-/// Where a pool keeps the component of one entity. `check` is the inverted generation of the entity:
+/// The position of one entity's component in a pool. `check` is the inverted generation of the entity:
 /// a fresh page of zeros means "no component", and one load checks both presence and generation.
 struct Slot {
     std::uint32_t check = 0;
     std::uint32_t position = 0;
 };
 
-/// Changes are tracked per block of this many components, which has no measurable cost.
+/// Changes are tracked per block of 2^kStampShift components, which has no measurable cost.
 inline constexpr std::uint32_t kStampShift = 8;
 
 /// All components of one type: a sparse array from entity to position, the entities in order
@@ -34,12 +34,12 @@ struct Pool {
     Slot* sparse = nullptr;
     std::uint32_t* dense = nullptr;
     std::byte* column = nullptr;
-    std::uint64_t* stamps = nullptr;  ///< per block: when it was last written
+    std::uint64_t* stamps = nullptr;  ///< per block: clock of the last write
     std::uint32_t count = 0;          ///< positions in use, including holes
     std::uint32_t stride = 0;         ///< bytes; 0 for tags
     std::uint32_t capacity = 0;       ///< positions for which memory is committed
     std::uint32_t indexCapacity = 0;  ///< entities for which the sparse array is committed
-    std::uint64_t version = 1;        ///< with `count` in changes()
+    std::uint64_t version = 1;        ///< see changes()
     std::uint64_t bit = 0;            ///< in EntityRecord::mask; types beyond the 63rd share the overflow bit
     std::uint32_t ordinal = 0;
     std::uint32_t disorder = 0;  ///< changes since the last clustering
@@ -50,19 +50,19 @@ struct Pool {
         const Slot* const slots = sparse;  // read before any branch, so that loops load it only once
         return id.index < indexCapacity && slots[id.index].check == ~id.generation;
     }
-    /// Whether any entity at this index has one.
+    /// True if an entity with this index, of any generation, has this component.
     [[nodiscard]] bool holds(std::uint32_t index) const {
         return index < indexCapacity && sparse[index].check != 0;
     }
-    /// Increases with every change of which entity is at which position. Adding raises `count`,
-    /// so it need not write the version too; whatever lowers `count` raises the version by more.
+    /// Increases whenever the entity at any position changes. Adding increases `count`, so it does not
+    /// have to write `version`; functions that decrease `count` increase `version` by more.
     [[nodiscard]] std::uint64_t changes() const { return version + count; }
     [[nodiscard]] std::uint32_t size() const { return count - static_cast<std::uint32_t>(holes.size()); }
     [[nodiscard]] std::byte* at(std::uint32_t position) const {
         return column + std::size_t{stride} * position;
     }
 
-    /// Makes sure that an entity with this index can be appended.
+    /// Allocates memory if necessary, so that an entity with this index can be appended.
     void makeRoom(std::uint32_t index) {
         if (count == capacity || index >= indexCapacity) [[unlikely]]
             grow(index);
@@ -78,7 +78,7 @@ struct Pool {
         return position;
     }
 
-    /// Removes the component and moves the last one into its place.
+    /// Removes the component and moves the last one to its position.
     [[gnu::always_inline]] void erase(std::uint32_t index, std::uint32_t bytes, std::uint64_t clock) {
         const std::uint32_t position = sparse[index].position;
         const std::uint32_t last = --count;

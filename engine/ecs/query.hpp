@@ -12,13 +12,13 @@
 
 namespace plumb {
 
-/// In a query: only entities that have all of these as well, `query<A>(with<B, Tag>)`.
+/// Query filter: only entities that also have all of these types, `query<A>(with<B, Tag>)`.
 template <class... T>
 struct With {};
 template <class... T>
 inline constexpr With<T...> with{};
 
-/// In a query: only entities that have none of these, `query<A>(without<B, C>)`.
+/// Query filter: only entities that have none of these types, `query<A>(without<B, C>)`.
 template <class... T>
 struct Without {};
 template <class... T>
@@ -32,7 +32,7 @@ inline const std::uint32_t kQueryKey = nextQueryKey();
 template <class T>
 inline std::remove_const_t<T> kTagInstance{};
 
-/// The column of a query; a tag has nothing to advance.
+/// Returns item `i` of a column; for a tag, the shared instance.
 template <class T>
 T& itemOf(T* column, std::size_t i) {
     if constexpr (kIsTag<T>) {
@@ -57,8 +57,8 @@ T* advanced(T* column, std::uint32_t by) {
     return kIsTag<T> ? column : column + by;
 }
 
-/// The elements of a range-for over a query: the entity and its components.
-/// Its destructor keeps compilers from warning about unused variables in loops that only count.
+/// The element type of a range-for over a query: an entity and its components.
+/// The destructor keeps compilers from warning about unused variables in loops that only count.
 template <class... T>
 struct Row : std::tuple<Entity, T&...> {
     using std::tuple<Entity, T&...>::tuple;
@@ -133,8 +133,8 @@ private:
                 {advanced(columnOf<T>(*cache.included[I]), run[I])...}};
     }
 
-    /// Loads all columns at once before the loop: a call
-    /// inside it would make compilers reload registers.
+    /// Marks all non-const columns as written, before the loop:
+    /// a call inside it would make compilers reload registers.
     template <std::size_t... I>
     [[gnu::noinline]] static void stampAll(const QueryCache& cache, std::uint64_t clock,
                                            std::index_sequence<I...>) {
@@ -229,7 +229,7 @@ public:
 private:
     using Columns = std::index_sequence_for<T...>;
 
-    /// Guard for an iteration, which ends with its scope.
+    /// Scope guard: the iteration ends with its lifetime.
     struct Loop {
         explicit Loop(const Query& query)
             : storage{query.storage_},
@@ -277,7 +277,7 @@ private:
             return length;
         }
     }
-    /// @return how many were visited before the world changed during the loop
+    /// @return number of entities visited, up to the one whose visit changed the world
     template <class F>
     static std::uint32_t plainLoop(F& f, const std::uint64_t& structure, std::uint32_t length,
                                    T* __restrict... items) {
@@ -338,8 +338,8 @@ QueryCache& queryCache(Storage& storage, Filters... filters) {
         addTerms(With<std::remove_const_t<T>...>{}, storage, cache);
         cache.columns = sizeof...(T);
         (addTerms(filters, storage, cache), ...);
-        constexpr bool kSaysItself = (kNamesPaused<T> || ...) || (kNamesPaused<Filters> || ...);
-        if constexpr (!kSaysItself) cache.excluded.push_back(&storage.pool<Paused>());
+        constexpr bool kHasPausedTerm = (kNamesPaused<T> || ...) || (kNamesPaused<Filters> || ...);
+        if constexpr (!kHasPausedTerm) cache.excluded.push_back(&storage.pool<Paused>());
         cache.prepare();
     }
     return cache;

@@ -10,7 +10,7 @@ namespace plumb {
 
 namespace {
 
-/// Length of the common prefix of two arrays, at the speed of memcmp.
+/// Returns the length of the common prefix of two arrays, as fast as memcmp.
 std::uint32_t commonPrefix(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t n) {
     constexpr std::uint32_t kStep = 32;
     std::uint32_t i = 0;
@@ -106,7 +106,7 @@ void QueryCache::buildRuns(const EntityRecord* records, const Pool& lead) {
 }
 
 /// Writes one tuple of positions per match, without branches.
-/// @return false if the matches are consecutive: then runs are better
+/// @return false if most matches are consecutive: then runs are faster
 template <std::uint32_t N>
 bool QueryCache::buildIndex(const EntityRecord* records, const Pool& lead) {
     const std::uint32_t* dense = lead.dense;

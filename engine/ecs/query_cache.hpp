@@ -17,16 +17,16 @@ struct EntityRecord {
 /// The cached result of a query: runs of entities that are consecutive in all of its
 /// columns, so that the inner loop is a plain one. Valid while no pool of the query changes.
 struct QueryCache {
-    std::vector<Pool*> included;  ///< the columns of the query first, then those that are only required
+    std::vector<Pool*> included;  ///< the pools of the columns first, then pools that are only required
     std::vector<Pool*> excluded;
-    std::uint32_t columns = 0;  ///< how many of `included` are columns
+    std::uint32_t columns = 0;  ///< number of pools in `included` that are columns
     bool prepared = false;      ///< the pools above have been filled in
 
     /// Per run: the first position in each column, then the length. If
     /// `indexed`, every run is a single entity and the length is omitted.
     std::vector<std::uint32_t> runs;
     bool indexed = false;
-    std::uint32_t total = 0;  ///< entities
+    std::uint32_t total = 0;  ///< number of entities
     std::uint32_t users = 0;  ///< loops that currently read `runs`
 
     [[nodiscard]] std::uint32_t step() const { return indexed ? columns : columns + 1; }
@@ -48,7 +48,7 @@ struct QueryCache {
         return matches(records, index);
     }
 
-    /// Another cache of the same query, for a nested loop after the world changed.
+    /// Returns another cache of the same query, for a nested loop after the world changed.
     QueryCache& spare();
     /// Computes the masks, once the pools are known or were renumbered.
     void prepare();
@@ -79,7 +79,7 @@ private:
     bool masked_ = false;  // the masks are sufficient: no pool of the query is beyond the 63rd
     std::uint64_t need_ = 0;
     std::uint64_t care_ = 0;
-    std::uint64_t version_ = 0;  // of the pools when `runs` was computed
+    std::uint64_t version_ = 0;  // poolChanges() when `runs` was computed
     std::unique_ptr<QueryCache> spare_;
     std::vector<std::uint32_t> scratch_;
 };

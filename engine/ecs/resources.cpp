@@ -36,6 +36,10 @@ void Resources::assign(const Resources& other) {
     }
 }
 
+void Resources::dropReloadable() {
+    std::erase_if(boxes_, [](const std::unique_ptr<Box>& box) { return isReloadable(box->key); });
+}
+
 void Resources::addTo(Hasher& hasher) const {
     for (const std::unique_ptr<Box>& box : boxes_) {
         if (box->present) box->addTo(hasher);

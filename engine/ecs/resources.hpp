@@ -17,7 +17,7 @@ concept AddsToHash = requires(const T& value, Hasher& hasher) {
     value.addTo(hasher);
 };
 
-/// One value per type, for data that a world has once. Part of snapshots; hashed if T has `addTo`.
+/// One value per type, for data that exists once per world. Part of snapshots; hashed if T has `addTo`.
 class Resources {
 public:
     Resources() = default;
@@ -40,9 +40,11 @@ public:
         return box != nullptr && box->present ? &static_cast<BoxOf<T>*>(box)->value : nullptr;
     }
 
-    /// Copies all values of the other; values that it lacks are reset to their defaults.
+    /// Copies all values of `other`; values missing there are reset to their defaults.
     void assign(const Resources& other);
     void addTo(Hasher& hasher) const;
+    /// Removes the values of types for which isReloadable() holds.
+    void dropReloadable();
 
 private:
     struct Box {
@@ -78,7 +80,7 @@ private:
     [[nodiscard]] Box* find(TypeKey key) const;
     Box& insert(std::unique_ptr<Box> box);
 
-    std::vector<std::unique_ptr<Box>> boxes_;  // by hash of name
+    std::vector<std::unique_ptr<Box>> boxes_;  // sorted by hash of name
 };
 
 }  // namespace plumb

@@ -16,9 +16,13 @@ Schedule::Box* Schedule::find(TypeKey key) const {
 }
 
 void Schedule::insert(std::unique_ptr<Box> box) {
-    box->added = boxes_.size();
+    box->added = added_++;
     boxes_.push_back(std::move(box));
     sort();
+}
+
+void Schedule::remove(TypeKey key) {
+    std::erase_if(boxes_, [key](const std::unique_ptr<Box>& box) { return box->key == key; });
 }
 
 void Schedule::setOrder(std::span<const std::string_view> names) {
@@ -47,7 +51,7 @@ void Schedule::run(World& world, float dt, Profile* profile) const {
     SystemGates* const gates = world.service<SystemGates>();
     // By index, because a system may add another one, which then runs if it comes later in the order.
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-        if (gates != nullptr && !gates->admits(world, i, boxes_[i]->key)) continue;
+        if (gates != nullptr && !gates->shouldRun(world, i, boxes_[i]->key)) continue;
         const ProfileScope scope{profile, boxes_[i]->name};
         boxes_[i]->update(world, dt);
         world.commands().flush(world);

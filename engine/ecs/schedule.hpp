@@ -24,7 +24,7 @@ concept NamedSystem = requires {
 /// The systems of a world, in the order in which they run.
 class Schedule {
 public:
-    /// Adds a system; if there is one of the same type already, returns that.
+    /// Adds a system; if there is one of the same type already, returns it.
     template <class S, class... Arguments>
     S& add(Arguments&&... arguments) {
         if (S* known = find<S>()) return *known;
@@ -38,6 +38,9 @@ public:
         Box* box = find(typeKey<S>());
         return box != nullptr ? &static_cast<BoxOf<S>*>(box)->system : nullptr;
     }
+
+    /// Removes the system of this type; does nothing if there is none.
+    void remove(TypeKey key);
 
     /// Systems named here run in this order, the others after them in the order in which they were added.
     void setOrder(std::span<const std::string_view> names);
@@ -78,6 +81,7 @@ private:
 
     std::vector<std::unique_ptr<Box>> boxes_;
     std::vector<std::string> order_;
+    std::size_t added_ = 0;  // number of systems that were ever added
 };
 
 }  // namespace plumb

@@ -10,7 +10,7 @@
 namespace plumb {
 
 void Storage::save(StorageImage& image) const {
-    PLUMB_ASSERT(iterating_ == 0, "a snapshot is taken between loops, not inside one");
+    PLUMB_ASSERT(iterating_ == 0, "save() was called inside a loop over a query");
     image.used = used_;
     image.freeCount = freeCount_;
     image.retired = retired_;
@@ -30,21 +30,21 @@ void Storage::save(StorageImage& image) const {
     }
 }
 
-/// The masks in the records depend on the pool numbers at the time of the save: restores these.
+/// Restores the pool numbers of the time of the save, because the masks in the records depend on them.
 void Storage::adoptPoolOrder(const StorageImage& image) {
     bool same = image.pools.size() <= pools_.size();
     for (std::size_t i = 0; same && i < image.pools.size(); ++i)
         same = image.pools[i].type == pools_[i]->type;
     if (same) return;
     for (const StorageImage::PoolImage& saved : image.pools) pool(saved.type->info);
-    const auto placeOf = [&image](const std::unique_ptr<Pool>& pool) {
+    const auto savedIndexOf = [&image](const std::unique_ptr<Pool>& pool) {
         const auto at =
             std::find_if(image.pools.begin(), image.pools.end(),
                          [&](const StorageImage::PoolImage& saved) { return saved.type == pool->type; });
         return at - image.pools.begin();
     };
     std::stable_sort(pools_.begin(), pools_.end(),
-                     [&](const auto& a, const auto& b) { return placeOf(a) < placeOf(b); });
+                     [&](const auto& a, const auto& b) { return savedIndexOf(a) < savedIndexOf(b); });
     for (std::uint32_t i = 0; i < pools_.size(); ++i) {
         pools_[i]->ordinal = i;
         pools_[i]->bit = std::uint64_t{1} << std::min(i, 63u);
@@ -56,7 +56,7 @@ void Storage::adoptPoolOrder(const StorageImage& image) {
 }
 
 void Storage::restore(const StorageImage& image) {
-    PLUMB_ASSERT(iterating_ == 0, "a snapshot is restored between loops, not inside one");
+    PLUMB_ASSERT(iterating_ == 0, "restore() was called inside a loop over a query");
     if (iterating_ != 0) return;
     adoptPoolOrder(image);
     noteAllLosses();

@@ -51,7 +51,7 @@ struct StorageImage {
     std::uint32_t used = 0;
     std::uint32_t freeCount = 0;
     std::uint32_t retired = 0;
-    std::vector<PoolImage> pools;  ///< by ordinal
+    std::vector<PoolImage> pools;  ///< indexed by Pool::ordinal
     ByteBuffer bytes;              ///< the records, the free indices, then entities and column of each pool
 };
 

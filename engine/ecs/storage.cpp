@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "core/assert.hpp"
 
@@ -11,11 +12,11 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kFirstRecords = 1u << 14;
-/// The last generation of a dead entity: then the index is retired, because its ids would repeat.
+/// The last generation of an index: then the index is not used again, because its ids would repeat.
 constexpr std::uint32_t kLastGeneration = 0xfffffffeu;
 
-/// The number of entities for which a world reserves address space. If the address space of the
-/// process is limited, all pools take about a quarter of it: 64 types with 64 bytes per entity.
+/// The number of entities for which a world reserves address space. If the address space of the process
+/// is limited, all pools together take about a quarter of it, assuming 64 types with 64 bytes per entity.
 std::uint32_t roomOfWorld() {
     constexpr std::size_t kBytes = std::size_t{64} * 64, kMaximum = kAddressesAreFree ? 1u << 22 : 1u << 16;
     return static_cast<std::uint32_t>(
@@ -28,8 +29,7 @@ Storage::Storage()
     : byKey_(kMaxTypes, &emptyPool_),
       maxEntities_{roomOfWorld()},
       recordMemory_{maxEntities_ * (sizeof(EntityRecord) + sizeof(std::uint32_t))} {
-    if (!recordMemory_.ok())
-        failAssertion("the system has no addresses left for a world", __FILE__, __LINE__);
+    if (!recordMemory_.ok()) failAssertion("not enough address space for a world", __FILE__, __LINE__);
     records_ = reinterpret_cast<EntityRecord*>(recordMemory_.start());
     free_ = reinterpret_cast<std::uint32_t*>(recordMemory_.start() + maxEntities_ * sizeof(EntityRecord));
     growRecords(1);
@@ -38,14 +38,14 @@ Storage::Storage()
 
 void Storage::growRecords(std::uint32_t count) {
     if (count > maxEntities_)
-        failAssertion("a world is full: it holds too many entities", __FILE__, __LINE__);
+        failAssertion("too many entities: the address space of the world is used up", __FILE__, __LINE__);
     std::uint32_t capacity = std::max(recordCapacity_, kFirstRecords);
     while (capacity < count) capacity *= 4;
     recordCapacity_ = std::min(capacity, maxEntities_);
     losses_.resize((recordCapacity_ >> kStampShift) + 1);
     if (!recordMemory_.commit(0, recordCapacity_ * sizeof(EntityRecord)) ||
         !recordMemory_.commit(maxEntities_ * sizeof(EntityRecord), recordCapacity_ * sizeof(std::uint32_t))) {
-        failAssertion("the memory is used up", __FILE__, __LINE__);
+        failAssertion("out of memory", __FILE__, __LINE__);
     }
 }
 
@@ -134,7 +134,7 @@ void Storage::clear() {
     }
     noteAllLosses();
     const bool mayBeWorn = endAllLives();
-    // Lowest index on top, so that a cleared world gives out indices in the same order as a new one.
+    // Lowest index on top, so that a cleared world assigns indices in the same order as a new one.
     freeCount_ = used_;
     for (std::uint32_t i = 0; i < used_; ++i) free_[i] = used_ - i;
     if (mayBeWorn) {
@@ -144,7 +144,7 @@ void Storage::clear() {
     retired_ = used_ - freeCount_;
 }
 
-/// @return true if some generation is so high that it needs a check
+/// Ends all entities. @return true if some generations are so high that they need a check
 bool Storage::endAllLives() {
     EntityRecord* const records = records_;
     const std::uint32_t used = used_;
@@ -164,6 +164,13 @@ Pool& Storage::makePool(const ComponentType& type) {
     byKey_[key] = pools_.back().get();
     findWatched();
     return *pools_.back();
+}
+
+void Storage::renew(Pool& pool, const ComponentType& type) {
+    PLUMB_ASSERT(pool.count == 0 && iterating_ == 0, "only an empty pool can change its layout");
+    Pool renewed{type, pool.ordinal, maxEntities_};
+    renewed.version = pool.version + 1;  // caches of queries are stale
+    pool = std::move(renewed);
 }
 
 void Storage::findWatched() {

@@ -37,10 +37,10 @@ public:
         }
         return {index, ++records_[index].generation};
     }
-    /// Takes unused consecutive indices for all of `ids`.
+    /// Creates an entity for each of `ids`, with consecutive indices that were never used before.
     void createFresh(std::span<EntityId> ids, std::uint64_t mask);
     [[nodiscard]] bool alive(EntityId id) const {
-        // Only odd generations are given out; those of dead entities are even.
+        // The generations of living entities are odd, those of destroyed ones even.
         return id.index <= used_ && records_[id.index].generation == id.generation;
     }
     /// @pre alive(id)
@@ -49,11 +49,11 @@ public:
     [[nodiscard]] std::uint32_t entityCount() const { return used_ - freeCount_ - retired_; }
     [[nodiscard]] std::uint32_t usedIndices() const { return used_; }
     [[nodiscard]] const EntityRecord* records() const { return records_; }
-    /// True if it has a component of a type that was passed to watch().
+    /// True if the entity has a component of a type that was passed to watch().
     [[nodiscard]] bool watched(EntityId id) const { return (records_[id.index].mask & watchedMask_) != 0; }
-    /// Destroying an entity with a component of this type needs special handling by the caller.
+    /// Marks a type: the caller of destroy() must handle entities with such a component specially.
     void watch(TypeKey key) { watchedKeys_.push_back(key); }
-    /// Whether the entity at a used index is alive. @pre 0 < index <= usedIndices()
+    /// True if the entity at a used index is alive. @pre 0 < index <= usedIndices()
     [[nodiscard]] bool livesAt(std::uint32_t index) const { return (records_[index].generation & 1u) != 0; }
     [[nodiscard]] EntityId idAt(std::uint32_t index) const { return {index, records_[index].generation}; }
 
@@ -75,15 +75,18 @@ public:
         Pool* known = findPool(info.key);
         return known != nullptr ? *known : makePool(componentTypeOf(info));
     }
+    /// Makes an empty pool one of components with another layout, after their description was changed.
+    /// @pre no component is left in it, and no loop runs
+    void renew(Pool& pool, const ComponentType& type);
     [[nodiscard]] std::span<const std::unique_ptr<Pool>> pools() const { return pools_; }
 
-    /// True if append() may be called right away: the entity is alive and has none, and there is room.
+    /// True if append() may be called: the entity is alive, has no such component, and there is room.
     [[nodiscard]] bool canAppend(const Pool& pool, EntityId id) const {
         // Records are committed in the same steps as the sparse arrays, so one check covers both.
         return pool.count != pool.capacity && id.index < pool.indexCapacity &&
                records_[id.index].generation == id.generation && pool.sparse[id.index].check == 0;
     }
-    /// A position for a new component. @pre canAppend(pool, id)
+    /// Appends a position for a new component and returns it. @pre canAppend(pool, id)
     [[gnu::always_inline]] std::uint32_t append(Pool& pool, EntityId id) {
         records_[id.index].mask |= pool.bit;
         if (iterating_ != 0) [[unlikely]]
@@ -123,13 +126,13 @@ public:
         if (--iterating_ == 0 && holes_) compact();
     }
     [[nodiscard]] bool iterating() const { return iterating_ != 0; }
-    /// Counts added and removed components during iteration, for loops that must detect them.
+    /// Number of components added or removed during iteration, for loops that must detect such changes.
     [[nodiscard]] const std::uint64_t& structure() const { return structure_; }
 
     // changes
 
     [[nodiscard]] std::uint64_t clock() const { return clock_; }
-    /// Calls `f(EntityId)` for the indices near which an entity lost a component since the mark.
+    /// Calls `f(EntityId)` for all indices of blocks in which an entity lost a component since the mark.
     template <class F>
     void eachLossSince(std::uint64_t mark, F&& f) const {
         for (std::uint32_t first = 0; first <= used_; first += 1u << kStampShift) {
@@ -164,7 +167,7 @@ private:
     void findWatched();
 
     EntityRecord* records_ = nullptr;
-    std::uint32_t used_ = 0;         // highest index ever used
+    std::uint32_t used_ = 0;         // highest index used so far
     std::uint32_t* free_ = nullptr;  // a stack of indices to reuse
     std::uint32_t freeCount_ = 0;
     std::uint32_t retired_ = 0;  // indices whose generations are used up
@@ -173,15 +176,15 @@ private:
     std::uint64_t clock_ = 1;
     bool holes_ = false;
     std::uint32_t recordCapacity_ = 0;
-    std::vector<std::uint64_t> losses_;  // per block of indices: when one there last lost a component
+    std::vector<std::uint64_t> losses_;  // per block of indices: clock of the last loss of a component
     std::uint64_t watchedMask_ = 0;
     Pool emptyPool_;
     std::vector<Pool*> byKey_;  // &emptyPool_ for types without a pool
     std::vector<TypeKey> watchedKeys_;
-    std::vector<std::unique_ptr<Pool>> pools_;  // by ordinal
+    std::vector<std::unique_ptr<Pool>> pools_;  // indexed by Pool::ordinal
     std::vector<std::unique_ptr<QueryCache>> caches_;
     std::vector<std::byte> scratch_;
-    std::uint32_t maxEntities_;  // for which all arrays have reserved address space
+    std::uint32_t maxEntities_;  // number for which all arrays have reserved address space
     AddressRange recordMemory_;
 };
 

@@ -10,34 +10,34 @@ namespace plumb {
 
 class World;
 
-/// Whether something runs only when required, always, or never.
+/// Override of a gate: its system runs only when required (Auto), always (On), or never (Off).
 enum class Pin : std::uint8_t { Auto, On, Off };
 
-/// Which systems of a world run: those that a component requires. A service of the world; it must outlive
-/// the last tick. A system without a gate always runs, as do all systems of a world without this service.
+/// Decides which systems of a world run: those that a component requires. A service of the world; it must
+/// outlive the last tick. Systems without a gate always run, as do all in a world without this service.
 ///
-/// Requirements are checked right before a system's turn, so a system sees what earlier systems made in
-/// the same tick. The check reads the sizes of a few pools; its cost does not depend on entity counts.
+/// Requirements are checked right before a system runs, so they include components that earlier systems
+/// added in the same tick. The check only reads the sizes of a few pools, for any number of entities.
 ///
-/// At its first turn each system runs once even if not required, so that its queries are created. Beyond
-/// 63 types of components iteration order depends on first use; it must not depend on requirements.
+/// When it is due for the first time, each system runs even if not required, so that its queries are created.
+/// Beyond 63 types of components iteration order depends on first use; it must not depend on requirements.
 class SystemGates {
 public:
     struct Gate {
         TypeKey system = 0;
-        bool (*calledFor)(const World& world) = nullptr;
+        bool (*isRequired)(const World& world) = nullptr;
         Pin pin = Pin::Auto;
-        std::uint64_t runs = 0;  ///< how often the system ran because it was required or pinned on
+        std::uint64_t runs = 0;  ///< number of runs because it was required or pinned on
         bool begun = false;      ///< its queries have been created
     };
 
-    /// @return the number of the gate
-    std::size_t add(TypeKey system, bool (*calledFor)(const World& world));
+    /// @return the index of the gate
+    std::size_t add(TypeKey system, bool (*isRequired)(const World& world));
     void setPin(std::size_t gate, Pin pin) { gates_[gate].pin = pin; }
     [[nodiscard]] const Gate& gate(std::size_t number) const { return gates_[number]; }
 
     /// True if the system at this position of the schedule runs now. Counts the run.
-    [[nodiscard]] bool admits(const World& world, std::size_t place, TypeKey system);
+    [[nodiscard]] bool shouldRun(const World& world, std::size_t place, TypeKey system);
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

@@ -39,7 +39,7 @@ bool canFollow(const TileGrid& grid, const TileGrid& other) {
     return other.cellCount() > kSmallGrid && grid.width() == other.width() && grid.height() == other.height();
 }
 
-/// Makes a large grid equal to another of its size, by differing chunks; shared ones stay shared.
+/// Makes a large grid equal to another of its size by copying the chunks that differ; others stay shared.
 void follow(TileGrid& grid, const TileGrid& other) {
     for (int row = 0; row < other.chunkRows(); ++row) {
         if (grid.rowStamp(row) == other.rowStamp(row)) continue;
@@ -113,7 +113,7 @@ TileStore& TileStore::operator=(const TileStore& other) {
             if (canFollow(mine.grid, theirs.grid)) {
                 follow(mine.grid, theirs.grid);
                 mine.marked = theirs.marked;
-                mine.stamp = nextStamp();  // its versions are its own from now on
+                mine.stamp = nextStamp();  // from now on its versions differ from the other's
             } else {
                 mine = theirs;
             }

@@ -10,19 +10,19 @@
 namespace plumb {
 
 /// The tile grids of a world. Components refer to them by TilesId and so stay plain data. A grid
-/// lives while a component refers to it: the world drops the others at the start of a tick.
+/// is kept while a component refers to it: the world removes the others at the start of a tick.
 /// Copying is cheap if little changed: assignment copies only the grids that differ.
 class TileStore {
 public:
-    /// A new id for the grid; ids are never reused.
+    /// Adds a grid and returns its id; ids are never reused.
     TilesId add(TileGrid grid);
     void remove(TilesId id);
     [[nodiscard]] const TileGrid* find(TilesId id) const;
-    /// The grid, for changes. Call again after a snapshot was restored; use find() to only read.
+    /// Returns the grid for changes. Call it again after a snapshot was restored; use find() to read.
     TileGrid* edit(TilesId id);
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
-    /// Garbage collection: unmark all grids, mark those in use, drop the rest.
+    /// Garbage collection: unmark all grids, mark those in use, remove the rest.
     void unmarkAll();
     void mark(TilesId id);
     void dropUnmarked();
@@ -38,7 +38,7 @@ private:
         std::uint32_t id = 0;
         bool marked = false;
         TileGrid grid;
-        std::uint64_t stamp = 0;  // of the last edit(); unique within the program
+        std::uint64_t stamp = 0;  // stamp of the last edit(); unique within the program
         mutable std::uint64_t hash = 0;
         mutable std::uint64_t hashedStamp = 0;
         mutable std::uint32_t hashedVersion = 0;
@@ -49,7 +49,7 @@ private:
     };
     [[nodiscard]] Entry* entry(TilesId id) const;
 
-    std::vector<Entry> entries_;  // by id
+    std::vector<Entry> entries_;  // sorted by id
     std::uint32_t lastId_ = 0;
 };
 

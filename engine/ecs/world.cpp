@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
+#include "reflect/convert_component.hpp"
 
 namespace plumb {
 
@@ -29,7 +30,7 @@ std::uint32_t nextQueryKey() {
 World::World() {
     storage_.watch(typeKey<Parent>());
     storage_.watch(typeKey<Children>());
-    storage_.pool<Paused>();  // among the first, because every query refers to it
+    storage_.pool<Paused>();  // created early, because every query refers to it
 }
 
 void World::leaveFamily(EntityId id) { plumb::leaveFamily(*this, id); }
@@ -38,12 +39,12 @@ void World::beginTick() {
     ++tick;
     events_.clear();
     if (missed_.count > 0) {
-        tellMissing({static_cast<std::uint32_t>(missed_.id), static_cast<std::uint32_t>(missed_.id >> 32)},
-                    static_cast<TypeKey>(missed_.key));
+        reportMissing({static_cast<std::uint32_t>(missed_.id), static_cast<std::uint32_t>(missed_.id >> 32)},
+                      static_cast<TypeKey>(missed_.key));
         missed_ = {};
     }
     dropUnusedTiles();
-    // Not while entities are paused: they must return in their former order.
+    // Not while entities are paused, because they must keep their order.
     const bool tidy = !storage_.iterating() && entityCount() <= kTidyEntities && count<Paused>() == 0;
     if (tidy && storage_.fragmented()) storage_.cluster();
 }
@@ -109,16 +110,15 @@ std::size_t World::count(const TypeInfo& type) const {
 void* World::add(const TypeInfo& type, EntityId id) {
     Pool& pool = storage_.pool(type);
     if (!storage_.alive(id)) {
-        tellMissing(id, type.key);
+        reportMissing(id, type.key);
         return nullptr;
     }
     pool.makeRoom(id.index);
     if (!pool.has(id)) storage_.append(pool, id);
     if (pool.stride == 0) return &tagAddress;
     void* const memory = find(type, id);
-    PLUMB_ASSERT(type.construct != nullptr, "a component that is added by its TypeInfo needs defaults");
-    std::memset(memory, 0, pool.stride);
-    if (type.construct != nullptr) type.construct(memory);
+    PLUMB_ASSERT(!type.defaults.empty(), "a component added by its TypeInfo needs a default constructor");
+    type.construct(memory);
     return memory;
 }
 
@@ -127,14 +127,38 @@ void World::remove(const TypeInfo& type, EntityId id) {
     if (pool != nullptr && pool->has(id)) storage_.erase(*pool, id, pool->stride);
 }
 
-void World::tellMissing(EntityId id, TypeKey key) const {
+void World::convert(const TypeInfo& before, const TypeInfo* now) {
+    Pool* const pool = storage_.findPool(before.key);
+    if (pool == nullptr) return;
+    std::vector<EntityId> owners;
+    owners.reserve(pool->count);
+    for (std::uint32_t position = 0; position < pool->count; ++position)
+        owners.push_back(storage_.idAt(pool->dense[position]));
+    const std::vector<std::byte> bytes(pool->column, pool->column + std::size_t{pool->stride} * pool->count);
+    const std::size_t stride = pool->stride;
+    for (auto owner = owners.rbegin(); owner != owners.rend(); ++owner)
+        storage_.erase(*pool, *owner, pool->stride);
+    if (now == nullptr) return;
+    if (now->key == before.key) storage_.renew(*pool, componentTypeOf(*now));
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+        void* const component = add(*now, owners[i]);
+        if (now->size != 0) convertComponent(before, bytes.data() + stride * i, *now, component);
+    }
+}
+
+void World::dropReloadable() {
+    resources_.dropReloadable();
+    events_.dropReloadable();
+}
+
+void World::reportMissing(EntityId id, TypeKey key) const {
     const ComponentType* const type = findComponentType(key);
     const char* const reason = id.index == 0 ? "the empty handle"
                                : !storage_.alive(id)
-                                   ? "a destroyed entity; its handle is stale: ask alive() or use find()"
-                                   : "an entity that has none; ask hasComponent() or use find()";
+                                   ? "a stale handle of a destroyed entity: check alive() or use find()"
+                                   : "an entity that has none: check hasComponent() or use find()";
     const std::string text =
-        format("{} was asked of entity {} (generation {}), {}",
+        format("{} was requested from entity {} (generation {}), {}",
                type != nullptr ? type->name : std::string{"a component type without instances"}, id.index,
                id.generation, reason);
     PLUMB_ASSERT(false, text.c_str());

@@ -25,11 +25,11 @@ class TypeRegistry;
 
 /// The state of a game: entities with components, resources (one per type), texts, tile grids, and the
 /// systems that change them. The same operations give the same world in the same order on any machine.
-/// It never moves, so handles may point to it.
+/// A World cannot be moved, so handles may point to it.
 class World {
 public:
     World();
-    /// With the types that tools may look up by name; the registry must outlive the world.
+    /// Creates a world with types that tools can find by name; the registry must outlive the world.
     explicit World(const TypeRegistry& types) : World{} { types_ = &types; }
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -39,7 +39,7 @@ public:
     // entities
 
     Entity createEntity() { return {*this, storage_.create()}; }
-    /// One entity per handle, each with a copy of the given components; much faster than one by one.
+    /// Creates one entity per id, each with a copy of the components; much faster than single calls.
     template <class... T>
     void createEntities(std::span<EntityId> ids, const T&... components);
     [[nodiscard]] Entity entity(EntityId id) { return {*this, id}; }
@@ -52,7 +52,7 @@ public:
         storage_.destroy(id);
     }
     [[nodiscard]] std::size_t entityCount() const { return storage_.entityCount(); }
-    /// All living entities, including paused ones, by index.
+    /// All living entities, including paused ones, sorted by index.
     [[nodiscard]] std::vector<EntityId> entities() const;
     /// Destroys all entities. Resources, services, systems, texts and tiles stay.
     void clear() { storage_.clear(); }
@@ -74,14 +74,14 @@ public:
     /// Adds a component, or replaces the existing one. @pre alive(id)
     template <class T, class... Arguments>
     T& add(EntityId id, Arguments&&... arguments);
-    /// Does nothing if there is none.
+    /// Does nothing if the entity has no T.
     template <class T>
     void remove(EntityId id);
-    /// How many entities have a T.
+    /// Number of entities with a T.
     template <class T>
     [[nodiscard]] std::size_t count() const;
 
-    // The same for types known only at run time; for tags the returned address must not be written to.
+    // These functions for types known only at run time. The address returned for a tag is not writable.
 
     [[nodiscard]] void* find(const TypeInfo& type, EntityId id);
     [[nodiscard]] const void* find(const TypeInfo& type, EntityId id) const;
@@ -91,9 +91,17 @@ public:
     void* add(const TypeInfo& type, EntityId id);
     void remove(const TypeInfo& type, EntityId id);
     [[nodiscard]] std::size_t count(const TypeInfo& type) const;
-    /// Calls `f(EntityId, const void* component)` for every entity that has one.
+    /// Calls `f(EntityId, const void* component)` for every entity with a component of this type.
     template <class F>
     void eachOf(const TypeInfo& type, F&& f) const;
+    /// After the description of a component type was changed or removed: its components become those of the
+    /// new version, as convertComponent says, or are removed. Snapshots made before cannot be restored.
+    /// @param before  the old description
+    /// @param now     the new one, already passed to updateComponentType(); null: removed
+    void convert(const TypeInfo& before, const TypeInfo* now);
+    /// Removes resources and events whose types belong to code that can be loaded again: their layout may be
+    /// another.
+    void dropReloadable();
     [[nodiscard]] const TypeRegistry* types() const { return types_; }
 
     // queries
@@ -129,7 +137,7 @@ public:
 
     // changes
 
-    /// A point in time: writes from now on count as newer.
+    /// Returns a mark of the current time: later writes count as newer.
     std::uint64_t markChanges() { return storage_.advanceClock(); }
     /// True if the entity's T, or one near it in memory, may have been written since the mark.
     /// Never misses a write through find, get, add or a query that names T without const.
@@ -143,12 +151,12 @@ public:
     template <class T, class F>
     void eachChangedSince(std::uint64_t mark, F&& f) const;
     /// Calls `f(EntityId)` for every entity that may have lost a component or been destroyed since the mark.
-    /// It is handed over as it is now: alive or not.
+    /// The entity may not be alive any more.
     template <class F>
     void eachLossSince(std::uint64_t mark, F&& f) const {
         storage_.eachLossSince(mark, std::forward<F>(f));
     }
-    /// The place of the entity's T in the order in which queries visit T. @pre has<T>(id)
+    /// The position of the entity's T in the order in which queries visit T. @pre has<T>(id)
     template <class T>
     [[nodiscard]] std::uint32_t positionOf(EntityId id) const {
         return storage_.knownPool(typeKey<T>()).sparse[id.index].position;
@@ -183,7 +191,7 @@ public:
     [[nodiscard]] const TextStore& texts() const { return texts_; }
     [[nodiscard]] TileStore& tiles() { return tiles_; }
     [[nodiscard]] const TileStore& tiles() const { return tiles_; }
-    /// Drops the grids that no component refers to; every tick begins with it.
+    /// Removes the tile grids that no component refers to. Called by beginTick().
     void dropUnusedTiles();
 
     // events
@@ -192,7 +200,7 @@ public:
     void emit(E event) {
         events_.emit(std::move(event));
     }
-    /// What was emitted since the last beginTick, in order.
+    /// The events emitted since the last beginTick(), in order.
     template <class E>
     [[nodiscard]] std::span<const E> events() const {
         return events_.of<E>();
@@ -200,11 +208,13 @@ public:
 
     // systems
 
-    /// Adds a system; if there is one of this type already, returns that unchanged.
+    /// Adds a system; if there is one of this type already, returns it unchanged.
     template <class S, class... Arguments>
     S& addSystem(Arguments&&... arguments) {
         return schedule_.add<S>(std::forward<Arguments>(arguments)...);
     }
+    /// Removes the system of this type; does nothing if there is none.
+    void removeSystem(TypeKey system) { schedule_.remove(system); }
     template <class S>
     [[nodiscard]] bool hasSystem() const {
         return schedule_.find<S>() != nullptr;
@@ -218,8 +228,8 @@ public:
     [[nodiscard]] std::vector<std::string_view> systemNames() const { return schedule_.names(); }
     [[nodiscard]] CommandBuffer& commands() { return commands_; }
 
-    /// Starts a fixed update: counts the tick, clears the events, drops tile
-    /// grids without a reference, sorts small worlds that are out of order.
+    /// Starts a fixed update: counts the tick, clears the events, removes
+    /// unused tile grids, and sorts the components of a small world that are out of order.
     void beginTick();
     /// Runs all systems in order; commands are applied after each.
     /// @param dt  s
@@ -231,7 +241,7 @@ public:
     void save(Snapshot& snapshot) const;
     void restore(const Snapshot& snapshot);
     /// Hash of the whole state: entities, components, tiles, resources with
-    /// `addTo`, and the tick. Depends only on the state, not on how it came about.
+    /// `addTo`, and the tick. Depends only on the state, not on its history.
     [[nodiscard]] std::uint64_t hash() const;
     /// Sorts components by the component sets of their entities, so that every query has few, long
     /// runs. Changes the order of queries. Call it after loading; it costs 5-14 ns per component.
@@ -243,8 +253,8 @@ private:
     /// Destroys the children of an entity and detaches it from its parent.
     void leaveFamily(EntityId id);
 
-    /// A get() that found nothing: reported at once where asserts are on, else at the next tick, so
-    /// that loops around get() contain no call that could change anything from the compiler's view.
+    /// Failed calls of get(): reported at once if asserts are on, else at the next tick, so that loops
+    /// around get() contain no call that compilers must assume to change the world.
     struct Missed {
         std::uint64_t id = 0;
         std::uint64_t count = 0;
@@ -256,7 +266,7 @@ private:
     T& append(Pool& pool, EntityId id, Arguments&&... arguments);
     template <class T, class... Arguments>
     T& addSlowly(EntityId id, Arguments... arguments);
-    void tellMissing(EntityId id, TypeKey key) const;
+    void reportMissing(EntityId id, TypeKey key) const;
 
     Storage storage_;
     Resources resources_;

@@ -28,12 +28,12 @@ T* constructComponent(void* memory, World& world, Arguments&&... arguments) {
 }
 
 #if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
-inline constexpr bool kTellAtOnce = true;
+inline constexpr bool kReportAtOnce = true;
 #else
-inline constexpr bool kTellAtOnce = false;
+inline constexpr bool kReportAtOnce = false;
 #endif
 
-/// What get() returns if the component is missing: a blank one that belongs to no entity.
+/// The zeroed component that get() returns if the component is missing; it belongs to no entity.
 template <class T>
 struct Blank {
     alignas(T) inline static std::byte bytes[sizeof(T)] = {};
@@ -41,8 +41,8 @@ struct Blank {
 
 template <class T>
 T& World::missing(EntityId id) const {
-    if constexpr (kTellAtOnce) {
-        tellMissing(id, componentType<std::remove_const_t<T>>().info.key);
+    if constexpr (kReportAtOnce) {
+        reportMissing(id, componentType<std::remove_const_t<T>>().info.key);
     } else {
         missed_.id = std::uint64_t{id.generation} << 32 | id.index;
         missed_.key = typeKey<T>();
@@ -51,8 +51,8 @@ T& World::missing(EntityId id) const {
     return *reinterpret_cast<T*>(Blank<std::remove_const_t<T>>::bytes);
 }
 
-/// How an argument is passed to the rare path: small plain ones by value, because a
-/// variable whose address the rare path takes would stay in memory on the usual path too.
+/// The type of an argument of the rare path: small plain types by value, because a reference
+/// would keep the caller's variable in memory instead of a register on the common path, too.
 template <class Argument, class Value = std::remove_cvref_t<Argument>>
 using PassedOn = std::conditional_t<(std::is_scalar_v<Value> ||
                                      std::is_class_v<Value>)&&std::is_trivially_copyable_v<Value> &&
@@ -80,7 +80,7 @@ template <class T, class... Arguments>
     }
 }
 
-/// The rare cases: the first T of a world, no capacity, a replacement, or a dead entity.
+/// The rare cases: the first T of a world, no capacity, a replacement, or a destroyed entity.
 template <class T, class... Arguments>
 [[gnu::noinline]] T& World::addSlowly(EntityId id, Arguments... arguments) {
     Pool& pool = storage_.pool<T>();
@@ -110,7 +110,7 @@ void World::createEntities(std::span<EntityId> ids, const T&... components) {
         const std::uint32_t start =
             storage_.appendRange(pool, ids[0], static_cast<std::uint32_t>(ids.size()));
         if constexpr (!kIsTag<C>) {
-            const C value = component;  // a copy, because the caller's may be in the column
+            const C value = component;  // a copy, because `component` may be in the column
             C* const column = reinterpret_cast<C*>(pool.column) + start;
             for (std::size_t i = 0; i < ids.size(); ++i) std::construct_at(column + i, value);
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The systems behind the ready-made parts, all of them.
+// Includes every system of the gameplay layer.
 #include "gameplay/systems/character_animation_system.hpp"
 #include "gameplay/systems/checkpoint_system.hpp"
 #include "gameplay/systems/collect_system.hpp"
@@ -23,4 +23,6 @@
 #include "gameplay/systems/shortcut_system.hpp"
 #include "gameplay/systems/sound_cue_system.hpp"
 #include "gameplay/systems/spring_system.hpp"
+#include "gameplay/systems/timer_system.hpp"
 #include "gameplay/systems/touch_color_system.hpp"
+#include "gameplay/systems/tween_system.hpp"

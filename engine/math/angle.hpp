@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// The same direction in [-pi, pi].
+/// Returns the equivalent angle in [-pi, pi].
 inline float wrapAngle(float angle) {
     if (angle >= -kPi && angle <= kPi) return angle;
     return angle - kTau * std::floor((angle + kPi) / kTau);

@@ -30,7 +30,7 @@ float slopeAt(const Curve& curve, std::size_t index) {
 
 float Curve::valueAt(float at) const {
     const std::size_t last = size() - 1;
-    if (!(at > keys[0].at)) return keys[0].value;  // NaN too
+    if (!(at > keys[0].at)) return keys[0].value;  // also for NaN
     if (at >= keys[last].at) return keys[last].value;
     std::size_t right = 1;
     while (keys[right].at <= at) ++right;
@@ -53,13 +53,13 @@ float Curve::valueAt(float at) const {
 
 std::size_t Curve::insert(CurveKey key) {
     if (full()) return kKeys;
-    std::size_t place = 0;
-    while (place < size() && keys[place].at < key.at) ++place;
-    if (place < size() && keys[place].at == key.at) return kKeys;
-    for (std::size_t i = size(); i > place; --i) keys[i] = keys[i - 1];
-    keys[place] = key;
+    std::size_t index = 0;
+    while (index < size() && keys[index].at < key.at) ++index;
+    if (index < size() && keys[index].at == key.at) return kKeys;
+    for (std::size_t i = size(); i > index; --i) keys[i] = keys[i - 1];
+    keys[index] = key;
     ++count;
-    return place;
+    return index;
 }
 
 void Curve::remove(std::size_t index) {

@@ -46,13 +46,13 @@ struct Curve {
         return curve;
     }
 
-    /// 1..kKeys, even if the memory was corrupted.
+    /// The number of keys: 1..kKeys, even if `count` is invalid.
     [[nodiscard]] constexpr std::size_t size() const {
         return count == 0 ? 1 : count < kKeys ? count : kKeys;
     }
     [[nodiscard]] bool full() const { return size() == kKeys; }
 
-    /// The same bits on every machine. Exact at keys.
+    /// Returns the value at a position, exact at keys, with the same bits on every machine.
     /// Source: F. Fritsch, R. Carlson, "Monotone Piecewise Cubic Interpolation", 1980; slopes as in F.
     /// Fritsch, J. Butland, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants", 1984.
     [[nodiscard]] float valueAt(float at) const;
@@ -60,7 +60,7 @@ struct Curve {
     /// Inserts a key at its position. @return its index, or kKeys
     /// if there is no room or a key at this position already
     std::size_t insert(CurveKey key);
-    /// Does nothing for the only key that is left.
+    /// Removes a key, unless it is the only one.
     void remove(std::size_t index);
     /// Moves a key, but not past its neighbors: it keeps a distance of kCloseness from them.
     void move(std::size_t index, CurveKey key);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLn2 = 0.69314718055994530942;
 constexpr double kLn10 = 2.30258509299404568402;
-constexpr float kMin = -45.0f;  // below that of the smallest float
+constexpr float kMin = -45.0f;  // less than log10 of the smallest float
 
 /// ln on [1/sqrt 2, sqrt 2] by the series of artanh: ln m = 2 artanh((m - 1) / (m + 1)).
 double logarithmNearOne(double m) {

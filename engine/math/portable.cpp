@@ -16,7 +16,8 @@ double sineNearZero(double x) {
 
 double cosineNearZero(double x) {
     const double s = x * x;
-    return 1.0 + s * (-1.0 / 2 + s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 + s * (-1.0 / 3628800)))));
+    return 1.0 +
+           s * (-1.0 / 2 + s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 + s * (-1.0 / 3628800)))));
 }
 
 /// arctan on [0, tan(pi/8)] by its series in double.

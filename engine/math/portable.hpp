@@ -13,7 +13,7 @@ struct SinCos {
     float cos;
 };
 
-/// Sine and cosine; |error| <= 1.5e-7 for |angle| <= 1e5 rad, 0 and 1 for NaN, infinity and absurd angles.
+/// Sine and cosine; |error| <= 1.5e-7 for |angle| <= 1e5 rad, 0 and 1 for NaN and |angle| >= 1e9 rad.
 SinCos sinCos(float angle);
 float sine(float angle);
 float cosine(float angle);

@@ -21,7 +21,7 @@ inline float angleOf(Rot q) { return arcTangent(q.sin, q.cos); }  ///< rad, -pi.
 
 constexpr Vec2 rotate(Rot q, Vec2 v) { return {q.cos * v.x - q.sin * v.y, q.sin * v.x + q.cos * v.y}; }
 constexpr Vec2 unrotate(Rot q, Vec2 v) { return {q.cos * v.x + q.sin * v.y, q.cos * v.y - q.sin * v.x}; }
-/// First `b`, then `a`.
+/// Rotates first by `b`, then by `a`.
 constexpr Rot operator*(Rot a, Rot b) {
     return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
 }
@@ -35,6 +35,6 @@ inline Rot normalized(Rot q) {
     return size > 0.0f ? Rot{q.cos / size, q.sin / size} : Rot{};
 }
 
-constexpr Vec2 cross(float s, Vec2 v) { return {-s * v.y, s * v.x}; }  ///< velocity of arm v at s rad/s
+constexpr Vec2 cross(float s, Vec2 v) { return {-s * v.y, s * v.x}; }  ///< velocity of v, rotating at s rad/s
 
 }  // namespace plumb

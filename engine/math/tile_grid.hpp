@@ -9,8 +9,8 @@
 
 namespace plumb {
 
-/// A cell of a tile layer: 0 is empty, else the tile's number in its tileset plus
-/// one, and flip bits. These are applied in the order diagonal, horizontal, vertical.
+/// A cell of a tile layer: 0 if it is empty, else the tile's index in its tileset
+/// plus one, and flip bits. Flips are applied in the order diagonal, horizontal, vertical.
 using TileCell = std::uint32_t;
 
 inline constexpr TileCell kTileFlipX = 0x80000000u;
@@ -31,7 +31,7 @@ public:
     /// Cells in rows. Those outside the grid are empty.
     struct Chunk {
         std::array<TileCell, std::size_t{kChunkSide} * kChunkSide> cells{};
-        std::uint64_t stamp = 0;  ///< of the last change; unique within the program
+        std::uint64_t stamp = 0;  ///< stamp of the last change; unique within the program
 
         [[nodiscard]] TileCell at(int x, int y) const { return cells[slot(x, y)]; }
         static constexpr std::size_t slot(int x, int y) {
@@ -58,26 +58,26 @@ public:
         const Chunk* chunk = chunks_[chunkAt(x, y)].get();
         return chunk == nullptr ? 0 : chunk->at(x, y);
     }
-    /// Does nothing outside the grid.
+    /// Sets a cell; does nothing outside the grid.
     void set(int x, int y, TileCell cell);
     void replaceCells(int width, int height, const std::vector<TileCell>& cells);
 
-    /// All cells in rows; only for small grids.
+    /// Returns all cells row by row; only for small grids.
     [[nodiscard]] std::vector<TileCell> cells() const;
-    /// Cells (x .. x + count - 1, y); those outside are empty.
+    /// Copies cells (x .. x + count - 1, y); those outside the grid are empty.
     void copyRow(int x, int y, std::size_t count, TileCell* into) const;
 
     // Chunks. Chunk (column, row) begins at cell (column, row) * kChunkSide.
 
     [[nodiscard]] int chunkColumns() const { return columns_; }
     [[nodiscard]] int chunkRows() const { return rows_; }
-    /// Null only if all its cells are empty; an empty chunk may still be non-null.
+    /// A null chunk is empty; an empty chunk is not always null.
     [[nodiscard]] const Chunk* chunk(int column, int row) const {
         return chunks_[chunkSlot(column, row)].get();
     }
     /// Changes with every change of a cell in this row of chunks.
     [[nodiscard]] std::uint64_t rowStamp(int row) const { return rowStamps_[static_cast<std::size_t>(row)]; }
-    /// A chunk of equal cells, to be used in many places.
+    /// Creates a chunk of equal cells, which many positions may share.
     [[nodiscard]] static std::shared_ptr<Chunk> filled(TileCell cell);
     void put(int column, int row, std::shared_ptr<Chunk> chunk);
     /// Copies one chunk from a grid of the same size, and the stamp of its row.

@@ -1,9 +1,10 @@
 #pragma once
 
-// Everything that a game's code needs. docs/code-games.md says what is what.
+// Includes everything that the C++ code of a game needs; docs/code-games.md describes it.
 
 #include "app/engine.hpp"
 #include "app/game.hpp"
+#include "app/module.hpp"
 #include "assets/animation.hpp"
 #include "core/log.hpp"
 #include "core/random.hpp"
@@ -11,9 +12,12 @@
 #include "ecs/hierarchy.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/components.hpp"
+#include "gameplay/delayed_events.hpp"
+#include "gameplay/game_functions.hpp"
 #include "gameplay/game_progress.hpp"
 #include "gameplay/label_values.hpp"
 #include "gameplay/systems.hpp"
+#include "gameplay/tweens.hpp"
 #include "math/angle.hpp"
 #include "math/color.hpp"
 #include "math/rect.hpp"
@@ -26,5 +30,6 @@
 #include "scene/physics/physics_queries.hpp"
 #include "scene/play_sound.hpp"
 #include "scene/scene_requests.hpp"
+#include "scene/scene_stack.hpp"
 #include "scene/systems.hpp"
 #include "scene/world_transform.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// The physics library, for programs that use nothing else of the engine.
+// Includes the physics library, for programs that use no other part of the engine.
 
 #include "core/profile.hpp"
 #include "core/task_pool.hpp"

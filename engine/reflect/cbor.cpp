@@ -12,8 +12,8 @@
 namespace plumb {
 namespace {
 
-/// Builds a value from the events of the parser, under the limits. A handler that returns false ends the
-/// parse.
+/// Builds a value from the events of the parser, under the limits. A handler that returns false ends
+/// the parse.
 class LimitedBuilder : public nlohmann::json_sax<Json> {
 public:
     LimitedBuilder(std::string_view where, const JsonLimits& limits) : where_{where}, limits_{limits} {}
@@ -26,7 +26,7 @@ public:
         return std::isfinite(value) ? add(value) : fail("a number that is not finite", "save the file again");
     }
     bool string(string_t& value) override { return isTextAllowed(value) && add(std::move(value)); }
-    bool binary(binary_t&) override { return fail("raw bytes, which no scene uses", "save the file again"); }
+    bool binary(binary_t&) override { return fail("binary data is not supported", "save the file again"); }
     bool start_object(std::size_t) override { return open(Json::object()); }
     bool start_array(std::size_t) override { return open(Json::array()); }
     bool end_object() override { return close(); }
@@ -54,8 +54,8 @@ private:
 
     bool isTextAllowed(const std::string& text) {
         if (text.size() > limits_.textBytes)
-            return fail(format("a text longer than {} bytes", limits_.textBytes), "shorten it");
-        return isUtf8(text) || fail("a text is not UTF-8", "save the file again");
+            return fail(format("a string longer than {} bytes", limits_.textBytes), "shorten it");
+        return isUtf8(text) || fail("a string is not UTF-8", "save the file again");
     }
 
     bool add(Json value) { return place(std::move(value)) != nullptr; }
@@ -74,7 +74,7 @@ private:
         return true;
     }
 
-    /// Puts a value into the innermost open one. Null past the limit of values.
+    /// Adds a value to the innermost open one. @return null beyond the limit of values
     Json* place(Json value) {
         if (++values_ > limits_.values) {
             fail(format("more than {} values", limits_.values), "split the file");
@@ -90,8 +90,8 @@ private:
     std::string_view where_;
     JsonLimits limits_;
     Json root_;
-    std::vector<Json*> open_;  ///< from the root to the innermost
-    std::string key_;          ///< of the next property
+    std::vector<Json*> open_;  ///< open values, from the root to the innermost
+    std::string key_;          ///< key of the next property
     std::size_t values_ = 0;
     std::optional<Error> error_;
 };

@@ -9,8 +9,7 @@ namespace plumb {
 namespace {
 
 std::size_t listBytes(const FieldInfo& field, const void* list) {
-    return std::min<std::size_t>(*field.listCount(const_cast<void*>(list)), field.capacity) *
-           field.elementSize;
+    return std::min<std::size_t>(field.countOf(list), field.capacity) * field.elementSize;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Error unknownField(const TypeInfo& type, std::string_view key) {
         list += (list.empty() ? "" : ", ") + std::string{field.name};
     }
     const std::string_view near = closestName(key, names);
-    std::string remedy = "it is kept as it stands; ";
+    std::string remedy = "it is kept unchanged; ";
     remedy += !near.empty()  ? format("did you mean \"{}\"?", near)
               : list.empty() ? "this component has no fields"
                              : "the fields are: " + list;

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Code that does not know curves sees a list of pairs: position and value of each key.
+/// Code without special support for curves treats a curve as a list of pairs (position, value).
 template <>
 struct ListTraits<Curve> : std::true_type {
     using Element = Vec2;

@@ -33,11 +33,11 @@ Result<CurveShape> shapeFrom(const FieldInfo& field, const Json& json) {
 
 Result<CurveKey> keyFrom(const FieldInfo& field, const Json& json, std::size_t index) {
     if (!json.is_array() || json.size() != 2 || !isFinite(json[0]) || !isFinite(json[1]))
-        return wrong(field, format("key {} is no pair of numbers [place, value]", index));
+        return wrong(field, format("key {} is not a pair of numbers [position, value]", index));
     const CurveKey key{json[0].get<float>(), json[1].get<float>()};
     if (key.at < 0.0f || key.at > 1.0f)
-        return wrong(field, format("key {} lies at {}, outside 0 to 1", index, shortestText(key.at)),
-                     "a curve goes from 0, the start, to 1, the end");
+        return wrong(field, format("key {} is at {}, outside 0 to 1", index, shortestText(key.at)),
+                     "write a position from 0, the start, to 1, the end");
     return key;
 }
 
@@ -70,17 +70,16 @@ Result<Done> readCurve(const FieldInfo& field, void* value, const Json& json, Fi
     const std::size_t keys = json.size() - 1;
     if (keys == 0) return wrong(field, "a curve needs at least one key");
     if (keys > Curve::kKeys)
-        return wrong(field, format("{} keys, there is room for {}", keys, Curve::kKeys),
-                     "leave out those that matter least");
+        return wrong(field, format("{} keys, the limit is {}", keys, Curve::kKeys), "remove some keys");
     Curve curve = Curve::constant(0.0f);
     curve.shape = *shape;
     for (std::size_t i = 0; i < keys; ++i) {
         Result<CurveKey> key = keyFrom(field, json[i + 1], i);
         if (!key) return key.error();
         if (i > 0 && !(key->at > curve.keys[i - 1].at))
-            return wrong(field,
-                         format("key {} lies at {}, not after the one before it", i, shortestText(key->at)),
-                         "sort the keys by their place, each at another one");
+            return wrong(
+                field, format("key {} is at {}, which is not after key {}", i, shortestText(key->at), i - 1),
+                "sort the keys by position; no two may have the same");
         keepInRange(field, *key, i, context);
         curve.keys[i] = *key;
     }

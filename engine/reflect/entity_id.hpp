@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Identifies an entity: its index and its generation (how often the index was used before), so that a
-/// stale id never refers to a new entity. Plain data, for use in components. The default is no entity.
+/// Identifies an entity by its index and its generation, which changes with every reuse of the index, so that
+/// a stale id never refers to a new entity. Plain data, for use in components. The default is no entity.
 struct EntityId {
     std::uint32_t index = 0;
     std::uint32_t generation = 0;

@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// Resolves the ids inside components. Fields hold ids; files hold texts, paths,
+/// Resolves the ids inside components. Fields contain ids; files contain texts, paths,
 /// hex ids and tiles. Only the owner of the stores can convert between them.
 class FieldContext {
 public:
@@ -20,13 +20,13 @@ public:
     [[nodiscard]] virtual std::string_view text(TextId id) const = 0;
     virtual TextId keepText(std::string_view text) = 0;
 
-    /// The lasting id of an entity; 0 if it has none.
+    /// The id of an entity in files; 0 if it has none.
     [[nodiscard]] virtual std::uint64_t stableId(EntityId entity) const = 0;
-    /// The entity with this lasting id; the empty id if there is none.
+    /// The entity with this id in files; the empty id if there is none.
     [[nodiscard]] virtual EntityId entity(std::uint64_t stableId) const = 0;
 
     [[nodiscard]] virtual Json tilesToJson(TilesId tiles) const = 0;
-    /// @param field for errors and warnings
+    /// @param field  named in errors and warnings
     virtual Result<TilesId> tilesFromJson(const FieldInfo& field, const Json& json) = 0;
     [[nodiscard]] virtual bool sameTiles(TilesId a, TilesId b) const { return a == b; }
 

@@ -14,11 +14,12 @@
 #include "reflect/curve_json.hpp"
 #include "reflect/field_context.hpp"
 #include "reflect/json.hpp"
+#include "reflect/whole_number.hpp"
 
 namespace plumb {
 namespace {
 
-// ---- words for messages
+// ---- texts for messages
 
 std::string_view unitWords(Unit unit) {
     switch (unit) {
@@ -60,34 +61,6 @@ void store(void* value, Number number) {
     std::memcpy(value, &number, sizeof number);
 }
 
-std::int64_t loadSigned(const FieldInfo& field, const void* value) {
-    switch (field.size) {
-        case 1: return load<std::int8_t>(value);
-        case 2: return load<std::int16_t>(value);
-        case 4: return load<std::int32_t>(value);
-        default: return load<std::int64_t>(value);
-    }
-}
-
-std::uint64_t loadUnsigned(const FieldInfo& field, const void* value) {
-    switch (field.size) {
-        case 1: return load<std::uint8_t>(value);
-        case 2: return load<std::uint16_t>(value);
-        case 4: return load<std::uint32_t>(value);
-        default: return load<std::uint64_t>(value);
-    }
-}
-
-/// Stores the low bytes of a number, for a field of any size and sign.
-void storeWhole(const FieldInfo& field, void* value, std::uint64_t number) {
-    switch (field.size) {
-        case 1: store(value, static_cast<std::uint8_t>(number)); break;
-        case 2: store(value, static_cast<std::uint16_t>(number)); break;
-        case 4: store(value, static_cast<std::uint32_t>(number)); break;
-        default: store(value, number); break;
-    }
-}
-
 void warnClamped(const FieldInfo& field, const Json& found, const std::string& used, FieldContext& context) {
     context.warn(
         {std::string{field.name},
@@ -118,11 +91,11 @@ Span64 wholeRange(const FieldInfo& field) {
 }
 
 Result<Done> readInt(const FieldInfo& field, void* value, const Json& json, FieldContext& context) {
-    constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: smaller integers are exact as doubles
+    constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: up to this, integers are exact as doubles
     std::int64_t number = 0;
     if (json.is_number_unsigned()) {
         const auto large = json.get<std::uint64_t>();
-        if (!field.isSigned && field.size == 8) return storeWhole(field, value, large), Done{};
+        if (!field.isSigned && field.size == 8) return storeWhole(value, field.size, large), Done{};
         number = static_cast<std::int64_t>(std::min<std::uint64_t>(
             large, static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())));
     } else if (json.is_number_integer()) {
@@ -135,7 +108,7 @@ Result<Done> readInt(const FieldInfo& field, void* value, const Json& json, Fiel
     }
     if (!field.isSigned && field.size == 8) {
         if (number < 0) return expected(field, "a number that is not negative", json, "write 0 or more");
-        return storeWhole(field, value, static_cast<std::uint64_t>(number)), Done{};
+        return storeWhole(value, field.size, static_cast<std::uint64_t>(number)), Done{};
     }
     const Span64 range = wholeRange(field);
     const std::int64_t kept = std::clamp(number, range.low, std::max(range.low, range.high));
@@ -144,11 +117,11 @@ Result<Done> readInt(const FieldInfo& field, void* value, const Json& json, Fiel
                       format("{} is outside {} to {}", number, range.low, range.high),
                       format("using {}; write a value inside the range", kept)});
     }
-    storeWhole(field, value, static_cast<std::uint64_t>(kept));
+    storeWhole(value, field.size, static_cast<std::uint64_t>(kept));
     return Done{};
 }
 
-/// A finite float, or the error.
+/// Returns a finite float, or an error.
 Result<float> finiteFrom(const FieldInfo& field, const Json& json) {
     if (!json.is_number()) return expected(field, "a number", json, numberRemedy(field));
     const double wide = json.get<double>();
@@ -195,7 +168,7 @@ Json floatsToJson(const void* value, std::size_t count) {
     return json;
 }
 
-// ---- words
+// ---- values stored as strings
 
 std::string colorText(Color color) {
     constexpr char kDigits[] = "0123456789abcdef";
@@ -225,10 +198,10 @@ Result<std::string_view> textFrom(const FieldInfo& field, const Json& json, std:
     if (text == nullptr) return expected(field, what, json, "write it in double quotes");
     if (text->size() > limits::kTextBytes) {
         return Error{std::string{field.name},
-                     format("a text of {} bytes, the limit is {}", text->size(), limits::kTextBytes),
+                     format("a string of {} bytes, the limit is {}", text->size(), limits::kTextBytes),
                      "shorten it"};
     }
-    if (!isUtf8(*text)) return Error{std::string{field.name}, "the text is not UTF-8", "write it as UTF-8"};
+    if (!isUtf8(*text)) return Error{std::string{field.name}, "the string is not UTF-8", "write it as UTF-8"};
     return std::string_view{*text};
 }
 
@@ -276,7 +249,7 @@ Json entityToJson(const void* value, const FieldContext& context) {
 }
 
 int loadEnum(const FieldInfo& field, const void* value) {
-    return field.size == 1 ? load<std::uint8_t>(value) : static_cast<int>(loadSigned(field, value));
+    return static_cast<int>(loadWhole(value, field.size, field.size != 1));
 }
 
 Json enumToJson(const FieldInfo& field, const void* value) {
@@ -293,7 +266,7 @@ Result<Done> readEnum(const FieldInfo& field, void* value, const Json& json) {
     const auto* text = json.get_ptr<const std::string*>();
     for (const EnumName& name : field.names) {
         if (text != nullptr && name.name == *text) {
-            storeWhole(field, value, static_cast<std::uint64_t>(name.value));
+            storeWhole(value, field.size, static_cast<std::uint64_t>(name.value));
             return Done{};
         }
         names.push_back(name.name);
@@ -316,8 +289,7 @@ FieldInfo elementOf(const FieldInfo& field) {
 
 Json listToJson(const FieldInfo& field, const void* list, const FieldContext& context) {
     const FieldInfo element = elementOf(field);
-    const std::size_t count =
-        std::min<std::size_t>(*field.listCount(const_cast<void*>(list)), field.capacity);
+    const std::size_t count = std::min<std::size_t>(field.countOf(list), field.capacity);
     Json json = Json::array();
     for (std::size_t i = 0; i < count; ++i) {
         json.push_back(valueToJson(element, static_cast<const char*>(list) + i * field.elementSize, context));
@@ -340,11 +312,11 @@ Result<Done> readList(const FieldInfo& field, void* list, const Json& json, Fiel
     }
     if (count < json.size()) {
         context.warn({std::string{field.name},
-                      format("{} items, there is room for {}", json.size(), field.capacity),
-                      "the first are used; remove the others"});
+                      format("{} items, the limit is {}", json.size(), field.capacity),
+                      "the first ones are used; remove the others"});
     }
     std::memcpy(list, items.data(), items.size());
-    *field.listCount(list) = static_cast<std::uint32_t>(count);
+    field.countOf(list) = static_cast<std::uint32_t>(count);
     return Done{};
 }
 
@@ -379,7 +351,8 @@ Json valueToJson(const FieldInfo& field, const void* value, const FieldContext& 
     switch (field.kind) {
         case FieldKind::Bool: return *static_cast<const bool*>(value);
         case FieldKind::Int:
-            return field.isSigned ? Json(loadSigned(field, value)) : Json(loadUnsigned(field, value));
+            return field.isSigned ? Json(loadWhole(value, field.size, true))
+                                  : Json(static_cast<std::uint64_t>(loadWhole(value, field.size, false)));
         case FieldKind::Float: return double{load<float>(value)};
         case FieldKind::Vec2: return floatsToJson(value, 2);
         case FieldKind::Rect: return floatsToJson(value, 4);
@@ -408,7 +381,7 @@ Result<Done> valueFromJson(const FieldInfo& field, void* value, const Json& json
         case FieldKind::Rect: return readFloats(field, value, json, 4);
         case FieldKind::Color: return readColor(field, value, json);
         case FieldKind::Text: {
-            const Result<std::string_view> text = textFrom(field, json, "a text");
+            const Result<std::string_view> text = textFrom(field, json, "a string");
             if (!text) return text.error();
             store(value, context.keepText(*text));
             return Done{};

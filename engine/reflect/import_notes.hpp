@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// True for keys that importers add as notes: kept and written back, but without effect.
+/// True for keys with notes of importers. They are kept and written back, but have no effect.
 constexpr bool isImportNote(std::string_view key) {
     return key == "tiled" || key == "ldtk" || key == "aseprite";
 }

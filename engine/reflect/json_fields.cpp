@@ -46,7 +46,7 @@ std::string JsonFields::text(std::string_view key, std::string_view fallback) {
     const Json* json = find(key);
     if (json == nullptr) return std::string{fallback};
     if (const std::string* found = jsonText(*json)) return *found;
-    warn(key, "expected a text, found " + briefText(*json), "put it in double quotes");
+    warn(key, "expected a string, found " + briefText(*json), "put it in double quotes");
     return std::string{fallback};
 }
 
@@ -93,7 +93,7 @@ std::size_t JsonFields::choice(std::string_view key, std::size_t fallback,
                                std::span<const std::string_view> names) {
     const Json* json = find(key);
     if (json == nullptr) return fallback;
-    const std::string word = textOrEmpty(*json);
+    const std::string word = stringOrEmpty(*json);
     if (const auto at = std::find(names.begin(), names.end(), word); at != names.end()) {
         return static_cast<std::size_t>(at - names.begin());
     }
@@ -141,7 +141,7 @@ std::vector<KeptProperty> JsonFields::keepUnknown() {
         if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
         const std::string_view meant = closestName(name, asked_);
         if (!isImportNote(name)) {
-            warn(std::string_view{name}.substr(0, 80), "there is no such property",
+            warn(std::string_view{name}.substr(0, 80), "unknown property",
                  meant.empty() ? "remove it" : format("did you mean \"{}\"?", meant));
         }
         unknown.push_back({name, compactText(value)});

@@ -24,17 +24,17 @@ struct KeptProperty {
 /// Writes kept properties back into their object.
 void writeKept(Json& object, const std::vector<KeptProperty>& properties);
 
-/// Reads the properties of one JSON object of a file. A property that is missing gives its fallback; one that
-/// is wrong gives its fallback and reports a problem; `warnUnknown` reports properties that were never read.
+/// Reads the properties of one JSON object of a file. The result for a missing property is its fallback; for
+/// an invalid one it is the fallback and a problem is reported. warnUnknown() reports properties never read.
 class JsonFields {
 public:
-    /// @param where the path of the object, e.g. "tiles.tileset.json: tiles[3]"
+    /// @param where  the path of the object, for messages, e.g. "tiles.tileset.json: tiles[3]"
     /// @param object  must outlive this; anything but an object is reported and read as an empty one
     JsonFields(const Json& object, std::string where, std::vector<Error>& problems);
 
     [[nodiscard]] const std::string& where() const { return where_; }
 
-    /// The property as it is; null if it is missing.
+    /// The JSON value of the property; null if it is missing.
     const Json* find(std::string_view key);
 
     std::string text(std::string_view key, std::string_view fallback = {});
@@ -52,8 +52,8 @@ public:
     /// The items of an array of any values; null if it is missing or not an array.
     const Json* array(std::string_view key);
 
-    /// The version that the file states in "format".
-    /// @return false, after reporting a problem, when this program is too old for it
+    /// Checks the version of the file in "format".
+    /// @return false, after reporting a problem, if this program is too old for it
     bool acceptFormat(int newest);
 
     void warn(std::string_view key, std::string what, std::string remedy);
@@ -69,7 +69,7 @@ private:
     const Json* object_;
     std::string where_;
     std::vector<Error>* problems_;
-    std::vector<std::string_view> asked_;
+    std::vector<std::string_view> asked_;  ///< keys that were read
 };
 
 /// The value as short text for messages: "\"fast\"", "[…]", "12".

@@ -48,7 +48,7 @@ const std::string* findText(const Json& json, std::string_view key) {
 
 const std::string* jsonText(const Json& json) { return json.get_ptr<const std::string*>(); }
 
-std::string textOrEmpty(const Json& json) {
+std::string stringOrEmpty(const Json& json) {
     const std::string* text = jsonText(json);
     return text == nullptr ? std::string{} : *text;
 }
@@ -60,7 +60,7 @@ std::optional<float> floatOf(const Json& json) {
     return static_cast<float>(value);
 }
 
-std::optional<int> wholeOf(const Json& json) {
+std::optional<int> intOf(const Json& json) {
     if (!json.is_number()) return std::nullopt;
     const auto value = json.get<double>();
     const bool inRange =

@@ -22,27 +22,27 @@ Json* findObject(Json& json, std::string_view key);
 /// The member; null if it is missing or not an array.
 const Json* findArray(const Json& json, std::string_view key);
 Json* findArray(Json& json, std::string_view key);
-/// The member's text; null if it is missing or not a text.
+/// The member's string; null if it is missing or not a string.
 const std::string* findText(const Json& json, std::string_view key);
 
-/// Null if the value is not a text.
+/// The value's string; null if it is not a string.
 const std::string* jsonText(const Json& json);
-/// A copy of the text; empty if the value is not a text.
-std::string textOrEmpty(const Json& json);
-/// Nothing if the value is not a number, or outside the range of a float.
+/// A copy of the value's string; empty if it is not a string.
+std::string stringOrEmpty(const Json& json);
+/// The number; nothing if the value is not a number, or outside the range of a float.
 std::optional<float> floatOf(const Json& json);
-/// Nothing if the value is not a number, has a fraction, or is outside the range of an int.
-std::optional<int> wholeOf(const Json& json);
-/// The 64 bits written as hex digits; 0 if the value is not such a text.
+/// The integer; nothing if the value is not a number, has a fraction, or is outside the range of an int.
+std::optional<int> intOf(const Json& json);
+/// The 64-bit number that a string of hex digits contains; 0 if the value is not such a string.
 std::uint64_t hexIdOf(const Json& json);
-/// The same for a member; 0 also if it is missing.
+/// hexIdOf() of a member; 0 also if the member is missing.
 std::uint64_t hexIdIn(const Json& json, std::string_view key);
 
-/// The member as an object: replaced by an empty one if it is missing or of another type.
+/// Returns the member as an object: an empty one replaces it if it is missing or of another type.
 /// `json` becomes an object too if it is not one.
 Json& makeObject(Json& json, std::string_view key);
 
-/// The value on one line. Invalid UTF-8, e.g. in file names, is written with replacement characters.
+/// Returns a value's JSON text on one line. Invalid UTF-8, e.g. in file names, is replaced.
 std::string compactText(const Json& json);
 
 }  // namespace plumb

@@ -33,7 +33,7 @@ void appendUtf8(std::string& out, std::uint32_t code) {
     }
 }
 
-/// Parses a text from front to back. Each read function advances `at_` past what it read, or sets the error.
+/// Parses a text from front to back. Each read function advances `at_`, or returns false and sets the error.
 class JsonReader {
 public:
     JsonReader(std::string_view text, std::string_view where, std::vector<Error>* warnings,
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] std::string found() const {
         if (ended()) return "the end of the file";
         const unsigned char c = static_cast<unsigned char>(text_[at_]);
-        if (c == '"') return "a text";
+        if (c == '"') return "a string";
         return c < 0x20 || c > 0x7e ? format("a character {}", static_cast<int>(c))
                                     : format("\"{}\"", text_[at_]);
     }
@@ -85,13 +85,13 @@ private:
         const bool unclosed = ended() || (isArray ? peek() == '}' || peek() == ':' : peek() == ']');
         const auto line = lineOf(openedAt);
         if (!unclosed)
-            return failExpecting(expected,
-                                 format("{}; the \"{}\" of line {} is open", remedy, bracket, line));
+            return failExpecting(
+                expected, format("{}; the \"{}\" of line {} is not closed yet", remedy, bracket, line));
         const std::string where = ended() ? std::string{} : format(" in line {}", lineOf(at_));
         return fail(openedAt,
                     format("the \"{}\" that opens here is not closed: expected {}, found {}{}", bracket,
                            expected, found(), where),
-                    format("put a \"{}\" where it ends", isArray ? ']' : '}'));
+                    format("add the missing \"{}\"", isArray ? ']' : '}'));
     }
 
     bool admit() {
@@ -160,7 +160,7 @@ private:
             const std::size_t keyAt = at_;
             if (peek() != '"')
                 return failInside(openedAt, "a property's name",
-                                  "names stand in double quotes, without a comma after the last");
+                                  "write names in double quotes, and no comma after the last property");
             std::string key;
             if (!readText(key)) return false;
             skipBlank();
@@ -190,7 +190,7 @@ private:
             properties.emplace_back(std::move(key), std::move(value));
             return true;
         }
-        fail(keyAt, format("the key \"{}\" stands twice in one object", key.substr(0, 80)),
+        fail(keyAt, format("the key \"{}\" appears twice in one object", key.substr(0, 80)),
              "keep one of the two");
         if (warnings_ == nullptr) return false;
         warnings_->push_back(*std::exchange(error_, std::nullopt));
@@ -224,10 +224,10 @@ private:
             }
             out.append(text_, plainStart, at_ - plainStart);
             if (out.size() > limits_.textBytes) {
-                return fail(start, format("a text longer than {} bytes", limits_.textBytes),
+                return fail(start, format("a string longer than {} bytes", limits_.textBytes),
                             "shorten it or split it");
             }
-            if (ended()) return fail(start, "the text has no end", "close it with a double quote");
+            if (ended()) return fail(start, "the string has no end", "close it with a double quote");
             if (text_[at_] == '"') return ++at_, true;
             if (text_[at_] != '\\')
                 return failExpecting("a character or a closing quote", "write line ends as \\n, tabs as \\t");
@@ -245,7 +245,7 @@ private:
             ++at_;
             return true;
         }
-        if (letter != 'u') return failExpecting("an escape", "write \\\\ for a back slash");
+        if (letter != 'u') return failExpecting("an escape", "write \\\\ for a backslash");
         ++at_;
         const std::optional<std::uint32_t> first = readHex4();
         if (!first) return false;
@@ -264,7 +264,7 @@ private:
                        : first;
         }
         if (code >= 0xd800 && code < 0xe000) {
-            return fail(at_, "half of a \\u pair", "write both halves, or the character itself");
+            return fail(at_, "half of a pair of \\u escapes", "write both halves, or the character itself");
         }
         appendUtf8(out, code);
         return true;
@@ -314,7 +314,7 @@ private:
         bool whole = true;
         const std::size_t length = numberLength(whole);
         if (length == 0)
-            return failExpecting("a value", "write a number, a \"text\", true, false, null, { or [");
+            return failExpecting("a value", "write a number, a \"string\", true, false, null, { or [");
         const std::string_view text = text_.substr(at_, length);
         const char* end = text.data() + text.size();
         std::int64_t number = 0;
@@ -327,7 +327,7 @@ private:
         } else if (std::from_chars(text.data(), end, real).ec == std::errc{}) {
             json = real;
         } else {
-            return fail(at_, "a number that no double can hold", "write a smaller one");
+            return fail(at_, "the number is too large for a double", "write a smaller one");
         }
         at_ += length;
         return true;

@@ -13,8 +13,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kLineWidth = 110;  // characters
-constexpr std::size_t kShortText =
-    16;  // bytes; longer texts, such as rows of tiles, get lines of their own
+constexpr std::size_t kShortText = 16;   // bytes; longer texts, such as rows of tiles, get lines of their own
 
 void writeEscaped(std::string& out, char c) {
     switch (c) {
@@ -44,7 +43,7 @@ void writeText(std::string& out, std::string_view text) {
     out += '"';
 }
 
-/// Readers parse doubles, so the float's shortest text is used only if it gives the same double.
+/// Readers parse doubles, so a float's shortest text is used only if the parsed double gives the same float.
 void writeReal(std::string& out, double value) {
     if (!std::isfinite(value)) {
         out += "null";

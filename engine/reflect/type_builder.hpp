@@ -6,6 +6,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/fixed_list.hpp"
 #include "math/color.hpp"
@@ -61,6 +62,18 @@ constexpr FieldKind kindOf() {
     }
 }
 
+/// Bytes of a default value, with zeros between its members; none for a tag.
+template <class T>
+std::vector<std::byte> defaultBytes() {
+    if constexpr (kIsTag<T>) {
+        return {};
+    } else {
+        alignas(T) std::byte memory[sizeof(T)]{};
+        std::construct_at(reinterpret_cast<T*>(memory));
+        return {memory, memory + sizeof(T)};
+    }
+}
+
 /// Sets properties of the field just added: `type.field<&Spin::rate>("rate").unit(...)`.
 class FieldBuilder {
 public:
@@ -71,11 +84,11 @@ public:
     FieldBuilder& doc(std::string_view text) { return field_.doc = text, *this; }
     /// The field's name in older files, so that they can still be loaded.
     FieldBuilder& was(std::string_view oldName) { return field_.was = oldName, *this; }
-    /// Runtime state: shown and hashed, not saved.
+    /// Marks runtime state: shown and hashed, not saved.
     FieldBuilder& transient() { return field_.transient = true, *this; }
     /// Change per pixel of a drag in the inspector, in the field's unit.
     FieldBuilder& step(float step) { return field_.step = step, *this; }
-    /// Each bit is a collision layer.
+    /// Marks a set of collision layers, one per bit.
     FieldBuilder& layerBits() { return field_.layerBits = true, *this; }
     /// The field has an effect only if another field of the component, a
     /// bool or an enum, has this value; otherwise the inspector hides it.
@@ -91,14 +104,15 @@ private:
 /// Fills a TypeInfo from a type's own `describe` function.
 template <class T>
 class TypeBuilder {
-    static_assert(std::is_trivially_copyable_v<T>, "components are plain data; hold what has a length by id");
+    static_assert(std::is_trivially_copyable_v<T>,
+                  "components are plain data; use ids for variable-size data");
 
 public:
     explicit TypeBuilder(TypeInfo& type) : type_{type} {
         type_.key = typeKey<T>();
         type_.size = kIsTag<T> ? 0 : sizeof(T);
         type_.alignment = alignof(T);
-        type_.construct = [](void* memory) { std::construct_at(static_cast<T*>(memory)); };
+        type_.defaults = defaultBytes<T>();
     }
 
     TypeBuilder& name(std::string_view name) { return type_.name = name, *this; }
@@ -112,7 +126,7 @@ public:
         field.kind = kindOf<Value>();
         field.size = sizeof(Value);
         field.asset = kAssetKind<Value>;
-        field.address = [](void* object) -> void* { return &(static_cast<T*>(object)->*Member); };
+        field.offset = distance(&object_, &(object_.*Member));
         if constexpr (std::integral<Value>) {
             field.isSigned = std::is_signed_v<Value>;
         }
@@ -122,17 +136,26 @@ public:
             field.elementSize = sizeof(Element);
             field.capacity = ListTraits<Value>::kCapacity;
             field.asset = kAssetKind<Element>;
-            field.listCount = [](void* list) { return &static_cast<Value*>(list)->count; };
+            const auto& list = object_.*Member;
+            field.countOffset = distance(&list, &list.count);
         }
         return FieldBuilder{field};
     }
 
 private:
+    static std::size_t distance(const void* from, const void* to) {
+        return static_cast<std::size_t>(static_cast<const std::byte*>(to) -
+                                        static_cast<const std::byte*>(from));
+    }
+
     TypeInfo& type_;
+    T object_{};  // to measure where its members are
 };
 
 /// A type with a `describe` function.
 template <class T>
-concept Described = requires(TypeBuilder<T>& builder) { T::describe(builder); };
+concept Described = requires(TypeBuilder<T>& builder) {
+    T::describe(builder);
+};
 
 }  // namespace plumb

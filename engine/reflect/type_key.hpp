@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "reflect/type_info.hpp"
+#include "reflect/type_name.hpp"
 
 namespace plumb {
 
@@ -12,8 +13,18 @@ inline constexpr TypeKey kMaxTypes = 2048;
 
 TypeKey nextTypeKey();
 
+/// The key of a type whose code can be loaded again: the same for each version of the code. Types of
+/// unnamed namespaces get another key each time, because two files may use the same name.
+TypeKey reloadableTypeKey(std::string_view name);
+/// True if the type belongs to code that can be loaded again.
+bool isReloadable(TypeKey key);
+
 template <class T>
+#if defined(PLUMB_RELOADABLE)
+inline const TypeKey kTypeKey = reloadableTypeKey(compilerTypeName<T>());
+#else
 inline const TypeKey kTypeKey = nextTypeKey();
+#endif
 
 /// The key of a type in this program, const or not.
 template <class T>

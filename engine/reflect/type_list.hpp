@@ -2,11 +2,11 @@
 
 namespace plumb {
 
-/// Several types, in an order.
+/// An ordered list of types.
 template <class... T>
 struct TypeList {};
 
-/// Adds all of them to a TypeRegistry.
+/// Adds all types of a list to a TypeRegistry.
 template <class Registry, class... T>
 void addAll(Registry& types, TypeList<T...>) {
     (types.template add<T>(), ...);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deque>
+#include <list>
 #include <string_view>
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace plumb {
 /// The component types of a program, in the order in which files and the inspector list them.
 class TypeRegistry {
 public:
-    /// Registers a type by its `describe`; has no effect the second time.
+    /// Registers a type by its `describe`; does nothing if it is registered already.
     template <Described T>
     const TypeInfo& add() {
         if (const TypeInfo* known = find(typeKey<T>())) return *known;
@@ -23,6 +23,12 @@ public:
         return type;
     }
 
+    /// Replaces the description of the type of this name, or adds it. References to the TypeInfo stay valid,
+    /// those to its fields do not.
+    const TypeInfo& update(TypeInfo type);
+    /// The type of this name is no longer found. References to it stay valid.
+    void remove(std::string_view name);
+
     template <class T>
     [[nodiscard]] const TypeInfo& of() const {
         const TypeInfo* type = find(typeKey<T>());
@@ -32,11 +38,12 @@ public:
 
     [[nodiscard]] const TypeInfo* find(std::string_view name) const;
     [[nodiscard]] const TypeInfo* find(TypeKey key) const;
-    [[nodiscard]] const std::deque<TypeInfo>& all() const { return types_; }
+    [[nodiscard]] const std::list<TypeInfo>& all() const { return types_; }
     [[nodiscard]] std::vector<std::string_view> names() const;
 
 private:
-    std::deque<TypeInfo> types_;  // a deque, so that references to it stay valid
+    std::list<TypeInfo> types_;  // a list, so that references to its elements stay valid
+    std::list<TypeInfo> removed_;
 };
 
 }  // namespace plumb

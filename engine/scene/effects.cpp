@@ -13,55 +13,64 @@ bool isOfPhysics(const EffectRow& row) { return row.physics != physics::Effect::
 
 }  // namespace
 
-Effects::Effects(const EffectTable& table, World& world)
-    : table_{table},
-      program_(table.rows().size(), Pin::Auto),
-      scenes_{program_},
-      measured_{program_},
-      pins_{program_},
-      pinnedBy_(table.rows().size()),
-      counted_(table.rows().size()) {
-    for (const EffectSystem& system : table.systems()) {
-        const std::size_t row = system.effect.empty() ? EffectTable::kNone : table.find(system.effect);
-        PLUMB_ASSERT(system.effect.empty() || row != EffectTable::kNone, "a system runs for no known effect");
-        gateOf_.push_back(row == EffectTable::kNone ? row
-                                                    : gates_.add(system.key, table.rows()[row].calledFor));
-    }
+Effects::Effects(const EffectTable& table, World& world) : table_{table} {
+    makeGates();
     world.provide(*this);
     world.provide(gates_);
     world.provide(table);
+}
+
+void Effects::makeGates() {
+    program_ = scenes_ = measured_ = pins_ = std::vector<Pin>(table_.rows().size(), Pin::Auto);
+    pinnedBy_.assign(table_.rows().size(), {});
+    counted_.assign(table_.rows().size(), 0);
+    gates_ = {};
+    gateOf_.clear();
+    for (const EffectSystem& system : table_.systems()) {
+        const std::size_t row = system.effect.empty() ? EffectTable::kNone : table_.find(system.effect);
+        PLUMB_ASSERT(system.effect.empty() || row != EffectTable::kNone, "a system names an unknown effect");
+        gateOf_.push_back(row == EffectTable::kNone ? row
+                                                    : gates_.add(system.key, table_.rows()[row].isRequired));
+    }
+}
+
+void Effects::tableChanged() {
+    makeGates();
+    sceneContents_.clear();  // followScenes() reads the pins of the scenes again
+    resolvePins();
 }
 
 void Effects::followScenes(World& world) {
     const LoadedScenes* loaded = world.findResource<LoadedScenes>();
     const std::size_t count = loaded == nullptr ? 0 : loaded->scenes.size();
     const bool same =
-        count == known_.size() &&
-        std::equal(known_.begin(), known_.end(), loaded == nullptr ? nullptr : loaded->scenes.data(),
+        count == sceneContents_.size() &&
+        std::equal(sceneContents_.begin(), sceneContents_.end(),
+                   loaded == nullptr ? nullptr : loaded->scenes.data(),
                    [](const auto& rest, const LoadedScene& scene) { return rest == scene.rest; });
     if (same) return;
-    known_.clear();
+    sceneContents_.clear();
     std::fill(scenes_.begin(), scenes_.end(), Pin::Auto);
     std::fill(pinnedBy_.begin(), pinnedBy_.end(), std::string{});
     if (loaded != nullptr) readScenes(*loaded);
-    mix();
+    resolvePins();
     if (count < 2) return;
-    // A scene that is laid over others may need what they pinned off: that is no mistake of its file.
+    // An overlay may need effects that the scenes below pin off, which loading its file alone cannot detect.
     std::vector<Error> problems;
     for (const LoadedScene& scene : loaded->scenes) {
         std::vector<Pin> others = pins_;
         for (std::size_t i = 0; i < others.size(); ++i) {
-            if (pinnedBy_[i] == scene.path) others[i] = Pin::Auto;  // reported when it was loaded
+            if (pinnedBy_[i] == scene.path) others[i] = Pin::Auto;  // reported when the scene was loaded
         }
         table_.checkNeeds(world, scene.id, scene.path, others, problems);
     }
     for (const Error& problem : problems) logWarning("Scene", problem);
 }
 
-/// From the bottom to the top, so that the topmost that says something stays.
+/// Reads from bottom to top, so that the topmost scene that names an effect has priority.
 void Effects::readScenes(const LoadedScenes& loaded) {
     for (const LoadedScene& scene : loaded.scenes) {
-        known_.push_back(scene.rest);
+        sceneContents_.push_back(scene.rest);
         if (!scene.effects.is_object() || scene.effects.empty()) continue;
         const std::vector<Pin> pins = table_.readPins(scene.effects, scene.path, nullptr);
         for (const auto& [key, value] : scene.effects.items()) {
@@ -73,7 +82,7 @@ void Effects::readScenes(const LoadedScenes& loaded) {
     }
 }
 
-void Effects::mix() {
+void Effects::resolvePins() {
     physicsOn_ = physicsOff_ = 0;
     for (std::size_t i = 0; i < pins_.size(); ++i) {
         pins_[i] = measured_[i] != Pin::Auto ? measured_[i]
@@ -90,9 +99,9 @@ void Effects::mix() {
     }
 }
 
-bool Effects::calledFor(const World& world, std::size_t row) const {
+bool Effects::isRequired(const World& world, std::size_t row) const {
     const EffectRow& effect = table_.rows()[row];
-    if (!isOfPhysics(effect)) return effect.calledFor(world);
+    if (!isOfPhysics(effect)) return effect.isRequired(world);
     const auto* state = world.findResource<PhysicsState>();
     return state != nullptr && state->world.manifest.callers[static_cast<std::size_t>(effect.physics)] > 0;
 }
@@ -113,12 +122,12 @@ std::uint64_t Effects::runsOf(World& world, std::size_t row) const {
 
 void Effects::setProgram(std::string_view name, Pin pin) {
     program_[table_.find(name)] = pin;
-    mix();
+    resolvePins();
 }
 
 void Effects::setMeasured(std::size_t row, Pin pin) {
     measured_[row] = pin;
-    mix();
+    resolvePins();
 }
 
 }  // namespace plumb

@@ -9,64 +9,67 @@
 
 namespace plumb {
 
-/// Which effects of a world run: those that components call for, and what is pinned. A service of the
-/// world, so it has to outlive the last tick.
+/// Decides which effects of a world run: those that components request, unless they are pinned on or off. A
+/// service of the world, so it must outlive the last tick.
 ///
-/// All scenes of a stack share it. What pins an effect, from the strongest on: a measurement (`setMeasured`),
-/// the topmost scene that names the effect, the program (`setProgram`).
+/// All scenes of a stack share it. Pins by decreasing priority: a measurement (setMeasured()), the topmost
+/// scene that names the effect, the program (setProgram()).
 class Effects {
 public:
-    /// Gates the systems of the world, and is its service from now on.
+    /// Registers itself and its system gates as services of the world.
     Effects(const EffectTable& table, World& world);
     Effects(const Effects&) = delete;
     Effects& operator=(const Effects&) = delete;
 
+    /// Must be called after the table was changed. Settings of the program and measurements start anew.
+    void tableChanged();
     [[nodiscard]] const EffectTable& table() const { return table_; }
 
-    /// Takes over what the scenes of the world say, when they are others than before. Once a tick.
+    /// Updates the pins from the scenes of the world if these have changed. Call once per tick.
     void followScenes(World& world);
 
     [[nodiscard]] Pin pinOf(std::size_t row) const { return pins_[row]; }
-    /// The path of the scene that pins it; empty for none.
+    /// Returns the path of the scene that pins the effect; empty if no scene does.
     [[nodiscard]] const std::string& pinnedBy(std::size_t row) const { return pinnedBy_[row]; }
-    /// Whether something calls for it, in O(1).
-    [[nodiscard]] bool calledFor(const World& world, std::size_t row) const;
+    /// True if the effect is requested; O(1).
+    [[nodiscard]] bool isRequired(const World& world, std::size_t row) const;
     [[nodiscard]] bool runs(const World& world, std::size_t row) const {
-        return pins_[row] == Pin::Auto ? calledFor(world, row) : pins_[row] == Pin::On;
+        return pins_[row] == Pin::Auto ? isRequired(world, row) : pins_[row] == Pin::On;
     }
     [[nodiscard]] bool runs(const World& world, std::string_view name) const {
         return runs(world, table_.find(name));
     }
-    /// How often it was at work: in how many ticks its systems or its part of the physics ran; how often its
-    /// device was opened; how many layers of animated tiles were drawn.
+    /// Returns how often the effect ran: the number of ticks in which its systems or its part of the physics
+    /// ran, plus the number of count() calls (opened devices, drawn layers of animated tiles).
     [[nodiscard]] std::uint64_t runsOf(World& world, std::size_t row) const;
     [[nodiscard]] std::uint64_t runsOf(World& world, std::string_view name) const {
         return runsOf(world, table_.find(name));
     }
 
-    /// Bits of physics::Manifest.
+    /// Bits of physics::Manifest: effects of the physics that are pinned on.
     [[nodiscard]] std::uint32_t physicsOn() const { return physicsOn_; }
     [[nodiscard]] std::uint32_t physicsOff() const { return physicsOff_; }
 
-    /// What a program wants where no scene says anything: a game in code may need what no component calls
-    /// for.
+    /// Pins an effect for effects that no scene pins: a game in code may need one that no component requests.
     void setProgram(std::string_view name, Pin pin);
-    /// To see what an effect costs: goes before all that scenes say.
+    /// Pins an effect with priority over scenes and program, to measure its cost.
     void setMeasured(std::size_t row, Pin pin);
-    /// It was at work where no system is: a device was opened for it, or something drawn.
+    /// Counts a use of an effect outside of systems: a device was opened or something was drawn.
     void count(std::string_view name) { ++counted_[table_.find(name)]; }
 
 private:
+    void makeGates();
     void readScenes(const LoadedScenes& loaded);
-    void mix();
+    void resolvePins();
 
     const EffectTable& table_;
     SystemGates gates_;
-    std::vector<std::size_t> gateOf_;  // by system of the table; kNone for one that always runs
+    std::vector<std::size_t> gateOf_;  // by system of the table: index of its gate; kNone if it always runs
     std::vector<Pin> program_, scenes_, measured_, pins_;
     std::vector<std::string> pinnedBy_;
-    std::vector<std::uint64_t> counted_;                   // by row
-    std::vector<std::shared_ptr<const SceneRest>> known_;  // of the scenes that were read
+    std::vector<std::uint64_t> counted_;  // by effect: calls of count()
+    std::vector<std::shared_ptr<const SceneRest>>
+        sceneContents_;  // content of the scenes whose pins were read
     std::uint32_t physicsOn_ = 0;
     std::uint32_t physicsOff_ = 0;
 };

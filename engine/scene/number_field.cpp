@@ -6,12 +6,13 @@
 #include <cstring>
 
 #include "math/vec2.hpp"
+#include "reflect/whole_number.hpp"
 
 namespace plumb {
 
 namespace {
 
-/// "gravity.y" is part 1 of gravity. @return  -1 for no part
+/// Removes ".x" or ".y" from the end of a path. @return 0 for x, 1 for y, -1 for neither
 int takePart(std::string_view& path) {
     if (path.size() < 3 || path[path.size() - 2] != '.') return -1;
     const char letter = path.back();
@@ -34,27 +35,6 @@ T bytesAs(const void* from) {
     return value;
 }
 
-std::int64_t wholeAt(const void* from, const FieldInfo& field) {
-    const bool isSigned = field.kind == FieldKind::Int && field.isSigned;
-    switch (field.size) {
-        case 1: return isSigned ? bytesAs<std::int8_t>(from) : bytesAs<std::uint8_t>(from);
-        case 2: return isSigned ? bytesAs<std::int16_t>(from) : bytesAs<std::uint16_t>(from);
-        case 4: return isSigned ? bytesAs<std::int32_t>(from) : bytesAs<std::uint32_t>(from);
-        default: return bytesAs<std::int64_t>(from);
-    }
-}
-
-/// The same bytes whether they have a sign or not.
-void putWhole(void* to, std::size_t size, std::int64_t value) {
-    const auto put = [to](auto narrow) { std::memcpy(to, &narrow, sizeof(narrow)); };
-    switch (size) {
-        case 1: return put(static_cast<std::uint8_t>(value));
-        case 2: return put(static_cast<std::uint16_t>(value));
-        case 4: return put(static_cast<std::uint32_t>(value));
-        default: return put(value);
-    }
-}
-
 }  // namespace
 
 std::optional<NumberField> NumberField::find(const TypeRegistry& types, std::string_view component,
@@ -73,7 +53,9 @@ float NumberField::read(const void* component) const {
         case FieldKind::Bool: return bytesAs<bool>(at) ? 1.0f : 0.0f;
         case FieldKind::Float: return bytesAs<float>(at);
         case FieldKind::Vec2: return part_ == 0 ? bytesAs<Vec2>(at).x : bytesAs<Vec2>(at).y;
-        default: return static_cast<float>(wholeAt(at, *field_));
+        default:
+            return static_cast<float>(
+                loadWhole(at, field_->size, field_->kind == FieldKind::Int && field_->isSigned));
     }
 }
 
@@ -90,7 +72,8 @@ void NumberField::write(void* component, float value) const {
         const bool on = value >= 0.5f;
         std::memcpy(at, &on, sizeof(on));
     } else {
-        putWhole(at, field_->size, static_cast<std::int64_t>(std::floor(value + 0.5f)));
+        storeWhole(at, field_->size,
+                   static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value + 0.5f))));
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/effect_rows.hpp"
 #include "core/text.hpp"
 #include "editor/model/effects/set_effect_pin.hpp"
 #include "scene/loaded_scene.hpp"
@@ -10,7 +9,7 @@
 namespace plumb::editor {
 namespace {
 
-constexpr std::int64_t kTicksOfCount = 15;  // numbers that change faster cannot be read
+constexpr std::int64_t kTicksOfCount = 15;  // faster changes of the numbers would be unreadable
 
 const LoadedScene* sceneOf(const Document& document) {
     LoadedScenes* scenes = document.world.findResource<LoadedScenes>();
@@ -24,14 +23,13 @@ std::vector<Pin> pinsOf(const Document& document, const EffectTable& table) {
     return table.readPins(scene == nullptr ? Json::object() : scene->effects, document.scenePath, nullptr);
 }
 
-const EffectTable& EffectsView::table() const { return engineEffects(); }
-
 std::size_t EffectsView::running() const {
     return static_cast<std::size_t>(
         std::count_if(lines_.begin(), lines_.end(), [](const Line& line) { return line.runs; }));
 }
 
 void EffectsView::refresh(const Workspace& workspace) {
+    table_ = workspace.document.world.service<const EffectTable>();
     const std::int64_t ticks = workspace.play.running() ? workspace.play.ticks() : -1;
     const bool playChanged = (ticks < 0) != (ticks_ < 0);
     const bool recount = lines_.empty() || playChanged || revision_ != workspace.document.sceneRevision ||
@@ -56,7 +54,7 @@ void EffectsView::refresh(const Workspace& workspace) {
     }
 }
 
-/// The scene does not run, so its physics counts no callers: the components say what would call.
+/// Without a running game, finds the components that would require each effect.
 void EffectsView::lookAtScene(const Workspace& workspace, bool) {
     const std::vector<Pin> pins = pinsOf(workspace.document, table());
     tick_ = 0.0f;
@@ -64,8 +62,8 @@ void EffectsView::lookAtScene(const Workspace& workspace, bool) {
         line.callers = callersOf(workspace.document.world, table().rows()[line.row]);
         line.pin = pins[line.row];
         line.pinnedBy.clear();
-        line.calledFor = !line.callers.empty();
-        line.runs = line.pin == Pin::Auto ? line.calledFor : line.pin == Pin::On;
+        line.isRequired = !line.callers.empty();
+        line.runs = line.pin == Pin::Auto ? line.isRequired : line.pin == Pin::On;
         line.measured = false;
     }
 }
@@ -73,14 +71,14 @@ void EffectsView::lookAtScene(const Workspace& workspace, bool) {
 void EffectsView::lookAtGame(const Workspace& workspace, bool recount) {
     const World& world = workspace.play.world();
     const auto* effects = world.service<Effects>();
-    if (effects == nullptr) return lookAtScene(workspace, recount);  // it plays in another way
+    if (effects == nullptr) return lookAtScene(workspace, recount);  // the session has no Effects service
     const std::vector<Pin> pins = pinsOf(workspace.document, table());
     for (Line& line : lines_) {
         line.pin = pins[line.row];
         line.pinnedBy = effects->pinnedBy(line.row) == workspace.document.scenePath
                             ? std::string{}
                             : effects->pinnedBy(line.row);
-        line.calledFor = effects->calledFor(world, line.row);
+        line.isRequired = effects->isRequired(world, line.row);
         line.runs = effects->runs(world, line.row);
         if (recount) line.callers = callersOf(world, table().rows()[line.row]);
     }
@@ -121,8 +119,8 @@ void selectCallers(Workspace& workspace, const EffectRow& row, const TypeInfo& t
         });
     }
     workspace.document.selection.set(std::move(ids));
-    workspace.notice =
-        format("{} with {} call for {}", workspace.document.selection.size(), type.name, row.name);
+    workspace.notice = format("Selected {} entities with {} that require {}",
+                              workspace.document.selection.size(), type.name, row.name);
 }
 
 void pinEffect(Workspace& workspace, std::string_view effect, Pin pin) {

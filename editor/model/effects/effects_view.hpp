@@ -4,35 +4,36 @@
 #include <vector>
 
 #include "app/effect_list.hpp"
+#include "app/effect_rows.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {
 
-/// What the panel "Effects" shows: every effect of the open scene or of the game that plays, what calls for
-/// it, and what it costs.
+/// Data of the panel "Effects": all effects of the open scene or running game, the components that require
+/// them, and their costs.
 class EffectsView {
 public:
-    static constexpr std::size_t kTicks = 60;  ///< that costs are the mean of: a second
+    static constexpr std::size_t kTicks = 60;  ///< ticks over which costs are averaged (1 s)
 
     struct Line {
-        std::size_t row = 0;
+        std::size_t row = 0;  ///< index in the effect table
         bool runs = false;
-        bool calledFor = false;
+        bool isRequired = false;  ///< a component requires the effect
         bool inPhysics = false;
-        Pin pin = Pin::Auto;     ///< in the file of the open scene
-        std::string pinnedBy{};  ///< in the game that plays: the path of another scene that pins it
+        Pin pin = Pin::Auto;     ///< setting in the file of the open scene
+        std::string pinnedBy{};  ///< in the running game: path of another scene that pins it
         std::vector<EffectCount> callers{};
         EffectZones zones{};
-        bool measured = false;  ///< while the game plays, and for what runs alone
+        bool measured = false;  ///< a game runs, and the effect runs in zones of its own
         float milliseconds = 0.0f;
-        float share = 0.0f;  ///< ratio of the tick
+        float share = 0.0f;  ///< ratio to the time of the tick
     };
 
-    /// Looks again, when the scene changed or the game went on.
+    /// Updates the data if the scene changed or the game advanced.
     void refresh(const Workspace& workspace);
-    [[nodiscard]] const EffectTable& table() const;
+    [[nodiscard]] const EffectTable& table() const { return *table_; }
     [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
-    [[nodiscard]] float tickMilliseconds() const { return tick_; }  ///< the mean; 0: nothing was measured
+    [[nodiscard]] float tickMilliseconds() const { return tick_; }  ///< mean; 0: not measured
     [[nodiscard]] std::size_t running() const;
 
 private:
@@ -40,20 +41,21 @@ private:
     void lookAtGame(const Workspace& workspace, bool recount);
     void readCosts(const Profiler& profiler);
 
+    const EffectTable* table_ = &engineEffects();
     std::vector<Line> lines_;
     float tick_ = 0.0f;
-    float overhead_ = -1.0f;  // ms that measuring a zone takes; below 0: not known yet
+    float overhead_ = -1.0f;  // time of measuring a zone, ms; below 0: unknown
     std::uint64_t revision_ = ~std::uint64_t{0};
     std::int64_t ticks_ = -1;
 };
 
-/// The effects that the open scene pins, by row of the table.
+/// Returns the pins of the open scene, by row of the table.
 std::vector<Pin> pinsOf(const Document& document, const EffectTable& table);
 
-/// Selects the entities of the shown world whose component of this kind calls for an effect.
+/// Selects the entities of the shown world whose component of this type requires the effect.
 void selectCallers(Workspace& workspace, const EffectRow& row, const TypeInfo& type);
 
-/// Pins an effect in the open scene: one step of undo. Nothing while the game plays.
+/// Pins an effect in the open scene, as one undo step. Does nothing while the game runs.
 void pinEffect(Workspace& workspace, std::string_view effect, Pin pin);
 
 }  // namespace plumb::editor

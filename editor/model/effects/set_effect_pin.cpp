@@ -21,7 +21,7 @@ void SetEffectPin::apply(Document& document) {
     LoadedScene* scene = sceneOf(document);
     if (scene == nullptr) return;
     before_ = scene->effects;
-    if (!scene->effects.is_object()) scene->effects = Json::object();  // what stood there meant nothing
+    if (!scene->effects.is_object()) scene->effects = Json::object();  // an invalid value has no effect
     if (pin_ == Pin::Auto) {
         scene->effects.erase(effect_);
     } else {

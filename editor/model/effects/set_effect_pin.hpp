@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// Writes into the scene file's "effects" whether one of them is on or off; auto takes its line away.
+/// Sets an effect to on or off in the scene file's "effects"; Auto removes its entry.
 class SetEffectPin final : public Command {
 public:
     SetEffectPin(std::string effect, Pin pin) : effect_{std::move(effect)}, pin_{pin} {}
@@ -21,7 +21,7 @@ public:
 private:
     std::string effect_;
     Pin pin_;
-    Json before_;  // all of "effects", so that its lines keep their order
+    Json before_;  // the whole object "effects", so that undo restores its order
     Json after_;
 };
 

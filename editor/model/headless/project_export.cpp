@@ -14,9 +14,10 @@ constexpr std::string_view kScript = R"sh(#!/bin/sh
 here=$(cd "$(dirname "$0")" && pwd)
 exec "$here/plumb-player" "$here/game" "$@"
 )sh";
+constexpr std::string_view kNothing = "\n";  // starts no path
 constexpr std::string_view kBatch = "@\"%~dp0plumb-player.exe\" \"%~dp0game\" %*\r\n";
 
-/// Copies files and counts them; remembers the first thing that went wrong.
+/// Copies and counts files until the first error, which it stores.
 class Copier {
 public:
     explicit Copier(ExportReport& report) : report_{report} {}
@@ -31,17 +32,18 @@ public:
         report_.bytes += fs::file_size(to, ignored);
     }
     /// All files of a folder that are not hidden.
-    void copyAll(const Path& from, const Path& to) {
+    /// @param leftOut  start of the paths of files that are not copied; empty: none
+    void copyAll(const Path& from, const Path& to, std::string_view leftOut = kNothing) {
         AssetCatalog catalog{from};
         catalog.refresh();
         for (const AssetItem& file : catalog.all()) {
-            if (!file.folder) copy(from / file.path, to / file.path);
+            if (!file.folder && !startsWith(file.path, leftOut)) copy(from / file.path, to / file.path);
         }
     }
     [[nodiscard]] Result<Done> result() const {
         if (!failed_) return Done{};
         return Error{place_.generic_string(), failed_.message(),
-                     "look whether there is room, and leave to write"};
+                     "check the free disk space and the write permission"};
     }
 
 private:
@@ -50,21 +52,23 @@ private:
     Path place_;
 };
 
-bool lies(const Path& inner, const Path& outer) {
-    const Path way = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
-    return !way.empty() && *way.begin() != "..";
+bool isBelow(const Path& inner, const Path& outer) {
+    const Path relative = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
+    return !relative.empty() && *relative.begin() != "..";
 }
 
 Result<Done> checkTarget(const Path& project, const Path& folder) {
     const std::string name = folder.generic_string();
-    if (lies(folder, project))
-        return Error{name, "this is inside the project", "choose a folder outside of it"};
-    if (lies(project, folder)) return Error{name, "the project is inside of it", "choose another folder"};
+    if (isBelow(folder, project))
+        return Error{name, "the folder is inside the project", "choose a folder outside the project"};
+    if (isBelow(project, folder))
+        return Error{name, "the folder contains the project", "choose another folder"};
     std::error_code none;
     if (!fs::exists(folder, none)) return Done{};
-    if (!fs::is_directory(folder, none)) return Error{name, "this is a file", "choose a folder"};
+    if (!fs::is_directory(folder, none))
+        return Error{name, "this is a file, not a folder", "choose a folder"};
     if (fs::is_empty(folder, none) || fs::exists(folder / "game/project.json", none)) return Done{};
-    return Error{name, "there are other things in this folder", "choose an empty one"};
+    return Error{name, "the folder has other content", "choose an empty folder"};
 }
 
 Result<Done> writeScript(const Path& folder, bool windows) {
@@ -76,13 +80,13 @@ Result<Done> writeScript(const Path& folder, bool windows) {
     return Done{};
 }
 
-/// Puts a finished folder where it belongs; what was there goes last.
+/// Moves the finished folder to its destination. The old content is removed only afterwards.
 Result<Done> replace(const Path& made, const Path& folder) {
     const Path before = Path{made}.concat(".before");
     std::error_code failed, ignored;
     if (fs::exists(folder, ignored)) fs::rename(folder, before, failed);
     if (!failed) fs::rename(made, folder, failed);
-    if (failed) return Error{folder.generic_string(), failed.message(), "is a program using it?"};
+    if (failed) return Error{folder.generic_string(), failed.message(), "close programs that use the folder"};
     fs::remove_all(before, ignored);
     return Done{};
 }
@@ -100,10 +104,10 @@ Result<ExportReport> exportProject(const Path& project, const Path& wanted, cons
 
     ExportReport report;
     Copier copier{report};
-    copier.copyAll(project, made / "game");
+    copier.copyAll(project, made / "game", "code/");  // the player contains it
     copier.copyAll(parts.engineAssets, made / "assets");
     report.runnable = !parts.player.empty() && fs::is_regular_file(parts.player, ignored);
-    if (report.runnable) copier.copy(parts.player, made / parts.player.filename());
+    if (report.runnable) copier.copy(parts.player, made / ("plumb-player" + parts.player.extension().string()));
     Result<Done> done = copier.result();
     if (done && report.runnable) done = writeScript(made, parts.player.extension() == ".exe");
     if (done) done = replace(made, target);

@@ -8,23 +8,30 @@ namespace {
 
 class GameSession final : public PlaySession {
 public:
-    explicit GameSession(const Project& project) : game_{project} {
-        game_.assets.logging = false;  // the editor has reported what it loaded of the project
+    GameSession(const Project& project, const GameContent& content) : game_{project, {}, 1, content} {
+        game_.assets.logging = false;  // the editor has already logged the problems of these assets
     }
 
-    /// The game is in that scene. The text stands for its file, now and when the game comes back to it.
+    /// Opens a scene. `text` replaces the content of the scene's file, also when the game opens the scene
+    /// again.
     Result<Done> load(const std::string& path, const std::string& text) {
         game_.edit(path, text);
         if (Result<Done> opened = game_.openScene(path); !opened) return opened;
-        restored();  // what it makes in the world is there from the beginning
+        restored();  // loads the assets, so that the world is complete before the first tick
         return Done{};
     }
 
     [[nodiscard]] World& world() override { return game_.world; }
     [[nodiscard]] AssetStore* assets() override { return &game_.assets; }
     void tick(const InputFrame& input) override { tickGame(game_, input); }
-    /// Another scene may need other assets; no scene was asked for between two ticks.
+    /// Loads the assets of the restored scene. No scene change is pending between two ticks, so none is
+    /// started.
     void restored() override { game_.onLateUpdate(0.0f); }
+    void contentChanged(const GameContent& content, const ContentChange& change) override {
+        convertWorld(game_.world, content, change);
+        game_.effects.tableChanged();
+        game_.reloadPrefabs();
+    }
     bool reload(const std::string& path, const std::string& text) override { return load(path, text).ok(); }
 
 private:
@@ -34,8 +41,8 @@ private:
 }  // namespace
 
 std::unique_ptr<PlaySession> makeGameSession(const Project& project, const std::string& path,
-                                             const std::string& text) {
-    auto session = std::make_unique<GameSession>(project);
+                                             const std::string& text, const GameContent& content) {
+    auto session = std::make_unique<GameSession>(project, content);
     if (const Result<Done> loaded = session->load(path, text); !loaded) {
         logError("Editor", loaded.error());
         return nullptr;

@@ -3,17 +3,19 @@
 #include <memory>
 #include <string>
 
+#include "app/game_content.hpp"
 #include "app/project.hpp"
 #include "editor/model/play/play_mode.hpp"
 
 namespace plumb::editor {
 
-/// Plays a scene by the rules of the player: the same systems in the same order, the same input, the same
-/// changes of scene. Nothing when the scene cannot be loaded; the log says why.
+/// Creates a session that runs a scene exactly as the player application does: the same systems in the same
+/// order, the same input, the same scene changes. @return null if the scene cannot be loaded; logs the reason
 ///
-/// @param path  of the scene in the project
-/// @param text  what it is now, with changes that are not saved
+/// @param path  of the scene file, relative to the project
+/// @param text  content of the scene file, including unsaved changes
 std::unique_ptr<PlaySession> makeGameSession(const Project& project, const std::string& path,
-                                             const std::string& text);
+                                             const std::string& text,
+                                             const GameContent& content = engineContent());
 
 }  // namespace plumb::editor

@@ -17,11 +17,11 @@ namespace {
 
 bool holdsText(FieldKind kind) { return kind == FieldKind::Text || kind == FieldKind::Asset; }
 
-/// The document's world has to know the words that the game was given.
+/// Adds the texts that `value` refers to by id to the document's world.
 void takeTexts(World& to, const World& from, const FieldInfo& field, FieldValue value) {
     const bool list = field.kind == FieldKind::List && holdsText(field.element);
     if (!list && !holdsText(field.kind)) return;
-    const std::size_t count = list ? *field.listCount(value.bytes.data()) : 1;
+    const std::size_t count = list ? field.countOf(value.bytes.data()) : 1;
     for (std::size_t i = 0; i < count; ++i) {
         TextId id;
         std::memcpy(&id, &value.bytes[i * sizeof id], sizeof id);
@@ -29,7 +29,7 @@ void takeTexts(World& to, const World& from, const FieldInfo& field, FieldValue 
     }
 }
 
-/// A value as the scene's file would have it.
+/// The value of a field as JSON text, as it is written to the scene file.
 std::string textOf(Document& document, const PlayEdit& edit, const FieldValue& value) {
     ComponentState scratch = defaultComponent(*edit.type);
     writeField(document, *edit.field, scratch.bytes.data(), value);
@@ -39,13 +39,13 @@ std::string textOf(Document& document, const PlayEdit& edit, const FieldValue& v
     return text;
 }
 
-/// Whether the scene can take a change of this entity.
+/// True if the scene has the edited entity and its component, or the component can be added automatically.
 bool canKeep(const Document& document, const PlayEdit& edit) {
     const EntityId entity = document.find(edit.object);
-    return entity && (document.world.has(*edit.type, entity) || comesByItself(*edit.type));
+    return entity && (document.world.has(*edit.type, entity) || isAddedOnEdit(*edit.type));
 }
 
-/// Of the scene; of a component that it does not have yet, what that would begin with.
+/// Returns the field's value in the scene; the default value if the entity does not have the component.
 FieldValue valueNow(const Document& document, const PlayEdit& edit) {
     const void* component = document.world.find(*edit.type, document.find(edit.object));
     if (component != nullptr) return readField(document, *edit.field, component);

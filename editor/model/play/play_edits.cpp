@@ -9,7 +9,8 @@ namespace plumb::editor {
 
 void PlayEdits::add(const PlayEdit& edit) {
     const auto same = [&edit](const PlayEdit& other) { return edit.sameField(other); };
-    // A slider that is dragged in a paused game sets one field many times after one tick.
+    // Dragging a slider in a paused game sets one field many times after the same tick; only the last value
+    // counts.
     if (!log_.empty() && log_.back().tick == edit.tick && same(log_.back())) {
         log_.back() = edit;
     } else {
@@ -48,7 +49,7 @@ bool writePlayed(World& world, const ObjectNames& names, const PlayEdit& edit) {
     const EntityId entity = names.find(edit.object);
     if (!entity) return false;
     if (!world.has(*edit.type, entity)) {
-        if (!comesByItself(*edit.type)) return false;
+        if (!isAddedOnEdit(*edit.type)) return false;
         world.add(*edit.type, entity);
     }
     writeField(names, *edit.field, world.find(*edit.type, entity), edit.value);

@@ -10,9 +10,9 @@
 namespace plumb::editor {
 namespace {
 
-constexpr double kTick = 1.0 / 60.0;    // s
-constexpr double kLongestFrame = 0.25;  // s; what is longer slows the game down instead of piling up ticks
-constexpr double kMostTicks = 4.0;      // of a frame at the speed that the game is made for
+constexpr double kTick = 1.0 / 60.0;    // s: duration of a tick
+constexpr double kLongestFrame = 0.25;  // s: longer frames slow the game down, so that ticks do not pile up
+constexpr double kMostTicks = 4.0;      // maximum ticks per frame, times the speed factor; at least 15
 
 }  // namespace
 
@@ -31,6 +31,13 @@ void PlayMode::stop() {
     session_.reset();
     recording_.clear();
     paused_ = watching_ = false;
+}
+
+void PlayMode::contentChanged(const GameContent& content, const ContentChange& change) {
+    session_->contentChanged(content, change);
+    watching_ = false;
+    edits_.clear();
+    recording_.begin(ticks_, world());
 }
 
 EntityId PlayMode::find(ObjectId id) const {
@@ -57,7 +64,7 @@ float PlayMode::advance(double seconds, const InputFrame& input) {
     if (!running() || paused_) return 1.0f;
     const double speed = std::exp2(speed_);
     rest_ += std::clamp(seconds, 0.0, kLongestFrame) * speed;
-    // A machine that cannot keep up shows a slower game, not a frozen editor.
+    // On a machine that is too slow the game runs slower, instead of blocking the editor.
     rest_ = std::min(rest_, kTick * std::max(kLongestFrame / kTick, kMostTicks * speed));
     for (; rest_ >= kTick && !paused_; rest_ -= kTick) {
         step(input);
@@ -122,19 +129,19 @@ void PlayMode::edit(ObjectId object, const TypeInfo& type, const FieldInfo& fiel
 }
 
 void PlayMode::tick(const InputFrame& input, bool again) {
-    if (watchTicks != nullptr) watchTicks->before(world());
+    if (tickListener != nullptr) tickListener->before(world());
     session_->tick(input);
     ++ticks_;
-    if (watchTicks != nullptr) watchTicks->after(world(), ticks_, again);
+    if (tickListener != nullptr) tickListener->after(world(), ticks_, again);
 }
 
-/// One tick again, as it was.
+/// Replays the next recorded tick with its input and the user's changes.
 void PlayMode::playRecorded() {
     tick(recording_.inputAfter(ticks_), true);
     edits_.replay(world(), *this, ticks_);
 }
 
-/// What came after the present tick did not happen.
+/// Discards the recorded ticks after the present one.
 void PlayMode::branch() {
     recording_.cut(ticks_);
     edits_.cut(ticks_);

@@ -12,49 +12,54 @@
 
 namespace plumb {
 class AssetStore;
+class GameContent;
+struct ContentChange;
 class World;
 }  // namespace plumb
 
 namespace plumb::editor {
 
-/// A game that runs in a world of its own. All that the next tick depends on is in that world.
+/// A game that runs in its own world. The next tick depends only on that world and the input.
 class PlaySession {
 public:
     virtual ~PlaySession() = default;
     [[nodiscard]] virtual World& world() = 0;
-    /// Where the game finds its pictures; null: where the editor finds them.
+    /// The store of the game's textures and other assets; null: the game uses the editor's store.
     [[nodiscard]] virtual AssetStore* assets() { return nullptr; }
     /// Advances by one tick of 1/60 s.
     virtual void tick(const InputFrame& input) = 0;
-    /// The world was put back to another moment: what lies beside it follows.
+    /// Called after the world was restored from a snapshot; updates the state outside of the world.
     virtual void restored() {}
-    /// Begins anew with another text of the scene. @return false when it cannot; make another session then
+    /// The project's code was replaced by another version.
+    virtual void contentChanged(const GameContent&, const ContentChange&) {}
+    /// Restarts with new content of the scene file.
+    /// @return false if this is not possible; the caller must create a new session then
     virtual bool reload([[maybe_unused]] const std::string& path, [[maybe_unused]] const std::string& text) {
         return false;
     }
 };
 
-/// Hears of every tick that is played, also of those that are played again to look at the past.
-class TickWatch {
+/// Listener that is called before and after every tick, including replayed ones.
+class TickListener {
 public:
-    virtual ~TickWatch() = default;
+    virtual ~TickListener() = default;
     virtual void before(World& world) = 0;
-    /// @param tick   the number of ticks since the game began, with this one
-    /// @param again  it was played before
+    /// @param tick   number of ticks since the start of the game, including this one
+    /// @param again  true if the tick is replayed from the recording
     virtual void after(World& world, std::int64_t tick, bool again) = 0;
 };
 
-/// Plays the document in a second world; stopping throws that world away. The document is never touched, so
-/// there is nothing to undo. The last 30 s can be gone back to, looked at, and gone on from.
+/// Runs the scene of the document in a second world, which is discarded on stop. The document does not
+/// change, so nothing must be restored. The game can be rewound by up to 30 s and continued from any tick.
 class PlayMode final : public ObjectNames {
 public:
-    /// @param session  a fresh one, with a copy of the scene in its world
+    /// @param session  a new session, with a copy of the scene in its world
     void start(std::unique_ptr<PlaySession> session, bool paused = false);
     void stop();
 
     [[nodiscard]] bool running() const { return session_ != nullptr; }
     [[nodiscard]] bool paused() const { return paused_; }
-    /// The world that plays. @pre running()
+    /// The world of the running game. @pre running()
     [[nodiscard]] World& world() const { return session_->world(); }
     [[nodiscard]] AssetStore* assets() const { return session_ ? session_->assets() : nullptr; }
     [[nodiscard]] EntityId find(ObjectId id) const override;
@@ -62,37 +67,42 @@ public:
 
     // Time.
 
-    [[nodiscard]] std::int64_t ticks() const { return ticks_; }  ///< the one that is looked at
-    /// Plays as many ticks as fit into the time since the last frame; none while paused.
-    /// @return how far the drawing is between the last two ticks (ratio, 0..1)
+    [[nodiscard]] std::int64_t ticks() const { return ticks_; }  ///< the current tick, also in the past
+    /// Runs as many ticks as fit into the time since the last frame; none while paused.
+    /// @return interpolation factor for drawing, between the last two ticks (0..1)
     float advance(double seconds, const InputFrame& input);
-    /// One tick, also while paused. In the past it is the one that was, whatever the hands do now.
+    /// Runs one tick, also while paused. In the past it replays the recorded tick and ignores `input`.
     void step(const InputFrame& input);
-    /// Going on from a moment of the past makes another future of it.
+    /// Continuing from a tick in the past discards the recorded ticks after it.
     void setPaused(bool paused);
-    static constexpr int kSlowest = -3;  ///< 1/8
-    static constexpr int kFastest = 3;   ///< 8 times
-    /// @param power  of two: 0 is the speed that the game is made for
+    static constexpr int kSlowest = -3;  ///< power of two: 1/8 of normal speed
+    static constexpr int kFastest = 3;   ///< power of two: 8 times normal speed
+    /// Sets the speed to 2^power times normal speed. @param power  0: normal speed
     void setSpeed(int power);
     [[nodiscard]] int speed() const { return speed_; }
 
-    // The past.
+    // Rewinding.
 
     [[nodiscard]] std::int64_t oldest() const { return recording_.oldest(); }
     [[nodiscard]] std::int64_t newest() const { return recording_.newest(); }
     [[nodiscard]] bool inPast() const { return running() && ticks_ < newest(); }
-    /// Shows the world as it was after this tick, or the nearest one that is recorded, and pauses.
+    /// Restores the world to its state after this tick, or after the nearest recorded one, and pauses.
     void seek(std::int64_t tick);
-    /// From the past: plays what was recorded, as it was, and stops where it ends.
+    /// Replays the recorded ticks from the current one on, and pauses after the newest. No effect outside the
+    /// past.
     void watch();
     [[nodiscard]] bool watching() const { return watching_; }
     [[nodiscard]] const PlayRecording& recording() const { return recording_; }
 
-    TickWatch* watchTicks = nullptr;  ///< null: not watched
+    TickListener* tickListener = nullptr;  ///< listener of all ticks; may be null
 
-    // Changes by hand.
+    /// Converts the running game to another version of the project's code. The recording starts anew: the
+    /// past was simulated by the version before. @pre running()
+    void contentChanged(const GameContent& content, const ContentChange& change);
 
-    /// Sets a field in the running game. In the past this makes another future.
+    // Changes by the user.
+
+    /// Sets a field in the running game. In the past this discards the recorded ticks after the current one.
     void edit(ObjectId object, const TypeInfo& type, const FieldInfo& field, const FieldValue& value);
     [[nodiscard]] const PlayEdits& edits() const { return edits_; }
 
@@ -108,9 +118,9 @@ private:
     bool watching_ = false;
     int speed_ = 0;
     std::int64_t ticks_ = 0;
-    double rest_ = 0.0;                   // s that no tick has used yet
-    mutable IdTable<EntityId> entities_;  // as they were at `indexed_`
-    mutable std::int64_t indexed_ = -1;   // tick
+    double rest_ = 0.0;                   // s: elapsed time that is not simulated yet
+    mutable IdTable<EntityId> entities_;  // entities by scene id, at the tick `indexed_`
+    mutable std::int64_t indexed_ = -1;   // tick at which `entities_` was built; -1: not built
 };
 
 }  // namespace plumb::editor

@@ -12,12 +12,12 @@
 namespace plumb::editor {
 namespace {
 
-/// A step back plays at most this many ticks again; worlds that are kept more rarely cost less to keep.
+/// Initial distance of keyframes: a step back replays at most this many ticks. Larger distances save memory.
 constexpr std::int64_t kSpacing = 15;  // ticks
 
-constexpr std::size_t kParticleBytes = 9 * sizeof(float);  // of one, in all arrays
+constexpr std::size_t kParticleBytes = 9 * sizeof(float);  // size of one particle in all arrays together
 
-/// About what a kept world takes. Tile grids and texts are shared by all of them until they are changed.
+/// Estimates the size of a keyframe. Tile grids and texts are copied on write, so they are not counted.
 std::size_t bytesOf(const Snapshot& snapshot, const World& world) {
     const auto* physics = world.findResource<PhysicsState>();
     const auto* particles = world.findResource<Particles>();
@@ -45,7 +45,7 @@ void PlayRecording::clear() {
 void PlayRecording::tickDone(const World& world) {
     const std::int64_t now = newest();
     if (now % spacing_ == 0) keep(now, world);
-    // The oldest kept world goes once the next one is old enough to begin with.
+    // The oldest keyframe is removed as soon as the second oldest covers the whole time to rewind.
     while (keyframes_.size() > 1 && keyframes_[1].tick <= now - kTicks) {
         drop(keyframes_.front());
         keyframes_.pop_front();
@@ -54,7 +54,7 @@ void PlayRecording::tickDone(const World& world) {
 }
 
 void PlayRecording::cut(std::int64_t tick) {
-    PLUMB_ASSERT(tick >= first_, "nothing is cut off before the recording begins");
+    PLUMB_ASSERT(tick >= first_, "tick to cut at is before the start of the recording");
     while (newest() > tick) inputs_.pop_back();
     while (keyframes_.back().tick > tick) {
         drop(keyframes_.back());
@@ -92,7 +92,7 @@ void PlayRecording::drop(Keyframe& keyframe) {
     if (spare_.size() < 4) spare_.push_back(std::move(keyframe.world));
 }
 
-/// Twice as far apart; the first and the last stay.
+/// Doubles the distance of the keyframes; the first and the last one stay.
 void PlayRecording::thin() {
     spacing_ *= 2;
     std::deque<Keyframe> rest;

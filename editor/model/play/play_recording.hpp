@@ -10,53 +10,54 @@
 
 namespace plumb::editor {
 
-/// The last 30 s of a game: its world as it was now and then, and what the player's hands did in every tick.
-/// The simulation repeats itself to the last bit, so any tick between comes back by playing on from the world
-/// before it.
+/// Recording of the last 30 s of a game: snapshots of its world at some ticks (keyframes), and the input of
+/// every tick. The simulation is deterministic, so the state after any tick is restored exactly by simulating
+/// from the keyframe before it.
 class PlayRecording {
 public:
-    static constexpr std::int64_t kTicks = 30 * 60;                ///< ticks that can be gone back
-    static constexpr std::size_t kBytes = std::size_t{192} << 20;  ///< of all kept worlds
+    static constexpr std::int64_t kTicks = 30 * 60;                ///< maximum ticks to rewind
+    static constexpr std::size_t kBytes = std::size_t{192} << 20;  ///< memory limit of all keyframes together
 
     struct Keyframe {
         std::int64_t tick = 0;
-        std::size_t bytes = 0;  ///< about what it takes
+        std::size_t bytes = 0;  ///< estimated size
         std::unique_ptr<Snapshot> world;
     };
 
-    /// Forgets all and keeps the world as that of a tick.
+    /// Clears the recording and saves the world as the keyframe of `tick`.
     void begin(std::int64_t tick, const World& world);
     void clear();
-    /// The input of the next tick, which is about to run.
+    /// Records the input of the next tick; to be called before the tick.
     void record(const InputFrame& input) { inputs_.push_back(input); }
-    /// After that tick: keeps the world when it is time for it, forgets what is too old.
+    /// Saves a keyframe if one is due, and removes data older than 30 s; to be called after the recorded
+    /// tick.
     void tickDone(const World& world);
-    /// What came after this tick did not happen.
+    /// Removes everything recorded after `tick`.
     void cut(std::int64_t tick);
 
-    [[nodiscard]] std::int64_t oldest() const;  ///< first tick that can be gone back to
+    [[nodiscard]] std::int64_t oldest() const;  ///< the first tick that can be restored
     [[nodiscard]] std::int64_t newest() const { return first_ + static_cast<std::int64_t>(inputs_.size()); }
-    /// What the hands did in the tick that follows on `tick`. @pre oldest() <= tick < newest()
+    /// The input of the tick after `tick`. @pre oldest() <= tick < newest()
     [[nodiscard]] const InputFrame& inputAfter(std::int64_t tick) const {
         return inputs_[static_cast<std::size_t>(tick - first_)];
     }
-    /// The last kept world that is not later than `tick`. @pre oldest() <= tick
+    /// The last keyframe not later than `tick`. @pre oldest() <= tick
     [[nodiscard]] const Keyframe& before(std::int64_t tick) const;
     [[nodiscard]] const std::deque<Keyframe>& keyframes() const { return keyframes_; }
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
-    [[nodiscard]] std::int64_t spacing() const { return spacing_; }  ///< ticks between two kept worlds
+    [[nodiscard]] std::int64_t spacing() const { return spacing_; }  ///< ticks between two keyframes
 
 private:
     void keep(std::int64_t tick, const World& world);
     void drop(Keyframe& keyframe);
     void thin();
 
-    std::deque<Keyframe> keyframes_;  // by tick
-    std::deque<InputFrame> inputs_;   // of the ticks after `first_`
+    std::deque<Keyframe> keyframes_;  // sorted by tick
+    std::deque<InputFrame> inputs_;   // one per tick after `first_`
     std::int64_t first_ = 0;
     std::int64_t spacing_ = 0;
     std::size_t bytes_ = 0;
-    std::vector<std::unique_ptr<Snapshot>> spare_;  // their memory is used again
+    std::vector<std::unique_ptr<Snapshot>> spare_;  // removed snapshots, whose memory is reused
 };
 
 }  // namespace plumb::editor

@@ -12,12 +12,14 @@
 namespace plumb::editor {
 namespace {
 
-/// Kept beside the document, which outlives the game.
+/// The key bindings to use in the running game. A resource of the document's world, which outlives the
+/// game's.
 struct WantedKeys {
     std::optional<ActionMap> map;
 };
 
-/// Stands in the list of changes by hand for what keys mean; no entity has it, and no scene keeps it.
+/// A fake component type that marks changes of key bindings in `PlayEdits`. No entity has such a component,
+/// and no scene stores it.
 const TypeInfo& keysType() {
     static const TypeInfo kType = [] {
         TypeInfo type;
@@ -39,13 +41,13 @@ FieldValue valueOf(const ActionMap& keys) {
 
 }  // namespace
 
-void wantKeys(Workspace& workspace, const ActionMap& keys) {
+void setPlayedKeys(Workspace& workspace, const ActionMap& keys) {
     if (!workspace.play.running()) return;
     workspace.document.world.resource<WantedKeys>().map = keys;
-    tendKeys(workspace);
+    updatePlayedKeys(workspace);
 }
 
-void tendKeys(Workspace& workspace) {
+void updatePlayedKeys(Workspace& workspace) {
     PlayMode& play = workspace.play;
     const WantedKeys* wanted = workspace.document.world.findResource<WantedKeys>();
     if (wanted == nullptr || !wanted->map || !play.running() || play.inPast()) return;
@@ -54,7 +56,7 @@ void tendKeys(Workspace& workspace) {
         play.edit({}, keysType(), keysType().fields.front(), valueOf(*wanted->map));
 }
 
-void forgetKeys(Workspace& workspace) { workspace.document.world.resource<WantedKeys>().map.reset(); }
+void clearPlayedKeys(Workspace& workspace) { workspace.document.world.resource<WantedKeys>().map.reset(); }
 
 bool isOfKeys(const PlayEdit& edit) { return edit.type == &keysType(); }
 

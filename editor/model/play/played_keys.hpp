@@ -8,18 +8,19 @@ namespace plumb::editor {
 
 class Workspace;
 
-// Keys that are changed while a game plays count from its next tick on that was not played before. That is a
-// change by hand like others: it is played again at its tick, so that the past stays what it was.
+// Key bindings changed while a game runs take effect from the next tick that is not a replay. The change is
+// stored as a `PlayEdit` of that tick, so that replaying earlier and later ticks gives the same result.
 
-/// What keys mean from now on, for the game that plays.
-void wantKeys(Workspace& workspace, const ActionMap& keys);
-/// To be called in every frame: a game that goes on from the past gets the keys that are wanted now.
-void tendKeys(Workspace& workspace);
-/// The next game begins with the keys of its project.
-void forgetKeys(Workspace& workspace);
+/// Sets the key bindings of the running game. No effect if no game runs.
+void setPlayedKeys(Workspace& workspace, const ActionMap& keys);
+/// Must be called in every frame: a game continued from the past gets the bindings set by `setPlayedKeys`.
+void updatePlayedKeys(Workspace& workspace);
+/// Discards the bindings set by `setPlayedKeys`: the next game starts with those of its project.
+void clearPlayedKeys(Workspace& workspace);
 
-/// Whether a change by hand is one of keys.
+/// True if the change is one of the key bindings.
 bool isOfKeys(const PlayEdit& edit);
+/// Applies a change of the key bindings to the input of a game's world.
 void writeKeys(World& world, const PlayEdit& edit);
 
 }  // namespace plumb::editor

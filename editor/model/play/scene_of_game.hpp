@@ -6,7 +6,7 @@
 
 namespace plumb::editor {
 
-/// Path of the scene in which the game that plays is, without those laid over it; empty when none plays.
+/// Returns the path of the running game's main scene, without additively loaded ones; empty if no game runs.
 std::string sceneOfGame(const Workspace& workspace);
 
 }  // namespace plumb::editor

@@ -5,6 +5,7 @@
 
 #include "core/option_rows.hpp"
 #include "core/text.hpp"
+#include "editor/model/project/project_templates.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -34,6 +35,11 @@ bool setScale(EditorOptions& options, std::string_view text) {
     return true;
 }
 
+bool setTemplate(EditorOptions& options, std::string_view text) {
+    options.from = text;
+    return findTemplate(text) != nullptr;
+}
+
 bool setTheme(EditorOptions& options, std::string_view text) {
     options.theme = text;
     return options.theme == "dark" || options.theme == "light";
@@ -44,25 +50,28 @@ constexpr std::array kOptions{
         [](EditorOptions& o, std::string_view v) { return setText(v, o.scene); }},
     Row{"--select", "NAME", "select this entity",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.select); }},
-    Row{"--validate", "", "check every scene, prefab and asset, tell the problems, end",
+    Row{"--new", "FOLDER", "create a project in this folder, named like it, and exit",
+        [](EditorOptions& o, std::string_view v) { return setText(v, o.newProject); }},
+    Row{"--template", "NAME", "template of the new project: empty, cpp, kit or platformer", &setTemplate},
+    Row{"--validate", "", "check all scenes, prefabs and assets, print the problems and exit",
         [](EditorOptions& o, std::string_view) { return o.validate = true; }},
     Row{"--export", "FOLDER",
-        "copy the game, its player and what both need into a folder that can be given to others, end",
+        "copy the game, the player program and all files they need to a folder for distribution, then exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.exportTo); }},
-    Row{"--screenshot", "FILE.png", "write a picture of the window, end",
+    Row{"--screenshot", "FILE.png", "write a screenshot of the window and exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.screenshot); }},
-    Row{"--tour", "FILE", "play the actions of this file, take its pictures, end",
+    Row{"--tour", "FILE", "run the actions of this script, take its screenshots and exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.tour); }},
     Row{"--import", "FILE [OUT]",
-        "import a map of Tiled (.tmx, .tmj, .world), a project of LDtk (.ldtk) or a sheet of "
-        "Aseprite (.json) into PROJECT, or as OUT.scene.json, tell what came of it, end",
+        "import a Tiled map (.tmx, .tmj, .world), an LDtk project (.ldtk) or an Aseprite sheet (.json) "
+        "into PROJECT, or as OUT.scene.json, print a report and exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.importFrom); }},
-    Row{"--size", "WxH", "size of the window in px, 320x240 to 8192x8192, e.g. 1600x900", &setSize},
-    Row{"--scale", "RATIO", "size of the interface, 0.75 to 3", &setScale},
-    Row{"--theme", "NAME", "dark or light", &setTheme},
-    Row{"--welcome", "", "choose or make a project first",
+    Row{"--size", "WxH", "window size in px, 320x240 to 8192x8192, e.g. 1600x900", &setSize},
+    Row{"--scale", "RATIO", "scale of the user interface, 0.75 to 3", &setScale},
+    Row{"--theme", "NAME", "color theme, dark or light", &setTheme},
+    Row{"--welcome", "", "show the welcome screen first, to open or create a project",
         [](EditorOptions& o, std::string_view) { return o.welcome = true; }},
-    Row{"--help", "", "this text", [](EditorOptions& o, std::string_view) { return o.help = true; }},
+    Row{"--help", "", "show this help", [](EditorOptions& o, std::string_view) { return o.help = true; }},
 };
 
 }  // namespace
@@ -71,7 +80,7 @@ Result<EditorOptions> parseEditorOptions(std::span<const char* const> words) {
     EditorOptions options;
     const Result<Done> read =
         readOptions<EditorOptions>(kOptions, words, options, [&](std::string_view word) -> Result<Done> {
-            // What an import makes may be named behind it.
+            // After --import FILE, a scene or animation file is the output, not the project.
             const bool isTarget = endsWith(word, ".scene.json") || endsWith(word, ".anim.json");
             std::string& named = isTarget && !options.importFrom.empty() ? options.importTo : options.project;
             if (!named.empty())

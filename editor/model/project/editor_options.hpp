@@ -7,28 +7,31 @@
 
 namespace plumb::editor {
 
-/// What a person asked the editor for on its command line.
+/// The command line options of the editor.
 struct EditorOptions {
-    std::string project;     ///< its folder; empty: the welcome screen
-    std::string scene;       ///< empty: the project's start scene
-    bool validate = false;   ///< open every scene, tell its problems, end
-    std::string exportTo;    ///< a folder to copy the game to, then end
-    std::string screenshot;  ///< PNG of the window, then end
-    std::string tour;        ///< a file of actions to play, then end: see Tour
-    std::string importFrom;  ///< a file of another editor …
-    std::string importTo;    ///< … and the scene to make of it; empty: named after it
-    std::string select;      ///< name of the entity to select at the start
-    int width = 1280;        ///< px of the window
-    int height = 720;        ///< px of the window
-    float scale = 0.0f;      ///< of the interface; 0: as the person set it
-    std::string theme;       ///< "dark" or "light"; empty: as the person set it
-    bool welcome = false;    ///< the screen of projects comes first, whatever project is named
-    bool help = false;
+    std::string project;         ///< folder of the project; empty: show the welcome screen
+    std::string scene;           ///< name of the scene to open; empty: the project's start scene
+    std::string newProject;      ///< folder of a project to create, then exit; empty: none
+    std::string from = "empty";  ///< template of the new project
+    bool validate = false;       ///< check all scenes, prefabs and assets, print the problems and exit
+    std::string exportTo;        ///< folder to export the game to, then exit; empty: no export
+    std::string screenshot;      ///< PNG file for a screenshot of the window, then exit; empty: none
+    std::string tour;            ///< script of actions to run, then exit, see `Tour`; empty: none
+    std::string importFrom;      ///< file of another editor to import, then exit; empty: no import
+    std::string importTo;        ///< file to write the import to; empty: named after `importFrom`
+    std::string select;          ///< name of the entity to select at the start
+    int width = 1280;            ///< px: width of the window
+    int height = 720;            ///< px: height of the window
+    float scale = 0.0f;          ///< scale of the user interface; 0: the scale in the settings
+    std::string theme;           ///< "dark" or "light"; empty: the theme in the settings
+    bool welcome = false;        ///< show the welcome screen first, even if a project is given
+    bool help = false;           ///< print the usage and exit
 };
 
-/// @error an unknown option, a missing or wrong value
+/// Parses the command line. @error  an unknown option, or a missing or invalid value
 Result<EditorOptions> parseEditorOptions(std::span<const char* const> words);
 
+/// Returns the text that `--help` prints.
 std::string editorUsage();
 
 }  // namespace plumb::editor

@@ -18,8 +18,8 @@ namespace {
 constexpr std::array<std::string_view, 3> kSnapNames{"grid", "half grid", "pixels"};
 constexpr const char* kGridFile = "grid.json";
 constexpr const char* kRecentFile = "recent.json";
-constexpr double kPause = 1.0;           // s: a color that is dragged is written now and then
-constexpr float kLargestCell = 4096.0f;  // px
+constexpr double kPause = 1.0;           // s: minimum time between two writes, e.g. while a color is dragged
+constexpr float kLargestCell = 4096.0f;  // px: maximum cell size of the grid
 
 Json toJson(const GridSettings& grid) {
     Json json = Json::object();
@@ -32,7 +32,7 @@ Json toJson(const GridSettings& grid) {
     return json;
 }
 
-/// The numbers of a list; nothing when they are not as many, or one is out of the range.
+/// Reads an array of `Count` numbers. @return false if its size is wrong or a number is outside [least, most]
 template <std::size_t Count>
 bool readNumbers(JsonFields& fields, const char* key, std::array<float, Count>& numbers, float least,
                  float most) {
@@ -65,7 +65,7 @@ GridSettings gridFrom(const Json& json, std::vector<Error>& problems) {
 
 Path fileOf(const Workspace& workspace, const char* name) { return workspace.project.root / ".plumb" / name; }
 
-/// The JSON of a file; null when there is none, or it cannot be read.
+/// Returns the JSON of a file; null if the file does not exist or cannot be read.
 Json read(const Workspace& workspace, const char* name) {
     std::error_code failed;
     const Path file = fileOf(workspace, name);
@@ -83,10 +83,10 @@ void write(const Workspace& workspace, const char* name, const std::string& text
     if (!written) logWarning("Editor", written.error());
 }
 
-/// What the file says, or would say. Lies beside the document.
+/// The content of grid.json, to detect changes. A resource of the document's world.
 struct KeptGrid {
     std::string text;
-    double waited = 0.0;  // s
+    double waited = 0.0;  // s since the last comparison
 };
 
 }  // namespace
@@ -96,11 +96,11 @@ void readGrid(Workspace& workspace) {
     const Json json = read(workspace, kGridFile);
     if (json.is_object()) workspace.grid = gridFrom(json, problems);
     for (const Error& problem : problems) logWarning("Editor", problem);
-    // Nothing is written until something is chosen.
+    // The file is not written until the user changes a setting.
     workspace.document.world.resource<KeptGrid>().text = writeJson(toJson(workspace.grid));
 }
 
-void tendGrid(Workspace& workspace, double seconds) {
+void updateGrid(Workspace& workspace, double seconds) {
     KeptGrid& kept = workspace.document.world.resource<KeptGrid>();
     kept.waited += seconds;
     if (kept.waited < kPause) return;
@@ -112,7 +112,7 @@ void keepGrid(Workspace& workspace) {
     KeptGrid& kept = workspace.document.world.resource<KeptGrid>();
     std::string now = writeJson(toJson(workspace.grid));
     if (workspace.project.isNone || now == kept.text) return;
-    kept.text = std::move(now);  // a folder that cannot be written is reported once
+    kept.text = std::move(now);  // set before writing, so that a write error is reported only once
     write(workspace, kGridFile, kept.text);
 }
 

@@ -7,18 +7,20 @@ namespace plumb::editor {
 
 class Workspace;
 
-// What the editor keeps of one project between two sessions, in its folder `.plumb`: no part of the project,
-// and nothing of it is undone.
+// Editor settings of one project, stored in its folder `.plumb`. They are not part of the project and not
+// part of the undo history.
 
-/// The grid, and how things snap, in `grid.json`. What is wrong in it stays as it is at first.
+/// Reads the grid and snapping settings from `grid.json`. Invalid values keep their defaults.
 void readGrid(Workspace& workspace);
-/// Writes it a moment after something changed. @param seconds  since the last frame
-void tendGrid(Workspace& workspace, double seconds);
-/// Writes it at once, when something changed.
+/// Writes changed settings to `grid.json`, at most once per second. @param seconds  time since the last call
+void updateGrid(Workspace& workspace, double seconds);
+/// Writes changed settings to `grid.json` immediately.
 void keepGrid(Workspace& workspace);
 
-/// What was chosen in the palette, the last one first, in `recent.json`. @param most  how many of them
+/// Reads the recent choices of the command palette from `recent.json`, latest first. @param most  maximum
+/// number
 std::vector<std::string> recentChoices(const Workspace& workspace, std::size_t most);
+/// Writes the recent choices of the command palette to `recent.json`.
 void keepRecent(const Workspace& workspace, const std::vector<std::string>& choices);
 
 }  // namespace plumb::editor

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/engine_types.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/assets/reload_document.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
 #include "editor/model/play/game_session.hpp"
+#include "editor/model/project/project_templates.hpp"
 #include "import/import_file.hpp"
 #include "platform/paths.hpp"
 
@@ -17,19 +18,61 @@ namespace plumb::editor {
 
 ProjectSession::ProjectSession(Project project)
     : project_{std::move(project)},
-      types_{engineTypes()},
+      code_{project_.root},
       assets_{project_.root, engineAssets()},
-      prefabs_{types_, project_.root} {
+      prefabs_{content_.types(), project_.root} {
     ProjectFolder folder{project_.root,
                          project_.name,
                          {static_cast<float>(project_.width), static_cast<float>(project_.height)},
                          project_.smooth,
                          project_.layers};
-    workspace_ = std::make_unique<Workspace>(types_, assets_, std::move(folder), &prefabs_);
+    workspace_ = std::make_unique<Workspace>(content_.types(), assets_, std::move(folder), &prefabs_);
     workspace_->makeSession = [this](const std::string& path, const std::string& text) {
         if (const Result<Project> now = loadProject(project_.root)) project_.actions = now->actions;
-        return makeGameSession(project_, path, text);
+        return makeGameSession(project_, path, text, content_);
     };
+    workspace_->document.world.provide(content_.effects());
+    workspace_->followCode = [this](double now) { followCode(now); };
+    if (code_.isBuilt()) loadCode();
+}
+
+void ProjectSession::followCode(double now) {
+    const bool wasBuilding = code_.isBuilding();
+    const bool hasNewLibrary = code_.poll(now);
+    if (code_.isBuilding() && !wasBuilding) workspace_->notice = "Building the code of the project...";
+    if (!hasNewLibrary) return;
+    loadCode();
+    workspace_->notice = "Reloaded the code of the project";
+    logNote("Code", "{}", workspace_->notice);
+}
+
+void ProjectSession::loadCode() {
+    Result<Module> code = code_.load();
+    if (!code) return logError("Code", code.error());
+    useCode(*std::move(code));
+}
+
+void ProjectSession::useCode(Module code) {
+    Workspace& w = *workspace_;
+    const bool isOpen = !w.document.scenePath.empty();
+    const bool unsaved = w.unsaved();
+    const std::string text = isOpen ? w.text() : std::string{};
+    codeProblems_.clear();
+    const ContentChange change = content_.update(std::move(code), codeProblems_);
+    for (const Error& problem : codeProblems_) logError("Code", problem);
+    prefabs_.forget();
+    convertWorld(w.document.world, content_, change);
+    if (w.play.running()) w.play.contentChanged(content_, change);
+    // The text also contains components of types that were unknown before, or are now.
+    const bool reread = isOpen && (change.newTypes || !change.types.empty());
+    if (reread) {
+        const SceneContext context{content_.types(), &prefabs_, project_.root};
+        if (const Result<LoadReport> loaded = reloadDocument(w.document, context, text); !loaded)
+            logError("Editor", loaded.error());
+    }
+    if (change.types.empty()) return;
+    w.undo.clear();
+    if (unsaved) w.undo.markUnsaved();
 }
 
 Result<std::unique_ptr<ProjectSession>> ProjectSession::open(const std::string& folder) {
@@ -43,7 +86,7 @@ Result<std::unique_ptr<ProjectSession>> ProjectSession::open(const std::string& 
 
 std::unique_ptr<ProjectSession> ProjectSession::none() {
     Project project;
-    project.root = configFolder() / "no project";  // nothing is there, and nothing is written there
+    project.root = configFolder() / "no project";  // does not exist, and nothing is written there
     project.name = "Welcome";
     std::unique_ptr<ProjectSession> session{new ProjectSession{std::move(project)}};
     session->workspace().project.isNone = true;
@@ -58,37 +101,56 @@ void ProjectSession::openFirst(std::string_view scene) {
         static_cast<void>(workspace_->open(path).ok());
         return;
     }
-    if (!scene.empty()) workspace_->notice = format("There is no scene \"{}\"", scene);
+    if (!scene.empty()) workspace_->notice = format("The project has no scene \"{}\"", scene);
     if (!scenes.empty() && scene.empty()) static_cast<void>(workspace_->open(scenes.front()).ok());
 }
 
+bool ProjectSession::buildCode() {
+    if (!code_.exists()) return true;
+    std::printf("Building the code...\n");
+    if (!code_.buildNow()) return false;
+    loadCode();
+    return true;
+}
+
 int ProjectSession::validate() {
+    if (!buildCode()) return 1;
     const ProjectCheck check = checkProject(project_, *workspace_, prefabs_);
     std::printf("%s", check.text().c_str());
     return check.problems.empty() ? 0 : 1;
 }
 
 int ProjectSession::exportTo(const std::string& folder) {
+    if (!buildCode()) return 1;
     const ProjectCheck check = checkProject(project_, *workspace_, prefabs_);
     std::printf("%s", check.text().c_str());
     if (!check.playable) {
         std::fprintf(stderr, "plumb-editor: nothing was exported; mend the scenes first\n");
         return 1;
     }
-#if defined(_WIN32)
-    constexpr const char* kPlayer = "plumb-player.exe";
-#else
-    constexpr const char* kPlayer = "plumb-player";
-#endif
     const Result<ExportReport> report =
-        exportProject(project_.root, folder, {executableFolder() / kPlayer, engineAssets()});
+        exportProject(project_.root, folder, {playerOf(project_.root), engineAssets()});
     if (!report) {
         std::fprintf(stderr, "plumb-editor: %s\n", report.error().text().c_str());
         return 1;
     }
     std::printf("Exported %zu files, %s MB, to %s%s\n", report->files,
                 fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), folder.c_str(),
-                report->runnable ? "; its program is play" : "; plumb-player FOLDER/game plays it");
+                report->runnable ? "; start it with the program \"play\" in this folder"
+                                 : "; start it with: plumb-player FOLDER/game");
+    return 0;
+}
+
+int newProject(const EditorOptions& options) {
+    std::error_code failed;
+    const Path folder = std::filesystem::absolute(options.newProject, failed).lexically_normal();
+    const std::string name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+    const Result<Path> made = createProject(*findTemplate(options.from), name, folder);
+    if (!made) {
+        std::fprintf(stderr, "plumb-editor: %s\n", made.error().text().c_str());
+        return 1;
+    }
+    std::printf("Created %s\n", made->string().c_str());
     return 0;
 }
 

@@ -4,11 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "app/game_content.hpp"
 #include "app/project.hpp"
 #include "assets/asset_store.hpp"
 #include "editor/model/project/editor_options.hpp"
+#include "editor/model/project/project_code.hpp"
 #include "editor/model/workspace.hpp"
-#include "reflect/type_registry.hpp"
 #include "scene/files/prefab.hpp"
 
 namespace plumb::editor {
@@ -16,35 +17,51 @@ namespace plumb::editor {
 /// A project that is open in the editor: its types, assets and prefabs, and the workspace on top of them.
 class ProjectSession {
 public:
+    /// Opens a project.
     /// @param folder  the project's folder
-    /// @error         no such project
+    /// @error         the folder has no valid project.json
     static Result<std::unique_ptr<ProjectSession>> open(const std::string& folder);
-    /// Nothing to edit yet, for the welcome screen.
+    /// Creates an empty session without a project, for the welcome screen.
     static std::unique_ptr<ProjectSession> none();
 
     [[nodiscard]] Workspace& workspace() { return *workspace_; }
     [[nodiscard]] AssetStore& assets() { return assets_; }
 
-    /// Opens the scene of this name, else the start scene, else the first one there is.
+    /// Opens the scene of this name; if `scene` is empty, the start scene, or the first scene if there is
+    /// none.
     void openFirst(std::string_view scene);
 
-    /// Opens every scene, prefab and asset and tells what is wrong with it. @return the program's exit code
+    /// Checks all scenes, prefabs and assets, and prints the problems. @return exit code of the program
     int validate();
-    /// Copies the project into a folder that plays by itself. @return the program's exit code
+    /// Exports the project as a game that runs without the editor. @return exit code of the program
     int exportTo(const std::string& folder);
+
+    /// Replaces the project's code by another version, in the open scene and in a running game too:
+    /// components keep the values of the fields that both versions have. The undo history ends where fields
+    /// change.
+    void useCode(Module code);
 
 private:
     explicit ProjectSession(Project project);
 
+    void followCode(double now);
+    void loadCode();
+    bool buildCode();
+
     Project project_;
-    TypeRegistry types_;
+    std::vector<Error> codeProblems_;
+    GameContent content_{{}, codeProblems_};
+    ProjectCode code_;
     AssetStore assets_;
     PrefabLibrary prefabs_;
     std::unique_ptr<Workspace> workspace_;
 };
 
-/// Makes a scene or an animation, and all that it needs, of a file of Tiled, LDtk or Aseprite; tells what
-/// came of it. @return the program's exit code
+/// Creates a project and prints its folder. @return the program's exit code
+int newProject(const EditorOptions& options);
+
+/// Imports a file of Tiled, LDtk or Aseprite as scenes or animations with their assets, and prints a report.
+/// @return exit code of the program
 int importFile(const EditorOptions& options);
 
 }  // namespace plumb::editor

@@ -13,12 +13,15 @@ namespace plumb::editor {
 namespace {
 
 constexpr std::array kTemplates{
-    ProjectTemplate{"empty", "Empty", "One scene with a camera. Begin here to make your own game.", "", ""},
+    ProjectTemplate{"empty", "Empty", "One scene with a camera. Start here to make your own game.", "", ""},
+    ProjectTemplate{"cpp", "Game with C++ code",
+                    "A level, and components and systems of its own that are rebuilt while you play.", "",
+                    "cpp"},
     ProjectTemplate{"kit", "Platformer kit",
-                    "Tiles, creatures, sounds and an empty level: paint your own. The tutorial begins here.",
+                    "Tiles, creatures, sounds and an empty level to paint. The tutorial starts with it.",
                     "platformer", "platformer-kit"},
     ProjectTemplate{"platformer", "Platformer",
-                    "A copy of the game that comes with Plumb: four levels, enemies, music. Change it.",
+                    "A copy of the game that comes with Plumb, to modify: four levels, enemies, music.",
                     "platformer", ""}};
 
 constexpr std::string_view kFirstScene = R"({
@@ -50,7 +53,7 @@ std::string emptyProject(std::string_view name) {
     return writeJson(json);
 }
 
-/// @param leftOut  names of files and folders
+/// Copies a folder's content recursively. @param leftOut  names of files and folders in `from` to skip
 Result<Done> copyFolder(const Path& from, const Path& to, std::span<const std::string_view> leftOut) {
     std::error_code failed;
     std::filesystem::create_directories(to, failed);
@@ -69,17 +72,18 @@ Result<Done> rename(const Path& folder, std::string_view name) {
     Result<Json> json = parseJson(*text, "project.json");
     if (!json) return json.error();
     if (!json->is_object())
-        return Error{(folder / "project.json").string(), "the template's project is no object",
+        return Error{(folder / "project.json").string(), "the template's project file is not a JSON object",
                      "reinstall Plumb"};
     (*json)["name"] = std::string{name};
     if (Json* window = findObject(*json, "window")) window->erase("title");
     return writeFile(folder / "project.json", writeJson(*json));
 }
 
-/// A project that comes with the engine, with scenes of its own or with those of the template.
+/// Copies a project that comes with the engine; its scenes are replaced if the template has its own.
 Result<Done> copyProject(const ProjectTemplate& from, const Path& folder) {
-    // What editors leave there, and what only made the pictures.
+    // Editor data, and the scripts that generated the images. The last two are replaced by the template.
     static constexpr std::array<std::string_view, 4> kLeftOut{".plumb", "art", "project.json", "scenes"};
+    if (from.copyOf.empty()) return copyFolder(engineAssets() / "templates" / from.start, folder, {});
     const std::span<const std::string_view> leftOut{kLeftOut};
     const Path source = engineProjects() / from.copyOf;
     if (from.start.empty()) return copyFolder(source, folder, leftOut.first(2));
@@ -97,6 +101,12 @@ Result<Done> makeEmpty(const Path& folder, std::string_view name) {
 }  // namespace
 
 std::span<const ProjectTemplate> projectTemplates() { return kTemplates; }
+
+const ProjectTemplate* findTemplate(std::string_view id) {
+    const auto found = std::find_if(kTemplates.begin(), kTemplates.end(),
+                                    [&](const ProjectTemplate& row) { return row.id == id; });
+    return found == kTemplates.end() ? nullptr : &*found;
+}
 
 Path engineProjects() {
     std::error_code failed;
@@ -127,18 +137,21 @@ std::string folderNameFor(std::string_view name) {
 
 Result<Path> createProject(const ProjectTemplate& from, std::string_view name, const Path& folder) {
     std::error_code failed;
-    if (trimmed(name).empty()) return Error{"New project", "it has no name", "write one, e.g. \"My Game\""};
+    if (trimmed(name).empty())
+        return Error{"New project", "the project has no name", "enter one, e.g. \"My Game\""};
     if (folder.empty() || !folder.is_absolute())
-        return Error{folder.string(), "this is no whole path",
-                     "write one that begins at the root, e.g. /home/me/game"};
+        return Error{folder.string(), "the path is not absolute",
+                     "enter one that starts at the root, e.g. /home/me/game"};
     if (std::filesystem::exists(folder, failed) &&
         (!std::filesystem::is_directory(folder, failed) || !std::filesystem::is_empty(folder, failed)))
-        return Error{folder.string(), "there is something already",
+        return Error{folder.string(), "a file or a non-empty folder already exists there",
                      "choose an empty folder, or another name"};
     if (!isHere(from))
-        return Error{std::string{from.name}, "it is not beside this program", "begin with an empty project"};
-    Result<Done> made = from.copyOf.empty() ? makeEmpty(folder, trimmed(name)) : copyProject(from, folder);
-    if (made && !from.copyOf.empty()) made = rename(folder, trimmed(name));
+        return Error{std::string{from.name}, "the template is not installed with this program",
+                     "start from the template \"Empty\""};
+    const bool isEmpty = from.copyOf.empty() && from.start.empty();
+    Result<Done> made = isEmpty ? makeEmpty(folder, trimmed(name)) : copyProject(from, folder);
+    if (made && !isEmpty) made = rename(folder, trimmed(name));
     if (!made) return made.error();
     return folder;
 }

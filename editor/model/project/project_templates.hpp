@@ -8,38 +8,42 @@
 
 namespace plumb::editor {
 
-/// What a new project begins with.
+/// A template for new projects.
 struct ProjectTemplate {
     std::string_view id;
     std::string_view name;
-    std::string_view what;    ///< in one line
-    std::string_view copyOf;  ///< folder below the engine's projects; empty: made from nothing
-    std::string_view start;   ///< folder below assets/templates: it has this project file and these scenes
-                              ///< instead of those of the project that is copied; empty: it keeps its own
+    std::string_view what;    ///< description, one line
+    std::string_view copyOf;  ///< folder of the project to copy, below `engineProjects`; empty: none
+    std::string_view start;   ///< folder below assets/templates whose project file and scenes replace
+                              ///< those of the copied project; empty: those are kept
 };
 
+/// All templates.
 std::span<const ProjectTemplate> projectTemplates();
 
-/// Where the projects are that come with the engine; empty when they are not here.
+/// Returns the template with this id, or null.
+const ProjectTemplate* findTemplate(std::string_view id);
+
+/// Returns the folder of the projects that come with the engine; empty if it is not installed.
 Path engineProjects();
 
-/// Whether what a template is made from came with this program.
+/// True if the folders that the template copies are installed with this program.
 bool isHere(const ProjectTemplate& row);
 
-/// A name of a folder for a name that a person wrote: "My Game" becomes "my-game".
+/// Returns a folder name for a project name: "My Game" becomes "my-game".
 std::string folderNameFor(std::string_view name);
 
-/// Makes a project in a folder that is not there yet, or is empty. Nothing that is there is written over.
-/// @return its folder
-/// @error  no name, a folder with something in it, one that cannot be written, a template that is not here
+/// Creates a project in a new or empty folder. Existing files are never overwritten.
+/// @return the folder of the project
+/// @error  empty name, folder not empty or not writable, or template not installed
 Result<Path> createProject(const ProjectTemplate& from, std::string_view name, const Path& folder);
 
-/// Whether there is a project.json in it.
+/// True if the folder contains a project.json.
 bool isProject(const Path& folder);
-/// What a project calls itself; the name of its folder when it does not say.
+/// Returns the "name" in the project's file; the name of the folder if there is none.
 std::string projectNameOf(const Path& folder);
 
-/// The picture of a project for lists, taken when it was open last.
+/// Returns the path of the project's preview image, taken when the project was last open.
 Path projectPicture(const Path& folder);
 
 }  // namespace plumb::editor

@@ -22,7 +22,7 @@ void readRecent(JsonFields& fields, Settings& settings) {
     const Json* recent = fields.array("recent");
     for (std::size_t i = 0; recent != nullptr && i < recent->size(); ++i) {
         const std::string* project = jsonText((*recent)[i]);
-        if (project != nullptr && settings.recent.size() < Settings::kMostRecent)
+        if (project != nullptr && settings.recent.size() < Settings::kMaxRecent)
             settings.recent.push_back(*project);
     }
 }
@@ -35,7 +35,8 @@ void readLayouts(JsonFields& fields, Settings& settings, std::vector<Error>& pro
     const Json* layouts = fields.find("layouts");
     if (layouts == nullptr) return;
     if (!layouts->is_object())
-        return fields.warn("layouts", "expected layouts by names", "they are left out");
+        return fields.warn("layouts", "expected an object that maps names to layouts",
+                           "the saved layouts are ignored");
     for (const auto& [name, layout] : layouts->items()) {
         const auto read = PaneLayout::fromJson(layout, "settings.json: layouts." + name, problems);
         if (read && !name.empty() && settings.layouts.size() < kMostLayouts)
@@ -49,7 +50,7 @@ Result<Settings> readSettings(std::string_view text, std::vector<Error>& problem
     if (!json) return json.error();
     if (!json->is_object())
         return Error{"settings.json", format("expected an object, found {}", json->type_name()),
-                     "the editor starts as at first"};
+                     "the editor starts with default settings"};
     JsonFields fields{*json, "settings.json", problems};
     static_cast<void>(fields.acceptFormat(kFormat));
     settings.theme = static_cast<Theme>(fields.choice("theme", 0, kThemeNames));
@@ -74,7 +75,7 @@ Path fromEnvironment(const char* name) {
 void Settings::remember(const std::string& project) {
     forget(project);
     recent.insert(recent.begin(), project);
-    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+    if (recent.size() > kMaxRecent) recent.resize(kMaxRecent);
 }
 
 void Settings::keepLayout(const std::string& name) {
@@ -115,7 +116,7 @@ Path configFolder() {
 #elif defined(__APPLE__)
     if (Path home = fromEnvironment("HOME"); !home.empty()) return home / "Library/Application Support/plumb";
 #else
-    // The standard says that a relative path there counts as none.
+    // The XDG Base Directory Specification requires that relative paths are ignored.
     if (Path data = fromEnvironment("XDG_CONFIG_HOME"); data.is_absolute()) return data / "plumb";
     if (Path home = fromEnvironment("HOME"); !home.empty()) return home / ".config/plumb";
 #endif
@@ -126,7 +127,7 @@ std::vector<Error> SettingsFile::load(Settings& settings) {
     std::vector<Error> problems;
     std::error_code failed;
     if (!std::filesystem::exists(path_, failed)) {
-        written_ = settings.toText();  // nothing is written until something is chosen
+        written_ = settings.toText();  // the file is not written until the user changes a setting
         return problems;
     }
     const Result<std::string> text = readFile(path_);
@@ -138,8 +139,9 @@ std::vector<Error> SettingsFile::load(Settings& settings) {
     }
     const Path aside = path_.string() + ".damaged";
     std::filesystem::rename(path_, aside, failed);
-    problems.push_back({read.error().where, read.error().what,
-                        format("the editor starts as at first; the file is kept as {}", aside.string())});
+    problems.push_back(
+        {read.error().where, read.error().what,
+         format("the editor starts with default settings; the file was renamed to {}", aside.string())});
     return problems;
 }
 
@@ -154,7 +156,7 @@ void SettingsFile::tend(const Settings& settings, double seconds) {
 Result<Done> SettingsFile::save(const Settings& settings) {
     std::string text = settings.toText();
     if (text == written_) return Done{};
-    written_ = std::move(text);  // a folder that cannot be written is reported once
+    written_ = std::move(text);  // set before writing, so that a write error is reported only once
     return writeFile(path_, written_);
 }
 

@@ -11,7 +11,7 @@ namespace plumb::editor {
 
 enum class Theme : unsigned char { Dark, Light };
 
-/// A layout that a person saved under a name.
+/// A pane layout that the user saved under a name.
 struct NamedLayout {
     std::string name;
     PaneLayout layout;
@@ -19,60 +19,62 @@ struct NamedLayout {
     friend bool operator==(const NamedLayout&, const NamedLayout&) = default;
 };
 
-/// How a person likes the editor, in all projects. Nothing of it is part of a scene, and nothing is undone.
+/// The user's editor settings for all projects. They are not part of a scene or of the undo history.
 struct Settings {
     static constexpr float kLeastScale = 0.75f;
     static constexpr float kMostScale = 3.0f;
-    static constexpr std::size_t kMostRecent = 12;
+    static constexpr std::size_t kMaxRecent = 12;
 
     Theme theme = Theme::Dark;
-    float scale = 1.0f;        ///< of the whole interface
-    float textSize = 14.0f;    ///< px at scale 1
-    bool rightErases = false;  ///< the right button erases tiles; else it takes a pattern
-    bool welcome = true;       ///< the welcome screen comes when the editor starts without a project
-    PaneLayout layout;         ///< as it is now
+    float scale = 1.0f;        ///< scale of the user interface
+    float textSize = 14.0f;    ///< px at scale 1: size of the text
+    bool rightErases = false;  ///< right mouse button on tiles: true erases, false picks a pattern
+    bool welcome = true;       ///< show the welcome screen if the editor starts without a project
+    PaneLayout layout;         ///< the current layout
     std::vector<NamedLayout> layouts;
-    std::vector<std::string> recent;  ///< folders of projects, the last one first
+    std::vector<std::string> recent;  ///< folders of recent projects, latest first
     KeyBindings keys;
 
-    /// Puts a project's folder at the front of the recent ones.
+    /// Moves or inserts a project's folder at the front of the recent ones.
     void remember(const std::string& project);
     void forget(const std::string& project) { std::erase(recent, project); }
-    /// Keeps the layout under a name; one of that name is replaced.
+    /// Saves the current layout under a name; replaces a layout of the same name.
     void keepLayout(const std::string& name);
 
     [[nodiscard]] std::string toText() const;
-    /// @param problems  what was wrong; what is wrong stays as it is at first
-    /// @error           no JSON object at all
+    /// Parses the settings. Invalid values keep their defaults.
+    /// @param problems  receives one entry per invalid value
+    /// @error           the text is not a JSON object
     static Result<Settings> fromText(std::string_view text, std::vector<Error>& problems);
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// Where settings belong: $PLUMB_CONFIG, or the folder of the system: $XDG_CONFIG_HOME/plumb or
-/// ~/.config/plumb, %APPDATA%\plumb, ~/Library/Application Support/plumb.
+/// Returns the folder for settings: $PLUMB_CONFIG if set, else $XDG_CONFIG_HOME/plumb or ~/.config/plumb on
+/// Linux, %APPDATA%\plumb on Windows, ~/Library/Application Support/plumb on macOS.
 Path configFolder();
 
-/// The file of the settings. Written as a whole or not at all, a moment after something changed.
+/// The settings file. It is written atomically, up to `kPause` after a change.
 class SettingsFile {
 public:
-    static constexpr double kPause = 1.0;  ///< s between two looks at what changed
+    static constexpr double kPause = 1.0;  ///< s between two checks for changes
 
     explicit SettingsFile(Path folder = configFolder()) : path_{std::move(folder) / "settings.json"} {}
 
-    /// The settings as they were last; as at first when there are none. A file that cannot be read is kept
-    /// beside as settings.json.damaged.
-    /// @return what was wrong, for the person; empty when nothing was
+    /// Reads the settings; without a file they stay unchanged. A file that cannot be read is renamed to
+    /// settings.json.damaged.
+    /// @return the problems found, to be shown to the user
     std::vector<Error> load(Settings& settings);
-    /// Writes them when they are not as in the file. @param seconds  since the last call
+    /// Checks for changes once per `kPause` and writes them. @param seconds  time since the last call
     void tend(const Settings& settings, double seconds);
+    /// Writes the settings if they differ from the file.
     Result<Done> save(const Settings& settings);
     [[nodiscard]] const Path& path() const { return path_; }
 
 private:
     Path path_;
-    std::string written_;
-    double waited_ = 0.0;
+    std::string written_;  // content of the file
+    double waited_ = 0.0;  // s since the last check for changes
 };
 
 }  // namespace plumb::editor

@@ -1,0 +1,175 @@
+#include "app/game_content.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "app/effect_rows.hpp"
+#include "app/engine_types.hpp"
+#include "core/text.hpp"
+#include "ecs/component_type.hpp"
+#include "gameplay/delayed_events.hpp"
+#include "gameplay/systems.hpp"
+#include "gameplay/tweens.hpp"
+#include "reflect/convert_component.hpp"
+
+namespace plumb {
+namespace {
+
+/// Systems of a project's code run before this one by default: systems before it decide and collide, it and
+/// those after it show the outcome.
+constexpr std::string_view kFirstShowing = MotionDecorSystem::kName;
+
+auto rowOf(std::vector<SystemRow>& rows, std::string_view name) {
+    return std::find_if(rows.begin(), rows.end(), [&](const SystemRow& row) { return row.name == name; });
+}
+
+Error unknownSystem(const SystemRow& row, std::string_view name) {
+    return {format("code: system \"{}\"", row.name),
+            format("there is no system \"{}\" to run before or after", name),
+            "use before<PhysicsSystem>() with a system of the engine, or one that is added above"};
+}
+
+Error nameIsUsed(std::string_view kind, std::string_view name, std::string_view where) {
+    return {format("code: {} \"{}\"", kind, name), format("there is a {} of this name already", kind),
+            format("choose another name in {}", where)};
+}
+
+/// Where the row is inserted.
+auto positionOf(std::vector<SystemRow>& rows, const Module::System& system, std::vector<Error>& problems) {
+    const bool after = !system.position.after.empty();
+    const std::string_view name = after ? system.position.after : system.position.before;
+    if (!name.empty()) {
+        const auto found = rowOf(rows, name);
+        if (found != rows.end()) return after ? std::next(found) : found;
+        problems.push_back(unknownSystem(system.row, name));
+    }
+    return rowOf(rows, kFirstShowing);
+}
+
+}  // namespace
+
+GameContent::GameContent(Module code, std::vector<Error>& problems)
+    : types_{engineTypes()}, effects_{engineEffects()} {
+    static_cast<void>(update(std::move(code), problems));
+}
+
+ContentChange GameContent::update(Module code, std::vector<Error>& problems) {
+    ContentChange change;
+    change.before = std::exchange(code_, std::move(code));
+    for (const Module::System& system : change.before.systems()) change.systems.push_back(system.row.key());
+    updateTypes(change, problems);
+    updateSystems(problems);
+    return change;
+}
+
+void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problems) {
+    const std::vector<std::string> former = std::exchange(codeTypes_, {});
+    for (const auto add : code_.componentTypes()) {
+        TypeRegistry described;
+        add(described);
+        const TypeInfo& type = described.all().front();
+        const TypeInfo* known = types_.find(type.name);
+        const bool wasOfCode = std::find(former.begin(), former.end(), type.name) != former.end();
+        if (known != nullptr && !wasOfCode) {
+            problems.push_back(nameIsUsed("component", type.name, "describe()"));
+            continue;
+        }
+        codeTypes_.emplace_back(type.name);
+        if (known != nullptr && !sameLayout(*known, type)) change.types.push_back({*known, known});
+        change.newTypes = change.newTypes || known == nullptr;
+        updateComponentType(types_.update(type));
+    }
+    for (const std::string& name : former) {
+        if (std::find(codeTypes_.begin(), codeTypes_.end(), name) != codeTypes_.end()) continue;
+        change.types.push_back({*types_.find(name), nullptr});
+        types_.remove(name);
+    }
+}
+
+void GameContent::updateSystems(std::vector<Error>& problems) {
+    systems_.assign(systemTable().begin(), systemTable().end());
+    std::vector<EffectRow> effects = engineEffects().rows();
+    std::vector<EffectSystem> gated = engineEffects().systems();
+    for (const Module::System& system : code_.systems()) {
+        if (rowOf(systems_, system.row.name) != systems_.end()) {
+            problems.push_back(nameIsUsed("system", system.row.name, "its kName"));
+            continue;
+        }
+        systems_.insert(positionOf(systems_, system, problems), system.row);
+        gated.push_back({system.row.key(), system.row.name, system.row.effect});
+        if (!system.effect.name.empty()) effects.push_back(system.effect);
+    }
+    effects_ = EffectTable{std::move(effects), std::move(gated)};
+}
+
+void GameContent::useSystemOrder(World& world) const {
+    std::vector<std::string_view> names;
+    for (const SystemRow& system : systems_) {
+        names.push_back(system.name);
+    }
+    world.setSystemOrder(names);
+}
+
+void GameContent::addSystems(World& world) const {
+    useSystemOrder(world);
+    for (const SystemRow& system : systems_) {
+        system.add(world);
+    }
+}
+
+namespace {
+
+/// A resource of the code, with the values that it had in the version before.
+struct KeptResource {
+    TypeInfo type;
+    std::vector<std::byte> value;
+};
+
+TypeInfo described(const Module::Resource& resource) {
+    TypeRegistry types;
+    resource.describe(types);
+    return types.all().front();
+}
+
+std::vector<KeptResource> keepResources(const World& world, const Module& code) {
+    std::vector<KeptResource> kept;
+    for (const Module::Resource& resource : code.resourceTypes()) {
+        const auto* value = static_cast<const std::byte*>(resource.find(world));
+        if (value == nullptr) continue;
+        KeptResource& keep = kept.emplace_back();
+        keep.type = described(resource);
+        keep.value.assign(value, value + keep.type.size);
+    }
+    return kept;
+}
+
+}  // namespace
+
+void convertWorld(World& world, const GameContent& content, const ContentChange& change) {
+    const std::vector<KeptResource> kept = keepResources(world, change.before);
+    world.dropReloadable();
+    if (auto* delayed = world.findResource<DelayedEvents>()) delayed->dropReloadable();
+    if (auto* tweens = world.findResource<Tweens>()) {
+        for (const ContentChange::Type& type : change.types) tweens->drop(type.before.key);
+    }
+    for (const TypeKey system : change.systems) world.removeSystem(system);
+    for (const ContentChange::Type& type : change.types) world.convert(type.before, type.now);
+    for (const Module::Resource& resource : content.code().resourceTypes()) {
+        const TypeInfo now = described(resource);
+        for (const KeptResource& before : kept) {
+            if (before.type.name == now.name)
+                convertComponent(before.type, before.value.data(), now, resource.make(world));
+        }
+    }
+    if (world.systemNames().empty()) return;  // a document: nothing runs
+    content.addSystems(world);
+}
+
+const GameContent& engineContent() {
+    static std::vector<Error> none;
+    static const GameContent kContent{Module{}, none};
+    return kContent;
+}
+
+}  // namespace plumb

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "app/system_order.hpp"
+#include "ecs/world.hpp"
+#include "reflect/type_registry.hpp"
+#include "scene/effect_table.hpp"
+
+namespace plumb {
+
+/// The name of a system: S::kName, else the name of its type.
+template <class S>
+constexpr std::string_view systemName() {
+    if constexpr (NamedSystem<S>) {
+        return S::kName;
+    } else {
+        return shortTypeName<S>();
+    }
+}
+
+/// Position of a system in the tick, relative to another system: before<PhysicsSystem>(). By default it runs
+/// after the physics and all ready-made gameplay, before animation, particles, sound and camera.
+struct SystemPosition {
+    std::string_view before{};
+    std::string_view after{};
+};
+template <class S>
+constexpr SystemPosition before() {
+    return {systemName<S>(), {}};
+}
+template <class S>
+constexpr SystemPosition after() {
+    return {{}, systemName<S>()};
+}
+
+/// Components and systems that the code of a project adds to those of the engine. PLUMB_MODULE fills it:
+///
+///     PLUMB_MODULE(module) {
+///         module.components<Turret, Shell>();
+///         module.system<TurretSystem, Turret>(before<PhysicsSystem>());
+///         module.on<ShellHit, explode>();
+///     }
+class Module {
+public:
+    struct Resource {
+        void (*describe)(TypeRegistry& types);
+        void* (*make)(World& world);              ///< returns the value, created if there is none
+        const void* (*find)(const World& world);  ///< null if there is none
+    };
+    struct System {
+        SystemRow row;
+        EffectRow effect;  ///< without a name: the system always runs
+        SystemPosition position;
+    };
+
+    /// Adds types with a `describe` function: scenes can contain them and the inspector edits them.
+    template <Described... T>
+    void components() {
+        (components_.push_back([](TypeRegistry& types) { static_cast<void>(types.add<T>()); }), ...);
+    }
+
+    /// Adds types with a `describe` function whose value the world has once (World::resource). They keep
+    /// their values when the editor loads the code again; all other resources of the code start anew then.
+    template <Described... T>
+    void resources() {
+        (resources_.push_back({[](TypeRegistry& types) { static_cast<void>(types.add<T>()); },
+                               [](World& world) -> void* { return &world.resource<T>(); },
+                               [](const World& world) -> const void* { return world.findResource<T>(); }}),
+         ...);
+    }
+
+    /// Adds a system: a type with `void update(World& world, float dt)`.
+    /// @tparam Required  It runs only in ticks in which an entity has one of these components; none: in each
+    /// tick.
+    template <class S, class... Required>
+    void system(SystemPosition position = {}) {
+        System& made = systems_.emplace_back();
+        made.row = {
+            systemName<S>(), {}, typeKey<S>, [](World& world) { static_cast<void>(world.addSystem<S>()); }};
+        made.position = position;
+        if constexpr (sizeof...(Required) != 0) {
+            made.row.effect = made.effect.name = made.row.name;
+            made.effect.doc = "System of the project's code.";
+            made.effect.callers = kCallersOf<Required...>;
+            made.effect.isRequired = isThereAny<Required...>;
+        }
+    }
+
+    /// Calls a function for each event of a tick, at the default position of systems.
+    template <class Event, void (*Handler)(World& world, const Event& event)>
+    void on(SystemPosition position = {}) {
+        system<EventHandler<Event, Handler>>(position);
+    }
+
+    [[nodiscard]] const std::vector<void (*)(TypeRegistry& types)>& componentTypes() const {
+        return components_;
+    }
+    [[nodiscard]] const std::vector<Resource>& resourceTypes() const { return resources_; }
+    [[nodiscard]] const std::vector<System>& systems() const { return systems_; }
+
+private:
+    template <class Event, void (*Handler)(World& world, const Event& event)>
+    struct EventHandler {
+        void update(World& world, float) const {
+            // By index: a handler may emit events of the same type, which moves the list.
+            for (std::size_t i = 0; i < world.events<Event>().size(); ++i) {
+                const Event event = world.events<Event>()[i];
+                Handler(world, event);
+            }
+        }
+    };
+
+    std::vector<void (*)(TypeRegistry& types)> components_;
+    std::vector<Resource> resources_;
+    std::vector<System> systems_;
+};
+
+}  // namespace plumb
+
+#if defined(_WIN32)
+#define PLUMB_EXPORTED extern "C" __declspec(dllexport)
+#else
+#define PLUMB_EXPORTED extern "C" __attribute__((visibility("default")))
+#endif
+
+/// The function that describes the code of a project; once in its folder `code`. A player is linked with it,
+/// the editor looks it up by name.
+#define PLUMB_MODULE(module) PLUMB_EXPORTED void plumbDescribeModule(plumb::Module& module)
+
+PLUMB_MODULE(module);

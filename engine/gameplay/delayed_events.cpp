@@ -1,0 +1,63 @@
+#include "gameplay/delayed_events.hpp"
+
+#include <algorithm>
+
+#include "core/assert.hpp"
+
+namespace plumb {
+namespace {
+
+/// How events of each type are emitted. Not part of a world: the functions are code.
+std::array<DelayedEvents::Emit, kMaxTypes>& emitters() {
+    static std::array<DelayedEvents::Emit, kMaxTypes> functions{};
+    return functions;
+}
+
+}  // namespace
+
+void DelayedEvents::addTo(Hasher& hasher) const {
+    for (const Entry& entry : entries) {
+        hasher.add(entry.tick);
+        hasher.addBytes(entry.bytes.data(), entry.size);
+    }
+}
+
+void DelayedEvents::dropReloadable() {
+    std::erase_if(entries, [](const Entry& entry) { return isReloadable(entry.type); });
+}
+
+std::uint64_t ticksOf(float seconds) {
+    constexpr float kTicksPerSecond = 60.0f;
+    constexpr float kMax = 1e9f;  // ticks: half a year
+    return static_cast<std::uint64_t>(std::clamp(seconds * kTicksPerSecond + 0.5f, 1.0f, kMax));
+}
+
+DelayedEvent addDelayed(World& world, TypeKey type, DelayedEvents::Emit emit, const void* event,
+                        std::size_t size, float seconds) {
+    emitters()[type] = emit;
+    DelayedEvents& delayed = world.resource<DelayedEvents>();
+    DelayedEvents::Entry entry;
+    entry.tick = world.tick + ticksOf(seconds);
+    entry.number = ++delayed.count;
+    entry.type = type;
+    entry.size = static_cast<std::uint32_t>(size);
+    std::memcpy(entry.bytes.data(), event, size);
+    const auto at = std::upper_bound(
+        delayed.entries.begin(), delayed.entries.end(), entry.tick,
+        [](std::uint64_t tick, const DelayedEvents::Entry& other) { return tick < other.tick; });
+    delayed.entries.insert(at, entry);
+    return {entry.number};
+}
+
+void cancel(World& world, DelayedEvent event) {
+    auto* delayed = world.findResource<DelayedEvents>();
+    if (delayed == nullptr) return;
+    std::erase_if(delayed->entries,
+                  [&](const DelayedEvents::Entry& entry) { return entry.number == event.number; });
+}
+
+void emitDelayed(World& world, const DelayedEvents::Entry& entry) {
+    emitters()[entry.type](world, entry.bytes.data());
+}
+
+}  // namespace plumb

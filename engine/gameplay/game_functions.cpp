@@ -1,0 +1,88 @@
+#include "gameplay/game_functions.hpp"
+
+#include <string>
+#include <utility>
+
+#include "assets/asset_store.hpp"
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "gameplay/label_values.hpp"
+#include "input/input.hpp"
+#include "scene/components/name.hpp"
+#include "scene/drawing/draw_scene.hpp"
+#include "scene/files/prefab.hpp"
+#include "scene/game_random.hpp"
+#include "scene/play_sound.hpp"
+#include "scene/scene_requests.hpp"
+#include "scene/systems/camera_system.hpp"
+
+namespace plumb {
+namespace {
+
+/// Prefabs, like other assets, can be in "assets/" and named without it.
+std::string pathOf(const AssetStore& assets, std::string_view prefab) {
+    const std::string inAssets = "assets/" + std::string{prefab};
+    const Result<Path> named = assets.resolve(prefab);
+    const Result<Path> below = assets.resolve(inAssets);
+    return named && below && *named == *below ? inAssets : std::string{prefab};
+}
+
+void requestScene(World& world, std::string_view scene, bool overlay) {
+    const std::string path =
+        endsWith(scene, ".json") ? std::string{scene} : format("scenes/{}.scene.json", scene);
+    SceneRequests& requests = world.resource<SceneRequests>();
+    requests.next = world.texts().add(path);
+    requests.overlay = overlay;
+}
+
+}  // namespace
+
+Entity findEntity(World& world, std::string_view name) {
+    const TextId wanted = textId(name);
+    EntityId first;
+    for (auto [entity, named] : std::as_const(world).query<const Name>(withPaused)) {
+        if (named.text == wanted && (!first || entity.id() < first)) first = entity.id();
+    }
+    return first ? world.entity(first) : Entity{};
+}
+
+Entity spawn(World& world, std::string_view prefab, Vec2 position) {
+    auto* library = world.service<PrefabLibrary>();
+    PLUMB_ASSERT(library != nullptr && world.types() != nullptr, "spawn() needs the world of a Game");
+    const Result<const Prefab*> found = library->find(pathOf(assetsOf(world), prefab));
+    if (!found) {
+        logError("Scene", found.error());
+        return {};
+    }
+    for (const Error& problem : (*found)->problems) logWarning("Scene", problem);
+    return spawnPrefab(world, *world.types(), **found, position);
+}
+
+Random& randomOf(World& world) { return world.resource<GameRandom>().random; }
+
+void playSound(World& world, SoundId sound, float volume) {
+    world.emit(PlaySound{sound, volume, {}, world.tick});
+}
+
+Vec2 mouseInWorld(World& world) {
+    return toWorld(cameraView(world, world.resource<PictureSize>().size, 1.0f),
+                   world.resource<Input>().mouse());
+}
+
+void showText(World& world, std::string_view word, std::string_view text) {
+    world.resource<LabelValues>().set(word, text);
+}
+
+AssetStore& assetsOf(World& world) {
+    auto* assets = world.service<AssetStore>();
+    PLUMB_ASSERT(assets != nullptr, "assetsOf() needs the world of a Game");
+    return *assets;
+}
+
+void changeScene(World& world, std::string_view scene) { requestScene(world, scene, false); }
+void showOverlay(World& world, std::string_view scene) { requestScene(world, scene, true); }
+void hideOverlay(World& world) { world.resource<SceneRequests>().close = true; }
+void restartScene(World& world) { world.resource<SceneRequests>().reload = true; }
+void quitGame(World& world) { world.resource<SceneRequests>().quit = true; }
+
+}  // namespace plumb

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/random.hpp"
+#include "ecs/world.hpp"
+#include "math/vec2.hpp"
+#include "reflect/field_types.hpp"
+
+// What systems of a game need often. All of it is part of the simulation: replays repeat it.
+
+namespace plumb {
+
+class AssetStore;
+
+/// Returns the first entity with this Name, or the empty handle.
+Entity findEntity(World& world, std::string_view name);
+/// Instantiates a prefab file, e.g. "prefabs/coin.prefab.json". Errors are logged.
+/// @param position  px, of the root
+/// @return the root entity, or the empty handle
+Entity spawn(World& world, std::string_view prefab, Vec2 position);
+/// The random number generator of the simulation. Others, e.g. rand(), make replays diverge.
+Random& randomOf(World& world);
+/// Plays a sound, starting in this tick. @param volume  ratio, 0..1
+void playSound(World& world, SoundId sound, float volume = 1.0f);
+/// Returns the position of the mouse (px) in the view of the first enabled camera.
+Vec2 mouseInWorld(World& world);
+/// Sets the text that replaces {word} in every Label.
+void showText(World& world, std::string_view word, std::string_view text);
+/// The textures, sounds and other assets of the game.
+AssetStore& assetsOf(World& world);
+
+// Requests for the end of this tick.
+
+/// Changes to another scene: "level2" or "scenes/level2.scene.json".
+void changeScene(World& world, std::string_view scene);
+/// Opens a scene over the current one, which is paused meanwhile.
+void showOverlay(World& world, std::string_view scene);
+/// Closes the top overlay.
+void hideOverlay(World& world);
+/// Loads the current scene again.
+void restartScene(World& world);
+/// Ends the game.
+void quitGame(World& world);
+
+}  // namespace plumb

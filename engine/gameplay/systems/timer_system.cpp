@@ -1,0 +1,21 @@
+#include "gameplay/systems/timer_system.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "ecs/world.hpp"
+#include "gameplay/delayed_events.hpp"
+
+namespace plumb {
+
+void TimerSystem::update(World& world, float) {
+    std::vector<DelayedEvents::Entry>& entries = world.resource<DelayedEvents>().entries;
+    // One by one from the front, because emitting is code of the game.
+    while (!entries.empty() && entries.front().tick <= world.tick) {
+        const DelayedEvents::Entry due = entries.front();
+        entries.erase(entries.begin());
+        emitDelayed(world, due);
+    }
+}
+
+}  // namespace plumb

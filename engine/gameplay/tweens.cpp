@@ -1,0 +1,61 @@
+#include "gameplay/tweens.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "gameplay/delayed_events.hpp"
+
+namespace plumb {
+namespace {
+
+std::array<float, 4> valueAt(const Tweens::Entry& tween, const std::byte* field) {
+    std::array<float, 4> value{};
+    if (tween.kind == Tweens::Kind::Color) {
+        for (std::size_t i = 0; i < 4; ++i) value[i] = static_cast<float>(std::to_integer<int>(field[i]));
+    } else {
+        std::memcpy(value.data(), field, tween.kind == Tweens::Kind::Float ? sizeof(float) : sizeof(Vec2));
+    }
+    return value;
+}
+
+bool sameField(const Tweens::Entry& a, const Tweens::Entry& b) {
+    return a.entity == b.entity && a.type == b.type && a.offset == b.offset;
+}
+
+}  // namespace
+
+std::byte* fieldOf(World& world, const Tweens::Entry& tween) {
+    const ComponentType* type = findComponentType(tween.type);
+    void* component = type == nullptr ? nullptr : world.find(type->info, tween.entity);
+    return component == nullptr ? nullptr : static_cast<std::byte*>(component) + tween.offset;
+}
+
+void Tweens::addTo(Hasher& hasher) const {
+    for (const Entry& entry : entries) {
+        hasher.add(std::uint64_t{entry.entity.index} << 32 | entry.entity.generation);
+        hasher.add(std::uint64_t{entry.offset} << 16 |
+                   std::uint64_t{static_cast<std::uint8_t>(entry.kind)} << 8 |
+                   static_cast<std::uint8_t>(entry.ease));
+        for (std::size_t i = 0; i < 4; ++i) hasher.add(entry.from[i]), hasher.add(entry.to[i]);
+        hasher.add(entry.start);
+        hasher.add(entry.ticks);
+    }
+}
+
+void addTween(World& world, Tweens::Entry entry, float seconds) {
+    const std::byte* field = fieldOf(world, entry);
+    if (field == nullptr) return;
+    entry.from = valueAt(entry, field);
+    entry.start = world.tick;
+    entry.ticks = ticksOf(seconds);
+    Tweens& tweens = world.resource<Tweens>();
+    std::erase_if(tweens.entries, [&](const Tweens::Entry& other) { return sameField(other, entry); });
+    tweens.entries.push_back(entry);
+}
+
+void stopTweens(World& world, EntityId entity) {
+    if (auto* tweens = world.findResource<Tweens>())
+        std::erase_if(tweens->entries, [&](const Tweens::Entry& tween) { return tween.entity == entity; });
+}
+
+}  // namespace plumb

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "reflect/type_info.hpp"
+
+namespace plumb {
+
+/// Copies a component into one of another version of its type. Fields are found by their names, or by their
+/// former names (FieldBuilder::was). A field whose kind is the same keeps its value; numbers, bools and enums
+/// are converted to one another (enums among themselves by name) and limited to the range of the new field;
+/// lists keep the items that fit. All other fields keep the value that `to` has.
+void convertComponent(const TypeInfo& before, const void* from, const TypeInfo& now, void* to);
+
+/// True if components of both versions have the same bytes: nothing has to be converted.
+bool sameLayout(const TypeInfo& a, const TypeInfo& b);
+
+}  // namespace plumb

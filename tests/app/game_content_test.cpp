@@ -1,0 +1,198 @@
+#include "app/game_content.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/effect_rows.hpp"
+#include "app/game.hpp"
+#include "gameplay/systems.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/systems/physics_system.hpp"
+
+namespace plumb {
+namespace {
+
+namespace first {
+
+struct Turret {
+    float rate = 2.0f;
+    int shots = 0;
+
+    static void describe(TypeBuilder<Turret>& type) {
+        type.name("Turret").doc("Shoots.");
+        type.field<&Turret::rate>("rate");
+        type.field<&Turret::shots>("shots");
+    }
+};
+
+struct Score {
+    int hits = 0;
+
+    static void describe(TypeBuilder<Score>& type) {
+        type.name("Score");
+        type.field<&Score::hits>("hits");
+    }
+};
+
+struct Shot {
+    int number = 0;
+};
+
+struct TurretSystem {
+    void update(World& world, float) const {
+        for (auto [entity, turret] : world.query<Turret>()) world.emit(Shot{++turret.shots});
+    }
+};
+
+void count(World& world, const Shot& shot) { world.resource<Score>().hits += shot.number; }
+
+Module module() {
+    Module module;
+    module.components<Turret>();
+    module.resources<Score>();
+    module.system<TurretSystem, Turret>(before<PhysicsSystem>());
+    module.on<Shot, count>();
+    return module;
+}
+
+}  // namespace first
+
+namespace second {
+
+struct Turret {
+    int fired = 0;
+    float rate = 1.0f;
+    float reach = 5.0f;
+
+    static void describe(TypeBuilder<Turret>& type) {
+        type.name("Turret").doc("Shoots twice.");
+        type.field<&Turret::fired>("fired").was("shots");
+        type.field<&Turret::rate>("rate");
+        type.field<&Turret::reach>("reach");
+    }
+};
+
+struct Score {
+    float hits = 0.0f;
+
+    static void describe(TypeBuilder<Score>& type) {
+        type.name("Score");
+        type.field<&Score::hits>("hits");
+    }
+};
+
+struct TurretSystem {
+    void update(World& world, float) const {
+        for (auto [entity, turret] : world.query<Turret>()) turret.fired += 100;
+    }
+};
+
+Module module() {
+    Module module;
+    module.components<Turret>();
+    module.resources<Score>();
+    module.system<TurretSystem, Turret>(after<CollectSystem>());
+    return module;
+}
+
+}  // namespace second
+
+std::size_t positionOf(const GameContent& content, std::string_view name) {
+    for (std::size_t i = 0; i < content.systems().size(); ++i) {
+        if (content.systems()[i].name == name) return i;
+    }
+    return content.systems().size();
+}
+
+class GameContentTest : public ::testing::Test {
+protected:
+    std::vector<Error> problems;
+};
+
+TEST_F(GameContentTest, containsTheCodeInItsPlaceInTheOrder) {
+    const GameContent content{first::module(), problems};
+    EXPECT_TRUE(problems.empty());
+    ASSERT_NE(content.types().find("Turret"), nullptr);
+    EXPECT_EQ(positionOf(content, "TurretSystem") + 1, positionOf(content, PhysicsSystem::kName));
+    EXPECT_EQ(content.systems().size(), systemTable().size() + 2);
+    EXPECT_NE(content.effects().find("TurretSystem"), EffectTable::kNone);
+    const GameContent other{second::module(), problems};
+    EXPECT_EQ(positionOf(other, "TurretSystem"), positionOf(other, CollectSystem::kName) + 1);
+}
+
+TEST_F(GameContentTest, runsSystemsAndHandlersOnlyWhenTheyAreRequired) {
+    const GameContent content{first::module(), problems};
+    Game game{content};
+    content.addSystems(game.world);
+    const std::size_t effect = content.effects().find("TurretSystem");
+    tickGame(game, {});
+    EXPECT_EQ(game.effects.runsOf(game.world, effect), 0u);
+    const Entity entity = game.world.createEntity();
+    entity.addComponent<first::Turret>();
+    for (int i = 0; i < 3; ++i) tickGame(game, {});
+    EXPECT_EQ(entity.get<first::Turret>().shots, 3);
+    EXPECT_EQ(game.world.resource<first::Score>().hits, 1 + 2 + 3);
+    EXPECT_EQ(game.effects.runsOf(game.world, effect), 3u);
+}
+
+TEST_F(GameContentTest, reportsNamesThatAreUsedAndUnknownSystems) {
+    struct Taken {
+        static void describe(TypeBuilder<Taken>& type) { type.name("Transform"); }
+    };
+    Module module;
+    module.components<Taken>();
+    module.system<first::TurretSystem>({.before = "physic"});
+    module.system<second::TurretSystem>();
+    const GameContent content{module, problems};
+    ASSERT_EQ(problems.size(), 3u);
+    EXPECT_EQ(
+        problems[0].text(),
+        "code: component \"Transform\": there is a component of this name already; choose another name in "
+        "describe()");
+    EXPECT_EQ(problems[1].what, "there is no system \"physic\" to run before or after");
+    EXPECT_EQ(problems[2].where, "code: system \"TurretSystem\"");
+    EXPECT_EQ(content.types().all().size(), engineContent().types().all().size());
+}
+
+TEST_F(GameContentTest, anotherVersionKeepsTheStateOfARunningGame) {
+    GameContent content{first::module(), problems};
+    Game game{content};
+    content.addSystems(game.world);
+    const Entity entity = game.world.createEntity();
+    entity.addComponent<first::Turret>(7.0f);
+    for (int i = 0; i < 3; ++i) tickGame(game, {});
+    const TypeInfo& type = *content.types().find("Turret");
+
+    const ContentChange change = content.update(second::module(), problems);
+    convertWorld(game.world, content, change);
+    game.effects.tableChanged();
+
+    EXPECT_TRUE(problems.empty());
+    EXPECT_EQ(&type, content.types().find("Turret")) << "references stay valid";
+    EXPECT_EQ(type.doc, "Shoots twice.");
+    ASSERT_TRUE(game.world.has<second::Turret>(entity.id()));
+    EXPECT_EQ(entity.get<second::Turret>().fired, 3) << "by its former name";
+    EXPECT_EQ(entity.get<second::Turret>().rate, 7.0f);
+    EXPECT_EQ(entity.get<second::Turret>().reach, 5.0f);
+    EXPECT_EQ(game.world.resource<second::Score>().hits, 6.0f);
+    tickGame(game, {});
+    EXPECT_EQ(entity.get<second::Turret>().fired, 103) << "the new system runs, the old one does not";
+    EXPECT_EQ(game.effects.runsOf(game.world, content.effects().find("TurretSystem")), 1u);
+}
+
+TEST_F(GameContentTest, withoutCodeIsThatOfTheEngineAgain) {
+    GameContent content{first::module(), problems};
+    Game game{content};
+    content.addSystems(game.world);
+    const Entity entity = game.world.createEntity();
+    entity.addComponent<first::Turret>();
+    convertWorld(game.world, content, content.update({}, problems));
+    game.effects.tableChanged();
+    EXPECT_EQ(content.types().find("Turret"), nullptr);
+    EXPECT_EQ(content.systems().size(), systemTable().size());
+    EXPECT_FALSE(game.world.has<first::Turret>(entity.id()));
+    tickGame(game, {});
+    EXPECT_EQ(game.world.systemNames().size(), systemTable().size());
+}
+
+}  // namespace
+}  // namespace plumb

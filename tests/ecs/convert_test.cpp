@@ -1,0 +1,130 @@
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ecs/world.hpp"
+#include "reflect/convert_component.hpp"
+#include "reflect/type_registry.hpp"
+#include "tests/support/random_type.hpp"
+
+// Component types whose description changes while worlds contain components of them: code or scripts were
+// loaded again.
+
+namespace plumb {
+namespace {
+
+struct Marker {
+    int value = 0;
+};
+
+class ChangedTypes : public ::testing::Test {
+protected:
+    TypeRegistry types;
+    World world;
+    Random random = Random::seeded(7);
+
+    const TypeInfo& add(TypeInfo type) {
+        const TypeInfo& known = types.update(std::move(type));
+        updateComponentType(known);
+        return known;
+    }
+    void fill(const TypeInfo& type, EntityId entity) {
+        auto* bytes = static_cast<std::byte*>(world.find(type, entity));
+        for (std::size_t i = 0; i < type.size; ++i) bytes[i] = static_cast<std::byte>(random.below(2));
+    }
+};
+
+TEST_F(ChangedTypes, aThousandRandomEditsKeepEveryFieldThatStays) {
+    const TypeKey key = nextTypeKey();
+    const TypeInfo* type = &add(made_types::random(random, key, "Made"));
+    std::vector<EntityId> owners;
+    for (int i = 0; i < 60; ++i) {
+        const Entity entity = world.createEntity();
+        if (i % 2 == 0) world.add<Marker>(entity.id()).value = i;
+        if (i % 3 == 0) continue;
+        world.add(*type, entity.id());
+        owners.push_back(entity.id());
+    }
+    int compared = 0;
+    for (int edit = 0; edit < 1000; ++edit) {
+        for (const EntityId owner : owners) fill(*type, owner);
+        const TypeInfo before = *type;
+        std::map<EntityId, std::vector<std::byte>> components;
+        std::vector<EntityId> order;
+        world.eachOf(before, [&](EntityId owner, const void* at) {
+            const auto* bytes = static_cast<const std::byte*>(at);
+            components[owner].assign(bytes, bytes + before.size);
+            order.push_back(owner);
+        });
+        ASSERT_EQ(order.size(), owners.size());
+
+        type = &add(made_types::random(random, key, "Made"));
+        world.convert(before, type);
+
+        std::vector<EntityId> now;
+        world.eachOf(*type, [&](EntityId owner, const void* at) {
+            now.push_back(owner);
+            std::vector<std::byte> expected = type->defaults;
+            convertComponent(before, components[owner].data(), *type, expected.data());
+            ASSERT_EQ(std::memcmp(at, expected.data(), expected.size()), 0) << "edit " << edit;
+            ++compared;
+        });
+        ASSERT_EQ(now, order) << "the order of a query is part of the simulation";
+    }
+    EXPECT_EQ(compared, 40'000);
+    int markers = 0;
+    for (auto [entity, marker] : world.query<const Marker>()) markers += marker.value;
+    EXPECT_EQ(markers, 29 * 30) << "components of other types stay";
+}
+
+TEST_F(ChangedTypes, loseTheirComponentsWhenTheyAreRemoved) {
+    const TypeInfo& type = add(made_types::random(random, nextTypeKey(), "Made"));
+    const Entity entity = world.createEntity();
+    world.add(type, entity.id());
+    world.convert(type, nullptr);
+    EXPECT_FALSE(world.has(type, entity.id()));
+    EXPECT_TRUE(entity.alive());
+    types.remove("Made");
+    EXPECT_EQ(types.find("Made"), nullptr);
+    EXPECT_EQ(type.name, "Made") << "references to the description stay valid";
+}
+
+TEST_F(ChangedTypes, canGetAnotherKey) {
+    TypeInfo first = made_types::random(random, nextTypeKey(), "Made");
+    TypeInfo second = first;
+    second.key = nextTypeKey();
+    const TypeInfo before = add(std::move(first));
+    const Entity entity = world.createEntity();
+    world.add(before, entity.id());
+    fill(before, entity.id());
+    std::vector<std::byte> bytes(before.size);
+    std::memcpy(bytes.data(), world.find(before, entity.id()), before.size);
+    const TypeInfo& now = add(std::move(second));
+    world.convert(before, &now);
+    EXPECT_FALSE(world.has(before, entity.id()));
+    ASSERT_TRUE(world.has(now, entity.id()));
+    std::vector<std::byte> expected = now.defaults;
+    convertComponent(before, bytes.data(), now, expected.data());
+    EXPECT_EQ(std::memcmp(world.find(now, entity.id()), expected.data(), now.size), 0);
+}
+
+TEST_F(ChangedTypes, canBecomeATagAndBack) {
+    const TypeKey key = nextTypeKey();
+    TypeInfo tag;
+    tag.name = "Made";
+    tag.key = key;
+    const TypeInfo before = add(made_types::random(random, key, "Made"));
+    const Entity entity = world.createEntity();
+    world.add(before, entity.id());
+    world.convert(before, &add(tag));
+    EXPECT_TRUE(world.has(*types.find("Made"), entity.id()));
+    const TypeInfo& again = add(made_types::random(random, key, "Made"));
+    world.convert(tag, &again);
+    ASSERT_TRUE(world.has(again, entity.id()));
+    EXPECT_EQ(std::memcmp(world.find(again, entity.id()), again.defaults.data(), again.size), 0);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,27 @@
+#!/bin/bash
+# A project with code outside of the engine's folder: made, checked, exported and played; then its code does not compile.
+#   code.sh EDITOR TEMPLATE-PLAYER WORK-FOLDER
+set -eu
+editor=$1 player=$2 work=$3
+fail() { echo "$*"; exit 1; }
+rm -rf "$work"
+mkdir -p "$work"
+"$editor" --new "$work/game" --template cpp | grep -q "Created $work/game" || fail "the project was not created"
+"$editor" --new "$work/game" --template cpp 2>"$work/again" && fail "a project was created over another one"
+grep -q "non-empty folder" "$work/again" || fail "the error does not name the reason: $(cat "$work/again")"
+
+"$editor" "$work/game" --validate >"$work/validate" 2>&1 || fail "$(cat "$work/validate")"
+grep -q "no problems\|: 0 problems" "$work/validate" || fail "$(cat "$work/validate")"
+
+"$editor" "$work/game" --export "$work/out" >"$work/export" 2>&1 || fail "$(cat "$work/export")"
+[ ! -e "$work/out/game/code" ] || fail "the export contains the source code"
+expected=$("$player" "$work/game" --headless --frames 300 --hash | grep hash)
+exported=$("$work/out/play" --headless --frames 300 --hash 2>"$work/warnings" | grep hash)
+[ "$exported" = "$expected" ] || fail "the exported game says $exported, the template's player $expected"
+[ ! -s "$work/warnings" ] || fail "$(cat "$work/warnings")"
+
+line=$(($(wc -l <"$work/game/code/game.cpp") + 1))
+echo "int broken = ;" >>"$work/game/code/game.cpp"
+"$editor" "$work/game" --validate >"$work/broken" 2>&1 && fail "code that does not compile was accepted"
+grep -q "\[Code\] error: code/game.cpp:$line:14: error:" "$work/broken" || fail "no file and line: $(cat "$work/broken")"
+echo "made, checked, exported, played; an error of the compiler has its file and line"

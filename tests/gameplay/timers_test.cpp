@@ -1,0 +1,181 @@
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "gameplay/delayed_events.hpp"
+#include "gameplay/systems/timer_system.hpp"
+#include "gameplay/systems/tween_system.hpp"
+#include "gameplay/tweens.hpp"
+#include "scene/components/drawing/sprite.hpp"
+#include "scene/components/transform.hpp"
+
+// Delayed events and tweens: state of the world that is rewound with it.
+
+namespace plumb {
+namespace {
+
+struct Ring {
+    int number = 0;
+};
+
+struct Listener {
+    std::vector<std::pair<std::uint64_t, int>>* heard = nullptr;
+
+    void update(World& world, float) const {
+        for (const Ring& ring : world.events<Ring>()) heard->emplace_back(world.tick, ring.number);
+    }
+};
+
+class Timers : public ::testing::Test {
+protected:
+    Timers() {
+        world.addSystem<TimerSystem>();
+        world.addSystem<Listener>().heard = &heard;
+        world.addSystem<TweenSystem>();
+    }
+    void run(int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            world.beginTick();
+            world.update(1.0f / 60.0f);
+        }
+    }
+
+    World world;
+    std::vector<std::pair<std::uint64_t, int>> heard;
+};
+
+using Heard = std::vector<std::pair<std::uint64_t, int>>;
+
+TEST_F(Timers, emitInTheTickThatIsDueInTheOrderInWhichTheyWereSet) {
+    run(10);
+    emitAfter(world, 0.5f, Ring{1});
+    emitAfter(world, 0.1f, Ring{2});
+    emitAfter(world, 0.5f, Ring{3});
+    emitAfter(world, 0.0f, Ring{4});
+    emitAfter(world, -5.0f, Ring{5});
+    run(60);
+    EXPECT_EQ(heard, (Heard{{11, 4}, {11, 5}, {16, 2}, {40, 1}, {40, 3}}));
+    EXPECT_TRUE(world.resource<DelayedEvents>().entries.empty());
+}
+
+TEST_F(Timers, canBeCancelled) {
+    const DelayedEvent first = emitAfter(world, 0.1f, Ring{1});
+    emitAfter(world, 0.1f, Ring{2});
+    cancel(world, first);
+    run(10);
+    cancel(world, first);
+    EXPECT_EQ(heard, (Heard{{6, 2}}));
+}
+
+TEST_F(Timers, areRewoundWithTheWorld) {
+    emitAfter(world, 1.0f, Ring{1});
+    run(30);
+    const Snapshot middle = world.save();
+    const std::uint64_t hash = world.hash();
+    run(60);
+    EXPECT_EQ(heard, (Heard{{60, 1}}));
+    world.restore(middle);
+    EXPECT_EQ(world.hash(), hash);
+    run(60);
+    EXPECT_EQ(heard, (Heard{{60, 1}, {60, 1}}));
+}
+
+TEST_F(Timers, areOfTheState) {
+    const std::uint64_t before = world.hash();
+    emitAfter(world, 1.0f, Ring{1});
+    const std::uint64_t one = world.hash();
+    EXPECT_NE(one, before);
+    world.resource<DelayedEvents>().entries[0].tick += 1;
+    EXPECT_NE(world.hash(), one);
+}
+
+TEST_F(Timers, ticksAreTheNearestToATime) {
+    EXPECT_EQ(ticksOf(0.0f), 1u);
+    EXPECT_EQ(ticksOf(0.024f), 1u);
+    EXPECT_EQ(ticksOf(0.026f), 2u);
+    EXPECT_EQ(ticksOf(1.0f), 60u);
+    EXPECT_EQ(ticksOf(1e30f), 1'000'000'000u);
+}
+
+class TweenTest : public Timers {
+protected:
+    TweenTest() : entity{world.createEntity()} {
+        entity.addComponent<Transform>(10.0f, 20.0f);
+        entity.addComponent<Sprite>();
+    }
+    int ended() const { return static_cast<int>(world.events<TweenEnded>().size()); }
+
+    Entity entity;
+};
+
+TEST_F(TweenTest, changesAFieldToItsEndExactly) {
+    tween(world, entity.id(), &Transform::position, Vec2{110.0f, -20.0f}, 1.0f, Ease::Linear);
+    run(30);
+    EXPECT_EQ(entity.get<Transform>().position, (Vec2{60.0f, 0.0f}));
+    EXPECT_EQ(ended(), 0);
+    run(30);
+    EXPECT_EQ(entity.get<Transform>().position, (Vec2{110.0f, -20.0f}));
+    EXPECT_EQ(ended(), 1);
+    run(1);
+    EXPECT_EQ(ended(), 0);
+    EXPECT_TRUE(world.resource<Tweens>().entries.empty());
+}
+
+TEST_F(TweenTest, changesNumbersAndColors) {
+    tween(world, entity.id(), &Transform::rotation, 2.0f, 0.5f, Ease::QuadIn);
+    tween(world, entity.id(), &Sprite::tint, Color{55, 255, 255, 0}, 0.5f, Ease::Linear);
+    run(15);
+    EXPECT_EQ(entity.get<Transform>().rotation, 0.5f);
+    EXPECT_EQ(entity.get<Sprite>().tint, (Color{155, 255, 255, 128}));
+    run(15);
+    EXPECT_EQ(entity.get<Transform>().rotation, 2.0f);
+    EXPECT_EQ(entity.get<Sprite>().tint, (Color{55, 255, 255, 0}));
+}
+
+TEST_F(TweenTest, aSecondTweenOfTheFieldContinuesFromThePresentValue) {
+    tween(world, entity.id(), &Transform::rotation, 2.0f, 1.0f, Ease::Linear);
+    run(30);
+    tween(world, entity.id(), &Transform::rotation, 0.0f, 1.0f, Ease::Linear);
+    run(30);
+    EXPECT_EQ(entity.get<Transform>().rotation, 0.5f);
+    run(30);
+    EXPECT_EQ(entity.get<Transform>().rotation, 0.0f);
+    EXPECT_EQ(ended(), 1);
+}
+
+TEST_F(TweenTest, endsWithItsComponent) {
+    tween(world, entity.id(), &Sprite::tint, Color{}, 1.0f);
+    tween(world, entity.id(), &Transform::rotation, 1.0f, 1.0f);
+    run(5);
+    world.remove<Sprite>(entity.id());
+    run(1);
+    EXPECT_EQ(world.resource<Tweens>().entries.size(), 1u);
+    world.destroy(entity.id());
+    run(1);
+    EXPECT_TRUE(world.resource<Tweens>().entries.empty());
+    EXPECT_EQ(ended(), 0);
+    tween(world, entity.id(), &Transform::rotation, 1.0f, 1.0f);
+    EXPECT_TRUE(world.resource<Tweens>().entries.empty()) << "there is nothing to change";
+}
+
+TEST_F(TweenTest, canBeStopped) {
+    tween(world, entity.id(), &Transform::rotation, 2.0f, 1.0f, Ease::Linear);
+    run(30);
+    stopTweens(world, entity.id());
+    run(60);
+    EXPECT_EQ(entity.get<Transform>().rotation, 1.0f);
+}
+
+TEST_F(TweenTest, isRewoundWithTheWorld) {
+    tween(world, entity.id(), &Transform::position, Vec2{110.0f, 20.0f}, 1.0f, Ease::ElasticOut);
+    run(20);
+    const Snapshot early = world.save();
+    run(20);
+    const std::uint64_t late = world.hash();
+    world.restore(early);
+    run(20);
+    EXPECT_EQ(world.hash(), late);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,149 @@
+#include "reflect/convert_component.hpp"
+
+#include <cstring>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/fixed_list.hpp"
+#include "math/vec2.hpp"
+#include "reflect/type_registry.hpp"
+#include "tests/support/random_type.hpp"
+
+namespace plumb {
+namespace {
+
+enum class Mood : std::uint8_t { Calm, Angry, Asleep };
+
+struct Before {
+    float speed = 2.6f;
+    int lives = 3;
+    bool open = true;
+    Mood mood = Mood::Angry;
+    Vec2 home{1.0f, 2.0f};
+    FixedList<float, 4> times{};
+    int big = 100000;
+    float gone = 1.0f;
+
+    static void describe(TypeBuilder<Before>& type) {
+        type.name("Door");
+        type.field<&Before::speed>("speed");
+        type.field<&Before::lives>("lives");
+        type.field<&Before::open>("open");
+        type.field<&Before::mood>("mood").names({{"calm", 0}, {"angry", 1}, {"asleep", 2}});
+        type.field<&Before::home>("home");
+        type.field<&Before::times>("times");
+        type.field<&Before::big>("big");
+        type.field<&Before::gone>("gone");
+    }
+};
+
+struct Now {
+    Vec2 base{9.0f, 9.0f};
+    int speed = 0;
+    float lives = 0.0f;
+    int open = 7;
+    Mood mood = Mood::Calm;
+    FixedList<float, 2> times{};
+    std::int8_t big = 1;
+    float limited = 0.0f;
+    float added = 4.0f;
+    int home = 5;  // was a Vec2
+
+    static void describe(TypeBuilder<Now>& type) {
+        type.name("Door");
+        type.field<&Now::base>("base").was("home");
+        type.field<&Now::speed>("speed");
+        type.field<&Now::lives>("lives");
+        type.field<&Now::open>("open");
+        type.field<&Now::mood>("mood").names({{"asleep", 0}, {"calm", 1}, {"angry", 2}});
+        type.field<&Now::times>("times");
+        type.field<&Now::big>("big");
+        type.field<&Now::limited>("limited").was("lives").range(0.0f, 2.0f);
+        type.field<&Now::added>("added");
+        type.field<&Now::home>("home");
+    }
+};
+
+template <class T>
+TypeInfo describe() {
+    TypeRegistry types;
+    return types.add<T>();
+}
+
+Now converted(const Before& before) {
+    Now now;
+    convertComponent(describe<Before>(), &before, describe<Now>(), &now);
+    return now;
+}
+
+TEST(ConvertComponent, movesFieldsByNameAndByFormerName) {
+    const Now now = converted({});
+    EXPECT_EQ(now.base, (Vec2{1.0f, 2.0f}));
+    EXPECT_EQ(now.mood, Mood::Asleep) << "angry is the third name now";
+}
+
+TEST(ConvertComponent, convertsNumbersAndLimitsThem) {
+    const Now now = converted({});
+    EXPECT_EQ(now.speed, 3);
+    EXPECT_EQ(now.lives, 3.0f);
+    EXPECT_EQ(now.open, 1);
+    EXPECT_EQ(now.big, 127);
+    EXPECT_EQ(now.limited, 2.0f);
+    Before far;
+    far.speed = -1e30f;
+    EXPECT_EQ(converted(far).speed, std::numeric_limits<int>::min());
+    far.speed = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(converted(far).speed, 0) << "no number: the default stays";
+}
+
+TEST(ConvertComponent, keepsDefaultsOfNewFieldsAndOfOtherKinds) {
+    const Now now = converted({});
+    EXPECT_EQ(now.added, 4.0f);
+    EXPECT_EQ(now.home, 5);
+}
+
+TEST(ConvertComponent, keepsTheItemsOfAListThatFit) {
+    Before before;
+    before.times.count = 3;
+    for (std::uint32_t i = 0; i < 3; ++i) before.times.items[i] = static_cast<float>(i) + 0.5f;
+    const Now now = converted(before);
+    ASSERT_EQ(now.times.count, 2u);
+    EXPECT_EQ(now.times.items[1], 1.5f);
+}
+
+TEST(ConvertComponent, knowsEqualLayouts) {
+    const TypeInfo type = describe<Before>();
+    EXPECT_TRUE(sameLayout(type, describe<Before>()));
+    EXPECT_FALSE(sameLayout(type, describe<Now>()));
+    TypeInfo other = type;
+    other.fields[3].names[1].name = "furious";
+    EXPECT_FALSE(sameLayout(type, other)) << "files and conversions go by the names";
+    other = type;
+    std::swap(other.fields[0].offset, other.fields[1].offset);
+    EXPECT_FALSE(sameLayout(type, other));
+}
+
+TEST(ConvertComponent, thereAndBackKeepsWhatBothVersionsHave) {
+    int kept = 0;
+    for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+        Random random = Random::seeded(seed);
+        const TypeInfo a = made_types::random(random, 0, "Made");
+        const TypeInfo b = made_types::random(random, 0, "Made");
+        std::vector<std::byte> from(a.size), middle(b.size), back(a.size);
+        for (std::byte& byte : from) byte = static_cast<std::byte>(random.below(2));
+        convertComponent(a, from.data(), b, middle.data());
+        convertComponent(b, middle.data(), a, back.data());
+        for (const FieldInfo& field : a.fields) {
+            const FieldInfo* other = b.find(field.name);
+            if (other == nullptr || other->kind != field.kind) continue;
+            EXPECT_EQ(std::memcmp(field.in(from.data()), field.in(back.data()), field.size), 0)
+                << "seed " << seed << ", field " << field.name;
+            ++kept;
+        }
+    }
+    EXPECT_GT(kept, 150);
+}
+
+}  // namespace
+}  // namespace plumb
