@@ -6,6 +6,10 @@ find_package(SDL2_mixer CONFIG REQUIRED)
 find_package(nlohmann_json 3.10 CONFIG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(EXPAT REQUIRED)
+find_package(Lua 5.4 EXACT REQUIRED)
+add_library(plumb_lua INTERFACE)
+target_include_directories(plumb_lua SYSTEM INTERFACE ${LUA_INCLUDE_DIR})
+target_link_libraries(plumb_lua INTERFACE ${LUA_LIBRARIES})
 find_package(PkgConfig QUIET)
 
 # zstd's own CMake files differ between systems and have different targets for the shared and the static library.

@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 #
 #   cmake -D ROOT=. -P check_determinism.cmake
 
-set(simulation ecs physics scene gameplay)
+set(simulation ecs physics scene gameplay script)
 set(denied
     "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|log|log2|log10|pow|cbrt|hypot)f?\\(|math/portable.hpp has the same bits on every machine"
     "std::unordered_|a sorted vector or the store's own index: the order of an unordered container is an accident"

@@ -27,7 +27,7 @@ CharacterMover::CharacterMover(World& world, const CharacterDefinition& definiti
       steepest_{cosine(definition.steepest) - kSlopeSlack},
       feet_{reachAlong(convexOf(definition.outline, {}), -definition.up)} {}
 
-bool CharacterMover::isBackground(Vec2 normal) const { return rise(normal) >= steepest_; }
+bool CharacterMover::isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
 
 float CharacterMover::steepestSlope() const {
     return std::sqrt(std::max(1.0f - steepest_ * steepest_, 0.0f)) / std::max(steepest_, 0.01f);
@@ -41,13 +41,13 @@ Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
 /// On a corner of a floor, a round outline has a normal between those of two faces; uses that of the floor.
 std::optional<Vec2> CharacterMover::groundNormalOf(const CastHit& hit) const {
     const Vec2 normal = hit.normal;
-    if (isBackground(normal)) return normal;
+    if (isGround(normal)) return normal;
     if (definition_.outline.radius == 0.0f || rise(normal) < kRoundCorner) return std::nullopt;
     const float gap = definition_.gap;
     const float inward = along(normal) > 0.0f ? -3.0f * gap : 3.0f * gap;
     const WorldPosition over = hit.point + (right_ * inward + definition_.up * (5.0f * gap));
     const auto floor = probe_.cast(circle(gap), over, definition_.up * (-8.0f * gap));
-    if (!floor || !isBackground(floor->normal)) return std::nullopt;
+    if (!floor || !isGround(floor->normal)) return std::nullopt;
     return floor->normal;
 }
 
@@ -153,12 +153,12 @@ bool CharacterMover::stepUp(float dx) {
 
 CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
-    Vec2 normal = isBackground(groundNormal) ? groundNormal : definition_.up;
+    Vec2 normal = isGround(groundNormal) ? groundNormal : definition_.up;
     for (int turn = 0; turn < kMoverTurns && dx != 0.0f; ++turn) {
         const auto hit = advance(onGround(dx, normal));
         if (!hit) break;
         dx *= 1.0f - hit->fraction;
-        if (isBackground(hit->normal)) {
+        if (isGround(hit->normal)) {
             normal = hit->normal;
             continue;
         }

@@ -1,0 +1,90 @@
+#include "script/script_library.hpp"
+
+#include <array>
+
+#include <lua.hpp>
+
+#include "script/library/library_parts.hpp"
+
+namespace plumb {
+namespace {
+
+thread_local ScriptHost* currentHost = nullptr;
+
+int print(lua_State* state) {
+    const int count = lua_gettop(state);
+    luaL_Buffer line;
+    luaL_buffinit(state, &line);
+    for (int i = 1; i <= count; ++i) {
+        if (i > 1) luaL_addchar(&line, '\t');
+        script::pushText(state, i);
+        luaL_addvalue(&line);
+    }
+    luaL_pushresult(&line);
+    std::size_t length = 0;
+    const char* text = lua_tolstring(state, -1, &length);
+    if (currentHost != nullptr) currentHost->print({text, length});
+    return 0;
+}
+
+/// Removes these functions from the table on top of the stack.
+template <std::size_t N>
+void remove(lua_State* state, const std::array<const char*, N>& names) {
+    for (const char* name : names) {
+        lua_pushnil(state);
+        lua_setfield(state, -2, name);
+    }
+}
+
+void open(lua_State* state, const char* name, lua_CFunction function) {
+    luaL_requiref(state, name, function, 1);
+    lua_pop(state, 1);
+}
+
+void removeUnsafe(lua_State* state) {
+    lua_pushglobaltable(state);
+    remove(state, std::array{"collectgarbage", "dofile", "load", "loadfile", "require", "warn"});
+    lua_getfield(state, -1, LUA_STRLIBNAME);
+    remove(state, std::array{"dump"});
+    lua_pop(state, 2);
+    // package.loaded and the metatable of strings are not reachable either.
+    lua_pushnil(state);
+    lua_setfield(state, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+    lua_pushliteral(state, "");
+    lua_getmetatable(state, -1);
+    lua_pushboolean(state, 0);
+    lua_setfield(state, -2, "__metatable");
+    lua_pop(state, 2);
+}
+
+}  // namespace
+
+ScriptHostScope::ScriptHostScope(ScriptHost& host) : before_{currentHost} { currentHost = &host; }
+ScriptHostScope::~ScriptHostScope() { currentHost = before_; }
+
+namespace script {
+
+Random& hostRandom(lua_State* state) {
+    if (currentHost == nullptr) luaL_error(state, "random numbers are not available here");
+    return currentHost->random();
+}
+
+}  // namespace script
+
+void openScriptLibrary(lua_State* state) {
+    open(state, LUA_GNAME, luaopen_base);
+    open(state, LUA_TABLIBNAME, luaopen_table);
+    open(state, LUA_STRLIBNAME, luaopen_string);
+    open(state, LUA_MATHLIBNAME, luaopen_math);
+    open(state, LUA_COLIBNAME, luaopen_coroutine);
+    open(state, LUA_UTF8LIBNAME, luaopen_utf8);
+    removeUnsafe(state);
+    script::addOrder(state);
+    script::addTexts(state);
+    script::addSearch(state);
+    script::addMath(state);
+    lua_pushcfunction(state, print);
+    lua_setglobal(state, "print");
+}
+
+}  // namespace plumb

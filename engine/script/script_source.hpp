@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+
+namespace plumb {
+
+/// Name of the variable that counts down in prepared scripts, and of the function that is called when it is
+/// below 0. Both are local variables outside of the script; the first is the first upvalue of its function.
+inline constexpr std::string_view kBudget = "__budget";
+inline constexpr std::string_view kOverBudget = "__overBudget";
+
+/// Prepares the text of a script for loading. In front of each round of a loop, each call of a function and
+/// each goto it counts down a budget, so that a script that never ends is stopped, after the same number of
+/// rounds on every machine. (A hook of Lua that counts instructions makes scripts four times slower, this at
+/// most twice.) Lines keep their numbers.
+/// @param name  of the file, for errors
+/// @error text that is not UTF-8, or a power `x^y` whose exponent is not 2: pow() of the C library differs
+/// between
+///        machines
+Result<std::string> prepareScript(std::string_view text, std::string_view name);
+
+}  // namespace plumb
