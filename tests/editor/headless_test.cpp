@@ -125,7 +125,7 @@ TEST_F(HeadlessTest, anExportedGamePlaysLikeTheProject) {
     EXPECT_FALSE(fs::exists(out / "game/.plumb"));
     EXPECT_TRUE(fs::exists(out / "game/notes.txt"));
     EXPECT_TRUE(fs::exists(out / "assets/fonts"));
-    EXPECT_TRUE(fs::exists(out / "player"));
+    EXPECT_TRUE(fs::exists(out / "plumb-player")) << "the name that the script starts";
     EXPECT_NE(fs::status(out / "play").permissions() & fs::perms::owner_exec, fs::perms::none);
     EXPECT_EQ(hashAfter(out / "game", 60), hashAfter(root(), 60));
 }

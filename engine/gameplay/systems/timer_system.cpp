@@ -9,7 +9,9 @@
 namespace plumb {
 
 void TimerSystem::update(World& world, float) {
-    std::vector<DelayedEvents::Entry>& entries = world.resource<DelayedEvents>().entries;
+    auto* delayed = world.findResource<DelayedEvents>();
+    if (delayed == nullptr) return;
+    std::vector<DelayedEvents::Entry>& entries = delayed->entries;
     // One by one from the front, because emitting is code of the game.
     while (!entries.empty() && entries.front().tick <= world.tick) {
         const DelayedEvents::Entry due = entries.front();

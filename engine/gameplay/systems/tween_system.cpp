@@ -38,8 +38,9 @@ bool advance(World& world, const Tweens::Entry& tween) {
 }  // namespace
 
 void TweenSystem::update(World& world, float) {
-    std::erase_if(world.resource<Tweens>().entries,
-                  [&](const Tweens::Entry& tween) { return !advance(world, tween); });
+    auto* tweens = world.findResource<Tweens>();
+    if (tweens == nullptr) return;
+    std::erase_if(tweens->entries, [&](const Tweens::Entry& tween) { return !advance(world, tween); });
 }
 
 }  // namespace plumb

@@ -8,6 +8,8 @@
 #include "app/sound_output.hpp"
 #include "core/text.hpp"
 #include "gameplay/components.hpp"
+#include "gameplay/delayed_events.hpp"
+#include "gameplay/tweens.hpp"
 #include "physics/simulation.hpp"
 #include "scene/files/scene_file.hpp"
 #include "scene/particles.hpp"
@@ -38,7 +40,9 @@ TEST_P(EveryGameEffect, isNotRunInASceneWithoutIt) {
 
 TEST_P(EveryGameEffect, isRunOnlyWhileSomethingRequiresIt) {
     if (rowOf(GetParam()).name == "tile_animation") return;  // required by a tileset; see EffectDevices
-    ASSERT_FALSE(rowOf(GetParam()).callers.empty());
+    // Timers and tweens are required by their own state; see the test below.
+    const bool byState = rowOf(GetParam()).name == "timers" || rowOf(GetParam()).name == "tweens";
+    ASSERT_EQ(rowOf(GetParam()).callers.empty(), byState);
     for (const EffectCaller& caller : rowOf(GetParam()).callers) {
         PileGame game;
         game.play(2);
@@ -59,7 +63,7 @@ TEST_P(EveryGameEffect, isRunOnlyWhileSomethingRequiresIt) {
 }
 
 TEST_P(EveryGameEffect, isNeverRunIfPinnedOff) {
-    if (!hasSystem(GetParam())) return;
+    if (!hasSystem(GetParam()) || rowOf(GetParam()).callers.empty()) return;
     PileGame game;
     game.effects.setProgram(rowOf(GetParam()).name, Pin::Off);
     const EntityId entity = game.world.createEntity().id();
@@ -81,6 +85,26 @@ TEST_P(EveryGameEffect, changesNoBitIfPinnedOnWithoutNeed) {
     EXPECT_EQ(off.effects.runsOf(off.world, GetParam()), 0u);
     if (hasSystem(GetParam())) {
         EXPECT_GE(on.effects.runsOf(on.world, GetParam()), 120u);
+    }
+}
+
+TEST(GameEffects, timersAndTweensRunWhileThereAreAny) {
+    for (const Pin pin : {Pin::Auto, Pin::Off}) {
+        PileGame game;
+        game.effects.setProgram("timers", pin);
+        game.effects.setProgram("tweens", pin);
+        game.play(2);
+        const EntityId entity = game.world.createEntity().id();
+        game.world.add<Transform>(entity);
+        emitAfter(game.world, 0.1f, TweenEnded{entity});
+        tween(game.world, entity, &Transform::rotation, 1.0f, 0.1f);
+        EXPECT_EQ(game.effects.runs(game.world, "timers"), pin == Pin::Auto);
+        EXPECT_EQ(game.effects.runs(game.world, "tweens"), pin == Pin::Auto);
+        game.play(60);
+        const std::uint64_t expected = pin == Pin::Auto ? 6 : 0;
+        EXPECT_EQ(game.effects.runsOf(game.world, "timers"), expected);
+        EXPECT_EQ(game.effects.runsOf(game.world, "tweens"), expected);
+        EXPECT_EQ(game.world.get<Transform>(entity).rotation, pin == Pin::Auto ? 1.0f : 0.0f);
     }
 }
 

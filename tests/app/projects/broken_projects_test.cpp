@@ -226,7 +226,7 @@ TEST_F(BrokenProjects, anUnreadableTilesetIsOneErrorAndTheMapKeepsItsTiles) {
          "collision"},
         {R"({"format": 1, "image": "assets/tiles.png", "tileSize": [8, 8], "columns": 2, "count": 4,
              "tiles": [{"id": 0}, {"id": 0}]})",
-         "twice"},
+         "the same id"},
     };
     expectOneErrorOfEach(kPath, kinds);
     link(kPath, "secret.tileset.json");

@@ -1,3 +1,4 @@
+#include <iterator>
 #include <vector>
 
 #include "core/random.hpp"
@@ -48,7 +49,8 @@ std::unique_ptr<Command> randomSetField(Document& document, Random& random) {
 std::unique_ptr<Command> randomComponent(Document& document, Random& random) {
     const ObjectId id = anyObject(document, random);
     const auto& all = document.types().all();
-    const TypeInfo& type = all[4 + random.below(static_cast<std::uint32_t>(all.size() - 4))];
+    const TypeInfo& type =
+        *std::next(all.begin(), 4 + random.below(static_cast<std::uint32_t>(all.size() - 4)));
     if (type.name == "Parent" || type.name == "Children") return nullptr;
     return document.world.has(type, document.find(id)) ? removeComponent(document, {id}, type)
                                                        : addComponent(document, {id}, type);

@@ -72,7 +72,7 @@ TEST_F(Inspector, aFileIsChosenFromASearchedListOrDroppedFromTheAssets) {
     hands.rest(2);
     hands.drag(hands.middleOf("Assets/assets/hit.wav"), hands.middleOf("Inspector/Sprite/texture"));
     EXPECT_EQ(workspace.undo.size(), 1u);
-    EXPECT_NE(workspace.notice.find("no picture"), std::string::npos) << workspace.notice;
+    EXPECT_NE(workspace.notice.find("is not a file of the kind"), std::string::npos) << workspace.notice;
     hands.drag(hands.middleOf("Assets/assets/tree.png"), hands.middleOf("Inspector/Sprite/texture"));
     EXPECT_EQ(textureOf("crate"), "assets/tree.png");
     EXPECT_EQ(workspace.undo.size(), 2u);

@@ -8,7 +8,7 @@
 #include "editor/model/project/project_session.hpp"
 #include "editor/model/project/project_templates.hpp"
 #include "platform/shared_library.hpp"
-#include "scene/components/transform.hpp"
+#include "scene/components.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -173,6 +173,13 @@ TEST_F(ProjectCodeTest, theInspectorEditsSeveralAtOnceByExpressions) {
         if (workspace().document.nameOf(id) == "ground") ids.push_back(id);
     }
     ASSERT_EQ(ids.size(), 2u);
+    for (const ObjectId id : ids) {  // so that the field is on the screen
+        World& world = workspace().document.world;
+        world.remove<Sprite>(workspace().document.find(id));
+        world.remove<BoxCollider>(workspace().document.find(id));
+        world.remove<RigidBody>(workspace().document.find(id));
+        world.remove<StaticBody>(workspace().document.find(id));
+    }
     workspace().document.world.add(type, workspace().document.find(ids[1]));
     ++workspace().document.sceneRevision;
     setSpeed(100.0f);
