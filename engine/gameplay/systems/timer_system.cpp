@@ -10,7 +10,7 @@ namespace plumb {
 
 void TimerSystem::update(World& world, float) {
     std::vector<DelayedEvents::Entry>& entries = world.resource<DelayedEvents>().entries;
-    // One by one from the front, because emitting is code of the game.
+    // Take one entry at a time from the front, as emitDelayed() calls code of the game.
     while (!entries.empty() && entries.front().tick <= world.tick) {
         const DelayedEvents::Entry due = entries.front();
         entries.erase(entries.begin());
