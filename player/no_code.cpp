@@ -1,5 +1,5 @@
 #include "app/module.hpp"
 
-// The player of projects without code of their own.
+// Code of the player for projects without C++ code: registers no components or systems.
 
 PLUMB_MODULE(module) { static_cast<void>(module); }

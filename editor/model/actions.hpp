@@ -16,13 +16,13 @@ enum class During : unsigned char { Always, Entities, Tiles };
 /// A user action: a row of the table from which menus, toolbar, tooltips and shortcuts are built.
 struct Action {
     std::string_view id;     ///< "edit.undo"; empty: a separator line in a menu
-    std::string_view menu;   ///< "Edit"
+    std::string_view menu;   ///< menu that lists it, e.g. "Edit"; empty: none
     std::string_view label;  ///< "Undo"
     Shortcut shortcut;
-    bool (*enabled)(const Workspace& workspace) = nullptr;
-    void (*run)(Workspace& workspace) = nullptr;       ///< null: activates the tool of that id
-    bool (*on)(const Workspace& workspace) = nullptr;  ///< state of a toggle; null: not a toggle
-    Shortcut alternative{};
+    bool (*enabled)(const Workspace& workspace) = nullptr;  ///< null only for a separator line
+    void (*run)(Workspace& workspace) = nullptr;            ///< null: activates the tool of that id
+    bool (*on)(const Workspace& workspace) = nullptr;       ///< state of a toggle; null: not a toggle
+    Shortcut alternative{};                                 ///< second shortcut
     During during = During::Always;
 };
 

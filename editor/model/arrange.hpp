@@ -6,7 +6,7 @@
 
 namespace plumb::editor {
 
-/// Edge or center of each entity's box that is moved to that of the box around all the entities.
+/// Edge or center line of the entities' boxes that alignEntities() makes equal to that of their common box.
 enum class Alignment : unsigned char { Left, Center, Right, Top, Middle, Bottom };
 
 /// Returns the entities of the list that can be arranged: not locked, with a Transform, not the root of an

@@ -38,8 +38,8 @@ void setComponent(Workspace& workspace, const std::vector<ObjectId>& ids, const 
 /// out.
 std::vector<FieldValue> readFields(const Workspace& workspace, const FieldTarget& target);
 
-/// Evaluates a typed text (see typedNumber) for each entity and sets the number to the result. Either all
-/// entities change or none.
+/// Evaluates a typed text (typedNumber in expression.hpp) for each entity and sets the number to the result.
+/// Either all entities change or none.
 /// @param at  byte offset of the number in the value
 /// @error     the text cannot be evaluated for one of the entities
 Result<Done> typeNumber(Workspace& workspace, const FieldTarget& target, std::size_t at,

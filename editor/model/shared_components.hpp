@@ -25,9 +25,9 @@ std::vector<ComponentHolders> componentHolders(const TypeRegistry& types, const 
 /// Key for values cached from the selected entities: the cache is valid while selectedState() returns the
 /// same value.
 struct SelectedState {
-    std::uint64_t scene = static_cast<std::uint64_t>(-1);
-    std::uint64_t selection = 0;
-    std::int64_t tick = -1;  ///< tick of the running game; -1: none runs
+    std::uint64_t scene = static_cast<std::uint64_t>(-1);  ///< Document::sceneRevision
+    std::uint64_t selection = 0;                           ///< Selection::revision()
+    std::int64_t tick = -1;                                ///< tick of the running game; -1: none runs
     friend bool operator==(const SelectedState&, const SelectedState&) = default;
 };
 SelectedState selectedState(const Workspace& workspace);
@@ -45,11 +45,11 @@ public:
 
     /// Marks the bytes in which the field's values at `a` and `b` differ.
     void compare(const FieldInfo& field, const void* a, const void* b);
-    [[nodiscard]] bool any() const { return any_; }
+    [[nodiscard]] bool any() const { return any_; }  ///< true if any byte is marked
     /// True if all bytes are marked, so further comparisons can be skipped.
     [[nodiscard]] bool all() const;
-    [[nodiscard]] bool any(std::size_t at, std::size_t size) const;
-    [[nodiscard]] bool bit(unsigned bit) const;
+    [[nodiscard]] bool any(std::size_t at, std::size_t size) const;  ///< the same, for `size` bytes
+    [[nodiscard]] bool bit(unsigned bit) const;  ///< true if the bit with this index is marked
     /// True if the values are lists of different lengths.
     [[nodiscard]] bool lengths() const { return lengths_; }
 
@@ -74,13 +74,13 @@ struct HeldComponents {
 };
 HeldComponents heldComponents(const World& world, const TypeInfo& type, std::span<const EntityId> entities);
 
-/// @param fresh  a default component of the type
+/// @param fresh  a component of the type with default values
 /// @pre   held.inHand is not null
 SharedField sharedField(const ObjectNames& names, const FieldInfo& field, const HeldComponents& held,
                         const ComponentState& fresh);
 
 /// True if the inspector shows the field: its condition on another field (shownIf) holds in one of the
-/// components, and it is not the copy of a value at the last tick.
+/// components, and it does not store another field's value of the last tick, like previousPosition.
 bool isShown(const FieldInfo& field, const HeldComponents& held);
 
 }  // namespace plumb::editor

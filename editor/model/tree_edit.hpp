@@ -11,7 +11,7 @@ namespace plumb::editor {
 /// Destination of moved entities in the tree.
 struct TreePlace {
     ObjectId parent;      ///< null: no parent
-    ObjectId beside{};    ///< a child of the parent, next to which they go; null: the order stays
+    ObjectId beside{};    ///< child of `parent` next to which the entities go; null: the order stays
     bool behind = false;  ///< after `beside` instead of before it
 };
 
@@ -21,8 +21,8 @@ struct TreePlace {
 bool moveInTree(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects,
                 const TreePlace& place, KeepPlace keep = KeepPlace::InWorld);
 
-/// Makes entities children of a new entity at the center of their boxes, which takes the position of the
-/// first of them in the tree. One undo step.
+/// Makes entities children of a new entity. The new entity is placed at the center of their boxes, and in the
+/// tree at the row of the first of them. One undo step.
 /// @return the new entity, which gets selected; null if none of the entities can be moved
 ObjectId groupEntities(Document& document, UndoStack& undo, const std::vector<ObjectId>& objects);
 

@@ -63,7 +63,7 @@ enum class SnapTo : unsigned char { Grid, HalfGrid, Pixel };
 
 struct GridSettings {
     Vec2 size{16.0f, 16.0f};  ///< cell size, px
-    bool snap = true;
+    bool snap = true;         ///< moved entities snap to multiples of `step()`
     SnapTo to = SnapTo::Grid;
     bool snapAngles = true;    ///< if `snap` too: rotations snap to multiples of `angle`
     float angle = kSnapAngle;  ///< rotation step, rad
@@ -91,19 +91,19 @@ public:
     Document document;
     UndoStack undo;
     ViewCamera view;
-    PhysicsTimes physicsTimes;  ///< times of the running game
+    PhysicsTimes physicsTimes;  ///< durations of the physics stages in the running game
     PlayMode play;
     Profiler profiler{physicsTimes};
     bool followsGame =
         true;  ///< the view follows the running game's camera; panning or zooming turns this off
     GridSettings grid;
-    TilePaint tiles;
+    TilePaint tiles;                                      ///< state shared by the tile tools
     Settings settings;                                    ///< user settings, for all projects
     PhysicsView physics;                                  ///< layers of physics debug drawing
     std::vector<std::string> overlays{"grid", "camera"};  ///< names of the overlays shown for all entities
-    std::vector<std::string> overlaysOfSelected;          ///< names of those shown for selected entities only
-    std::string clipboard;
-    std::string notice;  ///< status bar text: the last action or error
+    std::vector<std::string> overlaysOfSelected;          ///< names of overlays for selected entities only
+    std::string clipboard;                                ///< text of the system's clipboard
+    std::string notice;                                   ///< status bar text: the last action or error
     WindowRequest request = WindowRequest::None;
     std::string importFrom;     ///< file for WindowRequest::Import; empty: the user chooses one
     std::string projectToOpen;  ///< project folder for WindowRequest::OpenProject
@@ -112,9 +112,9 @@ public:
     std::string assetToShow;    ///< path of a file to show in the asset browser
     /// Starts a game from a scene's path and its text including unsaved changes.
     std::function<std::unique_ptr<PlaySession>(const std::string& path, const std::string& text)> makeSession;
-    /// Must be called in every frame, if set: follows the code of the project. @param now  s, of any clock
+    /// Called in every frame, if set: rebuilds and reloads changed project code. @param now  s, of any clock
     std::function<void(double now)> followCode;
-    std::function<InputFrame()> gameInput;  ///< current state of the game's input
+    std::function<InputFrame()> gameInput;  ///< returns the current input for the game
 
     // Scene file.
 
@@ -169,7 +169,7 @@ public:
     }
     [[nodiscard]] EntityId shownEntity(ObjectId id) const { return shownNames().find(id); }
     void togglePlay();
-    /// @param paused  pause before the first tick
+    /// @param paused  true: the game pauses before its first tick
     void startPlaying(bool paused = false);
     /// Stops the game. Changes that the user made while it ran are then in `offeredChanges`.
     void stopPlaying();
@@ -186,9 +186,9 @@ public:
     void toggleOverlay(std::string_view overlay);
     /// Entities for which an overlay is shown: all, the selected ones, or none.
     [[nodiscard]] PhysicsReach reachOf(std::string_view overlay) const;
-    void setReach(std::string_view overlay, PhysicsReach whose);
-    ReachView reach;            ///< data of the overlay "reach"
-    Trajectories trajectories;  ///< data of the overlay "trajectories"
+    void setReach(std::string_view overlay, PhysicsReach whose);  ///< sets what `reachOf` returns
+    ReachView reach;                                              ///< data of the overlay "reach"
+    Trajectories trajectories;                                    ///< data of the overlay "trajectories"
 
     ViewFile viewFile{project.root};  ///< stores hidden and locked entities between sessions
     SafetyNet safety{*this};          ///< journal of unsaved changes and watch on the scene's file

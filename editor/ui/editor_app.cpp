@@ -82,7 +82,7 @@ public:
         return writePicture(path);
     }
 
-    /// Runs a tour script. @param path  of the script; its screenshots are written relative to its folder
+    /// Runs a tour script. @param path  the script; its screenshots are written relative to its folder
     Result<Done> playTour(const Path& path) {
         const Result<std::string> text = readFile(path);
         if (!text) return text.error();
@@ -122,7 +122,7 @@ private:
         const WidgetMap::Widget* scene = editor().widgets().find("Viewport");
         if (workspace().project.isNone || workspace().document.scenePath.empty() || scene == nullptr) return;
         const AABB box = scene->box;
-        frame({}, 1.0f / 60.0f);  // draws again, as the swapped framebuffer is undefined
+        frame({}, 1.0f / 60.0f);  // draws again, as a framebuffer is undefined after its swap
         const float pixels = static_cast<float>(window_->drawableSize().width) /
                              static_cast<float>(std::max(window_->size().width, 1));
         const Image small = thumbnailOf(device_->readPixels({}), {box.min * pixels, box.max * pixels},
@@ -225,7 +225,7 @@ int runEditor(const EditorOptions& given) {
     if (!welcome) (*session)->openFirst(options.scene);
     if (takesPictures && !welcome && !options.scene.empty() && workspace.document.scenePath.empty())
         return fail({options.scene, "the project has no such scene",
-                     "name one of " + (*session)->workspace().project.root.string() + "/scenes"});
+                     "pass the name of one in " + (*session)->workspace().project.root.string() + "/scenes"});
     if (!notice.empty()) workspace.notice = notice;
     if (!options.select.empty()) selectByName(workspace, options.select);
 

@@ -18,7 +18,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// Reports an action that set no notice of its own by the label of its undo step, as "Did: ...".
+/// If an action set no notice, sets one with the label of the action's undo step: "Did: LABEL".
 void tellStep(Workspace& workspace) {
     // The state of the last frame (number of steps, hash of the notice, ...) is kept in ImGui's storage.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
@@ -51,7 +51,7 @@ void tellStep(Workspace& workspace) {
 
 }  // namespace
 
-/// Returns mouse position, selection, zoom and saved state, as far as the width has room for them.
+/// Returns mouse position, selection, zoom and saved state as text; leaves out what exceeds `width`, px.
 std::string EditorWindow::stateInWords(float width) const {
     const Document& document = workspace_.document;
     if (document.scenePath.empty()) return "No scene";
@@ -197,7 +197,7 @@ void EditorWindow::drawNewScene() {
     if (footButton(ui_, "Cancel", 110.0f, "New/Cancel")) ImGui::CloseCurrentPopup();
     if (done) {
         const std::string name = newScene_.data();
-        // Checked here, so that the user can correct the name, and before the dialog about unsaved changes.
+        // The name is checked now, while the user can correct it, and before asking about unsaved changes.
         const Result<Path> free = newSceneFile(workspace_.project.root, name);
         newSceneError_ = free ? std::string{} : format("{}; {}", free.error().what, free.error().remedy);
         if (free) {

@@ -20,10 +20,10 @@ namespace {
 
 constexpr float kToolbarHeight = 38.0f;  // px at scale 1: height of the toolbar
 constexpr float kStatusHeight = 24.0f;
-constexpr float kRunPause = 1.0f;  // s: nudges after a longer pause start a new undo step
+constexpr float kRunPause = 1.0f;  // s: after a longer pause, moving by arrow keys starts a new undo step
 
-/// Time at which a key last added to the open undo gesture (s of ImGui's clock); negative if the gesture was
-/// not started by keys. Successive nudges are one undo step, until a pause or a mouse press.
+/// Time of the last key press merged into the open undo step (s of ImGui's clock); negative if that step was
+/// not started by keys. Successive moves by arrow keys are one undo step, until a pause or a mouse press.
 float& keysAddedAt() {
     return *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("gesture of keys"), -1.0f);
 }
@@ -33,7 +33,7 @@ void endGestureOfKeys(UndoStack& undo) {
 }
 
 /// True for keys that the editor handles while a game runs: function keys and Ctrl combinations. The game
-/// gets others.
+/// gets all other keys.
 bool actsWhilePlaying(const Event& event) {
     return event.modifiers.control || (event.key >= Key::F1 && event.key <= Key::F12);
 }
@@ -70,7 +70,7 @@ void selectionMenu(Ui& ui, const std::string& path) {
     items({"view.frame", "entity.rename", "entity.group", "entity.hide", "entity.lock"});
     ImGui::Separator();
     items({"entity.makePrefab"});
-    // The other prefab actions apply only to instances.
+    // These prefab actions apply only to prefab instances.
     if (workspace.selectsInstance())
         items({"entity.editPrefab", "entity.overrides", "entity.revert", "entity.apply"});
     ImGui::Separator();
@@ -85,8 +85,8 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, SceneTexture* pic
                                                                                                   scale,
                                                                                                   picture} {
     ImGui::SetCurrentContext(context_);
-    // The renderer supports vertex offsets: a draw list may have more vertices than a 16-bit index, e.g. for
-    // the collision shapes of all tiles.
+    // The renderer supports vertex offsets: a draw list may have more vertices than a 16-bit index can
+    // address, e.g. for the collision shapes of all tiles.
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     feed_ = std::make_unique<PlatformFeed>();
     workspace_.settings.scale = scale;
@@ -196,7 +196,7 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
             keysAddedAt() = static_cast<float>(ImGui::GetTime());
     }
     ui_.takesEscape = false;
-    // Ends the gesture of a widget that disappeared during a drag and so did not report its end.
+    // Ends the undo step of a widget that disappeared during a drag and so could not end it.
     const bool ofKeys = keysAddedAt() >= 0.0f;
     if (ofKeys && static_cast<float>(ImGui::GetTime()) - keysAddedAt() > kRunPause)
         endGestureOfKeys(workspace_.undo);
@@ -244,7 +244,7 @@ void EditorWindow::drawMenu(const char* menu) {
             continue;
         }
         actionItem(ui_, action.id, std::string{"Menu/"} + menu);
-        // These actions of the menu Edit are repeated here, where users also expect them.
+        // The menu Entity repeats these actions of the menu Edit, as users expect them in both.
         if (action.id == "entity.rename") {
             for (const char* id : {"edit.duplicate", "edit.delete"})
                 actionItem(ui_, id, std::string{"Menu/"} + menu);
@@ -268,7 +268,7 @@ void EditorWindow::drawMenus() {
     float left = ImGui::GetCursorPosX();
     for (const char* menu : kMenus) left += width(menu);
     const bool all = left <= end;
-    // Menus for which there is no room become submenus of a last menu.
+    // Menus for which there is no room become submenus of an extra last menu.
     std::size_t shown = 0;
     for (; shown < kMenus.size(); ++shown) {
         if (!all && ImGui::GetCursorPosX() + width(kMenus[shown]) + width(kMore) > end) break;
@@ -307,7 +307,7 @@ void EditorWindow::drawTitle() {
 void EditorWindow::drawOverlayMenu() {
     ImGui::Separator();
     for (const OverlayRow& row : overlayTable()) {
-        if (findAction(format("view.{}", row.name)) != nullptr) continue;  // its action is a menu item
+        if (findAction(format("view.{}", row.name)) != nullptr) continue;  // has its own menu item
         const std::string label{row.label};
         if (ImGui::MenuItem(label.c_str(), nullptr, workspace_.shows(row.name)))
             workspace_.toggleOverlay(row.name);
@@ -321,7 +321,7 @@ void EditorWindow::drawOverlayMenu() {
 }
 
 void EditorWindow::showAssetPanel() {
-    // A request with a part after '/' is cleared by the panel or dialog that handles the part.
+    // A request "PANEL/PART" is cleared by the panel or dialog that shows the part.
     std::string wanted = workspace_.panelToShow.substr(0, workspace_.panelToShow.find('/'));
     if (wanted.size() == workspace_.panelToShow.size()) workspace_.panelToShow.clear();
     if (!workspace_.assetToShow.empty()) wanted = "Assets";

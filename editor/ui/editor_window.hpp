@@ -23,8 +23,8 @@ struct ImGuiContext;
 
 namespace plumb::editor::ui {
 
-/// The contents of the editor's window. It is driven by plain events frame by frame, so that tests use it in
-/// the same way as users; the owner of the graphics device draws the resulting ImGui draw data.
+/// The contents of the editor's window. Each frame takes its input as Event values, so that tests use the
+/// window in the same way as users. The caller, which owns the graphics device, draws ImGui's draw data.
 class EditorWindow {
 public:
     /// @param log      log shown in the console
@@ -35,7 +35,7 @@ public:
     EditorWindow(const EditorWindow&) = delete;
     EditorWindow& operator=(const EditorWindow&) = delete;
 
-    /// Builds one frame; ImGui::GetDrawData() holds it afterwards.
+    /// Builds one frame; afterwards ImGui::GetDrawData() returns its draw data.
     void frame(const FrameInput& input);
 
     [[nodiscard]] const WidgetMap& widgets() const { return widgets_; }
@@ -45,9 +45,9 @@ public:
     /// Shows the welcome screen, to create a project in this folder.
     void welcome(const std::string& folder) { welcome_.open(ui_, folder); }
     [[nodiscard]] MouseShape mouseShape() const;
-    /// Returns and clears the flag that the fonts changed, so that their texture must be uploaded again.
+    /// Returns true once after the fonts have changed: the font texture must then be uploaded again.
     bool takeFontsChanged() { return std::exchange(fontsChanged_, false); }
-    [[nodiscard]] bool pending() const { return feed_->pending(); }
+    [[nodiscard]] bool pending() const { return feed_->pending(); }  ///< events are queued
 
 private:
     void handleKeys(std::span<const Event> events);
@@ -55,25 +55,25 @@ private:
     void handleWelcomeKeys(std::span<const Event> events);
     void drawAll();
     [[nodiscard]] bool isForGame(const Event& event, bool typing) const;
-    /// Returns the input for the game, with the mouse position in the game's viewport.
+    /// Returns the input for the game since the last call; mouse position in px of the game's image.
     InputFrame takeGameInput();
     void playGame(float seconds);
     void drawMenus();
     void drawOverlayMenu();
     void drawMenu(const char* menu);
     void drawTitle();
-    /// Brings the requested panel, or that of the requested file, to the front.
+    /// Brings the panel Workspace::panelToShow, or the panel for assetToShow or assetToEdit, to the front.
     void showAssetPanel();
     void drawStatus(float height);
     [[nodiscard]] std::string stateInWords(float width) const;
     [[nodiscard]] std::string noticeInWords() const;
     void drawDialogs();
     void drawNewScene();
-    /// Calls `next`, which leaves the scene; first asks the user about unsaved changes.
+    /// Calls `next`, which closes the open scene. If it has unsaved changes, first asks the user about them.
     void leaveFor(std::function<void()> next);
     void drawUnsaved();
     void openScene(const std::string& path);
-    /// True if the theme, the scale or the text size in the settings has changed since `applyLook`.
+    /// True if the theme, the scale or the text size in the settings has changed since the last applyLook().
     [[nodiscard]] bool looksOld() const;
     void applyLook();
 

@@ -15,7 +15,7 @@ enum class Icon : unsigned char {
     Scale,
     Shape,
     Rectangle,
-    Pick,
+    Pick,  ///< eyedropper
     Brush,
     Erase,
     Fill,
@@ -24,7 +24,7 @@ enum class Icon : unsigned char {
     Pause,
     Step,
     StepBack,
-    Watch,
+    Watch,  ///< two triangles: fast forward
     Undo,
     Redo,
     Save,
@@ -34,23 +34,23 @@ enum class Icon : unsigned char {
     Tiles,
     Text,
     Camera,
-    Body,
-    Soft,
-    Field,
+    Body,   ///< rigid body
+    Soft,   ///< soft body
+    Field,  ///< force field
     Layers,
     Person,
     Star,
-    Chevron,
+    Chevron,  ///< triangle that points down
     Terrain,
     Line,
     Ellipse,
     MoveTiles,
-    SameTile,
+    SameTile,  ///< tool that selects all equal tiles
     Eye,
     EyeClosed,
     Lock,
     Unlocked,
-    Solo
+    Solo  ///< show one layer alone
 };
 
 /// Draws an icon as vector shapes, which are sharp at any scale. @param size  px: side length of the icon

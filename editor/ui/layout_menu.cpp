@@ -32,7 +32,7 @@ void LayoutMenu::drawItems(Ui& ui) {
 void LayoutMenu::panelItems(Ui& ui) {
     PaneLayout& layout = ui.workspace.settings.layout;
     for (const PanelRow& row : panelTable()) {
-        if (row.dock == Dock::Center) continue;  // the scene is always there
+        if (row.dock == Dock::Center) continue;  // the scene view cannot be closed
         const bool open = layout.isOpen(row.title);
         if (ImGui::MenuItem(row.title, nullptr, open)) {
             layout.hidden = false;

@@ -12,8 +12,8 @@ namespace plumb::editor::ui {
 class LayoutMenu {
 public:
     void drawItems(Ui& ui);
-    void askName();
-    void drawQuestion(Ui& ui);
+    void askName();             ///< opens the dialog in the next drawQuestion()
+    void drawQuestion(Ui& ui);  ///< draws the dialog, if it is open
 
 private:
     static void panelItems(Ui& ui);

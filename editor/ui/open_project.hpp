@@ -15,8 +15,8 @@ class RenderDevice;
 
 namespace plumb::editor::ui {
 
-/// The project that is open in the editor, which can be replaced by another one. Each has its own workspace
-/// and window contents; only the user's settings are passed on.
+/// The project that is open in the editor; it can be replaced by another project. Each project has its own
+/// workspace and window contents; only the user's settings are passed on to the next project.
 class OpenProject {
 public:
     /// @param device  graphics device; null: headless, nothing is drawn
@@ -32,21 +32,21 @@ public:
     /// Returns the title of the program's window.
     [[nodiscard]] std::string title();
 
-    /// Replaces this project by another one. Stops a running game; discards unsaved changes, so that the
-    /// caller must ask about them before.
+    /// Replaces this project by another one. Stops a running game and discards unsaved changes, so the caller
+    /// must ask the user about them first.
     /// @param leaving  called before this project is closed; may be null
     /// @error          the other project cannot be opened; this one stays open
     Result<Done> change(const std::string& folder, const std::function<void()>& leaving = nullptr);
-    /// Puts the project first in the list of recent ones.
+    /// Puts the project first in the list of recent projects.
     void remember();
 
 private:
-    void use(std::unique_ptr<ProjectSession> session);
-    void letGo();
+    void use(std::unique_ptr<ProjectSession> session);  ///< creates the window of a project
+    void letGo();                                       ///< closes the project and its window
 
     LogBook& log_;
     RenderDevice* device_;
-    // Each member depends on those before it.
+    // The order matters: each member uses the members declared before it.
     std::unique_ptr<ProjectSession> session_;
     std::unique_ptr<SceneTexture> picture_;
     std::unique_ptr<EditorWindow> window_;

@@ -8,7 +8,7 @@
 
 namespace plumb::editor::ui {
 
-/// The panes of the window with their tabs and the bars between them, by the layout in the settings.
+/// Draws the panes of the window, their tabs and the splitters between them, as the settings' layout says.
 class Panes {
 public:
     Panes();
@@ -21,8 +21,8 @@ private:
         AABB box;               ///< px on screen
     };
 
-    /// Shows the panel Tiles when a tile tool is selected, and restores the former panel when another tool
-    /// is.
+    /// Shows the panel Tiles when a tile tool is selected, and the previous panel again when another tool is
+    /// selected.
     void showTilesWhilePainting(Workspace& workspace);
     void drawPane(Ui& ui, Dock dock, const AABB& box);
     void drawTabs(Ui& ui, Dock dock, const AABB& box);
@@ -32,7 +32,7 @@ private:
     void tabMenu(Ui& ui, const std::string& title, Dock dock) const;
     void dragTab(Ui& ui, const std::string& title);
     void drawSplitter(Ui& ui, const PaneBoxes::Bar& bar);
-    void drawDrop(Ui& ui);
+    void drawDrop(Ui& ui);  ///< shows where the dragged tab would be docked, and docks it on release
 
     std::vector<std::unique_ptr<Panel>> panels_;
     PaneBoxes boxes_;  ///< px on screen

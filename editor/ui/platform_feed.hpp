@@ -19,9 +19,9 @@ struct FrameInput {
     float seconds = 1.0f / 60.0f;   ///< s since the last frame
 };
 
-/// Passes plain events to ImGui, without SDL, so that tests can simulate a user's input. Each frame takes the
-/// events up to the second change of the same key or button, because ImGui would miss a press and a release
-/// in one frame.
+/// Passes plain events to ImGui, without SDL, so that tests can simulate a user's input. ImGui would miss a
+/// press and a release in the same frame, so a frame takes only the events before the second change of one
+/// key or button; the others wait for the next frame.
 class PlatformFeed {
 public:
     /// @pre an ImGui context is current

@@ -27,7 +27,7 @@ public:
     SceneTexture& operator=(const SceneTexture&) = delete;
 
     /// Draws a world.
-    /// @param assets   the running game's; null: the editor's own
+    /// @param assets   asset store of the running game; null: the editor's own store
     /// @param size     px: size of the texture
     /// @param alpha    interpolation factor between the last two ticks, 0..1
     /// @param asGame   true: backdrops and screen-space texts are placed as in the player application; false:
@@ -42,7 +42,7 @@ public:
         double ahead = 0.0;                    ///< s: time by which animated tiles are advanced
         std::vector<EntityId> hidden;          ///< entities not drawn, sorted
         const Particles* particles = nullptr;  ///< particles of previewed emitters; may be null
-        float particleBack = 0.0f;             ///< s from the drawn moment to the particles' last step
+        float particleBack = 0.0f;             ///< s: drawn moment to the (later) last step of the particles
     };
     Preview preview;
     RenderCounts counts;  ///< draw calls, sprites etc. of the last call of `draw`

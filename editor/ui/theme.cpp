@@ -7,7 +7,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-/// io.UserData points to this while the light theme is in use, and is null while the dark one is.
+/// io.UserData points to this constant while the light theme is in use; with the dark theme it is null.
 constexpr bool kLightInUse = true;
 
 /// Ranges of loaded characters: Latin with accents, and punctuation.

@@ -22,7 +22,7 @@ struct Fonts {
 /// Loads the fonts and sets colors and spacing.
 /// @param fonts     folder of the engine's fonts; without its files ImGui's own font is used
 /// @param scale     scale of the user interface, 0.75..3
-/// @param textSize  px at scale 1
+/// @param textSize  text size, px at scale 1
 Fonts applyTheme(const Path& fonts, Theme theme, float scale, float textSize = 14.0f);
 /// Sets only the colors, in the current ImGui context.
 void applyColors(Theme theme);

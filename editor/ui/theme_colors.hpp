@@ -23,8 +23,8 @@ inline constexpr ThemeColor kCanvas       {IM_COL32( 23,  24,  28, 255), IM_COL3
 inline constexpr ThemeColor kField        {IM_COL32( 26,  28,  33, 255), IM_COL32(255, 255, 255, 255)};  ///< input fields
 inline constexpr ThemeColor kFieldHovered {IM_COL32( 33,  36,  42, 255), IM_COL32(250, 251, 253, 255)};
 inline constexpr ThemeColor kChrome       {IM_COL32( 30,  32,  37, 255), IM_COL32(226, 229, 234, 255)};  ///< bars around the panels
-inline constexpr ThemeColor kChromePlaying{IM_COL32( 26,  58,  42, 255), IM_COL32(205, 233, 215, 255)};
-inline constexpr ThemeColor kChromePaused {IM_COL32( 66,  52,  26, 255), IM_COL32(246, 229, 193, 255)};
+inline constexpr ThemeColor kChromePlaying{IM_COL32( 26,  58,  42, 255), IM_COL32(205, 233, 215, 255)};  ///< bars while a game runs
+inline constexpr ThemeColor kChromePaused {IM_COL32( 66,  52,  26, 255), IM_COL32(246, 229, 193, 255)};  ///< bars while a game is paused
 inline constexpr ThemeColor kPanel        {IM_COL32( 37,  40,  46, 255), IM_COL32(244, 245, 248, 255)};  ///< background of panels
 inline constexpr ThemeColor kHeader       {IM_COL32( 45,  48,  56, 255), IM_COL32(232, 235, 240, 255)};  ///< titles, component headers
 inline constexpr ThemeColor kHeaderHovered{IM_COL32( 54,  58,  67, 255), IM_COL32(221, 225, 232, 255)};
@@ -47,13 +47,13 @@ inline constexpr ThemeColor kError        {IM_COL32(245, 118, 118, 255), IM_COL3
 inline constexpr ThemeColor kOnStatus     {IM_COL32( 16,  22,  18, 255), IM_COL32(255, 255, 255, 255)};  ///< text on kPlay, kWarning, kError
 // Selected, hovered and pressed items.
 inline constexpr ThemeColor kAccent       {IM_COL32( 77, 163, 255, 255), IM_COL32( 10,  88, 180, 255)};
-inline constexpr ThemeColor kAccentSoft   {IM_COL32( 77, 163, 255,  70), IM_COL32( 30, 120, 225,  52)};
+inline constexpr ThemeColor kAccentSoft   {IM_COL32( 77, 163, 255,  70), IM_COL32( 30, 120, 225,  52)};  ///< background of active buttons
 inline constexpr ThemeColor kAccentPressed{IM_COL32( 77, 163, 255, 120), IM_COL32( 30, 120, 225, 100)};
 inline constexpr ThemeColor kAccentGrab   {IM_COL32( 77, 163, 255, 150), IM_COL32( 30, 120, 225, 170)};  ///< grab of a slider
 inline constexpr ThemeColor kHover        {IM_COL32(255, 255, 255,  16), IM_COL32(  0,  10,  30,  20)};
 inline constexpr ThemeColor kCard         {IM_COL32(255, 255, 255,  10), IM_COL32(  0,  10,  30,  10)};  ///< a raised area on a panel
 inline constexpr ThemeColor kCardLine     {IM_COL32(255, 255, 255,  70), IM_COL32(  0,  10,  30,  80)};
-inline constexpr ThemeColor kNothing      {IM_COL32(  0,   0,   0,   0), IM_COL32(  0,   0,   0,   0)};
+inline constexpr ThemeColor kNothing      {IM_COL32(  0,   0,   0,   0), IM_COL32(  0,   0,   0,   0)};  ///< transparent
 // Kinds of entities and files.
 inline constexpr ThemeColor kViolet       {IM_COL32(190, 150, 240, 255), IM_COL32(112,  62, 176, 255)};  ///< cameras, prefabs
 inline constexpr ThemeColor kOrange       {IM_COL32(230, 160,  96, 255), IM_COL32(158,  76,  10, 255)};  ///< tiles, scenes
@@ -63,19 +63,19 @@ inline constexpr ThemeColor kTeal         {IM_COL32(110, 190, 190, 255), IM_COL3
 inline constexpr ThemeColor kGreen        {IM_COL32(120, 190, 120, 255), IM_COL32( 34, 104,  38, 255)};  ///< tilesets
 inline constexpr ThemeColor kBlue         {IM_COL32(110, 170, 240, 255), IM_COL32( 24,  92, 172, 255)};  ///< sounds
 // The timeline.
-inline constexpr ThemeColor kPast         {IM_COL32( 88, 201, 130, 110), IM_COL32( 40, 150,  90, 110)};
-inline constexpr ThemeColor kPastLine     {IM_COL32(120, 225, 160, 255), IM_COL32( 18, 108,  56, 240)};
-inline constexpr ThemeColor kAhead        {IM_COL32(240, 185,  74,  70), IM_COL32(200, 130,  10,  80)};
-inline constexpr ThemeColor kTick         {IM_COL32(255, 255, 255,  22), IM_COL32(  0,  10,  30,  28)};
-inline constexpr ThemeColor kTickMark     {IM_COL32(255, 255, 255,  60), IM_COL32(  0,  10,  30,  90)};
+inline constexpr ThemeColor kPast         {IM_COL32( 88, 201, 130, 110), IM_COL32( 40, 150,  90, 110)};  ///< recorded ticks up to the shown one
+inline constexpr ThemeColor kPastLine     {IM_COL32(120, 225, 160, 255), IM_COL32( 18, 108,  56, 240)};  ///< mark of the shown tick
+inline constexpr ThemeColor kAhead        {IM_COL32(240, 185,  74,  70), IM_COL32(200, 130,  10,  80)};  ///< recorded ticks after the shown one
+inline constexpr ThemeColor kTick         {IM_COL32(255, 255, 255,  22), IM_COL32(  0,  10,  30,  28)};  ///< lines at each second; grid lines
+inline constexpr ThemeColor kTickMark     {IM_COL32(255, 255, 255,  60), IM_COL32(  0,  10,  30,  90)};  ///< lines every 5 seconds
 // Over images: the same in both themes.
 inline constexpr ThemeColor kCellLine     {IM_COL32(128, 128, 128,  90), IM_COL32(  90,  90,  90, 90)};  ///< between cells and tiles
 inline constexpr ThemeColor kCellHovered  {IM_COL32(255, 255, 255, 160), IM_COL32(255, 255, 255, 200)};
 inline constexpr ThemeColor kFaded        {IM_COL32(255, 255, 255,  60), IM_COL32(255, 255, 255,  60)};  ///< tint of tiles not found by the search
-inline constexpr ThemeColor kSolid        {IM_COL32(110, 230, 140, 200), IM_COL32(110, 230, 140, 200)};
-inline constexpr ThemeColor kOneWay       {IM_COL32(120, 200, 255, 220), IM_COL32(120, 200, 255, 220)};
+inline constexpr ThemeColor kSolid        {IM_COL32(110, 230, 140, 200), IM_COL32(110, 230, 140, 200)};  ///< collision shapes
+inline constexpr ThemeColor kOneWay       {IM_COL32(120, 200, 255, 220), IM_COL32(120, 200, 255, 220)};  ///< collision shapes solid from above only
 inline constexpr ThemeColor kHalo         {IM_COL32(  0,   0,   0, 190), IM_COL32(  0,   0,   0, 190)};  ///< around lines over the scene
-inline constexpr ThemeColor kHaloText     {IM_COL32(  0,   0,   0, 200), IM_COL32(  0,   0,   0, 200)};
+inline constexpr ThemeColor kHaloText     {IM_COL32(  0,   0,   0, 200), IM_COL32(  0,   0,   0, 200)};  ///< shadow of text over the scene
 // clang-format on
 }  // namespace palette
 

@@ -138,7 +138,7 @@ float wordWidth(const Ui& ui, std::string_view word) {
     return std::ceil(ImGui::CalcTextSize(word.data(), word.data() + word.size()).x) +
            2.0f * ui.px(kWordMargin);
 }
-/// Draws a text button that toggles the visibility of something.
+/// Draws a text button that toggles an overlay. @param on  the overlay is shown
 bool wordButton(Ui& ui, std::string_view word, bool on) {
     ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::kAccentSoft : palette::kNothing);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? palette::kText : palette::kTextDim);
@@ -191,7 +191,7 @@ void drawPhysics(Ui& ui) {
     const PhysicsView& view = ui.workspace.physics;
     if (wordButton(ui, "Physics", view.on)) runAction(ui.workspace, "view.physics");
     ui.widgets.mark("Overlay/physics", view.on ? "on" : "off");
-    tooltip(format("{} the physics over the scene, edited or playing  ({})", view.on ? "Hide" : "Show",
+    tooltip(format("{} the physics layers over the scene, edited or playing  ({})", view.on ? "Hide" : "Show",
                    keysFor(ui.workspace, "view.physics")));
     ImGui::SameLine(0.0f, ui.px(1.0f));
     if (listArrow(ui, "Overlay/physics layers", ui.px(kButtonSide))) ImGui::OpenPopup("physics layers list");
@@ -266,7 +266,7 @@ void drawToolbar(Ui& ui, float top, float height) {
     };
     const float end = window - margin - (all ? 0.0f : more + gap);
     const float right = end - std::max(widthOf(Side::Right) - gap, 0.0f);
-    // Centered in the window, or right of the tools if these need the center.
+    // The middle groups are centered in the window, or right of the tools if these need the center.
     const float middle = widthOf(Side::Middle) - gap;
     const float centered = std::floor((window - middle) * 0.5f);
     const float least = margin + widthOf(Side::Left);

@@ -4,8 +4,8 @@
 
 namespace plumb::editor::ui {
 
-/// Draws the toolbar below the menus: groups of buttons, and a list of the groups for which the window is too
-/// narrow.
+/// Draws the toolbar below the menus: groups of buttons. Groups that do not fit into the window are in a list
+/// at its right end.
 /// @param top     px: upper edge of the toolbar
 /// @param height  px
 void drawToolbar(Ui& ui, float top, float height);

@@ -9,7 +9,7 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr int kDragSteps = 12;      // frames of a drag
-constexpr int kMostFrames = 36000;  // maximum of "wait"
+constexpr int kMostFrames = 36000;  // maximum argument of "wait"
 
 /// The state of a running script.
 struct Player {

@@ -22,12 +22,12 @@ namespace plumb::editor::ui {
 ///     click Scene/crate with Shift
 ///     drag @40,100 to @80,100
 ///     move @80,100
-///     key Ctrl+S
+///     key Ctrl+S                        presses and releases
 ///     type hello world
 ///     press Right                       presses a key and keeps it down
 ///     release Right
 ///     wait 30                           waits for 30 frames
-///     picture images/first.png
+///     picture images/first.png          writes a screenshot
 ///
 /// A script creates the images of the tutorial. A test runs it, to detect that the tutorial is out of date.
 class Tour {
@@ -42,7 +42,7 @@ public:
     };
 
     /// Parses a script.
-    /// @param name  of the script's file, for errors
+    /// @param name  name of the script's file, for error messages
     /// @error       an invalid action, with its line number
     static Result<Tour> read(std::string_view text, std::string_view name);
 
@@ -52,8 +52,8 @@ public:
     /// One line of the script.
     struct Step {
         std::string_view verb;  ///< one of the actions in tour.cpp, e.g. "click"
-        std::string from;       ///< argument of the action; of a drag its start
-        std::string to;         ///< end of a drag
+        std::string from;       ///< argument of the action; for a drag, its start point
+        std::string to;         ///< end point of a drag; empty for other actions
         Modifiers with;         ///< modifier keys held during the action
         std::string where;      ///< file and line for errors, e.g. "tutorial.tour:12"
     };

@@ -26,9 +26,9 @@ struct Ui {
     bool mouseOverScene = false;
     bool panHeld = false;      ///< Space is held to pan the scene view
     bool viewReady = false;    ///< false: the viewport moves to the start view of the scene in the next frame
-    bool takesEscape = false;  ///< Esc is used by a drag in a panel, to restore its value
-    /// Handler that receives each event first, while a key or button is awaited. @return true if it used the
-    /// event
+    bool takesEscape = false;  ///< a drag in a panel is active: Esc restores its value and does nothing else
+    /// Handler that receives each event before all other code; null: none. Set while a panel handles keys
+    /// itself. @return true if it used the event
     std::function<bool(const Event&)> takeEvent;
 
     [[nodiscard]] float px(float size) const { return size * scale; }
@@ -48,14 +48,14 @@ struct PanelRow {
     bool tall = false;  ///< needs more height than other panels if docked at the bottom
 };
 std::span<const PanelRow> panelTable();
-/// The panels of `panelTable` in the form that `PaneLayout` uses.
+/// Title and default dock of each panel in panelTable(), for PaneLayout.
 std::span<const PanelHome> panelHomes();
 
-/// Draws the numbers of errors and warnings of the log after the last item of the status bar; a click shows
-/// them.
+/// Draws the numbers of errors and warnings in the log after the last item of the status bar; a click shows
+/// the Console panel.
 void drawLogCounts(Ui& ui);
 
-/// Shows a tooltip while the mouse hovers over the last item, also if that is disabled.
+/// Shows a tooltip while the mouse hovers over the last drawn ImGui item, even if the item is disabled.
 void tooltip(std::string_view text);
 
 /// Draws a menu item for an action, with its shortcut; disabled while the action is not possible.

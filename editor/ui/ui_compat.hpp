@@ -121,14 +121,14 @@ bool pressed(Key key, bool repeats = false);
 /// Ends the interaction with ImGui's active item, e.g. a drag or text input.
 void dropActiveItem();
 /// Draws a bar between two panes; dragging it enlarges one and shrinks the other.
-/// @param before  px: size of the left or upper pane
-/// @param after   px: size of the right or lower pane
-/// @param least   px: minimum size of each
+/// @param upright        true: vertical bar between a left and a right pane
+/// @param before, after  px: sizes of the left (upper) and right (lower) pane; the drag changes them
+/// @param least          px: minimum size of each pane
 /// @return true while the bar is held
 bool splitterBar(const char* id, ImVec2 from, ImVec2 to, bool upright, float& before, float& after,
                  float least);
 
-/// Returns ImGui's code of a key; its code for no key if ImGui does not use the key.
+/// Returns ImGui's code of a key, or ImGui's code for "no key" if the editor does not pass it to ImGui.
 int imguiKey(Key key);
 
 }  // namespace plumb::editor::ui

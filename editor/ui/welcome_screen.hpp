@@ -10,15 +10,15 @@
 namespace plumb::editor::ui {
 
 /// The screen to open or create a project, with recent projects and templates; shown first if no project is
-/// open. It opens a project by WindowRequest::OpenProject.
+/// open. To open one, it sets Workspace::request to OpenProject.
 class WelcomeScreen {
 public:
-    /// Shows the screen. @param folder  of the project to create or open; empty: none
+    /// Shows the screen. @param folder  folder of the project to create or open; empty: none
     void open(Ui& ui, const std::string& folder = {});
     /// Hides the screen; without an open project it stays.
     void close(const Ui& ui) { shown_ = ui.workspace.project.isNone; }
     [[nodiscard]] bool shown() const { return shown_; }
-    /// @param size  px of the window
+    /// @param size  size of the window, px
     void draw(Ui& ui, ImVec2 size);
 
 private:
@@ -37,7 +37,7 @@ private:
     void drawRecent(Ui& ui);
     void drawRecentRow(Ui& ui, std::size_t index);
     void drawOpen(Ui& ui);
-    void follow();
+    void follow();  ///< derives the project's folder from its name, unless the user edited it
     void create(Ui& ui);
     void openFolder(Ui& ui, const std::string& folder);
 

@@ -7,21 +7,21 @@ namespace plumb {
 
 /// Size and length of a benchmark run.
 struct BenchmarkSettings {
-    int entities = 10'000;
-    int frames = 120;  ///< measured frames after the warm-up, one tick each
+    int entities = 10'000;  ///< number of simulated and drawn entities
+    int frames = 120;       ///< number of measured frames after the warm-up, one tick each
 };
 
 /// Times of a frame with moving, colliding, drawn entities on this machine.
 struct BenchmarkResult {
     int entities = 0;
-    double systemsMs = 0.0;  ///< ms, all systems except the two phases below
-    double broadMs = 0.0;    ///< ms, broad phase of collision detection
-    double narrowMs = 0.0;   ///< ms, narrow phase of collision detection
-    double renderMs = 0.0;   ///< ms, drawing
-    std::size_t drawCalls = 0;
-    std::size_t contacts = 0;  ///< number of contacts that began in the measured frames
-    PixelSize window;          ///< px; empty if nothing was drawn
-    FrameTimes frameTimes;     ///< times of whole frames, by wall clock
+    double systemsMs = 0.0;     ///< ms, all systems except the two phases below
+    double broadMs = 0.0;       ///< ms, broad phase of collision detection
+    double narrowMs = 0.0;      ///< ms, narrow phase of collision detection
+    double renderMs = 0.0;      ///< ms, drawing
+    std::size_t drawCalls = 0;  ///< number of draw calls of the last frame
+    std::size_t contacts = 0;   ///< number of contacts that began in the measured frames
+    PixelSize window;           ///< px; empty if nothing was drawn
+    FrameTimes frameTimes;      ///< times of whole frames, by wall clock
 
     [[nodiscard]] double totalMs() const { return systemsMs + broadMs + narrowMs + renderMs; }
 };

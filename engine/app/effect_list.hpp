@@ -11,7 +11,7 @@ namespace plumb {
 class Game;
 class Profile;
 
-/// Profiler zones of a tick that belong to an effect.
+/// Profiler zones of a tick that belong to an effect (an optional feature of the engine).
 struct EffectZones {
     std::vector<std::string_view> own;  ///< systems and stages of the physics that run only for this effect
     std::vector<std::string_view> shared;  ///< stages of the physics that other effects need too
@@ -26,7 +26,7 @@ struct EffectCount {
 /// Returns the components that currently request an effect, without types that no entity has.
 std::vector<EffectCount> callersOf(const World& world, const EffectRow& row);
 
-/// Returns, as text, the first component types that can request an effect.
+/// Returns the first component types that can request an effect as text, e.g. "Door, Button".
 std::string missingCallers(const EffectRow& row);
 
 /// Measures the overhead of a profiler zone, s per call, to subtract it from measured times.
@@ -34,11 +34,11 @@ double zoneOverhead();
 
 /// State and cost of one effect in a world, for display.
 struct EffectLine {
-    std::size_t row = 0;  ///< index of the effect in the table
-    bool isRequired = false;
-    bool runs = false;
-    Pin pin = Pin::Auto;
-    std::string pinnedBy;  ///< path of the scene that pins it; empty: not pinned, or pinned by the program
+    std::size_t row = 0;      ///< index of the effect in the table
+    bool isRequired = false;  ///< a component requests it
+    bool runs = false;        ///< it runs: because of a request or its pin
+    Pin pin = Pin::Auto;      ///< On or Off: runs or does not, whatever components request
+    std::string pinnedBy;     ///< path of the scene that pins it; empty: not pinned, or pinned by the program
     std::vector<EffectCount> callers;
     EffectZones zones;
     double microseconds = 0.0;  ///< µs per tick in its own zones

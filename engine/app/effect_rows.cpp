@@ -16,7 +16,7 @@
 namespace plumb {
 namespace {
 
-/// Makes an effect for which systems run while any of these components exist.
+/// Returns an effect that runs while an entity has one of the components `Callers`.
 template <class... Callers>
 EffectRow row(std::string_view name, std::string_view doc, std::string_view device = {}) {
     EffectRow made{name, doc, kCallersOf<Callers...>, isThereAny<typename CallerOf<Callers>::Component...>};
@@ -33,25 +33,25 @@ bool hasTweens(const World& world) {
     return tweens != nullptr && !tweens->entries.empty();
 }
 
-/// Also true while particles of destroyed emitters must be removed.
+/// True if there are emitters, or particles of destroyed emitters that must be removed.
 bool hasParticles(const World& world) {
     if (isThereAny<ParticleEmitter>(world)) return true;
     const auto* left = world.findResource<Particles>();
     return left != nullptr && !left->streams.empty();
 }
 
-/// Also true while physics worlds of destroyed ghosts must be removed.
+/// True if there are ghosts, or physics worlds of destroyed ghosts that must be removed.
 bool hasGhosts(const World& world) {
     const auto* left = world.findResource<GhostWorlds>();
     return isThereAny<Ghost>(world) || (left != nullptr && !left->all.empty());
 }
-/// Also true while curves of destroyed plots must be removed.
+/// True if there are plots, or curves of destroyed plots that must be removed.
 bool hasPlots(const World& world) {
     const auto* left = world.findResource<PlotPast>();
     return isThereAny<Plot>(world) || (left != nullptr && !left->curves.empty());
 }
 
-/// Also true for a scene that has only a background color.
+/// True if there is something to draw, even if only a background color.
 bool hasPicture(const World& world) {
     if (isThereAny<Sprite, TileLayer, ParticleEmitter, Label, Rope, Cloth, Jelly, Slider, Plot, Ghost>(world))
         return true;
@@ -60,7 +60,7 @@ bool hasPicture(const World& world) {
                                             [](const LoadedScene& scene) { return scene.background.a > 0; });
 }
 
-/// Not O(1), but called only when tiles are drawn, not in ticks.
+/// True if a tile layer has animated tiles. Not O(1), but not called in ticks.
 bool hasAnimatedTiles(const World& world) {
     const auto* assets = world.service<AssetStore>();
     if (assets == nullptr || !isThereAny<TileLayer>(world)) return false;
@@ -84,7 +84,7 @@ std::vector<EffectRow> systemEffectRows() {
         row<MouseDrag>("mouse_drag", "Lets the mouse drag bodies."),
         row<Detonator>("detonators", "Triggers the explosions of detonators."),
         row<Slider>("sliders", "Lets sliders on the screen change numbers."),
-        row<Experiment>("experiments", "Restarts experiments."),
+        row<Experiment>("experiments", "Restores the initial state of experiments."),
         row<Ghost>("ghosts", "Simulates the physics of ghosts, with other settings."),
         row<Plot>("plots", "Records the curves of plots."),
         row<Label>("physics_counts", "Counts collision pairs for labels that show them."),
@@ -100,7 +100,7 @@ std::vector<EffectRow> systemEffectRows() {
         row<Health, Respawn>("respawn", "Respawns dead entities."),
         row<SceneKey, ToggleKey>("shortcuts", "Lets input actions change scenes, show and hide entities."),
         {"tweens", "Changes fields of components over time.", {}, hasTweens},
-        row<Bob, Spin, Lifetime>("decor", "Runs Bob, Spin and Lifetime."),
+        row<Bob, Spin, Lifetime>("decor", "Runs the components Bob, Spin and Lifetime."),
         row<Animator, PlayerController>("character_animation",
                                         "Sets the animation parameters of characters."),
         row<Animator>("animation", "Plays sprite animations."),

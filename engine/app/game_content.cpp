@@ -16,8 +16,8 @@
 namespace plumb {
 namespace {
 
-/// Systems of a project's code run before this one by default: systems before it decide and collide, it and
-/// those after it show the outcome.
+/// Systems of a project's code run before this one by default: earlier systems control and simulate, this one
+/// and later ones display the result.
 constexpr std::string_view kFirstShowing = MotionDecorSystem::kName;
 
 auto rowOf(std::vector<SystemRow>& rows, std::string_view name) {
@@ -27,7 +27,7 @@ auto rowOf(std::vector<SystemRow>& rows, std::string_view name) {
 Error unknownSystem(const SystemRow& row, std::string_view name) {
     return {format("code: system \"{}\"", row.name),
             format("there is no system \"{}\" to run before or after", name),
-            "use before<PhysicsSystem>() with a system of the engine, or one that is added above"};
+            "use a system of the engine, e.g. before<PhysicsSystem>(), or one that the code adds earlier"};
 }
 
 Error nameIsUsed(std::string_view kind, std::string_view name, std::string_view where) {
@@ -35,7 +35,7 @@ Error nameIsUsed(std::string_view kind, std::string_view name, std::string_view 
             format("choose another name in {}", where)};
 }
 
-/// Where the row is inserted.
+/// Returns the position in `rows` at which a system of the code must be inserted.
 auto positionOf(std::vector<SystemRow>& rows, const Module::System& system, std::vector<Error>& problems) {
     const bool after = !system.position.after.empty();
     const std::string_view name = after ? system.position.after : system.position.before;
@@ -120,7 +120,7 @@ void GameContent::addSystems(World& world) const {
 
 namespace {
 
-/// A resource of the code, with the values that it had in the version before.
+/// A resource of the code, with its value in the previous version of the code.
 struct KeptResource {
     TypeInfo type;
     std::vector<std::byte> value;
@@ -162,7 +162,7 @@ void convertWorld(World& world, const GameContent& content, const ContentChange&
                 convertComponent(before.type, before.value.data(), now, resource.make(world));
         }
     }
-    if (world.systemNames().empty()) return;  // a document: nothing runs
+    if (world.systemNames().empty()) return;  // a scene that is edited: it has no systems
     content.addSystems(world);
 }
 

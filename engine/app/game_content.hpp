@@ -10,29 +10,29 @@
 
 namespace plumb {
 
-/// What another version of a project's code changes in running worlds.
+/// Differences between two versions of a project's code that matter for worlds that use it.
 struct ContentChange {
     struct Type {
-        TypeInfo before;
-        const TypeInfo* now = nullptr;  ///< null: removed
+        TypeInfo before;                ///< the type in the previous version
+        const TypeInfo* now = nullptr;  ///< the type in the new version; null: removed
     };
-    std::vector<Type> types;       ///< components with another layout, or removed
+    std::vector<Type> types;       ///< component types whose layout changed or that were removed
     bool newTypes = false;         ///< component types were added: files may contain them
-    std::vector<TypeKey> systems;  ///< systems of the version before
-    Module before;                 ///< the version before
+    std::vector<TypeKey> systems;  ///< systems of the previous version
+    Module before;                 ///< the previous version
 };
 
 /// Component types, systems and effects of the engine and of a project's code: what scenes can contain and
 /// what a tick runs. Must outlive the games that use it.
 class GameContent {
 public:
-    /// @param problems  receives what cannot be done: a name that is used already, an unknown system
+    /// @param problems  receives the errors: a name that is already in use, a position at an unknown system
     GameContent(Module code, std::vector<Error>& problems);
     GameContent(const GameContent&) = delete;
     GameContent& operator=(const GameContent&) = delete;
 
     /// Replaces the project's code by another version. References to types() and effects() and to a TypeInfo
-    /// stay valid. Worlds that use this content must be converted before they are used again: convertWorld().
+    /// stay valid. Call convertWorld() for every world that uses this content before the world is used again.
     ContentChange update(Module code, std::vector<Error>& problems);
 
     [[nodiscard]] const TypeRegistry& types() const { return types_; }
@@ -40,9 +40,9 @@ public:
     [[nodiscard]] const std::vector<SystemRow>& systems() const { return systems_; }
     [[nodiscard]] const Module& code() const { return code_; }
 
-    /// Makes the world run its systems in this order, others after them.
+    /// Makes the world run its systems in the order of systems(), and systems that are not listed after them.
     void useSystemOrder(World& world) const;
-    /// Adds all systems.
+    /// Adds all systems() to the world.
     void addSystems(World& world) const;
 
 private:
@@ -56,12 +56,12 @@ private:
     EffectTable effects_;
 };
 
-/// Carries a world that runs with `content` over to the version after an update(): components and declared
-/// resources keep the fields that both versions have, systems are replaced, all other resources of the code
-/// are removed.
+/// Converts a world that uses `content` to the new version of the code after GameContent::update().
+/// Components, and resources declared with Module::resources(), keep the fields that both versions have;
+/// systems are replaced; all other resources of the code are removed.
 void convertWorld(World& world, const GameContent& content, const ContentChange& change);
 
-/// The content without a project's code.
+/// Returns the content of the engine alone, without a project's code.
 const GameContent& engineContent();
 
 }  // namespace plumb

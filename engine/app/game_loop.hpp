@@ -54,20 +54,20 @@ private:
     EventLog events_;
     std::optional<SoundOutput> sounds_;  ///< empty if headless
     PhysicsTimes physicsTimes_;
-    std::vector<Event> pending_;
+    std::vector<Event> pending_;  // window events of this frame; a member, so that its memory is reused
     std::optional<Replay> replay_;
     std::optional<ReplayPlayer> replayPlayer_;
     Recorder recorder_;
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
-    double rateStart_ = 0.0;  // s, wall clock
-    std::int64_t rateFrames_ = 0;
-    bool padsOpen_ = false;
+    double rateStart_ = 0.0;       // s, wall clock: when the frame rate was last logged
+    std::int64_t rateFrames_ = 0;  // frames drawn since rateStart_
+    bool padsOpen_ = false;        // the gamepads are open
     bool running_ = true;
-    bool failed_ = false;
+    bool failed_ = false;  // run() returns an error code
 };
 
-/// Returns the options with the seed of their replay file, and its scene if they name none.
+/// Returns `options` with the seed of the replay file, and with its scene if the options name no scene.
 PlayerOptions begunAsRecorded(PlayerOptions options);
 
 /// Saves the current image as PNG, atomically.

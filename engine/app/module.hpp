@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// The name of a system: S::kName, else the name of its type.
+/// Returns the name of a system: S::kName if it exists, otherwise the name of the type.
 template <class S>
 constexpr std::string_view systemName() {
     if constexpr (NamedSystem<S>) {
@@ -23,8 +23,8 @@ constexpr std::string_view systemName() {
 /// Position of a system in the tick, relative to another system: before<PhysicsSystem>(). By default it runs
 /// after the physics and all ready-made gameplay, before animation, particles, sound and camera.
 struct SystemPosition {
-    std::string_view before{};
-    std::string_view after{};
+    std::string_view before{};  ///< name of the system to run before; empty: not given
+    std::string_view after{};   ///< name of the system to run after; empty: not given
 };
 template <class S>
 constexpr SystemPosition before() {
@@ -45,7 +45,7 @@ constexpr SystemPosition after() {
 class Module {
 public:
     struct Resource {
-        void (*describe)(TypeRegistry& types);
+        void (*describe)(TypeRegistry& types);    ///< adds the type to `types`
         void* (*make)(World& world);              ///< returns the value, created if there is none
         const void* (*find)(const World& world);  ///< null if there is none
     };
@@ -61,8 +61,8 @@ public:
         (components_.push_back([](TypeRegistry& types) { static_cast<void>(types.add<T>()); }), ...);
     }
 
-    /// Adds types with a `describe` function whose value the world has once (World::resource). They keep
-    /// their values when the editor loads the code again; all other resources of the code start anew then.
+    /// Adds types of world resources (World::resource) that have a `describe` function. They keep their
+    /// values when the editor loads the code again; all other resources of the code are then removed.
     template <Described... T>
     void resources() {
         (resources_.push_back({[](TypeRegistry& types) { static_cast<void>(types.add<T>()); },
@@ -72,8 +72,8 @@ public:
     }
 
     /// Adds a system: a type with `void update(World& world, float dt)`.
-    /// @tparam Required  It runs only in ticks in which an entity has one of these components; none: in each
-    /// tick.
+    /// @tparam Required  component types: the system runs only in ticks in which an entity has one of them;
+    /// none: in every tick
     template <class S, class... Required>
     void system(SystemPosition position = {}) {
         System& made = systems_.emplace_back();
@@ -88,7 +88,7 @@ public:
         }
     }
 
-    /// Calls a function for each event of a tick, at the default position of systems.
+    /// Calls `Handler` for each event of a tick, at this position in the order of systems.
     template <class Event, void (*Handler)(World& world, const Event& event)>
     void on(SystemPosition position = {}) {
         system<EventHandler<Event, Handler>>(position);
@@ -104,7 +104,7 @@ private:
     template <class Event, void (*Handler)(World& world, const Event& event)>
     struct EventHandler {
         void update(World& world, float) const {
-            // By index: a handler may emit events of the same type, which moves the list.
+            // By index, as a handler may emit events of the same type, which reallocates the list.
             for (std::size_t i = 0; i < world.events<Event>().size(); ++i) {
                 const Event event = world.events<Event>()[i];
                 Handler(world, event);
@@ -125,8 +125,8 @@ private:
 #define PLUMB_EXPORTED extern "C" __attribute__((visibility("default")))
 #endif
 
-/// The function that describes the code of a project; once in its folder `code`. A player is linked with it,
-/// the editor looks it up by name.
+/// Begins the function that registers the components and systems of a project's code; to be used once in the
+/// project's folder `code`. A player is linked with the function, the editor looks it up by name.
 #define PLUMB_MODULE(module) PLUMB_EXPORTED void plumbDescribeModule(plumb::Module& module)
 
 PLUMB_MODULE(module);

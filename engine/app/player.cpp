@@ -84,8 +84,8 @@ void reportCode(const Project& project, const Module& code, const std::vector<Er
     for (const Error& problem : problems) logError("Code", problem);
     if (hasCode(project) && code.componentTypes().empty() && code.systems().empty())
         logWarning("Code",
-                   Error{(project.root / "code").generic_string(), "this player does not contain this code",
-                         "use ./plumb play PROJECT, which builds a player with it"});
+                   Error{(project.root / "code").generic_string(), "this player was built without this code",
+                         "use ./plumb play PROJECT, which builds a player with the code"});
 }
 
 }  // namespace

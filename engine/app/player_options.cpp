@@ -92,7 +92,7 @@ constexpr std::array kGameOptions{
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.record); }},
     Row{"--replay", "FILE", "replay recorded input",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.replay); }},
-    Row{"--all-effects", "", "run every effect, requested or not, for comparison",
+    Row{"--all-effects", "", "run all features of the engine (effects), requested or not",
         [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
     Row{"--seed", "N", "seed of the game's random numbers", &setSeed},
     Row{"--threads", "N", "number of physics threads, 1..64; default: as many as the machine has, up to 8",
@@ -113,7 +113,7 @@ constexpr std::array kGameOptions{
 constexpr std::array kProjectOptions{
     Row{"--scene", "NAME", "start with this scene",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.scene); }},
-    Row{"--effects", "", "list the effects that the scene requests, and their cost",
+    Row{"--effects", "", "list the features (effects) that the scene requests, and their cost",
         [](PlayerOptions& o, std::string_view) { return o.effects = true; }},
     Row{"--benchmark", "", "measure 10,000 moving, colliding, drawn entities",
         [](PlayerOptions& o, std::string_view) { return o.benchmark = true; }},
@@ -146,7 +146,7 @@ Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments)
     const Result<Done> read = readOptions<
         PlayerOptions>(kPlayerOptions, arguments, options, [&](std::string_view word) -> Result<Done> {
         if (hasProject)
-            return Error{"command line", format("\"{}\" is a second project", word), "give one project only"};
+            return Error{"command line", format("\"{}\" is a second project", word), "give only one project"};
         options.project = word;
         hasProject = true;
         return Done{};

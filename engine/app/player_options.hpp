@@ -23,11 +23,11 @@ struct PlayerOptions {
     std::string capture;         ///< folder for PNG files of every frame
     std::string record;          ///< path of a file to record input to
     std::string replay;          ///< path of a file to replay input from
-    bool allEffects = false;     ///< run all effects, requested or not
+    bool allEffects = false;     ///< run all effects (features of the engine), requested or not
     bool effects = false;        ///< list the effects of the scene and their cost
-    bool benchmark = false;
-    int entities = 0;  ///< number of entities of the benchmark; 0: default
-    std::uint64_t seed = 1;
+    bool benchmark = false;      ///< run the benchmark instead of a project
+    int entities = 0;            ///< number of entities of the benchmark; 0: default
+    std::uint64_t seed = 1;      ///< seed of the game's random numbers
     int scale = 0;     ///< window size in multiples of the game resolution; 0: the project's window size
     int threads = 0;   ///< threads of the physics; 0: automatic
     PixelSize window;  ///< px, window size; empty: the project's window size

@@ -72,7 +72,7 @@ public:
                 warn(key,
                      values.size() == most ? format("has more than {} names", most)
                                            : format("expected a string, found {}", name.type_name()),
-                     "write e.g. [\"ground\", \"player\"]; \"\" leaves one out");
+                     "write e.g. [\"ground\", \"player\"]; \"\" skips a layer");
                 return;
             }
             values.push_back(stringOrEmpty(name));
@@ -143,7 +143,7 @@ Result<Project> loadProject(const Path& path) {
                      "name a folder with a project.json in it, e.g. projects/platformer"};
     }
     const Path root = file.has_parent_path() ? file.parent_path() : Path{"."};
-    finishImport(root);  // an import that was killed while it moved its files
+    finishImport(root);  // if an import was killed while it moved its files
     return projectFromText(*text, root, "project.json");
 }
 

@@ -20,8 +20,8 @@
 namespace plumb {
 namespace {
 
-/// Ticks for which unreferenced assets stay loaded after a scene change: its last sounds may still be
-/// playing, and returning to the scene is fast.
+/// Ticks for which unreferenced assets stay loaded after a scene change: sounds of the old scene may still be
+/// playing, and returning to it soon is fast.
 constexpr int kUnloadTicks = 60;
 
 }  // namespace
@@ -87,8 +87,8 @@ std::string SceneGame::currentPath() const {
     return loaded == nullptr || loaded->scenes.empty() ? std::string{} : loaded->scenes.front().path;
 }
 
-/// Acquires the assets of the world's current scenes. Compares with these instead of reacting to scene
-/// changes, as a restored snapshot can change scenes too.
+/// Acquires the assets of the world's current scenes. Compares the scenes with heldScenes_ instead of
+/// reacting to scene changes, as a restored snapshot can change scenes too.
 void SceneGame::followAssets() {
     const LoadedScenes& loaded = world.resource<LoadedScenes>();
     const bool same =

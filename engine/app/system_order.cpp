@@ -26,7 +26,7 @@ constexpr std::array kSystems{
     row<DetonatorSystem>("detonators"),
     row<SliderSystem>("sliders"),
     row<ExperimentSystem>("experiments"),
-    row<PhysicsSystem>(""),  // its manifest controls which stages run
+    row<PhysicsSystem>(""),  // always runs: its manifest controls which stages of the physics run
     row<GhostSystem>("ghosts"),
     row<PlotSystem>("plots"),
     row<PhysicsCountSystem>("physics_counts"),

@@ -15,7 +15,7 @@ int indexOf(const std::vector<Item>& items, std::string_view name) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-identifier-naming): the seed's sample names it so
+// NOLINTNEXTLINE(readability-identifier-naming): sample code of the specification uses this name
 const std::vector<Animation> playerAnimations{
     {"idle", {{0, 0, 0.5f, ""}, {1, 0, 0.5f, ""}}, LoopMode::Loop},
     {"run", {{0, 0, 0.1f, "step"}, {1, 0, 0.1f, ""}, {2, 0, 0.1f, "step"}, {3, 0, 0.1f, ""}}, LoopMode::Loop},

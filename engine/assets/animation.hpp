@@ -66,7 +66,7 @@ struct AnimationCondition {
 struct AnimationTransition {
     static constexpr int kAnyState = -1;
 
-    int from = kAnyState;                  ///< index in the states
+    int from = kAnyState;                  ///< index in the states; kAnyState: from every state
     int to = 0;                            ///< index in the states
     std::vector<AnimationCondition> when;  ///< all conditions must be true
     bool afterEnd = false;                 ///< also requires that the clip has reached its end at least once

@@ -21,7 +21,7 @@ struct FileBytes {
     std::string bytes;
 };
 
-/// A file that the store watches for changes but does not load: a scene or a prefab.
+/// A file that the asset store watches for changes but does not load: a scene or a prefab.
 struct WatchedFile {};
 
 /// An asset that `pollChanges` reloaded, or a watched file that changed.
@@ -42,7 +42,7 @@ public:
     explicit AssetStore(Path root = {}, Path engineRoot = {});
 
     /// Loads a file at the first call for it and returns its id, which depends only on the path. Errors, such
-    /// as a missing file, are added to `errors()`. A file name not found in the root is searched in assets/.
+    /// as a missing file, are added to `errors()`. A file not found in the root is searched in root/assets/.
     TextureId loadTexture(std::string_view path);
     TilesetId loadTileset(std::string_view path);
     AnimationId loadAnimation(std::string_view path);
@@ -88,7 +88,7 @@ public:
     /// Returns a number that increases whenever the asset is replaced; 0 for an unknown id.
     [[nodiscard]] std::uint32_t revisionOf(AssetKind kind, TextId id) const;
 
-    /// Changes the reference count of an asset. Tilesets and animations hold references to their textures.
+    /// Adds or removes a reference to an asset. Tilesets and animations hold references to their textures.
     void acquire(AssetKind kind, TextId id);
     void release(AssetKind kind, TextId id);
     [[nodiscard]] int references(AssetKind kind, TextId id) const;

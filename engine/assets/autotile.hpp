@@ -36,10 +36,10 @@ private:
         double upTo = 0.0;  ///< sum of the weights up to and including this variant
     };
     struct Rules {
-        bool known = false;
+        bool known = false;  ///< the tileset has a terrain with this id
         TerrainMode mode = TerrainMode::Blob;
-        std::vector<std::vector<Variant>> choices;
-        std::array<std::uint16_t, 256> choiceOf{};  ///< index in `choices`, by mask
+        std::vector<std::vector<Variant>> choices;  ///< lists of tiles with the same mask
+        std::array<std::uint16_t, 256> choiceOf{};  ///< index in `choices`, indexed by mask of neighbours
     };
     [[nodiscard]] static Rules rulesOf(const Terrain& terrain, const Tileset& tileset);
     [[nodiscard]] std::uint8_t maskFor(const Around& around, int terrain) const;

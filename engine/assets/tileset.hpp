@@ -132,7 +132,7 @@ struct Tileset {
     /// @return the number of tiles added
     int growTo(int newColumns, int newRows);
 
-    /// Returns the tile shown for `tile` at a time: itself, or the current frame of its animation.
+    /// Returns the tile shown for `tile` at a given time: itself, or the current frame of its animation.
     /// @param seconds  time since the scene began
     [[nodiscard]] int shownTile(int tile, double seconds) const;
 

@@ -21,12 +21,12 @@ struct SoundEvent {
 /// after a rollback or a short rewind requests its sounds again: each (tick, sound) is accepted only once.
 class SoundQueue {
 public:
-    static constexpr std::uint64_t kMemory = 600;       ///< ticks: an earlier event resets the queue
+    static constexpr std::uint64_t kMemory = 600;       ///< ticks, see add()
     static constexpr std::size_t kMaxRemembered = 512;  ///< accepted sounds
 
     SoundQueue();
 
-    void add(const SoundEvent& event);
+    void add(const SoundEvent& event);  ///< an event kMemory ticks older than the newest resets the queue
 
     /// The events accepted since the last clear(), in order.
     [[nodiscard]] std::span<const SoundEvent> waiting() const { return waiting_; }

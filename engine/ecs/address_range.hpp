@@ -37,7 +37,7 @@ private:
 /// The size of a huge page and the alignment that gets one, in bytes.
 inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
-/// True if reserving address space is free. If it is not, worlds reserve less.
+/// True if reserving address space costs nothing. Otherwise worlds reserve less.
 #if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
 inline constexpr bool kAddressesAreFree = sizeof(void*) == 8;
 #else

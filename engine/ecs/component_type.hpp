@@ -18,7 +18,7 @@ namespace plumb {
 struct ComponentType {
     TypeInfo info;               ///< without fields when the type is not described
     std::string name;            ///< the described name, else the compiler's
-    std::uint64_t nameHash = 0;  ///< orders types where the order is visible: keys differ between builds
+    std::uint64_t nameHash = 0;  ///< orders types where the order is visible: TypeKeys differ between builds
     bool namesTiles = false;     ///< a field refers to a grid of the TileStore
 };
 

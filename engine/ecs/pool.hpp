@@ -40,11 +40,11 @@ struct Pool {
     std::uint32_t capacity = 0;       ///< positions for which memory is committed
     std::uint32_t indexCapacity = 0;  ///< entities for which the sparse array is committed
     std::uint64_t version = 1;        ///< see changes()
-    std::uint64_t bit = 0;            ///< in EntityRecord::mask; types beyond the 63rd share the overflow bit
-    std::uint32_t ordinal = 0;
-    std::uint32_t disorder = 0;  ///< changes since the last clustering
+    std::uint64_t bit = 0;            ///< its bit in EntityRecord::mask; types beyond the 63rd share one bit
+    std::uint32_t ordinal = 0;        ///< index in Storage::pools()
+    std::uint32_t disorder = 0;       ///< changes since the last clustering
     const ComponentType* type = nullptr;
-    std::vector<std::uint32_t> holes;  ///< positions
+    std::vector<std::uint32_t> holes;  ///< positions of removed components
 
     [[nodiscard]] bool has(EntityId id) const {
         const Slot* const slots = sparse;  // read before any branch, so that loops load it only once
@@ -143,7 +143,7 @@ private:
     void grow(std::uint32_t index);
 
     AddressRange memory_;
-    std::uint32_t limit_ = 0;
+    std::uint32_t limit_ = 0;  // number of entities for which address space is reserved
     std::size_t sparseAt_ = 0, denseAt_ = 0, columnAt_ = 0;  // bytes into memory_, on huge page borders
 };
 

@@ -76,9 +76,9 @@ private:
     bool buildIndex(const EntityRecord* records, const Pool& lead);
     void expandRuns();
 
-    bool masked_ = false;  // the masks are sufficient: no pool of the query is beyond the 63rd
-    std::uint64_t need_ = 0;
-    std::uint64_t care_ = 0;
+    bool masked_ = false;        // the masks are sufficient: no pool of the query is beyond the 63rd
+    std::uint64_t need_ = 0;     // bits of the required pools
+    std::uint64_t care_ = 0;     // bits of the required and the excluded pools
     std::uint64_t version_ = 0;  // poolChanges() when `runs` was computed
     std::unique_ptr<QueryCache> spare_;
     std::vector<std::uint32_t> scratch_;

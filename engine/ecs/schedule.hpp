@@ -54,7 +54,7 @@ private:
     struct Box {
         TypeKey key = 0;
         std::string_view name;
-        std::size_t added = 0;
+        std::size_t added = 0;  // number of systems added before it
 
         virtual ~Box() = default;
         virtual void update(World& world, float dt) = 0;

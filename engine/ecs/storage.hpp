@@ -75,7 +75,7 @@ public:
         Pool* known = findPool(info.key);
         return known != nullptr ? *known : makePool(componentTypeOf(info));
     }
-    /// Makes an empty pool one of components with another layout, after their description was changed.
+    /// Gives an empty pool the new layout of its components, after their description was changed.
     /// @pre no component is left in it, and no loop runs
     void renew(Pool& pool, const ComponentType& type);
     [[nodiscard]] std::span<const std::unique_ptr<Pool>> pools() const { return pools_; }
@@ -170,11 +170,11 @@ private:
     std::uint32_t used_ = 0;         // highest index used so far
     std::uint32_t* free_ = nullptr;  // a stack of indices to reuse
     std::uint32_t freeCount_ = 0;
-    std::uint32_t retired_ = 0;  // indices whose generations are used up
-    std::uint32_t iterating_ = 0;
-    std::uint64_t structure_ = 0;
+    std::uint32_t retired_ = 0;    // indices whose generations are used up
+    std::uint32_t iterating_ = 0;  // number of loops that run now
+    std::uint64_t structure_ = 0;  // see structure()
     std::uint64_t clock_ = 1;
-    bool holes_ = false;
+    bool holes_ = false;  // some pools have holes
     std::uint32_t recordCapacity_ = 0;
     std::vector<std::uint64_t> losses_;  // per block of indices: clock of the last loss of a component
     std::uint64_t watchedMask_ = 0;

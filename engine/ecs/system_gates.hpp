@@ -19,13 +19,13 @@ enum class Pin : std::uint8_t { Auto, On, Off };
 /// Requirements are checked right before a system runs, so they include components that earlier systems
 /// added in the same tick. The check only reads the sizes of a few pools, for any number of entities.
 ///
-/// When it is due for the first time, each system runs even if not required, so that its queries are created.
-/// Beyond 63 types of components iteration order depends on first use; it must not depend on requirements.
+/// The first time that a system is due, it runs even if not required, so that its queries are created: with
+/// more than 63 component types the order of iteration follows first use, which must not vary.
 class SystemGates {
 public:
     struct Gate {
         TypeKey system = 0;
-        bool (*isRequired)(const World& world) = nullptr;
+        bool (*isRequired)(const World& world) = nullptr;  ///< true if a component requires the system
         Pin pin = Pin::Auto;
         std::uint64_t runs = 0;  ///< number of runs because it was required or pinned on
         bool begun = false;      ///< its queries have been created
@@ -45,7 +45,7 @@ private:
     /// A position in the schedule.
     struct Place {
         TypeKey system = 0;
-        std::size_t gate = kNone;
+        std::size_t gate = kNone;  // index in gates_; kNone: the system has no gate
     };
 
     void findGate(std::size_t place, TypeKey system);

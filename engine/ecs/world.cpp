@@ -16,8 +16,8 @@ namespace plumb {
 
 namespace {
 
-/// Worlds up to this size are sorted while they run; larger ones would cause a
-/// noticeable delay (about 10 ns per component) and are sorted when they are loaded.
+/// Worlds of up to this many entities are sorted by cluster() while they run. In larger ones that would
+/// be a noticeable delay (about 10 ns per component), so they are sorted when they are loaded.
 constexpr std::size_t kTidyEntities = 32768;
 
 }  // namespace

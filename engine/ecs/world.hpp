@@ -81,7 +81,7 @@ public:
     template <class T>
     [[nodiscard]] std::size_t count() const;
 
-    // These functions for types known only at run time. The address returned for a tag is not writable.
+    // The same functions for types known only at run time. The address returned for a tag is not writable.
 
     [[nodiscard]] void* find(const TypeInfo& type, EntityId id);
     [[nodiscard]] const void* find(const TypeInfo& type, EntityId id) const;
@@ -94,10 +94,10 @@ public:
     /// Calls `f(EntityId, const void* component)` for every entity with a component of this type.
     template <class F>
     void eachOf(const TypeInfo& type, F&& f) const;
-    /// After the description of a component type was changed or removed: its components become those of the
-    /// new version, as convertComponent says, or are removed. Snapshots made before cannot be restored.
+    /// To be called after the description of a component type was changed or removed: converts its components
+    /// to the new version by convertComponent(), or removes them. Older snapshots cannot be restored.
     /// @param before  the old description
-    /// @param now     the new one, already passed to updateComponentType(); null: removed
+    /// @param now     the new one, already passed to updateComponentType(); null: the type was removed
     void convert(const TypeInfo& before, const TypeInfo* now);
     /// Removes resources and events whose types belong to code that can be loaded again: their layout may be
     /// another.

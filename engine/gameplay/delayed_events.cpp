@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// How events of each type are emitted. Not part of a world: the functions are code.
+/// Returns the functions that emit events, indexed by event type. Not part of a world, as they are code.
 std::array<DelayedEvents::Emit, kMaxTypes>& emitters() {
     static std::array<DelayedEvents::Emit, kMaxTypes> functions{};
     return functions;

@@ -20,18 +20,18 @@ struct DelayedEvents {
     using Emit = void (*)(World& world, const std::byte* event);
 
     struct Entry {
-        std::uint64_t tick = 0;    ///< World::tick in which it is emitted
-        std::uint64_t number = 0;  ///< orders events of the same tick; identifies the entry
-        TypeKey type = 0;
-        std::uint32_t size = 0;  ///< bytes
-        std::array<std::byte, kBytes> bytes{};
+        std::uint64_t tick = 0;                 ///< World::tick in which it is emitted
+        std::uint64_t number = 0;               ///< orders events of the same tick; identifies the entry
+        TypeKey type = 0;                       ///< type of the event
+        std::uint32_t size = 0;                 ///< size of the event, bytes
+        std::array<std::byte, kBytes> bytes{};  ///< the event
     };
 
     std::vector<Entry> entries;  ///< in the order of their ticks, then of their numbers
     std::uint64_t count = 0;     ///< number of events that were ever delayed
 
     void addTo(Hasher& hasher) const;
-    /// Removes events whose types belong to code that can be loaded again.
+    /// Removes events whose types belong to a project's code, which the editor can load again.
     void dropReloadable();
 };
 
@@ -40,24 +40,24 @@ struct DelayedEvent {
     std::uint64_t number = 0;  ///< 0: none
 };
 
-/// The number of ticks nearest to a time, at least 1. @param seconds  s
+/// Returns the number of ticks nearest to a time, at least 1. @param seconds  s
 std::uint64_t ticksOf(float seconds);
 
-/// Part of emitAfter().
+/// Implementation of emitAfter(), without the event's type.
 DelayedEvent addDelayed(World& world, TypeKey type, DelayedEvents::Emit emit, const void* event,
                         std::size_t size, float seconds);
 
 /// Emits the event of an entry now.
 void emitDelayed(World& world, const DelayedEvents::Entry& entry);
 
-/// Emits an event at the beginning of a later tick: a timer. Entities that it refers to may not exist any
-/// more then.
+/// Emits an event at the beginning of a later tick: a timer. Entities that the event refers to may have been
+/// destroyed by then.
 /// @param seconds  s from now on, rounded to ticks
 template <class E>
 DelayedEvent emitAfter(World& world, float seconds, const E& event) {
     static_assert(std::is_trivially_copyable_v<E>,
                   "delayed events are plain data, so that they can be rewound");
-    static_assert(sizeof(E) <= DelayedEvents::kBytes, "a delayed event has at most DelayedEvents::kBytes");
+    static_assert(sizeof(E) <= DelayedEvents::kBytes, "the event exceeds DelayedEvents::kBytes bytes");
     const auto emit = [](World& target, const std::byte* bytes) {
         E delayed;
         std::memcpy(&delayed, bytes, sizeof(E));

@@ -19,7 +19,7 @@
 namespace plumb {
 namespace {
 
-/// Prefabs, like other assets, can be in "assets/" and named without it.
+/// Returns the path of a prefab file, which may be in "assets/" and named without that folder.
 std::string pathOf(const AssetStore& assets, std::string_view prefab) {
     const std::string inAssets = "assets/" + std::string{prefab};
     const Result<Path> named = assets.resolve(prefab);

@@ -7,7 +7,7 @@
 #include "math/vec2.hpp"
 #include "reflect/field_types.hpp"
 
-// What systems of a game need often. All of it is part of the simulation: replays repeat it.
+// Functions that systems of a game often need. They are part of the simulation: replays repeat their effects.
 
 namespace plumb {
 
@@ -19,7 +19,7 @@ Entity findEntity(World& world, std::string_view name);
 /// @param position  px, of the root
 /// @return the root entity, or the empty handle
 Entity spawn(World& world, std::string_view prefab, Vec2 position);
-/// The random number generator of the simulation. Others, e.g. rand(), make replays diverge.
+/// Returns the random number generator of the simulation. Others, e.g. rand(), make replays diverge.
 Random& randomOf(World& world);
 /// Plays a sound, starting in this tick. @param volume  ratio, 0..1
 void playSound(World& world, SoundId sound, float volume = 1.0f);
@@ -27,10 +27,10 @@ void playSound(World& world, SoundId sound, float volume = 1.0f);
 Vec2 mouseInWorld(World& world);
 /// Sets the text that replaces {word} in every Label.
 void showText(World& world, std::string_view word, std::string_view text);
-/// The textures, sounds and other assets of the game.
+/// Returns the store of the game's textures, sounds and other assets.
 AssetStore& assetsOf(World& world);
 
-// Requests for the end of this tick.
+// Requests that are performed at the end of this tick.
 
 /// Changes to another scene: "level2" or "scenes/level2.scene.json".
 void changeScene(World& world, std::string_view scene);

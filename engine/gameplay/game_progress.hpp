@@ -14,7 +14,7 @@ class World;
 
 /// The player's progress. A world resource that survives scene changes and is included in snapshots and hash.
 struct GameProgress {
-    static constexpr std::size_t kMostLevels = 64;
+    static constexpr std::size_t kMostLevels = 64;  ///< maximum number of levels that are remembered
 
     int coins = 0;                                 ///< coins collected in the whole game
     int coinsTotal = 0;                            ///< coins that exist in the levels entered so far

@@ -7,7 +7,7 @@
 namespace plumb {
 
 /// Plays a sound of an entity's SoundCues, e.g. `playCue(world,
-/// coin, &SoundCues::collect)`. Does nothing if it has none.
+/// coin, &SoundCues::collect)`. Does nothing if the entity lacks it.
 inline void playCue(World& world, EntityId entity, SoundId SoundCues::*cue) {
     const auto* cues = world.find<const SoundCues>(entity);
     if (cues == nullptr || (cues->*cue).empty()) return;

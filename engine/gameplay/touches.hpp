@@ -10,7 +10,7 @@ namespace plumb {
 template <class Event, class T, class U, class Visit>
 void forEachTouch(World& world, Visit visit) {
     if (world.count<T>() == 0) return;
-    // By index: a visit may emit events of this type, which moves the list.
+    // By index, as a visit may emit events of this type, which reallocates the list.
     for (std::size_t i = 0; i < world.events<Event>().size(); ++i) {
         const Event touch = world.events<Event>()[i];
         if (world.has<T>(touch.trigger) && world.has<U>(touch.other)) visit(touch.trigger, touch.other);
@@ -21,7 +21,7 @@ void forEachTouch(World& world, Visit visit) {
 /// ignoring rotation. @pre the entity has a BoxCollider
 AABB boxOf(const World& world, EntityId entity);
 
-/// Sets a parameter of an Animator's state machine by name; does nothing if it does not exist.
+/// Sets a parameter of an Animator's state machine by name; does nothing if there is no such parameter.
 void setParameter(World& world, EntityId entity, std::string_view name, float value);
 
 }  // namespace plumb

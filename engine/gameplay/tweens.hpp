@@ -25,10 +25,10 @@ struct Tweens {
         std::uint32_t offset = 0;  ///< bytes of the field from the start of the component
         Kind kind = Kind::Float;
         Ease ease = Ease::Linear;
-        std::array<float, 4> from{};  ///< value of each number at `start`
-        std::array<float, 4> to{};
-        std::uint64_t start = 0;  ///< World::tick
-        std::uint64_t ticks = 1;  ///< duration
+        std::array<float, 4> from{};  ///< initial value of each number of the field
+        std::array<float, 4> to{};    ///< final value of each number of the field
+        std::uint64_t start = 0;      ///< World::tick at which the tween starts
+        std::uint64_t ticks = 1;      ///< duration
     };
 
     std::vector<Entry> entries;
@@ -45,15 +45,15 @@ struct TweenEnded {
     EntityId entity;
 };
 
-/// Returns the field that a tween changes, or null if the entity has no such component any more.
+/// Returns the field that a tween changes; null if the entity no longer has the component.
 std::byte* fieldOf(World& world, const Tweens::Entry& tween);
 
-/// Part of tween().
+/// Implementation of tween(), without the types of component and field.
 void addTween(World& world, Tweens::Entry entry, float seconds);
 
 template <class T, class V>
 Tweens::Entry tweenOf(EntityId entity, V T::*field, Ease ease) {
-    static_cast<void>(componentType<T>());  // known to the system that changes it
+    static_cast<void>(componentType<T>());  // registers T, so that TweenSystem can find its components
     const T object{};
     Tweens::Entry entry;
     entry.entity = entity;
@@ -64,9 +64,9 @@ Tweens::Entry tweenOf(EntityId entity, V T::*field, Ease ease) {
     return entry;
 }
 
-/// Changes a field of an entity's component from its present value to another one, e.g.
+/// Changes a field of an entity's component gradually from its current value to another one, e.g.
 /// tween(world, coin, &Sprite::tint, Color{255, 255, 255, 0}, 0.3f, Ease::QuadOut). Replaces a tween of the
-/// same field. It ends early without the event if the entity loses the component.
+/// same field. A tween ends early, without TweenEnded, if the entity loses the component.
 /// @param seconds  s, rounded to ticks
 template <class T>
 void tween(World& world, EntityId entity, float T::*field, float to, float seconds,
@@ -92,7 +92,7 @@ void tween(World& world, EntityId entity, Color T::*field, Color to, float secon
                 static_cast<float>(to.a)};
     addTween(world, entry, seconds);
 }
-/// Ends the tweens of an entity; fields keep their present values.
+/// Ends the tweens of an entity without TweenEnded; fields keep their current values.
 void stopTweens(World& world, EntityId entity);
 
 }  // namespace plumb

@@ -21,7 +21,7 @@ struct LayerPlacement {
 /// Computes entity ids from names instead of random numbers, so repeated imports produce the same ids.
 class EntityIds {
 public:
-    std::string next(std::string_view key);
+    std::string next(std::string_view key);  ///< id for a key; a different one if the key is repeated
 
 private:
     std::set<std::uint64_t> taken_;
@@ -29,6 +29,6 @@ private:
 
 Json transformJson(Vec2 position, float rotation, Vec2 scale);
 Json parallaxJson(const tiled::Layer& layer);
-Json colorOf(const tiled::Layer& layer, double opacity);
+Json colorOf(const tiled::Layer& layer, double opacity);  ///< the layer's tint, with both opacities
 
 }  // namespace plumb

@@ -101,7 +101,7 @@ Result<std::string> laidOut(const Sheet& sheet, const Cells& cells, const Image&
         bytes > kMaxLaidOutBytes)
         return Error{
             sheet.image,
-            format("its {} frames of {} x {} px do not fit into one image", count, cells.width, cells.height),
+            format("the {} frames of {} x {} px do not fit into one image", count, cells.width, cells.height),
             "export fewer frames, or smaller ones"};
     to.rgba.resize(bytes);
     for (int i = 0; i < count; ++i) copyFrame(sheet.frames[static_cast<std::size_t>(i)], from, to, cells, i);
@@ -118,7 +118,7 @@ void tellOutside(const Sheet& sheet, ImageSize size, ImportReport& report) {
     const auto count = std::count_if(sheet.frames.begin(), sheet.frames.end(), isOutside);
     if (count == 0) return;
     report.problems.push_back(
-        {sheet.image, format("{} frames reach beyond its {} x {} px", count, size.width, size.height),
+        {sheet.image, format("{} frames reach beyond the image's {} x {} px", count, size.width, size.height),
          "export the sheet and its .json together again; the pixels outside are transparent"});
 }
 
@@ -178,7 +178,7 @@ Result<ImportReport> importAseprite(const Path& file, const Path& animation) {
     const Path picture = file.parent_path() / Path{sheet->image}.filename();
     const Result<std::string> bytes = readFile(picture);
     if (!bytes)
-        return Error{file.filename().string(), format("its image {} was not found", sheet->image),
+        return Error{file.filename().string(), format("the sheet's image {} was not found", sheet->image),
                      "export the image to the folder of the .json"};
 
     const Result<ImageSize> size = readImageSize(*bytes, sheet->image);
@@ -197,7 +197,7 @@ Result<ImportReport> importAseprite(const Path& file, const Path& animation) {
         const Result<std::string> png = laidOut(*sheet, cells, *pixels);
         if (!png) return png.error();
         image = stage.add(place->name, ".png", *png);
-        report.note("its frames were packed; they were copied to a new sheet with cells of equal size");
+        report.note("the packed frames were copied to a new sheet with cells of equal size");
     }
     std::vector<ImportedFile> files = stage.takeFiles();
     files.push_back({place->path, writeJson(sheetJson(*sheet, cells, image, report))});

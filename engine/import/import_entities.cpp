@@ -28,7 +28,7 @@ LayerPlacement placeOf(const EntityImport& import, const Layer& layer, std::size
     return place;
 }
 
-/// Returns a tileset for a layer without tiles, so that it can be painted: preferably one of its cell size.
+/// Returns the index of a tileset for painting in an empty layer, if possible one of the map's cell size.
 std::vector<std::size_t> someTileset(const EntityImport& import) {
     for (std::size_t i = 0; i < import.tilesets.size(); ++i) {
         const tiled::Tileset& original = import.map.tilesets[i];

@@ -11,7 +11,7 @@ namespace plumb {
 enum class ImportKind : unsigned char { None, TiledMap, TiledWorld, Ldtk, Aseprite };
 
 /// Determines the kind of a file to import by its extension, or by its content if the extension is .json.
-/// Returns None if it cannot be imported.
+/// Returns ImportKind::None if the file cannot be imported.
 ImportKind importKindOf(const Path& file);
 
 /// True if a file may be importable, judged by its name only; the file is not read.
@@ -22,7 +22,7 @@ bool mayBeImported(const Path& file);
 Path importTarget(const Path& file, ImportKind kind, const Path& project);
 
 /// Imports a file of any supported kind.
-/// @param target  path of the file to write; if empty, the result of `importTarget`
+/// @param target  path of the file to write; empty: importTarget() in the project folder `project`
 /// @error         unknown kind, the file cannot be read, or the result cannot be written
 Result<ImportReport> importFile(const Path& file, const Path& target, const Path& project);
 

@@ -45,8 +45,8 @@ public:
     }
 
 private:
-    /// Assigns drawing orders, which all levels of a world share: a layer gets as many as its highest stack
-    /// of tiles in any level needs.
+    /// Assigns drawing orders, which all levels of a world share: a layer gets one for each tile of its
+    /// highest stack in any level, because stacked tiles are imported as separate layers.
     void planLayers() {
         std::vector<std::size_t> depth;
         for (const Level& level : world_.levels) {
@@ -69,8 +69,8 @@ private:
         if (order > kHighestLayerOrder) {
             draft_.report.problems.push_back(
                 {world_.name,
-                 format("its layers and their stacked tiles need {} drawing orders, but the maximum is {}",
-                        order, kHighestLayerOrder),
+                 format("the layers and their stacked tiles need {} drawing orders; the maximum is {}", order,
+                        kHighestLayerOrder),
                  "reduce the number of layers or stacked tiles; some tiles may be drawn in the wrong order"});
         }
     }
@@ -358,7 +358,7 @@ Result<ImportReport> importLdtk(const Path& file, const Path& scene) {
         }
     }
     if (!all) return Error{file.filename().string(), "the project has no world", "add a level in LDtk"};
-    // Only now, so that a world that fails leaves no file of the others.
+    // All files are written only now, so that a world that fails leaves no files of the other worlds.
     if (const Result<Done> done = commitImport(place->root, files); !done) return done.error();
     return std::move(*all);
 }

@@ -18,7 +18,7 @@ using tiled::Shape;
 Vec2 positionOf(const Object& object) { return {static_cast<float>(object.x), static_cast<float>(object.y)}; }
 float rotationOf(const Object& object) { return radiansFromDegrees(static_cast<float>(object.rotation)); }
 
-/// Returns the point of a tile object that is at its position, as a ratio of its size.
+/// Returns which point of a tile's image is at the object's position, as a ratio of the image's size.
 Vec2 pivotOf(const std::string& alignment) {
     Vec2 pivot{0.0f, 1.0f};
     if (alignment.empty() || alignment == "unspecified") return pivot;
@@ -51,7 +51,7 @@ SpritePose poseOf(const Object& object, Vec2 size, Vec2 pivot) {
     return pose;
 }
 
-/// Adds a Sprite of the image's size, because sprite sizes are integers, scaled to the object's size.
+/// Adds a Sprite of the image's size, since sprite sizes are integers; the Transform scales to the object's.
 void addSprite(Json& components, const EntityImport& import, const tiled::Layer& layer,
                const LayerPlacement& place, const Object& object) {
     const auto index = static_cast<std::size_t>(object.tile.tileset);
@@ -62,7 +62,7 @@ void addSprite(Json& components, const EntityImport& import, const tiled::Layer&
     if (tileset.count > 0 && object.tile.id >= tileset.count) {
         import.draft.report.problems.push_back(
             {format("layer {}: object {}", layer.name, object.id),
-             format("its tile {} is beyond the {} tiles of tileset {}", object.tile.id, tileset.count,
+             format("the object's tile {} is past the {} tiles of tileset {}", object.tile.id, tileset.count,
                     original.name),
              "select another tile in Tiled; the imported sprite has no image"});
     }

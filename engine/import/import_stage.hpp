@@ -15,8 +15,8 @@
 
 namespace plumb {
 
-/// Maximum number of tiles in a tileset whose size differs from their layer's cells. Each has an entry in the
-/// tileset file, so without a limit a small file that declares millions of tiles would produce a huge one.
+/// Maximum number of tiles per tileset if tiles and cells of the layer differ in size. Then each tile has an
+/// entry in the tileset file, so without a limit a small file that declares millions would become a huge one.
 inline constexpr int kMaxLooseTiles = 1 << 15;
 
 /// Returns a file name that is valid on all systems: other characters are replaced by '_'.
@@ -41,7 +41,7 @@ public:
     std::string add(std::string_view wished, std::string_view ending, std::string bytes);
 
     /// Adds a copy of an image at the first call for it; later calls return the same copy.
-    /// @param keyed  color key: pixels of this color become transparent
+    /// @param keyed  color key: pixels of this color become transparent; no value: none
     const StagedImage& image(const Path& from, std::optional<Color> keyed);
 
     /// Returns the pixels of an added image; empty if it cannot be decoded. Caches the last image.

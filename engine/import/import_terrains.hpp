@@ -6,8 +6,8 @@
 namespace plumb {
 
 /// Returns the terrains for a tileset file, one for each color of each Wang set. Corner sets become terrains
-/// matched by corners, edge sets by edges, mixed sets blobs. A tile of several colors belongs to the last of
-/// them, because where terrains meet, Autotile uses the terrain of the higher id.
+/// of TerrainMode::Corners, edge sets of Edges, mixed sets of Blob. A tile of several colors belongs to the
+/// last of these colors, because where terrains meet, Autotile uses the terrain of the higher id.
 /// @return JSON array for the member "terrains"; empty if there are none
 Json terrainsOf(const tiled::Tileset& tileset);
 

@@ -66,9 +66,9 @@ void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellS
 
     // The tile is aligned to the lower left corner of its cell.
     const TileOutline outline = outlineOfTile(tile, cellSize, cellSize.y - tileSize.y);
-    if (outline.corners.empty()) return tell("its collision shape has no area inside the cell");
-    if (outline.partial) tell("it has several collision shapes; only the largest one collides");
-    if (outline.cut) tell("its collision shape reaches out of the cell; it was clipped to the cell");
+    if (outline.corners.empty()) return tell("the collision shape has no area inside the cell");
+    if (outline.partial) tell("the tile has several collision shapes; only the largest one collides");
+    if (outline.cut) tell("the collision shape reaches out of the cell; it was clipped");
     const std::vector<Vec2> full{{0, 0}, {cellSize.x, 0}, cellSize, {0, cellSize.y}};
     if (outline.corners == full) {
         json["collision"] = "full";
@@ -87,8 +87,8 @@ void tellBeyond(const tiled::Tile& tile, int count, ImportStage& stage, const ti
     stage.problems.push_back(
         {format("tileset {}: tile {}", tileset.name, tile.id),
          tile.id >= count
-             ? format("it is beyond the {} tiles of the image", count)
-             : format("{} frames of its animation are beyond the {} tiles of the image", beyond, count),
+             ? format("the tile id is beyond the {} tiles of the image", count)
+             : format("{} frames of the animation are beyond the {} tiles of the image", beyond, count),
          "check the tileset's image, margin and spacing in Tiled"});
 }
 
@@ -155,7 +155,7 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
             imported.count = kMaxLooseTiles;
             stage.problems.push_back(
                 {format("tileset {}", tileset.name),
-                 format("its {} tiles differ in size from the map's cells; only the first {} were imported",
+                 format("{} tiles differ in size from the map's cells; only the first {} were imported",
                         grid.count, imported.count),
                  "make the map's cells as large as these tiles, or split the tileset"});
         }

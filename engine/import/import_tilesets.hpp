@@ -17,8 +17,8 @@ struct TileRegion {
 
 /// A tileset of a map and the tileset file made from it.
 struct ImportedTileset {
-    std::string path;  ///< in the project
-    int count = 0;
+    std::string path;       ///< in the project
+    int count = 0;          ///< number of tiles; 0: unknown, because the image is missing
     bool collides = false;  ///< at least one tile has a collision shape
 
     const tiled::Tileset* original = nullptr;

@@ -107,7 +107,7 @@ tiled::Map isometricToOrthogonal(const tiled::Map& map, ImportReport& report) {
             cells > room || layer.width + layer.height > limits::kTileSide) {
             report.problems.push_back(
                 {format("layer {}", layer.name),
-                 format("not imported: its {} x {} cells need a grid of {} half cells, too many", layer.width,
+                 format("not imported: {} x {} cells need a grid of {} half cells, too many", layer.width,
                         layer.height, cells),
                  "make the map smaller, or split it"});
             layer.cells.clear();
@@ -121,7 +121,7 @@ tiled::Map isometricToOrthogonal(const tiled::Map& map, ImportReport& report) {
     if (map.tileWidth % 2 != 0 || map.tileHeight % 2 != 0) {
         report.problems.push_back(
             {"map",
-             format("its cells of {} x {} px cannot be halved to whole px", map.tileWidth, map.tileHeight),
+             format("the cells of {} x {} px cannot be halved to whole px", map.tileWidth, map.tileHeight),
              "use an even tile width and height in Tiled; the imported tiles are slightly too close"});
     }
     flat.tileWidth = std::max(map.tileWidth / 2, 1);

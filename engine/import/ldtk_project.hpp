@@ -51,12 +51,12 @@ struct LayerKind {
     int uid = 0;
     Vec2 parallax;  ///< ratio; 0: fixed to the world
     bool scalesWithParallax = false;
-    int ruleGroups = 0;
-    int source = -1;  ///< uid of the IntGrid layer that is the input of the auto-layer rules; -1: none
+    int ruleGroups = 0;  ///< number of groups of auto-layer rules
+    int source = -1;     ///< uid of the IntGrid layer that is the input of the auto-layer rules; -1: none
     std::vector<IntGridValue> values;
 };
 
-/// Modes in which the image of an entity fills its box.
+/// Modes in which an entity's image fills its box. None: not stated in the file; Plain: own size, unclipped.
 enum class Fill : std::uint8_t { None, Stretch, FitInside, Cover, Plain, Repeat, NineSlice };
 
 struct EntityKind {
@@ -125,11 +125,11 @@ struct Level {
     std::string name;
     std::string iid;
     Vec2 position;  ///< px in its world
-    int depth = 0;
+    int depth = 0;  ///< LDtk's world depth: levels of different depth may overlap
     int width = 0;  ///< px
     int height = 0;
-    Color color;
-    std::string image;  ///< background image; empty: none
+    Color color;        ///< background color
+    std::string image;  ///< path of the background image; empty: none
     Vec2 imageTopLeft;  ///< px in the level
     Vec2 imageScale{1.0f, 1.0f};
     Rect imageCrop;  ///< visible region of the image, px

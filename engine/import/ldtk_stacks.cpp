@@ -7,14 +7,14 @@ namespace plumb {
 namespace {
 
 constexpr int kLoose = -1;
-constexpr std::size_t kCrowded = 1024;  // maximum number of tiles stored, and compared with, in one square
+constexpr std::size_t kCrowded = 1024;  // maximum number of tiles stored in a Square, to limit comparisons
 
-/// A tile that has been assigned to a level.
+/// A tile that has been assigned to a level of the stack.
 struct Laid {
     int x = 0;  ///< px
     int y = 0;
     int level = 0;
-    int cell = kLoose;  ///< index of its cell, if it is on the grid
+    int cell = kLoose;  ///< index of its cell; kLoose if it is off the grid
 };
 
 /// A square of tile size, so that no tile overlaps more than four squares.

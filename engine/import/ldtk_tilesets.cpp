@@ -122,7 +122,7 @@ const StagedImage& LdtkTilesets::picture(int uid) {
     if (!isNew || tileset == nullptr) return staged;
     if (tileset->image.empty()) {
         draft_.report.problems.push_back({format("tileset {}", tileset->name),
-                                          "its image is LDtk's built-in icons, which are not in a file",
+                                          "the tileset uses LDtk's built-in icons, which are not in a file",
                                           "colored boxes are shown instead; use an image file in LDtk"});
         return staged;
     }
@@ -156,8 +156,8 @@ std::string LdtkTilesets::file(int uid, int grid) {
     if (count < all) {
         draft_.report.problems.push_back(
             {format("tileset {}", tileset->name),
-             format("only the first {} of its {} tiles were imported", count, all),
-             "split it, or make its tiles as large as the layer's cells"});
+             format("only the first {} of the tileset's {} tiles were imported", count, all),
+             "split the tileset, or make its tiles as large as the layer's cells"});
     }
     Json json = Json::object();
     json["format"] = Tileset::kFormat;

@@ -84,7 +84,7 @@ const TileAnimations::StagedAnimation* TileAnimations::of(const ImportedTileset&
     const Result<std::string> png = encodePng(strip);
     if (!png) {
         stage.problems.push_back(
-            {name, "its frames cannot be combined in one image", "check its image and frames"});
+            {name, "the frames of the animation do not fit in one image", "check the frames and images"});
         return &made;
     }
     made.texture = stage.add(name, ".png", *png);

@@ -15,7 +15,7 @@ using tiled::Shape;
 using Corners = std::vector<Vec2>;
 
 constexpr int kRoundCorners = 24;  // corners of an ellipse or capsule
-constexpr float kSlack = 0.01f;    // px
+constexpr float kSlack = 0.01f;    // tolerance of coordinates, px, and of areas, px^2
 constexpr std::size_t kMaxBoxes = 32;
 
 float doubleArea(const Corners& corners) {

@@ -81,8 +81,8 @@ struct Tile {
     std::string type;
     std::string image;           ///< image of this tile only, relative to the tileset's folder; empty: none
     std::optional<Rect> source;  ///< region of the image, px; without value: the whole image
-    std::optional<Color> transparent;
-    int width = 0;  ///< image size, px, according to the file; 0 if the file has none
+    std::optional<Color> transparent;  ///< color key: pixels of this color become transparent
+    int width = 0;                     ///< image size, px, according to the file; 0 if the file has none
     int height = 0;
     double probability = 1.0;
     std::vector<Frame> animation;
@@ -95,10 +95,10 @@ struct Tileset {
     Gid firstGid = 1;
     std::string name;
     std::string type;
-    Path folder;  ///< image paths are relative to this folder
-    Path file;    ///< file of an external tileset; empty for an embedded one
-    bool missing = false;
-    int tileWidth = 0;  ///< px
+    Path folder;           ///< image paths are relative to this folder
+    Path file;             ///< file of an external tileset; empty for an embedded one
+    bool missing = false;  ///< the external file cannot be read
+    int tileWidth = 0;     ///< px
     int tileHeight = 0;
     int spacing = 0;
     int margin = 0;
@@ -106,16 +106,16 @@ struct Tileset {
     int columns = 0;  ///< 0 if the file has none
     int offsetX = 0;  ///< px
     int offsetY = 0;
-    std::string objectAlignment;  ///< empty: bottom-left
-    bool fitsGrid = false;        ///< tiles are stretched to the cell
-    bool keepsAspect = false;     ///< with fitsGrid: the aspect ratio is kept
-    std::string image;            ///< empty for a collection of images
-    std::optional<Color> transparent;
-    int imageWidth = 0;  ///< px, according to the file
+    std::string objectAlignment;       ///< empty: bottom-left
+    bool fitsGrid = false;             ///< tiles are stretched to the cell
+    bool keepsAspect = false;          ///< with fitsGrid: the aspect ratio is kept
+    std::string image;                 ///< empty for a collection of images
+    std::optional<Color> transparent;  ///< color key: pixels of this color become transparent
+    int imageWidth = 0;                ///< px, according to the file
     int imageHeight = 0;
     std::vector<Tile> tiles;  ///< sorted by id; only tiles with data of their own
     Json properties = Json::object();
-    Json wangSets = Json::array();  ///< kept as data; ids in the order top, clockwise, top-left
+    Json wangSets = Json::array();  ///< kept as data; Wang ids have 8 colors: top, then clockwise
     Json notes = Json::object();    ///< data that only editors use: grid, transformations, terrains
 
     /// Returns the data of a tile; null if the file has none for it.
@@ -137,7 +137,7 @@ struct Layer {
     Color tint;
     Vec2 parallax{1.0f, 1.0f};
     bool visible = true;
-    bool locked = false;
+    bool locked = false;  ///< locked against editing in Tiled
     Json properties = Json::object();
 
     int x = 0;  ///< column of the first cell; chunks of infinite maps may begin below zero
@@ -151,13 +151,13 @@ struct Layer {
     std::string blend;    ///< blend mode; empty: normal
     std::vector<Object> objects;
 
-    std::string image;  ///< relative to the map's folder
-    std::optional<Color> transparent;
+    std::string image;                 ///< relative to the map's folder
+    std::optional<Color> transparent;  ///< color key: pixels of this color become transparent
     bool repeatX = false;
     bool repeatY = false;
 };
 
-/// Data of a group that is not merged into its layers; they refer to it by Layer::group.
+/// Data of a layer group that its layers do not inherit; Layer::group refers to the group by its path.
 struct Group {
     std::string path;
     int id = 0;

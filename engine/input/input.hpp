@@ -62,8 +62,8 @@ private:
     std::vector<std::uint64_t> axisIds_;
     InputFrame previous_;
     InputFrame frame_;
-    State before_;
-    State now_;
+    State before_;  // state of previous_
+    State now_;     // state of frame_
 };
 
 }  // namespace plumb

@@ -52,7 +52,7 @@ struct Replay {
 /// Records the input of a running game. Allocates only when the input changes.
 class Recorder {
 public:
-    Replay replay;  ///< the caller fills in the header
+    Replay replay;  ///< the caller sets project, engine, scene and seed
 
     /// Records the input of the next tick. Does nothing beyond the limits of a Replay.
     void record(const InputFrame& frame);
@@ -82,8 +82,8 @@ public:
 
 private:
     const Replay* replay_;
-    std::size_t run_ = 0;
-    std::uint64_t inRun_ = 0;
+    std::size_t run_ = 0;      // index of the current run
+    std::uint64_t inRun_ = 0;  // ticks of that run that next() has returned
     std::uint64_t tick_ = 0;
 };
 

@@ -19,7 +19,7 @@ inline float lerpAngle(float from, float to, float t) { return from + wrapAngle(
 constexpr float degreesFromRadians(float angle) { return angle * (180.0f / kPi); }
 constexpr float radiansFromDegrees(float angle) { return angle * (kPi / 180.0f); }
 
-inline Vec2 rotated(Vec2 v, float angle) {
+inline Vec2 rotated(Vec2 v, float angle) {  // angle in rad, from x towards y
     if (angle == 0.0f) return v;
     const SinCos turn = sinCos(angle);
     return {turn.cos * v.x - turn.sin * v.y, turn.sin * v.x + turn.cos * v.y};

@@ -60,7 +60,7 @@ public:
     }
     /// Sets a cell; does nothing outside the grid.
     void set(int x, int y, TileCell cell);
-    void replaceCells(int width, int height, const std::vector<TileCell>& cells);
+    void replaceCells(int width, int height, const std::vector<TileCell>& cells);  ///< size and content
 
     /// Returns all cells row by row; only for small grids.
     [[nodiscard]] std::vector<TileCell> cells() const;
@@ -79,7 +79,7 @@ public:
     [[nodiscard]] std::uint64_t rowStamp(int row) const { return rowStamps_[static_cast<std::size_t>(row)]; }
     /// Creates a chunk of equal cells, which many positions may share.
     [[nodiscard]] static std::shared_ptr<Chunk> filled(TileCell cell);
-    void put(int column, int row, std::shared_ptr<Chunk> chunk);
+    void put(int column, int row, std::shared_ptr<Chunk> chunk);  ///< replaces one chunk
     /// Copies one chunk from a grid of the same size, and the stamp of its row.
     void adopt(const TileGrid& from, int column, int row);
 

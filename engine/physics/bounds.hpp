@@ -8,7 +8,7 @@ constexpr bool contains(const AABB& outer, const AABB& inner) {
     return inner.min.x >= outer.min.x && inner.min.y >= outer.min.y && inner.max.x <= outer.max.x &&
            inner.max.y <= outer.max.y;
 }
-ProxyMotion motionOf(const World& world, std::uint32_t shape);
+ProxyMotion motionOf(const World& world, std::uint32_t shape);  ///< in which group the broad phase has it
 
 /// Returns the frame of a body's shapes in float, which is accurate near the origin only.
 inline Frame frameOf(const BodyPose& pose) {
@@ -35,7 +35,7 @@ void noteMoved(World& world, std::uint32_t shape);
 /// overwritten. Called first in each step and query. When it is called does not affect the result of a step.
 void updateBroadPhase(World& world, Workspace& work);
 
-/// Updates the shape's properties that its contacts store as copies.
+/// Updates the copies of the shape's properties, such as friction, that its contacts store.
 void refreshContacts(World& world, std::uint32_t shape);
 /// Calls refreshContacts() for all shapes of a body whose rotation, or ability to rotate, changed.
 void refreshContactsOf(World& world, std::uint32_t body);

@@ -34,12 +34,12 @@ enum class DebugRole : std::uint8_t {
     Count
 };
 
-/// Role of a stroke, and its island. Roles convert to it.
+/// How a line or outline is drawn: its role and its island. A DebugRole converts to a DebugInk.
 struct DebugInk {
     DebugRole role;
     std::uint32_t island = 0;  ///< for the role Island: the same number for all shapes of an island
 
-    // NOLINTNEXTLINE(google-explicit-constructor): a role is an ink
+    // NOLINTNEXTLINE(google-explicit-constructor): a role converts to an ink
     constexpr DebugInk(DebugRole which, std::uint32_t number = 0) : role{which}, island{number} {}
 };
 
@@ -79,21 +79,21 @@ enum DebugPart : std::uint32_t {
 
 struct DebugOptions {
     std::uint32_t parts = kDrawAll;  ///< bits of DebugPart
-    WorldPosition origin;         ///< m: origin of drawn positions, for accuracy far from that of the world
-    const AABB* sight = nullptr;  ///< m, relative to `origin`: area that is visible; null: draw all shapes
-    float minimum = 0.0f;         ///< m: for shapes smaller than this only the bounds are drawn
-    float behind = 0.0f;  ///< s: moving bodies are drawn at their poses this long ago, between two steps
+    WorldPosition origin;            ///< m: drawn at (0, 0), for accuracy far from the world's origin
+    const AABB* sight = nullptr;     ///< m, relative to `origin`: area that is visible; null: draw all shapes
+    float minimum = 0.0f;            ///< m: for shapes smaller than this only the bounds are drawn
+    float behind = 0.0f;  ///< s: moving bodies are drawn where they were this long ago, between two steps
     const Workspace* lastStep = nullptr;  ///< see lastStepOf(); null: no sweeps and no broad phase regions
     bool selectedOnly = false;            ///< draws only the objects selected below and their connections
-    std::span<const std::uint8_t> bodies = {};      ///< by BodyId::index: nonzero if selected; may be shorter
-    std::span<const std::uint8_t> fields = {};      ///< by FieldId::index: nonzero if selected
-    std::span<const std::uint8_t> softBodies = {};  ///< by SoftBodyId::index: nonzero if selected
+    std::span<const std::uint8_t> bodies = {};      ///< [BodyId::index]: nonzero if selected; absent: 0
+    std::span<const std::uint8_t> fields = {};      ///< [FieldId::index]: nonzero if selected
+    std::span<const std::uint8_t> softBodies = {};  ///< [SoftBodyId::index]: nonzero if selected
 };
 
 /// Workspace of the last step of a world; null if the world was copied or loaded since.
 [[nodiscard]] const Workspace* lastStepOf(const World& world);
 
-/// Draws the current state of a world, in the order of indices. Allocates nothing.
+/// Draws the current state of a world, objects in the order of their indices. Allocates nothing.
 void debugDraw(const World& world, DebugCanvas& canvas, const DebugOptions& choice);
 
 }  // namespace plumb::physics

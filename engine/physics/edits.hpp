@@ -32,7 +32,7 @@ void forJointsOf(const World& world, std::uint32_t body, Act&& act) {
     }
 }
 
-/// Adds `times` users to the effects that a body needs, without its shapes; a negative number removes them.
+/// Adds `times` (may be negative) to the numbers of users in World::manifest of the effects of a body/shape.
 void countEffectsOfBody(World& world, std::uint32_t body, int times);
 void countEffectsOfShape(World& world, std::uint32_t shape, int times);
 
@@ -41,14 +41,14 @@ constexpr bool canActOn(JointKind kind, BodyKind a, BodyKind b) {
     return b == BodyKind::Dynamic || (a == BodyKind::Dynamic && kind != JointKind::Mouse);
 }
 
-/// The bodies that a joint moves: the dynamic ones, except body A of a mouse joint. If only one, it is `b`.
+/// The bodies that a joint moves: the dynamic ones, except body A of a mouse joint.
 struct PushedBodies {
-    std::uint32_t a;
+    std::uint32_t a;  ///< kNone if the joint moves only one body
     std::uint32_t b;
 };
 PushedBodies pushedBodies(const World& world, const Joint& joint);
 
-/// Frees the color of the joint. If the joint stays, the caller must set kNoColour and World::newJoints.
+/// Frees the color of a joint. A caller that keeps the joint must set its color to kNoColour, and newJoints.
 void releaseColour(World& world, std::uint32_t joint);
 /// Merges the islands of the two bodies of a joint, if both are dynamic.
 void joinIslandsOf(World& world, const Joint& joint);

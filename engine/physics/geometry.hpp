@@ -131,7 +131,7 @@ struct ShapeDefinition {
     /// from x towards y, so bodies on it move to the right if y points down, and to the left if y points up.
     float surfaceSpeed = 0.0f;
     std::uint32_t layers = 1;          ///< bits: layers of the shape
-    std::uint32_t mask = 0xffffffffu;  ///< bits: layers with which it collides; both masks must match
+    std::uint32_t mask = 0xffffffffu;  ///< bits: layers with which it collides; both shapes must allow it
     std::int32_t group = 0;  ///< shapes of the same group always collide (above 0) or never (below 0)
     /// A sensor: reports overlaps at the start of a step, wakes the overlapping bodies, exerts no forces.
     bool isTrigger = false;
@@ -143,8 +143,8 @@ struct ShapeDefinition {
     /// ends to touch the surface, not when it passes from shape to shape. 0: a surface of its own; for 0,
     /// createChain() assigns a number to the chain. Callers may use numbers below kOwnSurfaces.
     std::uint32_t surface = 0;
-    /// For an inner border, as between two kinds of terrain: shapes that collide with these layers and this
-    /// mask ignore the border, because the terrain in front of it stops them first. 0: no inner border.
+    /// For a border between two kinds of terrain: layers and mask of the terrain in front of it. Shapes that
+    /// collide with that terrain ignore the border, because the terrain stops them first. 0: no such border.
     std::uint32_t frontLayers = 0;
     std::uint32_t frontMask = 0;
 

@@ -5,7 +5,7 @@
 namespace plumb::physics {
 
 /// Handle of an object of a world: an index, and a generation that distinguishes the successive
-/// users of that index, so that a stale id never refers to a new object. The default is the null id.
+/// objects with that index, so that a stale id never refers to a new object. The default is the null id.
 template <class Thing>
 struct Id {
     std::uint32_t index = 0;

@@ -11,9 +11,9 @@ namespace plumb::physics {
 /// Input of ContactKernels::prepare: contacts and bodies as rows of four floats.
 struct ContactSource {
     const Float4* contacts;     ///< kContactRows rows for each contact
-    const Float4* masses;       ///< by body: inverse mass, inverse inertia
-    const Float4* motions;      ///< by body: velocity x, y, angular velocity
-    const std::int32_t* slots;  ///< by body: its solver slot
+    const Float4* masses;       ///< indexed by body: inverse mass, inverse inertia
+    const Float4* motions;      ///< indexed by body: velocity x, y, angular velocity
+    const std::int32_t* slots;  ///< indexed by body: its solver slot
     std::int32_t idleSlot;      ///< first of eight slots without a body
     bool turning;               ///< some body can rotate
     bool surfaces;              ///< some contact has a surface speed
@@ -24,11 +24,11 @@ struct ContactSource {
 /// including those that close position errors; the relax pass removes the latter.
 enum class PassKind : std::uint8_t { WarmStart, Push, Relax };
 
-/// Functions for contacts of one kind. `begin` and `end` are a range of blocks.
+/// Functions for one kind of contact block. `begin` and `end` are a range of indices of blocks.
 template <class Block, class Bodies>
 struct ContactKernels {
     void (*prepare)(const ContactSource& source, const BlockLanes* lanes, Block* blocks, int begin, int end);
-    /// The passes, by PassKind.
+    /// The passes, indexed by PassKind.
     void (*passes[3])(const Bodies& bodies, const ContactPass& pass, const BlockLanes* lanes, Block* blocks,
                       int begin, int end);
     void (*store)(Float4* contacts, const BlockLanes* lanes, const Block* blocks, int begin, int end);
@@ -37,7 +37,7 @@ struct ContactKernels {
 /// Kernels for groups in which bodies can rotate (SolverBodies) or none can (BodiesWithoutRotation).
 template <class Bodies>
 struct GroupKernels {
-    // [0] without friction, [1] with friction.
+    // [0] without friction, [1] with it. two: between dynamic bodies; fixed: A is static or kinematic.
     ContactKernels<typename Bodies::TwoBlock, Bodies> two[2];
     ContactKernels<typename Bodies::FixedBlock, Bodies> fixed[2];
 
@@ -67,7 +67,7 @@ struct SolverKernels {
     const char* name;
     GroupKernels<SolverBodies> rotating;
     GroupKernels<BodiesWithoutRotation> withoutRotation;
-    void (*moveUnturned)(const SolverBodies& bodies, float h, int begin, int end);
+    void (*moveUnturned)(const SolverBodies& bodies, float h, int begin, int end);  ///< without rotation
     void (*collideBoxes)(const BoxPairs& pairs, float speculative, BoxTouches& touches);
     JointKernels joints;
 };

@@ -82,7 +82,7 @@ inline Part rootOf(Part a) { return _mm256_sqrt_ps(a); }
 inline Part chosenOf(MaskPart m, Part a, Part b) { return _mm256_blendv_ps(b, a, reinterpret_cast<Part>(m)); }
 inline int bitsOf(MaskPart m) { return _mm256_movemask_ps(reinterpret_cast<Part>(m)); }
 
-#else  // registers of four
+#else  // registers of four floats
 
 using PartAt [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
 #if defined(__ARM_NEON)
@@ -235,7 +235,7 @@ template <class Place>
 #endif
 }
 
-/// The reverse, for the first `count` lanes.
+/// The reverse of gather(), for the first `count` lanes.
 template <class Place>
 [[gnu::always_inline]] inline void scatter(Float4* records, const Place* place, const Float8 (&in)[4],
                                            int count) {
@@ -271,7 +271,7 @@ template <class Place>
     y.part[0] = _mm256_shuffle_ps(even, odd, 0xdd);
 }
 
-/// The reverse, for the first `count` lanes.
+/// The reverse of gatherTwo(), for the first `count` lanes.
 [[gnu::always_inline]] inline void scatterTwo(Float4* records, const std::uint32_t* offset, Float8 x,
                                               Float8 y, int count) {
     const Float8 even{{_mm256_unpacklo_ps(x.part[0], y.part[0])}};

@@ -6,7 +6,7 @@
 
 namespace plumb::physics {
 
-/// An optional part of the simulation. It runs only while the scene has a user; the comments name the users.
+/// An optional part of the simulation. It runs only while some object uses it; the comments name these users.
 enum class Effect : std::uint8_t {
     Gravity,        ///< a dynamic body with a gravity scale other than 0
     Rotation,       ///< a dynamic body that can rotate
@@ -16,8 +16,8 @@ enum class Effect : std::uint8_t {
     Drag,           ///< a body with drag
     Joints,         ///< a joint
     Motors,         ///< a joint with a motor
-    Continuous,     ///< a dynamic body, while Settings::continuous
-    Sleep,          ///< a body that can sleep, while Settings::sleeping
+    Continuous,     ///< a dynamic body, while Settings::continuous is true
+    Sleep,          ///< a body that can sleep, while Settings::sleeping is true
     Contacts,       ///< a shape of a dynamic body that is not a trigger
     Triggers,       ///< a trigger
     ContactEvents,  ///< a shape that reports contacts
@@ -25,7 +25,7 @@ enum class Effect : std::uint8_t {
     Conveyor,       ///< a shape with a surface speed
     Kinematics,     ///< a kinematic body
     Locks,          ///< a body locked along an axis
-    AreaGravity,    ///< a field of this kind; likewise Wind to Explosion
+    AreaGravity,    ///< a field of this kind; so also the next four
     Wind,
     Buoyancy,
     Attractor,
@@ -56,7 +56,7 @@ struct Manifest {
         for (std::size_t i = 0; i < kEffects; ++i) called |= callers[i] > 0 ? 1u << i : 0u;
         return called & ~pinnedOff;
     }
-    /// Adds `times` users of an effect if `on`; a negative number removes them.
+    /// Adds `times` users of an effect if `on` is true; a negative number removes users.
     void call(Effect effect, bool on, int times = 1) {
         if (on) callers[static_cast<std::size_t>(effect)] += static_cast<std::uint32_t>(times);
     }

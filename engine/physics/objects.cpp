@@ -99,8 +99,8 @@ void Physics::tell(Collider& to, Collider& other, ContactPhase phase) {
     }
 }
 
-/// Calls both colliders of an event, except those destroyed by an earlier callback. Exits of a destroyed
-/// collider are called in the next update.
+/// Calls both colliders of an event, except those destroyed by an earlier callback. The other
+/// colliders get the onCollisionExit() of a destroyed collider in the next update.
 void Physics::call(const Call& now) {
     const PairKey pair = pairKey(now.a->shape_.index, now.b->shape_.index);
     if (now.phase == ContactPhase::Ended) {

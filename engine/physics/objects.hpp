@@ -163,7 +163,7 @@ public:
     /// @param options  threads, profile, filters of contacts
     void update(float dt, const StepOptions& options = {});
 
-    /// True if both touched in the last update. Takes constant time.
+    /// True if the two colliders touched in the last update. Takes constant time.
     [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const;
 
     /// Returns the collider of a shape, e.g. of a query's hit; null if it no longer exists.
@@ -187,8 +187,8 @@ private:
     static void tell(Collider& to, Collider& other, ContactPhase phase);
 
     World world_;
-    std::vector<std::unique_ptr<RigidBody>> bodies_;      // by BodyId::index
-    std::vector<std::unique_ptr<Collider>> colliders_;    // by ShapeId::index
+    std::vector<std::unique_ptr<RigidBody>> bodies_;      // indexed by BodyId::index
+    std::vector<std::unique_ptr<Collider>> colliders_;    // indexed by ShapeId::index
     std::vector<std::unique_ptr<Collider>> leaving_;      // destroyed since the last update
     std::vector<std::unique_ptr<Collider>> gone_;         // destroyed before the current update
     std::vector<std::unique_ptr<RigidBody>> goneBodies_;  // destroyed since the last update

@@ -24,9 +24,9 @@ struct Settings {
     std::uint8_t iterations = 1;
     /// Islands that are hard to solve (mass ratios, high stacks, long chains) get more substeps.
     bool automaticQuality = false;
-    /// m: maximum overlap of bodies and maximum error of joints. Each island uses the lowest quality with
-    /// smaller errors, if there is one; it begins with the estimate of automaticQuality. 0: off, qualities
-    /// are fixed. A few times the overlap of a resting crate (0.5 mm at quality 0) or less costs much time.
+    /// m: maximum overlap of bodies and maximum error of joints. Each island uses the lowest quality whose
+    /// errors are smaller, if there is one, and begins with the quality estimated as for automaticQuality. 0:
+    /// off. Values up to a few times the overlap of a resting crate (0.5 mm at quality 0) cost much time.
     float tolerance = 0.0f;
     /// Solves joints that form trees (chains, pendulums, bridges) all at once, by a direct method. They then
     /// hold at any mass ratio, and neither gain nor lose energy. Contacts between their bodies are solved
@@ -35,8 +35,8 @@ struct Settings {
 
     /// Frequency of the contact springs, as a fraction s of the substep rate 1/h. A load F compresses a
     /// contact of effective mass m by F h^2 / (m (2 pi s)^2), so larger values make stacks more stable. With
-    /// steps of h a spring is unstable from (2 pi s)^2 = 4, s = 0.32, on; among equal bodies from 2, s =
-    /// 0.225: pyramids of 12 rows and more sway by 1 to 5 mm until they sleep, and not at all with 0.22.
+    /// steps of h a spring is unstable if (2 pi s)^2 >= 4 (s >= 0.32), between equal bodies if it is >= 2 (s
+    /// >= 0.225). So pyramids of 12 rows and more sway by 1 to 5 mm until they sleep; with 0.22 they do not.
     float contactStiffness = 0.27f;
     float jointStiffness = 0.25f;  ///< frequency of joint springs / substep rate
     /// Far above 1, so that bodies do not bounce when overlaps are corrected. Above 5 pyramids sway, below 4
@@ -50,7 +50,7 @@ struct Settings {
     float deepPushRate = 6.0f;
     /// m: overlap that is not corrected, so that resting contacts do not repeatedly begin and end.
     float slop = 0.005f;
-    /// m: maximum distance of shapes at which contact points are computed before they touch.
+    /// m: contact points are already computed for shapes that are closer to each other than this.
     float speculativeDistance = 0.02f;
     /// m: touching bodies keep their contact points and normals until they have slid along each other by this
     /// distance (or by a tenth of the smaller body's half size, if that is less). Smaller values compute

@@ -31,10 +31,10 @@ struct StepOptions {
 /// any instruction set. If dt is not finite or not above 0, only the events are cleared.
 void step(World& world, float dt, const StepOptions& options = {});
 
-/// A stage of the step. It runs if one of its effects runs or `also` returns true; if it has neither, always.
+/// A stage of the step. It runs if one of its effects runs or `also` returns true; without both, always.
 struct StageInfo {
     std::string_view name;  ///< name, also in the profiler
-    std::uint32_t effects;  ///< bits as in Manifest
+    std::uint32_t effects;  ///< bits: see Manifest::bit()
     void (*run)(StepContext& step);
     bool (*also)(const StepContext& step) = nullptr;
 };

@@ -81,8 +81,8 @@ void forEach(TaskPool* pool, std::size_t count, int grain, Act&& act) {
     });
 }
 
-/// Runs `act(begin, end, found)` for pieces of `grain`, each with its own result object in `all`. In the
-/// order of the pieces, the results are those of a single thread.
+/// Runs `act(begin, end, found)` for pieces of `grain` elements; `found` is the element of `all` for this
+/// piece. The elements of `all`, in this order, contain the same results as with a single thread.
 template <class Found, class Act>
 void forPieces(TaskPool* pool, std::size_t count, int grain, std::vector<Found>& all, Act&& act) {
     const auto pieces = static_cast<std::size_t>(piecesOf(static_cast<int>(count), grain));
@@ -94,7 +94,7 @@ void forPieces(TaskPool* pool, std::size_t count, int grain, std::vector<Found>&
     });
 }
 
-/// Runs `act(begin, end, list)` for pieces of `grain` and concatenates their lists to `all`.
+/// Runs `act(begin, end, list)` for pieces of `grain`; joins their lists to `all`. lists: scratch.
 template <class T, class Act>
 void collect(const StepContext& step, std::size_t count, int grain, std::vector<std::vector<T>>& lists,
              std::vector<T>& all, Act&& act) {
@@ -123,7 +123,7 @@ void forEachIf(const StepContext& step, std::size_t count, Is&& is, Act&& act) {
     for (const std::uint32_t i : step.work.pieceFound) act(i);
 }
 
-// The stages in the order of the step. Each has a file of the same name in stages/.
+// The stages in their order, each in a file of its name in stages/. Names without `work.` belong to World.
 
 /// Reads: moved, bounds, filters. Writes: contacts (new), work.broadPhase, work.pairs.
 void findPairs(StepContext& step);
@@ -133,12 +133,12 @@ void updateContacts(StepContext& step);
 void filterContacts(StepContext& step);
 /// Reads: awake joints. Writes: colors of new joints, work.colourMasks.
 void colourJoints(StepContext& step);
-/// Reads: fields. Writes: velocities of bodies near an explosion; fields (removes it).
+/// Reads: fields. Writes: velocities of bodies near explosions; fields (removes explosions).
 void explode(StepContext& step);
 /// Reads: fields, rest times. Writes: fields (removes those of destroyed bodies); wakes bodies on springs.
 void prepareFields(StepContext& step);
-/// Reads: geometry, poses, islands, work.broadPhase. Writes: soft bodies that cannot push a rigid body; for
-/// the other soft bodies their contacts, for solve(): work.softSurroundings.
+/// Moves the soft bodies that cannot push a rigid body. Stores the contacts of the others, which solve()
+/// moves, in work.softSurroundings. Reads: geometry, poses, islands, work.broadPhase.
 void moveSoftBodies(StepContext& step);
 /// Reads: drives, masses, settings, soft contacts. Writes: work.slots, .groups, .velocity and others.
 void gatherBodies(StepContext& step);
@@ -151,13 +151,13 @@ void solve(StepContext& step);
 /// Applies fields to the bodies of a group that have contacts or joints, before a substep of h seconds that
 /// begins `elapsed` seconds after the start of the step.
 void driveBodies(StepContext& step, const SolveGroup& group, float h, float elapsed);
-/// Called after the last substep of a group. Writes: work.smooth.works.
+/// Computes work.smooth.works after the last substep of a group.
 void finishDriving(StepContext& step, const SolveGroup& group);
 /// Applies forces and links of the soft bodies of a group in a substep of h seconds, before their contacts.
 void springSoft(StepContext& step, const SoftGroup& group, float h, int substep);
 /// Computes velocities of particles from their displacements, at the end of a substep.
 void closeSoft(const StepContext& step, const SoftGroup& group, float h);
-void finishSoft(StepContext& step, const SoftGroup& group, float h);
+void finishSoft(StepContext& step, const SoftGroup& group, float h);  ///< after the last substep
 /// Reads: fields, work.smooth. Writes: work.velocity, work.deltaPosition of bodies in SmoothForces::flyers.
 void integrateFreeBodies(StepContext& step);
 /// Reads: joints, contacts, islands, work.deltaPosition. Writes: work.velocity, energy shares.

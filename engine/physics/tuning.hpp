@@ -17,7 +17,7 @@ PLUMB_TUNING(kSimplexPrecision, 1.0e-6f, "ratio", "relative distance of a simple
              "eight times the last bit");
 PLUMB_TUNING(kTouchDistance, 1.0e-5f, "m", "distance below which shapes touch: in casts, overlaps that are removed at once and, doubled, in "
              "sweeps. Not exact for coordinates above 100 m; a tenth of the minimum shape size");
-PLUMB_TUNING(kAlong, 1.0e-3f, "ratio", "approach relative to the length below which a displacement counts as parallel to a surface");
+PLUMB_TUNING(kAlong, 1.0e-3f, "ratio", "a displacement that approaches a surface by less than this part of its length is parallel to it");
 PLUMB_TUNING(kMaxRounds, 64, "rounds", "maximum number of iterations, a safeguard: conservative advancement takes fewer except for grazing "
              "rotations, and propagating an impact takes n along a row of n bodies");
 PLUMB_TUNING(kSlowDrag, 0.1f, "ratio", "drag * h below which power series are accurate to the last bit, and differences are not");
@@ -42,15 +42,15 @@ PLUMB_TUNING(kFadeRate, 4.74f, "1/s", "decrease of the square root of a hidden i
 
 // Impacts.
 PLUMB_TUNING(kSweptGap, 5.0e-5f, "m", "gap left between bodies at a hit: 5 us at 10 m/s; coordinates of 100 m are exact to a tenth of it");
-PLUMB_TUNING(kSweptCore, 0.5f, "ratio to the outline", "size of the core that must not pass a surface: sliding bodies overlap the floor");
+PLUMB_TUNING(kSweptCore, 0.5f, "ratio to the outline", "size of the core that must not pass a surface; outlines may overlap it slightly");
 PLUMB_TUNING(kLeastCore, 0.02f, "ratio to the outline", "minimum size of a core: if it touches at the start of a step, it is halved");
 PLUMB_TUNING(kMaxImpacts, 5, "hits", "maximum number of hits of a body in a step before it stops: it leaves a corner of angle a after at "
              "most 1 + pi / a elastic hits, 45 degrees after 5");
-PLUMB_TUNING(kWide, 1.0f, "rad", "rotation above which the chord is much shorter than the arc");
+PLUMB_TUNING(kWide, 1.0f, "rad", "rotation in a step above which the chord of a point's path is much shorter than its arc");
 PLUMB_TUNING(kTwoPointTurns, 8, "iterations", "maximum number of iterations over two points of a contact, each of which converges by ((r - "
              "1) / (r + 1))^2, r = (m / I) a^2, as 1/4 for a long rod: 4^-8 is 1.5e-5 of the impact speed");
 PLUMB_TUNING(kLively, 0.5f, "bounciness", "minimum bounciness for the propagation of impacts: crowds with less would sink");
-PLUMB_TUNING(kMaxLoad, 0.1f, "ratio to the impulse", "maximum load before the impact with which a contact propagates an impact");
+PLUMB_TUNING(kMaxLoad, 0.1f, "ratio to the impulse", "maximum impulse before the impact with which a contact propagates the impact");
 PLUMB_TUNING(kNoApproach, 1.0e-3f, "m/s", "minimum approach speed for the propagation of an impact");
 PLUMB_TUNING(kRounded, 1.001f, "ratio", "rounding tolerance for the test that a body gained its velocity from its acceleration alone");
 PLUMB_TUNING(kLivelyPart, 0.25f, "ratio to Settings::bounceSpeed", "speed above which bodies bounced; slower ones are pressed by a load");
@@ -65,9 +65,9 @@ PLUMB_TUNING(kSteering, 1.0e-3f, "1/s", "rate at which the position error of a v
              "changes it by less than 2e-5 of itself");
 PLUMB_TUNING(kTreeSoftness, 1.0e-6, "ratio to what the bodies yield", "compliance of joints in trees, so that redundant joints share the "
              "load");
-PLUMB_TUNING(kCalm, 0.5, "ratio", "minimum inertia of a light body under tension, to straining * h^2: twice the 1/4 below which its "
-             "oscillation grows (Stoermer-Verlet)");
-PLUMB_TUNING(kSoftRate, 0.28, "ratio", "fraction of a gap that no smooth motion causes, closed in a substep");
+PLUMB_TUNING(kCalm, 0.5, "ratio", "minimum inertia of a light body under tension, to its rotational stiffness * h^2: twice the 1/4 below "
+             "which its oscillation grows (Stoermer-Verlet)");
+PLUMB_TUNING(kSoftRate, 0.28, "ratio", "fraction closed in a substep of a joint gap that no smooth motion explains");
 PLUMB_TUNING(kClosed, 1.0e-3, "ratio to the arms", "gap left by the SIMD solver below which a joint counts as closed");
 PLUMB_TUNING(kClosedWhereHeld, 2.5e-6, "ratio to the arms", "gap below which a joint counts as closed in a tree held at both ends: on a "
              "taut bridge slightly less length means much less sag, which throws bodies on it");
@@ -81,10 +81,10 @@ PLUMB_TUNING(kIslandGain, 0.005f, "ratio", "maximum total energy that joints may
 PLUMB_TUNING(kContactGain, 1.0e-3f, "ratio to the energy", "maximum energy that contacts may add in a step");
 PLUMB_TUNING(kCreeping, 0.006f, "ratio to Settings::pushSpeed", "speed below which motion keeps its energy: otherwise bodies that sag in "
              "their joints could not be lifted; with a larger value, a card house collapses under its weight");
-PLUMB_TUNING(kWhipped, 0.5f, "ratio to the speed", "factor on velocities below which displacements are scaled too, as are displacements "
-             "above 1 / this times those that the energy explains");
-PLUMB_TUNING(kWild, 100.0f, "ratio to the energy", "energy above which an island is frozen for a step, to the recent maximum plus that of "
-             "joints that close ten times as fast as allowed");
+PLUMB_TUNING(kWhipped, 0.5f, "ratio to the speed", "factor on velocities below which displacements are scaled too; they also are if they "
+             "exceed 1 / this times those that the energy explains");
+PLUMB_TUNING(kWild, 100.0f, "ratio to the energy", "energy above which an island is frozen for a step, relative to its recent maximum plus "
+             "that of joints that close ten times as fast as allowed");
 
 // Islands.
 PLUMB_TUNING(kRebuildPart, 0.5f, "ratio to Settings::sleepTime", "time between rebuilds of islands, which visit every contact: the parts of "

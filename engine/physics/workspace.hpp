@@ -19,8 +19,8 @@ inline constexpr int kFirstFixedColour = 24;
 inline constexpr std::uint8_t kOverflow = 32;
 
 struct BlockRange {
-    std::int32_t begin = 0;
-    std::int32_t end = 0;
+    std::int32_t begin = 0;  ///< index of the first block
+    std::int32_t end = 0;    ///< index after the last block
 };
 
 /// Blocks of contacts between two dynamic bodies (two), and with a static or kinematic body (fixed).
@@ -72,19 +72,19 @@ struct ContactStore {
     }
 };
 
-/// Assignment of contacts to blocks, reused while the contact keys and the groups are equal: a new contact at
-/// an index has another key, or its group other bodies.
+/// Assignment of contacts to blocks. The next step reuses it if the contact keys and groups are the same: if
+/// another contact takes the index of a removed one, its key or the bodies of its group differ.
 struct ContactLayout {
-    std::vector<std::uint16_t> keys;  ///< contact keys for which it was made
-    std::vector<std::uint32_t> order;
+    std::vector<std::uint16_t> keys;   ///< contact keys for which it was made
+    std::vector<std::uint32_t> order;  ///< Workspace::solveOrder for which it was made
     std::vector<SolveGroup> groups;
-    bool isCurrent = false;  ///< the lanes are up to date
+    bool isCurrent = false;  ///< true if the lanes of the blocks correspond to it
 };
 
 /// Properties of a contact by which later stages decide whether to skip it.
 enum ContactKey : std::uint16_t {
     kKeyColour = 63,  ///< mask: color, if it exerts forces
-    kKeyIdle = 63,    ///< value of the color: it exerts no forces
+    kKeyIdle = 63,    ///< value of the color bits of a contact that exerts no forces
     kKeyFixed = 64,   ///< A is static or kinematic
     kKeyBegan = 128   ///< the shapes began to touch in this step
 };
@@ -173,7 +173,7 @@ struct SubstepEstimate {
 /// Intermediate data of an island while its quality is derived from its errors.
 struct IslandCase {
     SubstepController controller;  ///< merged from the controllers of its bodies
-    Quality minimum = 0;           ///< maximum quality set for its bodies and joints
+    Quality minimum = 0;           ///< lower limit: the highest quality set for its bodies and joints
     bool isNew = false;            ///< true if a body has no controller yet
     float error = 0.0f;            ///< m: largest overlap or joint error
 };
@@ -191,19 +191,19 @@ struct EnergySums {
 
 /// Energy account of an island in this step: stages/keep_energy.cpp.
 struct EnergyAccount : EnergySums {
-    bool isOpen = false;
-    bool isJointed = false;
-    bool isDriven = false;  ///< a motor, kinematic body or conveyor does work on it
-    bool isRooted = false;  ///< connected to or touching a static or kinematic body
-    bool isWild = false;    ///< its energy is implausible
-    float credit = 0.0f;    ///< J, sum of EnergyShare::credit
-    float peak = 0.0f;      ///< J
-    float excess = 0.0f;    ///< J, to remove
-    float own = 0.0f;       ///< J, kinetic relative to `middle`
-    float minimum = 0.0f;   ///< J, minimum of `own` that always remains
-    float keep = 1.0f;      ///< factor on velocities relative to `middle`
-    float part = 1.0f;      ///< factor on displacements relative to `middle`
-    Vec2 middle;            ///< m/s: mean velocity
+    bool isOpen = false;     ///< the island has an account in this step
+    bool isJointed = false;  ///< it has joints
+    bool isDriven = false;   ///< a motor, kinematic body or conveyor does work on it
+    bool isRooted = false;   ///< connected to or touching a static or kinematic body
+    bool isWild = false;     ///< its energy is implausible
+    float credit = 0.0f;     ///< J, sum of EnergyShare::credit
+    float peak = 0.0f;       ///< J: recent maximum of `energy`
+    float excess = 0.0f;     ///< J, to remove
+    float own = 0.0f;        ///< J, kinetic energy relative to the mean velocity `middle`
+    float minimum = 0.0f;    ///< J, minimum of `own` that always remains
+    float keep = 1.0f;       ///< factor on velocities relative to `middle`
+    float part = 1.0f;       ///< factor on displacements relative to `middle`
+    Vec2 middle;             ///< m/s: mean velocity
 };
 
 /// A broad phase for boxes that are not the bounds of shapes.
@@ -221,12 +221,12 @@ struct Workspace {
     std::unique_ptr<BroadPhase> broadPhase;
     BroadPhaseKind broadPhaseKind = BroadPhaseKind::Count;
     std::vector<std::uint32_t> changedProxies;  ///< shapes changed since the last update of the broad phase
-    std::vector<std::uint8_t> isChanged;        ///< by shape: 1 if in `changedProxies`
-    std::vector<std::uint8_t> isMoved;          ///< by shape: 1 if in World::moved
+    std::vector<std::uint8_t> isChanged;        ///< indexed by shape: 1 if in `changedProxies`
+    std::vector<std::uint8_t> isMoved;          ///< indexed by shape: 1 if in World::moved
     PairSet pairs;                              ///< pairs of all contacts, awake or asleep
     std::vector<std::vector<PairKey>> foundPairs;  ///< per piece of work
-    std::vector<PairKey> newPairs;
-    std::vector<std::uint32_t> colourMasks;  ///< by body: colors of its constraints
+    std::vector<PairKey> newPairs;                 ///< pairs without a contact yet, sorted
+    std::vector<std::uint32_t> colourMasks;        ///< indexed by body: colors of its constraints
 
     std::vector<ChainTouch> chainTouches;  ///< sorted by pair
 
@@ -234,15 +234,15 @@ struct Workspace {
     std::vector<ChainChange> chainChanges;
     std::vector<std::pair<PairKey, float>> approaches;  ///< m/s: approach speeds of contacts that began
     std::vector<ChainTouch> chainScratch;
-    std::vector<std::uint16_t> contactKeys;        ///< by contact: bits of ContactKey
+    std::vector<std::uint16_t> contactKeys;        ///< indexed by contact: bits of ContactKey
     std::vector<ContactFindings> contactFindings;  ///< per piece of work
     std::vector<FixedPair> fixedPairs;
-    std::vector<std::uint32_t> firstFixedPair;  ///< by body: index in `fixedPairs` of its first contact
+    std::vector<std::uint32_t> firstFixedPair;  ///< indexed by body: its first contact in `fixedPairs`
     std::vector<std::uint32_t> seamBodies;      ///< bodies with several fixed pairs
     std::vector<std::uint32_t> endedAtSeams;    ///< contacts that lost their points in correctSeams()
-    std::vector<std::int32_t> slots;            ///< by body: its slot; -1 if it is not solved
-    std::vector<std::uint32_t> bodyOf;          ///< by slot: its body; kNone for idle slots
-    std::vector<Float4> velocity;               ///< by slot, like the following: see SolverBodies
+    std::vector<std::int32_t> slots;            ///< indexed by body: its slot; -1 if it is not solved
+    std::vector<std::uint32_t> bodyOf;          ///< indexed by slot: its body; kNone for idle slots
+    std::vector<Float4> velocity;               ///< indexed by slot, like the following: see SolverBodies
     std::vector<Float4> deltaPosition;
     std::vector<Float4> drive;
     std::vector<Float4> keep;
@@ -251,12 +251,12 @@ struct Workspace {
     std::vector<Float4> statesWithoutRotation;  ///< BodiesWithoutRotation::velocity
     std::vector<SolveGroup> groups;
     Strips strips;
-    std::vector<std::int32_t> cursors;  ///< by group and key, see prepareConstraints()
-    ContactLayout layout;               ///< key of the current lanes
+    std::vector<std::int32_t> cursors;  ///< indexed by group and key, see prepareConstraints()
+    ContactLayout layout;               ///< assignment of contacts to the current lanes
     ContactStore<SolverBodies::TwoBlock, BodiesWithoutRotation::TwoBlock> two;
     ContactStore<SolverBodies::FixedBlock, BodiesWithoutRotation::FixedBlock> fixed;
     std::vector<ImpactPlace> impacts;  ///< contacts of a group that may propagate impacts
-    std::vector<std::uint8_t> hits;    ///< by slot: number of impacts of the body
+    std::vector<std::uint8_t> hits;    ///< indexed by slot: number of impacts of the body
     std::vector<AxisLock> locks;
     std::vector<ImpulseSum> impulseSums;  ///< sums of the group that is being solved
     std::vector<float> stepImpulses;      ///< N s, by contact: sum of all substeps, if it has an event
@@ -265,16 +265,16 @@ struct Workspace {
     SoftSoftContacts softSoftContacts;
     SmoothForces smooth;                        ///< used if there are fields
     std::vector<std::uint32_t> searchedFields;  ///< fields to search in fieldsNear(), ascending
-    BoxProxies fieldBoxes;                      ///< by index in `searchedFields`: bounds of the fields
+    BoxProxies fieldBoxes;                      ///< indexed like `searchedFields`: bounds of the fields
     std::vector<std::uint32_t> solveOrder;      ///< awake bodies, sorted by group; empty for a single group
-    std::vector<std::uint8_t> groupOf;          ///< by body: index of its group, if there are several
-    std::vector<std::uint8_t> needsRotation;    ///< by root: 1 if its island needs rotation
+    std::vector<std::uint8_t> groupOf;          ///< indexed by body: index of its group, if there are several
+    std::vector<std::uint8_t> needsRotation;    ///< indexed by root: 1 if its island needs rotation
     std::vector<std::uint32_t> bodyScratch;     ///< temporary values by body
     std::vector<BodyFindings> bodyFindings;     ///< per piece of work
     std::vector<std::uint32_t> fastBodies;      ///< bodies that may have tunneled in this step
     bool kinematicsAtRest = false;              ///< some kinematic bodies are not in fastBodies
     std::vector<SweptBody> swept;               ///< fast bodies, and bodies that they hit
-    BoxProxies sweptProxies;                    ///< by index in `swept`: bounds of paths that may meet
+    BoxProxies sweptProxies;                    ///< indexed like `swept`: bounds of paths that may meet
     std::vector<std::pair<float, std::uint32_t>> dueHits;   ///< heap: fraction of the step, index in `swept`
     std::vector<Contact> madeHits;                          ///< contacts of hits, in the order of the hits
     std::vector<std::pair<PairKey, std::size_t>> hitOrder;  ///< indices in `madeHits`
@@ -283,23 +283,23 @@ struct Workspace {
     std::vector<std::uint32_t> candidates;    ///< result of the broad phase for the current query
     bool sleepy = false;                      ///< a body has been at rest for sleepTime
     DetectionCounts counts;
-    std::array<std::uint64_t, kMaxStages> stageRuns{};   ///< by stage: see runsOf()
+    std::array<std::uint64_t, kMaxStages> stageRuns{};   ///< indexed by stage: see runsOf()
     std::uint32_t effectsRun = 0;                        ///< bits of effects whose code ran in this step
-    std::array<std::uint64_t, kEffects> effectRuns{};    ///< by effect: steps in which its code ran
-    std::vector<SubstepEstimate> estimate;               ///< by root of an island: automatic quality estimate
+    std::array<std::uint64_t, kEffects> effectRuns{};    ///< indexed by effect: steps in which its code ran
+    std::vector<SubstepEstimate> estimate;               ///< indexed by root of an island
     bool rootsKnown = false;                             ///< findRoots() was called in this step
-    std::vector<std::uint32_t> roots;                    ///< by body: root of its island
-    std::vector<EnergyAccount> accounts;                 ///< by root, for islands with an energy account
+    std::vector<std::uint32_t> roots;                    ///< indexed by body: root of its island
+    std::vector<EnergyAccount> accounts;                 ///< indexed by root of an island
     std::vector<std::uint32_t> openAccounts;             ///< roots of the accounts in use
     std::vector<std::uint32_t> bookedBodies;             ///< bodies of islands with an account
-    std::vector<EnergySums> bookings;                    ///< by index in `bookedBodies`
+    std::vector<EnergySums> bookings;                    ///< indexed like `bookedBodies`
     std::vector<std::vector<std::uint32_t>> pieceLists;  ///< scratch of collect(), per piece of work
     std::vector<std::uint32_t> pieceFound;               ///< concatenated result of collect()
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step
-    std::vector<IslandCase> cases;       ///< by root, if there is a tolerance
+    std::vector<IslandCase> cases;       ///< indexed by root, if there is a tolerance
 };
 
-/// Allocates a color that neither body uses. Bodies that are not dynamic are passed as kNone.
+/// Allocates a color that neither body uses; kOverflow if there is none. Pass kNone for bodies not dynamic.
 std::uint8_t takeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB);
 void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::uint8_t colour);
 

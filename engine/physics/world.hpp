@@ -61,13 +61,13 @@ struct BodyInfo {
     std::uint8_t owned = 0;            ///< bits of BodyOverride
     std::uint32_t firstShape = kNone;  ///< first shape; the others follow by ShapeInfo::next
     std::uint32_t firstJoint = kNone;  ///< first joint; the others follow by Joint::nextA or nextB
-    std::uint32_t place = kNone;       ///< index in World::awake, or kNone
+    std::uint32_t place = kNone;       ///< index in World::awake; kNone if not there
     std::uint32_t island = kNone;  ///< parent in the union-find forest of islands; a root is its own parent
-    float sleepSpeed = 0.05f;      ///< m/s
+    float sleepSpeed = 0.05f;      ///< m/s, see BodyDefinition::sleepSpeed
     std::uint32_t drive = kNone;   ///< index in Bodies::drives, or kNone: default values
     float reach = 0.0f;            ///< m: maximum distance of a point of its shapes from its centre of mass
     float core = 0.0f;             ///< m: radius of a disc around its centre of mass that lies inside a shape
-    std::uint64_t user = 0;
+    std::uint64_t user = 0;        ///< see BodyDefinition::user
 };
 
 enum BodyOverride : std::uint8_t {
@@ -77,7 +77,7 @@ enum BodyOverride : std::uint8_t {
 };
 
 enum BodyFlag : std::uint8_t {
-    kBullet = 1,
+    kBullet = 1,  ///< see BodyDefinition::bullet
     kCanSleep = 2,
     kFixedRotation = 4,
     kLockX = 8,
@@ -103,7 +103,7 @@ struct SubstepController {
     SubstepPhase phase = SubstepPhase::Calm;
     std::uint8_t patience = 0;  ///< number of failed changes of the quality: each doubles the wait
     std::uint32_t wait = 0;     ///< steps until the next decision
-    float error = 0.0f;         ///< m: Calm, Trying: maximum error; else error at the last decision
+    float error = 0.0f;         ///< m: in Calm and Trying the maximum error; else error at the last decision
     float first = 0.0f;         ///< m: error that caused the quality to be raised
 };
 
@@ -173,11 +173,11 @@ struct Shapes {
     std::vector<Filter> filter;
     std::vector<ProxyMotion> motion;
     std::vector<ShapeInfo> info;
-    SideTable<ShapeExtras> extras;  ///< indexed by ShapeInfo::extras
-    std::vector<std::uint32_t> free;
-    std::vector<std::uint32_t> dying;
+    SideTable<ShapeExtras> extras;                          ///< indexed by ShapeInfo::extras
+    std::vector<std::uint32_t> free;                        ///< as in Bodies
+    std::vector<std::uint32_t> dying;                       ///< as in Bodies
     std::vector<Corner> corners;                            ///< corners of all polygons
-    std::array<std::vector<std::uint32_t>, 6> freeCorners;  ///< by n: free blocks of 2^n corners
+    std::array<std::vector<std::uint32_t>, 6> freeCorners;  ///< [n]: starts of free blocks of 2^n corners
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const ShapeExtras& extrasOf(std::uint32_t shape) const {
@@ -202,17 +202,17 @@ struct Joint {
                          ///< (rad or m) in rows[1]
     std::uint32_t nextA = kNone;  ///< the next joint of body A
     std::uint32_t nextB = kNone;
-    std::uint32_t place = kNone;  ///< index in Joints::awake, or kNone
+    std::uint32_t place = kNone;  ///< index in Joints::awake; kNone if not there
 };
 
 enum JointFlag : std::uint8_t {
-    kLimited = 1,
-    kDriven = 2,
-    kSprung = 4,
-    kBreakable = 8,
-    kSoft = 16,  ///< JointDefinition::hertz is set
-    kKeepsApart = 32,
-    kStretched = 64  ///< solved iteratively before, so it may have an error: joint_tree_builder.cpp
+    kLimited = 1,      ///< JointDefinition::limit is on
+    kDriven = 2,       ///< JointDefinition::motor is on
+    kSprung = 4,       ///< JointDefinition::spring is on
+    kBreakable = 8,    ///< it can break, or reports a large force or torque
+    kSoft = 16,        ///< JointDefinition::hertz is set
+    kKeepsApart = 32,  ///< its two bodies do not collide
+    kStretched = 64    ///< solved iteratively before, so it may have an error: joint_tree_builder.cpp
 };
 
 struct Joints {
@@ -243,7 +243,7 @@ struct SoftLink {
     bool isEdge = false;      ///< particles of other soft bodies collide with it
 };
 
-/// Force of a shape on a particle at the end of a step, with which the next one begins.
+/// Force of a shape on a particle at the end of a step; the next step begins with this force.
 struct SoftTouch {
     std::uint32_t particle = 0;
     std::uint32_t shape = 0;
@@ -257,9 +257,9 @@ struct SoftBody {
     std::vector<std::uint32_t> ring;  ///< particles around the area to preserve; empty for none
     std::vector<SoftTouch> touches;   ///< sorted by shape, then by particle
     float area = 0.0f;                ///< m2, at rest; signed by the ring's orientation
-    float areaCompliance = 0.0f;
-    float radius = 0.0f;   ///< m
-    float damping = 0.0f;  ///< 1/s
+    float areaCompliance = 0.0f;      ///< see SoftMaterial::areaCompliance
+    float radius = 0.0f;              ///< m: of each particle
+    float damping = 0.0f;             ///< 1/s
     float friction = 0.0f;
     std::uint32_t layers = 1;
     std::uint32_t mask = 0xffffffffu;
@@ -281,8 +281,8 @@ struct Sleepers {
     std::vector<Contact> contacts;
     std::vector<std::uint32_t> nextContact;  ///< parallel to `contacts`
     std::vector<std::uint32_t> freeContacts;
-    std::vector<std::uint32_t> nextBody;  ///< by body index
-    std::vector<std::uint32_t> islandOf;  ///< by body index; kNone for an awake body
+    std::vector<std::uint32_t> nextBody;  ///< indexed by body index
+    std::vector<std::uint32_t> islandOf;  ///< indexed by body index; kNone for an awake body
 };
 
 /// Objects, indexed by Id::index.

@@ -29,11 +29,11 @@ public:
     [[nodiscard]] virtual bool isPlaying(Voice voice) const = 0;
 
     /// Streams WAV, OGG, MP3 or FLAC instead of the previous music. `bytes` are copied.
-    /// @param fade  s until full volume
+    /// @param fade  s until it has full volume
     virtual Result<Done> playMusic(std::string_view bytes, std::string_view where, bool looped,
                                    float fade) = 0;
-    virtual void setMusicVolume(float volume) = 0;
-    virtual void stopMusic(float fade) = 0;
+    virtual void setMusicVolume(float volume) = 0;  ///< ratio, 0..1
+    virtual void stopMusic(float fade) = 0;         ///< @param fade  s until it is silent
 
     virtual void setPaused(bool paused) = 0;
 };

@@ -89,7 +89,7 @@ Result<ImageSize> readImageSize(std::string_view bytes, std::string_view where) 
     if (decoded > limits::kImageBytes ||
         (decoded > kHarmlessBytes && decoded / bytes.size() > limits::kCompressionRatio)) {
         return imageError(
-            where, format("the image would take {} bytes of memory from a file of {}", decoded, bytes.size()),
+            where, format("the image would take {} bytes, from a file of {} bytes", decoded, bytes.size()),
             "make it smaller or split it into several images");
     }
     return size;

@@ -12,8 +12,8 @@ Path executableFolder();
 /// beside the program (an exported game), assets/ of the source tree.
 const Path& engineAssets();
 
-/// The folder of a code-only game, which contains its assets/: the program's
-/// folder, the project's in the source tree, or else the current folder.
+/// The folder that contains assets/ of a game without project.json: the program's
+/// folder, the project's folder in the source tree, or else the current folder.
 /// @param program  name of the program, equal to that of the project's folder
 Path codeGameFolder(const Path& program);
 

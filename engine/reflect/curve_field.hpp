@@ -14,8 +14,8 @@ struct ListTraits<Curve> : std::true_type {
 };
 static_assert(sizeof(CurveKey) == sizeof(Vec2));
 
-/// True if a field is a curve; its range applies to the values. Recognized by its size: a list
-/// of pairs has a count of 4 bytes, a curve also has its shape, so no list has the same size.
+/// True if a field is a curve; the field's range applies to the values. A curve is recognized by its size:
+/// a list of pairs has a count of 4 bytes, a curve also has its shape, so no list has the same size.
 inline bool isCurve(const FieldInfo& field) {
     static_assert(sizeof(Curve) == Curve::kKeys * sizeof(Vec2) + 8);
     return field.kind == FieldKind::List && field.element == FieldKind::Vec2 && field.size == sizeof(Curve);

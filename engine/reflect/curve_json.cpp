@@ -45,7 +45,7 @@ void keepInRange(const FieldInfo& field, CurveKey& key, std::size_t index, Field
     const float kept = std::clamp(key.value, field.min, field.max);
     if (kept == key.value) return;
     context.warn({std::string{field.name},
-                  format("key {} has {}, outside {} to {}", index, shortestText(key.value),
+                  format("key {} has the value {}, outside {} to {}", index, shortestText(key.value),
                          shortestText(field.min), shortestText(field.max)),
                   format("using {}; write a value inside the range", shortestText(kept))});
     key.value = kept;

@@ -99,7 +99,7 @@ std::size_t JsonFields::choice(std::string_view key, std::size_t fallback,
     }
     std::string known;
     for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string{name};
-    warn(key, "found " + briefText(*json), "write one of: " + known);
+    warn(key, "unknown value " + briefText(*json), "write one of: " + known);
     return fallback;
 }
 

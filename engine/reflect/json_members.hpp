@@ -38,8 +38,8 @@ std::uint64_t hexIdOf(const Json& json);
 /// hexIdOf() of a member; 0 also if the member is missing.
 std::uint64_t hexIdIn(const Json& json, std::string_view key);
 
-/// Returns the member as an object: an empty one replaces it if it is missing or of another type.
-/// `json` becomes an object too if it is not one.
+/// Returns the member; if it is missing or not an object, it first becomes an empty object. If `json`
+/// itself is not an object, it first becomes an empty one too.
 Json& makeObject(Json& json, std::string_view key);
 
 /// Returns a value's JSON text on one line. Invalid UTF-8, e.g. in file names, is replaced.

@@ -13,10 +13,10 @@ inline constexpr TypeKey kMaxTypes = 2048;
 
 TypeKey nextTypeKey();
 
-/// The key of a type whose code can be loaded again: the same for each version of the code. Types of
-/// unnamed namespaces get another key each time, because two files may use the same name.
+/// The key of a type of a project's code, which is loaded again after a change: each version gets the same
+/// key. Types of unnamed namespaces get another key each time, because two files may use the same name.
 TypeKey reloadableTypeKey(std::string_view name);
-/// True if the type belongs to code that can be loaded again.
+/// True if the type belongs to a project's code that is loaded again after a change.
 bool isReloadable(TypeKey key);
 
 template <class T>

@@ -76,11 +76,11 @@ public:
 
     [[gnu::always_inline]] void sprite(const SpriteQuad& quad);
     void retained(const RetainedSprites& sprites);
-    /// Adds a quad that is already in the device's format; its slot must contain flags only.
+    /// Adds a quad that is already in the device's format; `instance.slot` must have kSprite... flags only.
     void instance(const SpriteInstance& instance, TextureHandle texture, int layer);
 
     /// Reserves memory for up to `maximum` quads of one texture and layer in the device's format;
-    /// the slot of each must contain flags only. Fill it front to back, then call endRun();
+    /// `slot` of each must have kSprite... flags only. Fill the memory front to back, then call endRun();
     /// add nothing else in between. The caller must skip quads outside visible().
     [[nodiscard]] std::span<SpriteInstance> beginRun(std::size_t maximum);
     /// Adds the quads written after beginRun(). @param count number of quads that were filled
@@ -105,8 +105,8 @@ public:
     // in the top two bits and its index in the list of that kind.
     enum class Kind : std::uint8_t { Sprite, Retained, Geometry, Run };
     struct Triangles {
-        std::uint32_t first = 0;
-        std::uint32_t count = 0;  ///< vertices
+        std::uint32_t first = 0;  ///< index of the first vertex
+        std::uint32_t count = 0;  ///< number of vertices
     };
     struct Run {
         std::uint32_t first = 0;  ///< index of the first instance
@@ -115,7 +115,7 @@ public:
     };
     static Kind kindOf(DrawItem item) { return static_cast<Kind>(item.ref >> kKindShift); }
     static std::size_t indexOf(DrawItem item) { return item.ref & ((1u << kKindShift) - 1u); }
-    /// In the list, an instance's slot stores its flags in the low 16 bits and its texture's index above.
+    /// In this list, SpriteInstance::slot has the flags in the low 16 bits and the texture's index above.
     static constexpr std::uint32_t kTextureShift = 16;
     static std::uint32_t textureOf(const SpriteInstance& instance) { return instance.slot >> kTextureShift; }
 

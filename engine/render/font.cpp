@@ -83,7 +83,7 @@ Result<Font> Font::fromBytes(std::string bytes, const std::string& where) {
         const int glyph = parts->commonGlyphs[letter] = tables->glyphOf(letter);
         GlyphOutline outline;
         if (letter >= kFirstShown && !readOutline(*tables, glyph, outline)) {
-            return Error{where, format("the outline of its letter {} is damaged", static_cast<int>(letter)),
+            return Error{where, format("the outline of character {} is damaged", static_cast<int>(letter)),
                          "use another copy of the .ttf or .otf file"};
         }
         if (letter == U'A' || letter == U'O')

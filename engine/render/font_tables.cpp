@@ -125,7 +125,7 @@ std::uint32_t classOf(FontBytes table, std::uint32_t glyph) {
     return inside ? table.u16(4 + i * 6 + 4) : 0;
 }
 
-/// Layout of a value record, in bytes: its size, and the offset of the horizontal advance in it.
+/// Layout of a GPOS value record, bytes: its size, and the offset of the horizontal advance in it.
 struct ValueForm {
     std::size_t size;
     std::size_t advanceAt;
@@ -199,7 +199,7 @@ public:
     [[nodiscard]] Result<Done> check() const {
         const std::size_t count = file_.u16(start_ + 4);
         if (count == 0 || file_.size() < start_ + kHeader + count * kRecord)
-            return notAFont(where_, "it has no table directory");
+            return notAFont(where_, "the file has no table directory");
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t record = recordOf(i);
             if (std::uint64_t{file_.u32(record + 8)} + file_.u32(record + 12) > file_.size())
@@ -247,9 +247,9 @@ Result<FontTables> FontTables::read(std::string_view bytes, std::string_view whe
     constexpr std::size_t kHheaBytes = 36;
     if (head.size() < kHeadBytes || hhea.size() < kHheaBytes || maxp.size() < 6)
         return notAFont(where, "a table \"head\", \"hhea\" or \"maxp\" is missing or too short");
-    if (tables.cmap.empty()) return notAFont(where, "it has no \"cmap\" table for Unicode characters");
+    if (tables.cmap.empty()) return notAFont(where, "there is no \"cmap\" table for Unicode characters");
     if ((tables.glyf.empty() || tables.loca.empty()) && tables.cff.empty())
-        return notAFont(where, "it has no outlines");
+        return notAFont(where, "the file has no glyph outlines");
     tables.glyphs = static_cast<int>(maxp.u16(4));
     tables.unitsPerEm = static_cast<int>(head.u16(18));
     tables.ascent = hhea.i16(4);
@@ -258,11 +258,11 @@ Result<FontTables> FontTables::read(std::string_view bytes, std::string_view whe
     tables.advances = static_cast<int>(hhea.u16(34));
     tables.longOffsets = head.u16(50) != 0;
     if (tables.unitsPerEm < kMinUnits || tables.unitsPerEm > kMaxUnits) {
-        return notAFont(where, format("it has {} units per em, expected {} to {}", tables.unitsPerEm,
+        return notAFont(where, format("the file has {} units per em, expected {} to {}", tables.unitsPerEm,
                                       kMinUnits, kMaxUnits));
     }
     if (tables.advances == 0 || tables.hmtx.size() < static_cast<std::size_t>(tables.advances) * 4)
-        return notAFont(where, "its table \"hmtx\" of glyph widths is missing or too short");
+        return notAFont(where, "the table \"hmtx\" of glyph widths is missing or too short");
     return tables;
 }
 

@@ -20,7 +20,7 @@ struct GlyphOutline {
     static constexpr std::size_t kMaxSteps = std::size_t{1} << 16;
 
     std::vector<OutlineStep> steps;
-    int left = 0;
+    int left = 0;  ///< left, bottom, right, top: bounding box of all points, font units
     int bottom = 0;
     int right = 0;
     int top = 0;

@@ -72,8 +72,8 @@ inline constexpr std::size_t kTextureSlots = 16;
 
 /// Sprites of one draw call: consecutive instances that need at most kTextureSlots textures.
 struct SpriteBatch {
-    InstanceBufferHandle buffer;  ///< 0: the memory of the frame, from mapInstances
-    std::size_t first = 0;
+    InstanceBufferHandle buffer;  ///< 0: instances written by mapInstances() in this frame
+    std::size_t first = 0;        ///< index of the first instance in the buffer
     std::size_t count = 0;
     std::array<TextureHandle, kTextureSlots> textures{};
     std::size_t textureCount = 0;
@@ -82,7 +82,7 @@ struct SpriteBatch {
 };
 
 struct GeometryBatch {
-    std::span<const GeometryVertex> vertices;  ///< three per triangle
+    std::span<const GeometryVertex> vertices;  ///< three consecutive ones per triangle
     ViewTransform transform;
 };
 

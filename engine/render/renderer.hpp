@@ -17,8 +17,8 @@ struct RenderCounts {
     std::size_t culled = 0;
 };
 
-/// Target for distant layers, smaller than the viewport and then enlarged to it.
-/// Saves time in software rendering where backdrops overlap.
+/// Render target, smaller than the viewport, in which distant layers are drawn before they
+/// are enlarged to the viewport. Saves time in software rendering where backdrops overlap.
 struct FarLayersTarget {
     Viewport viewport;  ///< the whole target
     int nearLayer = 0;  ///< this layer and higher ones are drawn directly to the window

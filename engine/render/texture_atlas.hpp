@@ -51,7 +51,7 @@ private:
     struct Page {
         TextureHandle texture;
         Skyline free{kPageSide};
-        int pictures = 0;
+        int pictures = 0;  ///< number of images on the page
     };
 
     TextureRegion addToPage(const Image& image);

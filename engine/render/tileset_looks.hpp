@@ -11,7 +11,7 @@ namespace plumb {
 /// Cache of the texture regions of a tileset's tiles on the graphics card.
 class TilesetLooks {
 public:
-    /// Returns the texture regions of all tiles at a time.
+    /// Returns the texture regions of all tiles at the time `seconds`.
     /// @param tileSize  cell size, px, world; {0, 0}: the tileset's tile size
     /// @param seconds   time since the scene began, for animated tiles
     /// @return          valid until the next call

@@ -12,9 +12,9 @@ struct ColliderSurface {
     bool oneWay = false;               ///< solid only for bodies that come from above
     std::uint32_t layers = 1;          ///< bits: collision layers of the collider
     std::uint32_t mask = 0xffffffffu;  ///< bits: layers that the collider collides with
-    float friction = -1.0f;    ///< friction coefficient; negative: the RigidBody's, or 0.6 without one
-    float bounciness = -1.0f;  ///< restitution (ratio of speeds); negative: the RigidBody's, or 0 without one
-    float density = 1.0f;      ///< relative density: distributes the body's mass over its colliders
+    float friction = -1.0f;     ///< friction coefficient; negative: that of the RigidBody, or 0.6 without one
+    float bounciness = -1.0f;   ///< restitution, 0..1; negative: that of the RigidBody, or 0 without one
+    float density = 1.0f;       ///< relative density: distributes the body's mass over its colliders
     float surfaceSpeed = 0.0f;  ///< px/s, conveyor speed; above 0 moves bodies on top to the right
 };
 
@@ -36,7 +36,7 @@ void describeSurface(TypeBuilder<T>& type) {
         .range(-1.0f, 1.0f)
         .doc(
             "Restitution: ratio of the impact speed kept after a bounce. Negative: the RigidBody's "
-            "bounciness.");
+            "bounciness, or 0 without a RigidBody.");
     type.template field<&T::density>("density")
         .range(0.0f, 1e6f)
         .doc("Relative density; distributes the body's mass over its colliders.");

@@ -14,11 +14,11 @@
 
 namespace plumb {
 
-/// A component type that requests an effect.
+/// A component type that requests an effect: an optional feature of the engine, see EffectRow.
 struct EffectCaller {
     const TypeInfo& (*type)();
     std::size_t (*count)(const World& world);        ///< number of entities that have the component; O(1)
-    bool (*calls)(const void* component) = nullptr;  ///< true if the component requests it; null: all do
+    bool (*calls)(const void* component) = nullptr;  ///< true if this one requests it; null: all do
     [[nodiscard]] std::size_t callers(
         const World& world) const;  ///< number of requests; O(1) if `calls` is null
 };
@@ -31,7 +31,7 @@ struct EffectRow {
     /// Returns true if the effect is requested, in O(1); null for
     /// effects of the physics, which counts its own requests.
     bool (*isRequired)(const World& world) = nullptr;
-    physics::Effect physics = physics::Effect::Count;  ///< the effect of the physics; Count if it is not one
+    physics::Effect physics = physics::Effect::Count;  ///< effect of the physics library; Count: none
     /// Components request it by their default values, so pinning it off while they exist is not reported.
     bool byDefault = false;
     std::string_view device{};  ///< device of the player that is opened for it, e.g. "audio device"
@@ -40,11 +40,11 @@ struct EffectRow {
 /// A system, and the effect for which it runs.
 struct EffectSystem {
     TypeKey key = 0;
-    std::string_view name;    ///< S::kName
+    std::string_view name;    ///< name of the system, its kName
     std::string_view effect;  ///< name of an effect; empty: the system always runs
 };
 
-/// All effects of a program: of physics, systems and devices. Constant.
+/// All effects of a program: of physics, systems and devices.
 class EffectTable {
 public:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -57,15 +57,15 @@ public:
     /// Returns the index of the effect with this name, or kNone.
     [[nodiscard]] std::size_t find(std::string_view name) const;
 
-    /// Reads the "effects" object of a scene file and returns a pin for each effect. Invalid entries are
-    /// reported and read as "auto".
+    /// Reads the "effects" object of a scene file and returns a pin for each effect: "on" and "off" override
+    /// the requests of components, "auto" does not. Invalid entries are reported and read as "auto".
     /// @param path      path of the file, for errors
     /// @param problems  receives the errors; may be null
     [[nodiscard]] std::vector<Pin> readPins(const Json& json, std::string_view path,
                                             std::vector<Error>* problems) const;
 
     /// Reports components of a scene that need an effect that is pinned off: one error per component type.
-    /// @param scene  the scene whose entities are checked
+    /// @param path  path of the scene's file, for errors @param pins  one for each effect of the table
     void checkNeeds(const World& world, SceneId scene, std::string_view path, std::span<const Pin> pins,
                     std::vector<Error>& problems) const;
 
@@ -81,7 +81,7 @@ std::string_view nameOf(Pin pin);
 
 // Helpers to define rows.
 
-/// As a template argument of kCallersOf: only those components T that `Calls` returns true for.
+/// Template argument of kCallersOf that stands for those components T for which `Calls` returns true.
 template <class T, bool (*Calls)(const T& component)>
 struct Some;
 

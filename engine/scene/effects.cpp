@@ -67,7 +67,7 @@ void Effects::followScenes(World& world) {
     for (const Error& problem : problems) logWarning("Scene", problem);
 }
 
-/// Reads from bottom to top, so that the topmost scene that names an effect has priority.
+/// Reads the pins of scenes from bottom to top, so that the topmost scene that names an effect has priority.
 void Effects::readScenes(const LoadedScenes& loaded) {
     for (const LoadedScene& scene : loaded.scenes) {
         sceneContents_.push_back(scene.rest);

@@ -9,9 +9,9 @@
 
 namespace plumb {
 
-/// Decides which effects of a world run: those that components request, unless they are pinned on or off. A
-/// service of the world, so it must outlive the last tick.
-///
+/// Decides which effects (optional features, see EffectRow) of a world run: those that components request,
+/// unless they are pinned on or off. A service of the world, so it must outlive the last tick. A `row` is the
+/// index of an effect in the table.
 /// All scenes of a stack share it. Pins by decreasing priority: a measurement (setMeasured()), the topmost
 /// scene that names the effect, the program (setProgram()).
 class Effects {
@@ -21,7 +21,7 @@ public:
     Effects(const Effects&) = delete;
     Effects& operator=(const Effects&) = delete;
 
-    /// Must be called after the table was changed. Settings of the program and measurements start anew.
+    /// Must be called after the table was changed. Resets the pins of setProgram() and setMeasured().
     void tableChanged();
     [[nodiscard]] const EffectTable& table() const { return table_; }
 
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] std::uint32_t physicsOn() const { return physicsOn_; }
     [[nodiscard]] std::uint32_t physicsOff() const { return physicsOff_; }
 
-    /// Pins an effect for effects that no scene pins: a game in code may need one that no component requests.
+    /// Pins an effect unless a scene pins it, e.g. for game code that uses what no component requests.
     void setProgram(std::string_view name, Pin pin);
     /// Pins an effect with priority over scenes and program, to measure its cost.
     void setMeasured(std::size_t row, Pin pin);
@@ -64,10 +64,10 @@ private:
 
     const EffectTable& table_;
     SystemGates gates_;
-    std::vector<std::size_t> gateOf_;  // by system of the table: index of its gate; kNone if it always runs
+    std::vector<std::size_t> gateOf_;  // indexed by system: index of its gate; kNone if it always runs
     std::vector<Pin> program_, scenes_, measured_, pins_;
     std::vector<std::string> pinnedBy_;
-    std::vector<std::uint64_t> counted_;  // by effect: calls of count()
+    std::vector<std::uint64_t> counted_;  // indexed by effect: number of count() calls
     std::vector<std::shared_ptr<const SceneRest>>
         sceneContents_;  // content of the scenes whose pins were read
     std::uint32_t physicsOn_ = 0;

@@ -42,7 +42,7 @@ struct Lab {
 struct GhostWorlds {
     struct One {
         EntityId ghost;          ///< entity with the Ghost component
-        std::uint64_t made = 0;  ///< hash of the ghost's settings and of the run it was created for
+        std::uint64_t made = 0;  ///< hash of the ghost's settings and of Lab::run at its creation
         physics::World world;
     };
     std::vector<One> all;  ///< in order of creation
@@ -53,7 +53,7 @@ struct GhostWorlds {
 /// Recorded curves of all plots. A world resource that is, like GhostWorlds, not part of the hash.
 struct PlotPast {
     struct Curve {
-        EntityId plot;
+        EntityId plot;              ///< entity with the Plot component
         EntityId source;            ///< entity of a Ghost; empty: the scene's own physics
         std::uint64_t run = 0;      ///< Lab::run that the curve belongs to
         double first = 0.0;         ///< first value of the measured quantity, before normalization

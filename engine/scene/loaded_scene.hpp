@@ -29,8 +29,8 @@ struct KeptField {
 struct KeptEntity {
     std::vector<std::pair<std::string, Json>> keys;        ///< unknown or invalid keys of the entity
     std::vector<std::pair<std::string, Json>> components;  ///< unknown or invalid components
-    std::vector<KeptField> fields;
-    Json parent;  ///< an invalid parent reference
+    std::vector<KeptField> fields;                         ///< invalid fields of known components
+    Json parent;                                           ///< an invalid parent reference
 };
 
 /// An entity that could not be loaded, kept as its text in the file.
@@ -51,12 +51,12 @@ struct SceneRest {
 struct LoadedScene {
     SceneId id;
     std::string path;
-    Json effects = Json::object();
+    Json effects = Json::object();  ///< the "effects" of the file: which effects are pinned on or off
     std::vector<SceneLayer> layers;
     Color background{0, 0, 0, 0};  ///< background color; fully transparent: none is drawn
     bool pauses = false;           ///< as an overlay it pauses the scenes below
     bool takesInput = false;       ///< as an overlay it keeps input from the scenes below
-    /// Shared, as it is constant and snapshots copy resources.
+    /// Other content of the file; shared, as it is constant and snapshots copy resources.
     std::shared_ptr<const SceneRest> rest;
     std::shared_ptr<const PhysicsState> below;  ///< physics state of the scenes it paused; else null
 };

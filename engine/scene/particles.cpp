@@ -19,7 +19,7 @@ using Column = std::vector<float> Particles::*;
 constexpr std::array<Column, 9> kColumns{&Particles::x,         &Particles::y,        &Particles::velocityX,
                                          &Particles::velocityY, &Particles::progress, &Particles::pace,
                                          &Particles::size,      &Particles::turn,     &Particles::spin};
-constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ull;
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ull;  // 2^64 / golden ratio: spreads similar seeds
 
 std::uint64_t wordOf(EntityId entity) { return std::uint64_t{entity.index} << 32 | entity.generation; }
 
@@ -51,9 +51,9 @@ void resize(Particles& particles, std::size_t places) {
     for (const Column column : kColumns) (particles.*column).resize(places);
 }
 
-/// Assigns every stream a range of its capacity and moves its particles there, in place: first those that
-/// move down, in ascending order, then those that move up, in descending order. As the order of streams is
-/// kept, no move overwrites particles that have not moved yet.
+/// Assigns every stream a range of its capacity and moves its particles there, in place: first the streams
+/// that move to lower indices, in ascending order, then those that move to higher ones, in descending order.
+/// As the order of streams is kept, no move overwrites particles that have not moved yet.
 void layOut(Particles& particles) {
     std::vector<ParticleStream>& streams = particles.streams;
     std::erase_if(streams, [](const ParticleStream& stream) { return !stream.wanted; });

@@ -27,8 +27,8 @@ namespace {
 using physics::Effect;
 using physics::Manifest;
 
-/// Effects that GravitySystem, MovementSystem and CollisionSystem request and scenes pin. Without these
-/// systems, all effects that components request run.
+/// Effects (features of the physics) that a step must or must not run, from the pins of scenes and from the
+/// systems GravitySystem, MovementSystem and CollisionSystem; without these, components decide.
 struct Calls {
     bool motion = true;     // bodies move; otherwise only velocities change
     std::uint32_t off = 0;  // bits of physics::Manifest: effects that do not run

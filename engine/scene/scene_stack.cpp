@@ -26,8 +26,8 @@ std::vector<SceneId> loadedIds(const World& world) {
     return ids;
 }
 
-/// Destroys those of the entities that code created (without
-/// a scene), except persistent ones and their children.
+/// Destroys those entities of `made` that belong to no scene file,
+/// except persistent ones and their children.
 void destroyMade(World& world, const std::vector<EntityId>& made) {
     for (const EntityId id : made) {
         if (world.alive(id) && !std::as_const(world).has<SceneEntity>(id) && !persists(world, id))
@@ -40,11 +40,11 @@ void resume(World& world, std::uint32_t by) {
     for (auto [entity, pause] : std::as_const(world).query<const Paused>()) {
         if (pause.by >= by) paused.push_back(entity.id());
     }
-    // From last to first, so that no component is moved in its pool.
+    // Remove from last to first, so that no component is moved in its pool.
     for (auto id = paused.rbegin(); id != paused.rend(); ++id) world.remove<Paused>(*id);
 }
 
-/// Restores the physics that the lowest of these overlays paused.
+/// Restores the physics that was paused by the lowest overlay whose index in the stack is at least `from`.
 void restorePhysics(World& world, const LoadedScenes& loaded, std::size_t from) {
     for (std::size_t i = from; i < loaded.scenes.size(); ++i) {
         if (loaded.scenes[i].below == nullptr) continue;

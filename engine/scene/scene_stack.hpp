@@ -33,8 +33,8 @@ Result<LoadReport> openOverlay(World& world, const SceneContext& context, std::s
 /// @return false if there is no overlay
 bool closeOverlay(World& world);
 
-/// Returns the index in the scene stack of an entity's scene; entities created by code belong to the
-/// highest pausing overlay that does not pause them, or to the bottom scene.
+/// Returns the index in the scene stack of an entity's scene. Entities created by code belong to the topmost
+/// overlay that pauses the scenes below it but not them; without such an overlay, to the bottom scene.
 std::size_t placeOf(const World& world, EntityId entity);
 
 /// Returns the physics of the bottom scene, running or paused by overlays, for display. May be null.

@@ -37,11 +37,11 @@ Pose worldPose(const World& world, EntityId entity, float alpha) {
 
 namespace {
 
-/// Change marks of the last call, so that entities that do not move cost no time. A world resource, not part
-/// of the simulation state.
+/// Counters at the last storePreviousTransforms(), so that entities that do not move cost no time. A world
+/// resource, not part of the simulation state.
 struct StoredTransforms {
-    std::uint64_t mark = 0;
-    std::uint64_t members = 0;
+    std::uint64_t mark = 0;     // change mark of the world
+    std::uint64_t members = 0;  // number of gains and losses of Transform and Paused components
 };
 
 void store(Transform& transform) {

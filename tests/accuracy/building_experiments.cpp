@@ -9,11 +9,11 @@ namespace plumb::accuracy {
 namespace {
 
 constexpr double kWide = 5.0;   // half the span of the arch, m
-constexpr double kSteep = 2.0;  // m, a of the inverted catenary y = top - a (cosh(x / a) - 1)
-constexpr double kThick = 0.9;  // half the thickness, m
+constexpr double kSteep = 2.0;  // parameter a of the arch's axis y = top - a (cosh(x / a) - 1), m
+constexpr double kThick = 0.9;  // half the thickness of the arch, m
 
-/// Returns the point of the arch at arc length `along` from
-/// its crown and distance `out` from its center line, m.
+/// Returns the point of the arch at the arc length `along` (m) from its
+/// crown and the distance `out` (m, positive: outside) from its center line.
 Vec2 archPoint(double along, double out) {
     const double x = kSteep * std::asinh(along / kSteep);
     const double top = kSteep * (std::cosh(kWide / kSteep) - 1.0);
@@ -58,12 +58,12 @@ void arch(Trial& trial) {
 
 void cardHouse(Trial& trial) {
     constexpr int kLevels = 5;
-    constexpr float kHalf = 0.2f, kThin = 0.0005f, kLean = 0.436f;  // m, m, rad
+    constexpr float kHalf = 0.2f, kThin = 0.0005f, kLean = 0.436f;  // half length, half thickness (m), rad
     const Material paper{.friction = 0.7f};
     trial.floor(paper);
     const float sine = std::sin(kLean), cosine = std::cos(kLean);
     const float rise = kHalf * cosine + kThin * sine,
-                reach = kHalf * sine + kThin * cosine;  // center of a leaning card, m
+                reach = kHalf * sine + kThin * cosine;  // height, distance from the pair's middle, m
     const float pitch = 4.0f * reach + 0.004f;
     const scenes::Outline card = scenes::box({kThin, kHalf});
     const scenes::Outline roof = scenes::box({0.5f * pitch - 0.0005f, kThin});

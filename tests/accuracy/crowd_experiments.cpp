@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMillimetres = 1000.0;
 
-/// Drops circles and boxes into a pit of a width, m.
+/// Drops `count` circles and boxes, `row` per row, into a pit; its walls' centers are `wide` m apart.
 void pour(Trial& trial, int count, int row, float wide) {
     trial.floor();
     for (const float x : {-0.5f * wide, 0.5f * wide}) trial.addFixed(scenes::box({1.0f, 60.0f}), {x, 60.0f});
@@ -105,7 +105,7 @@ void ragdollPile(Trial& trial) {
 
 void farAway(Trial& trial) {
     const std::vector<BodyHandle> home = smallScene(trial);
-    constexpr std::array kAway{1.0e6, 1.0e5, 1.0e4, 1.0e3};  // m
+    constexpr std::array kAway{1.0e6, 1.0e5, 1.0e4, 1.0e3};  // distances from the origin, m
     std::array<std::vector<BodyHandle>, kAway.size()> copies;
     for (std::size_t i = 0; i < kAway.size(); ++i) {
         copies[i] = smallScene(trial);

@@ -7,16 +7,16 @@
 
 namespace plumb::accuracy {
 
-/// Properties of a scene, which determine the methods that are run on it.
+/// Properties of a scene, which determine the solver settings (Method, trial.hpp) that it is run with.
 enum Trait : unsigned {
-    kJoints = 1,        ///< has joints: run with and without the direct solver for joint trees
+    kJoints = 1,        ///< has joints: run with and without the direct solver for joints that form trees
     kSmoothForces = 2,  ///< only smooth forces, no contacts: run with all integrators
     kAnyEngine = 4,     ///< built with SceneBuilder only: run in other engines too
-    kNoExactAnswer = 8  ///< no exact result: compared with the reference solver
+    kNoExactAnswer = 8  ///< no exact result: compared with the reference solver (reference/README.md)
 };
 
-/// A test scene with error figures and goals. Goals come
-/// from exact results or from the best results of engines.
+/// A test scene that measures errors and compares them with goals. The
+/// goals come from exact results or from the best results of engines.
 struct Experiment {
     std::string_view name;
     double micros = 0.0;  ///< goal: maximum time of a step, µs; 0: no goal
@@ -31,7 +31,7 @@ struct Experiment {
 /// Returns all experiments: those with exact results, then
 /// those with goals, then those for the reference solver.
 std::span<const Experiment> allExperiments();
-const Experiment* findExperiment(std::string_view name);
+const Experiment* findExperiment(std::string_view name);  ///< nullptr if there is none
 
 // Single bodies with a closed-form solution: motion_experiments.cpp.
 void freeFall(Trial& trial);

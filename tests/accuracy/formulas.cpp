@@ -87,8 +87,8 @@ std::vector<double> chainAngles(int count, double length, double span) {
     const auto angleOf = [&](int rod, double weight) {
         return std::atan(weight * (rod - 0.5 * (count - 1)));
     };
-    // The span of the rods decreases with the ratio of weight
-    // to horizontal tension, so bisection finds the ratio.
+    // The span of the chain decreases with the ratio w of a rod's weight
+    // to the horizontal tension, so bisection finds the w of a given span.
     const double weight = rootOf(0.0, 1.0e3, [&](double w) {
         double reach = 0.0;
         for (int i = 0; i < count; ++i) reach += length * std::cos(angleOf(i, w));
@@ -105,8 +105,8 @@ double catenaryOf(double length, double span) {
 }
 
 double ladderSlips(double friction, double halfLength, double halfThickness) {
-    // Two corners of one side of the ladder touch the floor and the
-    // wall; its weight acts half a thickness inside of that side.
+    // Two corners of one long side of the ladder touch the floor and the
+    // wall. The center of mass is half a thickness away from this side.
     return 2.0 * friction + halfThickness / halfLength;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Material kElastic{.friction = 0.0f, .bounciness = 1.0f};
 
-/// Measures bounce heights of a ball that falls 2 m and keeps the ratio `kept` of its speed in each bounce.
+/// Measures the heights of `count` bounces of a ball that falls 2 m and keeps `kept` of its speed per bounce.
 void bounceTrain(Trial& trial, double kept, int count, double seconds, double target) {
     constexpr double kHeight = 2.0;  // initial height of the ball's lowest point, m
     // The floor has the same bounciness: some engines use the larger value, some the product.
@@ -29,7 +29,7 @@ void bounceTrain(Trial& trial, double kept, int count, double seconds, double ta
         const double error = height / (wanted * kHeight) - 1.0;
         worst = std::fabs(error) > std::fabs(worst) ? error : worst;
     });
-    // If the ball did not bounce `count` times, it lost all of its height.
+    // A ball that did not bounce `count` times has an error of 100 %.
     trial.report("height", bounces < count ? 100.0 : std::fabs(worst) * 100.0, "%", target);
     if (kept == 1.0) trial.report("gained", std::max(worst, 0.0) * 100.0, "%", 0.005);
 }
@@ -43,7 +43,7 @@ void bounces05(Trial& trial) { bounceTrain(trial, 0.5, 3, 4.0, 1.0); }
 
 void bullet(Trial& trial) {
     constexpr std::array kSpeeds{10.0, 30.0, 100.0, 300.0, 1000.0};  // m/s
-    constexpr double kRadius = 0.05, kThin = 0.005, kEnd = 1.0;      // m, m, s
+    constexpr double kRadius = 0.05, kThin = 0.005, kEnd = 1.0;  // bullet, half the wall (m), end time (s)
     std::array<BodyHandle, kSpeeds.size()> bullets;
     const auto hitTime = [](std::size_t i) { return 0.5 + (0.37 + 0.13 * static_cast<double>(i)) / 60.0; };
     for (std::size_t i = 0; i < kSpeeds.size(); ++i) {

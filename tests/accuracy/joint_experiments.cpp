@@ -30,7 +30,7 @@ void hangingChain(Trial& trial, float ratio, double target) {
     trial.report("", std::hypot(trial.x(ball), trial.y(ball) + 10.5) * kMillimetres, "mm", target);
 }
 
-/// Reports mean and maximum joint errors of the second half of the run, after the motion at the start.
+/// Reports mean and maximum joint errors in the second half of the run, when the initial motion has ended.
 void reportJoints(Trial& trial, double seconds, double mean, double most) {
     double sum = 0.0, largest = 0.0;
     int count = 0;
@@ -90,7 +90,7 @@ void catenary(Trial& trial) {
         y += stepY;
     }
     trial.report("place", place * kMillimetres, "mm", 1.0);
-    // Relative to the sag; a chain of rods differs slightly from a rope.
+    // Error relative to the sag. The goal allows for rods, whose curve differs slightly from a rope's.
     trial.report("curve", curve / -low * 100.0, "%", 1.0);
 }
 

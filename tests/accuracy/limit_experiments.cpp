@@ -6,7 +6,7 @@
 #include "tests/accuracy/experiments.hpp"
 #include "tests/accuracy/formulas.hpp"
 
-// Stability limits: a structure is built slightly above and slightly below its limit.
+// Experiments at stability limits: a structure is built slightly above and slightly below its limit.
 
 namespace plumb::accuracy {
 
@@ -19,7 +19,7 @@ struct Candidate {
     scenes::Pose start;
 };
 
-/// Returns the largest distance from the limit with a wrong result, percent.
+/// Returns the largest distance from the limit, percent, of a candidate that wrongly stands or fails.
 double worstWrong(Trial& trial, const std::vector<Candidate>& candidates, double seconds, double moved) {
     trial.run(seconds);
     double worst = 0.0;
@@ -82,7 +82,7 @@ void frictionThreshold(Trial& trial) {
         const double slope = std::atan(kFriction * (1.0 + 0.01 * percent));
         const auto angle = static_cast<float>(-slope);
         trial.addFixed(scenes::box({5.0f, 1.0f}), at(x, 0.0), rough, angle);
-        const double reach = -3.0, up = 1.5;  // offsets along the slope and perpendicular to it, m
+        const double reach = -3.0, up = 1.5;  // position along the slope and perpendicular to it, m
         return trial.add(scenes::box({0.5f, 0.5f}),
                          at(x + reach * std::cos(slope) + up * std::sin(slope),
                             -reach * std::sin(slope) + up * std::cos(slope)),
@@ -92,7 +92,7 @@ void frictionThreshold(Trial& trial) {
 }
 
 void ladder(Trial& trial) {
-    constexpr double kFriction = 0.4, kHalf = 2.0, kThin = 0.05;  // ratio, half length, half thickness (m)
+    constexpr double kFriction = 0.4, kHalf = 2.0, kThin = 0.05;  // half length, half thickness (m)
     constexpr std::array kPercents{0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
     const Material rough{.friction = static_cast<float>(kFriction)};
     trial.floor(rough);
@@ -110,7 +110,7 @@ void ladder(Trial& trial) {
 }
 
 void stoneArch(Trial& trial) {
-    constexpr double kRadius = 10.0;  // m
+    constexpr double kRadius = 10.0;  // middle radius of the arch, m
     constexpr std::array kPercents{2.0, 5.0, 10.0, 20.0};
     const auto candidates = lineUp(trial, kPercents, 30.0, [&](double percent, double x) {
         return halfRing(trial, x, kArchStands * (1.0 - 0.01 * percent) * kRadius, kRadius);

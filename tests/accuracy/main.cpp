@@ -26,7 +26,7 @@ namespace {
 using namespace plumb;
 using namespace plumb::accuracy;
 
-/// Prints progress: the current run, the number of runs, the remaining time.
+/// Prints the progress: the current run, the number of runs and the estimated remaining time.
 class ProgressPrinter {
 public:
     explicit ProgressPrinter(bool loud) : loud_{loud} {}
@@ -61,8 +61,8 @@ void printHeader() {
                 "error", "unit", "target", "us/step", "target");
 }
 
-/// True for the rows printed in the terminal: the default method
-/// at each quality, and other engines. All rows are in the files.
+/// True if a row is printed in the terminal: the default method at each
+/// quality, and other engines. The output files contain all rows.
 bool isPrinted(const Row& row) {
     return row.method.peer != nullptr || (row.method.iterations == 1 && row.method.jointTrees &&
                                           row.method.integrator == Method{}.integrator);

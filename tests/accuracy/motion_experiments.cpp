@@ -15,7 +15,7 @@ constexpr Material kElastic{.friction = 0.0f, .bounciness = 1.0f};
 void freeFall(Trial& trial) {
     const BodyHandle ball = trial.add(scenes::circle(0.5f), {0.0f, 100.0f});
     trial.run(2.0);
-    // The goal is 0.1 mm because smaller errors are float rounding.
+    // The goal is 0.1 mm, because smaller errors are rounding errors of floats.
     trial.report("", std::fabs(trial.y(ball) - (100.0 - 0.5 * kGravity * 4.0)) * 1000.0, "mm", 0.1);
 }
 
@@ -29,7 +29,7 @@ void projectile(Trial& trial) {
 }
 
 void incline(Trial& trial) {
-    constexpr double kSlope = 0.5;  // rad
+    constexpr double kSlope = 0.5;  // angle of the incline, rad
     constexpr double kFriction = 0.2;
     const Material rough{.friction = static_cast<float>(kFriction)};
     const auto angle = static_cast<float>(-kSlope);
@@ -47,7 +47,7 @@ void incline(Trial& trial) {
 
 void rollingDisc(Trial& trial) {
     constexpr double kFriction = 0.2;
-    constexpr double kSpeed = 6.0;  // m/s; the disc rolls without sliding from t = 1 s on
+    constexpr double kSpeed = 6.0;  // initial speed, m/s; the disc rolls without sliding from t = 1 s on
     const Material rough{.friction = static_cast<float>(kFriction)};
     trial.floor(rough);
     const BodyHandle disc = trial.add(scenes::circle(0.5f), {-20.0f, 0.5f}, rough);
@@ -62,8 +62,8 @@ void rollingDisc(Trial& trial) {
 
 /// A plank that rocks on a cylinder of radius 1 m without sliding keeps its amplitude.
 void rockingPlank(Trial& trial) {
-    constexpr double kTilt = 0.2;  // rad
-    // Height of the plank's center above the cylinder's axis, and length rolled off its center, m.
+    constexpr double kTilt = 0.2;  // initial tilt, rad
+    // Height of the plank's center above the cylinder's axis, and distance rolled at the initial tilt, m.
     constexpr double kReach = 1.1, kSwung = 0.2;
     constexpr Material kRough{.friction = 10.0f};
     trial.addFixed(scenes::circle(1.0f), {}, kRough);
@@ -131,7 +131,7 @@ void newtonsCradle(Trial& trial) {
 }
 
 void obliqueDiscs(Trial& trial) {
-    const double offset = 0.6;  // m, perpendicular to the velocity: the normal has a sine of 0.6
+    const double offset = 0.6;  // of the centers, perpendicular to the velocity, m: sine of the normal is 0.6
     const BodyHandle a = trial.add(scenes::circle(0.5f), {-3.0f, static_cast<float>(-offset)}, kElastic);
     const BodyHandle b = trial.add(scenes::circle(0.5f), {0.0f, 0.0f}, kElastic);
     trial.setVelocity(a, {4.0f, 0.0f});

@@ -23,7 +23,7 @@ BodyHandle hangBob(Trial& trial, double amplitude) {
     return bob;
 }
 
-/// Records the times of passing the lowest point, interpolated linearly between two steps.
+/// Records when a pendulum passes its lowest point; interpolates linearly between two steps.
 class Passes {
 public:
     void look(double time, double angle) {
@@ -81,7 +81,7 @@ void doublePendulum(Trial& trial) {
     const double x = std::sin(end.angleA) + std::sin(end.angleB);
     const double y = -std::cos(end.angleA) - std::cos(end.angleB);
     trial.report("place", std::hypot(trial.x(lower) - x, trial.y(lower) - y) * 1000.0, "mm", 10.0);
-    double energy = 0.0;  // J; the total energy at the start is 0
+    double energy = 0.0;  // total energy at the end, J; 0 at the start
     for (const BodyHandle body : {upper, lower}) {
         const double spin = trial.spin(body);
         energy += 0.5 * static_cast<double>(lengthSquared(trial.velocity(body))) +

@@ -10,10 +10,10 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kPatience = 8.0;  // s of wall time per scene; most heaps are chaotic and have no solution
+constexpr double kPatience = 8.0;  // limit of the wall time per scene, s; chaotic scenes never converge
 
-/// Returns the reference solution of a scene, cached: computing
-/// it takes seconds, and all methods are compared with it.
+/// Returns the reference solution of a scene. It is cached, because it
+/// takes seconds to compute and is compared with the results of all methods.
 const Result<reference::Answer>& answerOf(std::string_view scene, const physics::World& start,
                                           double seconds) {
     static std::map<std::string, Result<reference::Answer>, std::less<>> known;
@@ -36,7 +36,7 @@ std::optional<double> referenceError(std::string_view scene, const physics::Worl
         sum += std::hypot(place.x - body.centre.x, place.y - body.centre.y);
     }
     const double mean = sum / static_cast<double>(answer->bodies.size());
-    // The reference must be at least a hundred times as accurate as the method.
+    // The reference solution must be at least a hundred times as accurate as the measured error.
     if (!answer->canJudge(mean)) return std::nullopt;
     return mean;
 }

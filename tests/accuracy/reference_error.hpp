@@ -9,7 +9,7 @@ namespace plumb::accuracy {
 
 /// Mean distance of the moving bodies from their positions in the reference solution, m; nothing if the
 /// reference solver finds no solution.
-/// @param scene name of the scene, used as cache key: all runs of a scene start alike
+/// @param scene name of the scene; the reference solution is cached by it, as all runs of a scene start alike
 /// @param start the world before its first step; of its settings only gravity is used
 /// @param end   the world after `seconds`
 std::optional<double> referenceError(std::string_view scene, const physics::World& start,

@@ -40,7 +40,7 @@ void undamped(Trial& trial, double hertz) {
 }
 
 void damped(Trial& trial, double damping) {
-    const double omega = 2.0 * std::numbers::pi;  // rad/s, 1 Hz
+    const double omega = 2.0 * std::numbers::pi;  // angular frequency of 1 Hz, rad/s
     const BodyHandle ball = hang(trial, 1.0, damping);
     double place = 0.0;
     trial.run(5.0, [&](double time) {
@@ -52,7 +52,7 @@ void damped(Trial& trial, double damping) {
 }  // namespace
 
 void drag(Trial& trial) {
-    constexpr double kDrag = 0.8, kTime = 2.0;  // 1/s, s
+    constexpr double kDrag = 0.8, kTime = 2.0;  // drag (1/s), duration (s)
     const BodyHandle ball = trial.scene().createBody({.velocity = {12.0f, 9.0f}, .drag = 0.8f});
     trial.scene().addShape(ball, scenes::circle(0.5f));
     trial.run(kTime);

@@ -24,7 +24,7 @@ void heavyBox(Trial& trial, float mass, double target) {
     trial.report("", std::fabs(trial.y(crates.back()) - 2.5) * kMillimetres, "mm", target);
 }
 
-/// Builds a pyramid of crates, each row half a crate further in than the row below.
+/// Builds a pyramid of crates with `base` crates in the lowest row; each row above has one less.
 std::vector<BodyHandle> pileUp(Trial& trial, int base, Vec2 corner, float size, float topDensity = 1.0f) {
     std::vector<BodyHandle> crates;
     for (int row = 0; row < base; ++row) {
@@ -73,7 +73,7 @@ void stackOf20(Trial& trial) {
     for (std::size_t level = 1; level < crates.size(); ++level) {
         const auto push = trial.pushBetween(crates[level - 1], crates[level]);
         if (!push) return;
-        // In newtons; each crate has a mass of 1 kg.
+        // Weight of the crates above the contact, N; each crate has a mass of 1 kg.
         const double weight = static_cast<double>(crates.size() - level) * kGravity;
         worst = std::max(worst, std::fabs(*push - weight) / weight);
     }
@@ -129,7 +129,7 @@ void stackOf50(Trial& trial) { tallStack(trial, 50, 4.3); }
 void stackOf100(Trial& trial) { tallStack(trial, 100, 4.3); }
 
 void farPyramid(Trial& trial) {
-    constexpr double kFar = 1.0e5;  // m
+    constexpr double kFar = 1.0e5;  // distance from the origin, m
     const BodyHandle ground = trial.floor();
     std::vector<BodyHandle> all = pileUp(trial, 10, {-5.0f, 0.0f}, 1.0f);
     all.push_back(ground);

@@ -78,7 +78,7 @@ void Trial::run(double seconds, const std::function<void(double)>& look) {
         spent_.push_back(wallSeconds() - start);
         if (2 * i >= steps && count_ != nullptr) allocated_ += count_() - before, ++countedSteps_;
         time_ = ++steps_ / 60.0;
-        // Some engines never finish a step of a diverged world.
+        // Stops a diverged world, because some engines never finish a step of such a world.
         if (plumb_ == nullptr && steps_ % 8 == 0 && scenes::isLost(*scene_)) lost_ = true;
         if (lost_) return;
         if (!(fastest() < Metrics::kRest)) moved_ = time_;
@@ -107,8 +107,8 @@ double Trial::fastest() const {
 }
 
 std::optional<double> Trial::pushBetween(BodyHandle a, BodyHandle b) {
-    // Contacts store the impulse of the last substep; with automatic
-    // quality the number of substeps per island is unknown here.
+    // Contacts store the impulse of the last substep. Its duration is unknown
+    // with automatic quality, which uses a different number of substeps per island.
     if (plumb_ == nullptr || method_.quality == physics::kQualityOfWorld) return std::nullopt;
     const std::uint32_t first = id(a).index, second = id(b).index;
     double impulse = 0.0;

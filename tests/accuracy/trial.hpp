@@ -14,15 +14,15 @@ namespace plumb::accuracy {
 using scenes::BodyHandle;
 using scenes::Material;
 
-inline constexpr double kGravity = 10.0;      ///< downward acceleration, m/s2
-inline constexpr float kTick = 1.0f / 60.0f;  ///< s
-inline constexpr double kNoTarget = std::numeric_limits<double>::infinity();
+inline constexpr double kGravity = 10.0;                                      ///< downward acceleration, m/s2
+inline constexpr float kTick = 1.0f / 60.0f;                                  ///< time step, s
+inline constexpr double kNoTarget = std::numeric_limits<double>::infinity();  ///< no goal for an error
 
 /// A measured error of an experiment, and its goal.
 struct Finding {
-    std::string name;  ///< name of the figure; empty if the experiment has only one
+    std::string name;  ///< name of the measured quantity; empty if the experiment measures only one
     double error = 0.0;
-    std::string unit;
+    std::string unit;     ///< unit of `error` and `target`
     double target = 0.0;  ///< maximum error; infinite: no goal
 };
 
@@ -30,7 +30,7 @@ struct Finding {
 struct Method {
     /// quality; kQualityOfWorld: the default quality, increased automatically for hard islands
     physics::Quality quality = 2;
-    int iterations = 1;
+    int iterations = 1;      ///< solver iterations per substep
     bool jointTrees = true;  ///< true: the direct solver handles joints that form trees
     physics::IntegratorKind integrator = physics::IntegratorKind::SemiImplicitEuler;
     const scenes::Engine* peer = nullptr;  ///< another engine with its default settings; null: Plumb
@@ -38,17 +38,17 @@ struct Method {
     friend bool operator==(const Method&, const Method&) = default;
 };
 
-/// Values measured in every experiment. Energy, momentum
-/// and contact forces are figures of single experiments.
+/// Values measured in every experiment. Energy, momentum and contact
+/// forces are measured by single experiments only, as a Finding.
 struct Metrics {
     double maxPenetration = 0.0;     ///< deepest penetration at the end, m
     double meanPenetration = 0.0;    ///< mean penetration of overlapping pairs at the end, m
     double jointSeparation = 0.0;    ///< largest joint error at the end, m
-    std::optional<double> restTime;  ///< last time at which a body was faster than kRest, s
-    double microsPerStep = 0.0;
-    std::optional<double> allocationsPerStep;  ///< in the second half of the run; none: not counted
+    std::optional<double> restTime;  ///< end of the last motion faster than kRest, s; none: not at rest
+    double microsPerStep = 0.0;      ///< mean time of a step, µs
+    std::optional<double> allocationsPerStep;  ///< memory allocations in the second half; none: not counted
 
-    static constexpr double kRest = 0.05;  ///< speed limit of a body at rest, m/s
+    static constexpr double kRest = 0.05;  ///< speed below which a body counts as resting, m/s
 };
 
 /// One run of an experiment with one method: the scene, and the results.
@@ -56,7 +56,7 @@ class Trial {
 public:
     using CountAllocations = std::size_t (*)();
 
-    /// @param count returns the number of allocations of the program so far; may be null
+    /// @param count returns the number of memory allocations of the program so far; null: not counted
     explicit Trial(const Method& method, Vec2 gravity = {0.0f, -static_cast<float>(kGravity)},
                    CountAllocations count = nullptr);
     explicit Trial(physics::Quality quality, Vec2 gravity = {0.0f, -static_cast<float>(kGravity)})
@@ -69,20 +69,20 @@ public:
     [[nodiscard]] physics::World& world();
     [[nodiscard]] physics::BodyId id(BodyHandle body) const;  ///< @pre the method uses no other engine
 
-    BodyHandle floor(const Material& material = {});  ///< floor 200 m wide, its top at y = 0
+    BodyHandle floor(const Material& material = {});  ///< adds a floor 200 m wide, its top at y = 0
     BodyHandle add(const scenes::Outline& outline, Vec2 centre, const Material& material = {},
                    float angle = 0.0f);
     BodyHandle addFixed(const scenes::Outline& outline, Vec2 centre, const Material& material = {},
                         float angle = 0.0f);
-    BodyHandle pin(Vec2 place);  ///< static body without collisions
+    BodyHandle pin(Vec2 place);  ///< adds a static body without collisions, to which joints can be attached
     void setMass(BodyHandle body, float kilograms) { scene_->setMass(body, kilograms); }
     void setVelocity(BodyHandle body, Vec2 velocity) { scene_->setVelocity(body, velocity); }
 
-    /// Sets a function that is called before each step with the start time of the step, s.
+    /// Sets a function that is called before each step with the start time of the step, s, to apply forces.
     void drive(std::function<void(double)> push) { push_ = std::move(push); }
     /// Simulates; calls `look` after each step with the time since the start of the trial, s.
     void run(double seconds, const std::function<void(double)>& look = {});
-    void report(std::string name, double error, std::string unit, double target);
+    void report(std::string name, double error, std::string unit, double target);  ///< adds a Finding
 
     [[nodiscard]] double x(BodyHandle body) const { return scene_->poseOf(body).x; }
     [[nodiscard]] double y(BodyHandle body) const { return scene_->poseOf(body).y; }
@@ -94,7 +94,7 @@ public:
     [[nodiscard]] double fastest() const;  ///< maximum speed of all moving bodies, m/s
     /// Contact force between two bodies, N; nothing if the engine does not report it.
     [[nodiscard]] std::optional<double> pushBetween(BodyHandle a, BodyHandle b);
-    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] double time() const { return time_; }  ///< simulated time, s
     /// Mean time of a step, µs, without the slowest 2 % of
     /// the steps, which include other work of the machine.
     [[nodiscard]] double microsPerStep() const;
@@ -108,10 +108,10 @@ private:
     std::unique_ptr<scenes::SceneBuilder> scene_;
     scenes::PlumbWorld* plumb_ = nullptr;  ///< scene_ if it is Plumb's, else null
     CountAllocations count_ = nullptr;
-    std::function<void(double)> push_;
+    std::function<void(double)> push_;  ///< set by drive()
     std::optional<physics::World> start_;
     std::vector<Finding> findings_;
-    double time_ = 0.0;
+    double time_ = 0.0;   ///< simulated time, s
     double moved_ = 0.0;  ///< last time at which a body moved faster than Metrics::kRest, s
     int steps_ = 0;
     bool lost_ = false;          ///< true if another engine's world diverged; the simulation then stops

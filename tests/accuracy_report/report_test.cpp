@@ -197,7 +197,7 @@ TEST(Report, aPlotShowsEveryPointTheDefaultTheGoalAndTheFront) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
-// A fallen tower has no overlap, so its error alone would make it a best buy.
+// The error of a stack is its overlap; that of a fallen tower is 0, so the run would seem the best choice.
 TEST(Report, aRunThatMissesAnotherGoalIsACrossAndNotABestBuy) {
     std::vector<Row> rows = rowsOf(nastyRows(), "stack20");
     const std::string whole = svgOf(chartOf("Stack", rows));
@@ -211,7 +211,7 @@ TEST(Report, aRunThatMissesAnotherGoalIsACrossAndNotABestBuy) {
     EXPECT_TRUE(isWellFormed(svg));
     EXPECT_NE(svg.find("crosses miss another goal"), std::string::npos);
     EXPECT_NE(svg.find("l8 8m0 -8l-8 8"), std::string::npos);
-    EXPECT_NE(bandOf(svg), bandOf(whole)) << "the band must not contain the failed run";
+    EXPECT_NE(bandOf(svg), bandOf(whole)) << "the band of best choices must not contain the failed run";
     for (Row& row : rows) row.fails = true;
     EXPECT_EQ(svgOf(chartOf("Stack", rows)).find("best buys"), std::string::npos);
 }

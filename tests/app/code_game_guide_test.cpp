@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/screen.hpp"
 #include "app/game_content.hpp"
+#include "app/screen.hpp"
 #include "platform/image_file.hpp"
 #include "tests/support/places.hpp"
 
@@ -154,7 +154,7 @@ TEST_F(ShownShooter, itShootsAtTheMousePositionAndCounts) {
     EXPECT_EQ(text, "Score 1, {other}");
     EXPECT_EQ(world.count<Bullet>(), 1u);
     for (int tick = 0; tick < 240; ++tick) tickGame(game_, InputFrame{});
-    EXPECT_EQ(world.count<Bullet>(), 0u) << "its contacts were not heard of";
+    EXPECT_EQ(world.count<Bullet>(), 0u) << "a bullet that hits something must be removed";
 }
 
 TEST_F(ShownShooter, changedTextsDoNotAccumulate) {
@@ -228,8 +228,8 @@ TEST_F(ShownShooter, theBackgroundIsDrawnAndAWholeImageIsScaled) {
     const Image image = (*screen)->picture();
     constexpr Color kBackground{29, 33, 53, 255};
     EXPECT_EQ(pixelAt(image, 200, 100), kBackground);
-    EXPECT_EQ(pixelAt(image, 44, 44), (Color{255, 0, 255, 255})) << "its middle";
-    EXPECT_EQ(pixelAt(image, 84, 44), kBackground) << "the clear corner, as a cell";
+    EXPECT_EQ(pixelAt(image, 44, 44), (Color{255, 0, 255, 255})) << "the image's middle";
+    EXPECT_EQ(pixelAt(image, 84, 44), kBackground) << "an unscaled cell shows the transparent corner";
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST_F(CodeGame, theOptionsAreThoseOfThePlayer) {
     EXPECT_NE(output_.find("hash: "), std::string::npos) << output_;
     const std::string headless = output_.substr(output_.find("hash: "));
     EXPECT_EQ(run("--frames 60 --hash --physics-view all"), 0) << output_;
-    EXPECT_EQ(output_.substr(output_.find("hash: ")), headless) << "the same game with a picture";
+    EXPECT_EQ(output_.substr(output_.find("hash: ")), headless) << "the hash must be the same with rendering";
 
     const std::string replay = (test::sourceFolder() / "projects/hello-code/hello.replay").string();
     EXPECT_EQ(run(format("--headless --hash-every 50 --replay '{}'", replay)), 0) << output_;
@@ -77,7 +77,7 @@ TEST_F(CodeGame, unknownOptionsAreRejectedWithARemedy) {
     EXPECT_NE(output_.find("unknown option \"--nonsense\""), std::string::npos) << output_;
     EXPECT_EQ(run("--headles"), 2);
     EXPECT_NE(output_.find("did you mean --headless?"), std::string::npos) << output_;
-    EXPECT_EQ(run("--scene level1"), 2) << "it has no scenes";
+    EXPECT_EQ(run("--scene level1"), 2) << "a game in code has no option --scene";
     EXPECT_EQ(run("level1"), 2);
     EXPECT_NE(output_.find("run with --help"), std::string::npos) << output_;
     EXPECT_EQ(run("--frames many"), 2);

@@ -23,7 +23,7 @@ int ticksIn(FramePacer& pacer, double seconds, double rate, float jitter) {
 TEST(FramePacer, theGameRunsInRealTimeOnEveryDisplayEvenIfItReportsAWrongRate) {
     for (const double rate : {50.0, 59.94, 60.0, 62.0, 65.0, 75.0, 144.0, 165.0}) {
         for (const double said : {0.0, 60.0, rate}) {
-            SCOPED_TRACE(testing::Message() << rate << " Hz, said to be " << said);
+            SCOPED_TRACE(testing::Message() << rate << " Hz, reported as " << said);
             FramePacer pacer{said};
             EXPECT_NEAR(ticksIn(pacer, 60.0, rate, 0.001f), 3600, 2);
         }
@@ -34,8 +34,8 @@ TEST(FramePacer, withoutVsyncFramesAreLimitedToTwiceTheDisplayRate) {
     EXPECT_NEAR(FramePacer{60.0}.rest(0.0003), 1.0 / 120.0 - 0.0003, 1e-9);
     EXPECT_NEAR(FramePacer{144.0}.rest(0.0), 1.0 / 288.0, 1e-9);
     EXPECT_NEAR(FramePacer{}.rest(0.0), 1.0 / FramePacer::kUnknownRate, 1e-9);
-    EXPECT_EQ(FramePacer{60.0}.rest(1.0 / 60.0), 0.0) << "the display has waited";
-    EXPECT_NEAR(FramePacer{60.0}.rest(-1.0), 1.0 / 120.0, 1e-9) << "a clock that goes back";
+    EXPECT_EQ(FramePacer{60.0}.rest(1.0 / 60.0), 0.0) << "vsync has already waited";
+    EXPECT_NEAR(FramePacer{60.0}.rest(-1.0), 1.0 / 120.0, 1e-9) << "negative frame time";
 }
 
 TEST(FramePacer, clockJitterIsRemovedIfTheDisplayRateIsKnown) {

@@ -170,7 +170,7 @@ TEST_F(GameContentTest, anotherVersionKeepsTheStateOfARunningGame) {
     EXPECT_EQ(&type, content.types().find("Turret")) << "references stay valid";
     EXPECT_EQ(type.doc, "Shoots twice.");
     ASSERT_TRUE(game.world.has<second::Turret>(entity.id()));
-    EXPECT_EQ(entity.get<second::Turret>().fired, 3) << "by its former name";
+    EXPECT_EQ(entity.get<second::Turret>().fired, 3) << "the field is found by its former name";
     EXPECT_EQ(entity.get<second::Turret>().rate, 7.0f);
     EXPECT_EQ(entity.get<second::Turret>().reach, 5.0f);
     EXPECT_EQ(game.world.resource<second::Score>().hits, 6.0f);

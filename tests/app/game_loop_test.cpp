@@ -24,7 +24,7 @@ TEST(Panning, soundsArePannedByTheirPositionOnScreen) {
     EXPECT_EQ(panAt(160.0f), 0.0f);
     EXPECT_LT(panAt(0.0f), -0.5f);
     EXPECT_GT(panAt(320.0f), 0.5f);
-    EXPECT_EQ(panAt(5000.0f), panAt(320.0f)) << "no farther than the edge";
+    EXPECT_EQ(panAt(5000.0f), panAt(320.0f)) << "panning ends at the screen's edge";
     EXPECT_EQ(panOf(game.world, {}), 0.0f);
     Entity camera = game.world.createEntity();
     camera.addComponent<Transform>(1000.0f, 90.0f);
@@ -77,7 +77,7 @@ TEST(Recording, aReplayStartsLikeItsGame) {
     EXPECT_EQ(begunAsRecorded(options).scene, replay.scene);
     EXPECT_EQ(begunAsRecorded(options).seed, 42u);
     options.scene = "level3";
-    EXPECT_EQ(begunAsRecorded(options).scene, "level3") << "asked for by name";
+    EXPECT_EQ(begunAsRecorded(options).scene, "level3") << "the option has priority over the recording";
     std::filesystem::remove(file);
     EXPECT_EQ(begunAsRecorded(options).seed, options.seed);
 }

@@ -12,9 +12,9 @@ namespace plumb {
 namespace {
 
 constexpr Vec2 kPicture{320.0f, 180.0f};
-constexpr float kFarthest = 24.0f;  ///< px per tick; nothing in the game is faster
+constexpr float kFarthest = 24.0f;  ///< px per tick; no entity of the game moves faster
 
-/// Maximum displacement drawn between the last two ticks of any entity but the camera, px.
+/// Maximum distance that an entity, except the camera, is drawn to move between the last two ticks, px.
 float farthestStep(const World& world) {
     float farthest = 0.0f;
     for (auto [entity, transform] : world.query<const Transform>(without<Camera>)) {

@@ -16,7 +16,7 @@ constexpr double kShortestSample = 100e-6;  // s; shorter samples are affected b
 constexpr std::size_t kMinRounds = 15;
 constexpr std::size_t kMinLongRounds = 3;
 constexpr std::size_t kMaxRounds = 1000000;
-constexpr double kPatience = 3.0;  // s per contestant, after which only kMinLongRounds are run
+constexpr double kPatience = 3.0;  // s per contestant; slower ones get only kMinLongRounds rounds
 
 /// Returns the time to read the clock, s.
 double clockCost() {

@@ -51,7 +51,7 @@ struct Row {
     double ns = 0.0;       ///< ns per item, minimum of all rounds
     double median = 0.0;   ///< ns per item, median of all rounds
     double limitNs = 0.0;  ///< ns per item with plain arrays, in the same race; 0: not measured
-    double target = 0.0;   ///< ns per item to reach on this machine; 0: none
+    double target = 0.0;   ///< maximum ns per item on this machine; 0: no target
     [[nodiscard]] bool met() const { return target == 0.0 || ns <= target; }
 };
 

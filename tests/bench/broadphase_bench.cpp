@@ -176,7 +176,7 @@ void raceCrowds(const Options& options, Results& results) {
         longest.emplace_back(kind.name, race.longest());
     }
     if (!longest.empty()) std::printf("\n");
-    if (!longest.empty()) printKinds("us, the longest step");
+    if (!longest.empty()) printKinds("us of the longest step");
     for (const auto& [name, costs] : longest) printCosts(name, costs);
 }
 
@@ -215,7 +215,7 @@ void measureFalls(const std::string& family, const Options& options, Results& re
     if (!wants(options, family)) return;
     const scenes::Engine engine = scenes::plumbEngine();
     const scenes::Contender contender{&engine, 1};
-    std::printf("\n%-26s %15s %15s\n", family.c_str(), "us a step", "of it broad");
+    std::printf("\n%-26s %15s %15s\n", family.c_str(), "us/step", "broad phase");
     std::vector<Measurement> steps, broad;
     for (const int size : {10, 100, 1000, 10000, 100000}) {
         if (options.quick && size > 1000) break;

@@ -64,7 +64,7 @@ int countInstructions(const char* program, std::string_view function, bool quick
     return result;
 }
 
-/// Command line "[WHAT] [--quick]" of the benchmarks that count instructions.
+/// Command line "[WHAT] [--quick]" of the benchmarks that count instructions with callgrind.
 struct CountedWords {
     std::string_view what;
     bool quick = false;

@@ -10,7 +10,7 @@
 #include "tests/bench/bench.hpp"
 #include "tests/bench/ecs_table.hpp"
 
-// Compares operations of engine/ecs with plain arrays that do the same arithmetic, in the same race.
+// Compares operations of engine/ecs with plain arrays that do the same arithmetic, in alternating runs.
 
 namespace plumb::bench {
 
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> shuffled(std::size_t n) {
 }
 
 /// Minimum implementation of a set of entities with two components that are found by entity number: removing
-/// one moves the last one to its index.
+/// an entity moves the last entity to the freed index.
 struct PlainSet {
     explicit PlainSet(std::size_t n) : indexOf(n), owner(n), position(n), velocity(n) {}
     void add(std::uint32_t which) {
@@ -199,14 +199,14 @@ Case randomGet(std::size_t n) {
              [world, ids] {
                  std::uint64_t sum = 0;
                  for (const EntityId id : ids) sum += world->get<const Counter>(id).value;
-                 const std::uint64_t result = sum;  // so that the sum itself stays in a register
+                 const std::uint64_t result = sum;  // keep(&sum) would force the sum into memory
                  keep(&result);
              }},
             {{},
              [column, ids] {
                  std::uint64_t sum = 0;
                  for (const EntityId id : ids) sum += (*column)[id.index - 1].value;
-                 const std::uint64_t result = sum;  // so that the sum itself stays in a register
+                 const std::uint64_t result = sum;  // keep(&sum) would force the sum into memory
                  keep(&result);
              }},
             n};

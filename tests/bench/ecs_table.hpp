@@ -8,7 +8,7 @@ namespace plumb::bench {
 inline constexpr std::array<std::size_t, 4> kSizes = {1000, 10000, 100000, 1000000};
 
 /// A row of the table of targets: ns per item for each size, measured on a reference machine. On other
-/// machines the target is scaled by the ratio of the limits (the same work with plain arrays) on both. Rows
+/// machines the target is scaled by the ratio of both machines' limits (the same work on plain arrays). Rows
 /// without a limit are scaled by the time to iterate two plain arrays. Rows that create entities have no
 /// limit, because growing vectors would measure the allocator.
 struct TableLine {

@@ -116,14 +116,14 @@ void addSelections(Frames& frames, OpenEditor& editor) {
         nudge(workspace.tools(), {offset = offset > 0.0f ? -1.0f : 1.0f, 0.0f});
         frames.moveMouse();
     };
-    frames.add("one moved in each frame", nudgeOnce);
+    frames.add("one entity moved in each frame", nudgeOnce);
     workspace.undo.endGesture();
     std::vector<editor::ObjectId> some{
         document.objects().begin(),
         document.objects().begin() + static_cast<std::ptrdiff_t>(document.objects().size() / 20)};
     document.selection.set(some);
-    look(frames, editor, "a twentieth selected");
-    frames.add("a twentieth moved in each frame", nudgeOnce);
+    look(frames, editor, "5 % of the entities selected");
+    frames.add("5 % of the entities moved in each frame", nudgeOnce);
     workspace.undo.endGesture();
     document.selection.set(document.objects());
     look(frames, editor, "all selected");
@@ -140,7 +140,7 @@ void addSaving(std::vector<Row>& rows, OpenEditor& editor, std::size_t count, co
         nudge(workspace.tools(), {offset = offset > 0.0f ? -1.0f : 1.0f, 0.0f});
         editor.frame();
     };
-    table.add("frame in which one is moved", count, pacedTimesOf(3, options.quick ? 10 : 200, edit),
+    table.add("frame in which one entity is moved", count, pacedTimesOf(3, options.quick ? 10 : 200, edit),
               1.0 / 60.0);
     workspace.undo.endGesture();
     table.add("save after an edit", count,

@@ -73,7 +73,7 @@ double springError(IntegratorKind kind, Quality quality, float hertz) {
 }  // namespace
 
 int runIntegrators(const Options& options) {
-    std::printf("%-20s %8s %10s %12s %12s %12s\n", "integrator", "substeps", "ns a body", "0.5 Hz", "2 Hz",
+    std::printf("%-20s %8s %10s %12s %12s %12s\n", "integrator", "substeps", "ns/body", "0.5 Hz", "2 Hz",
                 "10 Hz");
     std::vector<Row> rows;
     for (const Quality quality : {Quality{0}, Quality{2}, Quality{4}}) {

@@ -32,7 +32,7 @@ int usage() {
         "plumb-bench physics has other options; an invalid one prints them\n"
         "  LINE         only rows whose name contains LINE\n"
         "  --quick      small sizes and few rounds, only to check that the benchmark runs\n"
-        "  --seconds S  measuring time for each side of each row, default 0.4; if the machine has\n"
+        "  --seconds S  measuring time for each alternative of a row, default 0.4; if the machine has\n"
         "               other work, longer times give better minimums\nnames:");
     for (const Program& program : kPrograms)
         std::printf(" %.*s", static_cast<int>(program.name.size()), program.name.data());

@@ -74,9 +74,9 @@ struct Times {
 /// Prints and collects the rows of a table: times and their targets, ms.
 class TimeTable {
 public:
-    /// @param what  title of the column of names
+    /// @param what  title of the first column, with the names of the rows
     explicit TimeTable(std::string_view what);
-    /// @param target  s, 0: none. Compared with the maximum if it was measured, otherwise with the median
+    /// @param target  s; 0: no target. Compared with the maximum if it was measured, else with the median
     void add(const std::string& name, std::size_t n, Times times, double target);
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 

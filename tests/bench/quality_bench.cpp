@@ -8,7 +8,7 @@
 #include "physics/simulation.hpp"
 #include "tests/bench/bench.hpp"
 
-// Benefit of a tolerance: one hard island among a hundred easy ones, with the same quality for all islands
+// Benefit of an error tolerance: one hard island of bodies among 100 easy ones, with one quality for all
 // and with a tolerance, which selects the quality of each island. Errors are the maximum of the last second.
 //
 // To count instructions, which do not depend on other work of the machine, one dump per row:
@@ -88,7 +88,7 @@ struct Row {
     std::string name;
     World world;
     float error = 0.0f;      // m
-    std::uint64_t work = 0;  // per step: (bodies + contacts + joints) * substeps, over all islands
+    std::uint64_t work = 0;  // per step: sum over islands of (bodies + contacts + joints) * substeps
     bool fell = false;       // the watched body did not stay in place
 
     Row(const Hard& hard, std::string what, Quality quality, float tolerance) : name{std::move(what)} {
@@ -148,7 +148,7 @@ void compare(const Hard& hard, const Options& options, std::vector<bench::Row>& 
             {.prepare = {}, .run = [&world = row.world] { plumb::physics::step(world, kTick); }});
     const std::vector<Timing> timings = race(contestants, options);
     std::printf("\n%s among %d piles of 6\n%-18s %12s %12s %12s\n", hard.name, kPiles, "substeps", "error mm",
-                "us a step", "work");
+                "us/step", "work");
     std::vector<double> costs;
     for (const Timing& timing : timings) costs.push_back(timing.minimum * 1e6);
     for (std::size_t i = 0; i < rows.size(); ++i) {

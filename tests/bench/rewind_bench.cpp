@@ -41,7 +41,7 @@ std::unique_ptr<editor::PlaySession> sessionOf(const Game& game) {
 struct Cost {
     double plain = 0.0;
     double recorded = 0.0;
-    double longestPlain = 0.0;  ///< maximum of one tick
+    double longestPlain = 0.0;  ///< longest tick without recording
     double longestRecorded = 0.0;
     std::size_t bytes = 0;
 };

@@ -109,7 +109,7 @@ void measure(const std::string& name, std::size_t n, Limits limits, World& made,
     }
 }
 
-/// A world of bodies at rest and of bullets; every tick destroys all bullets and creates as many.
+/// A world of bodies at rest and of bullets; every tick destroys all bullets and creates as many new ones.
 class Barrage {
 public:
     static constexpr std::size_t kResting = 10'000, kBullets = 1'000;
@@ -150,7 +150,7 @@ Row barrageRow(const Options& options) {
     Barrage barrage;
     const Contestant contestant{{}, [&] { barrage.tick(Barrage::kBullets); }};
     const Timing timing = race({&contestant, 1}, options).front();
-    constexpr double kTarget = 0.002;  // s a tick
+    constexpr double kTarget = 0.002;  // s per tick
     constexpr auto kItems = static_cast<double>(Barrage::kBullets);
     return {"bullets spawned beside 10,000 at rest",
             Barrage::kBullets,

@@ -106,7 +106,7 @@ std::vector<Row> runStarts(const Options& options) {
     std::vector<double> starts;
     for (int round = 0; round < rounds; ++round) starts.push_back(startOf(project.root()));
     if (medianOf(starts) > 0.0)
-        table.add("the program, its first frame shown", 1, {medianOf(starts), 0.0}, 0.5);
+        table.add("from program start to the first frame", 1, {medianOf(starts), 0.0}, 0.5);
     OpenEditor editor{project.root(), kScene};
     std::vector<double> plays;
     for (int round = 0; round < rounds; ++round) {
@@ -117,7 +117,7 @@ std::vector<Row> runStarts(const Options& options) {
         editor.workspace().stopPlaying();
         editor.frames(2);
     }
-    table.add("play pressed, first tick", 1, {medianOf(plays), 0.0}, 0.1);
+    table.add("Play pressed to first tick", 1, {medianOf(plays), 0.0}, 0.1);
     for (const Kind& kind : kKinds)
         table.add(format("reload of a {}", kind.name), 1, reloadOf(editor, project.root(), kind, rounds),
                   0.1);

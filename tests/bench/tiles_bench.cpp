@@ -35,7 +35,7 @@ constexpr double kFrame = 1.0 / 60.0;  // s
 constexpr int kColumns = 8;            // columns of the tileset
 constexpr int kTerrainTiles = 47;      // number of masks of a blob terrain
 constexpr int kPlainTiles = 17;
-constexpr int kFollowed = 20;  // edits after which the colliders are counted
+constexpr int kFollowed = 20;  // number of edits whose colliders are checked
 
 /// Makes a map whose lower half is ground with round caves, like a real level half empty and half solid.
 TileGrid makeMap(int side) {
@@ -168,7 +168,7 @@ private:
         World& world = workspace().document.world;
         table_.add("first collider", 1, timesOf(1, &wallSeconds, [&](int) { previewPhysics(world); }), 0.1);
         runAction(workspace(), "tool.brush");
-        table_.add("edit one tile, its collider too", 1,
+        table_.add("edit one tile and update its collider", 1,
                    timesOf(200, &wallSeconds,
                            [&](int i) {
                                putTile(i, 0);
@@ -219,7 +219,7 @@ private:
                                stroke(workspace(), {20, 20}, {20, 20});
                            }),
                    0.2);
-        table_.add("undo of it", cells, timesOf(1, &wallSeconds, [&](int) { workspace().undo.undo(); }), 0.2);
+        table_.add("undo fill", cells, timesOf(1, &wallSeconds, [&](int) { workspace().undo.undo(); }), 0.2);
     }
 
     /// Measures frames of painting with the mouse in the window: strokes of 50 frames, each in an area that
@@ -283,7 +283,7 @@ private:
         table_.add("save after an edit", 1, timesOf(rounds_, &wallSeconds, saveOnce), 1.0);
         World& world = workspace().document.world;
         table_.add(
-            "save of a map that is all new", 1,
+            "save after all tiles changed", 1,
             timesOf(1, &wallSeconds,
                     [&](int) {
                         TileGrid grid = makeMap(side_);

@@ -26,7 +26,7 @@ TEST(ChangesTest, writesAreDetectedAndReadsAreNot) {
     mark = world.markChanges();
     world.get<Position>(last).x = 1.0f;
     EXPECT_TRUE(world.changedSince<Position>(last, mark));
-    EXPECT_FALSE(world.changedSince<Position>(first, mark)) << "far away in memory";
+    EXPECT_FALSE(world.changedSince<Position>(first, mark)) << "in another block of memory";
     EXPECT_TRUE(world.changedSince<Position>(mark));
     EXPECT_FALSE(world.changedSince<Velocity>(mark));
 
@@ -36,7 +36,7 @@ TEST(ChangesTest, writesAreDetectedAndReadsAreNot) {
 
     mark = world.markChanges();
     world.destroy(EntityId{500, 1});
-    EXPECT_TRUE(world.changedSince<Position>(last, mark)) << "the last one moved into the gap";
+    EXPECT_TRUE(world.changedSince<Position>(last, mark)) << "moved into the gap of the destroyed one";
 }
 
 TEST(ChangesTest, addedAndRestoredComponentsCountAsChanged) {
@@ -71,11 +71,11 @@ TEST(ChangesTest, removalsAreReportedNearTheirEntity) {
     std::uint64_t mark = world.markChanges();
     world.get<Position>(EntityId{10, 1}).x = 1.0f;
     world.add<Position>(world.createEntity());
-    EXPECT_TRUE(lossesSince(world, mark).empty()) << "nothing was lost";
+    EXPECT_TRUE(lossesSince(world, mark).empty()) << "writing and adding remove nothing";
 
     world.remove<Velocity>(EntityId{10, 1});
     EXPECT_TRUE(contains(lossesSince(world, mark), 10));
-    EXPECT_FALSE(contains(lossesSince(world, mark), 2000)) << "far away in memory";
+    EXPECT_FALSE(contains(lossesSince(world, mark), 2000)) << "in another block of memory";
     mark = world.markChanges();
     world.destroy(EntityId{2000, 1});
     EXPECT_TRUE(contains(lossesSince(world, mark), 2000));
@@ -84,10 +84,10 @@ TEST(ChangesTest, removalsAreReportedNearTheirEntity) {
     for (auto [entity, position] : world.query<const Position>()) {
         if (entity.id().index == 500) world.remove<Position>(entity);
     }
-    EXPECT_TRUE(contains(lossesSince(world, mark), 500)) << "inside a loop";
+    EXPECT_TRUE(contains(lossesSince(world, mark), 500)) << "removed while a query loop ran";
     mark = world.markChanges();
     world.restore(saved);
-    EXPECT_TRUE(contains(lossesSince(world, mark), 10)) << "a snapshot may lack anything";
+    EXPECT_TRUE(contains(lossesSince(world, mark), 10)) << "restoring counts as removing";
     mark = world.markChanges();
     world.clear();
     EXPECT_EQ(lossesSince(world, mark).size(), 3000u);
@@ -113,7 +113,7 @@ TEST(ClusterTest, keepsEveryComponentWithItsEntity) {
         ASSERT_EQ(position.x, velocity.y);
     int runs = 0;
     world.chunks<Position, Velocity>([&](std::size_t, Position*, Velocity*) { ++runs; });
-    EXPECT_LE(runs, 2) << "with and without Frozen";
+    EXPECT_LE(runs, 2) << "one range with Frozen, one without";
 }
 
 TEST(ClusterTest, smallWorldsAreClusteredAutomatically) {
@@ -157,7 +157,7 @@ TEST(ChangesTest, theMembershipCounterIncreasesWithEveryAddAndRemove) {
         return now > std::exchange(before, now);
     };
     world.get<Position>(EntityId{1, 1}).x = 3.0f;
-    EXPECT_FALSE(grew()) << "a write is no change of members";
+    EXPECT_FALSE(grew()) << "writing a field adds no component";
     world.remove<Velocity>(EntityId{1, 1});
     EXPECT_TRUE(grew());
     world.add<Velocity>(EntityId{1, 1});

@@ -9,8 +9,8 @@
 #include "reflect/type_registry.hpp"
 #include "tests/support/random_type.hpp"
 
-// Component types whose description changes while worlds contain components of them: code or scripts were
-// loaded again.
+// Component types whose description (name, fields) changes while worlds contain components of them, as when
+// the editor reloads the code of a game.
 
 namespace plumb {
 namespace {
@@ -76,7 +76,7 @@ TEST_F(ChangedTypes, aThousandRandomEditsKeepEveryFieldThatStays) {
     EXPECT_EQ(compared, 40'000);
     int markers = 0;
     for (auto [entity, marker] : world.query<const Marker>()) markers += marker.value;
-    EXPECT_EQ(markers, 29 * 30) << "components of other types stay";
+    EXPECT_EQ(markers, 29 * 30) << "components of other types are unchanged";
 }
 
 TEST_F(ChangedTypes, loseTheirComponentsWhenTheyAreRemoved) {

@@ -103,7 +103,7 @@ TEST(EntityTest, aStaleHandleNeverRefersToAnotherEntity) {
     Entity second = world.createEntity();
     second.addComponent<Position>(2.0f, 2.0f);
 
-    ASSERT_EQ(second.id().index, first.id().index) << "places are used again";
+    ASSERT_EQ(second.id().index, first.id().index) << "the freed index is used again";
     EXPECT_NE(first, second);
     EXPECT_FALSE(first.alive());
     EXPECT_EQ(first.find<Position>(), nullptr);
@@ -120,7 +120,7 @@ TEST(EntityTest, usingAStaleHandleFailsWithAClearMessage) {
     e.destroy();
     const SentenceCatcher catcher;
 
-    EXPECT_EQ(e.get<Position>().x, 0.0f) << "a blank component, not that of another entity";
+    EXPECT_EQ(e.get<Position>().x, 0.0f) << "an empty component, not the one of another entity";
 #if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
     EXPECT_NE(lastSentence.find("Position was requested from entity 1 (generation 1)"), std::string::npos)
         << lastSentence;
@@ -168,7 +168,7 @@ TEST(EntityTest, tagsTakeNoMemory) {
     EXPECT_TRUE(e.hasComponent<Frozen>());
     EXPECT_NE(e.find<Frozen>(), nullptr);
     EXPECT_EQ(componentType<Frozen>().info.size, 0u);
-    EXPECT_EQ(&e.get<Frozen>(), &world.createEntity().addComponent<Frozen>()) << "all share one";
+    EXPECT_EQ(&e.get<Frozen>(), &world.createEntity().addComponent<Frozen>()) << "tags share one object";
     e.removeComponent<Frozen>();
     EXPECT_FALSE(e.hasComponent<Frozen>());
 }
@@ -205,7 +205,7 @@ TEST(EntityTest, moreThanSixtyFourComponentTypesWork) {
     EXPECT_EQ(world.count<Numbered<99>>(), 1u);
     EXPECT_EQ(world.count<Numbered<10>>(), 1u);
     EXPECT_EQ(countAll(other, All{}), 100);
-    EXPECT_EQ(countAll(world.createEntity(), All{}), 0) << "the new one at the same place has nothing";
+    EXPECT_EQ(countAll(world.createEntity(), All{}), 0) << "a new entity with the freed index is empty";
 }
 
 TEST(EntityTest, aWorldOfTagsOnlyIsClustered) {
@@ -255,7 +255,7 @@ TEST(EntityTest, accessByReflectionReturnsTheSameComponents) {
     EXPECT_NE(world.find(tag, e), nullptr);
     EXPECT_EQ(world.find(type, e), e.find<Position>());
     world.add(type, e);
-    EXPECT_EQ(e.get<Position>().x, 0.0f) << "added again, it has its defaults";
+    EXPECT_EQ(e.get<Position>().x, 0.0f) << "a component added again has default values";
     world.remove(type, e);
     world.remove(tag, e);
     EXPECT_FALSE(world.has(type, e));

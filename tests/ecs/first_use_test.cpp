@@ -60,7 +60,7 @@ TEST(FirstUse, theClusteredOrderDoesNotDependOnTheTypesUsed) {
     plain.cluster();
     const std::vector<std::uint32_t> expected = orderOf(plain);
     ASSERT_EQ(expected.size(), static_cast<std::size_t>(kEntities));
-    ASSERT_FALSE(std::is_sorted(expected.begin(), expected.end())) << "there is nothing to cluster";
+    ASSERT_FALSE(std::is_sorted(expected.begin(), expected.end())) << "nothing was reordered";
 
     const auto expectSame = [&](World& world) {
         world.cluster();

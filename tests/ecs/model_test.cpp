@@ -176,14 +176,14 @@ TEST(ModelTest, propertyASnapshotRestoresEverything) {
 
         for (int step = 0; step < 500; ++step) experiment.act(world);
         const std::uint64_t later = world.hash();
-        EXPECT_NE(later, hash) << "something happened";
+        EXPECT_NE(later, hash) << "the operations must change the world";
         world.restore(saved);
         EXPECT_EQ(world.hash(), hash);
         expectSame(world, then.model);
 
         Experiment again = then;
         for (int step = 0; step < 500; ++step) again.act(world);
-        EXPECT_EQ(world.hash(), later) << "the same acts from the same state give the same state";
+        EXPECT_EQ(world.hash(), later) << "the same operations must give the same state";
         expectSame(world, again.model);
         if (HasFatalFailure()) return;
     }

@@ -48,7 +48,7 @@ struct Tiled {
 struct Frozen {};
 struct Player {};
 
-/// One of many component types with the same members.
+/// One of many component types with the same fields.
 template <int N>
 struct Numbered {
     int value = N;

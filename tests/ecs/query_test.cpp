@@ -260,7 +260,7 @@ TEST(QueryTest, scatteredEntitiesAreFoundAfterEveryChange) {
         ASSERT_EQ(seen, expected);
         seen = 0;
         for (auto [entity, p, v] : world.query<Position, const Velocity>()) {
-            ASSERT_EQ(p.x, v.y) << "both belong to one entity";
+            ASSERT_EQ(p.x, v.y) << "both components must be of the same entity";
             ++seen;
         }
         ASSERT_EQ(seen, expected);
@@ -281,7 +281,7 @@ TEST(PausedTest, queriesSkipPausedEntitiesByDefault) {
     int seen = 0;
     world.each<Position>([&seen](Position&) { ++seen; });
     EXPECT_EQ(seen, 7);
-    EXPECT_TRUE(world.has<Position>(EntityId{3, 1})) << "its components are still found by its id";
+    EXPECT_TRUE(world.has<Position>(EntityId{3, 1})) << "a paused entity is still found by its id";
 
     world.remove<Paused>(EntityId{3, 1});
     EXPECT_EQ(world.query<const Position>().count(), 8u);

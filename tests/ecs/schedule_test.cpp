@@ -34,7 +34,7 @@ struct NamedOne {
 struct Reaper {
     void update(World& world, float) {
         for (auto [entity, position] : world.query<const Position>()) world.commands().destroy(entity);
-        EXPECT_GT(world.entityCount(), 0u) << "commands wait for the end of the system";
+        EXPECT_GT(world.entityCount(), 0u) << "commands are applied after the system";
     }
 };
 struct Mourner {

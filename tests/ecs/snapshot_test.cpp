@@ -81,7 +81,7 @@ TEST(SnapshotTest, restoresResourcesTilesAndTick) {
 
     EXPECT_EQ(world.resource<Score>().coins, 3);
     EXPECT_TRUE(world.resource<Score>().best.empty());
-    EXPECT_EQ(world.findResource<Unhashed>(), nullptr) << "it did not exist then";
+    EXPECT_EQ(world.findResource<Unhashed>(), nullptr) << "not yet added when the snapshot was taken";
     EXPECT_EQ(world.tiles().find(tiles)->at(1, 1), 7u);
     EXPECT_EQ(world.tick, 1u);
     EXPECT_EQ(world.hash(), hash);
@@ -179,7 +179,7 @@ TEST(HashTest, dependsOnlyOnTheState) {
     straight.cluster();
     winding.cluster();
     EXPECT_EQ(straight.hash(), winding.hash());
-    EXPECT_EQ(orderOf(straight), orderOf(winding)) << "clustered, the order is independent of history too";
+    EXPECT_EQ(orderOf(straight), orderOf(winding)) << "clustering makes the order independent of history";
 
     b[1].get<Position>().x += 0.5f;
     EXPECT_NE(straight.hash(), winding.hash());

@@ -43,7 +43,7 @@ protected:
         world.addSystem<MoverSystem>();
         gate = gates.add(typeKey<MoverSystem>(), hasPosition);
         world.provide(gates);
-        EXPECT_EQ(played(1), "mp") << "once although nothing requires it, so that its queries are made";
+        EXPECT_EQ(played(1), "mp") << "p runs once without need, to create its queries";
         EXPECT_EQ(gates.gate(gate).runs, 0u);
     }
     std::string played(int ticks) {
@@ -58,7 +58,7 @@ protected:
 };
 
 TEST_F(SystemGatesTest, aSystemRunsFromTheTickInWhichAComponentRequiresIt) {
-    EXPECT_EQ(played(3), "mmpmp") << "the maker comes first, so that tick has it already";
+    EXPECT_EQ(played(3), "mmpmp") << "in tick 3, m creates the component before p";
     EXPECT_EQ(gates.gate(gate).runs, 2u);
     world.clear();
     EXPECT_EQ(played(2), "mm");
@@ -88,7 +88,7 @@ TEST_F(SystemGatesTest, systemsAddedLaterHaveTheirOwnGates) {
     world.addSystem<EndSystem>();
     const std::string_view order[] = {"MoverSystem", "EndSystem", "MakerSystem", "LateSystem"};
     world.setSystemOrder(order);
-    EXPECT_EQ(played(3), "emlpemleml") << "what is made in one tick ends in the next";
+    EXPECT_EQ(played(3), "emlpemleml") << "e destroys what m made in the previous tick";
 }
 
 TEST_F(SystemGatesTest, gatesAreEvaluatedAgainAfterARestore) {

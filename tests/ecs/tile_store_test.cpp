@@ -23,7 +23,7 @@ TEST(TileStore, aGridIsRemovedWithTheEntityThatReferencesIt) {
     const Entity second = addLayer(world);
     const TilesId gone = first.get<Tiled>().cells;
     first.destroy();
-    EXPECT_EQ(world.tiles().size(), 2u) << "it goes when the next tick begins";
+    EXPECT_EQ(world.tiles().size(), 2u) << "removed only when the next tick begins";
 
     world.beginTick();
 
@@ -124,7 +124,7 @@ TEST(TileStore, assigningAStoreUpdatesLargeGridsInBothDirections) {
         const TileGrid before = *copy.find(id);
         copy = store;
         ASSERT_EQ(*copy.find(id), *store.find(id)) << round;
-        EXPECT_EQ(copy.find(id)->chunk(0, 0), store.find(id)->chunk(0, 0)) << "it is shared";
+        EXPECT_EQ(copy.find(id)->chunk(0, 0), store.find(id)->chunk(0, 0)) << "both must share the chunk";
         grid->set(round, 2047, 7);  // within the same edit; must not change the copy
         EXPECT_EQ(copy.find(id)->at(round, 2047), before.at(round, 2047));
         copy = store;

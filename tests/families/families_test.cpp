@@ -8,8 +8,8 @@
 namespace plumb::families {
 namespace {
 
-// A small part of ./plumb accuracy --families with fixed seeds.
-constexpr int kMembers = 3;
+// Runs a small part of ./plumb accuracy --families, with fixed seeds.
+constexpr int kMembers = 3;  // number of random scenes per family
 
 class Families : public testing::TestWithParam<const Family*> {};
 

@@ -23,7 +23,7 @@
 
 namespace plumb {
 
-/// A level built from characters, 16 px each, with a player:
+/// A level built from rows of characters, each a tile of 16 px, with a player:
 /// # full, - one-way, / and \ slopes of 45 degrees, l h and H L slopes of half that gradient.
 struct Level {
     static constexpr float kTick = 1.0f / 60.0f;  // s

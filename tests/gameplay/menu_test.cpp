@@ -51,7 +51,7 @@ TEST(Menu, movesByOneItemPerPressAndWrapsAround) {
     EXPECT_EQ(level.first.get<Label>().color, level.menu.get<Menu>().selectedColor);
     level.hold(Key::Down);
     level.run(30);
-    EXPECT_EQ(selected(), 1) << "holding is one push";
+    EXPECT_EQ(selected(), 1) << "a held key counts once";
     EXPECT_EQ(level.first.get<Label>().color, level.menu.get<Menu>().color);
     EXPECT_EQ(level.cursor.get<Transform>().position, (Vec2{88, 50}));
     level.hold(Key::Down, false);
@@ -99,12 +99,12 @@ TEST(Menu, theMousePointsAndPresses) {
     EXPECT_EQ(selected(), 1);
     EXPECT_EQ(level.count<PlaySound>(), 1);
     level.press(Key::Up);
-    EXPECT_EQ(selected(), 0) << "a mouse that lies still leaves the keys alone";
+    EXPECT_EQ(selected(), 0) << "a resting mouse does not override keys";
     moveTo({300.0f, 150.0f});
     level.frame.mouseButtons = 1;
     level.tick();
     EXPECT_EQ(selected(), 0);
-    EXPECT_TRUE(level.requests().empty()) << "pressed beside all of them";
+    EXPECT_TRUE(level.requests().empty()) << "a click outside of all items";
     level.frame.mouseButtons = 0;
     moveTo({120.0f, 54.0f});
     level.frame.mouseButtons = 1;
@@ -120,7 +120,7 @@ TEST(Menu, theMousePointsAndPresses) {
     level.press(Key::Up);
     level.tick();
     moveTo({14.0f, 163.0f});
-    EXPECT_EQ(selected(), 1) << "it stays on the screen";
+    EXPECT_EQ(selected(), 1) << "items with `screen` ignore the camera";
 }
 
 TEST(Menu, pauseAndCancelCloseIt) {

@@ -84,7 +84,7 @@ TEST(Hazard, killsThePlayerWhichRespawnsAtTheCheckpoint) {
     EXPECT_FALSE(level.player.hasComponent<Hidden>());
     EXPECT_NEAR(level.at().x, 90.0f, 2.0f);
     EXPECT_EQ(level.player.get<Health>().points, 1);
-    EXPECT_EQ(level.world.resource<GameProgress>().deaths, 1) << "one touch, one death";
+    EXPECT_EQ(level.world.resource<GameProgress>().deaths, 1) << "one touch must count as one death";
 }
 
 TEST(Hazard, withMoreHealthItHurtsOnceAndKnocksBack) {
@@ -112,7 +112,7 @@ TEST(Hazard, fallingBelowTheKillPlaneKills) {
     level.hold(Key::Right, false);
     EXPECT_EQ(level.world.resource<GameProgress>().deaths, 1);
     level.run(90);
-    EXPECT_NEAR(level.at().x, 24.0f, 1.0f) << "without a checkpoint it begins anew where it began";
+    EXPECT_NEAR(level.at().x, 24.0f, 1.0f) << "respawns at the start, without a checkpoint";
 }
 
 TEST(Stompable, diesWhenJumpedOnAndHurtsFromTheSide) {
@@ -251,13 +251,13 @@ TEST(Pause, opensItsSceneWhereThereIsAPlayer) {
     level.world.addSystem<PauseSystem>();
     level.hold(Key::P);
     level.tick();
-    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "the project has no such scene";
+    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "the project has no pause scene";
     level.world.resource<PauseScene>().path = {textId("scenes/pause.scene.json")};
     level.hold(Key::P, false);
     level.tick();
     level.hold(Key::P);
     level.tick();
-    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "no player is there";
+    EXPECT_TRUE(level.world.resource<SceneRequests>().empty()) << "the scene has no player";
     level.hold(Key::P, false);
     level.addPlayer({40, kFloor});
     level.tick();
@@ -300,7 +300,7 @@ TEST(Door, opensForAKeyAndWhileItsButtonIsPressed) {
     bool opened = false;
     for (int i = 0; i < 60; ++i) level.tick(), opened = opened || gate.get<Door>().open;
     EXPECT_TRUE(opened);
-    EXPECT_FALSE(gate.get<Door>().open) << "it stepped off the button";
+    EXPECT_FALSE(gate.get<Door>().open) << "the player left the button";
     level.run(60);
     EXPECT_NEAR(level.at().x, 288.0f, 0.1f);
 }

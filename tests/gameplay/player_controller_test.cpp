@@ -45,7 +45,7 @@ TEST(PlayerController, runsToItsTopSpeedAndStops) {
     EXPECT_EQ(level.velocity().x, 0.0f);
 }
 
-/// Height of a fully held jump, computed from the constants tick by tick.
+/// Height of a jump whose key is held, px, computed tick by tick from the controller's constants.
 float heldJumpHeight(const PlayerController& p) {
     float height = 0.0f;
     float speed = p.jumpSpeed;
@@ -69,7 +69,7 @@ TEST(PlayerController, aHeldJumpReachesTheHeightOfItsConstants) {
         highest = std::min(highest, level.feet());
     }
     EXPECT_NEAR(start - highest, heldJumpHeight(level.player.get<PlayerController>()), 0.5f);
-    EXPECT_TRUE(level.grounded()) << "a held button jumps once";
+    EXPECT_TRUE(level.grounded()) << "a held key must jump once";
 }
 
 TEST(PlayerController, releasingTheKeyEarlyJumpsLower) {
@@ -196,10 +196,10 @@ TEST(PlayerController, oneWayGroundIsPassedUpwardsAndDroppedThrough) {
     level.run(60);
     level.hold(Key::Space, false);
     level.run(30);
-    EXPECT_NEAR(level.feet(), 48.0f, 0.1f) << "it jumped up through the platform and stands on it";
+    EXPECT_NEAR(level.feet(), 48.0f, 0.1f) << "the player stands on the platform";
     level.hold(Key::Down);
     level.run(30);
-    EXPECT_NEAR(level.feet(), 48.0f, 0.1f) << "down alone does nothing";
+    EXPECT_NEAR(level.feet(), 48.0f, 0.1f) << "Down without Jump does nothing";
     level.hold(Key::Space);
     level.run(40);
     EXPECT_NEAR(level.feet(), 96.0f, 0.1f);

@@ -83,7 +83,7 @@ TEST(PushControl, pushesUpToItsSpeedAndJumpsOnlyFromTheGround) {
     room.run(5);
     const float rising = ball.get<RigidBody>().velocity.y;
     room.press(Key::Space);
-    EXPECT_GT(ball.get<RigidBody>().velocity.y, rising) << "it jumped in the air";
+    EXPECT_GT(ball.get<RigidBody>().velocity.y, rising) << "the ball must not jump in the air";
 }
 
 TEST(MouseDrag, grabsHoldsAndReleasesTheBodyUnderTheMouse) {
@@ -120,7 +120,7 @@ TEST(MouseDrag, itsLineConnectsTheHeldBodyWithTheMouse) {
     setParent(room.world, line, hand);
     room.frame.setMouse({100, 100});
     room.run(2);
-    EXPECT_EQ(line.get<Transform>().scale.x, 0.0f) << "nothing is held";
+    EXPECT_EQ(line.get<Transform>().scale.x, 0.0f) << "no line while no body is held";
     room.frame.mouseButtons = 1;
     room.run();
     room.frame.setMouse({100, 180});
@@ -197,7 +197,7 @@ TEST(MouseDrag, carriesAJellyByItsMiddleAndLetsItFall) {
     EXPECT_FALSE(jelly.hasComponent<SoftGrip>());
     EXPECT_TRUE(hand.hasComponent<Hidden>());
     EXPECT_NEAR(middleOf(particlesOf(room, jelly)).y, before.y, 3.0f)
-        << "it does not lie on the ground again";
+        << "the jelly must lie on the ground again";
 }
 
 TEST(MouseDrag, pullsARopeAndAClothWhichKeepTheirLengthAndTheirPins) {
@@ -256,7 +256,7 @@ TEST(Detonator, explodesAtItsTimeOrByItsAction) {
     const float once = ball.get<RigidBody>().velocity.x;
     EXPECT_GT(once, 10.0f);
     room.run(60);
-    EXPECT_NEAR(ball.get<RigidBody>().velocity.x, once, 0.1f) << "it went off again";
+    EXPECT_NEAR(ball.get<RigidBody>().velocity.x, once, 0.1f) << "the detonator must explode once";
     room.press(Key::Space);
     EXPECT_GT(ball.get<RigidBody>().velocity.x, once + 5.0f);
 }
@@ -294,7 +294,7 @@ TEST(TouchColor, isOneColorInTriggersAndItsOwnOutsideOfThem) {
         before = now;
         EXPECT_EQ(now == touched, ball.get<TouchColor>().touched > 0);
     }
-    EXPECT_EQ(changes, 2) << "from one trigger into the next it keeps its color";
+    EXPECT_EQ(changes, 2) << "the color stays from one trigger to the next";
     EXPECT_EQ(before, own);
 }
 

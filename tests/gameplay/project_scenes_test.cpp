@@ -39,7 +39,7 @@ TEST(ProjectScenes, goldenOpenAndSaveChangesNoByteOfAnyScene) {
             ASSERT_TRUE(writeFile(projects / name, saved));
         } else {
             EXPECT_TRUE(saved == *text)
-                << "written in another way than the engine does: UPDATE_GOLDEN=1 mends it";
+                << "the engine saves this scene differently: UPDATE_GOLDEN=1 rewrites the file";
         }
     }
 }

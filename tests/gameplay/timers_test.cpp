@@ -155,7 +155,7 @@ TEST_F(TweenTest, endsWithItsComponent) {
     EXPECT_TRUE(world.resource<Tweens>().entries.empty());
     EXPECT_EQ(ended(), 0);
     tween(world, entity.id(), &Transform::rotation, 1.0f, 1.0f);
-    EXPECT_TRUE(world.resource<Tweens>().entries.empty()) << "there is nothing to change";
+    EXPECT_TRUE(world.resource<Tweens>().entries.empty()) << "a tween must end with its component";
 }
 
 TEST_F(TweenTest, canBeStopped) {

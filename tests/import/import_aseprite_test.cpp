@@ -104,7 +104,7 @@ TEST_F(ImportAsepriteTest, trimmedFramesAreCopiedToCellsOfEqualSize) {
                        "}], " + R"("meta": {"image": "hero.png"}})";
     const AnimationSet set = import(text);
 
-    ASSERT_EQ(set.clips.size(), 1u) << "no tags: one clip of all";
+    ASSERT_EQ(set.clips.size(), 1u) << "without tags all frames are one clip";
     ASSERT_EQ(set.clips[0].frames.size(), 2u);
     const Result<Image> image = decodeImage(*readFile(project_ / set.image), "test");
     ASSERT_TRUE(image.ok());
@@ -117,7 +117,7 @@ TEST_F(ImportAsepriteTest, trimmedFramesAreCopiedToCellsOfEqualSize) {
 TEST_F(ImportAsepriteTest, framesOutsideTheImageAreReported) {
     import("{\"frames\": [{" + frameText(0, 0, 100) + "}, {" + frameText(12, 0, 100) + "}], " +
            R"("meta": {"image": "hero.png"}})");
-    EXPECT_NE(report_.text().find("1 frames reach beyond its 16 x 16 px"), std::string::npos)
+    EXPECT_NE(report_.text().find("1 frames reach beyond the image's 16 x 16 px"), std::string::npos)
         << report_.text();
 }
 

@@ -97,7 +97,7 @@ private:
 struct XmlCounts {
     int layers = 0;
     int objects = 0;
-    std::vector<std::string> names;  ///< must occur in the import's result
+    std::vector<std::string> names;  ///< texts that must occur in the written files or in the report
 };
 
 /// Counts the content of a map, without the importer's code.
@@ -157,7 +157,7 @@ TEST_F(ImportCompletenessTest, nothingOfAMapOfTiledVanishesWithoutALine) {
         countXml(*root, counts, false);
         EXPECT_EQ(imported.report.layers, counts.layers);
         EXPECT_EQ(imported.entitiesWith("tiled", "id"), counts.objects);
-        for (const std::string& name : counts.names) EXPECT_TRUE(imported.has(name)) << name << " is gone";
+        for (const std::string& name : counts.names) EXPECT_TRUE(imported.has(name)) << name << " was lost";
         std::vector<Error> ignored;
         const Result<tiled::Map> map = loadTiledMap(file, ignored);
         ASSERT_TRUE(map.ok());
@@ -237,7 +237,7 @@ TEST_F(ImportCompletenessTest, nothingOfAProjectOfLdtkVanishesWithoutALine) {
         countLdtk(*parseJson(*readFile(file), ""), counts);
         EXPECT_EQ(imported.report.objects, counts.entities);
         EXPECT_EQ(imported.report.tiles, counts.tiles + counts.values);
-        for (const std::string& name : counts.names) EXPECT_TRUE(imported.has(name)) << name << " is gone";
+        for (const std::string& name : counts.names) EXPECT_TRUE(imported.has(name)) << name << " was lost";
         const auto isValues = [](const Json& entity) {
             return endsWith(entity.value("name", ""), " values");
         };

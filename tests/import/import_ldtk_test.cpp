@@ -117,7 +117,7 @@ TEST_F(ImportLdtkTest, aLevelBecomesAnEntityWithLayersAndThingsBelowIt) {
     EXPECT_EQ(report_.levels, 1);
     EXPECT_EQ(report_.layers, 3);
     EXPECT_EQ(report_.objects, 2);
-    EXPECT_EQ(report_.tiles, 4 + 6) << "the values of the IntGrid, and all tiles over them";
+    EXPECT_EQ(report_.tiles, 4 + 6) << "4 IntGrid values and 6 tiles";
 }
 
 TEST_F(ImportLdtkTest, tilesThatLieOverEachOtherBecomeLayersAndThoseOffTheGridSprites) {
@@ -131,7 +131,7 @@ TEST_F(ImportLdtkTest, tilesThatLieOverEachOtherBecomeLayersAndThoseOffTheGridSp
     const Json loose = entity("tile 2")["components"];
     EXPECT_EQ(loose["Transform"]["position"].dump(), "[-8,8]");
     EXPECT_TRUE(loose["Sprite"]["flipX"] == true && loose["Sprite"]["flipY"] == true);
-    EXPECT_GT(loose["Sprite"]["layer"], above["layer"]) << "it is drawn above both";
+    EXPECT_GT(loose["Sprite"]["layer"], above["layer"]) << "drawn above the tiles of the grid";
     EXPECT_EQ(entity("tile 0")["components"]["Sprite"]["tint"], "#ffffff20") << "0.25 of the layer's 0.5";
 }
 
@@ -140,7 +140,7 @@ TEST_F(ImportLdtkTest, valuesOfAnIntGridAreTilesThatAreSolidByTheirName) {
 
     const Json values = entity("Ground values")["components"];
     EXPECT_EQ(values["TileLayer"]["cells"]["rows"].dump(), R"(["0 0 0 0","1 1 2 1"])");
-    EXPECT_TRUE(values.contains("Hidden")) << "rules drew over them";
+    EXPECT_TRUE(values.contains("Hidden")) << "tiles placed by rules replace the values";
     EXPECT_TRUE(values.contains("TileCollider"));
     const Json tileset = read(project_ / values["TileLayer"]["tileset"].get<std::string>());
     EXPECT_EQ(tileset["tiles"][0]["collision"], "full");
@@ -305,7 +305,7 @@ TEST_F(ImportLdtkTest, areasOutsideAnImageAreReported) {
     text.replace(text.find(tile), tile.size(), R"("x": 16, "y": 0, "w": 1e30, "h": 16})");
     import(text);
     EXPECT_FALSE(entity("Chest")["components"].contains("Sprite"));
-    EXPECT_TRUE(tells("its area is not inside an image")) << report_.text();
+    EXPECT_TRUE(tells("the tile's rectangle is negative or too large")) << report_.text();
 }
 
 TEST_F(ImportLdtkTest, aWorldThatFailsLeavesNoFileOfTheOthers) {
@@ -318,7 +318,7 @@ TEST_F(ImportLdtkTest, aWorldThatFailsLeavesNoFileOfTheOthers) {
     const Result<ImportReport> failed = importFile(folder_.path / "art/game.ldtk", scene_, project_);
     ASSERT_FALSE(failed.ok());
     EXPECT_NE(failed.error().text().find("level-Un_der"), std::string::npos) << failed.error().text();
-    EXPECT_EQ(filesBelow(project_, "").size(), 1u) << "project.json";
+    EXPECT_EQ(filesBelow(project_, "").size(), 1u) << "only project.json must exist";
     std::filesystem::remove(project_ / "scenes/level-Un_der.scene.json");
     import(worlds);
     EXPECT_TRUE(readFile(project_ / "scenes/level-Un_der.scene.json").ok());

@@ -37,7 +37,7 @@ protected:
     test::TemporaryFolder folder{test::memoryFolder()};
 };
 
-/// Returns an LDtk project with one level of one layer. @param tiles  JSON of the layer's tiles
+/// Returns an LDtk project with one level of one layer. @param grid  cell size, px @param tiles  tiles, JSON
 std::string ldtkText(int cells, int grid, int tileGrid, const std::string& tiles,
                      const std::string& more = "") {
     return format(

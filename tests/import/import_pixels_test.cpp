@@ -29,7 +29,7 @@ namespace {
 constexpr Vec2 kPicture{320.0f, 180.0f};
 constexpr int kTolerance = 12;    // maximum difference per channel, 0 to 255: filters round differently
 constexpr double kEnough = 0.99;  // minimum ratio of equal pixels outside the mask
-constexpr int kAround = 3;        // px: margin of masked areas, since Tiled's outlines are wide
+constexpr int kAround = 3;        // px: margin of areas not compared, since Tiled's outlines are wide
 
 bool canRasterize() { return std::system("command -v tmxrasterizer > /dev/null 2>&1") == 0; }
 

@@ -245,7 +245,7 @@ TEST_F(ImportTiledTest, anIsometricMapStandsInAGridOfHalfCells) {
     const Json layer = entity("ground")["components"];
     EXPECT_EQ(layer["TileLayer"]["tileSize"].dump(), "[16,8]");
     EXPECT_EQ(layer["TileLayer"]["cells"]["rows"].dump(), R"(["0 1 0","0 0 0","0 1 0"])")
-        << "one behind the other, the farther one first";
+        << "the cell farther back is in the upper row";
     EXPECT_EQ(layer["Transform"]["position"].dump(), "[0,8]");
     const Json area = entity("area");
     EXPECT_EQ(area["components"]["Transform"]["position"].dump(), "[48,8]");
@@ -273,13 +273,13 @@ TEST_F(ImportTiledTest, theMapsOfAWorldComeBelowEntitiesAndShareTheirTilesets) {
     ASSERT_TRUE(report.ok()) << report.error().text();
     EXPECT_EQ(report->levels, 2);
     EXPECT_EQ(report->tilesets, 1);
-    EXPECT_EQ(report->problems.size(), 1u) << "the map that is not there";
+    EXPECT_EQ(report->problems.size(), 1u) << "gone.tmx does not exist";
     const Json right = entity("right");
     EXPECT_EQ(right["components"]["Transform"]["position"].dump(), "[160,-8]");
     int below = 0;
     const Json scene = read(scene_);
     for (const Json& child : scene["entities"]) below += child.value("parent", "") == right["id"] ? 1 : 0;
-    EXPECT_EQ(below, 2) << "its layer and its background";
+    EXPECT_EQ(below, 2) << "the map's layer and background";
     EXPECT_EQ(entity("camera")["components"]["Camera"]["limits"].dump(), "[0,-8,176,24]");
 }
 
@@ -386,8 +386,8 @@ TEST_F(ImportTiledTest, theShapesOfATileBecomeOneOutline) {
     EXPECT_EQ(tiles[3]["collision"].dump(), "[[0,8],[16,8],[16,16],[0,16]]");
     const std::string text = report->text();
     EXPECT_EQ(report->problems.size(), 2u) << text;
-    EXPECT_NE(text.find("tile 2: it has several collision shapes"), std::string::npos) << text;
-    EXPECT_NE(text.find("tile 3: its collision shape reaches out"), std::string::npos) << text;
+    EXPECT_NE(text.find("tile 2: the tile has several collision shapes"), std::string::npos) << text;
+    EXPECT_NE(text.find("tile 3: the collision shape reaches out"), std::string::npos) << text;
 }
 
 TEST_F(ImportTiledTest, whatIsSaidOfManyPlacesIsOneLine) {
@@ -419,10 +419,10 @@ TEST_F(ImportTiledTest, whatIsWrongWithTilesAndPropertiesIsReported) {
     for (const char* line :
          {"the property wet has the type bool and the value \"maybe\"",
           "the property depth has the type int and the value \"deep\"",
-          "there are two properties named twice", "1 frames of its animation are beyond the 4 tiles",
-          "tile 9: it is beyond the 4 tiles", "the image has no file", "visible is \"perhaps\"",
+          "there are two properties named twice", "1 frames of the animation are beyond the 4 tiles",
+          "tile 9: the tile id is beyond the 4 tiles", "the image has no file", "visible is \"perhaps\"",
           "1 cells contain tile ids beyond the 4 tiles of tileset land",
-          "object 3: its tile 11 is beyond the 4 tiles"})
+          "object 3: the object's tile 11 is past the 4 tiles"})
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
     EXPECT_EQ(read(scene_)["properties"]["wet"], "maybe");
     EXPECT_EQ(read(scene_)["properties"]["twice"], "b");

@@ -11,7 +11,7 @@ using namespace test;
 struct Swing {
     World world;
     BodyId body;
-    double stiffness = 0.0;  // N/m
+    double stiffness = 0.0;  // stiffness of the spring, N/m
 
     [[nodiscard]] double energy() const {
         const double x = positionOf(world, body).x, v = velocityOf(world, body).x;
@@ -56,7 +56,7 @@ TEST(Integrators, showTheErrorsOfTheirSchemesOnASlowSpring) {
     EXPECT_NEAR(worstError(IntegratorKind::ExplicitEuler, 0.5), 4.2, 0.05);
     EXPECT_NEAR(worstError(IntegratorKind::SemiImplicitEuler, 0.5), 0.027, 0.001);
     EXPECT_NEAR(worstError(IntegratorKind::Verlet, 0.5), 7.0e-4, 0.2e-4);
-    // In exact arithmetic it is 1.7e-7; velocities are stored as floats.
+    // In exact arithmetic the error is 1.7e-7, but velocities are stored as floats.
     EXPECT_LT(worstError(IntegratorKind::Rk4, 0.5), 2.0e-6);
 }
 

@@ -153,8 +153,8 @@ TEST(KeepEnergy, isCheckedInIslandsWithoutJointsOnlyAfterAnImpact) {
         scene.run(JointWorld::kDt);
         for (const std::uint32_t body : scene.world.work.get().gainers) gained |= body == crate.index;
     }
-    EXPECT_TRUE(gained) << "from the other";
-    EXPECT_GT(velocityOf(scene.world, crate).x, 5.0f) << "and keeps it";
+    EXPECT_TRUE(gained) << "the crate gains energy from the other body";
+    EXPECT_GT(velocityOf(scene.world, crate).x, 5.0f) << "the crate keeps the gained energy";
 }
 
 TEST(KeepEnergy, lostEnergyMayReturnForALimitedTime) {
@@ -167,7 +167,7 @@ TEST(KeepEnergy, lostEnergyMayReturnForALimitedTime) {
     }
     scene.run(1.0f);
     const float lost = scene.world.bodies.energies[pair.a.index].credit;
-    EXPECT_GT(lost, 10.0f);  // J, of the initial 50 J
+    EXPECT_GT(lost, 10.0f);  // J; the initial energy is 50 J
     EXPECT_LT(lost, 50.0f);
     scene.run(10.0f);
     EXPECT_LT(scene.world.bodies.energies[pair.a.index].credit, 1.0f);

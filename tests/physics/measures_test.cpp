@@ -87,7 +87,7 @@ TEST(Measures, distanceIsThatOfTheFarthestBody) {
     EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12);
     addBall(other, {100.0, 0.0});
     EXPECT_NEAR(largestDistanceOf(world, other), 5.0, 1e-12)
-        << "a body that is in only one of them does not count";
+        << "bodies that exist in only one of the worlds are not compared";
 }
 
 }  // namespace

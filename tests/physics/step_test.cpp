@@ -92,7 +92,7 @@ TEST(Step, dragDoesNotSlowKinematicBodies) {
                                                       .angularVelocity = 1.0f,
                                                       .linearDrag = 1.0f,
                                                       .angularDrag = 1.0f});
-    // a body with drag makes the drag effect run
+    // A body with drag makes the world run the drag effect.
     static_cast<void>(*createBody(scene.world, {.linearDrag = 1.0f}));
     scene.run(60);
     EXPECT_EQ(scene.velocity(platform), (Vec2{1.0f, 0.0f}));
@@ -127,7 +127,7 @@ TEST(Step, theForceUnderAStackIsItsWeight) {
     scene.floor();
     for (int i = 0; i < 10; ++i) scene.crate({0.0, 0.5 + i});
     scene.run(600);
-    // Impulse of a substep divided by its length is a force.
+    // The impulse of a substep divided by the substep's duration is a force.
     const float h = kTick / 4.0f;
     float force = 0.0f;
     for (const Contact& contact : scene.world.contacts) {
@@ -276,8 +276,8 @@ TEST(Step, aPositiveSurfaceSpeedMovesAroundTheShapeFromXToY) {
             const BodyId crate = scene.body(BodyKind::Dynamic, WorldPosition{} + 20.5f * outward);
             scene.shape(crate, box({0.5f, 0.5f}), {.surfaceSpeed = movesBelt ? 2.0f : 0.0f});
             scene.run(60);
-            // The surface of the crate itself drives it the opposite way around its own outline, which is the
-            // same direction as on a belt below.
+            // The crate's own surface moves in the opposite direction around the crate's outline, which
+            // drives the crate in the same direction as a belt below it.
             EXPECT_NEAR(dot(scene.velocity(crate), along), 2.0f, 0.01f) << outward.x << " " << outward.y;
         }
     }

@@ -34,7 +34,7 @@ TEST(Tuning, changesResultsInTunableBuilds) {
     for (const tuning::Constant* constant = tuning::constants; constant != nullptr;
          constant = constant->next) {
         EXPECT_TRUE(names.insert(constant->name).second) << constant->name;
-        EXPECT_NE(constant->value, 0.0) << constant->name << ": half and double of it are the same";
+        EXPECT_NE(constant->value, 0.0) << constant->name << ": halving and doubling 0 has no effect";
         EXPECT_STRNE(constant->unit, "") << constant->name;
         EXPECT_STRNE(constant->derivation, "") << constant->name;
         if (std::string{constant->name} == "kMaxTurn") turn = constant;
@@ -45,7 +45,7 @@ TEST(Tuning, changesResultsInTunableBuilds) {
     const std::uint64_t other = hashOfScene("tumbler");
     turn->set(turn->value);
     EXPECT_NE(other, usual);
-    EXPECT_EQ(hashOfScene("tumbler"), usual) << "the value of the table again";
+    EXPECT_EQ(hashOfScene("tumbler"), usual) << "the default value must be restored";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 
 using physics::JointKind;
 
-// bodies of this group do not collide with each other
+// Bodies with this negative group do not collide with each other.
 constexpr physics::ShapeDefinition kGhost{.group = -1};
 
 void join(Playground& scene, const physics::JointDefinition& definition) {
@@ -69,13 +69,13 @@ TEST(ReferenceJoints, aChainCarriesAThousandTimesTheMassOfALink) {
 /// shape is known; with many rods it approaches y = a cosh(x / a).
 TEST(ReferenceJoints, aChainBetweenTwoPostsIsACatenary) {
     constexpr int kRods = 40;
-    constexpr double kLength = 0.25, kPull = 10.0;  // m; N, horizontal component
+    constexpr double kLength = 0.25, kPull = 10.0;  // of a rod, m; horizontal tension, N
     Playground scene;
     const float halfWidth = 0.5f * static_cast<float>(kLength);
     std::vector<BodyId> rods;
     double weight = 0.0, x = 0.0, y = 0.0;
     std::vector<physics::WorldPosition> ends{{0.0, 0.0}};
-    const double one = 10.0 * kLength * 0.125;  // N, weight of a rod with a height of 1/8 m
+    const double one = 10.0 * kLength * 0.125;  // weight of a rod with a height of 1/8 m, N
     std::vector<double> slopes;
     for (int i = 0; i < kRods; ++i) {
         slopes.push_back(std::atan(one * (i - 0.5 * (kRods - 1)) / kPull));

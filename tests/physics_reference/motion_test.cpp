@@ -95,8 +95,8 @@ TEST(ReferenceMotion, aDiscRollsOffACylinder) {
         phi += kH * speed;
         speed += 0.5 * kH * rise(phi);
     }
-    ASSERT_GT(std::cos(phi), 4.0 / 7.0) << "it lifts off";
-    ASSERT_GT(phi, 0.5) << "it hardly moves";
+    ASSERT_GT(std::cos(phi), 4.0 / 7.0) << "the disc must not lift off yet";
+    ASSERT_GT(phi, 0.5) << "the disc must have moved";
     const Answer answer = solved(scene.world, kSeconds, {.wantedError = 1.0e-7});
     expectHonest(farFrom(of(answer, disc), 1.5 * std::sin(phi), 1.5 * std::cos(phi)), answer.error);
     EXPECT_NEAR(answer.order, 2.0, 0.3);
@@ -167,7 +167,7 @@ TEST(ReferenceMotion, obliqueCollisionsConserveMomentumAndEnergy) {
     const BodyId one = scene.ball({-3.0, -0.6}, 0.5f, kElastic), two = scene.ball({}, 0.5f, kElastic);
     ASSERT_TRUE(physics::setVelocity(scene.world, one, {4.0f, 0.0f}).ok());
     const Answer answer = solved(scene.world, 2.0);
-    const double along = 4.0 * 0.8, after = 2.0 - (3.0 - 0.8) / 4.0;  // s after the collision
+    const double along = 4.0 * 0.8, after = 2.0 - (3.0 - 0.8) / 4.0;  // m/s; time after the impact, s
     const double x = along * 0.8, y = along * 0.6;
     EXPECT_NEAR(of(answer, two).velocityX, x, 1.0e-7);
     EXPECT_NEAR(of(answer, two).velocityY, y, 1.0e-7);

@@ -68,7 +68,7 @@ void play(const Scene& scene, SceneBuilder& world, int steps) {
     for (int step = 0; step < steps && before; ++step) before(world, step);
 }
 
-// Published counts of the ten benchmark scenes, after all steps.
+// The ten benchmark scenes must have the published numbers of objects, after all steps.
 TEST(Scenes, theTenScenesHaveTheirPublishedCounts) {
     const std::map<std::string, Counts> published{{"joint_grid", {10000, 9993, 10000, 19800}},
                                                   {"large_pyramid", {5051, 5050, 5051, 0}},
@@ -129,7 +129,7 @@ TEST(Scenes, aFallingRagdollIsBuiltWithItsJointsClosed) {
     play(*findScene("rain"), world, 1);
 
     EXPECT_EQ(countsOf(world).hinges, 250u);
-    EXPECT_LE(errorOf(world).maxJointError, 2e-5);  // tolerance of floats 220 m above the origin
+    EXPECT_LE(errorOf(world).maxJointError, 2e-5);  // rounding of floats 220 m above the origin
 }
 
 TEST(SceneError, detectsOverlapsOpenJointsAndInvalidNumbers) {

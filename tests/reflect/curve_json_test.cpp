@@ -98,7 +98,7 @@ TEST_F(CurveJson, aValueOutsideItsRangeIsClampedAndReported) {
     ASSERT_TRUE(read(R"(["smooth", [0, -1], [1, 7]])").ok());
     EXPECT_EQ(fade.curve, Curve::line(0.0f, 2.0f));
     ASSERT_EQ(context.warnings.size(), 2u);
-    EXPECT_NE(context.warnings[1].text().find("key 1 has 7, outside 0 to 2"), std::string::npos);
+    EXPECT_NE(context.warnings[1].text().find("key 1 has the value 7, outside 0 to 2"), std::string::npos);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST_F(RendererTest, aRunIsDrawnInItsLayerAndSharesTheBatchOfAdjacentSprites) {
     addRun(0, 10.0f, 2);
     addRun(0, 10.0f, 0);
     EXPECT_EQ(list.spriteCount(), 6u);
-    EXPECT_EQ(list.culledCount(), 15u) << "what was not filled";
+    EXPECT_EQ(list.culledCount(), 15u) << "reserved quads that were not filled";
 
     const std::vector<SpriteInstance> order = drawn();
     ASSERT_EQ(order.size(), 6u);
@@ -259,7 +259,7 @@ TEST_F(RendererTest, distantLayersAreDrawnToASmallTargetAndEnlargedBehindTheOthe
 
     device.clearDraws();
     renderer.draw(list, window, {small, -200});
-    EXPECT_TRUE(device.showCalls.empty()) << "nothing lies behind";
+    EXPECT_TRUE(device.showCalls.empty()) << "no layer is below -200";
     EXPECT_EQ(device.spriteDraws.size(), 1u);
 }
 

@@ -54,7 +54,7 @@ TEST_F(TextureLibraryTest, aChangedTextureIsUploadedAgain) {
     assets.addTexture("a", filled(32, 32, 3));
     textures.refresh();
     EXPECT_EQ(textures.regionOf(id).width, 32);
-    EXPECT_NE(textures.version(), version) << "what was made of the old region must be made anew";
+    EXPECT_NE(textures.version(), version) << "users of the old region must rebuild";
 }
 
 TEST_F(TextureLibraryTest, theRegionOfAnUnloadedTextureIsReused) {
@@ -65,7 +65,7 @@ TEST_F(TextureLibraryTest, theRegionOfAnUnloadedTextureIsReused) {
 
     textures.refresh();
 
-    EXPECT_NE(textures.version(), version) << "what was made of the old region must be made anew";
+    EXPECT_NE(textures.version(), version) << "users of the old region must rebuild";
     const TextureId next = assets.addTexture("next", filled(place.width, place.height, 9));
     EXPECT_EQ(textures.regionOf(next), place);
     EXPECT_EQ(device.texturesCreated, 1u);

@@ -65,7 +65,7 @@ TEST_F(TileChunksTest, aChangedTileRebuildsOnlyItsChunk) {
     EXPECT_EQ(chunks.builtCount(), 5u);
     grid.set(99, 99, cellOf(1));
     draw();
-    EXPECT_EQ(chunks.builtCount(), 5u) << "a change out of sight costs nothing";
+    EXPECT_EQ(chunks.builtCount(), 5u) << "a changed invisible chunk is not rebuilt";
 }
 
 TEST_F(TileChunksTest, everyTileIsDrawnExactlyOnceAtItsCell) {
@@ -90,8 +90,8 @@ TEST_F(TileChunksTest, everyTileIsDrawnExactlyOnceAtItsCell) {
     }
 }
 
-/// Counts pairs of overlapping tiles that are drawn in the wrong order. Correct is the order of cells: row by
-/// row from the top, each row from the left.
+/// Counts pairs of overlapping tiles that are drawn in the wrong order. The right order is that of the cells:
+/// row by row from the top, each row from the left.
 int wronglyOverlapping(const RecordingDevice& device, float cell) {
     std::vector<SpriteInstance> drawn;
     for (const RecordingDevice::SpriteDraw& draw : device.spriteDraws)

@@ -50,7 +50,7 @@ build_player() { # NAME COMPILER FLAGS
         build_targets "$1" plumb-player plumb-physics-hashes
 }
 
-# True if a program can be built for that system and runs here.
+# True if a program can be built for this target system and runs on this machine.
 can_go() { # NAME RUNNER COMPILER FLAGS
     # shellcheck disable=SC2086
     echo '#include <vector>
@@ -91,7 +91,7 @@ compare_physics() { # NAME RUNNER...
     local program hashes
     program=$(find "$build/$1/bin" -name 'plumb-physics-hashes*' 2>/dev/null || true)
     [ -n "$program" ] || return 0  # the build has reported the error
-    # They take seconds, but an emulated system may hang at start.
+    # The hashes take seconds, but an emulated system may hang at start.
     hashes=$(timeout 600 "${@:2}" "$program" 2>"$build/$1.log" </dev/null | tr -d '\r') || { tail -n 10 "$build/$1.log"; hashes+=" (ended early)"; }
     diff <(echo "$hashes") "$root/tests/replay/physics.golden" && return 0
     echo "$1: scenes of the physics library differ"

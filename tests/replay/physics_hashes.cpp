@@ -1,7 +1,7 @@
-// Prints a hash of the functions of math/portable.hpp and one for each golden scene. ./plumb test --compilers
-// compares the output of builds with all compilers; ./plumb test --record writes it to physics.golden. Every
-// available instruction set and multiple threads must give the same hash; a different one is printed on a
-// line of its own.
+// Prints a hash of the functions of math/portable.hpp, and the state hash of each golden scene. ./plumb test
+// --compilers compares the output of builds with all compilers; ./plumb test --record writes the output to
+// physics.golden. Every available instruction set, and multiple threads, must give the same hash of a scene;
+// a different hash is printed on a line of its own.
 
 #include <bit>
 #include <cstdio>

@@ -1,11 +1,11 @@
-// Plays projects/platformer automatically from the title to the end screen and writes the replay that
-// PlatformerReplay plays. Must be run after changes of the levels or of the player's motion:
+// Plays projects/platformer automatically from the title to the end screen and writes the replay that the
+// test PlatformerReplay plays. Run it after changes of the levels or of the player's motion:
 //
 //   ninja -C build/release solve_platformer && build/release/bin/solve_platformer
 //   tests/replay/platformer.replay
 //
 // Method: best-first search over short bursts of input, each tried from a snapshot of the world. States with
-// a short path to the goal along free tiles are tried first. Due to the snapshots nothing is played twice.
+// a short path to the goal along free tiles are tried first. Due to the snapshots no tick is played twice.
 
 #include <cstdio>
 #include <deque>
@@ -46,7 +46,7 @@ InputFrame frameOf(const Burst& burst, int tick) {
     return frame;
 }
 
-/// Number of steps from every free tile to the goal along free tiles, including diagonals.
+/// Stores the number of tiles from every free tile to the goal along free tiles, including diagonals.
 class Distances {
 public:
     explicit Distances(World& world) {

@@ -49,8 +49,8 @@ EntityId shoot(World& world, float x) {
     return bullet;
 }
 
-/// Number of entities compared by the bridge for one spawn and one destruction, next to `resting` bodies at
-/// rest.
+/// Returns how many entities the physics bridge compares for one spawn and one destruction in a world with
+/// `resting` bodies at rest.
 std::uint64_t visitsOfOneBullet(int resting) {
     World world;
     world.addSystem<PhysicsSystem>();

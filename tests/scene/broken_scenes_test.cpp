@@ -32,7 +32,7 @@ std::string scene(const std::string& entities, const std::string& head = "") {
     return "{\"format\": 1, \"effects\": {}, \"layers\": [], " + head + "\"entities\": [" + entities + "]}";
 }
 
-/// Puts the entity between two valid ones, which must load.
+/// Returns a scene with the entity between two valid ones, which must load.
 std::string among(const std::string& entity) {
     return scene(R"({"id": "a1", "name": "first", "components": {"Transform": {"position": [1, 2]}}}, )" +
                  entity + R"(, {"id": "a3", "name": "last", "components": {"Transform": {}}})");

@@ -70,7 +70,7 @@ struct DrawScene : testing::Test {
         device.clearDraws();
         renderer.draw(world, kPicture, alpha, {.width = 320 * factor, .height = 180 * factor});
     }
-    /// Returns the last drawn sprite, with its position in px from the upper left corner of the image.
+    /// Draws and returns the last sprite; its position is in px from the upper left corner of the image.
     SpriteInstance drawn(float alpha) {
         draw(alpha);
         SpriteInstance sprite = device.spriteDraws.back().instances.back();
@@ -222,7 +222,7 @@ TEST_F(DrawScene, aCameraThatMovesFartherThanItsViewIsNotInterpolated) {
     camera.get<Camera>().follow = hero;
     tick([] {});
     tick([&] { hero.get<Transform>().position.x += 30.0f; });
-    EXPECT_NEAR(cameraView(world, kPicture, 0.5f).center.x, 175.0f, 1e-3f) << "a step is drawn between ticks";
+    EXPECT_NEAR(cameraView(world, kPicture, 0.5f).center.x, 175.0f, 1e-3f) << "a normal step is interpolated";
     tick([&] { teleport(hero.get<Transform>(), {2000.0f, 90.0f}); });
     for (const float alpha : {0.0f, 0.4f, 1.0f}) {
         EXPECT_EQ(cameraView(world, kPicture, alpha).center, (Vec2{2000.0f, 90.0f}));
@@ -246,7 +246,7 @@ TEST_F(DrawScene, softwareRenderingDrawsBackdropsSmallAndEnlargesThemOnce) {
     addBackdrop({0.3f, 0.0f}, -90);
     addSprite({100.0f, 50.0f}, 5);
     draw(1.0f);
-    EXPECT_TRUE(device.showCalls.empty()) << "a graphics card draws everything at the window's pixels";
+    EXPECT_TRUE(device.showCalls.empty()) << "not used with a graphics card";
 
     device.software = true;
     draw(1.0f);
@@ -260,13 +260,13 @@ TEST_F(DrawScene, softwareRenderingDrawsBackdropsSmallAndEnlargesThemOnce) {
     }
 
     draw(1.0f, 1);
-    EXPECT_TRUE(device.showCalls.empty()) << "nothing is enlarged";
+    EXPECT_TRUE(device.showCalls.empty()) << "nothing is enlarged at a window scale of 1";
     addBackdrop({0.5f, 0.5f}, -95).get<Transform>().rotation = 0.1f;
     draw(1.0f);
     ASSERT_EQ(device.showCalls.size(), 1u);
     EXPECT_EQ(device.spriteDraws.front().viewport.width, 320);
     EXPECT_EQ(device.spriteDraws.front().instances.size(), 1u)
-        << "from the turned one on all is drawn finely";
+        << "layers from the rotated backdrop upward are drawn at window resolution";
 }
 
 TEST_F(DrawScene, softwareRenderingUsesAtMostTripleResolution) {

@@ -33,7 +33,7 @@ struct ImportCommit : testing::Test {
             const std::string own = *readFile(root / "assets" / file);
             all = all == "none" || all == own ? own : "mixed";
         }
-        return files.empty() || files.size() == filesOf("").size() ? all : "some are missing";
+        return files.empty() || files.size() == filesOf("").size() ? all : "some files are missing";
     }
 };
 
@@ -77,7 +77,7 @@ TEST_F(ImportCommit, aKilledImportIsCompletedOrReverted) {
         finished += content() == "mixed" ? 1 : 0;
         finishImport(root);
         ASSERT_NE(content(), "mixed") << round;
-        ASSERT_NE(content(), "some are missing") << round;
+        ASSERT_NE(content(), "some files are missing") << round;
         ASSERT_TRUE(commitImport(root, filesOf("after")).ok());
         ASSERT_EQ(content(), "after");
         EXPECT_FALSE(std::filesystem::exists(root / ".plumb"));

@@ -93,7 +93,7 @@ TEST_F(ParticleScene, theNumberAliveIsRateTimesLifetime) {
     emitter.lifetimeSpread = 0.8f;
     const Entity spread = add(emitter);
     run(60);
-    EXPECT_NEAR(particles().find(even)->count, 200.0, 1.0) << "none has died yet";
+    EXPECT_NEAR(particles().find(even)->count, 200.0, 1.0) << "no particle has ended yet";
     run(240);
     for (int i = 0; i < 20; ++i) {
         run(7);
@@ -146,7 +146,7 @@ TEST_F(ParticleScene, worldSpaceParticlesStayAndLocalOnesMoveWithTheEmitter) {
     run(2);
     const auto first = [&](Entity entity) { return particles().x[particles().find(entity)->first]; };
     EXPECT_EQ(first(world0), 0.0f);
-    EXPECT_EQ(first(local), 0.0f) << "from the emitter";
+    EXPECT_EQ(first(local), 0.0f) << "local: distance from the emitter, px";
 }
 
 TEST_F(ParticleScene, aMovingEmitterLeavesNoGapsBetweenTicks) {
@@ -209,9 +209,9 @@ TEST_F(ParticleScene, burstsOccurAtTheStartOfEachCycleAndAfterRestarting) {
     EXPECT_EQ(particles().find(loops)->count, 50u);
     EXPECT_EQ(particles().find(once)->count, 50u);
     run(25);
-    EXPECT_EQ(particles().find(loops)->count, 0u) << "all have lived";
+    EXPECT_EQ(particles().find(loops)->count, 0u) << "all particles of the first burst have ended";
     run(6);
-    EXPECT_EQ(particles().find(loops)->count, 50u) << "the next turn";
+    EXPECT_EQ(particles().find(loops)->count, 50u) << "the next cycle emits a burst";
     EXPECT_EQ(particles().find(once)->count, 0u);
     once.get<ParticleEmitter>().playing = false;
     run(1);
@@ -235,7 +235,7 @@ TEST_F(ParticleScene, theNumberOfParticlesIsLimited) {
     EXPECT_EQ(particles().alive(), 100u);
     entity.get<ParticleEmitter>().maximum = 900;
     run(30);
-    EXPECT_EQ(particles().alive(), 900u) << "it gets the room that it wants";
+    EXPECT_EQ(particles().alive(), 900u) << "the limit may be raised later";
 }
 
 TEST_F(ParticleScene, aPrewarmedEmitterIsFullFromTheFirstTick) {
@@ -295,7 +295,7 @@ TEST_F(ParticleScene, particlesDependOnlyOnThePersistentId) {
             hasher.add(particles.x[i]), hasher.add(particles.velocityY[i]);
         return hasher.value();
     };
-    EXPECT_EQ(hashOf(77, 0), hashOf(77, 5)) << "not from its place in memory";
+    EXPECT_EQ(hashOf(77, 0), hashOf(77, 5)) << "not on the index of the entity";
     EXPECT_NE(hashOf(77, 0), hashOf(78, 0));
 }
 
@@ -421,7 +421,7 @@ TEST_F(ParticlePictures, curvesAndColorsFollowTheLife) {
     EXPECT_EQ(half.slot & kSpriteAdditive, 0u);
     run(31);
     look(1.0f);
-    EXPECT_TRUE(list.instances().empty()) << "its life is over";
+    EXPECT_TRUE(list.instances().empty()) << "the particle's lifetime is over";
 }
 
 TEST_F(ParticlePictures, localParticlesAreTransformedWithTheirEmitter) {

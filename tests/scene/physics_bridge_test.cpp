@@ -81,7 +81,7 @@ TEST(PhysicsBridge, effectsThatAreNotRequiredDoNotRun) {
     ball.get<RigidBody>().velocity = {60, 0};
     ground(world, {105, -50}, 20, 100);
     run(world, 60);
-    EXPECT_FLOAT_EQ(ball.get<Transform>().position.x, 160.0f) << "no contacts: it goes through the wall";
+    EXPECT_FLOAT_EQ(ball.get<Transform>().position.x, 160.0f) << "without contacts it passes the wall";
     EXPECT_FLOAT_EQ(ball.get<Transform>().position.y, 0.0f) << "no gravity";
     EXPECT_TRUE(world.resource<PhysicsState>().world.contacts.empty());
 }
@@ -278,7 +278,7 @@ TEST(PhysicsBridge, bodiesMoveWithAFallingParent) {
         const Vec2 before = worldPose(world, sign.id()).position;
         run(world, 1);
         if (i > 0) {
-            EXPECT_NEAR(bodyPlace(world, sign).y, before.y, 0.01f) << "where it was drawn last";
+            EXPECT_NEAR(bodyPlace(world, sign).y, before.y, 0.01f) << "follows by one tick";
         }
     }
     EXPECT_GT(bodyPlace(world, sign).y, 50.0f);
@@ -299,7 +299,7 @@ TEST(PhysicsBridge, tileLayersAreSolidAndFollowChanges) {
     const auto* before = world.resource<PhysicsState>().terrains[0].outlines.get();
     run(world, 10);
     EXPECT_EQ(world.resource<PhysicsState>().terrains[0].outlines.get(), before)
-        << "an unchanged grid is kept";
+        << "outlines of an unchanged grid are kept";
     TileGrid& edited = *world.tiles().edit(level.get<TileLayer>().cells);
     for (int x = 0; x < 20; ++x) edited.set(x, 3, 0);
     run(world, 30);

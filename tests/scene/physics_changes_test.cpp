@@ -23,7 +23,7 @@ TEST(PhysicsChanges, aColliderThatGrowsPushesItsBodyUp) {
     EXPECT_NEAR(Scene::place(ball).y, 92.0f, 0.4f);
     ball.get<CircleCollider>().radius = 20.0f;
     scene.run(120);
-    EXPECT_NEAR(Scene::place(ball).y, 80.0f, 0.4f) << "also while it sleeps";
+    EXPECT_NEAR(Scene::place(ball).y, 80.0f, 0.4f) << "a sleeping ball that grows is pushed up too";
     ball.get<Transform>().scale = {2.0f, 2.0f};
     scene.run(120);
     EXPECT_NEAR(Scene::place(ball).y, 60.0f, 0.4f);
@@ -49,7 +49,7 @@ TEST(PhysicsChanges, bodiesCanChangeTheirKindAtRunTime) {
     EXPECT_NEAR(Scene::place(crate).y, 84.0f, 0.4f);
     crate.get<BoxCollider>().isTrigger = true;
     scene.run(60);
-    EXPECT_GT(Scene::place(crate).y, 150.0f) << "nothing holds a trigger";
+    EXPECT_GT(Scene::place(crate).y, 150.0f) << "a trigger falls through the floor";
 }
 
 TEST(PhysicsChanges, touchedEntitiesMayBeDestroyedInsideTheLoopOverContacts) {
@@ -98,7 +98,7 @@ TEST(PhysicsChanges, aHingeKeepsItsAnglesWhenItsLimitsChange) {
     };
     EXPECT_NEAR(endOfTurn(4.0f), 1.0f, 0.02f);
     arm.get<RevoluteJoint>().upper = 2.0f;
-    EXPECT_NEAR(endOfTurn(4.0f), 2.0f, 0.02f) << "from the angle at the start";
+    EXPECT_NEAR(endOfTurn(4.0f), 2.0f, 0.02f) << "angles are measured from the initial one";
     EXPECT_NEAR(endOfTurn(-4.0f), -1.0f, 0.02f);
 }
 
@@ -129,7 +129,7 @@ TEST(PhysicsChanges, ropesAreRemovedAndRestoredWithTheirEnds) {
     EXPECT_LT(Scene::place(load).y, 62.0f);
     hook.destroy();
     scene.run(30);
-    EXPECT_GT(Scene::place(load).y, 100.0f) << "nothing holds it";
+    EXPECT_GT(Scene::place(load).y, 100.0f) << "without its hook the load falls";
     hook = scene.floor(Scene::place(load), {4, 4});
     load.get<DistanceJoint>().other = hook;
     scene.run(240);
@@ -251,7 +251,7 @@ TEST(PhysicsChanges, unchangedComponentsAreNotVisited) {
     scene.run(10);
     const std::uint64_t mark = scene.state().mark;
     scene.world.beginTick();
-    EXPECT_FALSE(scene.world.changedSince<Transform>(mark)) << "its own steps are known to the bridge";
+    EXPECT_FALSE(scene.world.changedSince<Transform>(mark)) << "the bridge's own writes are no changes";
     EXPECT_FALSE(scene.world.changedSince<RigidBody>(mark));
 }
 

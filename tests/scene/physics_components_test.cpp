@@ -39,7 +39,7 @@ TEST(PhysicsComponents, fixedRotationKeepsTheAngleToTheBit) {
 TEST(PhysicsComponents, eachColliderRestsOnTheFloorAtItsSize) {
     Scene scene;
     scene.floor({-500, 100}, {2000, 20});
-    std::vector<std::pair<Entity, float>> expected;  // height of the entity's origin above the floor
+    std::vector<std::pair<Entity, float>> expected;  // height of the origin above the floor, px
     const auto body = [&](float x, float height) {
         Entity entity = scene.at({x, 40});
         entity.addComponent<RigidBody>().fixedRotation = true;
@@ -73,7 +73,7 @@ TEST(PhysicsComponents, aChainDrawnFromLeftToRightIsAFloor) {
     below.get<RigidBody>().velocity = {0, -600};
     scene.run(120);
     EXPECT_NEAR(Scene::place(above).y, 92.0f, 0.4f);
-    EXPECT_NEAR(Scene::place(below).y, 92.0f, 0.4f) << "it came from below and fell on it";
+    EXPECT_NEAR(Scene::place(below).y, 92.0f, 0.4f) << "passed the chain from below, then fell on it";
 }
 
 TEST(PhysicsComponents, collidersOfOneEntityAreOneBody) {
@@ -84,7 +84,7 @@ TEST(PhysicsComponents, collidersOfOneEntityAreOneBody) {
     hammer.addComponent<BoxCollider>(4, 40).offset = {-2, 0};
     hammer.addComponent<CircleCollider>(10.0f).offset = {0, 40};
     scene.run(200);
-    EXPECT_NEAR(Scene::place(hammer).y, 50.0f, 0.4f) << "it stands on its head";
+    EXPECT_NEAR(Scene::place(hammer).y, 50.0f, 0.4f) << "the hammer rests on its circle";
     EXPECT_EQ(physics::bodyCount(scene.state().world), 2u);
     EXPECT_NEAR(physics::massOf(scene.state().world, bodyOf(scene.world, hammer.id())), 3.0f, 1e-5f);
 }
@@ -148,7 +148,7 @@ TEST(PhysicsComponents, aCharacterWalksUpStepsPushesAndIsStoppedByWalls) {
         hero.get<CharacterController>().velocity.x = 90;
         scene.run(1);
     }
-    EXPECT_NEAR(Scene::place(crate).x, 220.0f, 1.0f) << "it pushed the crate to the wall";
+    EXPECT_NEAR(Scene::place(crate).x, 220.0f, 1.0f) << "the crate must be pushed to the wall";
     EXPECT_NEAR(Scene::place(hero).x, 208.0f, 1.0f);
     EXPECT_NEAR(Scene::place(hero).y, 70.0f, 0.3f);
     hero.get<CharacterController>().velocity = {0, -300};

@@ -56,7 +56,7 @@ void fill(World& world) {
     wind.addComponent<WindField>().velocity = {100.0f, 0.0f};
 }
 
-/// Adds a body that is fast enough to be swept.
+/// Adds a body that is fast enough for continuous collision detection (a sweep).
 void shoot(World& world) {
     Entity shot = world.createEntity();
     shot.addComponent<Transform>(150.0f, 290.0f);
@@ -102,7 +102,7 @@ TEST(PhysicsDrawing, eachLayerDrawsWhatItIsForAndNothingIsDrawnWhenAllAreOff) {
     for (const PhysicsLayer& layer : physicsLayers()) {
         SCOPED_TRACE(layer.name);
         const DrawList list = drawn(world, {layer.bit});
-        EXPECT_EQ(list.items().size() > 0, layer.ofBodies);  // the other layers are written in a panel
+        EXPECT_EQ(list.items().size() > 0, layer.ofBodies);  // the other layers are shown as text
         for (const PhysicsColor& row : physicsColors()) {
             const bool comesLater =
                 row.label == "asleep" || row.label == "island" || row.label == "near sleep";
@@ -192,7 +192,7 @@ TEST(PhysicsDrawing, layersAreNamedInLists) {
     unsigned all = 0;
     for (const PhysicsLayer& layer : physicsLayers()) {
         EXPECT_EQ(*physicsLayersNamed(layer.name), layer.bit);
-        EXPECT_EQ(all & layer.bit, 0u) << "each has a bit of its own";
+        EXPECT_EQ(all & layer.bit, 0u) << "two layers have the same bit";
         all |= layer.bit;
     }
     EXPECT_EQ(*physicsLayersNamed("all"), all);
@@ -244,7 +244,7 @@ TEST(PhysicsDrawing, keysToggleTheViewAndItsLayersWhileItIsVisible) {
     for (const PhysicsLayer& layer : physicsLayers()) {
         const unsigned before = view.shown().layers;
         press(layer.key, false, layer.withShift);
-        EXPECT_EQ(view.shown().layers, before) << "without Ctrl it is the game's";
+        EXPECT_EQ(view.shown().layers, before) << "without Ctrl the key belongs to the game";
         press(layer.key, true, layer.withShift);
         EXPECT_EQ(view.shown().layers, before ^ layer.bit) << layer.name;
     }
@@ -306,7 +306,7 @@ TEST(PhysicsDrawing, onlyShapesThatOverlapTheViewAreDrawn) {
     }
     previewPhysics(world);
     const Vec2 between{1050.0f, 0.0f};
-    EXPECT_LT(drawnFrom(world, between, 1.0f).culledCount(), 40u) << "few of them come as far as the list";
+    EXPECT_LT(drawnFrom(world, between, 1.0f).culledCount(), 40u) << "most are skipped before culling";
     EXPECT_GT(drawnFrom(world, between, 1.0f).items().size(), 20u);
     EXPECT_EQ(drawnFrom(world, {1050.0f, 900.0f}, 1.0f).items().size(), 0u);
     // The border of the view crosses a box.
@@ -372,7 +372,7 @@ TEST(PhysicsDrawing, timesIncludeAllStagesThatRan) {
     times.watch(world, false);
     run(world, 60);
     EXPECT_EQ(times.profile(), nullptr);
-    EXPECT_EQ(times.rows().front().milliseconds, before) << "nothing is measured while it is not shown";
+    EXPECT_EQ(times.rows().front().milliseconds, before) << "no times are measured while hidden";
 }
 
 TEST(PhysicsDrawing, legendAndNumbersAreVisibleAndDoNotOverlap) {

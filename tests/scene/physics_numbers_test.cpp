@@ -40,7 +40,7 @@ constexpr std::string_view kPhysicsComponents[] = {
 struct Number {
     const FieldInfo* field = nullptr;
     std::size_t offset = 0;
-    bool whole = false;
+    bool whole = false;  ///< the field is an integer
 };
 
 std::vector<Number> numbersOf(const TypeInfo& type) {
@@ -56,7 +56,7 @@ std::vector<Number> numbersOf(const TypeInfo& type) {
     return numbers;
 }
 
-/// True for fields in which an invalid number has a meaning: no limit, the value of the RigidBody, maximum
+/// True for fields in which NaN or infinity is valid: it means no limit, the value of the RigidBody, maximum
 /// rounding, or the scale of the other axis.
 bool hasAnswer(std::string_view field) {
     constexpr std::string_view kFields[] = {"breakForce", "maxForce", "maxTorque", "friction",
@@ -135,7 +135,7 @@ public:
         const bool everywhere = name.find("Field") != std::string_view::npos || name == "Attractor" ||
                                 name == "Explosion" || name == "ScenePhysics" || name == "Transform";
         if (everywhere) return;
-        EXPECT_TRUE(bystander_.get<RigidBody>().grounded) << "what has nothing to do with it lands as before";
+        EXPECT_TRUE(bystander_.get<RigidBody>().grounded) << "the independent crate must land as usual";
         EXPECT_NEAR(bystander_.get<Transform>().position.y, 84.0f, 0.5f);
     }
 
@@ -169,7 +169,7 @@ TEST(PhysicsNumbers, invalidNumbersInAnyFieldAreReportedOrHaveAMeaning) {
                     one.expectFinite();
                     if (std::isfinite(value) || number.whole) continue;
                     EXPECT_TRUE(warnings > 0 || one.isMended() || hasAnswer(number.field->name));
-                    EXPECT_LE(warnings, 3u) << "once is enough";
+                    EXPECT_LE(warnings, 3u) << "warnings must not repeat in every tick";
                 }
             }
         }

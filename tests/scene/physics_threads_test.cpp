@@ -25,7 +25,7 @@ TEST(PhysicsThreads, areStartedOnlyForLargeWorlds) {
     ASSERT_NE(pool, nullptr);
     EXPECT_EQ(pool->threads(), 3);
     EXPECT_EQ(threads.of(ballsOf(10)), nullptr);
-    EXPECT_EQ(threads.of(ballsOf(4200)), pool) << "the same ones again";
+    EXPECT_EQ(threads.of(ballsOf(4200)), pool) << "started threads are reused";
 }
 
 TEST(PhysicsThreads, oneThreadIsTheCallers) { EXPECT_EQ(PhysicsThreads{1}.of(ballsOf(4200)), nullptr); }

@@ -54,7 +54,7 @@ protected:
         }
         return text.append("]}");
     }
-    /// Replaces one scene by another like games do: the new scene is loaded before the old one is unloaded.
+    /// Replaces the scene `from` by `to` like games do: loads the new scene before it unloads the old one.
     void go(const std::string& to, const std::string& from) {
         ASSERT_TRUE(loadSceneFile(world_, context_, to).ok());
         if (!from.empty()) unloadScene(world_, sceneId(from));

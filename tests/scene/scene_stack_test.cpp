@@ -78,7 +78,7 @@ protected:
     }
     Entity entity(std::uint64_t id) { return world_.entity(WorldFieldContext{world_}.entity(id)); }
     Vec2 at(std::uint64_t id) { return entity(id).get<Transform>().position; }
-    /// Hash of the world without its tick count.
+    /// Returns a hash of the world that ignores its tick count.
     std::uint64_t state() {
         const std::uint64_t tick = std::exchange(world_.tick, 0);
         const std::uint64_t hash = world_.hash();
@@ -106,7 +106,7 @@ TEST_F(SceneStackTest, anOverlayPausesTheScenesBelowAndRunsItself) {
     EXPECT_FALSE(entity(kButton));
     tick(5);
     EXPECT_GT(at(kCrate).y, crate.y);
-    EXPECT_FALSE(closeOverlay(world_)) << "the bottom scene is no overlay";
+    EXPECT_FALSE(closeOverlay(world_)) << "the lowest scene is no overlay";
 }
 
 TEST_F(SceneStackTest, closingAnOverlayRestoresTheSceneBitForBit) {
@@ -201,7 +201,7 @@ TEST_F(SceneStackTest, changingTheSceneRemovesTheStackButKeepsPersistentEntities
     EXPECT_EQ(world_.entityCount(), 2u);
     EXPECT_EQ(world_.resource<LoadedScenes>().scenes.size(), 1u);
     tick(3);
-    EXPECT_GT(at(kKept).y, kept.y) << "it runs on in the next scene";
+    EXPECT_GT(at(kKept).y, kept.y) << "the persistent entity keeps moving";
 }
 
 TEST_F(SceneStackTest, aPersistentEntityOfAnOverlayStaysWhenItCloses) {

@@ -60,7 +60,7 @@ TEST(SoftComponents, aRopeHangsFromItsStartAndKeepsItsLength) {
     float whole = 0.0f;
     for (std::size_t i = 1; i < now.size(); ++i) whole += length(now[i] - now[i - 1]);
     EXPECT_NEAR(whole, 120.0f, 3.0f);
-    EXPECT_GT(now.back().y, 150.0f) << "it does not hang";
+    EXPECT_GT(now.back().y, 150.0f) << "the rope's end must hang down";
 }
 
 TEST(SoftComponents, aClothStaysAtAnyOfItsPins) {

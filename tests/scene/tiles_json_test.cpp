@@ -24,7 +24,7 @@ TEST(TilesJson, aLargeMapKeepsItsCellsInBlocks) {
     const Result<ReadTiles> read = tilesFromJson(json);
     ASSERT_TRUE(read.ok());
     EXPECT_EQ(read->grid, grid);
-    EXPECT_EQ(tilesToJson(read->grid), json) << "writing again changes nothing";
+    EXPECT_EQ(tilesToJson(read->grid), json) << "writing a read grid again gives the same JSON";
 }
 
 TEST(TilesJson, aChangedTileChangesOneLine) {
@@ -87,7 +87,7 @@ TEST(TilesJson, aBlockOfAnotherPackerIsKeptUntilItsTilesChange) {
     const TileGrid copy = read->grid;
     read->grid.set(5, 6, 9);
     EXPECT_NE(tilesToJson(read->grid)["blocks"][0], theirs);
-    EXPECT_EQ(tilesToJson(copy), json) << "a copy is still as the file has it";
+    EXPECT_EQ(tilesToJson(copy), json) << "an unchanged copy keeps the file's blocks";
     EXPECT_EQ(tilesFromJson(tilesToJson(read->grid))->grid, read->grid);
     read->grid.set(5, 6, 0);
     EXPECT_EQ(tilesFromJson(tilesToJson(read->grid))->grid, grid);

@@ -21,7 +21,7 @@ double gainOfBouncing(double radius, double height, double step) {
     return lab.figures().energyGain;
 }
 
-// CCD moved a ball that passed the floor back to it, but kept the speed gained below the floor.
+// Regression: CCD moved a ball that had passed the floor back, but kept the speed gained below the floor.
 TEST(StabilityEnergy, aBallStoppedByCcdAtTheFloorGainsNoEnergy) {
     EXPECT_LE(gainOfBouncing(0.5, 2.0, 1.0 / 15.0), 0.01);
     for (const double radius : {0.01, 0.05, 0.1}) {
@@ -30,7 +30,7 @@ TEST(StabilityEnergy, aBallStoppedByCcdAtTheFloorGainsNoEnergy) {
     }
 }
 
-// The spin of a small body on a long arm grew until it was not finite.
+// Regression: the angular velocity of a small body on a long arm grew until it was not finite.
 TEST(StabilityEnergy, angularVelocityIsLimited) {
     FairScene scene{4616};
     scene.run();
@@ -40,7 +40,7 @@ TEST(StabilityEnergy, angularVelocityIsLimited) {
         const float spin = std::fabs(world.bodies.motion[i].angularVelocity);
         EXPECT_LE(spin * world.bodies.info[i].reach, 1.001f * world.settings.maxSpeed) << "body " << i;
     }
-    // A spin whose outermost points are slower than the limit is not changed.
+    // An angular velocity is not changed if the body's outermost points are slower than the limit.
     Lab lab{{.gravity = 0.0}, {.rests = false}};
     const BodyHandle plank = lab.add(scenes::box({1.0f, 0.1f}), {});
     lab.setVelocity(plank, {}, 1000.0);

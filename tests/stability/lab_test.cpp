@@ -41,7 +41,7 @@ TEST(StabilityLab, measuresDisplacementFromTheInitialPosition) {
     const BodyHandle ball = lab.add(scenes::circle(0.5f), {0.0f, 0.0f});
     lab.setVelocity(ball, {1.0f, 0.0f});
     lab.run(1.0);
-    // 1 m sideways / size 1 m; 5 m down / extent 100 m is less.
+    // The error is the larger of 1 m sideways / size 1 m, and 5 m down / extent 100 m.
     EXPECT_NEAR(lab.figures().off, 1.0, 1e-3);
     EXPECT_NEAR(lab.figures().residual, std::sqrt(101.0) / std::sqrt(10.0), 1e-3);
 }
@@ -51,7 +51,7 @@ TEST(StabilityLab, measuresEnergyGain) {
     const BodyHandle ball = lab.add(scenes::circle(0.5f), {0.0f, 10.0f});
     lab.run(0.5);
     EXPECT_NEAR(lab.figures().energyGain, 0.0, 1e-6) << "a fall gains no energy";
-    lab.setVelocity(ball, {0.0f, -10.0f});  // of which 5 m/s come from the fall
+    lab.setVelocity(ball, {0.0f, -10.0f});  // 5 m/s of it are explained by the fall
     lab.run(0.1);
     EXPECT_NEAR(lab.figures().energyGain, 0.5 * (100.0 - 25.0) / 100.0, 1e-3);
     EXPECT_EQ(scoreOf(lab.figures()), Score::BlowsUp);

@@ -24,7 +24,7 @@ const std::vector<PlayedMap>& quickMaps() {
     return maps;
 }
 
-/// Minimum scores of the cells of a row, as the signs of score.hpp.
+/// Minimum scores of the cells of a row of a map, as the signs of ScoreInfo::sign (score.hpp).
 struct Floor {
     std::string map;
     std::string row;
@@ -78,7 +78,7 @@ TEST(StabilityMap, noCellIsWorseThanItsFloor) {
     for (const PlayedMap& map : quickMaps()) {
         for (std::size_t row = 0; row < map.rows.size(); ++row, ++rows) {
             const Floor* floor = findFloor(floors, map.map->name, map.rowLabel(row));
-            ASSERT_NE(floor, nullptr) << map.map->name << " " << map.rowLabel(row) << " has no floor";
+            ASSERT_NE(floor, nullptr) << map.map->name << " " << map.rowLabel(row) << " is not in floors.txt";
             ASSERT_EQ(floor->signs.size(), map.width()) << map.map->name;
             for (std::size_t column = 0; column < map.width(); ++column) {
                 EXPECT_GE(scoreOf(map.at(row, column)), scoreOf(floor->signs[column]))
@@ -90,7 +90,7 @@ TEST(StabilityMap, noCellIsWorseThanItsFloor) {
     EXPECT_EQ(rows, floors.size()) << "floors.txt contains a row that does not exist";
 }
 
-// Runs all 1,140 cells, not only the quick rows. Wrong results are allowed here, blow-ups are not.
+// Runs all 1,140 cells of all maps, not only the quick rows. Allows wrong results, but no blow-ups.
 TEST(StabilityMap, noCellBlowsUp) {
     std::size_t cells = 0;
     for (const PlayedMap& map : play({.threads = 2})) {

@@ -6,7 +6,7 @@
 
 namespace {
 
-// Atomic, because audio devices allocate in their own threads.
+// Atomic, because audio devices allocate memory in their own threads.
 std::atomic<std::size_t> made{0};
 std::atomic<std::size_t> freed{0};
 
@@ -34,8 +34,8 @@ void release(void* memory) noexcept {
 
 }  // namespace
 
-// Replaces all operators new and delete except nothrow with alignment, which is never called. If only
-// some were replaced, a sanitizer's operators would be mixed with these.
+// Replaces all operators new and delete, except nothrow new with alignment, which is never called. Otherwise
+// memory from a sanitizer's operators could be freed by these, or the reverse.
 void* operator new(std::size_t size) { return allocateOrThrow(size); }
 void* operator new[](std::size_t size) { return allocateOrThrow(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }

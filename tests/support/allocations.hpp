@@ -5,7 +5,7 @@
 namespace plumb::test {
 
 /// Number of memory blocks allocated and freed by operators new and delete since the program began. Programs
-/// that use it must also compile allocations.cpp.
+/// that call allocations() must compile allocations.cpp, which replaces these operators.
 struct Allocations {
     std::size_t made = 0;
     std::size_t freed = 0;

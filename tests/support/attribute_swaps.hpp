@@ -11,7 +11,7 @@
 
 namespace plumb::test {
 
-/// All variants of a valid XML file that differ from it in one attribute or in the text of one element.
+/// All variants of a valid XML file with one attribute or element text replaced by one of kStrangers.
 class AttributeSwaps {
 public:
     explicit AttributeSwaps(std::string_view text) : text_{text} {

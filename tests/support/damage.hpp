@@ -10,7 +10,7 @@
 
 namespace plumb::test {
 
-/// Replaces some bytes by random ones, as a defective disk does.
+/// Returns the bytes with some of them replaced by random ones, as a defective disk does.
 /// @param maximum  maximum number of replaced bytes; the minimum is one
 inline std::string withWrongBytes(std::string bytes, Random& random, std::uint32_t maximum = 3) {
     if (bytes.empty()) return bytes;

@@ -9,8 +9,8 @@
 
 namespace plumb::test {
 
-/// Returns maps of other editors: small ones of this repository and, if they exist on this machine, those in
-/// the folder next to the repository and the examples of Debian's package `tiled`.
+/// Returns the map files of other editors with these endings: small ones in this repository and, if present,
+/// those in ../shared/data/maps beside the repository and the examples of Debian's package `tiled`.
 inline std::vector<Path> foreignMaps(std::initializer_list<std::string_view> endings) {
     std::vector<Path> maps;
     for (const Path& folder :

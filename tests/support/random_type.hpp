@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-/// Descriptions of component types that were never compiled, as they come from code or scripts that are
+/// Descriptions of component types that no C++ code defines, like those of scripts or libraries that are
 /// loaded while the program runs.
 namespace made_types {
 
@@ -33,7 +33,7 @@ inline FieldInfo field(std::string_view name, FieldKind kind) {
     return made;
 }
 
-/// Gives the fields their offsets and the type its default value: fields are filled with bytes of `value`.
+/// Sets the offsets of the fields, the size of the type, and its default value: all bytes are `value`.
 inline void layOut(TypeInfo& type, std::byte value = {}) {
     std::size_t offset = 0;
     for (FieldInfo& field : type.fields) {
@@ -47,7 +47,7 @@ inline void layOut(TypeInfo& type, std::byte value = {}) {
     type.defaults.assign(type.size, value);
 }
 
-/// One to six fields in random order, each of a random kind.
+/// Creates a type with one to six fields in random order, each of a random kind.
 inline TypeInfo random(Random& random, TypeKey key, std::string_view name) {
     constexpr std::array kKinds{FieldKind::Bool, FieldKind::Int, FieldKind::Float, FieldKind::Vec2,
                                 FieldKind::Entity};

@@ -17,7 +17,7 @@
 
 namespace plumb {
 
-/// Sets a field to a random value that a file can store, through reflection only.
+/// Sets fields of components to random values that a file can store. Uses reflection only.
 class RandomValues {
 public:
     RandomValues(World& world, Random& random, const std::vector<EntityId>& entities)
@@ -124,7 +124,7 @@ private:
 };
 
 /// Adds a scene whose entities have random components with random values.
-/// @param all  the first entity has all component types
+/// @param all  true: the first entity has all component types
 inline SceneId addRandomScene(World& world, const TypeRegistry& types, std::uint64_t seed,
                               std::uint32_t count, bool all) {
     Random random = Random::seeded(seed);

@@ -22,9 +22,9 @@ inline constexpr bool kSanitized = false;
 inline constexpr bool kSanitized = false;
 #endif
 
-/// Checks that reading a small file with any content does not exceed limits of CPU time, which does not
-/// depend on other programs, and of memory. Only the time is checked if the system does not report the peak
-/// memory of a process, and with sanitizers, which keep freed memory.
+/// Checks that a function that reads a small file stays below limits of CPU time (independent of other
+/// programs) and of memory. Checks only the time if the system does not report the peak memory of a
+/// process, and with sanitizers, which keep freed memory.
 class ReaderCost {
 public:
     static constexpr std::clock_t kMaxMilliseconds = kSanitized ? 20000 : 2000;

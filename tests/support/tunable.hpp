@@ -7,14 +7,14 @@ namespace plumb::tuning {
 
 /// A registered constant; values of all types are stored as double.
 struct Constant {
-    const char* name = nullptr;
-    const char* unit = nullptr;
-    const char* derivation = nullptr;
-    int line = 0;        ///< line in physics/tuning.hpp
-    double value = 0.0;  ///< value in physics/tuning.hpp
-    void* place = nullptr;
-    void (*assign)(void* at, double to) = nullptr;
-    const Constant* next = nullptr;
+    const char* name = nullptr;                     ///< name in physics/tuning.hpp
+    const char* unit = nullptr;                     ///< unit of the value
+    const char* derivation = nullptr;               ///< origin of the value
+    int line = 0;                                   ///< line in physics/tuning.hpp
+    double value = 0.0;                             ///< value in physics/tuning.hpp
+    void* place = nullptr;                          ///< address of the variable
+    void (*assign)(void* at, double to) = nullptr;  ///< writes a value to `place`, in its type
+    const Constant* next = nullptr;                 ///< next constant of the list
 
     void set(double to) const { assign(place, to); }
 };

@@ -17,7 +17,7 @@
 
 namespace plumb::test {
 
-/// All variants of a valid JSON file that differ from it in one value, which has another type.
+/// All variants of a valid JSON file in which one value is replaced by a value of another type.
 class TypeSwaps {
 public:
     explicit TypeSwaps(std::string_view text) {
@@ -111,13 +111,13 @@ void eachSwap(const std::vector<std::string>& samples, std::size_t usual, Read r
     testing::Test::RecordProperty("files", std::to_string(wanted));
 }
 
-/// Calls eachSwap() for JSON files.
+/// Calls eachSwap() with all type swaps of JSON files.
 template <class Read>
 void eachTypeSwap(const std::vector<std::string>& samples, std::size_t usual, Read read) {
     eachSwap<TypeSwaps>(samples, usual, read);
 }
 
-/// Expects an error with place, text and remedy that a reader created itself, not one made from an exception.
+/// Expects an error with place, text and remedy, created by the reader itself, not from an exception.
 inline void expectReportedWell(const Error& error) {
     EXPECT_FALSE(error.where.empty()) << error.text();
     EXPECT_FALSE(error.what.empty()) << error.text();

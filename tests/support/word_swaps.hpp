@@ -9,7 +9,7 @@
 
 namespace plumb::test {
 
-/// All variants of a valid text file that differ from it in one word.
+/// All variants of a valid text file in which one word is replaced by one of kStrangers.
 class WordSwaps {
 public:
     explicit WordSwaps(std::string_view text) : text_{text} {

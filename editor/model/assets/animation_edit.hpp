@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const Image& sheet();
     [[nodiscard]] int columns();
     [[nodiscard]] int rows();
-    [[nodiscard]] Rect cellOf(const AnimationFrame& frame) const;
+    [[nodiscard]] Rect cellOf(const AnimationFrame& frame) const;  ///< px in the sheet
 
     /// Applies any edit to the file. While a game runs, only shows a notice to stop it first.
     /// @param label  completes "Undo …"
@@ -38,7 +38,7 @@ public:
     bool change(std::string label, const std::function<void(AnimationSet&)>& edit);
 
     void setCells(CellSize cells);
-    /// Guesses the cell size from the sheet's pixels (guessCells). @return false if there is no clear grid
+    /// Sets the cell size guessed from the pixels (guessCells). @return false if the sheet has no clear grid
     bool detectCells();
     /// Adds a clip of all cells of the sheet that are not empty, row by row.
     void addClipOfAll();

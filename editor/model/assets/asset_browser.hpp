@@ -28,7 +28,7 @@ public:
     std::string remove(std::string_view path);
     /// Moves a file into a folder, keeping its name.
     void moveInto(std::string_view path, std::string_view folder);
-    /// Adds the asset to the scene (placeAsset).
+    /// Adds the asset to the scene (placeAsset). @param at  px, in world space
     void place(std::string_view path, Vec2 at);
 
     std::string folder;    ///< open folder; empty: the project's root

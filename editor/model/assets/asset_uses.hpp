@@ -14,14 +14,14 @@ struct AssetUse {
     int times = 0;     ///< number of references
 };
 
-/// Replaces the path of a file, or of all files below a folder, in the strings of a JSON file. All other
-/// bytes stay unchanged. Only whole strings match, so "a.png" does not match "data.png".
+/// Replaces the path `from` of a file or (`folder`) the start of all paths below the folder `from` by `to` in
+/// the strings of a JSON text. All other bytes stay. Only whole names match: not "a.png" in "data.png".
 /// @param times  increased by the number of replacements; may be null
 std::string withRenamedAsset(std::string_view json, std::string_view from, std::string_view to, bool folder,
                              int* times = nullptr);
 
-/// Returns the JSON files of a project (scenes, prefabs, tilesets, …) that reference a file, or any file
-/// below a folder.
+/// Returns the JSON files of a project (scenes, prefabs, tilesets, …) that reference the file `path` or
+/// (`folder`) any file below the folder `path`.
 std::vector<AssetUse> usesOfAsset(const Path& root, std::string_view path, bool folder);
 
 }  // namespace plumb::editor

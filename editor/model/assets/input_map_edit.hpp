@@ -14,7 +14,7 @@ namespace plumb::editor {
 
 /// Editor of a project's input actions and axes with their keys, buttons and sticks: the "input" object of
 /// project.json. Every change is one undo step and is written to the file at once; the rest of the file stays
-/// unchanged. A running game uses the change from its next new tick on.
+/// unchanged. A running game uses the change from its next tick that is not a replay.
 class InputMapEdit {
 public:
     enum class Kind : unsigned char { Action, Axis };
@@ -29,7 +29,7 @@ public:
         bool ofProject = false;  ///< listed in project.json; false: an engine default
         std::vector<Part> parts;
     };
-    /// Identifies a list of bindings.
+    /// Identifies one list of bindings of an action or axis.
     struct Place {
         Kind kind = Kind::Action;
         std::string name;
@@ -42,7 +42,7 @@ public:
     const std::string& refresh();
     /// Actions first, then axes.
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-    /// Returns the other lists that contain a binding: "Jump", "Vertical, negative".
+    /// Returns the names of all lists except `but` that contain a binding: "Jump", "Vertical, negative".
     [[nodiscard]] std::vector<std::string> othersOf(Binding binding, const Place& but) const;
     /// Returns the number of bindings that are in more than one list.
     [[nodiscard]] std::size_t shared() const;

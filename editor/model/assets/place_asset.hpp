@@ -25,10 +25,10 @@ struct PlacedPicture {
 };
 PlacedPicture placedPicture(Workspace& workspace, std::string_view path);
 
-/// Returns the grid position for an asset dropped at `at`. An image of whole cells snaps to the cells under
-/// the mouse. Another one snaps to the nearest grid corner or, if its pivot is on its lower edge, to the
-/// lower edge of the cell.
-/// @param step  grid step, px
+/// Returns the grid position for an asset dropped at `at`. An image whose size is a multiple of `step` snaps
+/// so that it covers whole cells. Any other image snaps to the nearest grid corner or, if its pivot is on its
+/// lower edge, to the lower edge of the cell.
+/// @param step  size of a grid cell, px
 Vec2 placedOnGrid(Vec2 at, const PlacedPicture& picture, Vec2 step);
 
 }  // namespace plumb::editor

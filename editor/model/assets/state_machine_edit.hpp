@@ -29,13 +29,13 @@ public:
     /// Makes a state the initial state.
     void beginWith(int state);
 
-    // Transitions. If several can be taken, the first one is.
+    // Transitions. If several of them can be taken, the first one in the list is taken.
 
     /// Adds a transition that is taken at the end of the clip, without other conditions.
     /// @param from  state, or AnimationTransition::kAnyState
     void addTransition(int from, int to);
     void removeTransition(int transition);
-    /// @return the transition's new index
+    /// @param by  number of positions, negative: towards the front. @return the transition's new index
     int moveTransition(int transition, int by);
     void setAfterEnd(int transition, bool afterEnd);
 

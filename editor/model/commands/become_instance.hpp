@@ -13,10 +13,10 @@ namespace plumb::editor {
 
 /// Turns a tree of entities into an instance of a prefab with the same content. The entities are kept, so
 /// references to them stay valid; the root's descendants get the ids of parts of the instance.
-/// @pre  each of the entities is a part of the prefab
+/// @pre  the prefab has a part for each descendant of the root
 class BecomeInstance final : public Command {
 public:
-    /// @param parts     all descendants of the root, with the id of the part in the prefab of each
+    /// @param parts     all descendants of the root, each with the id of its part in the prefab
     /// @param prefabs   must outlive the command
     BecomeInstance(ObjectId root, std::map<ObjectId, std::uint64_t> parts, std::string path,
                    PrefabLibrary& prefabs)
@@ -38,7 +38,7 @@ private:
 
     ObjectId root_;
     std::map<ObjectId, std::uint64_t> parts_;
-    std::string path_;
+    std::string path_;  // of the prefab's file
     PrefabLibrary& prefabs_;
     std::vector<Before> before_;
     std::vector<ObjectId> line_;  // file order before the command

@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// Overwrites components of several types on several entities. Each entity must have its component.
+/// Overwrites components of several types. Each entity must already have the component to be overwritten.
 class ChangeStates final : public Command {
 public:
     struct Change {

@@ -17,8 +17,8 @@ bool isPart(const Document& document, ObjectId id) {
     return document.world.has<PrefabPart>(document.find(id));
 }
 
-/// Returns the entity that stands for `id` in the file order: for a part of a prefab its instance; null if it
-/// does not exist.
+/// Returns the entity that stands for `id` in the file order: `id` itself, or for a part of a prefab instance
+/// the outermost instance; null if that does not exist.
 ObjectId withPlace(const Document& document, ObjectId id) {
     while (const PrefabPart* part = document.world.find<PrefabPart>(document.find(id))) id = {part->instance};
     return document.find(id) ? id : ObjectId{};

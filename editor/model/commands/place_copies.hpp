@@ -15,7 +15,7 @@ namespace plumb::editor {
 void placeCopies(Document& document, const std::vector<ObjectId>& copies,
                  const std::vector<ObjectId>& originals);
 
-/// Reverts placeCopies: moves the copies to the end of the file order, so that all others get back theirs.
+/// Reverts placeCopies: moves the copies back to the end, so that all other entities have their old order.
 void placeAtEnd(Document& document, const std::vector<ObjectId>& copies);
 
 /// Inserts copies, each after its original, as one undo step.

@@ -12,7 +12,7 @@ namespace plumb::editor {
 /// own.
 std::vector<ObjectId> fileOrder(const Document& document);
 
-/// Sorts entities into this order by redistributing their order numbers among them.
+/// Sorts the entities of `line` into its order, by redistributing their order numbers among them.
 void placeInOrder(Document& document, const std::vector<ObjectId>& line);
 
 /// Moves entities within the file order, which is also the order of siblings in the tree. Only entities whose

@@ -33,7 +33,7 @@ private:
     AssetStore& assets_;
     std::string path_;
     std::string text_;   // text to swap in: the new one, after `apply` the old one
-    bool there_ = true;  // whether the file exists after the next swap
+    bool there_ = true;  // true: the file exists after the next swap
 };
 
 }  // namespace plumb::editor

@@ -13,15 +13,15 @@ namespace plumb::editor {
 
 /// Measurements from which the rules derive advice.
 struct CostFacts {
-    const WhatIfResult& result;
-    const PhysicsTape& tape;
+    const WhatIfResult& result;  ///< cost and error of each variant of the physics settings
+    const PhysicsTape& tape;     ///< recording of the physics for which they were measured
 };
 
 /// Advice of one rule for the measured scene.
 struct Advice {
-    std::string_view rule;  ///< name of the rule
-    std::string words;
-    CostRemedy remedy;
+    std::string_view rule;        ///< name of the rule
+    std::string words;            ///< text shown to the user
+    CostRemedy remedy;            ///< change of a setting that a button offers
     std::vector<ObjectId> about;  ///< entities that a click on the advice selects
 };
 

@@ -61,7 +61,7 @@ std::optional<Advice> judgeTooCoarse(const CostFacts& facts) {
         return {};
     return Advice{
         {},
-        format("{} at quality {}, which may be visible. Quality {} costs {} more per tick and leaves {}.",
+        format("{} at quality {}, which may be visible. Quality {} costs {} more per tick, error {}.",
                errorWords(*now, result.scale), now->quality, enough->quality,
                costWords(enough->microseconds - now->microseconds),
                lengthWords(enough->error(), result.scale)),
@@ -73,7 +73,7 @@ std::optional<Advice> judgeTooFine(const CostFacts& facts) {
     const WhatIfResult& result = facts.result;
     const WhatIfPoint* now = result.present();
     if (now == nullptr) return {};
-    // Half of the visible error, as a reserve for more difficult moments of the game.
+    // The limit is half of the visible error, as a reserve for more difficult moments of the game.
     const WhatIfPoint* enough = nullptr;
     for (int quality = now->quality - 1; quality >= 0; --quality) {
         const WhatIfPoint* point = plainAt(result, quality);
@@ -86,8 +86,8 @@ std::optional<Advice> judgeTooFine(const CostFacts& facts) {
         return {};
     return Advice{
         {},
-        format("Quality {} is more than this scene needs: quality {} leaves {}, which is not visible, and "
-               "saves {} per tick.",
+        format("Quality {} is more than this scene needs: quality {} has an error of {}, which is not "
+               "visible, and saves {} per tick.",
                now->quality, enough->quality, lengthWords(enough->error(), result.scale),
                costWords(now->microseconds - enough->microseconds)),
         qualityRemedy(enough->quality),
@@ -108,8 +108,8 @@ std::optional<Advice> judgeAutomatic(const CostFacts& facts) {
     }
     return Advice{
         {},
-        format("Automatic quality is enough: only hard islands get more substeps. It leaves {} for {} more "
-               "per tick.",
+        format("Automatic quality is enough: only hard islands get more substeps. Its error is {}; it costs "
+               "{} more per tick.",
                lengthWords(hard->error(), result.scale),
                costWords(std::max(hard->microseconds - now->microseconds, 0.0f))),
         sceneRemedy("Use automatic quality", "automaticQuality", FieldValue::of(true)),
@@ -163,7 +163,7 @@ std::optional<Advice> judgeSleep(const CostFacts& facts) {
     return advice;
 }
 
-/// Returns the ratio of the cost to that with the Verlet integrator.
+/// Returns the ratio of the present cost to that with the Verlet integrator.
 float timesVerlet(const WhatIfPoint& now, const WhatIfPoint& verlet) {
     return now.microseconds / std::max(verlet.microseconds, 0.01f);
 }

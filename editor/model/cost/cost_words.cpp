@@ -46,7 +46,7 @@ std::string qualityWords(const WhatIfResult& result, const WhatIfPoint& point, c
     if (below == nullptr)
         return format("Quality {}: {}, largest error {}.", point.quality, costWords(point.microseconds),
                       error);
-    return format("Quality {}: {}, {}.", point.quality,
+    return format("Quality {}: {}, error {}.", point.quality,
                   costDifference(point.microseconds - below->microseconds), error);
 }
 
@@ -77,17 +77,17 @@ std::string verdictWords(const WhatIfResult& result) {
     if (isSameCost(enough->microseconds, now->microseconds))
         return format("{} {}", use,
                       pixels < kSeenPixels ? "A lower quality would save almost nothing."
-                                           : format("Quality {} costs the same, with {}.", enough->quality,
+                                           : format("Quality {} costs the same, error {}.", enough->quality,
                                                     lengthWords(enough->error(), result.scale)));
     const bool dearer = enough->microseconds > now->microseconds;
-    return format("{} Quality {} {} {}{}, with {}.", use, enough->quality, dearer ? "costs" : "saves",
+    return format("{} Quality {} {} {}{}, error {}.", use, enough->quality, dearer ? "costs" : "saves",
                   costWords(std::abs(enough->microseconds - now->microseconds)), dearer ? " more" : "",
                   lengthWords(enough->error(), result.scale));
 }
 
 std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32_t leftOut) {
-    std::string words = format("{} {} s{}, {} bodies, only the physics, no body asleep. ",
-                               wasPlaying ? "The last" : "The scene's first", seconds(result.ticks),
+    std::string words = format("Measured: {} {} s{}, {} bodies, only physics, none asleep. ",
+                               wasPlaying ? "the last" : "the scene's first", seconds(result.ticks),
                                result.ticks < result.ticksOnTape
                                    ? format(" (of {}: more would take too long)", seconds(result.ticksOnTape))
                                    : std::string{},

@@ -15,18 +15,18 @@ std::string lengthWords(float metres, PixelScale scale);
 std::string costWords(float microseconds);
 [[nodiscard]] float pixelsOf(float metres, PixelScale scale);
 
-/// Describes a quality by its cost relative to the next lower one and its error: "Quality 4: +0.31 ms, 1.5 mm
-/// (0.1 px)."
+/// Describes a physics quality by its cost relative to the next lower quality, and by its error:
+/// "Quality 4: +0.31 ms, error 1.5 mm (0.1 px)."
 /// @param below  the next lower quality; null for the lowest
 std::string qualityWords(const WhatIfResult& result, const WhatIfPoint& point, const WhatIfPoint* below);
 
-/// Returns the lowest quality without visible error, else the most accurate one; null until all are measured.
+/// Returns the lowest quality without visible error, else the best one; null until all are measured.
 const WhatIfPoint* enoughQuality(const WhatIfResult& result);
 
 /// Summarizes the measurement in one or two sentences.
 std::string verdictWords(const WhatIfResult& result);
 
-/// Describes how the measurement was made: duration, number of bodies, definition of the error.
+/// Describes how the measurement was made. @param leftOut  bodies and joints created while it was recorded
 std::string methodWords(const WhatIfResult& result, bool wasPlaying, std::uint32_t leftOut);
 
 }  // namespace plumb::editor

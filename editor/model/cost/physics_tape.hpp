@@ -13,7 +13,7 @@ namespace plumb::editor {
 /// Changes that the game made to one body between two physics steps.
 struct BodyInput {
     /// Placed: new pose. Pushed: new velocity. Driven: new acceleration, force, torque, drag or gravity
-    /// scale.
+    /// scale. DropsThrough: new value of `dropsThrough`. Gone: the game destroyed the body.
     enum Change : std::uint8_t { Placed = 1, Pushed = 2, Driven = 4, DropsThrough = 8, Gone = 16 };
 
     physics::BodyId body;
@@ -21,23 +21,23 @@ struct BodyInput {
     physics::BodyPose pose;
     physics::BodyMotion motion;
     physics::BodyDrive drive;
-    bool hasTarget = false;  ///< kinematic body moved to a target: the velocity is valid for one step
-    bool dropsThrough = false;
+    bool hasTarget = false;     ///< kinematic body moved to a target: the velocity is valid for one step
+    bool dropsThrough = false;  ///< one-way shapes do not stop the body
 };
 
 /// Changes that the game made to one joint between two physics steps.
 struct JointInput {
     physics::JointId joint;
-    bool gone = false;
+    bool gone = false;              ///< the game destroyed the joint
     float motorSpeed = 0.0f;        ///< rad/s or m/s
-    physics::WorldPosition target;  ///< m
+    physics::WorldPosition target;  ///< m, of a mouse joint
 };
 
 /// Changes that the game made to one force field between two physics steps.
 struct FieldInput {
     physics::FieldId field;
-    bool gone = false;
-    bool made = false;
+    bool gone = false;  ///< the game destroyed the field
+    bool made = false;  ///< the game created the field
     physics::FieldDefinition definition;
 };
 
@@ -54,22 +54,22 @@ struct WatchedBody {
     physics::BodyId body;
     ObjectId object;          ///< null: the body belongs to no entity of the scene
     float topSpeed = 0.0f;    ///< maximum speed, m/s
-    int restTicks = 0;        ///< number of last ticks in which it was at rest
-    float reach = 0.0f;       ///< maximum distance of its points from the center of mass, m
+    int restTicks = 0;        ///< number of ticks at rest up to the end of the recording
+    float reach = 0.0f;       ///< maximum distance of the body's points from its center of mass, m
     bool isBullet = false;    ///< RigidBody::bullet
-    float sleepSpeed = 0.0f;  ///< speed below which it is at rest, m/s
+    float sleepSpeed = 0.0f;  ///< speed below which the body is at rest, m/s
 };
 
 /// Recording of some seconds of a game's physics: initial worlds, and the changes by the game in each tick.
 /// The same ticks can then be stepped again with other settings, without the game and in any thread.
 struct PhysicsTape {
     struct Start {
-        std::size_t tick = 0;  ///< index in `ticks` of the first tick after it
-        physics::World world;
+        std::size_t tick = 0;  ///< index in `ticks` of the first tick after `world`
+        physics::World world;  ///< state from which the ticks can be stepped
     };
 
     PixelScale scale;
-    std::vector<Start> starts;  ///< earliest first
+    std::vector<Start> starts;  ///< initial worlds, earliest first
     std::vector<TickInput> ticks;
     std::vector<WatchedBody> watched;
     std::uint32_t leftOut = 0;   ///< bodies and joints created while recording, which are not recorded
@@ -87,13 +87,13 @@ class TapeRecorder {
 public:
     /// Starts a recording. @param world  state before the first tick
     void begin(const physics::World& world, PixelScale scale);
-    /// Stores the world as a start. Must be called between two ticks.
+    /// Adds a copy of the world to `tape.starts`. Must be called between two ticks.
     void keepStart(const physics::World& world);
     /// Records the game's changes. Must be called right before the physics step.
     void beforeStep(const physics::World& world);
     void afterTick(const physics::World& world);
 
-    bool on = false;
+    bool on = false;  ///< a recording is in progress
     PhysicsTape tape;
 
 private:

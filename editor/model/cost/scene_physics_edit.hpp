@@ -21,15 +21,15 @@ struct CostRemedy {
     std::vector<ObjectId> objects;  ///< entities to change; empty: the one with the scene's ScenePhysics
 };
 
-/// Returns the ScenePhysics equal to these settings, for a scene that has none.
+/// Returns a ScenePhysics component with these settings, for a scene that has no such component.
 ScenePhysics presentPhysics(const physics::Settings& settings, PixelScale scale);
 
-/// Applies the change as one undo step, or directly in the running game; the user can keep it when that
+/// Applies the change as one undo step, or directly in the running game; the user can keep it when the game
 /// stops. A scene without ScenePhysics gets one with the present settings and this change.
 /// @param present  settings of the measured game
 void applyRemedy(Workspace& workspace, const CostRemedy& remedy, const ScenePhysics& present);
 
-/// Updates the settings from the shown scene's ScenePhysics, if it has one.
+/// Overwrites `settings` with the values of the shown scene's ScenePhysics, if it has one.
 void takePresent(const Workspace& workspace, PixelScale scale, physics::Settings& settings);
 
 /// Returns the remedy that sets the field ScenePhysics.quality.

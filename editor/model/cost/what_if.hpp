@@ -10,8 +10,8 @@ namespace plumb::editor {
 
 /// Measures cost and error of other physics settings for the last seconds of the running game, or for the
 /// first seconds of the scene if none runs. Plays a copy of the game once, over several frames, to record its
-/// changes to the physics; then a thread steps only the physics again with all variants. The game itself is
-/// not changed.
+/// changes to the physics; then a thread steps only the physics again, once per variant of the settings. The
+/// game itself is not changed.
 class WhatIf {
 public:
     static constexpr std::int64_t kTicks = 300;    ///< maximum number of ticks: 5 s
@@ -53,10 +53,10 @@ private:
     PlaySession* session_ = nullptr;  // the session of `ghost_`
     TapeRecorder recorder_;
     bool recording_ = false;
-    bool playing_ = false;
-    std::int64_t first_ = 0;
-    std::int64_t tick_ = 0;
-    std::int64_t last_ = 0;
+    bool playing_ = false;    // the running game is measured, not the start of the scene
+    std::int64_t first_ = 0;  // tick before the recording
+    std::int64_t tick_ = 0;   // last recorded tick; `first_`: none yet
+    std::int64_t last_ = 0;   // tick at which the recording ends
     std::shared_ptr<const PhysicsTape> tape_;
     std::unique_ptr<WhatIfRun> run_;
     std::string refusal_;

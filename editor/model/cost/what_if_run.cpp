@@ -35,7 +35,7 @@ physics::World worldFor(const WhatIfPoint& variant, const physics::World& start)
     physics::World world = start;
     physics::Settings& settings = world.settings;
     settings.sleeping = false;
-    settings.tolerance = 0.0f;  // a tolerance would change the quality with the errors of islands
+    settings.tolerance = 0.0f;  // a tolerance would let the errors of islands change their quality
     settings.quality = static_cast<physics::Quality>(variant.quality);
     settings.automaticQuality = variant.kind == WhatIfKind::Automatic;
     if (variant.kind == WhatIfKind::Verlet) settings.integrator = physics::IntegratorKind::Verlet;

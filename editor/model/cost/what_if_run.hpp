@@ -12,7 +12,7 @@
 
 namespace plumb::editor {
 
-/// Variant of the physics settings with which the ticks of a tape are stepped.
+/// Variant of the physics settings with which the ticks of a recording (PhysicsTape) are stepped.
 enum class WhatIfKind : std::uint8_t {
     Quality,       ///< a fixed quality
     Automatic,     ///< present quality with automatic quality for hard islands
@@ -30,32 +30,32 @@ struct WhatIfPoint {
     float overlap = 0.0f;       ///< largest overlap, m: median over the samples in the second half
     float jointError = 0.0f;    ///< largest joint gap, m: median over the samples in the second half
     float peak = 0.0f;          ///< largest overlap or gap of all samples, m, e.g. in a hard impact
-    float away = -1.0f;         ///< median distance of bodies from the reference, m; below 0: unknown
+    float away = -1.0f;         ///< median distance of bodies from those of Reference, m; below 0: unknown
 
     [[nodiscard]] float error() const { return overlap > jointError ? overlap : jointError; }
 };
 
 /// The measurements so far.
 struct WhatIfResult {
-    std::vector<WhatIfPoint> points;
-    physics::Settings settings;  ///< settings of the game
+    std::vector<WhatIfPoint> points;  ///< one per measured variant
+    physics::Settings settings;       ///< settings of the game
     PixelScale scale;
     int ticks = 0;           ///< ticks stepped per variant
     int ticksOnTape = 0;     ///< ticks recorded
     std::size_t bodies = 0;  ///< number of dynamic bodies
-    bool complete = false;
+    bool complete = false;   ///< all variants are measured
     bool isChaotic = false;  ///< a tiny displacement at the start (kNudge) becomes large
     float hair = 0.0f;       ///< median distance of bodies due to that displacement, m
 
-    [[nodiscard]] const WhatIfPoint* find(WhatIfKind kind, int quality = -1) const;
+    [[nodiscard]] const WhatIfPoint* find(WhatIfKind kind, int quality = -1) const;  ///< -1: any; null: none
     [[nodiscard]] const WhatIfPoint* present() const {
         return find(settings.automaticQuality ? WhatIfKind::Automatic : WhatIfKind::Quality,
                     settings.quality);
     }
 };
 
-/// Steps the ticks of a tape with all variants, in its own thread. Depends only on the physics, not on a
-/// game.
+/// Steps the ticks of a recording with all variants of the settings, in a thread of its own. Depends only on
+/// the physics, not on a game.
 class WhatIfRun {
 public:
     static constexpr double kBudget = 1.2;     ///< CPU time, s; expensive scenes step fewer ticks

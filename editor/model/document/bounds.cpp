@@ -45,8 +45,8 @@ AABB turnedBox(const Pose& pose, Vec2 from, Vec2 size) {
     return box;
 }
 
-/// The entity's scale applies to the points of outlines, but not to the offsets of boxes, capsules and
-/// circles.
+/// Calls add(box) with boxes (px, world) that cover the entity's colliders. The entity's scale applies
+/// to the points of outlines, but not to the offsets of boxes, capsules and circles.
 template <class Add>
 void addColliders(const World& world, EntityId entity, const Pose& pose, Add&& add) {
     const Pose turned{pose.position, pose.rotation, {1.0f, 1.0f}};

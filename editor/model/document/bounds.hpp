@@ -8,12 +8,12 @@
 
 namespace plumb::editor {
 
-/// True if the entity has a Transform. One without cannot be picked or framed.
+/// True if the entity has a Transform. An entity without one cannot be picked or framed.
 bool hasTransform(const World& world, EntityId entity);
 
 /// True for background entities: tile layers, parallax layers, force fields with a region, and sprites at
-/// least as large as the game's viewport. Other entities are picked before them, and a drag that begins on
-/// one moves it only if it is already selected.
+/// least as large as the game's viewport. Other entities are picked before them. A drag that begins on a
+/// background entity moves it only if it is already selected; otherwise it drags a selection box.
 bool isBackground(const Document& document, EntityId entity);
 
 /// Returns the world box (px) around an entity's sprite, tiles, text, colliders, soft body and region; a

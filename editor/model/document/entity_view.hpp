@@ -26,7 +26,7 @@ public:
     void setLocked(ObjectId id, bool locked) { set(locked_, id, locked); }
     void toggleHidden(ObjectId id) { setHidden(id, !isHidden(id)); }
     void toggleLocked(ObjectId id) { setLocked(id, !locks(id)); }
-    /// Shows this tile layer alone; if it is already, shows all of them.
+    /// Shows this tile layer alone; if it is already shown alone, shows all layers again.
     void toggleSolo(ObjectId layer) { solo_ = solo_ == layer ? ObjectId{} : layer, ++revision_; }
     void clear() { hidden_.clear(), locked_.clear(), solo_ = {}, ++revision_; }
 

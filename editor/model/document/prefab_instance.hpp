@@ -49,7 +49,7 @@ private:
     PlacedPrefab placed_;
 };
 
-/// True for the fields that each instance has for itself: position and rotation (of its root).
+/// True for the position and rotation in Transform, which the root of each instance has for itself.
 bool isInstancePose(const TypeInfo& type, std::string_view field);
 /// True if an instance can override the component. Names, and links to parents, scene and prefab, cannot be
 /// overridden.

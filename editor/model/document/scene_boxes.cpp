@@ -14,8 +14,8 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr AABB kNoBox{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
 
-/// Calls `f` with the component types on which boundsOf depends, except Transform, which moves descendants
-/// too.
+/// Calls `f` with the component types that change an entity's box (boundsOf). Transform is not among them: it
+/// also moves the boxes of descendants.
 template <class F>
 void eachSeen(F&& f) {
     f.template operator()<Sprite, Label, BoxCollider, CircleCollider, CapsuleCollider, PolygonCollider,

@@ -20,8 +20,8 @@ public:
     /// Returns the box of an entity. @pre the entity belongs to the document
     [[nodiscard]] const AABB& of(EntityId entity) const { return boxes_[placeOf_[entity.index]]; }
 
-    /// Calls visit(index) for each box that overlaps `area` or touches it with its left or upper edge, in
-    /// order.
+    /// Calls visit(index in `Document::objects()`), in ascending order, for each box that overlaps `area` or
+    /// whose left or upper edge touches it.
     template <class Visit>
     void eachTouching(const AABB& area, Visit&& visit) const {
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -41,18 +41,18 @@ private:
 
     void makeAll(const Document& document);
     void update(const Document& document, EntityId entity);
-    /// Updates an entity and its descendants, unless this pass has already done so.
+    /// Updates an entity and its descendants, unless this call of `follow` has already done so.
     void updateMoved(const Document& document, EntityId entity);
 
     std::vector<AABB> boxes_;
     std::vector<EntityId> entities_;      // by index in objects()
     std::vector<std::uint32_t> placeOf_;  // index in objects(), by EntityId::index
-    std::vector<std::uint32_t> passOf_;   // last pass that updated the entity, by index in objects()
-    std::uint32_t pass_ = 0;
-    std::vector<EntityId> restless_;  // entities whose boxes change without a component write
-    std::uint64_t tree_ = ~0ull;
-    std::uint64_t members_ = 0;
-    std::uint64_t mark_ = 0;
+    std::vector<std::uint32_t> passOf_;   // `pass_` of the last update of an entity, by index in objects()
+    std::uint32_t pass_ = 0;              // number of the present update
+    std::vector<EntityId> restless_;      // entities whose boxes change without a component write
+    std::uint64_t tree_ = ~0ull;          // Document::treeRevision at the last update
+    std::uint64_t members_ = 0;           // changes when an entity gains or loses a component with a box
+    std::uint64_t mark_ = 0;              // of the last update, for the world's change tracking
 };
 
 }  // namespace plumb::editor

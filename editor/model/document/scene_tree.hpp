@@ -19,7 +19,7 @@ public:
         bool parent = false;  ///< the entity has children, shown or not
     };
 
-    /// Updates the rows. @param words  see NameFilter; if not empty, the rows are a flat list of the matches
+    /// Updates the rows. @param words  filter text (name_filter.hpp); if not empty, rows list only matches
     void follow(const Document& document, std::string_view words);
 
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }

@@ -71,7 +71,7 @@ ObjectId activeTileLayer(const Document& document, const TilePaint& paint) {
 
 std::vector<ObjectId> tileLayers(const Document& document) {
     std::vector<ObjectId> layers = layersInFile(document);
-    // Of layers with the same number, the later one in the file is drawn in front.
+    // Of layers with the same number `TileLayer::layer`, the later one in the file is drawn in front.
     std::reverse(layers.begin(), layers.end());
     std::stable_sort(layers.begin(), layers.end(), [&](ObjectId a, ObjectId b) {
         return layerOf(document, a)->layer > layerOf(document, b)->layer;

@@ -24,7 +24,7 @@ public:
 
     bool undo();
     bool redo();
-    /// Undoes or redoes steps up to the state after the first `position` commands.
+    /// Undoes or redoes steps until exactly the first `position` steps are applied.
     void jumpTo(std::size_t position);
 
     [[nodiscard]] std::size_t size() const { return position_; }          ///< number of undoable steps
@@ -64,12 +64,12 @@ private:
     std::vector<std::unique_ptr<Command>> commands_;
     std::vector<std::string> subjects_;  // by command
     std::vector<Lost> lost_;
-    std::size_t position_ = 0;
-    std::size_t saved_ = 0;
+    std::size_t position_ = 0;  // number of applied commands
+    std::size_t saved_ = 0;     // `position_` at the last save, or kNever
     std::size_t cleared_ = 0;
-    bool gesture_ = false;
+    bool gesture_ = false;  // the last command can still be merged with the next one
     std::vector<std::unique_ptr<Command>>* group_ = nullptr;  // commands of the open transaction
-    std::string groupSubject_;                                // subject of its first command that has one
+    std::string groupSubject_;                                // of the transaction: its first known subject
 };
 
 /// Groups several commands into one undo step. Reverts them if destroyed without commit.

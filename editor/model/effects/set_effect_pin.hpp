@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// Sets an effect to on or off in the scene file's "effects"; Auto removes its entry.
+/// Sets an engine effect to on or off in the object "effects" of the scene file; Auto removes its entry.
 class SetEffectPin final : public Command {
 public:
     SetEffectPin(std::string effect, Pin pin) : effect_{std::move(effect)}, pin_{pin} {}

@@ -19,7 +19,7 @@ struct FinderItem {
     std::string text;      ///< searched text: "assets/tiles.png", "Edit: Undo", "crate"
     std::size_t name = 0;  ///< index in `text` at which the name begins
     std::string id;        ///< path, action id, or hexadecimal entity id
-    std::string detail;    ///< shown beside it: a command's keys, an entity's parent
+    std::string detail;    ///< shown beside `text`: a command's keys, an entity's parent
     AssetKind asset = AssetKind::None;
     ObjectId object;
     bool possible = true;  ///< false: a command that is disabled now

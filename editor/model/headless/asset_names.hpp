@@ -10,7 +10,7 @@
 
 namespace plumb::editor {
 
-/// The asset references in the entities of scenes and prefabs.
+/// All asset references in the entities of scenes and prefabs, with the places that contain them.
 class AssetNames {
 public:
     explicit AssetNames(const TypeRegistry& types) : types_{types} {}
@@ -19,7 +19,7 @@ public:
     /// it.
     void read(const std::string& file, std::string_view text);
 
-    struct Named {
+    struct Named {  ///< an asset, and the fields that reference it
         AssetKind kind = AssetKind::None;
         std::vector<std::string> by;  ///< "scenes/cave.scene.json: crate (0000000000000004), Sprite.texture"
     };

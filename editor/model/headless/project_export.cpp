@@ -14,7 +14,7 @@ constexpr std::string_view kScript = R"sh(#!/bin/sh
 here=$(cd "$(dirname "$0")" && pwd)
 exec "$here/plumb-player" "$here/game" "$@"
 )sh";
-constexpr std::string_view kNothing = "\n";  // starts no path
+constexpr std::string_view kNothing = "\n";  // a prefix that no path has
 constexpr std::string_view kBatch = "@\"%~dp0plumb-player.exe\" \"%~dp0game\" %*\r\n";
 
 /// Copies and counts files until the first error, which it stores.
@@ -31,8 +31,8 @@ public:
         std::error_code ignored;
         report_.bytes += fs::file_size(to, ignored);
     }
-    /// All files of a folder that are not hidden.
-    /// @param leftOut  start of the paths of files that are not copied; empty: none
+    /// Copies all files of a folder that are not hidden.
+    /// @param leftOut  files whose path starts with this are not copied
     void copyAll(const Path& from, const Path& to, std::string_view leftOut = kNothing) {
         AssetCatalog catalog{from};
         catalog.refresh();

@@ -16,7 +16,7 @@ struct ExportParts {
 struct ExportReport {
     std::size_t files = 0;
     std::uintmax_t bytes = 0;
-    bool runnable = false;  ///< it contains a player and a script that starts it
+    bool runnable = false;  ///< the export contains a player and a script that starts it
 };
 
 /// Exports a project to a folder for distribution:

@@ -33,12 +33,12 @@ public:
     /// Assigns the keys to this action, and removes them from every conflicting action.
     void bind(const Action& action, Shortcut keys);
     void unbind(const Action& action);
-    void reset(const Action& action);
+    void reset(const Action& action);  ///< restores the default shortcuts
     void resetAll() { chosen_.clear(); }
     [[nodiscard]] bool isChanged(const Action& action) const;
     [[nodiscard]] bool anyChanged() const { return !chosen_.empty(); }
-    /// Returns another action that has these keys and is available in the same editor state; null if there is
-    /// none.
+    /// Returns another action that has these keys and is available at the same time, so that the keys would
+    /// be ambiguous; null if there is none.
     [[nodiscard]] const Action* conflict(const Action& action, Shortcut keys) const;
 
     [[nodiscard]] Json toJson() const;

@@ -22,7 +22,7 @@ public:
     /// @pre  a game runs, and `tick` is in its recording
     PlaySession* at(Workspace& workspace, std::int64_t tick);
     /// Advances the copy from `tick` to the next recorded tick.
-    /// @pre  the copy is in the state after `tick`: by `at`, or by `playRecorded` of the tick before
+    /// @pre  the copy is in the state after `tick`: after `at(tick)`, or after `playRecorded(tick - 1)`
     void playRecorded(const Workspace& workspace, std::int64_t tick);
     void clear() { session_.reset(), snapshot_.reset(); }
 
@@ -34,7 +34,7 @@ private:
     std::string scene_;
 };
 
-/// Returns the entity with this scene id by a linear search; a null id if the world has none.
+/// Returns the entity with this ObjectId, by a linear search; a null id if the world has none.
 EntityId entityIn(const World& world, ObjectId id);
 
 }  // namespace plumb::editor

@@ -45,7 +45,7 @@ struct JumpReach::Plan {
     int turn = 0;   ///< ticks from the jump to the change of direction
 };
 
-/// @param first  true: the long list, for the initial position; false: a shorter one, for landings
+/// Returns the inputs to try. @param first  true: long list, for the initial position; false: for landings
 const std::vector<JumpReach::Plan>& JumpReach::plans(bool first) {
     constexpr int kNever = 1000;
     static const auto make = [](std::initializer_list<int> runUps, std::initializer_list<int> holds) {

@@ -61,7 +61,7 @@ private:
     struct Place {
         Snapshot world;        ///< state of the game at the landing
         int hops = 0;          ///< number of jumps from the initial position
-        std::size_t next = 0;  ///< index of the next plan to simulate
+        std::size_t next = 0;  ///< index of the next plan (input sequence) to simulate
     };
     static const std::vector<Plan>& plans(bool first);
     [[nodiscard]] InputFrame hands(const Plan& plan, int tick, int jumpedAt) const;
@@ -75,12 +75,12 @@ private:
 
     PlaySession* game_ = nullptr;
     EntityId player_;
-    Key left_ = Key::Left;
+    Key left_ = Key::Left;  // key that the simulation presses to run left
     Key right_ = Key::Right;
     Key jump_ = Key::Space;
     std::deque<Place> places_;  // landings with plans left to simulate
-    std::size_t placed_ = 0;
-    std::set<Cell> stood_;  // grid cells with a landing
+    std::size_t placed_ = 0;    // number of landings queued so far, at most kPlaces
+    std::set<Cell> stood_;      // grid cells with a landing
     std::map<Cell, int> cells_;
     std::vector<Arc> arcs_;
     std::vector<Landing> landings_;

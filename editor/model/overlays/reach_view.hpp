@@ -34,7 +34,7 @@ private:
     GhostGame ghost_;
     JumpReach reach_;
     Asked asked_;
-    Vec2 from_;  // px, world: position of the player at the start
+    Vec2 from_;  // px, world: position of the player when the computation began
 };
 
 }  // namespace plumb::editor

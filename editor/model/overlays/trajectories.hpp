@@ -15,7 +15,7 @@ public:
     static constexpr int kAhead = 120;        ///< ticks shown of the future
     static constexpr double kBudget = 0.003;  ///< s of CPU time per frame
 
-    struct Way {
+    struct Way {  ///< the trajectory of one entity
         ObjectId object;
         std::vector<Vec2> past;    ///< px, world: one position per tick; the last one is the present
         std::vector<Vec2> future;  ///< px, world: one position per tick
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool done() const { return ahead_ >= kAhead; }
 
 private:
-    struct Asked {
+    struct Asked {  ///< the state for which the trajectories were computed
         bool playing = false;
         bool all = false;
         std::uint64_t revision = 0;   ///< revision of the scene
@@ -50,7 +50,7 @@ private:
     std::vector<Way> ways_;
     std::vector<EntityId> entities_;  // entities in the world of the ghost, one per item of `ways_`
     Asked asked_;
-    bool begun_ = false;
+    bool begun_ = false;  // false: nothing was computed since `clear`
     int ahead_ = kAhead;  // ticks of the future simulated so far
 };
 

@@ -30,7 +30,7 @@ public:
     virtual void tick(const InputFrame& input) = 0;
     /// Called after the world was restored from a snapshot; updates the state outside of the world.
     virtual void restored() {}
-    /// The project's code was replaced by another version.
+    /// Called after the project's code was replaced by another version; converts the world.
     virtual void contentChanged(const GameContent&, const ContentChange&) {}
     /// Restarts with new content of the scene file.
     /// @return false if this is not possible; the caller must create a new session then
@@ -73,10 +73,10 @@ public:
     float advance(double seconds, const InputFrame& input);
     /// Runs one tick, also while paused. In the past it replays the recorded tick and ignores `input`.
     void step(const InputFrame& input);
-    /// Continuing from a tick in the past discards the recorded ticks after it.
+    /// Pauses or continues. Continuing from a tick in the past discards the recorded ticks after it.
     void setPaused(bool paused);
-    static constexpr int kSlowest = -3;  ///< power of two: 1/8 of normal speed
-    static constexpr int kFastest = 3;   ///< power of two: 8 times normal speed
+    static constexpr int kSlowest = -3;  ///< lowest power for `setSpeed`: 1/8 of normal speed
+    static constexpr int kFastest = 3;   ///< highest power for `setSpeed`: 8 times normal speed
     /// Sets the speed to 2^power times normal speed. @param power  0: normal speed
     void setSpeed(int power);
     [[nodiscard]] int speed() const { return speed_; }
@@ -116,7 +116,7 @@ private:
     PlayEdits edits_;
     bool paused_ = false;
     bool watching_ = false;
-    int speed_ = 0;
+    int speed_ = 0;  // power of two
     std::int64_t ticks_ = 0;
     double rest_ = 0.0;                   // s: elapsed time that is not simulated yet
     mutable IdTable<EntityId> entities_;  // entities by scene id, at the tick `indexed_`

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const InputFrame& inputAfter(std::int64_t tick) const {
         return inputs_[static_cast<std::size_t>(tick - first_)];
     }
-    /// The last keyframe not later than `tick`. @pre oldest() <= tick
+    /// The last keyframe at or before `tick`. @pre oldest() <= tick
     [[nodiscard]] const Keyframe& before(std::int64_t tick) const;
     [[nodiscard]] const std::deque<Keyframe>& keyframes() const { return keyframes_; }
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -52,11 +52,11 @@ private:
     void drop(Keyframe& keyframe);
     void thin();
 
-    std::deque<Keyframe> keyframes_;  // sorted by tick
-    std::deque<InputFrame> inputs_;   // one per tick after `first_`
-    std::int64_t first_ = 0;
-    std::int64_t spacing_ = 0;
-    std::size_t bytes_ = 0;
+    std::deque<Keyframe> keyframes_;                // sorted by tick
+    std::deque<InputFrame> inputs_;                 // one per tick after `first_`
+    std::int64_t first_ = 0;                        // tick before the first of `inputs_`
+    std::int64_t spacing_ = 0;                      // ticks between two keyframes
+    std::size_t bytes_ = 0;                         // estimated size of all keyframes
     std::vector<std::unique_ptr<Snapshot>> spare_;  // removed snapshots, whose memory is reused
 };
 

@@ -18,7 +18,7 @@ void updatePlayedKeys(Workspace& workspace);
 /// Discards the bindings set by `setPlayedKeys`: the next game starts with those of its project.
 void clearPlayedKeys(Workspace& workspace);
 
-/// True if the change is one of the key bindings.
+/// True if `edit` stores a change of the key bindings, not of a component field.
 bool isOfKeys(const PlayEdit& edit);
 /// Applies a change of the key bindings to the input of a game's world.
 void writeKeys(World& world, const PlayEdit& edit);

@@ -6,8 +6,8 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// Handles a double click in the scene: selects the part of a prefab instance under the pointer, or activates
-/// the shape tool for the corners of a polygon or chain.
+/// Handles a double click in the scene: selects the part of a prefab instance under the pointer; on a polygon
+/// or chain collider, activates the shape tool, which moves its corners.
 /// @param point  px, world: position of the pointer
 /// @param reach  px, world: maximum distance at which an entity is still hit
 void handleDoubleClick(Workspace& workspace, Vec2 point, float reach);

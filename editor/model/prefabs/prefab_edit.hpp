@@ -16,7 +16,7 @@ struct PrefabEdit {
 
 /// The part of an instance to revert or apply: the whole instance, one component of an entity, or one field.
 struct PrefabScope {
-    const TypeInfo* type = nullptr;  ///< type of the component; null: the whole instance
+    const TypeInfo* type = nullptr;  ///< type of the component; null: all components of the whole instance
     std::string_view field{};        ///< name of the field; empty: the whole component
 };
 

@@ -13,7 +13,7 @@ struct PrefabGroup {
 
     std::vector<std::string> prefabs;  ///< paths, without duplicates, in order of first use
     std::size_t parts = 0;             ///< number of entities that belong to a prefab instance
-    bool compared = true;              ///< false: too many entities; the members below are not computed
+    bool compared = true;              ///< false: too many entities; the fields below are not computed
     std::size_t changed = 0;           ///< number of overrides of all entities together
     PrefabOverrides overrides;         ///< union of the overrides of all entities
     std::string whyNotApply;           ///< reason why they cannot be applied together; empty if they can

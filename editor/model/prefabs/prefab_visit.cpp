@@ -24,7 +24,7 @@ struct CameFrom {
 /// opened.
 struct Trail {
     std::vector<CameFrom> places;  // files to go back to; the first is a scene
-    std::string to;                // path of the current prefab; `places` is invalid if another file is open
+    std::string to;  // path of the prefab opened last; `places` is invalid if another file is open
     std::optional<PrefabVisit> asked;
 };
 

@@ -31,7 +31,7 @@ public:
         std::uint32_t contacts = 0;  ///< contacts of awake bodies
         std::uint32_t drawCalls = 0;
         std::uint32_t sprites = 0;
-        std::array<std::uint32_t, physics::kEffects> callers{};  ///< callers of each physics effect
+        std::array<std::uint32_t, physics::kEffects> callers{};  ///< components that require each effect
     };
     /// How several threads shared the work of a physics stage.
     struct Threads {
@@ -65,7 +65,7 @@ public:
 
     explicit Profiler(PhysicsTimes& times) : times_{times} { profile_.on = false; }
 
-    /// Requests measurement; to be called in every frame in which the profiler is shown.
+    /// Requests that ticks are measured; to be called in every frame in which the profiler is shown.
     void want() { wanted_ = kFramesOfWish; }
     /// Starts or stops measuring, depending on `want` and `held`; to be called once per frame.
     void tend(PlayMode& play);

@@ -16,7 +16,7 @@ struct EditorOptions {
     bool validate = false;       ///< check all scenes, prefabs and assets, print the problems and exit
     std::string exportTo;        ///< folder to export the game to, then exit; empty: no export
     std::string screenshot;      ///< PNG file for a screenshot of the window, then exit; empty: none
-    std::string tour;            ///< script of actions to run, then exit, see `Tour`; empty: none
+    std::string tour;            ///< script of actions to run, then exit (editor/ui/tour.hpp); empty: none
     std::string importFrom;      ///< file of another editor to import, then exit; empty: no import
     std::string importTo;        ///< file to write the import to; empty: named after `importFrom`
     std::string select;          ///< name of the entity to select at the start

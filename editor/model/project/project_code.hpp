@@ -22,16 +22,16 @@ public:
 
     /// True if the project has code.
     [[nodiscard]] bool exists() const { return exists_; }
-    /// True if there is a library to load.
+    /// True if a built library exists that `load` can load.
     [[nodiscard]] bool isBuilt() const;
     /// Loads the library as it was built last.
     /// @error there is none, it was built for another version of the editor, or it does not describe a module
     Result<Module> load();
 
-    /// Looks at the files of the code every kInterval and starts a build if they have changed; the first call
-    /// starts one.
+    /// Checks the code files every kInterval and starts a build if they have changed; the first call always
+    /// starts a build.
     /// @param now  s, of any clock
-    /// @return true if a build has just made another library than the one that was loaded
+    /// @return true if a build has just finished whose library differs from the loaded one
     bool poll(double now);
     /// Builds the library and the player, and waits. Errors are logged. @return false if the build failed
     bool buildNow();
@@ -54,17 +54,17 @@ private:
     std::string target_;  // name of the targets in the build: TARGET-code, TARGET-player
     bool exists_ = false;
     double next_ = 0.0;
-    std::uint64_t stamp_ = 0;         // of the files when the last build began
-    std::uint64_t libraryStamp_ = 0;  // of the library when it was loaded
+    std::uint64_t stamp_ = 0;         // hash of names and times of the code files when the last build began
+    std::uint64_t libraryStamp_ = 0;  // stamp of the library's file when it was loaded
     int loaded_ = 0;                  // number of versions that were loaded
     std::future<Build> build_;
 };
 
-/// Name of the targets that contain the code of a project. A project outside of the engine's folder is
-/// entered into the list of the build folder.
+/// Returns NAME of the CMake targets NAME-code and NAME-player of a project. A project outside the engine's
+/// folder is first added to the list projects.txt of the build folder, which creates its targets.
 Result<std::string> codeTarget(const Path& project, const Path& buildFolder);
 
-/// The program that plays a project, if it has code: the player that contains it.
+/// Returns the program that plays a project: the player with the project's code; without code, plumb-player.
 Path playerOf(const Path& project);
 
 }  // namespace plumb::editor

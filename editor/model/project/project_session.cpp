@@ -63,7 +63,7 @@ void ProjectSession::useCode(Module code) {
     prefabs_.forget();
     convertWorld(w.document.world, content_, change);
     if (w.play.running()) w.play.contentChanged(content_, change);
-    // The text also contains components of types that were unknown before, or are now.
+    // The scene's text also contains components of types that the old or the new code does not know.
     const bool reread = isOpen && (change.newTypes || !change.types.empty());
     if (reread) {
         const SceneContext context{content_.types(), &prefabs_, project_.root};
@@ -125,7 +125,7 @@ int ProjectSession::exportTo(const std::string& folder) {
     const ProjectCheck check = checkProject(project_, *workspace_, prefabs_);
     std::printf("%s", check.text().c_str());
     if (!check.playable) {
-        std::fprintf(stderr, "plumb-editor: nothing was exported; mend the scenes first\n");
+        std::fprintf(stderr, "plumb-editor: nothing was exported; fix the scenes first\n");
         return 1;
     }
     const Result<ExportReport> report =

@@ -27,8 +27,8 @@ public:
     [[nodiscard]] Workspace& workspace() { return *workspace_; }
     [[nodiscard]] AssetStore& assets() { return assets_; }
 
-    /// Opens the scene of this name; if `scene` is empty, the start scene, or the first scene if there is
-    /// none.
+    /// Opens the scene of this name; if `scene` is empty, the project's start scene, or its first scene if it
+    /// has no start scene.
     void openFirst(std::string_view scene);
 
     /// Checks all scenes, prefabs and assets, and prints the problems. @return exit code of the program
@@ -37,8 +37,8 @@ public:
     int exportTo(const std::string& folder);
 
     /// Replaces the project's code by another version, in the open scene and in a running game too:
-    /// components keep the values of the fields that both versions have. The undo history ends where fields
-    /// change.
+    /// components keep the values of the fields that both versions have. If fields of a component differ, the
+    /// undo history is cleared.
     void useCode(Module code);
 
 private:

@@ -21,19 +21,19 @@ struct NamedLayout {
 
 /// The user's editor settings for all projects. They are not part of a scene or of the undo history.
 struct Settings {
-    static constexpr float kLeastScale = 0.75f;
-    static constexpr float kMostScale = 3.0f;
-    static constexpr std::size_t kMaxRecent = 12;
+    static constexpr float kLeastScale = 0.75f;    ///< minimum of `scale`
+    static constexpr float kMostScale = 3.0f;      ///< maximum of `scale`
+    static constexpr std::size_t kMaxRecent = 12;  ///< maximum number of `recent` projects
 
     Theme theme = Theme::Dark;
-    float scale = 1.0f;        ///< scale of the user interface
-    float textSize = 14.0f;    ///< px at scale 1: size of the text
-    bool rightErases = false;  ///< right mouse button on tiles: true erases, false picks a pattern
-    bool welcome = true;       ///< show the welcome screen if the editor starts without a project
-    PaneLayout layout;         ///< the current layout
-    std::vector<NamedLayout> layouts;
-    std::vector<std::string> recent;  ///< folders of recent projects, latest first
-    KeyBindings keys;
+    float scale = 1.0f;                ///< scale of the user interface
+    float textSize = 14.0f;            ///< px at scale 1: size of the text
+    bool rightErases = false;          ///< right mouse button on tiles: true erases, false picks a pattern
+    bool welcome = true;               ///< show the welcome screen if the editor starts without a project
+    PaneLayout layout;                 ///< the current layout
+    std::vector<NamedLayout> layouts;  ///< layouts saved by the user
+    std::vector<std::string> recent;   ///< folders of recent projects, latest first
+    KeyBindings keys;                  ///< shortcuts of actions
 
     /// Moves or inserts a project's folder at the front of the recent ones.
     void remember(const std::string& project);

@@ -21,9 +21,9 @@ struct LostWork {
 };
 
 /// Writes the unsaved scene to a journal file after 1 s or 8 actions, so that a crash loses at most that. If
-/// the disk is too slow, the editor waits for it after twice as much; a crash never loses 20 actions or 5 s.
-/// The journal lies in the project's folder `.plumb`, which git ignores, so that it moves with the project.
-/// The scene's own file is never changed.
+/// a write is still pending 2 s or 8 actions later, the editor waits for it; a crash never loses 20 actions
+/// or 5 s. The journal lies in the project's folder `.plumb`, which git ignores, so that it moves with the
+/// project. The scene's own file is never changed.
 class Journal {
 public:
     static constexpr double kSeconds = 1.0;      ///< s: maximum age of a change until it is written
@@ -35,9 +35,9 @@ public:
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Starts to write journals, in a folder locked by this program; other editors of the project use other
-    /// ones.
-    /// @error  no folder can be written
+    /// Starts to write journals, in a folder that this program locks; other editors of the project use other
+    /// folders.
+    /// @error  no journal folder can be written
     Result<Done> begin();
     [[nodiscard]] bool begun() const { return writer_.has_value(); }
 

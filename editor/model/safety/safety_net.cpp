@@ -43,7 +43,7 @@ Result<Done> SafetyNet::restore(const Backup& backup) {
     if (!text) return text.error();
     const Result<LoadReport> opened = workspace_.openText(workspace_.document.scenePath, *text);
     if (!opened) return opened.error();
-    workspace_.notice = format("Restored the scene of {}; save it to keep it", backup.when);
+    workspace_.notice = format("Restored the backup of {}; save it to keep it", backup.when);
     return Done{};
 }
 
@@ -51,7 +51,7 @@ Result<Done> SafetyNet::recover(std::size_t index) {
     const LostWork work = lost_[index];
     const Result<LoadReport> opened = workspace_.openText(work.scene, work.text);
     if (!opened) return opened.error();
-    workspace_.notice = format("Recovered {} of {}; save it to keep it", work.scene, work.when);
+    workspace_.notice = format("Recovered {} as of {}; save it to keep it", work.scene, work.when);
     // A new journal is written before the old one is deleted, so that a crash in between loses nothing.
     journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kSeconds);
     journal_.finish();

@@ -41,11 +41,11 @@ public:
 
     /// State of the open file on disk compared to the version last opened or saved.
     [[nodiscard]] FileWatch::State onDisk() const { return onDisk_; }
-    /// Updates `onDisk`.
+    /// Compares the open file with the version last opened or saved, and updates `onDisk`.
     void lookAtFile();
     /// True if saving was refused since the last call, because another program had changed the file.
     [[nodiscard]] bool takeRefusal() { return std::exchange(refused_, false); }
-    /// Opens the version on disk; unsaved changes are added to the backups.
+    /// Opens the version of the other program on disk; unsaved changes are added to the backups.
     void takeTheirs();
     /// Keeps the version in the editor. The next save overwrites the file and adds its content to the
     /// backups.

@@ -7,8 +7,8 @@
 
 namespace plumb::editor {
 
-/// Computes the change of painting terrain: the terrain ids, and the autotiled tiles in and around them. A
-/// tile that the user painted over terrain stays until its autotiled tile changes.
+/// Computes the change of painting terrain: the terrain ids, and the autotiled tiles in the painted cells and
+/// around these. A tile that the user painted over terrain stays until its autotiled tile changes.
 ///
 /// @param terrain  terrain ids of the layer, as large as `cells`
 /// @param wanted   terrain ids to paint, each cell once; 0 removes the terrain

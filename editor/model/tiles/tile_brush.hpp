@@ -65,9 +65,9 @@ private:
     std::shared_ptr<TileGrid> newTerrain_;
     TileInk ink_;
     std::uint32_t seed_;
-    int id_ = 0;
+    int id_ = 0;  // id of the painted terrain
     std::unique_ptr<Autotile> autotile_;
-    double weights_ = 0.0;
+    double weights_ = 0.0;  // sum of the probabilities of the stamp's tiles
 };
 
 /// Returns the tileset's terrain selected for painting, or its first one; null if the tileset has no terrain.

@@ -13,7 +13,7 @@ struct TilePalette {
     int rows = 0;
     int count = 0;                   ///< number of tiles
     Vec2 tileSize{16.0f, 16.0f};     ///< px: size of a tile without zoom
-    const Tileset* grown = nullptr;  ///< computes the tiles' positions if the image was widened; or null
+    const Tileset* grown = nullptr;  ///< the tileset if its image was widened, to place its tiles; else null
 
     /// Returns the id of the tile in a cell of the palette; -1 if the cell is empty.
     [[nodiscard]] int tileAt(CellPlace place) const;

@@ -31,8 +31,8 @@ void setProperty(Tileset& tileset, std::span<const int> tiles, std::string_view 
 /// true.
 std::string propertyJson(std::string_view typed);
 
-/// Returns the ids of the tiles whose id is `words`, or whose material, shape or properties contain it; all
-/// tiles if it is empty.
+/// Returns the ids of the tiles whose id is `words`, or whose material, shape or properties contain this
+/// text; all tiles if `words` is empty.
 std::vector<int> tilesFound(const Tileset& tileset, std::string_view words);
 
 // Terrain.
@@ -50,7 +50,7 @@ std::span<const std::string_view> terrainLayoutNames();
 /// Replaces the terrain's tiles, with masks by their position in the layout relative to the first tile.
 /// @param chosen  ids of the tiles, row by row as in the palette
 void assignMasks(Terrain& terrain, const Tileset& tileset, std::span<const int> chosen, TerrainLayout layout);
-/// Sets the mask of tiles in the terrain. @param mask  a negative one removes the tiles from the terrain
+/// Sets the mask (bits of equal neighbors) of tiles in the terrain. @param mask  negative: removes the tiles
 void setMask(Terrain& terrain, std::span<const int> tiles, int mask);
 /// Returns the mask of a tile in the terrain; -1 if the tile is not part of it.
 int maskOf(const Terrain& terrain, int tile);

@@ -23,7 +23,7 @@ std::optional<MotionPath> motionPathOf(const World& world, EntityId entity);
 
 /// Appends handles for the ends of the entity's path that can be dragged.
 void addWaySpots(const Document& document, ObjectId id, std::vector<ShapeHandle>& spots);
-/// Moves an end of the path in the component's state. @param part  of the handle @param to  px, world
+/// Moves an end of the path in `state`. @param part  `ShapeHandle::part` of that end @param to  px, world
 void dragWay(const Document& document, ObjectId id, ComponentState& state, int part, Vec2 to);
 
 /// Draws a path as a line with a mark at each end: a bar at a limit, a circle if only walls or edges end the

@@ -23,7 +23,7 @@ private:
     void finishBox(const ToolContext& context, const Pointer& pointer) const;
 
     Mode mode_ = Mode::Idle;
-    bool onThing_ = false;          ///< a drag moves the pressed entity: it is selected, or not ground
+    bool onThing_ = false;          ///< a drag moves `hit_`, as it is selected or not background
     bool wasSelected_ = false;      ///< `hit_` was selected before the press
     ObjectId hit_;                  ///< the pressed entity; null: none
     Modifiers held_;                ///< modifier keys at the press

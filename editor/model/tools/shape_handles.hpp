@@ -8,7 +8,7 @@
 
 namespace plumb::editor {
 
-/// Kind of a spot, which decides its look and the effect of dragging it.
+/// Kind of a handle of the shape tool (a spot), which decides its look and the effect of dragging it.
 enum class ShapeHandleKind : unsigned char {
     Side,    ///< a side of a box, or a point on a circle
     Corner,  ///< a corner of a box or an outline; those of outlines can be removed
@@ -18,11 +18,11 @@ enum class ShapeHandleKind : unsigned char {
     Pivot,   ///< the origin of the entity; sprite, colliders and children keep their world positions
 };
 
-/// A handle of the shape tool that changes one component of an entity when it is dragged.
+/// A handle of the shape tool, also called spot, which changes one component of an entity when dragged.
 struct ShapeHandle {
     Vec2 at;                         ///< px, world: position
     const TypeInfo* type = nullptr;  ///< type of the component
-    int part = 0;                    ///< index of the spot in the component
+    int part = 0;                    ///< index of the handle in the component
     ShapeHandleKind kind = ShapeHandleKind::Corner;
 };
 

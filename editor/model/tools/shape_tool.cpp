@@ -31,8 +31,8 @@ float distanceTo(const ShapeEdge& edge, Vec2 point) {
     return distance(edge.from + way * part, point);
 }
 
-/// Returns the nearest spot in reach. Of several at the same distance, the first in the list wins, the pivot
-/// last.
+/// Returns the nearest spot (handle) in reach. Of several at the same distance, the first in the list is
+/// returned; the pivot is the last in the list.
 std::optional<ShapeHandle> spotAt(const std::vector<ShapeHandle>& spots, const Pointer& pointer) {
     std::optional<ShapeHandle> found;
     float nearest = kReach * pointer.pixel;

@@ -22,7 +22,7 @@ public:
 private:
     void hold(const ToolContext& context, const ShapeHandle& spot, const Pointer& pointer);
     void push(const ToolContext& context, std::vector<ChangeStates::Change> changes) const;
-    /// The spot held last, at its present position; nothing if it does not exist any more.
+    /// The spot (handle) held last, at its present position; nothing if it does not exist any more.
     [[nodiscard]] std::optional<ShapeHandle> chosen(const ToolContext& context) const;
 
     ObjectId object_;                          ///< entity of `held_` and `chosen_`

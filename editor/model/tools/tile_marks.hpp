@@ -13,15 +13,15 @@ inline constexpr Color kWords{255, 255, 255, 255};  ///< text, readable on tiles
 inline constexpr Color kCursorFill{77, 163, 255, 50};
 inline constexpr Color kErase{240, 104, 104, 255};
 inline constexpr Color kEraseFill{240, 104, 104, 50};
-inline constexpr Color kPick{255, 221, 87, 255};
+inline constexpr Color kPick{255, 221, 87, 255};  ///< box of tiles to pick as the new stamp
 inline constexpr Color kPickFill{255, 221, 87, 40};
-inline constexpr Color kGhost{255, 255, 255, 190};
-inline constexpr Color kLayer{226, 164, 96, 150};
+inline constexpr Color kGhost{255, 255, 255, 190};  ///< tint of previewed tiles
+inline constexpr Color kLayer{226, 164, 96, 150};   ///< border of the layer
 inline constexpr Color kSelected{120, 230, 160, 255};
 inline constexpr Color kSelectedFill{120, 230, 160, 45};
 
-/// Draws the border of the layer, its selected cells, and the reason why it cannot be painted, if there is
-/// one.
+/// Draws the border of the layer, its selected cells and, if the layer cannot be painted, a text with the
+/// reason.
 void drawLayer(const ToolContext& context, ObjectId layer, Overlay& overlay);
 /// Draws the selected cells.
 void drawSelection(const ToolContext& context, ObjectId layer, Overlay& overlay);

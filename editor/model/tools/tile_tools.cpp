@@ -22,11 +22,11 @@ bool isShape(TileTool::Mode mode) {
 
 /// Preview of a fill.
 struct FillArea {
-    std::vector<CellPlace> places;  // cells to fill, limited to some around the pointer
+    std::vector<CellPlace> places;  // cells to fill, only those near the pointer
     std::string words;              // description of the whole area, e.g. "12 cells"
 };
 
-/// @param equal  true: all cells equal to the one under the pointer, not only the connected ones
+/// @param equal  true: fills all cells equal to the one at `at`, not only those connected to it
 FillArea fillArea(const TileBrush& brush, const CellSelection& selected, CellPlace at, bool equal) {
     const TileGrid& grid = brush.grid();
     if (selected.has(at)) {

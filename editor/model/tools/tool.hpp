@@ -50,7 +50,7 @@ public:
     [[nodiscard]] virtual std::string_view next() const { return {}; }
 };
 
-/// The paint that selecting a tile tool activates; Keeps: no change.
+/// What a tile tool paints from its selection on: the stamp, terrain, or (Keeps) the same as before.
 enum class Hand : unsigned char { Keeps, Stamp, Terrain };
 
 /// One tool in the table of all tools.

@@ -60,7 +60,7 @@ public:
 
     /// Size of a pane as a ratio of the window's width or height; Split: ratio of the bottom's width.
     [[nodiscard]] float size(Edge edge) const { return sizes_[static_cast<std::size_t>(edge)]; }
-    void resize(Edge edge, float part);
+    void resize(Edge edge, float part);  ///< sets the ratio that `size` returns
 
     bool hidden = false;  ///< hides all panels except the scene; not saved
 

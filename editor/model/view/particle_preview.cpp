@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostSteps = 6;  // maximum steps per frame; after a slow frame the rest is skipped
 constexpr int kHandful = 30;   // number of particles of a burst if the emitter defines none
 
-/// Returns a copy of the emitter that is playing, as in the preview it always emits.
+/// Returns a copy of the emitter with `playing` set, because the preview always emits.
 ParticleEmitter sending(const ParticleEmitter& emitter) {
     ParticleEmitter copy = emitter;
     copy.playing = true;

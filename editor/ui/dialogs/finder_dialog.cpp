@@ -29,7 +29,7 @@ struct WhatRow {
 };
 constexpr std::array kWhats{
     WhatRow{WindowRequest::FindFile, Finder::What::Files,
-            "A scene, prefab, asset or entity   (> commands, @ entities)", kNoLetters},
+            "A scene, prefab, asset or entity   (>: only commands, @: only entities)", kNoLetters},
     WhatRow{WindowRequest::FindCommand, Finder::What::Commands, "What do you want to do?", kNoLetters},
     WhatRow{WindowRequest::ChooseScene, Finder::What::Scenes, "Which scene?",
             "This project has no scenes. Scenes are files in its folder scenes/ that end in .scene.json."},
@@ -152,7 +152,7 @@ void FinderDialog::drawRows(Ui& ui) {
     ImGui::EndChild();
     ImGui::PopStyleVar();
     if (finder_.found() > count)
-        ImGui::TextDisabled("%zu more; type more letters to narrow the search", finder_.found() - count);
+        ImGui::TextDisabled("%zu more results; type more to narrow the search", finder_.found() - count);
 }
 
 void FinderDialog::drawRow(Ui& ui, std::size_t index, float width) {

@@ -11,7 +11,7 @@ namespace plumb::editor::ui {
 /// The dialog that imports a file of Tiled, LDtk or Aseprite and shows a report.
 class ImportDialog {
 public:
-    /// Draws the dialog; opens it on a request of the workspace.
+    /// Draws the dialog, if it is open. Opens it if Workspace::request is WindowRequest::Import.
     void draw(Ui& ui);
 
 private:
@@ -23,11 +23,11 @@ private:
     void drawReport(Ui& ui, const ImportReport& report);
 
     std::optional<ImportTask> task_;
-    std::string place_;    ///< text of the field for the folder or file
+    std::string place_;    ///< text of the input field for the path of a folder or file
     std::string missing_;  ///< error message if `place_` does not exist
 };
 
-/// Opens a scene. If the open scene has unsaved changes, only shows a notice that it must be saved first.
+/// Opens the scene at `path`. If the open scene has unsaved changes, only shows a notice to save it first.
 void openSceneOrSay(Ui& ui, const std::string& path);
 
 }  // namespace plumb::editor::ui

@@ -5,7 +5,7 @@
 
 namespace plumb::editor::ui {
 
-/// The dialog shown after a game in which the user changed fields: selects the changes to copy to the scene.
+/// Dialog after a game in which the user edited fields: lets the user select the edits to copy to the scene.
 class KeepDialog {
 public:
     void draw(Ui& ui);

@@ -145,12 +145,12 @@ void PrefabDialogs::drawRow(Ui& ui, const OverrideRow& row, std::size_t index) {
     ImGui::TableNextColumn();
     const bool revert = ImGui::SmallButton("Revert");
     ui.widgets.mark(format("Overrides/{}/revert", index));
-    tooltip("Resets this to the prefab's value");
+    tooltip("Resets this override to the prefab's value");
     ImGui::SameLine();
     const bool apply = row.type != nullptr && ImGui::SmallButton("Apply");
     if (row.type != nullptr) {
         ui.widgets.mark(format("Overrides/{}/apply", index));
-        tooltip("Writes this to the prefab's file, which changes all its instances");
+        tooltip("Writes this override to the prefab's file, which changes all instances");
     }
     ImGui::PopID();
     if (revert) {

@@ -22,10 +22,10 @@ private:
     void drawRow(Ui& ui, const OverrideRow& row, std::size_t index);
 
     std::array<char, 64> name_{};
-    std::string problem_;
-    std::vector<OverrideRow> rows_;
-    std::uint64_t rowsOf_ = ~0ull;  // revision of the scene for which `rows_` was computed
-    ObjectId instance_;
+    std::string problem_;            // error of the last try to make a prefab
+    std::vector<OverrideRow> rows_;  // overrides of `instance_`
+    std::uint64_t rowsOf_ = ~0ull;   // revision of the scene for which `rows_` was computed
+    ObjectId instance_;              // entity whose overrides are shown
 };
 
 }  // namespace plumb::editor::ui

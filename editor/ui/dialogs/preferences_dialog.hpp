@@ -9,8 +9,8 @@ class PreferencesDialog {
 public:
     void open() { open_ = true; }
     void draw(Ui& ui);
-    /// Handles an event while new keys are awaited. @return true if the event was used and must have no other
-    /// effect
+    /// Handles an event while the page "Keys" waits for a new shortcut.
+    /// @return true if the event was used and must have no other effect
     bool take(KeyBindings& keys, const Event& event) { return keysPage_.take(keys, event); }
 
 private:

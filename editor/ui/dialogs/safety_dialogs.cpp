@@ -52,8 +52,8 @@ void SafetyDialogs::ask(Ui& ui) {
     if (open_ != Question::None && !ImGui::IsPopupOpen(title(open_))) {
         const Question closed = std::exchange(open_, Question::None);
         differences_.clear();
-        // If another dialog replaced the question, it is shown again afterwards; closed with Esc, it is
-        // postponed.
+        // If another dialog replaced the question, the question opens again after that dialog; if the user
+        // closed the question with Esc, it is postponed.
         if (!anyPopupOpen()) {
             if (closed == Question::Recovery) {
                 later_ = true;
@@ -96,7 +96,7 @@ void SafetyDialogs::drawBackups(Ui& ui) {
             "This scene has no backups. Each save backs up the previous file; the last %d backups are kept.",
             static_cast<int>(Backups::kCopies));
     } else {
-        ImGui::TextDisabled("Opens a version; unsaved changes are backed up first.");
+        ImGui::TextDisabled("Click a version to open it; unsaved changes are backed up first.");
     }
     beginChild("backups", {0.0f, -ui.px(40.0f)}, false);
     for (std::size_t i = 0; i < backups_.size(); ++i) {
@@ -226,19 +226,19 @@ void SafetyDialogs::drawChanged(Ui& ui) {
     const bool mine = footButton(ui, "Keep mine", 130.0f, "Changed/mine");
     ImGui::SameLine();
     bool beside = footButton(ui, "Save mine as copy", 130.0f, "Changed/beside");
-    tooltip("Saves your version as a new scene, and opens the other version");
+    tooltip("Saves your version as a new scene, and opens the other program's version");
     ImGui::SameLine();
     if (footButton(ui, "Compare", 130.0f, "Changed/compare")) {
         const Result<std::string> file = readFile(workspace.project.root / workspace.document.scenePath);
         compare(workspace.text(), file ? *file : std::string{});
     }
-    tooltip("Lists the differences of the other version from yours");
+    tooltip("Lists how the other program's version differs from yours");
     if (beside) {
         const Result<Path> file = saveBeside(workspace);
         if (file) workspace.safety.takeTheirs();
         beside = file.ok();
         workspace.notice =
-            file ? format("Saved your version as {}; the other one is open", file->filename().string())
+            file ? format("Saved your version as {}; the other program's is open", file->filename().string())
                  : file.error().text();
     }
     if (theirs) workspace.safety.takeTheirs();

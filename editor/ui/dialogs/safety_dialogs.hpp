@@ -17,10 +17,10 @@ public:
     void chooseBackup(Ui& ui);
 
 private:
-    /// The question that is shown; only one at a time.
+    /// What the dialog asks: whether to recover unsaved work, or which version of a changed file to keep.
     enum class Question : unsigned char { None, Recovery, Changed };
 
-    /// Opens the next question if no other dialog is open, and postpones one that was closed unanswered.
+    /// Opens the next question if no dialog is open; postpones a question that was closed unanswered.
     void ask(Ui& ui);
     [[nodiscard]] Question nextQuestion(Ui& ui) const;
     void drawRecovery(Ui& ui);
@@ -29,8 +29,8 @@ private:
     void drawNotSaved(Ui& ui);
     void drawBackups(Ui& ui);
 
-    /// Computes the differences between two texts of a scene, which are listed until the question is
-    /// answered.
+    /// Stores in differences_ how two versions of a scene's text differ; the dialog lists this until the
+    /// question is answered.
     void compare(std::string_view file, std::string_view other);
     void drawDifferences(Ui& ui, const char* path) const;
 
@@ -39,7 +39,7 @@ private:
     LastingQuestion notSaved_{"Not saved"};
     Question open_ = Question::None;  ///< the shown question
     bool later_ = false;              ///< the recovery is postponed until the project is next opened
-    bool waits_ = false;              ///< the question which version to keep is postponed until the next save
+    bool waits_ = false;              ///< the question Changed is postponed until the next save
     bool refused_ = false;            ///< a save was refused, so the question is shown even while a game runs
 };
 

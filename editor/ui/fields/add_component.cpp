@@ -72,7 +72,7 @@ void AddComponent::draw(Ui& ui, const std::vector<ObjectId>& ids, std::span<cons
     ImGui::EndPopup();
 }
 
-/// @param first  true: adds the first component of the list
+/// @param first  true: adds the first component of the list, as Enter was pressed
 void AddComponent::drawList(Ui& ui, const std::vector<ObjectId>& ids, std::span<const ComponentHolders> held,
                             bool first) {
     const TypeInfo* chosen = nullptr;

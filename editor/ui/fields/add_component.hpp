@@ -11,7 +11,7 @@ namespace plumb::editor::ui {
 /// A button that opens a list of all component types, searchable by name and description.
 class AddComponent {
 public:
-    /// @param held  components of the entities; those that all entities have are not listed
+    /// @param held  component types of the entities `ids`; a type that all of them have is not listed
     void draw(Ui& ui, const std::vector<ObjectId>& ids, std::span<const ComponentHolders> held);
 
 private:

@@ -158,8 +158,8 @@ void chooseTiles(const FieldRow& row) {
     ImGui::SameLine(0.0f, ui.px(4.0f));
     const bool higher = editSide(row, "h", height, half, row.path + ".height");
     if ((!wider && !higher) || !ui.workspace.canEdit()) return;
-    // Each layer keeps its tiles and its other side length. The old grid stays in the store, so that undo
-    // only restores its id.
+    // Each layer keeps its tiles and its other side length. The old grid stays in the store of grids, so
+    // undo only has to restore its id.
     row.change([&](FieldValue& value, std::size_t) {
         TilesId id;
         std::memcpy(&id, value.bytes.data(), sizeof id);

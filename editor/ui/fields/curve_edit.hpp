@@ -9,7 +9,7 @@
 namespace plumb::editor::ui {
 
 /// The widget of a curve field: a small plot; a click opens a popup to edit the keys. It edits the curve of
-/// the last selected entity, and writes it to all selected ones.
+/// the last selected entity, and writes the result to all selected entities.
 class CurveEdit {
 public:
     void draw(const FieldRow& row);
@@ -20,7 +20,7 @@ private:
     void drawPopup(const FieldRow& row, const Curve& curve);
     void drawCanvas(const FieldRow& row, const Curve& curve);
     static void drawButtons(const FieldRow& row);
-    /// Moves the dragged key to `to`, or ends the drag.
+    /// Moves the dragged key to `to`; ends the drag if the mouse button is up, cancels it with Esc.
     void drag(const FieldRow& row, const Curve& curve, CurveKey to);
 
     std::string path_;           // widget path of the curve whose key is dragged; empty: none
@@ -28,7 +28,7 @@ private:
     std::size_t key_ = 0;        // index of the dragged key
     Curve start_;                // the curve at the start of the drag
     CurveKey grab_;              // offset from the mouse to the key at the start of the drag
-    float top_ = 1.0f;           // value at the upper edge during the drag
+    float top_ = 1.0f;           // value at the upper edge of the plot; constant during the drag
     bool drawn_ = false;         // the dragged widget was drawn in this frame
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kGap = 4.0f;  // px at scale 1: between widgets side by side
 
-/// Returns the last part of the widget path of a number with this letter.
+/// Returns the last part of the widget path of a number with this label letter.
 std::string nameOf(char letter) {
     return letter == 'w' ? "width" : letter == 'h' ? "height" : std::string(1, letter);
 }
@@ -42,7 +42,7 @@ bool wordButton(const Ui& ui, const std::string& text, float width, bool lines, 
 
 }  // namespace
 
-/// Draws several numbers, each with its letter, two in a row.
+/// Draws several numbers, two per row, each with its label letter.
 void FieldEdit::drawNumbers(const FieldRow& row, const char* letters, std::size_t from) {
     const auto count = static_cast<int>(std::strlen(letters));
     const float spacing = row.ui.px(kGap);

@@ -8,18 +8,18 @@
 
 namespace plumb::editor::ui {
 
-/// Draws the widgets of a panel's fields by their kind, range and unit, and stores the state of the active
-/// one.
+/// Draws the widget of each field of a panel, as the field's kind, range and unit require. Stores the state
+/// of the widget that is being edited.
 class FieldEdit {
 public:
-    /// Draws the widget of a field, which changes all entities of the target. Different values are shown as a
-    /// dash.
+    /// Draws the widget of a field. An edit changes all entities in row.target; if their values differ, the
+    /// widget shows a dash.
     void draw(const FieldRow& row);
     /// Must be called after all fields were drawn.
     void endFrame(Ui& ui) { typing_.endFrame(ui), numbers_.endFrame(ui), curves_.endFrame(ui); }
 
 private:
-    /// @param at  offset of the first number from the start of the value, bytes
+    /// @param letters  label of each number: "xy"   @param at  byte offset of the first number in the value
     void drawNumbers(const FieldRow& row, const char* letters, std::size_t at);
     void drawList(const FieldRow& row);
     void drawText(const FieldRow& row);

@@ -7,9 +7,9 @@
 
 namespace plumb::editor::ui {
 
-inline constexpr const char* kMixed = "\xe2\x80\x94";  ///< a dash, shown if the values differ
+inline constexpr const char* kMixed = "\xe2\x80\x94";  ///< dash, shown if entities differ in a value
 
-/// One field in a panel: the shown value, and the entities that it changes.
+/// One field in a panel: its shown value, and the entities that an edit of the field changes.
 struct FieldRow {
     Ui& ui;
     const std::string& path;  ///< widget path, for tests

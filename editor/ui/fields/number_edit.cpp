@@ -12,7 +12,7 @@
 namespace plumb::editor::ui {
 namespace {
 
-constexpr double kFinest = 0.01;  // changes are rounded to this ratio of the drag step, the step with Alt
+constexpr double kFinest = 0.01;  // unit of all changes and drag step with Alt, in normal drag steps
 
 /// Draws the unit at the right end of the last item, if there is room beside the number.
 void drawUnit(const Ui& ui, const char* number, const char* unit) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float kListWidth = 260.0f;  // px at scale 1
 constexpr float kListHeight = 300.0f;
-constexpr float kReach = 5.0f;  // px on screen: hit distance of an entity under the dragged target
+constexpr float kReach = 5.0f;  // px on screen: hit distance of entities for the dragged target icon
 
 bool choice(const Ui& ui, const std::string& path, const std::string& label, bool now) {
     const bool chosen = ImGui::Selectable((label + "##" + path).c_str(), now);
@@ -47,7 +47,7 @@ bool beginList(const FieldRow& row, std::string& search, bool opens, bool& takes
     return true;
 }
 
-/// Draws a button with the selected value that opens the list. @return true if it was clicked
+/// Draws a button that shows the selected value and opens the list. @return true if it was clicked
 bool chosenButton(const FieldRow& row, const std::string& shown, float width, bool dim) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::PushStyleColor(ImGuiCol_Text, dim ? palette::kTextDim : palette::kText);
@@ -170,7 +170,7 @@ void EntityPicker::drawGoTo(const FieldRow& row, ObjectId id) {
     const bool goes = signButton(row, "go", Icon::Watch);
     ImGui::EndDisabled();
     if (!there) return;
-    tooltip("Select this entity and show it");
+    tooltip("Selects this entity and shows it in the scene view");
     if (!goes) return;
     workspace.document.selection.set({id});
     runAction(workspace, "view.frame");

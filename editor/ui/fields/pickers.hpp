@@ -9,7 +9,7 @@
 
 namespace plumb::editor::ui {
 
-inline constexpr const char* kEntityPayload = "plumb.entity";  ///< payload type; the data is an ObjectId
+inline constexpr const char* kEntityPayload = "plumb.entity";  ///< type of a drag payload: an ObjectId
 
 /// Widget that selects an entity of the scene: from a searchable list, by dropping one from the scene tree,
 /// or by dragging its target icon onto one in the scene view. One object per panel.

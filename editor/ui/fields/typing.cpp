@@ -89,7 +89,7 @@ void Typing::say(Ui& ui, const Result<std::string>& text) const {
     const float wrap = ImGui::GetFontSize() * 20.0f;
     const float width =
         ImGui::CalcTextSize(words.c_str(), nullptr, false, wrap).x + ImGui::GetStyle().WindowPadding.x * 2.0f;
-    // Below the field, but inside the window.
+    // The message is below the field, but inside the window.
     const float right = ImGui::GetIO().DisplaySize.x - ui.px(4.0f);
     const ImVec2 at{std::max(std::min(ImGui::GetItemRectMin().x, right - width), 0.0f),
                     ImGui::GetItemRectMax().y + ui.px(3.0f)};

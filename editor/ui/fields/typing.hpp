@@ -14,7 +14,7 @@ class Typing {
 public:
     /// A value that is edited as text.
     struct Over {
-        std::string before;  ///< text of the value before typing
+        std::string before;  ///< text of the value when typing starts
         /// Applies the typed text. On error the value does not change.
         std::function<Result<Done>(Workspace& workspace, std::string_view text)> take;
         /// Returns a short preview of the result, shown while typing; null: no preview.
@@ -36,19 +36,19 @@ public:
     void endFrame(Ui& ui);
 
 private:
-    bool input();
+    bool input();  ///< draws the input field; returns true on Enter
     void say(Ui& ui, const Result<std::string>& text) const;
     /// Applies the typed text. @param stay  on error, keeps the input field open to correct the text
     void finish(Ui& ui, bool stay);
 
     std::string path_;  // widget path of the typed value; empty: none
-    std::string text_;
+    std::string text_;  // the text in the input field
     Over over_;
     std::string problem_;  // error of the last Enter
     bool focus_ = false;   // the input field gets the keyboard focus in this frame
     bool active_ = false;  // the input field has had the focus
     bool drawn_ = false;   // the input field was drawn in this frame
-    int waiting_ = 0;      // frames in which the input field did not get the focus
+    int waiting_ = 0;      // number of frames in which the input field did not get the focus
 
     std::string last_;       // path of the last value reached in this frame
     std::string before_;     // path of the value reached before `last_`

@@ -61,7 +61,7 @@ void drawLegend(const Workspace& workspace, Shades shades, std::string_view titl
     overlay.text(at, std::string{title}, kWords);
 }
 
-/// Returns a flag per body: 1 for the bodies of the selected entities, or for all.
+/// Returns a flag per body: 1 if the overlay shows the body, i.e. all bodies or those of selected entities.
 std::vector<std::uint8_t> chosenBodies(const Workspace& workspace, const PhysicsState& state,
                                        std::string_view overlay) {
     const bool all = workspace.reachOf(overlay) == PhysicsReach::All;

@@ -8,11 +8,11 @@
 
 namespace plumb::editor::ui {
 
-/// One class of a legend. Higher classes have stronger colors and thicker lines. The colors are
-/// distinguishable with color blindness. Source: M. Okabe, K. Ito, "Color Universal Design", 2008.
+/// A range of values that an overlay draws in one color. Higher ranges have stronger colors and thicker
+/// lines. Distinguishable with color blindness; source: M. Okabe, K. Ito, "Color Universal Design", 2008.
 struct CostShade {
-    float from;  ///< lower limit: error in px, or force in multiples of the weight
-    std::string_view label;
+    float from;              ///< lower limit: error in px, or force / weight of the lighter body
+    std::string_view label;  ///< text in the legend
     Color color;
     float thickness;  ///< line thickness, px on screen; also the radius of a force dot
 };
@@ -25,9 +25,9 @@ inline constexpr std::array<CostShade, 4> kErrorShades{{
 }};
 inline constexpr std::array<CostShade, 4> kForceShades{{
     {0.0f, "up to twice the lighter body's weight", {86, 180, 233, 220}, 3.0f},
-    {2.0f, "up to 8 times", {240, 228, 66, 235}, 4.5f},
-    {8.0f, "up to 32 times", {255, 176, 32, 255}, 6.0f},
-    {32.0f, "more: a large load on a light body is hard to solve", {255, 110, 60, 255}, 8.0f},
+    {2.0f, "2 to 8 times that weight", {240, 228, 66, 235}, 4.5f},
+    {8.0f, "8 to 32 times that weight", {255, 176, 32, 255}, 6.0f},
+    {32.0f, "over 32 times: a large load on a light body is hard to solve", {255, 110, 60, 255}, 8.0f},
 }};
 
 /// Draws the outlines of bodies, colored by their largest overlap or joint error.

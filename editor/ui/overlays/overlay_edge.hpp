@@ -7,10 +7,10 @@
 
 namespace plumb::editor::ui {
 
-inline constexpr float kFaintLine = 128.0f;  ///< alpha below which a line counts as faint
+inline constexpr float kFaintLine = 128.0f;  ///< alpha (0 to 255) below which a line counts as faint
 
 /// Returns the color of the dark halo of an overlay line. Lines are light; the halo makes them visible on
-/// light scenes. Faint lines have a fainter halo, the grid almost none; black has none.
+/// light scenes. Faint lines have a fainter halo, the grid almost none. Returns 0 for black: no halo.
 inline ImU32 edgeOf(Color line) {
     if (line.r + line.g + line.b == 0) return 0;
     const ImU32 edge = palette::kHalo.dark;  // equal in both themes

@@ -17,7 +17,7 @@ namespace {
 
 constexpr Color kCamera{190, 150, 240, 220};
 constexpr Color kName{221, 224, 229, 220};
-constexpr float kClosestLines = 12.0f;  // px on screen; of a denser grid only every 8th line is drawn
+constexpr float kClosestLines = 12.0f;  // px on screen, minimum distance; else only every 8th line is drawn
 
 /// True if a running game is shown through its own camera, as in the player.
 bool showsGamePicture(const Workspace& workspace) {

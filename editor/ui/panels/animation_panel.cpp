@@ -233,7 +233,7 @@ private:
         const int y = std::clamp(static_cast<int>((mouse.y - at.y) / cell.y), 0, edit_->rows() - 1);
         const ImVec2 corner{at.x + static_cast<float>(x) * cell.x, at.y + static_cast<float>(y) * cell.y};
         outline(list, corner, {corner.x + cell.x, corner.y + cell.y}, palette::kAccent, 0.0f, 2.0f);
-        tooltip(format("Column {}, row {}: click to add it to the clip", x, y));
+        tooltip(format("Column {}, row {}: click to add this cell to the clip", x, y));
         if (ImGui::IsMouseClicked(0)) edit_->addFrame(clip_, x, y);
     }
 

@@ -47,7 +47,7 @@ struct Rows {
 
 /// Returns the default thumbnail size if all rows fit, else a size at which a whole number of rows fits.
 /// @param room   available space, px
-/// @param below  from a thumbnail's lower edge to the next row, px
+/// @param below  distance from a thumbnail's lower edge to the next row, px
 Rows rowsFitting(std::size_t items, ImVec2 room, float below, const Ui& ui) {
     const auto across = [&](float side) {
         return std::max(static_cast<int>((room.x + ui.px(kBetween)) / (side + ui.px(kBetween))), 1);
@@ -151,7 +151,7 @@ private:
         }
         if (ImGui::IsMouseClicked(0) && ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered())
             browser.selected.clear();
-        // A right click does not move the focus by itself; the keys of this panel need it.
+        // The keys of this panel need the focus, which a right click does not set by itself.
         if (ImGui::IsMouseClicked(1) && ImGui::IsWindowHovered()) ImGui::SetWindowFocus();
         waitForKeys(ui, browser);
     }
@@ -292,7 +292,7 @@ private:
         bool done = textField("##path", newPath_, ImGuiInputTextFlags_EnterReturnsTrue);
         ui.widgets.mark("Rename/path", newPath_);
         drawUses("No file references it.",
-                 "These files reference it and will be updated; undo reverts all of this:");
+                 "These files reference the file and will be updated; undo reverts these updates too:");
         drawError();
         done |= ImGui::Button("Rename", {ui.px(110.0f), 0.0f});
         ui.widgets.mark("Rename/Rename");
@@ -315,7 +315,7 @@ private:
             format("Delete {}?  {} restores it.", subject_, keysFor(ui.workspace, "edit.undo"));
         ImGui::TextUnformatted(question.c_str());
         ui.widgets.mark("Delete/question", question);
-        drawUses("No file references it.", "These files reference it and would show a placeholder:");
+        drawUses("No file references it.", "These files reference the file and would show a placeholder:");
         drawError();
         if (ImGui::Button("Delete", {ui.px(110.0f), 0.0f}) && (error_ = browser.remove(subject_)).empty())
             ImGui::CloseCurrentPopup();

@@ -74,7 +74,7 @@ FieldValue defaultOf(const FieldInfo& field, const ComponentState& fresh) {
 /// Draws a note instead of the position fields, for the root of a prefab.
 void drawPlaceOfRoot(Ui& ui, const std::string& path) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("each instance has its own");
+    ImGui::TextDisabled("each instance has its own value");
     ui.widgets.mark(path, "stays");
     tooltip(kRootCannotMove);
 }
@@ -142,7 +142,7 @@ void ComponentView::drawFields(const Shown& shown) {
     bool first = true;
     for (const FieldInfo& field : shown.type.fields) {
         if (!field.transient) continue;
-        if (std::exchange(first, false)) ImGui::TextDisabled("At this tick");
+        if (std::exchange(first, false)) ImGui::TextDisabled("State at this tick");
         drawField(shown, field);
     }
 }

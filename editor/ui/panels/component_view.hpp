@@ -15,8 +15,8 @@ namespace plumb::editor::ui {
 /// entities: a header with a menu, and a row per field.
 class ComponentView {
 public:
-    /// The selected objects, and the same objects as entities
-    /// of the shown world (the scene, or the running game).
+    /// The ids of the selected objects, and their entities in
+    /// the shown world (the scene, or the running game).
     struct Selected {
         const std::vector<ObjectId>& ids;
         const std::vector<EntityId>& entities;
@@ -46,8 +46,8 @@ private:
         bool visible = false;
     };
 
-    /// Returns the value that the field's widget shows. Cached until scene or selection change, as thousands
-    /// of entities may be selected.
+    /// Returns the value that the field's widget shows. The result is cached until the scene or the selection
+    /// changes, because thousands of entities may be selected.
     const Found& find(const Shown& shown, const FieldInfo& field);
     void drawFields(const Shown& shown);
     void drawMenu(const Shown& shown, bool differs);
@@ -61,9 +61,9 @@ private:
 
     FieldEdit fields_;
     std::map<const FieldInfo*, Found> found_;  // cache, valid for the state `looked_`
-    HeldComponents held_;  // of the component being drawn; filled when its first field is read
+    HeldComponents held_;  // the selected entities' components of the drawn type; read with its first field
     SelectedState looked_;
-    std::function<void(Workspace& workspace)> asked_;
+    std::function<void(Workspace& workspace)> asked_;  // requested by ask(); null: none
 };
 
 /// Draws the vertical bar that marks a difference from the prefab.

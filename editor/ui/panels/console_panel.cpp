@@ -136,7 +136,7 @@ private:
         const std::size_t hidden = view_.hiddenChannels.size();
         return hidden == 0 ? "All channels" : format("{} hidden", hidden);
     }
-    /// Width of the button with its arrow, px.
+    /// Width of the channels button with its arrow, px.
     [[nodiscard]] float channelsWidth(const Ui& ui) const {
         return buttonWidth(channelsLabel()) + ui.px(20.0f);
     }

@@ -79,7 +79,7 @@ void drawStagesPage(Ui& ui) {
     ImGui::SameLine(ui.px(kNameWidth + kNumberWidth));
     textRight(ui, kNumberWidth, "p99");
     ImGui::SameLine(ui.px(kNameWidth + 2.0f * kNumberWidth + 14.0f));
-    ImGui::TextUnformatted("ms; blue: physics, mark: p99");
+    ImGui::TextUnformatted("ms; blue: physics; mark: 99th percentile");
     ImGui::PopStyleColor();
     beginChild("stages", {0.0f, 0.0f}, false);
     const std::vector<StageTime> stages = stageTimes(profiler.samples(), profiler.zones());
@@ -137,7 +137,7 @@ void IslandsPage::draw(Ui& ui) {
         {"contacts", "Number of touching contacts, including those with static bodies"},
         {"joints", "Number of joints"},
         {"quality", "Quality of the island: 2^quality substeps per tick"},
-        {"speed", "Speed of the fastest body: residual motion if the pile should be at rest"},
+        {"speed", "Speed of the fastest body: residual motion if the bodies should be at rest"},
         {"overlap", "Maximum penetration depth of two shapes"},
         {"joint gap", "Maximum position error of a joint"},
         {"cost, about",

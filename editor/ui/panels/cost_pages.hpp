@@ -20,7 +20,7 @@ private:
     void drawRow(Ui& ui, std::size_t index);
 
     std::vector<IslandRow> rows_;
-    IslandColumn by_ = IslandColumn::Cost;
+    IslandColumn by_ = IslandColumn::Cost;  ///< column by which the rows are sorted
     bool descending_ = true;
     std::int64_t tick_ = -1;  ///< the tick of the running game at which `rows_` was read
     physics::BodyId chosen_;  ///< first body of the selected island

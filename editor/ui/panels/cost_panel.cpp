@@ -200,8 +200,8 @@ private:
             ImGui::PopStyleColor();
             ui.widgets.mark(format("Cost/use/{}", point.quality), isEnough ? "enough" : "");
             tooltip(ui.workspace.play.running()
-                        ? "Sets it in the running game; you can keep it when the game stops"
-                        : "Sets it in the scene; can be undone");
+                        ? "Sets this quality in the running game; you can keep it when the game stops"
+                        : "Sets this quality in the scene; can be undone");
         }
         ImGui::SameLine(ui.px(40.0f));
         const bool seen = pixelsOf(point.error(), result.scale) >= kSeenPixels;

@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string_view>& names) {
     return text;
 }
 
-/// Lists every effect: whether it runs, which components need it, its time, and its pin in the scene.
+/// Lists every effect: if it runs, which components need it, its time, and if the scene pins it on or off.
 class EffectsPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
@@ -51,7 +51,7 @@ public:
         ImGui::TableSetupColumn("In this scene", ImGuiTableColumnFlags_WidthFixed, ui.px(3.0f * kPinWidth));
         ImGui::TableSetupColumn("µs a tick", ImGuiTableColumnFlags_WidthFixed, ui.px(kTimeWidth));
         ImGui::TableSetupColumn("of the tick", ImGuiTableColumnFlags_WidthFixed, ui.px(kShareWidth));
-        ImGui::TableSetupColumn("Called for by", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn("Needed by", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableHeadersRow();
         drawGroup(ui, "Physics", true);
         drawGroup(ui, "Systems and devices", false);
@@ -78,7 +78,7 @@ private:
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", text.c_str());
         ui.widgets.mark("Effects/summary", text);
-        tooltip("CPU time of the main thread. Turning an effect off saves its time.");
+        tooltip("CPU time of the main thread. Turning an effect off saves the time shown for it.");
     }
 
     void drawGroup(Ui& ui, const char* title, bool inPhysics) {
@@ -131,7 +131,7 @@ private:
         if (!line.zones.own.empty()) about += format("\nProfiler zones: {}", joined(line.zones.own));
         if (!line.zones.shared.empty())
             about += format("\nShared profiler zones: {}", joined(line.zones.shared));
-        if (!row.device.empty()) about += format("\nDevice opened for it: {}", row.device);
+        if (!row.device.empty()) about += format("\nDevice opened for this effect: {}", row.device);
         if (!line.pinnedBy.empty()) about += format("\nPinned by {}", line.pinnedBy);
         tooltip(about);
     }
@@ -185,7 +185,7 @@ private:
         if (shared)
             tooltip(
                 format("Measured as part of {}, which other effects use too.\nplumb-player --effects "
-                       "measures how much time turning it off saves.",
+                       "measures how much time turning this effect off saves.",
                        joined(line.zones.shared)));
     }
 
@@ -204,7 +204,7 @@ private:
 
     static void drawCallers(Ui& ui, const EffectRow& row, const Line& line, const std::string& path) {
         if (line.callers.empty() && line.isRequired) {
-            ImGui::TextDisabled("tiles, or game code");
+            ImGui::TextDisabled("needed by tiles or game code");
             return;
         }
         if (line.callers.empty()) {

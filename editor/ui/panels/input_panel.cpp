@@ -25,7 +25,7 @@ std::string pathOf(const InputMapEdit::Place& place) {
     return format("Input/{}{}{}", place.name, place.part.empty() ? "" : "/", place.part);
 }
 
-/// Returns all bindings of a kind, so that a device need not be connected.
+/// Returns all possible bindings of a kind, even if no such device is connected.
 std::vector<Binding> allOf(BindingKind kind) {
     std::size_t count = 0;
     switch (kind) {
@@ -128,7 +128,7 @@ private:
         if (!ImGui::BeginPopupContextItem("menu")) return;
         if (ImGui::MenuItem("Rename", nullptr, false, row.ofProject)) beginRename(row);
         ui.widgets.mark("Input/menu/Rename");
-        if (ImGui::MenuItem("Remove, or reset", nullptr, false, row.ofProject))
+        if (ImGui::MenuItem("Remove, or reset to default", nullptr, false, row.ofProject))
             say(ui, edit_->remove(row.kind, row.name));
         ui.widgets.mark("Input/menu/Remove");
         ImGui::EndPopup();

@@ -239,7 +239,7 @@ private:
             });
         }
         ui.widgets.mark(format("Inspector/{}/restore", type.name));
-        tooltip("The prefab has this component; Restore adds it again.");
+        tooltip("The prefab has this component; Restore adds it to the entity again.");
         ImGui::PopID();
     }
 

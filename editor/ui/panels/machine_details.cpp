@@ -112,7 +112,7 @@ void drawAddCondition(Ui& ui, StateMachineEdit& edit, int transition) {
     ui.widgets.mark("Animation/addCondition");
     ImGui::EndDisabled();
     tooltip(set.parameters.empty() ? "A condition tests a parameter: add a parameter on the left first"
-                                   : "The transition needs all of its conditions");
+                                   : "The transition is taken only if all of its conditions hold");
     if (!ImGui::BeginPopup("add condition")) return;
     int wanted = -1;
     for (int i = 0; i < static_cast<int>(set.parameters.size()); ++i) {

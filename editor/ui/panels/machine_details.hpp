@@ -18,7 +18,7 @@ private:
     void drawTransition(Ui& ui, StateMachineEdit& edit, MachinePart& chosen);
     void drawParameter(Ui& ui, StateMachineEdit& edit, MachinePart& chosen);
     void drawCondition(Ui& ui, StateMachineEdit& edit, int transition, int condition);
-    /// Draws the comparison and value of a condition on a number, or the on/off choice for other parameters.
+    /// Draws what a condition tests: comparison and value of a number, or the on/off choice of other kinds.
     void drawQuestion(Ui& ui, StateMachineEdit& edit, int transition, int condition, float width);
 
     DeferredNumber number_;

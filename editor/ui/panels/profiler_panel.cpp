@@ -242,7 +242,7 @@ private:
         if (zone.inPhysics) {
             const std::string effects = effectsOfStage(zone.name);
             tooltip(effects.empty() ? "A stage of the physics that always runs"
-                                    : format("A stage of the physics, for: {}", effects));
+                                    : format("A stage of the physics, needed for: {}", effects));
         }
         const auto number = [&](float time) {
             ImGui::TableNextColumn();
@@ -260,7 +260,7 @@ private:
                 if (samples[i].tick == row.worstTick) choose(profiler, i);
             }
         }
-        tooltip(format("In tick {}; click to show it", row.worstTick));
+        tooltip(format("The maximum was in tick {}; click to show that tick", row.worstTick));
         ImGui::TableNextColumn();
         drawBar(ui, row, zone.inPhysics, mean);
         ImGui::PopID();

@@ -64,7 +64,7 @@ void StateMachineView::dropStaleSelection() {
 void StateMachineView::drawParameters(Ui& ui) {
     dropStaleSelection();
     ImGui::TextDisabled("Parameters");
-    tooltip("Values set by the game. Conditions of transitions compare them");
+    tooltip("Parameters: values that the game sets and the conditions of transitions test");
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ui.px(32.0f));
     drawAddParameter(ui);
     if (edit_.set().parameters.empty())

@@ -29,14 +29,14 @@ private:
     void drawValue(Ui& ui, int index);
     void drawBar(Ui& ui, int clip);
     void drawPicture(Ui& ui, ImVec2 at, float side);
-    void take(const GraphInput& hands);
+    void take(const GraphInput& hands);  ///< applies the user's actions on the graph
     /// Clears the selection if the selected part no longer exists, as after undo.
     void dropStaleSelection();
     /// Makes the key Delete remove the selected part of the machine, not the selected entities of the scene.
     void waitForKeys(Ui& ui);
     [[nodiscard]] bool takeKey(const Event& event);
-    /// Returns an animator of the running game that plays this file: a
-    /// selected entity's, or else the first one. Null if there is none.
+    /// Returns an animator of the running game that plays this file: that of
+    /// a selected entity, or else the first one found. Null if there is none.
     [[nodiscard]] const Animator* inGame() const;
 
     AnimationEdit& file_;
@@ -44,8 +44,8 @@ private:
     MachinePreview preview_;
     MachineDetails details_;
     MachinePart chosen_;
-    bool waits_ = false;
-    int keysSeen_ = -2;  // last frame in which the graph was drawn, and so may receive keys
+    bool waits_ = false;  // ui.takeEvent is set by this view
+    int keysSeen_ = -2;   // last frame in which the graph was drawn, and so may receive keys
 };
 
 }  // namespace plumb::editor::ui

@@ -119,7 +119,7 @@ public:
         drawPoints(list);
         if (!changed) return;
         const std::vector<int> tiles{chosen.begin(), chosen.end()};
-        changeTileset(ui.workspace, "shape collision",
+        changeTileset(ui.workspace, "edit collision shape",
                       [&](Tileset& set) { setPolygon(set, tiles, points_); });
         ui.workspace.undo.endGesture();
     }
@@ -228,9 +228,9 @@ public:
         if (ImGui::Checkbox("##one-way", &oneWay))
             changeTiles(ui, "set one-way", chosen, [&](Tile& tile) { tile.oneWay = oneWay; });
         ui.widgets.mark("Tileset/oneWay", oneWay ? "on" : "off");
-        tooltip("Solid from above only, for any shape.");
+        tooltip("Makes the tile solid from above only; works with every collision shape.");
         drawNumber(ui, tileset, chosen, "friction", &Tile::friction, -1.0f,
-                   "0: no friction; -1: the TileCollider's value.");
+                   "Friction coefficient; 0: no friction; -1: the value of the layer's TileCollider.");
         drawNumber(
             ui, tileset, chosen, "bounciness", &Tile::bounciness, -1.0f,
             "Restitution, 0 to 1: ratio of speeds after and before impact; -1: the TileCollider's value.");

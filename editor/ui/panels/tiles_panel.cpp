@@ -151,7 +151,7 @@ private:
         if (!paints && workspace.canEdit()) workspace.useTool("tool.brush");
     }
 
-    // The tile pattern of the brush.
+    // Drawing of the brush's tile pattern and its buttons.
 
     void drawStampSide(Ui& ui, const Tileset* tileset) const {
         const TileStamp& stamp = ui.workspace.tiles.stamp;
@@ -184,7 +184,7 @@ private:
     static void drawKept(Ui& ui, const Tileset* tileset) {
         TilePaint& tiles = ui.workspace.tiles;
         ImGui::TextDisabled("Kept");
-        // Fits beside a scroll bar too.
+        // Narrow enough to fit beside a scroll bar too.
         const float gap = ui.px(4.0f);
         const float room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(kKeptInRow - 1);
         const float side = std::min(std::floor(room / static_cast<float>(kKeptInRow)), ui.px(30.0f));

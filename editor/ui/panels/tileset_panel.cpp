@@ -94,7 +94,7 @@ private:
         const int more = larger.growTo(room.columns, room.rows);
         if (more <= 0) return;
         if (ImGui::Button(format("Add {} tiles", more).c_str())) {
-            changeTileset(ui.workspace, "grow tileset",
+            changeTileset(ui.workspace, "add tiles to tileset",
                           [&](Tileset& set) { set.growTo(room.columns, room.rows); });
             ui.workspace.undo.endGesture();
         }

@@ -9,7 +9,7 @@
 
 namespace plumb::editor::ui {
 
-/// A page of the Tileset panel; it stores unfinished typing and dragging.
+/// A page of the Tileset panel, with the state of an unfinished text input or drag.
 class TilesetPage {
 public:
     virtual ~TilesetPage() = default;

@@ -223,8 +223,8 @@ private:
         list.PopClipRect();
     }
 
-    /// Rebuilds the preview bodies after a change of the scene, if a physics layer or a soft body shows them:
-    /// the world of the document is never stepped.
+    /// Creates physics bodies for drawing after a change of the scene, if a physics layer or a soft body
+    /// needs them: the world of the document is never stepped, so it has none of its own.
     void previewBodies(Workspace& workspace) {
         if (workspace.play.running()) return;
         if (workspace.physics.shown().any() == 0 && !hasSoftBodies(workspace.document.world)) return;
@@ -298,7 +298,7 @@ private:
         return shown;
     }
 
-    /// Draws a colored frame around a running game: changes made to it are lost when it stops.
+    /// Draws a colored frame around a running game: edits then change the game, not the scene.
     static void drawPlayFrame(const Ui& ui, ImDrawList& list, ImVec2 from, ImVec2 to) {
         const bool paused = ui.workspace.play.paused();
         const ImU32 color = paused ? palette::kWarning : palette::kPlay;
@@ -315,7 +315,7 @@ private:
                               keys("run.play"))
                      : format("PLAYING - {} stops and asks which of your changes to keep", keys("run.play"));
         const ImVec2 extent = ImGui::CalcTextSize(words.c_str());
-        // In the title bar of the panel, as it would cover the top of the game's image.
+        // The text is in the title bar of the panel, as it would cover the game's image elsewhere.
         const float middle = from.x + (to.x - from.x - extent.x) * 0.5f;
         const ImVec2 at{std::floor(std::max(middle, from.x + ui.px(kTitleRoom))),
                         from.y - extent.y - ui.px(4.0f)};
@@ -361,7 +361,7 @@ private:
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (intersects(boxes.at(i), seen) && document.selection.has(all[i])) many_.push_back(i);
         }
-        // If there are too many, draws every n-th, evenly over the list, so that no region looks unselected.
+        // If there are too many boxes, draws every n-th of the list, so that no region looks unselected.
         const std::size_t step = (many_.size() + kMostBoxes - 1) / kMostBoxes;
         for (std::size_t i = 0; i < many_.size(); i += step)
             overlay_.box(boxes.at(many_[i]), kSelected, step > 1 ? 1.0f : 2.0f);

@@ -18,7 +18,7 @@ namespace plumb::editor::ui {
 void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, const AABB& box,
                double playing);
 
-inline constexpr const char* kAssetPayload = "asset";  ///< drag payload: null-terminated path
+inline constexpr const char* kAssetPayload = "asset";  ///< type of a drag payload: a null-terminated path
 
 /// Makes the last item a drop target for assets. @return the dropped path; empty: none
 /// @param hovering  set to the path that is dragged over the item; empty: none

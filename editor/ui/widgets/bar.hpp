@@ -7,7 +7,7 @@
 
 namespace plumb::editor::ui {
 
-/// Begins a toolbar window, colored by the play state: stopped, playing or paused. Ends with ImGui::End.
+/// Begins a toolbar window, colored by the play state (stopped, playing, paused). Call ImGui::End() after it.
 void beginBar(const Ui& ui, const char* name, ImVec2 at, ImVec2 size, ImVec2 padding);
 
 /// A group of adjacent toolbar widgets, which are shown, or moved to the overflow list, together.

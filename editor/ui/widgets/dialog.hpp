@@ -5,9 +5,9 @@
 namespace plumb::editor::ui {
 
 /// Begins a modal dialog in the center of the window, limited to the window's size; larger content scrolls.
-/// Ends with ImGui::EndPopup if it returns true.
+/// If it returns true, the caller must call ImGui::EndPopup().
 /// @param wanted  size, px at scale 1
-/// @param stays   not null: adds a close button, which sets it to false
+/// @param stays   not null: adds a close button, which sets *stays to false
 bool beginDialog(const Ui& ui, const char* title, ImVec2 wanted, bool* stays = nullptr);
 
 /// Moves the cursor to the button row at the lower edge, or below the content if that is longer.
@@ -23,7 +23,7 @@ class LastingQuestion {
 public:
     explicit LastingQuestion(const char* title) : title_{title} {}
 
-    /// Call it in every frame before drawing the dialog.
+    /// Call it in every frame before drawing the dialog. @param wanted  the question still needs an answer
     /// @return true if the dialog was closed without an answer
     bool ask(bool wanted);
 

@@ -14,7 +14,7 @@ namespace plumb::editor::ui {
 class PaletteView {
 public:
     /// Draws the tiles into the current child window.
-    /// @param found  sorted numbers of the tiles that are not dimmed; null: all
+    /// @param found  sorted numbers of the tiles to draw undimmed; null: no tile is dimmed
     void draw(Ui& ui, const Tileset& tileset, const std::string& path, const std::vector<int>* found);
 
     // Valid after draw().
@@ -27,7 +27,7 @@ public:
     /// The cell nearest to the mouse.
     [[nodiscard]] CellPlace at() const { return at_; }
     [[nodiscard]] AABB boxOf(CellPlace place) const;  ///< rectangle of a cell, px on screen
-    void frame(CellPlace a, CellPlace b, ImU32 color, float thickness = 2.0f) const;
+    void frame(CellPlace a, CellPlace b, ImU32 color, float thickness = 2.0f) const;  ///< around cells a to b
     /// Draws a frame around the tile under the mouse, and its description as a tooltip.
     void describe(const Tileset& tileset) const;
 

@@ -11,7 +11,7 @@ namespace plumb::editor::ui {
 namespace {
 
 constexpr Color kShape{232, 200, 120, 200};
-constexpr float kSecondsShown = 0.35f;  // length of the direction lines as flight time of a particle
+constexpr float kSecondsShown = 0.35f;  // s of a particle's flight that a direction line covers
 constexpr float kShortest = 12.0f;      // px, minimum length of an arrow
 
 void drawArea(const ParticleEmitter& emitter, const Pose& pose, Overlay& overlay) {

@@ -6,7 +6,7 @@
 
 namespace plumb::editor::ui {
 
-/// Draws radio buttons per overlay and physics layer: shown for no entity, the selected entities, or all.
+/// Draws radio buttons per overlay and physics layer: show it for no entity, the selected ones, or all.
 /// @param path  prefix of the widget paths, for tests
 void physicsLayerItems(Ui& ui, const std::string& path);
 

@@ -12,7 +12,7 @@ namespace plumb::editor::ui {
 struct MachinePart {
     enum class Kind : unsigned char { None, State, Transition, Parameter };
     Kind kind = Kind::None;
-    int index = 0;
+    int index = 0;  ///< index among the parts of this kind
 
     friend bool operator==(const MachinePart&, const MachinePart&) = default;
 };

@@ -62,7 +62,7 @@ std::vector<float> ticksOf(const Axis& axis, float unit) {
 float shownError(const WhatIfPoint& point) { return std::max(point.error(), kLeastError); }
 
 bool alike(const WhatIfPoint& a, const WhatIfPoint& b) {
-    constexpr float kAlike = 1.2f;  // maximum ratio of similar values
+    constexpr float kAlike = 1.2f;  // maximum ratio of values that count as similar
     const auto near = [](float x, float y) { return std::max(x, y) < kAlike * std::min(x, y); };
     return near(a.microseconds, b.microseconds) && near(shownError(a), shownError(b));
 }

@@ -5,8 +5,8 @@
 
 namespace plumb::editor::ui {
 
-/// Draws the work-precision diagram: the error of each quality over its time, both axes logarithmic. The
-/// present quality is marked; a band shows errors below half a pixel, which are invisible.
+/// Draws a diagram of the largest error of each physics quality over its time per tick, both axes
+/// logarithmic. The present quality is marked; a band shows errors below half a pixel, which are invisible.
 /// @param size  size of the diagram, px
 /// @return the clicked quality, or -1
 int drawWorkPrecision(Ui& ui, const WhatIfResult& result, ImVec2 size);

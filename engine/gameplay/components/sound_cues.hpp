@@ -7,13 +7,13 @@ namespace plumb {
 /// Sounds that an entity plays on events.
 struct SoundCues {
     SoundId jump;
-    SoundId land;
+    SoundId land;  ///< played when the entity reaches the ground
     SoundId step;  ///< played at animation frame events named "step"
     SoundId hurt;
     SoundId die;
-    SoundId collect;      ///< played when it is picked up
-    SoundId bounce;       ///< played when it is a spring that throws a body, or is stomped
-    SoundId activate;     ///< played when it is a checkpoint, button, door, goal, ... that is activated
+    SoundId collect;      ///< played when the entity, a Collectible, is picked up
+    SoundId bounce;       ///< played when the entity launches a body as a Spring, or is stomped
+    SoundId activate;     ///< played when the entity is activated: a checkpoint, button, door, goal, ...
     float volume = 1.0f;  ///< ratio
 
     static void describe(TypeBuilder<SoundCues>& type) {

@@ -6,9 +6,9 @@ namespace plumb {
 
 class World;
 
-/// Sets the state machine parameters speed, vy, grounded, dead and hurt of characters, if they exist. Flips
-/// the player's sprite to its facing direction. Reads: RigidBody, KinematicBody, PlayerController, Health.
-/// Writes: Animator, Sprite. When: after physics, before animation.
+/// Sets those of the animation parameters speed, vy, grounded, dead and hurt that exist for a character.
+/// Flips the player's sprite to its facing direction. Reads: RigidBody, KinematicBody, PlayerController,
+/// Health. Writes: Animator, Sprite. When: after physics, before animation.
 struct CharacterAnimationSystem {
     static constexpr std::string_view kName = "character animation";
 

@@ -58,7 +58,7 @@ void CollectSystem::update(World& world, float) {
     forEachTouch<TriggerEntered, Collectible, PlayerController>(world, [&](EntityId item, EntityId player) {
         count(world, std::as_const(world).get<Collectible>(item), player);
         playCue(world, item, &SoundCues::collect);
-        // Emitters below the item outlive it, to show their effect.
+        // Emitters that are children of the item outlive it, so that their particles are seen.
         for (EntityId child; (child = emitterBelow(world, item)) != EntityId{};) detachEmitter(world, child);
         world.destroy(item);
     });

@@ -6,7 +6,7 @@ namespace plumb {
 
 class World;
 
-/// Lets players pick up what they touch.
+/// Lets players pick up the Collectibles they touch.
 /// Reads: TriggerEntered. Writes: GameProgress, Health; destroys the Collectible; emits PlaySound.
 /// When: after physics.
 struct CollectSystem {

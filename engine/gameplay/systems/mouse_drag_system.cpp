@@ -123,7 +123,7 @@ void stretchLines(World& world, EntityId hand, Vec2 from, Vec2 to) {
         transform->scale.x = far / static_cast<float>(std::max(sprite->width, 1));
         if (far > 0.0f) transform->rotation = arcTangent(way.y, way.x);
         transform->previousRotation =
-            transform->rotation;  // no interpolation, so that it follows the dragged body exactly
+            transform->rotation;  // no interpolation, so that the line follows the dragged body exactly
     }
 }
 

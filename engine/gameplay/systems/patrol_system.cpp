@@ -70,7 +70,7 @@ void setSpeed(World& world, EntityId entity, float speed) {
 void PatrolSystem::update(World& world, float dt) {
     if (world.count<Patrol>() == 0) return;
     if (world.count<PlayerController>() == 0)
-        syncBodies(world, dt);  // otherwise PlayerControllerSystem has done it
+        syncBodies(world, dt);  // otherwise PlayerControllerSystem does it in every tick
     for (auto [entity, patrol] : world.query<Patrol>(with<Transform>)) {
         if (patrol.direction == 0) {
             patrol.direction = patrol.startLeft ? -1 : 1;
@@ -78,7 +78,7 @@ void PatrolSystem::update(World& world, float dt) {
         }
         if (mustTurn(world, entity, patrol, dt)) {
             patrol.direction = -patrol.direction;
-            // It stands still between two walls or on ground as narrow as itself.
+            // The entity stands still between two walls or on ground as narrow as itself.
             if (mustTurn(world, entity, patrol, dt)) {
                 setSpeed(world, entity, 0.0f);
                 continue;

@@ -108,7 +108,7 @@ private:
         for (int* ticks : {&player_.coyote, &player_.buffer, &player_.hold, &player_.dropping}) {
             *ticks = std::max(*ticks - 1, 0);
         }
-        // + 1, as the current tick counts too.
+        // Add 1, as the current tick counts too.
         if (wishes_.jumpPressed) player_.buffer = player_.bufferTicks + 1;
         grounded_ = body_.grounded && body_.velocity.y >= 0.0f;
         if (grounded_) player_.coyote = player_.coyoteTicks + 1;

@@ -16,10 +16,10 @@ namespace plumb {
 
 namespace {
 
-constexpr int kBlinkTicks = 4;
-constexpr std::uint8_t kBlinkOpacity = 90;
+constexpr int kBlinkTicks = 4;              // ticks between two changes of the opacity
+constexpr std::uint8_t kBlinkOpacity = 90;  // lower opacity of a blinking sprite, of 255
 
-/// True if the animation has a parameter "dead", so that it shows the death; other entities are hidden.
+/// True if the animation has a parameter "dead" and can show the death; other dead entities are hidden.
 bool showsDeath(World& world, EntityId entity) {
     const auto* animator = std::as_const(world).find<Animator>(entity);
     const auto* assets = world.service<AssetStore>();

@@ -14,7 +14,7 @@ namespace plumb {
 
 namespace {
 
-constexpr int kPressedTicks = 12;
+constexpr int kPressedTicks = 12;  // value of Spring::pressed after a launch
 
 void throwUp(World& world, EntityId springId, EntityId other) {
     Spring& spring = world.get<Spring>(springId);

@@ -12,7 +12,7 @@ void TimerSystem::update(World& world, float) {
     auto* delayed = world.findResource<DelayedEvents>();
     if (delayed == nullptr) return;
     std::vector<DelayedEvents::Entry>& entries = delayed->entries;
-    // One by one from the front, because emitting is code of the game.
+    // Take one entry at a time from the front, as emitDelayed() calls code of the game.
     while (!entries.empty() && entries.front().tick <= world.tick) {
         const DelayedEvents::Entry due = entries.front();
         entries.erase(entries.begin());

@@ -26,10 +26,10 @@ struct Frame {
 struct Tag {
     std::string name;
     int from = 0;
-    int to = 0;             ///< last frame, inclusive
-    std::string direction;  ///< "forward", "reverse", "pingpong" or "pingpong_reverse"
-    int repeat = 0;         ///< number of repetitions; 0: endless
-    Json notes = Json::object();
+    int to = 0;                   ///< last frame, inclusive
+    std::string direction;        ///< "forward", "reverse", "pingpong" or "pingpong_reverse"
+    int repeat = 0;               ///< number of repetitions; 0: endless
+    Json notes = Json::object();  ///< color and user data of the tag, unchanged JSON
 };
 
 struct Sheet {

@@ -14,7 +14,7 @@ struct Kind {
     std::string_view name;
     std::string_view read;     ///< keys that are imported, separated by spaces
     std::string_view ignored;  ///< keys that only LDtk uses, separated by spaces
-    std::string_view inner;    ///< "key:kind" of nested arrays and objects to check
+    std::string_view inner;    ///< "key:kind": members to check, and the Kind of their objects
 };
 
 // Source: LDtk, "JSON format documentation", version 1.5.3.

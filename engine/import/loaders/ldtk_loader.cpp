@@ -45,7 +45,7 @@ std::optional<ldtk::TileRect> readTileRect(const LdtkFields& from, std::string_v
     const ldtk::TileRect tile{uid == nullptr ? 0 : intOf(*uid).value_or(0),
                               {number("x"), number("y"), number("w"), number("h")}};
     if (isPart(tile.area)) return tile;
-    from.warn(key, "its area is not inside an image", "select the tile again in LDtk");
+    from.warn(key, "the tile's rectangle is negative or too large", "select the tile again in LDtk");
     return {};
 }
 
@@ -160,7 +160,7 @@ void readBackground(const LdtkFields& from, ldtk::Level& level) {
         for (std::size_t i = 0; i < 4; ++i) sides[i] = floatOf((*crop)[i]).value_or(0.0f);
         level.imageCrop = {sides[0], sides[1], sides[2], sides[3]};
         if (isPart(level.imageCrop)) return;
-        from.warn("__bgPos.cropRect", "it is not inside an image", "save the project again in LDtk");
+        from.warn("__bgPos.cropRect", "the crop is negative or too large", "save the project again in LDtk");
         level.imageCrop = {};
     }
 }

@@ -11,9 +11,9 @@ namespace plumb {
 namespace {
 
 constexpr int kFoldersAround = 4;
-constexpr int kClassDepth = 8;  // maximum nesting of members that are classes
+constexpr int kClassDepth = 8;  // maximum depth of classes that are members of classes
 constexpr std::size_t kMaxTypes = 4096;
-constexpr std::size_t kMaxFilled = std::size_t{1} << 18;  // default values added to a map, see weightOf()
+constexpr std::size_t kMaxFilled = std::size_t{1} << 18;  // added to a map, as weightOf() counts
 
 /// Converts a class member to the form of map properties.
 Json memberValue(JsonFields& member) {

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-/// Element names for an array member of a JSON object: of the enclosing element, if any, and of each item.
+/// XML names for an array member of a JSON object: of the enclosing element (may be ""), and of each item.
 struct ListRule {
     std::string_view key;
     std::string_view parent;
@@ -22,7 +22,7 @@ constexpr ListRule kLists[] = {
 };
 constexpr std::string_view kChildObjects[] = {"tileoffset",      "grid",    "objectgroup",
                                               "transformations", "tileset", "object"};
-constexpr std::string_view kMarks[] = {"ellipse", "point", "capsule"};
+constexpr std::string_view kMarks[] = {"ellipse", "point", "capsule"};  // empty elements; flags in JSON
 constexpr std::pair<std::string_view, std::string_view> kLayerElements[] = {
     {"tilelayer", "layer"}, {"objectgroup", "objectgroup"}, {"imagelayer", "imagelayer"}, {"group", "group"}};
 

@@ -13,7 +13,7 @@ namespace {
 using tiled::Gid;
 using Cells = std::vector<Gid>;
 
-/// Uncompressed size up to which the compression ratio is not checked, since empty layers compress very well.
+/// Uncompressed size below which any compression ratio is accepted, since empty layers compress very well.
 constexpr std::size_t kAlwaysAllowedBytes = std::size_t{64} << 20;
 
 Error wrong(std::string_view where, std::string what, std::string remedy) {
@@ -173,7 +173,7 @@ Result<Done> encloseChunks(const std::vector<Chunk>& chunks, tiled::Layer& layer
     const bool fits = layer.width <= limits::kTileSide && layer.height <= limits::kTileSide;
     const std::size_t cells = fits ? area(layer.width, layer.height) : 0;
     if (!fits || cells > room || (cells > kSmall && cells / 64 > filled)) {
-        return wrong(where, "its chunks are too far apart",
+        return wrong(where, "the layer's chunks are too far apart",
                      "move the distant tiles closer to the others in Tiled");
     }
     return Done{};

@@ -138,7 +138,7 @@ Json tmxProperties(const XmlElement& element, std::string_view file, std::vector
     for (const XmlElement& property : list->children) {
         const std::string* name = property.find("name");
         if (property.name != "property" || !name || name->empty()) {
-            TmxFields{property, file, problems}.warn("a property without a name", "name it in Tiled");
+            TmxFields{property, file, problems}.warn("a property has no name", "give it a name in Tiled");
             continue;
         }
         if (properties.contains(*name)) {

@@ -42,7 +42,7 @@ bool TmxReader::readObject(const XmlElement& element, const TmxFile& file, Objec
     const TmxFields from = fields(element, file);
     if (objectsLeft_ == 0) {
         if (reported_.insert("too many objects").second)
-            from.warn("the map has too many objects", "split it");
+            from.warn("the map has too many objects", "split the map");
         return false;
     }
     --objectsLeft_;

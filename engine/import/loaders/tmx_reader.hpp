@@ -37,7 +37,7 @@ private:
     };
     /// A template's object, with its tile already resolved in the template's own tileset.
     struct Template {
-        bool found = false;
+        bool found = false;  ///< the template file was read and has an object
         tiled::Object object;
     };
 
@@ -70,8 +70,8 @@ private:
     static constexpr int kNoTileset = -2;  ///< the object is in a template without a tileset
 
     /// Reads an object of a map or of a template.
-    /// @param templateTileset  kGlobalId, or for an object in a template the index of its tileset or
-    /// kNoTileset
+    /// @param templateTileset  kGlobalId for an object in a map; for an object in a template the index of the
+    /// template's tileset in Map::tilesets, or kNoTileset
     bool readObject(const XmlElement& element, const TmxFile& file, tiled::Object& object,
                     int templateTileset = kGlobalId);
     void readShape(const XmlElement& element, const TmxFile& file, tiled::Object& object);

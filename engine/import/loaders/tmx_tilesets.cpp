@@ -145,7 +145,7 @@ void TmxReader::readTile(const XmlElement& element, const TmxFile& file, tiled::
     tiled::Tile tile;
     tile.id = from.whole("id", -1, 0, kMaxTileId);
     if (tile.id < 0) {
-        from.warn("a tile without an id", "save the tileset again in Tiled");
+        from.warn("a tile has no id", "save the tileset again in Tiled");
         return;
     }
     tile.type = from.text("type", from.text("class"));

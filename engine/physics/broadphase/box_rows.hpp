@@ -19,8 +19,8 @@ struct BoxStatistics {
 
 [[nodiscard]] BoxStatistics statisticsOf(const Proxies& proxies, std::span<const std::uint32_t> ids);
 
-/// A list of boxes in structure-of-arrays layout, to be compared with eight consecutive boxes at a time: the
-/// common part of HierarchicalGrid and SweepAndPruneAxis. The right and bottom sides are negated, as in
+/// A list of boxes in structure-of-arrays layout, so that a search tests eight consecutive boxes at once. It
+/// is the common part of HierarchicalGrid and SweepAndPruneAxis. Right and bottom sides are negated, as in
 /// TreeBoxes. Free slots overlap nothing, nor do the eight slots of padding at the end.
 ///
 /// Boxes that were added since the last sort, or that moved too far from their sorted position, are stored
@@ -33,10 +33,10 @@ public:
     static constexpr std::uint8_t kAwake = 3;  ///< ProxyMotion::Awake
 
     std::array<std::vector<float>, 4> low;  ///< m: left, top, -right, -bottom
-    std::vector<Filter> filters;
-    std::vector<std::uint32_t> ids;
-    std::vector<std::uint8_t> states;  ///< kFree, kInUse or kAwake
-    FilterUnion all;                   ///< filters of all proxies that were stored since reset()
+    std::vector<Filter> filters;            ///< per slot
+    std::vector<std::uint32_t> ids;         ///< per slot: index of the proxy
+    std::vector<std::uint8_t> states;       ///< per slot: kFree, kInUse or kAwake
+    FilterUnion all;                        ///< filters of all proxies that were stored since reset()
 
     [[nodiscard]] AABB boxAt(std::uint32_t place) const {
         return {{low[0][place], low[1][place]}, {-low[2][place], -low[3][place]}};
@@ -79,12 +79,12 @@ private:
     std::uint32_t count_ = 0;  ///< number of slots, including free ones
     std::uint32_t free_ = 0;
     std::uint32_t sortedSize_ = 0;  ///< number of boxes at the last sort
-    std::uint64_t lost_ = 0;        ///< tests of unsorted boxes by searches since the last sort
+    std::uint64_t lost_ = 0;        ///< number of tests of unsorted boxes since the last sort
     std::size_t chosenFor_ = 0;     ///< number of boxes at the last choice of the sort parameters
     std::uint32_t sortsSince_ = 0;  ///< sorts since that choice
 };
 
-struct Stretch {  // a range of slots
+struct Stretch {  // a range of slots: begin to end - 1
     std::uint32_t begin;
     std::uint32_t end;
 };

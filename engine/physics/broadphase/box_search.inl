@@ -17,7 +17,7 @@ PLUMB_TARGET inline Wide widen(const AABB& box) {
     return {{spread(box.max.x), spread(box.max.y), spread(-box.min.x), spread(-box.min.y)}};
 }
 
-/// Appends the index of each set bit, plus `first`. Writes up to kSpare entries beyond the end.
+/// Appends `first` + i for each set bit i; returns the new end. Writes up to kSpare entries beyond it.
 PLUMB_TARGET inline std::uint32_t* appendBits(std::uint64_t bits, std::uint32_t first, std::uint32_t* to) {
     const int count = std::popcount(bits);
     for (int done = 0; done < count; done += 4) {
@@ -29,7 +29,7 @@ PLUMB_TARGET inline std::uint32_t* appendBits(std::uint64_t bits, std::uint32_t 
     return to + count;
 }
 
-/// Returns the lanes whose boxes overlap. Each pointer refers to the sides of eight boxes.
+/// Returns the lanes whose boxes overlap `wide`. Each pointer refers to one side of eight boxes.
 PLUMB_TARGET inline Mask overlaps(const float* left, const float* top, const float* right,
                                   const float* bottom, const Wide& wide) {
     return (load(left) <= wide.high[0]) & (load(right) <= wide.high[2]) & (load(top) <= wide.high[1]) &
@@ -43,7 +43,7 @@ PLUMB_TARGET inline std::uint32_t overlapsAt(const BoxRows& rows, std::uint32_t 
     return bitsOf(overlaps(&low[0][place], &low[1][place], &low[2][place], &low[3][place], wide));
 }
 
-constexpr std::uint32_t kMaxRowHits = 512;
+constexpr std::uint32_t kMaxRowHits = 512;  // capacity of the list of hits that takeHits() empties
 
 PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* hits, std::uint32_t hitCount,
                                   std::uint32_t first, std::vector<PairKey>& pairs) {
@@ -69,7 +69,7 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
     pairs.insert(pairs.end(), found, found + count);
 }
 
-/// One byte per searching proxy: the bits of the eight slots from `place` on that follow its own slot.
+/// One byte per searching proxy: a bit for each of the eight slots from `place` on that follows its own slot.
 PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint32_t place) {
     std::uint64_t bits = 0;
     for (std::uint32_t i = 0; i < search.count; ++i) {
@@ -177,9 +177,9 @@ struct Lookers {
     Wide boxes[kBranch];
     std::uint32_t lanes[kBranch];
     std::uint32_t count = 0;
-    std::uint64_t all = 0;     ///< by byte: 0xff if it pairs with every lane, 0 if only with awake lanes
-    std::uint64_t later = 0;   ///< by byte: the lanes after the searching lane in its own leaf
-    std::uint64_t others = 0;  ///< by byte: all lanes except the searching lane
+    std::uint64_t all = 0;     ///< per byte: 0xff if the lane pairs with all lanes, 0 if only with awake ones
+    std::uint64_t later = 0;   ///< per byte: the lanes after the searching lane in its own leaf
+    std::uint64_t others = 0;  ///< per byte: all lanes except the searching lane
 };
 
 PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t lanes, Lookers& searchers) {
@@ -195,7 +195,7 @@ PLUMB_TARGET inline void collectLookers(const TreeSearch& search, std::uint32_t 
     }
 }
 
-/// By byte: the lanes of a leaf that each searching lane reports if they overlap (one of two that search).
+/// One byte per searching lane: the lanes of `leaf` that it reports. Of two searching lanes only one reports.
 PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Lookers& searchers,
                                             std::uint32_t leaf) {
     const bool same = search.own == search.others;
@@ -204,7 +204,7 @@ PLUMB_TARGET inline std::uint64_t openLanes(const TreeSearch& search, const Look
     return same && leaf == search.leaf ? (unmoved | searchers.later) & searchers.others : unmoved;
 }
 
-/// Tests the searching lanes against leaves.
+/// Appends the pairs of the searching lanes with the lanes of the candidate leaves.
 PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lanes,
                                     std::span<const std::uint32_t> candidates, std::vector<PairKey>& pairs) {
     const TreeLeaf& own = search.own->leaves()[search.leaf];

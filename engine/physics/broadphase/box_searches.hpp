@@ -10,16 +10,16 @@ namespace plumb::physics {
 template <class Part>
 struct PartSearch {
     const Part* own = nullptr;
-    const Part* others = nullptr;  ///< may be equal to `own`; not empty
-    bool ownMayBeAwake = false;
-    bool allCanPair = false;  ///< one side moves and the other sleeps; else one of a pair must be awake
+    const Part* others = nullptr;           ///< may be equal to `own`; not empty
+    bool ownMayBeAwake = false;             ///< `own` is the moving partition
+    bool allCanPair = false;                ///< true: all pairs count; false: only pairs with an awake proxy
     const std::uint8_t* isMoved = nullptr;  ///< per proxy: nonzero if it searches
 };
 
 /// Some proxies of one leaf that search together.
 struct TreeSearch : PartSearch<Bvh8> {
     std::uint32_t leaf = 0;   ///< index of the leaf in `own`
-    std::uint32_t lanes = 0;  ///< bits: its lanes that search
+    std::uint32_t lanes = 0;  ///< bits: lanes of this leaf that search
 };
 
 /// Proxies near each other that search together.
@@ -32,7 +32,7 @@ struct RowSearch : PartSearch<BoxRows> {
 };
 
 /// The functions of the broad phases that handle eight boxes at a time, compiled for one instruction set. The
-/// choice affects the time only. Trees must not be empty.
+/// choice affects the time only, not the results. Trees must not be empty.
 struct BoxSearches {
     void (*findPairsOfLeaf)(const TreeSearch& search, std::vector<PairKey>& pairs);
     void (*findPairsInRows)(const RowSearch& search, std::span<const Stretch> stretches,

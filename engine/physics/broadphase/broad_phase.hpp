@@ -11,23 +11,23 @@
 
 namespace plumb::physics {
 
-/// Decides which shapes collide. Shapes of one body never collide; shapes of one group always (above 0) or
-/// never (below 0) do; all others collide if each is on a layer that is in the other's mask.
+/// Decides which shapes collide. Shapes of the same body never collide. Those of the same group always
+/// do if the group is above 0, never if it is below 0. Others do if each is on a layer of the other's mask.
 struct Filter {
-    std::uint32_t layers = 1;
-    std::uint32_t mask = 0xffffffffu;
-    std::int32_t group = 0;
+    std::uint32_t layers = 1;          ///< bits: the layers that the shape is on
+    std::uint32_t mask = 0xffffffffu;  ///< bits: the layers that the shape collides with
+    std::int32_t group = 0;            ///< 0: no group
     std::uint32_t body = 0;
 };
 
-constexpr bool meet(const Filter& a, const Filter& b) {
+constexpr bool meet(const Filter& a, const Filter& b) {  // true if the shapes collide
     if (a.body == b.body) return false;
     if (a.group == b.group && a.group != 0) return a.group > 0;
     return (a.layers & b.mask) != 0 && (b.layers & a.mask) != 0;
 }
 
 enum class ProxyMotion : std::uint8_t {
-    Gone,       ///< a free slot
+    Gone,       ///< the shape was destroyed
     Static,     ///< never moves
     Asleep,     ///< dynamic, at rest
     Kinematic,  ///< moves, but not by forces
@@ -35,14 +35,14 @@ enum class ProxyMotion : std::uint8_t {
 };
 
 /// The proxies of all shapes: views of three arrays indexed by shape. Bounds are already enlarged by a
-/// margin; they change only when a shape leaves them.
+/// margin; the bounds of a shape change only when the shape leaves them.
 struct Proxies {
     std::span<const AABB> bounds;
     std::span<const Filter> filters;
     std::span<const ProxyMotion> motions;
 };
 
-enum class Among : std::uint8_t { All, Static };
+enum class Among : std::uint8_t { All, Static };  ///< the proxies that cast() searches
 
 /// Two shapes whose bounds overlap. The lower index is in the high half, so that sorting orders keys by it.
 using PairKey = std::uint64_t;
@@ -69,7 +69,7 @@ public:
     /// match, at least one is dynamic and at least one moves. So a kinematic proxy pairs with sleeping ones,
     /// which it has to wake, but not with static or kinematic ones. A pair of two moved proxies is reported
     /// once. The order is arbitrary. Different parts of `moved` may be searched on several threads at once.
-    /// @param isMoved  by proxy: nonzero for all that are in `moved` of any thread
+    /// @param isMoved  indexed by proxy: nonzero for all that are in `moved` of any thread
     virtual void findPairs(std::span<const std::uint32_t> moved, std::span<const std::uint8_t> isMoved,
                            std::vector<PairKey>& pairs) const = 0;
     /// Appends all proxies on a layer in `mask` whose bounds overlap the box, in any order.

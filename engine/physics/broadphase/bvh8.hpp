@@ -28,8 +28,8 @@ struct alignas(32) TreeBoxes {
 
 struct TreeNode {
     TreeBoxes boxes;
-    std::uint32_t layers[kBranch];  ///< by child: FilterUnion::layers of the leaves below
-    std::uint32_t masks[kBranch];   ///< by child: FilterUnion::masks
+    std::uint32_t layers[kBranch];  ///< per child: FilterUnion::layers of the leaves below
+    std::uint32_t masks[kBranch];   ///< per child: FilterUnion::masks of the leaves below
 };
 
 struct TreeLeaf {
@@ -80,17 +80,17 @@ private:
 
     std::vector<TreeLeaf> leaves_;
     std::array<std::vector<TreeNode>, kMaxLevels> levels_;
-    /// Dirty bits: [0] by leaf, [i + 1] by node of level i. Set if the parent has to be updated.
+    /// Dirty bits, set if the parent has to be updated: [0] per leaf, [i + 1] per node of level i.
     std::array<std::vector<std::uint64_t>, kMaxLevels + 1> stale_;
     std::uint32_t height_ = 0;
-    std::uint32_t used_ = 0;  ///< lanes, including empty ones
-    std::uint32_t holes_ = 0;
+    std::uint32_t used_ = 0;    ///< lanes, including empty ones
+    std::uint32_t holes_ = 0;   ///< empty lanes below used_
     std::uint32_t sorted_ = 0;  ///< lanes in use at the last sort
 
     std::vector<float> sortedSizes_;        ///< m: width plus height of each leaf after the last sort
-    std::vector<std::uint32_t> stretches_;  ///< by leaf: growth of its area since the sort, fixed point
+    std::vector<std::uint32_t> stretches_;  ///< per leaf: growth of its area since the sort, fixed point
     std::uint64_t stretch_ = 0;             ///< sum of stretches_
-    std::uint64_t lost_ = 0;  ///< cost of searches in stretched leaves since the sort, unit as stretches_
+    std::uint64_t lost_ = 0;  ///< cost of searches in leaves grown since the sort, unit as stretches_
 
     HilbertOrder curve_;
 };

@@ -90,8 +90,8 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kNearCells = 12;
-    static constexpr std::uint32_t kLevels = 10;  // the last level is a single cell
+    static constexpr std::uint32_t kNearCells = 12;  // cells of a row whose boxes search together
+    static constexpr std::uint32_t kLevels = 10;     // the last level is a single cell
 
     struct Cell {
         std::int32_t x = 0;
@@ -137,7 +137,7 @@ private:
         return level.firstCell + row * level.columns + column;
     }
 
-    /// Calls visit(begin, end) with the slots of `wide` cells of a row, beginning at column `left`.
+    /// Calls visit(begin, end) with ranges of slots: those of `wide` cells of a row from column `left` on.
     template <class Visit>
     void visitRow(const Level& level, std::int32_t row, std::int32_t left, std::uint32_t wide,
                   const Visit& visit) const {

@@ -16,8 +16,8 @@ constexpr int kDeepest = 24;  // each level is 256 times finer, and the exponent
 constexpr float kFarthestKey = 1e30f;  // coordinates are clamped to this
 constexpr float kMinExtent = 1e-30f;   // a smaller extent counts as one point
 
-/// Four levels of the curve at once, by state and 4 bits each of x and y: the 8 bits of the index on the
-/// curve and, above them, the next state. Bit 0 of a state: the axes are swapped; bit 1: both are reversed.
+/// Table of four levels of the curve at once, indexed by state and 4 bits each of x and y. Entries: 8 bits of
+/// the index on the curve, above them the next state. State bit 0: axes swapped, bit 1: both reversed.
 constexpr auto kCurve = [] {
     std::array<std::array<std::uint16_t, 256>, 4> table{};
     for (unsigned state = 0; state < 4; ++state) {

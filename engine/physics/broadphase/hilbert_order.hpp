@@ -26,7 +26,7 @@ private:
 /// Source: I. Kamel, C. Faloutsos, "On Packing R-trees", CIKM 1993.
 class HilbertOrder {
 public:
-    /// @param bounds  by id; finite, or inverted with any values
+    /// @param bounds  indexed by id; each is finite, or inverted (min above max) with any values
     void sort(std::span<const AABB> bounds, std::span<std::uint32_t> ids);
 
 private:

@@ -26,7 +26,7 @@ constexpr bool allCanPair(std::uint32_t own, std::uint32_t other) {
 /// The first partition with partners for proxies of `own`: resting proxies only pair with moving ones.
 constexpr std::uint32_t firstPartner(std::uint32_t own) { return own == kMovingPart ? 0u : kMovingPart; }
 
-/// The location of a proxy: the partition in the high 2 bits, its slot there in the others.
+/// The location of a proxy: its partition in the high 2 bits, its slot in that partition in the other bits.
 using ProxyLocation = std::uint32_t;
 inline constexpr ProxyLocation kNoLocation = 0xffffffffu;
 inline constexpr std::uint32_t kPlaceBits = 30;
@@ -63,10 +63,10 @@ struct LocationList {
 ///   add(proxies, ids, list)        stores more proxies; sets their locations
 ///   erase(place)
 ///   move(proxies, place)           reads the box and filter of the proxy again; returns its new slot
-///   settle(searches)               called after these; adds the cost of disorder for so many searches
+///   settle(searches)               called last; adds the time that so many searches lose by disorder
 ///   places(), size()               upper limit of the slots, number of proxies
 ///   isFree(place), idAt(place)
-///   find(searches, box, sweep, mask, found)  query(); cast() if `sweep` is not null (`box`: its bounds)
+///   find(searches, box, sweep, mask, found)  query(); cast() if `sweep` (with bounds `box`) is not null
 ///   visitRegions(visit)
 template <class Part>
 class PartitionedBroadPhase : public BroadPhase {
@@ -159,7 +159,7 @@ private:
     }
 
     /// Removes proxies from partitions that they left, and collects the arrivals of each partition.
-    /// @return  by partition: the number of changed proxies that stay in it
+    /// @return  per partition: the number of changed proxies that stay in it
     std::array<std::uint32_t, kParts> sendToParts(const Proxies& proxies,
                                                   std::span<const std::uint32_t> changed) {
         for (auto& arrivals : arrivals_) arrivals.clear();
@@ -181,7 +181,7 @@ private:
     }
 
     /// Adds proxies to a partition, or sorts all of it if that is due.
-    /// @return  true if all its proxies were read again
+    /// @return  true if all proxies of the partition were read again
     bool take(std::uint32_t i, const Proxies& proxies, std::span<std::uint32_t> arrivals,
               std::uint32_t moving) {
         Part& part = parts_[i];
@@ -203,8 +203,8 @@ private:
     std::vector<ProxyLocation> places_;             ///< location of each proxy
     std::vector<std::uint32_t> order_;              ///< ids of a partition, during its sort
     std::array<std::uint32_t, kParts> arranged_{};  ///< number of ids in the last arrange(), or kUnknown
-    std::array<std::vector<std::uint32_t>, kParts> arrivals_;
-    std::array<std::vector<std::uint64_t>, kParts> marks_;  ///< bits, by slot; all 0 between calls
+    std::array<std::vector<std::uint32_t>, kParts> arrivals_;  ///< per partition: proxies to add
+    std::array<std::vector<std::uint64_t>, kParts> marks_;     ///< one bit per slot; all 0 between calls
 };
 
 // The broad phases, for the table in broad_phase.cpp.

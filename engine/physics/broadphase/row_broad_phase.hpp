@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-/// The common part of partitions that store their boxes in rows. Rows has
+/// The common part of partitions that store their boxes in rows. The derived class, Rows, has
 ///
 ///   uint32 freePlace(box)  a free slot for a box
 ///   void visitNear(box, sweep, from, visit)  calls visit(begin, end) with ranges, none before `from`, that
@@ -31,10 +31,10 @@ public:
     }
 };
 
-/// Boxes in rows, such that boxes near each other lie in few ranges of slots, which are compared eight at a
+/// Stores boxes such that boxes near each other lie in few ranges of slots; searches test eight slots at a
 /// time. In addition to what PartitionedBroadPhase needs, a Part is a SortedRows and has
 ///
-///   bool areNear(a, b)     true if the proxies in slots a < b should be searched for together
+///   bool areNear(a, b)     true if the proxies in slots a < b should search together
 template <class Part>
 class RowBroadPhase final : public PartitionedBroadPhase<Part> {
 public:

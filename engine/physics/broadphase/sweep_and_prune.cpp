@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kNear = 16;
+    static constexpr std::uint32_t kNear = 16;  // slots: boxes this near in the list search together
     static constexpr std::uint32_t kSegments = 6;
     using Key = std::uint64_t;  ///< sortable(lower end) << 32 | index in the list of ids
 
@@ -160,7 +160,7 @@ private:
         return static_cast<std::uint32_t>(at - starts_.data()) + (*at <= x ? 1 : 0);
     }
 
-    /// The slots of a segment, none before `from`, with the boxes that `box` may overlap.
+    /// Returns the slots of a segment, none before `from`, whose boxes `box` may overlap.
     [[nodiscard]] Stretch findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
         // Boxes may have moved since the sort; lengths and positions may have been rounded.
         const float lower = startOf(box) - segment.longest - stray_;

@@ -18,7 +18,7 @@ public:
     void setPosition(WorldPosition position) { position_ = position; }
     /// The collision queries of this character.
     [[nodiscard]] CharacterProbe& probe() { return probe_; }
-    [[nodiscard]] bool isGround(Vec2 normal) const;
+    [[nodiscard]] bool isGround(Vec2 normal) const;  ///< true if the surface can be stood on
 
     /// Moves the outline out of all overlaps.
     /// @return a shape that still overlaps it, in which case it has not moved; without a shape on success

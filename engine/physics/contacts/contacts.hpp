@@ -41,13 +41,13 @@ void copyMaterials(const World& world, Contact& contact);
 /// @param dt  s: length of the current step
 void findTouches(const World& world, std::span<Contact> contacts, float dt, DetectionCounts& counts);
 
-/// Computes the points of a new contact at the current poses, with separations up to `distance` (m).
+/// Computes the points of a new contact at the current poses: those with separations up to `distance` (m).
 void findTouch(const World& world, Contact& contact, float distance);
 
 /// Restricts a contact to one face of A.
 struct OnlyFace {
     Vec2 normal;     ///< outward normal of the face, in A's frame
-    Vec2 beyond;     ///< m: extension of the face at its start and its end
+    Vec2 beyond;     ///< m: length added to the face at its start (x) and at its end (y)
     float distance;  ///< m: maximum separation of contact points
 };
 
@@ -58,7 +58,7 @@ void clearPoints(Contact& contact);
 
 /// Ends the contacts of the shapes in World::altered; the broad phase finds them again.
 void endAltered(StepContext& step);
-/// Sets friction and bounciness by the callbacks ContactHooks::friction and bounciness, if they are set.
+/// Sets friction and bounciness of a contact by the callbacks in ContactHooks, if these are set.
 void askForMaterial(const StepContext& step, Contact& contact);
 
 /// Marks a contact as touching from now on.
@@ -113,8 +113,8 @@ void hideInitialOverlap(const World& world, Contact& contact);
 /// Reads: work.contactFindings. Writes: contacts (points), work.endedAtSeams.
 void correctSeams(StepContext& step);
 
-/// Corrects a contact that was computed for a hit of a sweep, and extends its face over adjacent static or
-/// kinematic shapes that continue the face.
+/// Recomputes normal and points of a contact that was made for a hit on the path of a body, with its face
+/// extended over adjacent static or kinematic shapes that continue the face.
 void touchUnion(StepContext& step, Contact& contact);
 
 }  // namespace plumb::physics

@@ -11,9 +11,9 @@ struct DetectionCounts {
     std::uint32_t apartByBounds = 0;   ///< pairs whose bounds no longer overlap; they are removed
     std::uint32_t apartByCircles = 0;  ///< pairs whose bounding circles do not overlap
     std::uint32_t apartByAxes = 0;     ///< pairs whose outlines do not overlap
-    std::uint32_t touching = 0;
-    std::uint32_t recycled = 0;  ///< touching pairs that moved so little that their points were reused
-    std::uint32_t swept = 0;     ///< further pairs, tested along the path of a fast body
+    std::uint32_t touching = 0;        ///< pairs that touch
+    std::uint32_t recycled = 0;        ///< touching pairs that moved so little that their points were reused
+    std::uint32_t swept = 0;           ///< further pairs, tested along the path of a fast body
 
     DetectionCounts& operator+=(const DetectionCounts& more) {
         using Counts = DetectionCounts;

@@ -10,13 +10,13 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr int kSeamGrain = 32;
+constexpr int kSeamGrain = 32;  // bodies that a thread takes at a time
 
-/// Position of a point relative to an outline; normals of the first and the last edge at the point.
+/// Position of a point relative to an outline, and the normals of the first and the last edge at the point.
 struct EdgesAt {
     Vec2 first, last;
-    bool isAt = false;
-    bool isInside = false;
+    bool isAt = false;      // the point is on the outline or inside
+    bool isInside = false;  // the point is inside, farther from all edges than the tolerance
 };
 
 EdgesAt edgesAt(const Convex& outline, Vec2 point, float tolerance) {
@@ -134,7 +134,7 @@ struct Verdict {
     std::optional<Vec2> normal;  ///< in A's frame, if invalid: A's nearest border normal
 };
 
-/// True if two bodies have equal velocities at a point. Otherwise their shapes have no seam.
+/// True if two bodies have equal velocities at a point `place`. Otherwise their shapes have no seam there.
 bool moveAsOne(const World& world, std::uint32_t a, std::uint32_t b, Vec2 place) {
     if (a == b) return true;
     const auto velocityAt = [&](std::uint32_t body) {

@@ -44,7 +44,7 @@ struct SweptOutline {
 inline constexpr float kNever = 4.0f;
 
 /// Returns the fraction of the step at which the distance of two outlines falls to `gap`, after the begin of
-/// both paths; kNever if not up to `latest`. At the limit of iterations it returns an earlier fraction.
+/// both paths; kNever if it does not until `latest`. At the limit of iterations, returns an earlier fraction.
 /// @param gap     m, not negative
 /// @param latest  below kNever
 /// Source: B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, 2.3 (conservative
@@ -52,11 +52,11 @@ inline constexpr float kNever = 4.0f;
 float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest = 1.0f);
 
 struct PathHit {
-    float part = kNever;
+    float part = kNever;          ///< fraction of the step at which the shapes hit
     std::uint32_t shape = kNone;  ///< the shape of the swept body
-    std::uint32_t met = kNone;    ///< the shape that it hits
-    int metHits = 0;         ///< SweptBody::hits of the other body: if increased since, its path has changed
-    bool isPressed = false;  ///< they touched at the start, and now the core of one would enter the other
+    std::uint32_t met = kNone;    ///< the shape of another body that it hits
+    int metHits = 0;         ///< SweptBody::hits of the other body; a higher number now: it changed its path
+    bool isPressed = false;  ///< the shapes touched at the start; now the core of one would enter the other
 };
 
 /// A fast body, or a body that a fast body hit.
@@ -64,13 +64,13 @@ struct SweptBody {
     std::uint32_t body = kNone;
     Sweep sweep;          ///< its path since its last hit
     Vec2 pull;            ///< m/s2: acceleration on this path
-    bool isHeld = false;  ///< true if contacts or joints hold it: a hit then stops it until the next step
+    bool isHeld = false;  ///< true if it has contacts or joints: a hit then stops it until the next step
     int hits = 0;         ///< number of hits that changed its path
-    std::uint32_t passed = kNone;  ///< shape that a callback of ContactHooks lets it pass
-    PathHit next;
+    std::uint32_t passed = kNone;  ///< shape that it passes through, by a callback of ContactHooks
+    PathHit next;                  ///< the next hit on the path
 };
 
-struct Mover {
+struct Mover {  // a shape on the path of its body
     std::uint32_t shape;
     const Sweep& sweep;
     bool goesOn = false;  ///< true if it continues to move after a hit

@@ -10,9 +10,9 @@ namespace plumb::physics {
 inline constexpr float kArrowPerAcceleration = 0.02f;
 inline constexpr float kLongestArrow = 1.0f;  ///< m: otherwise arrows of hard impacts would cross the screen
 inline constexpr float kPointRadius = 0.02f;  ///< m
-inline constexpr float kOneWayArrow = 0.25f;  ///< m: the farthest that anything is drawn from its shape
+inline constexpr float kOneWayArrow = 0.25f;  ///< m: its length; nothing is drawn farther from its shape
 
-struct Picture {
+struct Picture {  // what the functions below draw, and where
     const World& world;
     DebugCanvas& canvas;
     const DebugOptions& choice;
@@ -81,7 +81,7 @@ struct Picture {
                 draw(s, body);
         }
     }
-    /// Calls draw(contact) for all touching contacts that are shown: either with or without a trigger.
+    /// Calls draw(contact) for the touching contacts that are shown, with a trigger or (false) without.
     template <class Draw>
     void forContacts(bool triggered, Draw&& draw) const {
         forTouching(world, triggered, [&](const Contact& contact) {

@@ -31,7 +31,7 @@ FieldForce areaGravity(const FieldView& view, std::uint32_t f, std::uint32_t bod
     return {{view.world.bodies.driveOf(body).gravityScale * pull, 0.0f}};
 }
 
-/// Returns gust number `turn` of a seed, from -1 to 1.
+/// Returns the strength, from -1 to 1, of gust number `turn` in the random sequence of a seed.
 float gustAt(std::uint32_t seed, std::uint64_t turn) {
     const auto bits = static_cast<std::uint32_t>(mixBits(mixBits(seed) ^ turn) >> 40);
     return static_cast<float>(bits) * 0x1p-23f - 1.0f;

@@ -28,7 +28,7 @@ inline Acceleration& operator+=(Acceleration& a, const Acceleration& b) { return
 struct FieldView {
     const World& world;
     float h;                                   ///< s: step length of the integrator
-    std::span<const float> springScales = {};  ///< by field, see SmoothForces::springScales
+    std::span<const float> springScales = {};  ///< indexed by field, see SmoothForces::springScales
     /// Returns the current state of another body: that of the integrator, or for a body that is not
     /// integrated together with this one, stateAfter().
     BodyState (*stateOf)(const FieldView& view, std::uint32_t body) = nullptr;
@@ -137,22 +137,22 @@ struct Driven {
 
 /// Which fields act on which bodies in a step, and which bodies are integrated freely.
 struct SmoothForces {
-    struct Pull {
+    struct Pull {  // a field that acts on the body of a slot
         std::uint32_t slot;
         std::uint32_t field;
     };
     std::vector<Pull> pulls;
-    std::vector<std::uint32_t> begins;  ///< by slot: start of its list in `fields`; one more entry at the end
+    std::vector<std::uint32_t> begins;  ///< indexed by slot: start in `fields`; one more at the end
     std::vector<std::uint32_t> fields;
-    /// By field: factor below 1 on the force of a spring if the springs at one of its ends are together too
-    /// stiff for a step. The same factor for both ends, so that momentum is conserved.
+    /// Indexed by field: factor below 1 on the force of a spring if the springs at one of its ends are
+    /// together too stiff for a step. The same factor for both ends, so that momentum is conserved.
     std::vector<float> springScales;
-    std::vector<FieldMotion> motions;  ///< by slot; empty in a step without fields
-    std::vector<FreeBody> flyers;      ///< in order of their slots
-    std::vector<Driven> driven;        ///< in order of their slots
-    /// By slot, J: work on a driven body minus the work that the accelerations of the last substep would do.
+    std::vector<FieldMotion> motions;  ///< indexed by slot; empty in a step without fields
+    std::vector<FreeBody> flyers;      ///< bodies integrated freely, by slot in ascending order
+    std::vector<Driven> driven;        ///< by slot in ascending order
+    /// J, indexed by slot: work on a driven body minus the work the last accelerations would do.
     std::vector<float> works;
-    std::vector<std::int32_t> flyerOf;  ///< by body: index in `flyers`, or -1
+    std::vector<std::int32_t> flyerOf;  ///< indexed by body: index in `flyers`, or -1
 
     [[nodiscard]] std::span<const std::uint32_t> fieldsOf(std::size_t slot) const {
         return std::span{fields}.subspan(begins[slot], begins[slot + 1] - begins[slot]);

@@ -9,9 +9,9 @@ struct SubstepEstimate;
 struct Workspace;
 
 /// Divides the awake bodies into groups of islands that are solved with equal parameters: Workspace::groups,
-/// and solveOrder unless there is only one group. An island takes the highest quality of its members and the
-/// world; with Settings::tolerance, the quality that its errors require. An island in which no body can
-/// rotate is solved by reduced kernels, which give the same bits.
+/// and solveOrder unless there is only one group. An island takes the highest quality of its bodies
+/// and joints and the world; with Settings::tolerance, the quality that its errors require. An island in
+/// which no body can rotate is solved by reduced kernels, which give the same bits.
 void sortByQuality(StepContext& step);
 
 constexpr int substepsOf(Quality quality) { return 1 << quality; }

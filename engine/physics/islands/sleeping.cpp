@@ -96,7 +96,7 @@ void wakeIsland(World& world, std::uint32_t island) {
     sleepers.freeIslands.push_back(island);
 }
 
-/// Removes a member from a list. @param members  objects that store their index in the list as `place`
+/// Removes object `index` from a list. @param members  all objects, which store their place in the list
 template <class Member>
 void takeOut(std::vector<std::uint32_t>& list, std::vector<Member>& members, std::uint32_t index) {
     const std::uint32_t place = members[index].place;

@@ -26,7 +26,7 @@ void wakeAll(World& world);
 void wakeTouching(World& world, std::uint32_t body);
 /// Wakes a body that is about to move; if it was at rest, also bodies that touch it or have a joint with it.
 void wakeForMotion(World& world, std::uint32_t body);
-void sleepNow(World& world, std::uint32_t body);
+void sleepNow(World& world, std::uint32_t body);  ///< puts the whole island of a body to sleep
 
 inline constexpr std::uint32_t kIslandToBe = kNone - 1;
 /// Puts islands to sleep.
@@ -41,7 +41,7 @@ void removeAwakeJoint(World& world, std::uint32_t joint);
 // or joints end, islands may be larger than necessary until the forest is rebuilt. Source: R. Tarjan,
 // "Efficiency of a good but not linear set union algorithm", 1975 (path halving).
 
-/// @param parent  returns a reference to the parent of a member (std::uint32_t&); a root is its own parent
+/// @param parent  returns a reference to the parent of an element (std::uint32_t&); a root is its own parent
 template <class Parent>
 std::uint32_t rootOf(Parent&& parent, std::uint32_t member) {
     using AtomicParent = std::atomic_ref<std::uint32_t>;

@@ -12,11 +12,11 @@ namespace plumb::physics {
 /// quality the maximum of each member. Commutative and associative.
 [[nodiscard]] SubstepController merged(const SubstepController& a, const SubstepController& b);
 
-[[nodiscard]] SubstepController begun(Quality quality, float dt);
+[[nodiscard]] SubstepController begun(Quality quality, float dt);  ///< the initial state
 
 /// Returns the state after a step.
 /// @param error  m: largest overlap or joint error of the island after the step
-/// @param minimum  maximum quality set for its bodies and joints
+/// @param minimum  lower limit: the highest quality set for its bodies and joints
 [[nodiscard]] SubstepController judged(SubstepController controller, float error, float tolerance,
                                        Quality minimum, float dt);
 

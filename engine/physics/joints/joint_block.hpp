@@ -13,21 +13,21 @@ namespace plumb::physics {
 /// Soft constraint parameters of a joint ("grip"): impulse -= mass * (take * speed + pull * error) + give *
 /// impulse.
 struct Grip {
-    float take = 0.0f;
+    float take = 0.0f;  ///< ratio
     float pull = 0.0f;  ///< 1/s
-    float give = 1.0f;
+    float give = 1.0f;  ///< ratio
 };
 
 inline Grip gripOf(const Softness& soft) {
     return {soft.massScale, soft.massScale * soft.biasRate, soft.impulseScale};
 }
 
-/// The Grip of eight joints. Springs keep it in the relax pass; other joints are rigid there.
+/// The Grip of eight joints. In the relax pass of a substep only springs use it; other joints are rigid.
 struct GripLanes {
     float take[kLanes];
     float pull[kLanes];
     float give[kLanes];
-    float springs[kLanes];  ///< 1 or 0
+    float springs[kLanes];  ///< 1 for a spring, else 0
     float maximum[kLanes];  ///< N s or N m s: maximum impulse per substep
 };
 
@@ -50,15 +50,15 @@ struct AnchorLanes {
 
 /// Constraints on a value: a rigid or soft constraint that holds it, a motor, and two limits.
 struct RowLanes {
-    std::int32_t uses;       ///< bits of RowUse that any lane uses
+    std::int32_t uses;       ///< RowUse bits of the constraints that at least one lane uses
     float value[kLanes];     ///< m or rad, as of the last biased pass
     float rest[kLanes];      ///< m or rad: value at which it is held
     float speed[kLanes];     ///< m/s or rad/s: target speed of the motor
     float maxMotor[kLanes];  ///< N s or N m s: maximum motor impulse per substep
-    float lower[kLanes];
-    float upper[kLanes];
+    float lower[kLanes];     ///< m or rad: lower limit
+    float upper[kLanes];     ///< m or rad: upper limit
     GripLanes grip;
-    float holdImpulse[kLanes];
+    float holdImpulse[kLanes];  ///< N s or N m s, like the next three
     float motorImpulse[kLanes];
     float lowerImpulse[kLanes];
     float upperImpulse[kLanes];
@@ -85,7 +85,7 @@ struct HingeBlock : PointBlock {
     GripLanes grip;
     VecLanes apart;       ///< m: from A's anchor to B's, as of the last biased pass
     float angle[kLanes];  ///< rad, at the start of the step
-    RowLanes turning;
+    RowLanes turning;     ///< constraints on the angle
 };
 
 /// Correction of impulses whose directions rotate with the bodies: the impulse along the current directions
@@ -103,7 +103,7 @@ struct RodBlock {
     JointBodies bodies;
     AnchorLanes anchors;
     CarryLanes carry;
-    RowLanes along;
+    RowLanes along;  ///< constraints on the length along that line
 };
 
 /// Eight joints that let B slide along an axis of A.
@@ -112,13 +112,13 @@ struct SliderBlock : RodBlock {
 
     VecLanes axis;                ///< at the start of the step
     float angle[kLanes];          ///< rad, at the start of the step, minus the angle at which it is held
-    float holdsAngle[kLanes];     ///< 1 or 0
+    float holdsAngle[kLanes];     ///< 1 if the angle is held, else 0
     float acrossImpulse[kLanes];  ///< N s: across the axis
     float angleImpulse[kLanes];   ///< N m s
     std::int32_t spins;           ///< nonzero if some lane has a rotational motor
     float spin[kLanes];           ///< rad/s: target speed of the rotational motor
     float maxSpin[kLanes];        ///< N m s: maximum impulse per substep
-    float spinImpulse[kLanes];
+    float spinImpulse[kLanes];    ///< N m s
 };
 
 enum JointBlockKind : std::int32_t {

@@ -47,7 +47,7 @@ Grip springGrip(float hertz, float dampingRatio, float h) {
     return {1.0f - kept, turn * turn * kept / h, kept};
 }
 
-/// Sets `grip` to rigid, or to a spring if JointDefinition::hertz is below JointTiming::stiffest.
+/// Sets `grip` to JointTiming::rigid, or to a spring if the joint's hertz is below JointTiming::stiffest.
 /// @return true for a spring
 bool ownGrip(const JointView& view, Grip& grip) {
     const float hertz = view.definition.hertz;

@@ -36,22 +36,22 @@ struct ValueParts {
     float speed = 0.0f;     ///< m/s or rad/s: target speed of the motor
     float maxMotor = 0.0f;  ///< N s or N m s: maximum motor impulse per substep
     bool limited = false;
-    float lower = -kNoLimit;  ///< m or rad
-    float upper = kNoLimit;
+    float lower = -kNoLimit;  ///< m or rad: lower limit
+    float upper = kNoLimit;   ///< m or rad: upper limit
 };
 
 /// A joint in terms of the solver's constraints. Its block kind decides which of them apply.
 struct JointParts {
     Vec2 armA;  ///< m, world: from the center of mass of A to its anchor
     Vec2 armB;
-    Vec2 apart;  ///< m: from A's anchor to B's
-    Grip grip;   ///< soft constraint parameters of the point constraint
-    bool springs = false;
+    Vec2 apart;                ///< m: from A's anchor to B's
+    Grip grip;                 ///< soft constraint parameters of the point constraint
+    bool springs = false;      ///< the point constraint is a spring
     float maximum = kNoLimit;  ///< N s: maximum impulse per substep
     float angle = 0.0f;        ///< rad: rotation of B relative to A, minus the reference angle
     ValueParts value;          ///< constraints on the angle (hinges) or the length (rods, sliders)
     Vec2 axis;                 ///< world: sliding axis
-    bool holdsAngle = false;   ///< rigidly, at 0
+    bool holdsAngle = false;   ///< true: holds the angle rigidly at 0
     float spin = 0.0f;         ///< rad/s: target speed of a slider's rotational motor (wheel)
     float maxSpin = 0.0f;      ///< N m s: maximum impulse of that motor per substep
 };
@@ -59,24 +59,24 @@ struct JointParts {
 /// Jacobian of a multi-body constraint with respect to one body.
 struct NBodyJacobian {
     std::uint32_t body = 0;
-    float x = 0.0f;
+    float x = 0.0f;  ///< derivative with respect to the body's position
     float y = 0.0f;
-    float turn = 0.0f;
+    float turn = 0.0f;  ///< derivative with respect to the body's angle
 };
 
 /// Constraint that keeps a sum over up to four bodies at 0: gears and pulleys. They are rare, so they are
 /// solved one by one. Jacobians are those of the start of the step.
 struct NBodyConstraint {
     NBodyJacobian ends[4];
-    std::int32_t count = 0;     ///< number of ends in use
-    std::int32_t reported = 0;  ///< the end whose force jointForce() reports
-    float error = 0.0f;         ///< value of the sum at the start of the step
-    std::int32_t slots[4] = {};
-    float inverseInertia[4] = {};
-    float mass = 0.0f;
-    float impulse = 0.0f;
-    std::uint32_t joint = 0;
-    std::uint8_t group = 0;
+    std::int32_t count = 0;        ///< number of ends in use
+    std::int32_t reported = 0;     ///< the end whose force jointForce() reports
+    float error = 0.0f;            ///< value of the sum at the start of the step
+    std::int32_t slots[4] = {};    ///< per end: slot of its body in the solver
+    float inverseInertia[4] = {};  ///< per end, 1/(kg m2)
+    float mass = 0.0f;             ///< effective mass of the constraint
+    float impulse = 0.0f;          ///< accumulated impulse of a substep
+    std::uint32_t joint = 0;       ///< index of the joint
+    std::uint8_t group = 0;        ///< index in Workspace::groups
 
     void add(const NBodyJacobian& end) { ends[count++] = end; }
 };

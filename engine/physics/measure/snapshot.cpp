@@ -350,7 +350,7 @@ void WorldRecording::step(World& world, float dt, const StepOptions& options) {
 
 Result<World> WorldRecording::replay(std::size_t count, const StepOptions& options) const {
     if (count > steps_.size())
-        return Error{"WorldRecording::replay", "it has only " + std::to_string(steps_.size()) + " steps",
+        return Error{"WorldRecording::replay", "it recorded only " + std::to_string(steps_.size()) + " steps",
                      "pass at most steps() as count"};
     Result<World> world = worldOf(start_);
     for (std::size_t i = 0; world && i < count; ++i) {

@@ -16,7 +16,7 @@ void destroyBody(World& world, BodyId body);
 // Getters. For a stale id they return defaults: at the origin, at rest, mass 0, neither awake nor enabled.
 
 /// Converts a point (m) from the frame of the body's shapes to the world; localPoint() is the inverse.
-/// Positions are subtracted first, so the result is as accurate far from the origin.
+/// Positions are subtracted first, so the result is as accurate far from the origin as near it.
 [[nodiscard]] inline WorldPosition worldPoint(const BodyPose& pose, Vec2 point) {
     return pose.centre + rotate(pose.rotation, point - pose.localCentre);
 }
@@ -96,10 +96,10 @@ Result<Done> setGravityScale(World& world, BodyId body, float scale);
 Result<Done> setDrag(World& world, BodyId body, float linear, float angular);  ///< 1/s, at least 0
 /// Sets the mass (kg) and scales the inertia. 0 restores the values computed from the shapes.
 Result<Done> setMass(World& world, BodyId body, float mass);
-/// Replaces the mass properties computed from the shapes, also from shapes added later. Mass 0 restores them.
+/// Replaces the computed mass properties, also after shapes are added. Mass 0 restores the computed ones.
 Result<Done> setMassData(World& world, BodyId body, const MassData& data);
 Result<Done> setQuality(World& world, BodyId body, Quality quality);
-/// Forces and torques act in the next step only. `point`: in the world (m); otherwise the centre of mass.
+/// Forces and torques act in the next step only: at `point` (m, in the world), else at the centre of mass.
 Result<Done> applyForce(World& world, BodyId body, Vec2 force);  ///< N
 Result<Done> applyForceAt(World& world, BodyId body, Vec2 force, WorldPosition point);
 Result<Done> applyTorque(World& world, BodyId body, float torque);   ///< N m

@@ -32,7 +32,7 @@ constexpr Vec2 operator-(WorldPosition a, WorldPosition b) {
 constexpr Vec2 toVec2(WorldPosition a) { return {static_cast<float>(a.x), static_cast<float>(a.y)}; }
 
 /// Accuracy of a body, a joint or a scene: 2^value substeps, with contact and joint springs of matching
-/// stiffness. An island uses the maximum of its members.
+/// stiffness. An island uses the maximum of its bodies and joints.
 using Quality = std::int8_t;
 inline constexpr Quality kQualityOfWorld = -1;  ///< use Settings::quality
 inline constexpr Quality kMaxQuality = 6;

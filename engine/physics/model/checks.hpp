@@ -7,7 +7,7 @@
 
 namespace plumb::physics {
 
-// Range checks of the setters. Each returns the Error to report, or Done.
+// Range checks of the setters. Each returns the Error to report, or Done. `where`: Error::where.
 
 Error wrong(const char* where, const std::string& what, const char* remedy);
 

@@ -46,7 +46,7 @@ struct alignas(64) Contact {
 
     Rot turn;                     ///< B's rotation relative to A when the points were computed
     float rollingImpulse = 0.0f;  ///< N m s
-    std::uint16_t ids[2] = {};    ///< by point, see ManifoldPoint::id
+    std::uint16_t ids[2] = {};    ///< indexed by point, see ManifoldPoint::id
 
     ContactAnchors anchors[2];
 

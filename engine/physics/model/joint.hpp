@@ -60,7 +60,7 @@ struct JointDefinition {
     /// velocity and motor.speed, instead of to the offset.
     Vec2 velocity{};
     JointId jointA{};  ///< first joint of Gear
-    JointId jointB{};
+    JointId jointB{};  ///< second joint of Gear
     JointLimit limit{};
     JointMotor motor{};
     JointSpring spring{};  ///< Weld: spring of its angle

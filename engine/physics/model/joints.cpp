@@ -61,7 +61,7 @@ Result<Done> checkAngles(const JointDefinition& d) {
 Result<Done> check(const World& world, const JointDefinition& d) {
     if (d.kind >= JointKind::Count)
         return wrong("JointDefinition.kind", "expected a JointKind, found another number",
-                     "use a constant of it");
+                     "use a constant of this enum");
     const auto living =
         firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
     if (!living) return living;
@@ -105,7 +105,7 @@ void unlink(World& world, std::uint32_t body, std::uint32_t joint, std::uint32_t
     *link = next;
 }
 
-/// Makes the broad phase search the pairs of both bodies again, after a joint enabled their collisions.
+/// Makes the broad phase search the pairs of both bodies again, after a joint stopped preventing it.
 void refreshPairs(World& world, const Joint& joint) {
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB})
         forShapesOf(world, body, [&](std::uint32_t s) { noteMoved(world, s); });

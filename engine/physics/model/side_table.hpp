@@ -20,7 +20,7 @@ std::uint32_t takeIndex(std::vector<std::uint32_t>& free, First& first, Others&.
     return index;
 }
 
-/// Rarely used properties, outside the main arrays. Objects have the index of a row, or kNone for defaults.
+/// Rarely used properties, outside the main arrays. An object stores the index of its row; kNone: defaults.
 template <class Row>
 struct SideTable {
     std::vector<Row> rows;
@@ -30,7 +30,7 @@ struct SideTable {
         return index == kNone ? kUsual : rows[index];
     }
 
-    /// Returns the object's row for writing; creates it if the object has none. It is kept until release().
+    /// Returns row `index` for writing; if it is kNone, adds a row and sets `index`. Kept until release().
     Row& own(std::uint32_t& index) {
         if (index != kNone) return rows[index];
         index = takeIndex(free, rows);

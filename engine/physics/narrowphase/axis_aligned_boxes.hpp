@@ -13,7 +13,7 @@ inline Vec2 gapOf(Vec2 halfA, Vec2 halfB, Vec2 displacement) {
     return {std::fabs(displacement.x) - halfA.x - halfB.x, std::fabs(displacement.y) - halfA.y - halfB.y};
 }
 
-/// True if the contact normal is along y, else x. If both separations are nearly equal, it is along x (a
+/// True if the contact normal is along y, false: x. If both separations are nearly equal, it is along x (a
 /// tolerance, as for rotated boxes), so that the axis does not alternate.
 inline bool goesAlongY(Vec2 halfA, Vec2 halfB, Vec2 gap) {
     const float smallest = std::min(std::min(halfA.x, halfA.y), std::min(halfB.x, halfB.y));
@@ -23,7 +23,7 @@ inline bool goesAlongY(Vec2 halfA, Vec2 halfB, Vec2 gap) {
 /// The touching features: ManifoldPoint::id.
 enum UprightFeature : std::uint16_t { kFaceX = 0, kFaceY = 2, kCorner = 4 };
 
-/// Collides boxes that are separated along both axes: corner to corner.
+/// Collides boxes that are separated along both axes, corner to corner. side: signs of `displacement`.
 inline Manifold collideUprightCorners(Vec2 halfA, Vec2 gap, Vec2 side, Vec2 displacement, float speculative) {
     const float square = lengthSquared(gap);
     if (square > speculative * speculative || square <= kBlur * kBlur * lengthSquared(displacement))

@@ -13,8 +13,8 @@ struct ChainJoint {
     Vec2 point;
     Vec2 from, to;       ///< normals of both segments, in the direction of rotation
     Vec2 neighbour;      ///< far end of the other segment; `point` if there is none
-    bool sharp = false;  ///< convex
-    bool ours = true;
+    bool sharp = false;  ///< true at a convex vertex
+    bool ours = true;    ///< true if this segment handles the vertex
 
     [[nodiscard]] bool allows(Vec2 direction) const {
         return sharp && cross(from, direction) >= 0.0f && cross(direction, to) >= 0.0f;
@@ -40,8 +40,8 @@ Chain chainIn(const Geometry& geometry, const Frame& frame) {
     const Vec2 normal = normalBetween(start, end);
     const bool starts = beforeOf(geometry) == geometry.a;
     const bool ends = geometry.after == geometry.b;
-    const Vec2 from = starts ? -perpendicular(normal)
-                             : normalBetween(before, start);  // the normals at a free end are perpendicular
+    const Vec2 from =
+        starts ? -perpendicular(normal) : normalBetween(before, start);  // at a free end: the perpendicular
     const Vec2 to = ends ? perpendicular(normal) : normalBetween(end, after);
     return {{{start, normal}, {end, -normal}},
             {{start, from, normal, before, isSharp(from, normal), true},
@@ -109,7 +109,7 @@ Manifold touchFaceOnJoint(const Chain& chain, const Side& other, const JointGap&
     return touchCorner(chain, other, joint.end, corner, other.corners[corner].point - point, speculative);
 }
 
-/// Returns the contact if the shared vertex with a neighbour in front of the outline is nearest.
+/// Returns the contact with the vertex shared with a neighbour, if it is the neighbour's nearest point.
 Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, float speculative) {
     const ChainJoint& joint = chain.joints[end];
     if (!joint.ours || !joint.sharp) return {};

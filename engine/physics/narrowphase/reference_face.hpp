@@ -38,7 +38,7 @@ FaceGap widestGap(std::span<const Corner> faces, std::span<const Corner> other);
 /// Returns the face whose normal is most opposed to a direction.
 std::size_t faceAgainst(std::span<const Corner> faces, Vec2 direction);
 
-/// Minimum advantage (m) in separation with which a face of the second outline is the reference face.
+/// A face of the second outline becomes the reference face only if its separation is larger by this (m).
 inline float faceTieOf(float halfSize) { return std::min(kMaxFaceTie, kFaceTie * halfSize); }
 
 /// The incident edge in coordinates along the reference edge and in front of it.

@@ -8,7 +8,7 @@ namespace plumb::physics {
 // result of the next step. They use scratch memory of the world, so only one query may run at a time.
 
 struct QueryFilter {
-    std::uint32_t layers = 0xffffffffu;  ///< bits: layers of the query, for the masks of shapes
+    std::uint32_t layers = 0xffffffffu;  ///< bits: layers of the query; masks of shapes must include one
     std::uint32_t mask = 0xffffffffu;    ///< bits: layers of the shapes to find
     bool triggers = false;               ///< include triggers
     bool movers = true;                  ///< include shapes of dynamic and kinematic bodies

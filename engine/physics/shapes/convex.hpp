@@ -30,7 +30,7 @@ union CornerRoom {
 
 class ScaledConvex {
 public:
-    ScaledConvex(const Convex& outline, Vec2 about, float part);
+    ScaledConvex(const Convex& outline, Vec2 about, float part);  ///< scaled by `part` about a point
     ScaledConvex(const ScaledConvex&) = delete;
     ScaledConvex& operator=(const ScaledConvex&) = delete;
 

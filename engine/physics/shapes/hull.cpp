@@ -42,7 +42,7 @@ Loop loopAround(std::vector<Vec2> points) {
     return loop;
 }
 
-/// Returns the distance (m) of `point` from the line through a and b; from a if both are equal.
+/// Returns the distance (m) of `point` from the line through a and b; from a if a == b.
 double heightOver(Vec2 a, Vec2 b, Vec2 point) {
     const Double2 side = wide(b) - wide(a);
     const double size = std::sqrt(dot(side, side));
@@ -130,7 +130,7 @@ std::optional<Error> findCrossing(const Loop& loop) {
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 a = loop[i], b = at(loop, i + 1);
         if (areaOf(a, b, at(loop, i + 2)) == 0.0) {
-            return Error{"decompose", format("it turns back on itself at {}", text(b)), "remove the spike"};
+            return Error{"decompose", format("the outline turns back at {}", text(b)), "remove the spike"};
         }
         for (std::size_t k = i + 2; k < n; ++k) {
             if (i == 0 && k == n - 1) continue;  // neighbours
@@ -264,7 +264,7 @@ Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
     for (const Vec2 point : outline) {
         if (std::fabs(point.x) <= kLargest && std::fabs(point.y) <= kLargest) continue;
         return Error{"decompose", format("the point {} is further than {} m", text(point), kLargest),
-                     "use metres, not pixels"};
+                     "use metres, not pixels, relative to the origin of the body"};
     }
     Loop loop = cleaned(outline);
     if (loop.size() < 3)

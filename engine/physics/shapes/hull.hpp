@@ -9,7 +9,7 @@
 
 namespace plumb::physics {
 
-/// A convex polygon: its corners in the direction of rotation from x to y, each with the face after it.
+/// A convex polygon: its corners in the direction of rotation from x to y, as in Corner.
 struct Hull {
     FixedList<Corner, kMaxCorners> corners;
     Vec2 centroid;      ///< m

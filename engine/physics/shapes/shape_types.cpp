@@ -58,8 +58,8 @@ void keep(std::optional<RayHit>& first, float fraction, Vec2 normal) {
         first = RayHit{fraction, normal};
 }
 
-/// Relative to the point of the ray nearest to the centre, so that rounding of long rays misses no small
-/// disc.
+/// Computes relative to the point of the ray that is nearest to the centre, so that a long ray does not miss
+/// a small disc because of rounding.
 void castAtDisc(const Ray& ray, Vec2 centre, float radius, std::optional<RayHit>& first) {
     const float length = plumb::length(ray.displacement);
     if (!(length > 0.0f)) return;
@@ -284,7 +284,7 @@ std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const R
 
 Result<Done> checkGeometry(const Geometry& geometry, Corners corners) {
     if (geometry.kind < ShapeKind::Count) return shapeTypeOf(geometry.kind).check(geometry, corners);
-    return Error{"shape.kind", "expected a ShapeKind, found another number", "use a constant of it"};
+    return Error{"shape.kind", "expected a ShapeKind, found another number", "use a constant of this enum"};
 }
 
 }  // namespace plumb::physics

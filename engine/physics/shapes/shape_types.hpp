@@ -18,7 +18,7 @@ struct ShapeType {
 
 const ShapeType& shapeTypeOf(ShapeKind kind);
 
-/// @error  a member is NaN, infinite or out of range; a polygon is not convex, or not in the pool
+/// @error  a member is NaN, infinite or out of range; a polygon is not convex, or not in `corners`
 Result<Done> checkGeometry(const Geometry& geometry, std::span<const Corner> corners);
 
 /// Computes exact mass properties, including rounded corners.

@@ -14,28 +14,28 @@ struct StepContext;
 struct SoftObstacle {
     std::uint32_t body = 0;
     bool isPushed = false;        ///< it is dynamic and awake
-    std::int32_t slot = -1;       ///< solver slot, if it is pushed
+    std::int32_t slot = -1;       ///< solver slot; -1 if it is not pushed
     Vec2 inverseMass;             ///< 1/kg along x and y; 0 if it is locked or not pushed
     float inverseInertia = 0.0f;  ///< 1/(kg m2)
     WorldPosition centre;         ///< m: center of mass at the start of the substep
     Rot rotation;
     float pressed = 0.0f;  ///< N s: sum of the magnitudes of its contact impulses
-    Float4 motion;         ///< m/s, m/s, rad/s: motion, if it has no slot
+    Float4 motion;         ///< velocity x, y (m/s) and angular velocity (rad/s), if not dynamic
 };
 
 /// Potential contact of a particle with a shape in this step.
 struct SoftContact {
     SoftBody* soft = nullptr;
     SoftParticle* particle = nullptr;
-    std::uint32_t shape = 0;
-    std::uint32_t obstacle = 0;
-    Vec2 impulse;      ///< N s: on the particle, in a substep
-    Vec2 normal;       ///< unit length, from the body to the particle
-    Vec2 arm;          ///< m: from the body's center to the particle
-    float gap = 0.0f;  ///< m: at the start of the substep
+    std::uint32_t shape = 0;     ///< index of the shape
+    std::uint32_t obstacle = 0;  ///< its body: index in SoftSurroundings::obstacles
+    Vec2 impulse;                ///< N s: on the particle, in a substep
+    Vec2 normal;                 ///< unit length, from the body to the particle
+    Vec2 arm;                    ///< m: from the body's center to the particle
+    float gap = 0.0f;            ///< m: distance minus the radius, at the start of the substep
 };
 
-struct SoftRange {
+struct SoftRange {  // indices begin to end - 1 of a list
     std::size_t begin = 0;
     std::size_t end = 0;
 
@@ -47,23 +47,23 @@ struct SoftRange {
 
 /// Soft bodies that may touch each other or the same island in this step, and are therefore solved together.
 struct SoftGroup {
-    SoftRange bodies;     ///< range of SoftSoftContacts::order
-    SoftRange meetings;   ///< range of SoftSoftContacts::all
-    SoftRange obstacles;  ///< range of SoftSurroundings::obstacles
-    SoftRange contacts;
+    SoftRange bodies;            ///< range of SoftSoftContacts::order
+    SoftRange meetings;          ///< range of SoftSoftContacts::all
+    SoftRange obstacles;         ///< range of SoftSurroundings::obstacles
+    SoftRange contacts;          ///< range of SoftSurroundings::contacts
     int substeps = 1;            ///< number of substeps that it requires
-    std::uint32_t body = kNone;  ///< one of the bodies that it may push
+    std::uint32_t body = kNone;  ///< one of the rigid bodies that it may push; kNone: there is none
 };
 
 struct SoftSurroundings {
-    std::vector<std::uint32_t> shapes;  ///< shapes near soft bodies, by soft body
-    std::vector<std::uint32_t> ends;    ///< by soft body: end of its range in `shapes`
-    /// Islands near soft bodies that can push them: root, and index in World::softBodies. Sorted.
+    std::vector<std::uint32_t> shapes;  ///< shapes near soft bodies, grouped by soft body
+    std::vector<std::uint32_t> ends;    ///< per soft body: end of its range in `shapes`
+    /// Sorted pairs: an island (its root) and a soft body near it that can push it (index in softBodies).
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
-    std::vector<SoftObstacle> obstacles;  ///< by group, then by body
-    std::vector<SoftContact> contacts;    ///< by group and soft body, then by shape and particle
+    std::vector<SoftObstacle> obstacles;  ///< sorted by group, then by body
+    std::vector<SoftContact> contacts;    ///< sorted by group, soft body, shape and particle
     std::vector<SoftGroup> groups;
-    std::vector<std::uint32_t> obstacleOf;  ///< by body: index in `obstacles` + 1; 0: none
+    std::vector<std::uint32_t> obstacleOf;  ///< indexed by body: index in `obstacles` + 1; 0: none
 
     [[nodiscard]] std::span<const std::uint32_t> shapesOf(std::uint32_t soft) const {
         const std::uint32_t begin = soft > 0 ? ends[soft - 1] : 0;
@@ -90,7 +90,7 @@ void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pas
 void storeSoftContacts(StepContext& step, const SoftGroup& group, float h);
 
 // Contacts between soft bodies: particles of one against the edges of another, and vice versa. An edge is a
-// link with SoftLink::isEdge, with the radii of both bodies.
+// link with SoftLink::isEdge, thickened by the radii of both bodies.
 
 /// Bounding box over a step, m.
 struct SoftBox {
@@ -106,19 +106,19 @@ struct SoftSoftContact {
     std::uint32_t a = 0;      ///< ends of the edge: particles of `other`
     std::uint32_t b = 0;
     float side = 1.0f;    ///< side of the edge on which the particle belongs: 1 or -1
-    bool inside = false;  ///< the particle is inside the other's ring, and this edge is the nearest one
+    bool inside = false;  ///< the particle is inside the outline of `other`; this edge is the nearest
 };
 
 struct SoftEdge {
-    SoftBox box;
-    std::uint32_t link = 0;
+    SoftBox box;             ///< bounds of the edge over the step
+    std::uint32_t link = 0;  ///< index in SoftBody::links
 };
 
 struct SoftSoftContacts {
-    std::vector<SoftBox> boxes;          ///< by index of the soft body
-    std::vector<std::uint32_t> leaders;  ///< by index of the soft body: lowest index in its group
+    std::vector<SoftBox> boxes;          ///< bounds, indexed by soft body
+    std::vector<std::uint32_t> leaders;  ///< indexed by soft body: lowest soft body of its group
     std::vector<std::uint32_t> order;    ///< existing soft bodies, sorted by leader
-    std::vector<SoftEdge> edges;         ///< edges of a soft body near another, from left to right
+    std::vector<SoftEdge> edges;         ///< edges of one soft body near another, from left to right
     std::vector<SoftSoftContact> all;    ///< all potential contacts, by group
 };
 
@@ -126,10 +126,10 @@ struct SoftSoftContacts {
 [[nodiscard]] SoftBox boxOf(const SoftBody& body, float dt);
 [[nodiscard]] inline AABB rounded(const SoftBox& box) { return {toVec2(box.min), toVec2(box.max)}; }
 
-/// Sorts soft bodies into groups that may touch within dt seconds, or push one island: adjacent in `order`.
+/// Sorts `order`: soft bodies that may touch within dt seconds, or push the same island, become adjacent.
 void groupSoftBodies(const World& world, float dt, const SoftSurroundings& around,
                      SoftSoftContacts& meetings);
-/// Adds all potential contacts within a group of `order`.
+/// Appends all potential contacts between the soft bodies of a group to `meetings.all`.
 void findMeetings(const World& world, float dt, std::span<const std::uint32_t> group,
                   SoftSoftContacts& meetings);
 /// Separates particles and edges that are too close after a substep of h seconds. Conserves momentum.

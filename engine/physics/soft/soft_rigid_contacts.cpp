@@ -79,7 +79,7 @@ void rouse(const StepContext& step, SoftBody& soft, std::uint32_t shape) {
 std::uint32_t addObstacle(const World& world, SoftSurroundings& around, SoftGroup& group,
                           std::uint32_t body) {
     std::uint32_t& known = around.obstacleOf[body];
-    if (known > group.obstacles.begin) return known - 1;  // otherwise it is of an earlier group
+    if (known > group.obstacles.begin) return known - 1;  // otherwise the entry is of an earlier group
     around.obstacles.push_back(obstacleOf(world, body));
     known = static_cast<std::uint32_t>(around.obstacles.size());
     if (around.obstacles.back().isPushed) group.body = body;
@@ -137,7 +137,7 @@ void pushBody(const SoftContact& contact, const SoftObstacle& obstacle, Float4& 
     motion.z -= obstacle.inverseInertia * cross(contact.arm, impulse);
 }
 
-/// Computes the change of a contact's impulse for a relative velocity: SoftPush8, and Coulomb friction.
+/// Adapts a contact's impulse to a relative velocity (soft constraint, Coulomb friction); returns the change.
 Vec2 answer(SoftContact& contact, const SoftObstacle& obstacle, Vec2 velocity, float bias,
             const Softness& softness) {
     const Vec2 normal = contact.normal, along = perpendicular(normal), before = contact.impulse;
@@ -165,7 +165,7 @@ void calm(StepContext& step, const SoftContact& contact, SoftObstacle& obstacle,
     if (!(weight > 0.0f && inverse > 0.0f)) return;
     const Vec2 impulse =
         part * dot(velocityAt(motion, contact.arm), contact.normal) / inverse * contact.normal;
-    // Added to both, so that warm starting does not repeat it in the next substep.
+    // Added to both velocities, so that warm starting does not repeat it in the next substep.
     for (Float4* row : {&step.work.velocity[slot], &step.work.velocityBeforeImpulses[slot]})
         pushBody(contact, obstacle, *row, impulse);
 }
@@ -266,7 +266,7 @@ void solveSoft(StepContext& step, const SoftGroup& group, const ContactPass& pas
         const Vec2 velocity = relax ? p.velocity : rate * (p.place - p.before);
         const Vec2 impulse = answer(contact, obstacle, velocity - velocityAt(motion, contact.arm), bias,
                                     hard ? Softness{} : pass.softness);
-        if (!isFinite(impulse)) contact.impulse = {};  // a non-finite value must not spread to the other side
+        if (!isFinite(impulse)) contact.impulse = {};  // a non-finite value must not spread to the other body
         if (impulse == Vec2{} || !isFinite(impulse)) continue;
         pushBody(contact, obstacle, motion, impulse);
         if (relax) {

@@ -35,8 +35,8 @@ bool mayCollide(const SoftBody& a, const SoftBody& b) {
     return (a.mask & b.layers) != 0 && (b.mask & a.layers) != 0;
 }
 
-/// Finds the edge through which a point leaves a ring: the nearest, or the first along an axis.
-/// @return the edge; the number of edges if the point is not inside
+/// Finds the edge through which a point leaves a closed outline (SoftBody::ring): the nearest, or the first
+/// along `axis`. @return the index of the edge; the number of edges if the point is not inside
 std::size_t wayOut(const SoftBody& body, WorldPosition from, Vec2 axis, bool alongAxis) {
     const std::vector<std::uint32_t>& ring = body.ring;
     const auto seen = [&](std::size_t i) {
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    /// @return false if the particle is not inside the other's ring
+    /// Adds the contact of a particle inside the other body's ring. @return false if it is not inside
     bool findWayOut(const SoftParticle& p, std::uint32_t particle) {
         const std::vector<std::uint32_t>& ring = other_.ring;
         const std::size_t edge = wayOut(other_, p.place, axis_, deep_);
@@ -170,7 +170,7 @@ struct Meeting {
     }
 };
 
-/// @return false if the direction is undefined
+/// Sets `t` and the normal of a meeting. @return false if the normal is undefined
 bool aim(const SoftSoftContact& which, Meeting& meeting) {
     const Vec2 edge = meeting.b.place - meeting.a.place;
     const float square = lengthSquared(edge);

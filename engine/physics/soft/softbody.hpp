@@ -7,18 +7,18 @@ namespace plumb::physics {
 /// Material of ropes, cloth and jellies.
 struct SoftMaterial {
     float mass = 1.0f;     ///< kg, of the whole body
-    float radius = 0.05f;  ///< m: distance of particles from shapes; sum of both between soft bodies
-    float stretchCompliance = 0.0f;    ///< m/N; 0: a rope of 20 stretches by 10 % under 8 times its mass
+    float radius = 0.05f;  ///< m: distance that particles keep from shapes; two soft bodies keep the sum
+    float stretchCompliance = 0.0f;    ///< m/N; at 0, 8 times its mass stretches a rope of 20 points by 10 %
     float bendCompliance = 1.0e-2f;    ///< m/N: larger is easier to bend; negative: no bending constraints
     float areaCompliance = 0.0f;       ///< m/N, of a jelly: larger is easier to compress
     float damping = 0.5f;              ///< 1/s: decay rate of its velocity
     float friction = 0.5f;             ///< Coulomb coefficient
     std::uint32_t layers = 1;          ///< bits: layers of the soft body
     std::uint32_t mask = 0xffffffffu;  ///< bits: layers of the shapes and soft bodies that it collides with
-    std::uint8_t substeps = 8;         ///< per step; more is stiffer
+    std::uint8_t substeps = 8;         ///< substeps per step; more make it stiffer
 };
 
-/// Creates a rope: a chain of particles.
+/// Creates a rope: a straight chain of particles, the first at `from`, the last at `to` (m).
 /// @param count  number of particles, 2..10000
 Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to, int count,
                               const SoftMaterial& material = {});

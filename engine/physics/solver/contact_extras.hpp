@@ -32,7 +32,7 @@ void runImpactsOn(StepContext& step, const SolveGroup& group);
 
 void prepareRolling(StepContext& step);
 void warmStartRolling(StepContext& step, const SolveGroup& group);
-/// Relax pass of rolling resistance. Called after that of the contacts.
+/// Relax pass of rolling resistance. Called after the relax pass of the contacts.
 void relaxRolling(StepContext& step, const SolveGroup& group);
 void storeRolling(StepContext& step);
 
@@ -45,10 +45,10 @@ void clearImpulseSums(StepContext& step);
 void startImpulseSums(StepContext& step, const SolveGroup& group);
 /// Adds the impulses of a substep. Called after each substep.
 void addImpulses(Workspace& work);
-/// Adds the impulses of restitution and stores the sums.
+/// Adds the impulses of restitution and stores the sums in Workspace::stepImpulses.
 void finishImpulseSums(Workspace& work);
 
-/// Clears the stored impulses of contacts and joints with isBad(bodyA, bodyB), against warm starting.
+/// Clears stored impulses of contacts and joints with isBad(bodyA, bodyB): they must not warm start.
 void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a, std::uint32_t b)>& isBad);
 
 }  // namespace plumb::physics

@@ -4,7 +4,7 @@
 
 namespace plumb::physics {
 
-/// A body at the moment of an impact.
+/// State of a body at the time of an impact.
 struct ImpactBody {
     BodyPose pose;
     BodyMotion motion;

@@ -89,7 +89,7 @@ inline Grip8 gripOf(const GripLanes& lanes) {
 
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
-/// Returns the maximum speed at which joint errors are closed, times `take`. Springs are not limited.
+/// Returns the maximum speed at which joint errors are closed, times grip.take. Springs are not limited.
 inline Float8 maxPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
     return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.take * all(pass.pushSpeed));
 }

@@ -17,7 +17,7 @@ void forKinds(JointWork& joints, Act&& act) {
     act(joints.sliders, kSliderBlocks);
 }
 
-inline constexpr int kJointGrain = 24;  ///< blocks
+inline constexpr int kJointGrain = 24;  ///< blocks per piece of work
 
 /// Returns the substep rate (1/s) of a group.
 inline float rateOf(const StepContext& step, std::uint8_t group) {

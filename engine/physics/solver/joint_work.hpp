@@ -18,7 +18,7 @@ struct JointStore {
 /// A joint that can break, and its location in the blocks.
 struct BreakableJoint {
     std::uint32_t joint;
-    std::int32_t kind;
+    std::int32_t kind;  ///< JointBlockKind, or kInTree
     std::int32_t block;
     std::int32_t lane;
     float force = 0.0f;   ///< N: maximum of all substeps
@@ -37,8 +37,8 @@ struct JointWork {
     JointStore<SliderBlock> sliders;
     std::vector<NBodyConstraint> nBodyConstraints;
     JointTrees trees;
-    std::vector<std::int32_t> counts;  ///< by group, color and kind
-    std::vector<std::int32_t> keys;    ///< by index in Joints::awake
+    std::vector<std::int32_t> counts;  ///< number of joints by group, color and kind
+    std::vector<std::int32_t> keys;    ///< indexed like Joints::awake: see keyOf() in joint_lanes.cpp
     std::vector<BreakableJoint> breakables;
 };
 

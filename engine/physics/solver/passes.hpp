@@ -8,9 +8,9 @@ namespace plumb::physics {
 
 // Passes over the bodies and constraints of a group, distributed over threads.
 
-inline constexpr int kBlockGrain = 8;
+inline constexpr int kBlockGrain = 8;        ///< blocks per piece of work
 inline constexpr int kSequential = 1 << 30;  ///< value of a grain: one piece
-inline constexpr int kBodyGrain = 256;
+inline constexpr int kBodyGrain = 256;       ///< bodies per piece of work
 
 /// @param h  s: substep
 inline ContactPass contactPass(const Settings& settings, float h) {

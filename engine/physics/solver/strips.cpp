@@ -20,7 +20,7 @@ std::uint8_t stripOf(const Strips& strips, double at) {
     return static_cast<std::uint8_t>(place > 0.0 ? std::min(place, kLast) : 0.0);
 }
 
-/// Computes the strips of the next step: evenly distributed bodies reach 1.7 standard deviations.
+/// Computes the strips of the next step: from 1.7 standard deviations below the mean position to 1.7 above.
 void place(Strips& strips, const std::vector<PositionSums>& pieces, double count) {
     double mean[2] = {}, deviation[2] = {};
     for (int axis = 0; axis < 2; ++axis) {

@@ -26,7 +26,7 @@ struct Strips {
     int axis = 0;                      ///< axis along which the strips are arranged
     double begin = 0.0;                ///< m: start of the second strip
     double rate = 0.0;                 ///< 1/m: number of strips per length
-    std::vector<std::uint8_t> ofBody;  ///< by body: index of its strip
+    std::vector<std::uint8_t> ofBody;  ///< indexed by body: index of its strip
     std::vector<std::uint8_t> ofContact;
     std::vector<PositionSums> sums;  ///< per piece of work
     std::vector<std::uint32_t> unsorted;

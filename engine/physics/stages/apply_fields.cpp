@@ -144,7 +144,7 @@ void softenSprings(StepContext& step) {
     for (float& scale : scales) scale = 1.0f / std::max(1.0f, scale);
 }
 
-/// Returns the acceleration by gravity, forces and constant fields.
+/// Returns the acceleration of a body by gravity, applied forces and constant fields.
 Acceleration steadyAcceleration(const StepContext& step, std::size_t slot, std::uint32_t body, float h) {
     const DriveScale scale = scaleOf(step, body, h);
     const Float4& row = step.work.drive[slot];

@@ -53,7 +53,7 @@ bool passesThrough(const World& world, const Contact& contact, float dt) {
            ((contact.flags & kOneWayB) != 0 && heightBefore(world, contact, false, dt) < on);
 }
 
-/// Decides only when a contact begins whether a one-way shape stops the other: not a body halfway through.
+/// Decides when a contact begins whether a one-way shape stops the other, so that none stops it halfway.
 void decideOneWay(StepContext& step, Contact& contact) {
     World& world = step.world;
     if ((contact.flags & (kOneWayA | kOneWayB)) == 0) return;

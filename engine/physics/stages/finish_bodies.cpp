@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kFinishGrain = 256;
 
-/// 0 * NaN and 0 * infinity are NaN, so the sum is 0 only if every component is finite.
+/// True if x, y, z are finite: 0 * NaN and 0 * infinity are NaN, so only then the sum is 0.
 bool isFinite(const Float4& a) { return 0.0f * a.x + 0.0f * a.y + 0.0f * a.z == 0.0f; }
 
 bool isSound(const Workspace& work, std::size_t slot) {
@@ -193,7 +193,7 @@ void finishBodies(StepContext& step) {
         work.fastBodies.insert(work.fastBodies.end(), found.fast.begin(), found.fast.end());
         for (const std::uint32_t body : found.broken) world.quarantined.push_back(idOfBody(world, body));
     }
-    // Clears impulses on bodies with a non-finite state, which are not finite either.
+    // Clears impulses on bodies with a non-finite state, because these impulses are not finite either.
     const auto isBroken = [&](std::uint32_t body) {
         return work.slots[body] >= 0 && !isSound(work, static_cast<std::size_t>(work.slots[body]));
     };

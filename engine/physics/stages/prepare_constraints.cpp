@@ -12,7 +12,7 @@ constexpr int kCountGrain = 2048;  // contacts; large, because each piece has a 
 
 /// Contact keys without kKeyBegan: contacts of a group with equal keys are solved together.
 constexpr std::size_t kSolveKinds = kKeyColour + kKeyFixed + 1;
-constexpr std::size_t kOfKind = kSolveKinds - 1;
+constexpr std::size_t kOfKind = kSolveKinds - 1;  // mask of a key without kKeyBegan
 
 /// For each piece of work and kind of contact: first the number of contacts, then the index of the next one.
 struct Cursors {
@@ -23,9 +23,9 @@ struct Cursors {
 
     [[nodiscard]] std::int32_t* of(std::size_t piece) const { return all.data() + piece * kinds * strips; }
 
-    /// Converts the numbers of a kind to indices.
-    /// @param size  indices per contact
-    /// @return the index after the last contact
+    /// Converts the numbers of contacts of a kind to indices of lanes, from `begin` on.
+    /// @param size  lanes per contact: 1, or kLanes if each contact is alone in a block
+    /// @return the index of the lane after those of the last contact
     std::int32_t giveRoom(std::size_t kind, std::int32_t begin, std::int32_t size) const {
         std::int32_t* const own = of(0) + kind * strips;
         for (std::size_t strip = 0; strip < strips; ++strip) {

@@ -87,7 +87,7 @@ void putToSleep(StepContext& step) {
     if (!step.work.sleepy) return;
     if (world.islandsAge >= kRebuildPart * world.settings.sleepTime) rebuildIslands(world, step.pool);
     // An island falls asleep when all its bodies have been at rest for Settings::sleepTime.
-    std::vector<std::uint32_t>& verdict = step.work.bodyScratch;  // by root
+    std::vector<std::uint32_t>& verdict = step.work.bodyScratch;  // indexed by root
     verdict.assign(world.bodies.size(), kIslandToBe);
     step.work.rootsKnown = false;  // hits may have joined islands since findRoots()
     findRoots(step, false);

@@ -18,7 +18,7 @@ bool touches(const Contact& contact) {
     return (contact.flags & kTriggered) == 0 || std::min(contact.separation0, contact.separation1) <= 0.0f;
 }
 
-/// @param asked  true if filters have changed: checks again whether the shapes may collide
+/// Updates `count` contacts from `first` on. asked: checks again whether the filters allow each contact.
 void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked, ContactFindings& found) {
     World& world = step.world;
     const std::span<Contact> contacts = std::span{world.contacts}.subspan(first, count);

@@ -6,10 +6,10 @@
 namespace plumb::physics {
 
 struct TerrainDefinition {
-    WorldPosition position;     ///< m: top-left corner of the terrain
-    Vec2 cellSize{1.0f, 1.0f};  ///< m: width and height of a cell
-    bool reportsContacts = true;
-    std::uint64_t user = 0;  ///< user data, stored in all bodies and shapes of the terrain
+    WorldPosition position;       ///< m: top-left corner of the terrain
+    Vec2 cellSize{1.0f, 1.0f};    ///< m: width and height of a cell
+    bool reportsContacts = true;  ///< true: contacts with the terrain produce events
+    std::uint64_t user = 0;       ///< user data, stored in all bodies and shapes of the terrain
 };
 
 /// A tile terrain in a world: one static body per chunk, located at the chunk's top-left corner, so that all
@@ -26,7 +26,7 @@ public:
     static Result<TerrainBody> create(World& world, const TerrainOutlines& terrain,
                                       const TerrainDefinition& definition);
 
-    /// Replaces the shapes of the changed chunks, and wakes the bodies that rest on them.
+    /// Replaces the shapes of the changed chunks, and wakes the bodies that rest on these shapes.
     /// @param changed  the result of TerrainOutlines::update()
     /// @pre   the terrain has as many chunks as in create()
     Result<Done> update(World& world, const TerrainOutlines& terrain, std::span<const std::uint32_t> changed);
@@ -36,10 +36,10 @@ private:
     Result<Done> makeChunk(World& world, const TerrainOutlines& terrain, std::uint32_t chunk);
 
     TerrainDefinition definition_;
-    std::vector<BodyId> bodies_;  // one per chunk
-    std::uint32_t surface_ = 0;
-    std::vector<Geometry> geometries_;
-    std::vector<ShapeDefinition> definitions_;
+    std::vector<BodyId> bodies_;                // one per chunk
+    std::uint32_t surface_ = 0;                 // ShapeDefinition::surface of all its shapes
+    std::vector<Geometry> geometries_;          // scratch memory of makeChunk()
+    std::vector<ShapeDefinition> definitions_;  // scratch memory of makeChunk()
 };
 
 }  // namespace plumb::physics

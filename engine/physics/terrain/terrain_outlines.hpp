@@ -20,11 +20,11 @@ struct EdgeKind {
     std::uint8_t material = 0;  ///< index of the material in the palette
     std::uint8_t layers = 0;    ///< index of the collision layers in the palette
     OneWay oneWay = OneWay::No;
-    /// Nonzero for a border between two solid cells: 1 + the index of the layers of the cell in front. The
-    /// edge stops only bodies that pass through the cell in front; all others are stopped by that cell.
+    /// 0 for an edge that faces open space. For an edge between two solid cells: 1 + the palette index of the
+    /// layers of the cell in front of it. Such an edge stops only bodies that pass through the cell in front.
     std::uint8_t behind = 0;
 
-    [[nodiscard]] bool isInner() const { return behind != 0; }
+    [[nodiscard]] bool isInner() const { return behind != 0; }  ///< between solid cells
     /// True for a solid edge that faces open space. These edges form closed outlines.
     [[nodiscard]] bool isPlain() const { return behind == 0 && oneWay == OneWay::No; }
     friend constexpr bool operator==(EdgeKind, EdgeKind) = default;
@@ -65,19 +65,19 @@ void appendEdges(const TilePalette& palette, const CellWindow& window, CellRect 
 
 /// The successors of an edge at one of its ends.
 struct EdgeLink {
-    std::uint32_t outline = kNone;  ///< the next edge of the outline
+    std::uint32_t outline = kNone;  ///< the adjacent edge of the same outline; kNone: there is none
     std::uint32_t ghost = kNone;    ///< the edge that sliding bodies reach next; kNone: the end is free
 };
 
 /// Finds how edges are connected.
 ///
-/// Plain edges form closed outlines. Where solids touch in a single point, the outline bends within the open
-/// side: no body fits through there, so each pocket becomes a plain concave corner. If their layers differ,
-/// each solid keeps its own corner, as a body may collide with only one of them.
+/// Plain edges form closed outlines. Where two solids touch in a single point, the outline passes from one to
+/// the other, because no body fits between them: each open side gets a concave corner. If their layers
+/// differ, each solid keeps its own convex corner, as a body may collide with only one of them.
 ///
 /// A one-way edge continues with one-way edges of the same direction. Where it ends at a solid, its ghost is
 /// the solid's edge; and where the outline of a solid bends away from it, the one-way edge is the ghost of
-/// the solid's edge. So bodies slide over the joint in both directions. Inner edges follow their own solid.
+/// the solid's edge. So bodies slide over the joint in both directions. Inner edges follow their solid.
 class EdgeLinks {
 public:
     /// @param edges  start and end within `cells`; must outlive the use of this object, unchanged
@@ -89,7 +89,7 @@ public:
 private:
     /// @param end  0: the edges before its start, 1: the edges after its end
     [[nodiscard]] EdgeLink find(std::uint32_t edge, std::size_t end) const;
-    [[nodiscard]] bool hasOneLayer(GridPoint point) const;
+    [[nodiscard]] bool hasOneLayer(GridPoint point) const;  // true if all plain edges there have equal layers
     [[nodiscard]] std::size_t bucketOf(GridPoint point) const;
     /// Calls visit(index, edge) for the edges that start (end = 0) or end (end = 1) at a point.
     template <class Visit>
@@ -135,7 +135,7 @@ private:
     struct EdgePlace {
         EdgeLink before;
         EdgeLink after;
-        std::uint32_t segment = kNone;
+        std::uint32_t segment = kNone;  // index of the segment that contains the edge; kNone: not built yet
     };
 
     [[nodiscard]] bool joinsNext(std::uint32_t edge) const;
@@ -145,10 +145,10 @@ private:
 
     CellWindow window_;
     EdgeLinks links_;
-    std::vector<TileEdge> edges_;  // the chunk's own edges, then those around it that touch its border
-    std::uint32_t own_ = 0;
-    std::vector<EdgePlace> places_;                              // parallel to the chunk's own edges
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  // first and last edge of a segment
+    std::vector<TileEdge> edges_;    // the chunk's own edges, then edges of the cells around it that touch it
+    std::uint32_t own_ = 0;          // number of the chunk's own edges
+    std::vector<EdgePlace> places_;  // one per own edge of the chunk
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  // first and last edge of each segment
 };
 
 /// A terrain in chunks. Only chunks whose cells or neighbouring cells changed are rebuilt. The result of
@@ -181,7 +181,7 @@ public:
 private:
     struct Maker {
         OutlineBuilder builder;
-        TerrainOutline fresh;
+        TerrainOutline fresh;  // the outline that was built last
     };
 
     /// @return true if the chunk's outline changed
@@ -192,10 +192,10 @@ private:
     int columns_ = 0;
     int rows_ = 0;
     std::vector<TerrainOutline> chunks_;
-    std::vector<std::uint8_t> isDirty_;  // per chunk: 1 if it needs a rebuild; in update(): if changed
-    std::vector<std::uint32_t> dirty_;
-    std::vector<std::uint32_t> changed_;
-    std::vector<Maker> makers_{1};  // one per thread
+    std::vector<std::uint8_t> isDirty_;   // per chunk: 1 if it needs a rebuild; in update(): if it changed
+    std::vector<std::uint32_t> dirty_;    // chunks that need a rebuild
+    std::vector<std::uint32_t> changed_;  // result of update()
+    std::vector<Maker> makers_{1};        // one per thread
 };
 
 }  // namespace plumb::physics

@@ -128,14 +128,14 @@ public:
     }
 
 private:
-    GridPoint back_;
+    GridPoint back_;  // the edge reversed: from its end to its start
     FixedList<Candidate, 4> candidates_;
 };
 
 bool isPlain(EdgeKind kind) { return kind.isPlain(); }
 bool isOneWay(EdgeKind kind) { return kind.oneWay != OneWay::No; }
 
-/// @param joined  true if solids that touch in this point count as one solid
+/// Links of a plain edge. @param joined  true if solids that touch in this point count as one solid
 EdgeLink linkOfPlain(const Vertex& vertex, bool joined) {
     const Vertex::Candidate outline = vertex.first(isPlain, !joined);
     if (vertex.turnTo(outline) != Turn::More) return {outline.edge, outline.edge};

@@ -9,8 +9,8 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::int32_t kSnap = kCellUnits / 256;
-constexpr std::size_t kMaxPoints = 256;  // maximum number of input points; at most 8 of them remain
+constexpr std::int32_t kSnap = kCellUnits / 256;  // units: corners this near to a border move onto it
+constexpr std::size_t kMaxPoints = 256;           // maximum number of input points; at most 8 of them remain
 
 CellSide sideOf(GridPoint a, GridPoint b) {
     for (const CellSide side : {kTop, kRight, kBottom, kLeft}) {

@@ -13,9 +13,9 @@
 
 namespace plumb::physics {
 
-/// The side of a cell in units. Terrain has integer coordinates, so that adjacent edges match exactly, areas
-/// are exact sums and a rebuild gives the same bits. The value is 2^8 * 45: all common tile sizes (16, 18,
-/// 20, 24, 32, 48, 64 px …) divide it, so their pixels are whole numbers of units too.
+/// Side length of a cell in "units", the integer coordinates of terrain. With integers adjacent edges match
+/// exactly, areas are exact sums and a rebuild gives the same bits. All common tile sizes (16, 18, 20, 24,
+/// 32, 48, 64 px …) divide the value, 2^8 * 45, so that their pixels are whole numbers of units too.
 inline constexpr std::int32_t kCellUnits = 11520;
 
 /// A position in a terrain (units from its top-left corner, y down).
@@ -35,7 +35,7 @@ constexpr std::int64_t cross(GridPoint a, GridPoint b) {
     return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
 }
 
-constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }
+constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }  // top left
 
 /// Converts units to meters. @param cellSize  size of a cell, m
 /// @param origin  the point that maps to {0, 0}; the origin of a chunk keeps the numbers small, so that
@@ -77,7 +77,7 @@ constexpr GridPoint directionOf(OneWay side) {
 struct TileMaterial {
     float friction = 0.6f;      ///< Coulomb coefficient, 0..100
     float bounciness = 0.0f;    ///< coefficient of restitution, 0..1
-    float surfaceSpeed = 0.0f;  ///< m/s along the surface, in the direction of its segments
+    float surfaceSpeed = 0.0f;  ///< m/s: speed of a conveyor belt, from a to b of its segments
 
     friend constexpr bool operator==(const TileMaterial&, const TileMaterial&) = default;
 };
@@ -115,10 +115,10 @@ struct TileOutline {
     static constexpr int kMaxCorners = 8;
 
     std::array<GridPoint, kMaxCorners> corners{};
-    std::array<CellSide, kMaxCorners> sides{};  ///< by corner: the side on which the edge from it lies
+    std::array<CellSide, kMaxCorners> sides{};  ///< per corner: the cell side of the edge that starts there
     std::array<FaceSpan, 4> spans{};  ///< the part of each side that the form fills; empty for one-way forms
     std::uint8_t count = 0;
-    std::uint8_t stops = 0;  ///< bits: edges that stop bodies; all of them if the form is solid
+    std::uint8_t stops = 0;  ///< bit i: the edge from corner i stops bodies; all set if solid
     OneWay oneWay = OneWay::No;
 
     [[nodiscard]] bool isSolid() const { return count > 0 && oneWay == OneWay::No; }
@@ -169,7 +169,7 @@ public:
         return hasForm(form) && material < materials_.size() && layers < layers_.size();
     }
 
-    /// True if everything that collides with `covered` also collides with `cover`.
+    /// True if all bodies that collide with layers() `covered` also collide with layers() `cover`.
     [[nodiscard]] bool covers(std::uint8_t cover, std::uint8_t covered) const;
 
 private:
@@ -191,7 +191,7 @@ struct MaskCell {
 constexpr MaskCell maskCellOf(TileCell number) { return std::bit_cast<MaskCell>(number); }
 constexpr TileCell numberOf(MaskCell cell) { return std::bit_cast<TileCell>(cell); }
 
-/// The cells from (x0, y0) to (x1, y1), excluding the latter.
+/// A rectangle of cells: columns x0 to x1 - 1, rows y0 to y1 - 1.
 struct CellRect {
     int x0 = 0;
     int y0 = 0;
@@ -245,7 +245,7 @@ private:
     }
 
     TileGrid cells_;
-    /// Every uniform chunk. With this reference they count as shared, so they are copied before a change.
+    /// References to all uniform chunks: a chunk with this second reference is copied before it is changed.
     std::vector<std::shared_ptr<TileGrid::Chunk>> plains_;
 };
 

@@ -137,7 +137,7 @@ void findSpeeds(const Trees& trees, Link& link) {
     link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
 
-/// Adds a change of velocity. Changes both values, so that warm starting does not repeat it.
+/// Adds a change of velocity also to velocityBeforeImpulses, so that warm starting does not repeat it.
 void addChange(const Trees& trees, const TreeBody& treeBody, const Triple& change) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
     for (Float4* velocity : {&trees.work.velocity[slot], &trees.work.velocityBeforeImpulses[slot]}) {

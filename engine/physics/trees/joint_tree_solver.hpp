@@ -34,7 +34,7 @@ inline bool isInTree(const World& world, const Workspace& work, std::uint32_t bo
 /// Computes masses, arms and gaps at the start of the step. Called after gatherBodies.
 void prepareTrees(StepContext& step);
 
-/// True if a joint counts as closed at the start of the step.
+/// True if the gap of a joint at the start of the step is so small that the joint counts as closed.
 /// @param held  true if the tree has joints to static or kinematic bodies at several ends
 bool isClosed(const World& world, Link& link, bool held);
 
@@ -50,6 +50,6 @@ struct JointForce {
     float torque = 0.0f;
 };
 JointForce forceOf(const Link& link);
-void storeTrees(StepContext& step);
+void storeTrees(StepContext& step);  ///< stores the forces of the joints in World::joints
 
 }  // namespace plumb::physics

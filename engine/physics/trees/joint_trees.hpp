@@ -22,7 +22,7 @@ inline Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s
 inline Triple operator-(const Triple& a, const Triple& b) { return a + -1.0 * b; }
 inline Triple& operator+=(Triple& a, const Triple& b) { return a = a + b; }
 
-struct Symmetric {
+struct Symmetric {  // symmetric 3 x 3 matrix; t: rotation
     double xx = 1.0;
     double xy = 0.0;
     double yy = 1.0;
@@ -103,15 +103,15 @@ struct Link {
     Double2 limb;  ///< m: arms of point constraints
     Double2 parentLimb;
     Symmetric stiffness;  ///< effective mass: impulse per change of velocity
-    Triple across[3];     ///< by row: change of the tree body's velocity by a unit impulse
-    Triple softness;
-    Triple gap;     ///< m or rad
-    Triple error;   ///< m/s: relative velocity to remove
-    Triple answer;  ///< N s: impulse if the parent could not move
-    Triple given;   ///< N s: total impulse in this substep
-    Triple force;   ///< N, N, N m: force in the last substep
+    Triple across[3];     ///< indexed by row: change of the tree body's velocity by a unit impulse
+    Triple softness;      ///< indexed by row: compliance
+    Triple gap;           ///< m or rad
+    Triple error;         ///< m/s: relative velocity to remove
+    Triple answer;        ///< N s: impulse if the parent could not move
+    Triple given;         ///< N s: total impulse in this substep
+    Triple force;         ///< N, N, N m: force in the last substep
     Triple groundVelocity;
-    Triple onTreeBody[3];  ///< by row: Jacobian of the tree body; below, that of its parent
+    Triple onTreeBody[3];  ///< indexed by row: Jacobian of the tree body; below, that of its parent
     Triple onParent[3];
 
     /// True for a point constraint, which is computed from its arms instead of rows.
@@ -120,22 +120,22 @@ struct Link {
 
 /// A tree of joints; its bodies are ordered from the leaves to the root.
 struct JointTree {
-    std::uint32_t begin = 0;  ///< range of tree bodies and their links
+    std::uint32_t begin = 0;  ///< range in JointTrees::treeBodies and links
     std::uint32_t end = 0;
-    std::uint32_t holdBegin = 0;  ///< range of holds
+    std::uint32_t holdBegin = 0;  ///< range in JointTrees::holds
     std::uint32_t holdEnd = 0;
-    bool direct = true;   ///< solved directly in this step; false while its bodies have contacts
-    bool rooted = false;  ///< the last body has a link, to a static or kinematic body
-    std::uint8_t group = 0;
-    bool powered = false;  ///< the definition of a joint was changed, which may do work
-    double gain = 0.0;     ///< J: energy added by its joints in this substep
+    bool direct = true;      ///< solved directly in this step; false while its bodies have contacts
+    bool rooted = false;     ///< the last body has a link, to a static or kinematic body
+    std::uint8_t group = 0;  ///< index in Workspace::groups
+    bool powered = false;    ///< the definition of a joint was changed, which may do work
+    double gain = 0.0;       ///< J: energy added by its joints in this substep
 };
 
 /// A body found while a tree is built, from the root outwards; or the body at the other end of a hold.
 struct ReachedBody {
     std::uint32_t body = 0;
     std::uint32_t parent = kNone;  ///< index among the bodies found, or kNone
-    std::uint32_t joint = 0;       ///< to the parent or the ground; kNone at the root of a floating tree
+    std::uint32_t joint = 0;       ///< joint to the parent or ground; kNone at the root of a floating tree
 };
 
 /// All trees of joints. Link i connects tree body i to its parent.
@@ -144,13 +144,13 @@ struct JointTrees {
     std::vector<TreeBody> treeBodies;
     std::vector<Link> links;
     std::vector<Link> holds;
-    std::vector<std::uint8_t> isDirect;    ///< by joint: 1 if a tree solves it in this step
-    std::vector<std::uint32_t> freeMasks;  ///< by body: colors of its constraints if all are in its tree
+    std::vector<std::uint8_t> isDirect;    ///< indexed by joint: 1 if a tree solves it in this step
+    std::vector<std::uint32_t> freeMasks;  ///< [body]: colors of its constraints if all are in its tree
     bool some = false;                     ///< true if a tree is solved directly in this step
     bool stale = true;    ///< to be rebuilt: joints were created or destroyed, woke or fell asleep
     bool wanted = false;  ///< Settings::directJoints when the trees were built
-    std::vector<std::uint32_t> candidates;
-    std::vector<std::uint8_t> reached;  ///< by body
+    std::vector<std::uint32_t> candidates;  ///< scratch, as are the following
+    std::vector<std::uint8_t> reached;      ///< indexed by body: 1 if visited
     std::vector<ReachedBody> reachedBodies;
     std::vector<ReachedBody> heldJoints;
 

@@ -104,7 +104,7 @@ inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     if (parent != nullptr) parent->impulse += onParent(link, link.answer);
 }
 
-/// Computes a link's final impulse from the parent's velocity change. TreeBody::impulse becomes this body's.
+/// From the velocity change of the parent (its `impulse`), computes the impulse of the link and the body's.
 inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
     Triple impulse = link.answer;
     if (parent != nullptr) {

@@ -22,7 +22,7 @@ const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);
 }  // OpenGL passes offsets as pointers
 
-/// Sets the instance attributes of the bound vertex array to an offset in the bound buffer.
+/// Lets the instance attributes of the bound vertex array begin at instance `first` of the bound buffer.
 void pointAtInstances(std::size_t first) {
     constexpr GLsizei kStride = sizeof(SpriteInstance);
     const std::size_t start = first * sizeof(SpriteInstance);

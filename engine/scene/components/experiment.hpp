@@ -6,7 +6,7 @@
 namespace plumb {
 
 /// Stores the initial state of the scene's bodies. An input action, or releasing a Slider, restores it and
-/// restarts ghosts and plots. Only the first one in a scene is used.
+/// restarts ghosts and plots. Only the first Experiment of a scene is used.
 struct Experiment {
     TextId action;            ///< name of the input action (project.json) that restarts the experiment
     bool afterSlider = true;  ///< releasing a moved slider restarts the experiment too

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Physics settings of this scene, in place of the project's. Only the first one in a scene is used.
+/// Physics settings of this scene, in place of the project's. Only the first ScenePhysics of a scene is used.
 struct ScenePhysics {
     Vec2 gravity{0.0f, 980.0f};  ///< px/s^2, positive y is down
     int quality = 2;             ///< 2^quality substeps per tick

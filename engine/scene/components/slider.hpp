@@ -12,11 +12,11 @@ namespace plumb {
 struct Slider {
     EntityId target;       ///< entity whose number is changed; empty: all entities with the component
     TextId component;      ///< name of the component, e.g. ScenePhysics
-    TextId field;          ///< name of a number, bool or enum field; a vector's with .x or .y
+    TextId field;          ///< name of a number, bool or enum field, or of a part of a vector, as "gravity.y"
     float min = 0.0f;      ///< value at the left end; with `powers` its exponent of ten
     float max = 1.0f;      ///< value at the right end; with `powers` its exponent of ten
     float step = 0.0f;     ///< step of the value (with `powers` of the exponent); 0: continuous
-    bool powers = false;   ///< logarithmic scale
+    bool powers = false;   ///< logarithmic scale; min, max and step are exponents of ten
     TextId text;           ///< label above the left end
     TextId unit;           ///< unit shown after the value
     float width = 220.0f;  ///< px, length of the track
@@ -31,7 +31,7 @@ struct Slider {
             "Entity whose number is changed; none: all entities with the component.");
         type.field<&Slider::component>("component").doc("Name of the component, e.g. ScenePhysics.");
         type.field<&Slider::field>("field").doc(
-            "Name of a number, bool or enum field of the component; of a vector with .x or .y.");
+            "Name of a number, bool or enum field of the component, or of a part of a vector, as gravity.y.");
         type.field<&Slider::min>("min").doc("Value at the left end; with powers its exponent of ten.");
         type.field<&Slider::max>("max").doc("Value at the right end; with powers its exponent of ten.");
         type.field<&Slider::step>("step")

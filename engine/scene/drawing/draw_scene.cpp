@@ -23,7 +23,7 @@
 namespace plumb {
 namespace {
 
-constexpr float kLinesOfThinStrokes = 1080.0f;  // px: screen height per pixel of stroke width
+constexpr float kLinesOfThinStrokes = 1080.0f;  // px: lines are n px wide on screens n times this high
 
 Rect sourceOf(const Sprite& sprite) {
     if (!sprite.source.empty()) return sprite.source;
@@ -80,7 +80,7 @@ bool isPlain(const Pose& pose) {
     return pose.rotation == 0.0f && std::fabs(pose.scale.x) == 1.0f && std::fabs(pose.scale.y) == 1.0f;
 }
 
-/// Returns the quad's center after its corner is moved to the nearest px.
+/// Returns the quad's center with its top-left corner moved to the nearest target px; unchanged for grid 0.
 Vec2 centerOnGrid(const SpriteQuad& quad, const View& view, float grid) {
     if (!(grid > 0.0f) || quad.rotation != 0.0f) return quad.center;
     const float pxPerWorld = grid * view.zoom;
@@ -103,7 +103,7 @@ bool isAt(const World& world, EntityId entity, int place) {
 /// Quick test if a sprite can be in the view, before its quad is computed.
 struct Sight {
     AABB visible;          // px, world
-    bool isExact = false;  // no layer is displaced by parallax
+    bool isExact = false;  // no layer is displaced by parallax, so positions can be compared with `visible`
 
     [[nodiscard]] bool mayShow(const Sprite& sprite, const Pose& pose) const {
         if (!isExact) return true;

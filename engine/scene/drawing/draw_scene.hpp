@@ -33,12 +33,12 @@ struct SceneView {
     float alpha = 1.0f;      ///< ratio between the last two ticks, 0..1
     Vec2 parallaxOrigin;     ///< px, world: top-left corner of the view at which parallax shifts nothing
     bool parallax = true;    ///< false: draw backdrops at their world positions
-    float grid = 0.0f;       ///< target px per px of the game image, to align backdrops to; 0: no alignment
+    float grid = 0.0f;       ///< target px per game image px, the grid that backdrops are aligned to; 0: none
     int place = kAllScenes;  ///< index in the scene stack of the scene to draw
     LabelText labelText = nullptr;     ///< fills in placeholders of labels; null: texts are drawn unchanged
     double ahead = 0.0;                ///< s by which animated tiles are ahead of the world's time
     std::span<const EntityId> hidden;  ///< sorted entities that are not drawn; their children are drawn
-    const Particles* particles = nullptr;  ///< drawn instead of the world's own particles
+    const Particles* particles = nullptr;  ///< drawn instead of the world's particles; null: draw those
     float particleBack = 0.0f;             ///< s from the drawn moment to the last step of `particles`
 };
 
@@ -108,7 +108,7 @@ private:
     SizedTarget backdropTarget_;      ///< target for backdrops, at the resolution of the game image
     SizedTarget canvas_;              ///< target for whole scenes, before they are enlarged to a large window
     SceneView sceneView_;
-    bool anyPaused_ = false;
+    bool anyPaused_ = false;  ///< an entity of the world is paused
 };
 
 }  // namespace plumb

@@ -23,7 +23,7 @@ namespace plumb {
 
 namespace {
 
-constexpr int kGhostLayer = 40;
+constexpr int kGhostLayer = 40;           // drawing layer of the outlines of ghosts
 constexpr float kSliderTextSize = 15.0f;  // px
 constexpr float kTextAbove = 30.0f;       // px, from the text's top to the track
 

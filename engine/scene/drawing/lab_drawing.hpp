@@ -8,7 +8,7 @@ namespace plumb {
 class LabelDrawing;
 struct SceneView;
 
-/// Adds the outlines of ghosts, and sliders and plots with their texts.
+/// Adds to `list`: the outlines of ghosts, the sliders and the plots, with their texts.
 void drawLab(const World& world, const SceneView& how, LabelDrawing& labels, DrawList& list);
 
 }  // namespace plumb

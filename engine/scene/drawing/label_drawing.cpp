@@ -8,8 +8,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::string_view kPlainFont = "engine:fonts/b612.otf";
-constexpr std::string_view kDefaultFont = "engine:fonts/press_start_2p.ttf";
+constexpr std::string_view kPlainFont = "engine:fonts/b612.otf";              // font of write()
+constexpr std::string_view kDefaultFont = "engine:fonts/press_start_2p.ttf";  // of labels without a font
 
 TextShape shapeOf(const Label& label, float scale) {
     TextShape shape;
@@ -48,7 +48,7 @@ Vec2 LabelDrawing::measure(const World& world, const Label& label, LabelText lab
 
 FontId LabelDrawing::ownFont(std::string_view path, bool& held) {
     const FontId id{textId(path)};
-    if (!held) {  // no entity references it, so nothing else keeps it loaded
+    if (!held) {  // acquire the font, as no entity references it and keeps it loaded
         assets_.loadFont(path);
         assets_.acquire(AssetKind::Font, id.path);
         held = true;

@@ -43,9 +43,9 @@ private:
     AssetStore& assets_;
     TextPainter painter_;
     std::vector<Face> faces_;
-    bool holdsDefault_ = false;
-    bool holdsPlain_ = false;
-    std::string text_;  // a member, so that its memory is reused in every frame
+    bool holdsDefault_ = false;  ///< the font of labels without their own is acquired from `assets_`
+    bool holdsPlain_ = false;    ///< the font of write() is acquired from `assets_`
+    std::string text_;           // a member, so that its memory is reused in every frame
 };
 
 }  // namespace plumb

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kPiece = 512;  // particles per run
+constexpr std::uint32_t kPiece = 512;  // maximum number of particles added to the draw list at once
 
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, float t) {
     return static_cast<std::uint8_t>(lerp(static_cast<float>(from), static_cast<float>(to), t) + 0.5f);
@@ -32,11 +32,11 @@ Vec2 halfOf(const Rect& source) {
 
 /// Transform from particle space to world space.
 struct Placing {
-    Vec2 x{1.0f, 0.0f};
-    Vec2 y{0.0f, 1.0f};
-    Vec2 offset;
-    float rotation = 0.0f;
-    float scale = 1.0f;
+    Vec2 x{1.0f, 0.0f};     // world displacement per px along the x axis of particle space
+    Vec2 y{0.0f, 1.0f};     // world displacement per px along the y axis of particle space
+    Vec2 offset;            // px, world: origin of particle space
+    float rotation = 0.0f;  // rad, added to the rotation of particles
+    float scale = 1.0f;     // ratio, multiplies the size of particles
 };
 
 Placing placingOf(const ParticleEmitter& emitter, const ParticleLook& look) {
@@ -112,7 +112,7 @@ void ParticleDrawing::draw(const Particles& particles, const ParticleStream& str
         }
         return static_cast<std::size_t>(out - room);
     };
-    // In small runs: the list clears the memory it provides, which is then still in the L1 cache.
+    // Add small pieces: the list clears the memory it provides, which is then still in the L1 cache.
     const std::uint32_t end = stream.first + stream.count;
     for (std::uint32_t from = stream.first; from < end; from += kPiece) {
         const std::uint32_t to = std::min(from + kPiece, end);

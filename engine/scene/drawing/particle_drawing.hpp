@@ -11,16 +11,16 @@ namespace plumb {
 
 /// Parameters for drawing one particle stream.
 struct ParticleLook {
-    TextureRegion picture;
-    Pose pose;          ///< interpolated pose of the emitter
-    float back = 0.0f;  ///< s from the drawn moment to the end of the last tick
-    Vec2 gravity;       ///< px/s^2, gravity of the scene
-    Color tint;         ///< tint of the drawing layer
-    Vec2 offset;        ///< px, world: displacement of the drawing layer by parallax
-    float sortY = kNoSortY;
+    TextureRegion picture;   ///< image of a particle
+    Pose pose;               ///< interpolated pose of the emitter
+    float back = 0.0f;       ///< s from the drawn moment to the end of the last tick
+    Vec2 gravity;            ///< px/s^2, gravity of the scene
+    Color tint;              ///< tint of the drawing layer
+    Vec2 offset;             ///< px, world: displacement of the drawing layer by parallax
+    float sortY = kNoSortY;  ///< px, world: sort position in layers sorted by y
 };
 
-/// Adds particles to draw lists, all of one emitter as one run. Caches size and color tables of the emitters.
+/// Adds particles to draw lists, emitter by emitter. Caches size and color tables of the emitters.
 class ParticleDrawing {
 public:
     void draw(const Particles& particles, const ParticleStream& stream, const ParticleEmitter& emitter,
@@ -38,15 +38,15 @@ private:
         Color start;
         Color end;
         Color tint;
-        bool made = false;
+        bool made = false;                 ///< the table has been computed
         std::array<float, kSteps> size{};  ///< multiplier of the particle size
         std::array<Color, kSteps> color{};
     };
 
     const Table& tableOf(const ParticleEmitter& emitter, Color tint);
 
-    std::vector<Table> tables_;  // one per stream in drawing order, which rarely changes between frames
-    std::size_t usedTables_ = 0;
+    std::vector<Table> tables_;   // one per stream in drawing order, which rarely changes between frames
+    std::size_t usedTables_ = 0;  // number of tables used in this frame
 };
 
 }  // namespace plumb

@@ -15,7 +15,7 @@ namespace {
 using physics::DebugInk;
 using physics::DebugRole;
 
-/// Appearance of a role. Dots mark points, so they have a fixed size on the screen.
+/// Appearance of a DebugRole. Dots mark points, so they have a fixed size on the screen.
 struct Look {
     Color color;
     float thickness = 1.5f;  // px of the screen
@@ -148,7 +148,7 @@ public:
         isDot(box) ? dot(box, ink) : DebugCanvas::box(box, ink);
     }
 
-    /// Adds all dots to the list in one run.
+    /// Adds all collected dots to the list at once.
     void finish() {
         const std::span<SpriteInstance> room = list_.beginRun(dots_.size());
         std::copy(dots_.begin(), dots_.end(), room.begin());
@@ -167,7 +167,7 @@ private:
         const Vec2 size = box.size();
         return size.x < dotSize_ && size.y < dotSize_;
     }
-    /// Collected for one run, as there are tens of thousands when a whole level is in view.
+    /// Collects a dot for finish(), as there are tens of thousands of dots when a whole level is in view.
     void dot(const AABB& box, DebugInk ink) {
         dot_.center = px(box.center());
         dot_.half = toPixels(box.size() * 0.5f, scale_);
@@ -207,7 +207,7 @@ private:
     std::vector<Vec2>& corners_;
     std::vector<SpriteInstance>& dots_;
     SpriteInstance dot_;    // values that all dots have in common
-    float dotSize_ = 0.0f;  // m, kDot in the world
+    float dotSize_ = 0.0f;  // m, size in the world that kDot px of the screen show
 };
 
 }  // namespace
@@ -272,7 +272,7 @@ void PhysicsDrawing::draw(const World& world, const PhysicsShown& shown, float b
 
 void previewPhysics(World& world) {
     constexpr float kTick = 1.0f / 60.0f;  // s
-    // Editors write components without change marks, so treat everything as changed.
+    // Editors write components without recording the change, so treat everything as changed.
     PhysicsState& state = world.resource<PhysicsState>();
     state.members = {};
     state.mark = 0;

@@ -21,7 +21,7 @@ std::span<const PhysicsColor> physicsColors();
 class PhysicsDrawing {
 public:
     /// @param behind  s from the drawn moment to the end of the last tick
-    /// @param pixel   size of a screen px in px of the list's image, for lines of constant screen width
+    /// @param pixel   size of a screen px in px of the game image, for lines of constant screen width
     void draw(const World& world, const PhysicsShown& shown, float behind, float pixel, DrawList& list);
 
 private:
@@ -30,16 +30,16 @@ private:
     std::vector<Vec2> corners_;
     std::vector<SpriteInstance> dots_;          ///< shapes too small to show an outline
     std::vector<std::uint64_t> selectedUsers_;  ///< userOf() of the selected entities, sorted
-    std::vector<std::uint8_t> selectedBodies_;  ///< by body index: 1 if selected
-    std::vector<std::uint8_t> selectedFields_;  ///< by field index: 1 if selected
-    std::vector<std::uint8_t> selectedSoft_;    ///< by soft body index: 1 if selected
+    std::vector<std::uint8_t> selectedBodies_;  ///< indexed by body: 1 if selected
+    std::vector<std::uint8_t> selectedFields_;  ///< indexed by field: 1 if selected
+    std::vector<std::uint8_t> selectedSoft_;    ///< indexed by soft body: 1 if selected
 };
 
 /// Draws the legend of the shown layers, and the tables of times and counts if these layers are shown.
 /// @param list  draw list in screen px: its view has the size of the target
 void drawPhysicsPanel(const World& world, const PhysicsShown& shown, LabelDrawing& labels, DrawList& list);
 
-/// Creates the bodies of a world that is not simulated from its components, so that they can be drawn.
+/// For a world that is not simulated: creates its bodies from its components, so that they can be drawn.
 void previewPhysics(World& world);
 
 }  // namespace plumb

@@ -19,11 +19,11 @@ namespace {
 constexpr float kLinesOfPicture = 1080.0f;  // px: the panel scales with whole multiples of this screen height
 constexpr float kFewLines = 540.0f;         // px: below this screen height the panel is scaled down
 constexpr float kPanelTextSize = 13.0f;     // px
-constexpr float kRow = 17.0f;               // px
-constexpr float kSwatch = 9.0f;             // px
-constexpr float kPanelGap = 8.0f;           // px
-constexpr float kLegendWidth = 120.0f;      // px
-constexpr float kNumbersWidth = 236.0f;     // px
+constexpr float kRow = 17.0f;               // px, height of a row
+constexpr float kSwatch = 9.0f;             // px, side of a colour square in the legend
+constexpr float kPanelGap = 8.0f;           // px, margin
+constexpr float kLegendWidth = 120.0f;      // px, width of a column of the legend
+constexpr float kNumbersWidth = 236.0f;     // px, width of a column of the tables of numbers
 constexpr Color kBack{16, 18, 22, 205};
 constexpr Color kText{232, 234, 238, 255};
 constexpr Color kDim{150, 156, 168, 255};

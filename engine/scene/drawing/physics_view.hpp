@@ -39,10 +39,10 @@ enum class PhysicsReach : std::uint8_t { Off, Selected, All };
 
 /// The physics data that is drawn in a frame.
 struct PhysicsShown {
-    unsigned layers = 0;      ///< bits of PhysicsLayer: shown for all bodies
-    unsigned ofSelected = 0;  ///< bits of PhysicsLayer: shown for `selected` only
+    unsigned layers = 0;      ///< set of PhysicsLayer::bit: layers shown for all bodies
+    unsigned ofSelected = 0;  ///< set of PhysicsLayer::bit: layers shown for `selected` only
     std::span<const EntityId> selected{};
-    const PhysicsTimes* times = nullptr;
+    const PhysicsTimes* times = nullptr;  ///< for the table of times; null: not measured
 
     [[nodiscard]] unsigned any() const { return layers | ofSelected; }
 };
@@ -52,8 +52,8 @@ struct PhysicsView {
     PhysicsView();
 
     bool on = false;
-    unsigned layers;          ///< bits of PhysicsLayer: shown for all bodies while the view is on
-    unsigned ofSelected = 0;  ///< bits of PhysicsLayer: shown for selected entities only
+    unsigned layers;          ///< set of PhysicsLayer::bit: layers shown for all bodies while the view is on
+    unsigned ofSelected = 0;  ///< set of PhysicsLayer::bit: layers shown for selected entities only
 
     [[nodiscard]] PhysicsShown shown() const {
         return on ? PhysicsShown{layers, ofSelected} : PhysicsShown{};

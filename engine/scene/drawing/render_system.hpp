@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Requests the drawing effect. It has an empty update(),
-/// as drawing happens between ticks, at the display's rate.
+/// Stands for drawing in the list of systems. Its update() is empty,
+/// as scenes are drawn between ticks, at the display's rate.
 struct RenderSystem {
     static constexpr std::string_view kName = "render";
 

@@ -50,7 +50,7 @@ public:
         for (std::size_t i = 0; i < particles_.size(); ++i) thread(i, after(i), shaded(look_.color, 0.78f));
     }
 
-    /// Folds are darker: the brightness of a cell increases with its current width.
+    /// Draws folds darker: the brightness of a cell increases with its current width.
     void cloth(const Cloth& cloth) const {
         const auto columns = static_cast<std::size_t>(cloth.across());
         const float width = cloth.size.x / static_cast<float>(columns - 1);

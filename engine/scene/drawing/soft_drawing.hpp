@@ -7,7 +7,7 @@ namespace plumb {
 
 struct SceneView;
 
-/// Adds ropes, cloth and jellies, interpolated between their last two ticks.
+/// Adds ropes, cloth and jellies to `list`, interpolated between their last two ticks.
 void drawSoftBodies(const World& world, const SceneView& how, DrawList& list);
 
 }  // namespace plumb

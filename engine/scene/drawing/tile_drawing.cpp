@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// Memory of layers is freed after this number of frames without drawing.
+/// Number of frames after which the memory of a tile layer that was not drawn is freed.
 constexpr std::uint64_t kForgetFrames = 300;
 
 }  // namespace

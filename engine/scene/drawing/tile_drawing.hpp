@@ -35,8 +35,8 @@ private:
         EntityId entity;
         TilesId cells;
         TilesetId tileset;
-        Vec2 scale;
-        std::uint64_t drawnFrame = 0;
+        Vec2 scale;                    ///< world scale of the entity
+        std::uint64_t drawnFrame = 0;  ///< frame_ of the last draw()
         std::unique_ptr<TileChunks> chunks;
     };
 

@@ -59,8 +59,8 @@ public:
             const std::uint64_t said = hexIdIn(entity, "parent");
             parent = partOf(said == 0 ? rootId_ : said);
             if (prefab_.find(parent) == nullptr) {
-                return skip(where + ".parent", "no entity before this one has this id",
-                            "move the parent before it");
+                return skip(where + ".parent", "no earlier entity of the prefab has this id",
+                            "move the parent before this entity");
             }
         }
         if (nested == nullptr) {
@@ -203,7 +203,7 @@ Result<std::string> PrefabLibrary::textOf(std::string_view path) const {
     for (const Source& source : replacedTexts_) {
         if (source.path == path) return source.text;
     }
-    if (root_.empty()) return Error{std::string{path}, "there is no such prefab", "add it to the library"};
+    if (root_.empty()) return Error{std::string{path}, "there is no such prefab", "add its text with add()"};
     Result<Path> file = pathInside(root_, path);
     if (!file) return file.error();
     return readFile(*file);

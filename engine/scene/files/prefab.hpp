@@ -39,8 +39,8 @@ struct Prefab {
     [[nodiscard]] const PrefabEntity* find(std::uint64_t part) const;
 };
 
-/// Returns the id of a part of an instance, computed from
-/// both ids. It is always the same, so references stay valid.
+/// Returns the stable id of an entity of a prefab instance, computed from the id of the instance
+/// (`outer`) and the id inside the prefab (`part`). Deterministic, so that references stay valid.
 std::uint64_t combinedId(std::uint64_t outer, std::uint64_t part);
 
 /// Reads and caches the prefabs of a project, with the prefabs nested in them.

@@ -292,7 +292,7 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
         readKeys(
             [&said = overrides] {
                 Json copy = said;
-                copy["prefab"] = "";  // so that parts may have the same override keys as roots
+                copy["prefab"] = "";  // so that readKeys() accepts the override keys of prefab instances
                 copy.erase("children");
                 copy.erase("removed");
                 return copy;

@@ -14,8 +14,8 @@
 
 namespace plumb {
 
-/// Key in a scene that was converted from a prefab file for editing: holds what the prefab file wrote
-/// differently. Kept and written back like unknown keys.
+/// Key in a scene that was converted from a prefab file for editing: records how the prefab file was written,
+/// so that saving reproduces it. Kept and written back like unknown keys.
 inline constexpr std::string_view kPrefabFileNote = "prefabFile";
 
 /// Resolves references to entities of the scene that is being read, and records if one does not exist yet.
@@ -51,18 +51,18 @@ public:
     /// Resolves references and parents, and adds the scene to LoadedScenes.
     LoadReport finish();
 
-    int fileFormat = kSceneFormat;
+    int fileFormat = kSceneFormat;  ///< format number of the file that is read
     [[nodiscard]] const std::string& path() const { return scene_.path; }
 
 private:
-    struct DeferredComponent {
+    struct DeferredComponent {  ///< a component that references a later entity
         EntityId entity;
         const TypeInfo* type;
         Json json;
         std::string where;
         std::uint64_t id;
     };
-    struct ParentLink {
+    struct ParentLink {  ///< a "parent" key, to resolve in finish()
         EntityId child;
         std::uint64_t id;
         Json parent;

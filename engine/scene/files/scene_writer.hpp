@@ -26,7 +26,7 @@ private:
         int order;
         std::uint64_t id;
         EntityId entity;
-        const SkippedEntity* skipped;
+        const SkippedEntity* skipped;  ///< text to write instead of an entity; null: write `entity`
     };
     struct SavedType {
         const TypeInfo* type;
@@ -41,7 +41,7 @@ private:
     void addName(EntityId entity, std::string_view inPrefab, const KeptEntity* kept, Json& json) const;
     Json entityToJson(const Item& item);
     /// @param base   the entity in its prefab; null if it does not belong to one
-    /// @param parts  resolves references in `base`; null if `base` is
+    /// @param parts  resolves references in `base`; null if `base` is null
     Json componentsOf(EntityId entity, const PrefabEntity* base, PartContext* parts,
                       const KeptEntity* kept) const;
     [[nodiscard]] Json withoutList(EntityId entity, const PrefabEntity& base) const;
@@ -55,7 +55,7 @@ private:
     const LoadedScene& scene_;
     WorldFieldContext fields_;
     std::vector<SavedType> savedTypes_;
-    std::map<std::pair<std::uint64_t, std::uint64_t>, EntityId> partIndex_;  // by ids of instance and part
+    std::map<std::pair<std::uint64_t, std::uint64_t>, EntityId> partIndex_;  // key: ids of instance and part
 };
 
 }  // namespace plumb

@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // maximum size of a generation
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // bytes in a generation
 
 /// Cache in two generations: texts found in the older one move to the newer one; when the newer one is full,
 /// it replaces the older one, which is dropped.

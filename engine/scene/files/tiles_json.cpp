@@ -21,7 +21,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMostCellsAsText = 256 * 256;
+constexpr std::size_t kMostCellsAsText = 256 * 256;       // larger grids are written as blocks
 constexpr std::size_t kBandCells = 131072;                // cells per band in files without blocks
 constexpr std::size_t kMostCells = std::size_t{1} << 26;  // limit for formats that store empty cells
 constexpr int kBlockChunks = 4;  // chunks per side of a block, which is one line of the file

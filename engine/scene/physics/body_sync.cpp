@@ -76,8 +76,8 @@ public:
     BodySync(World& world, PhysicsState& state)
         : world_{world}, reader_{world}, state_{state}, bodies_{state.world} {}
 
-    /// The cost depends on the number of writes since the mark, not on the size of the world. Changes are
-    /// found in an arbitrary order (tools may affect it), but bodies are updated in a deterministic order.
+    /// Updates the bodies whose components were written since the mark; the cost depends on their number.
+    /// Writes are found in an arbitrary order (tools may affect it), but bodies are updated in a fixed order.
     /// @param membersChanged  components were added or removed too
     /// @return true if a body was created or destroyed
     bool follow(std::uint64_t mark, bool membersChanged) {
@@ -382,7 +382,7 @@ private:
     PhysicsState& state_;
     physics::World& bodies_;
     std::uint32_t firstStale_ = physics::kNone,
-                  endStale_ = 0;  // range of body indices with marks in `stale`
+                  endStale_ = 0;  // first body index with a mark in `stale`, and the last one + 1
 };
 
 void takeSettings(World& world, PhysicsState& state, const physics::Settings& settings) {

@@ -45,8 +45,8 @@ Result<Done> updateSurfaces(physics::World& bodies, physics::BodyId body, const 
 /// of collider, then by query order. nullopt without one.
 [[nodiscard]] std::optional<std::uint64_t> colliderOrder(const World& world, EntityId entity);
 
-/// Calls `visit` for the entity of every collider that may have
-/// been written since the mark, including paused entities.
+/// Calls `visit` for the entity of every collider that may have been
+/// written since the change mark `mark`, including paused entities.
 void forEachChangedCollider(const World& world, std::uint64_t mark,
                             void (*visit)(void* context, EntityId entity), void* context);
 

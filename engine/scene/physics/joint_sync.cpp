@@ -63,7 +63,7 @@ constexpr JointRow kJoints[] = {
 };
 constexpr std::uint8_t kRevolute = 0, kPrismatic = 2;  // indices in kJoints
 
-/// Hash of the values a joint is created from, except those that can be changed with setters.
+/// Returns a hash of the values a joint is created from, except those that setters can change.
 std::uint64_t jointHash(const JointDefinition& d, const JointLink& link) {
     Hasher hasher;
     const auto add = [&hasher](auto... values) { (hasher.add(values), ...); };
@@ -240,7 +240,7 @@ private:
     PhysicsState& state_;
     physics::World& bodies_;
     std::size_t kind_ = 0;
-    std::size_t finger_ = 0;
+    std::size_t finger_ = 0;  // index at which find() continues its search
 };
 
 }  // namespace

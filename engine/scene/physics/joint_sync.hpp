@@ -7,7 +7,7 @@ namespace plumb {
 
 /// Updates the joints of the physics world from their components.
 /// @param membersChanged    an entity gained or lost a joint component
-/// @param bodiesCameOrWent  bodies were created or destroyed, so waiting joints may find theirs
+/// @param bodiesCameOrWent  bodies were created or destroyed: joints that lacked a body may be created now
 /// @param mark              change mark; only components written after it are visited
 void followJoints(World& world, PhysicsState& state, bool membersChanged, bool bodiesCameOrWent,
                   std::uint64_t mark);

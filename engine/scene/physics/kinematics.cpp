@@ -18,10 +18,10 @@ namespace {
 /// Motion of a kinematic body in this tick.
 struct Course {
     Pose pose;                     // px, current world pose of its entity
-    bool driven = false;           // its Transform was changed
-    bool jumps = false;            // it was teleported
+    bool driven = false;           // the Transform was changed in this tick
+    bool jumps = false;            // the entity was teleported in this tick
     Vec2 velocity;                 // px/s, of the KinematicBody; used if not driven
-    float angularVelocity = 0.0f;  // rad/s, of the KinematicBody
+    float angularVelocity = 0.0f;  // rad/s, of the KinematicBody; used if not driven
 };
 
 Course courseOf(const World& world, const BodyLink& link) {
@@ -44,8 +44,8 @@ physics::BodyId idAt(const PhysicsState& state, std::uint32_t body) {
     return {body, state.world.bodies.info[body].generation};
 }
 
-/// Sets a character's body to its Transform at once, so that triggers detect it without delay. Its controller
-/// pushes other bodies, not the velocity of this body.
+/// Sets a character's body to its Transform at once, so that triggers detect it without delay. Other bodies
+/// are pushed by the character's controller, not by the velocity of this body.
 void follow(World& world, PhysicsState& state, std::uint32_t index) {
     BodyLink& link = state.links[index];
     const Pose pose = worldPose(std::as_const(world), link.entity);
@@ -54,7 +54,7 @@ void follow(World& world, PhysicsState& state, std::uint32_t index) {
     if (!(std::abs(place.x) < physics::kFarthest && std::abs(place.y) < physics::kFarthest &&
           std::abs(pose.rotation) < 1e5f)) {
         logRefusal(world, state, link.entity,
-                   {"Transform", "expected finite numbers", "move the entity back into the scene"});
+                   {"Transform", "expected a finite position and rotation", "move it back into the scene"});
         placeEntity(world, link.entity, link.pose);
         return;
     }

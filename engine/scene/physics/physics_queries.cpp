@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-constexpr float kAlong = 1e-3f;  // ratio of the displacement: a smaller approach counts as sliding
+constexpr float kAlong = 1e-3f;  // ratio to the displacement: a smaller approach to a shape is sliding
 constexpr float kSolidSide =
     0.7f;  // minimum cosine between a hit's normal and a one-way surface's solid side
 

@@ -76,7 +76,7 @@ struct JointLinkage {
     float startAngle = 0.0f;   ///< rad, angle between the bodies when the joint was created
     float startLength = 0.0f;  ///< m, distance of the anchors when the joint was created
     std::uint64_t made = 0;    ///< hash of the values it was created from
-    std::uint64_t seen = 0;
+    std::uint64_t seen = 0;    ///< PhysicsState::syncs of the last visit
 };
 
 /// Connects a field component with its field.
@@ -84,8 +84,8 @@ struct FieldLinkage {
     EntityId entity;
     std::uint8_t kind = 0;  ///< index of the field type in field_sync.cpp
     physics::FieldId field;
-    std::uint64_t made = 0;
-    std::uint64_t seen = 0;
+    std::uint64_t made = 0;  ///< hash of the values it was created from
+    std::uint64_t seen = 0;  ///< PhysicsState::syncs of the last visit
 };
 
 /// Connects a CharacterController component with its controller in the physics.
@@ -101,8 +101,8 @@ struct SoftLinkage {
     EntityId entity;
     std::uint8_t kind = 0;  ///< index of the soft body type in soft_sync.cpp
     physics::SoftBodyId body;
-    std::uint64_t made = 0;
-    std::uint64_t seen = 0;
+    std::uint64_t made = 0;  ///< hash of the values it was created from
+    std::uint64_t seen = 0;  ///< PhysicsState::syncs of the last visit
 };
 
 /// Counters that are incremented whenever an entity gains
@@ -120,20 +120,20 @@ struct PhysicsMembers {
 struct PhysicsState {
     physics::World world;
     PixelScale scale;
-    std::vector<BodyLink> links;         ///< by body index; entity is empty for bodies without an entity
-    std::vector<std::uint32_t> bodyOf;   ///< by entity index: body index + 1, 0 for none
+    std::vector<BodyLink> links;         ///< indexed by body; entity is empty for bodies without an entity
+    std::vector<std::uint32_t> bodyOf;   ///< indexed by EntityId::index: body index + 1, 0 for none
     std::vector<std::uint32_t> carried;  ///< indices of bodies whose entities have a parent, sorted
-    std::vector<std::uint8_t> stale;    ///< by body index, during a sync: bits of the components that changed
-    std::vector<std::uint32_t> driven;  ///< indices of kinematic bodies, sorted
+    std::vector<std::uint8_t> stale;     ///< indexed by body, during a sync: bits of the changed components
+    std::vector<std::uint32_t> driven;   ///< indices of kinematic bodies, sorted
     std::vector<std::uint32_t> stepped;  ///< indices of bodies that were awake before the step
-    std::vector<std::uint8_t> grounded;  ///< by body index: 1 if it rested on a body in the last step
+    std::vector<std::uint8_t> grounded;  ///< indexed by body: 1 if it rested on a body in the last step
     std::vector<TileTerrain> terrains;
     std::vector<JointLinkage> joints;
     std::vector<FieldLinkage> fields;
     std::vector<CharacterLinkage> characters;
     std::vector<SoftLinkage> softBodies;
-    std::vector<physics::CastHit> hits;  ///< results of the current query
-    std::vector<physics::ShapeId> found;
+    std::vector<physics::CastHit> hits;   ///< results of the current cast; a member to reuse its memory
+    std::vector<physics::ShapeId> found;  ///< results of the current overlap query; reused likewise
     physics::BodyId ground;               ///< static body for joints that connect to the world
     std::vector<EntityId> refused;        ///< entities whose errors were reported
     std::vector<EntityId> unplaced;       ///< entities whose body could not be created
@@ -142,8 +142,8 @@ struct PhysicsState {
     std::uint64_t syncs = 0;              ///< number of syncs in which component memberships had changed
     std::uint64_t visits = 0;             ///< number of entities compared because of membership changes
     PhysicsMembers members;               ///< counters at the last sync
-    std::uint64_t mark = 0;               ///< change mark: earlier writes are synchronized
-    std::uint64_t carriedMark = 0;        ///< `mark` for bodies with a parent; the step's writes are later
+    std::uint64_t mark = 0;               ///< change mark: writes before it are synchronized
+    std::uint64_t carriedMark = 0;        ///< change mark before the last step, for bodies with a parent
 
     void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
 };

@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Requests the effects of contacts and triggers. The physics step runs once per tick, in the last of the
-/// physics systems that are present.
+/// Makes the physics step compute contacts and triggers. The step runs once per tick: in the last system of
+/// GravitySystem, MovementSystem and CollisionSystem that the world has.
 struct CollisionSystem {
     static constexpr std::string_view kName = "collision";
 

@@ -35,7 +35,7 @@ void nudge(physics::World& world, double metres) {
     }
 }
 
-/// Returns a hash of a ghost's settings; the ghost restarts when it changes.
+/// Returns a hash of a ghost's settings and of Lab::run; the ghost restarts when the hash changes.
 std::uint64_t madeFrom(const Ghost& ghost, std::uint64_t run) {
     Hasher hasher;
     const auto add = [&hasher](auto... values) { (hasher.add(values), ...); };

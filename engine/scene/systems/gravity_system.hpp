@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Requests the effect of gravity on rigid bodies. The physics step runs once per tick, in the last of the
-/// physics systems that are present.
+/// Makes gravity act on rigid bodies in the physics step. The step runs once per tick: in the last system of
+/// GravitySystem, MovementSystem and CollisionSystem that the world has.
 struct GravitySystem {
     static constexpr std::string_view kName = "gravity";
 

@@ -6,8 +6,8 @@ namespace plumb {
 
 class World;
 
-/// Requests motion: bodies move at their velocity. The physics step runs once per tick, in the last of the
-/// physics systems that are present.
+/// Makes bodies move at their velocity in the physics step. The step runs once per tick: in the last system
+/// of GravitySystem, MovementSystem and CollisionSystem that the world has.
 struct MovementSystem {
     static constexpr std::string_view kName = "movement";
 

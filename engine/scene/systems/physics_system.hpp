@@ -10,9 +10,9 @@
 
 namespace plumb {
 
-/// Runs the physics step. In a world with GravitySystem, MovementSystem or CollisionSystem only their effects
-/// run; with this system alone, all effects that components request. Reads/writes: see stepPhysics(). When:
-/// after controllers, before systems that react to contacts.
+/// Runs the physics step. In a world that has GravitySystem, MovementSystem or CollisionSystem, it computes
+/// only what these request; with this system alone, everything that components request. Reads and writes: see
+/// stepPhysics(). When: after controllers, before systems that react to contacts.
 struct PhysicsSystem {
     static constexpr std::string_view kName = "physics";
 

@@ -7,10 +7,10 @@ namespace plumb::accuracy {
 
 inline constexpr int kMaxThreads = 256;
 
-/// Number of hardware threads.
+/// Returns the number of hardware threads.
 int processors();
 
-/// Callback with the number of finished items. Called by one thread at a time.
+/// Progress callback, called with the number of finished items by one thread at a time.
 using ShowDone = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Calls `act(i)` for each i below `count` on several threads, in any order.

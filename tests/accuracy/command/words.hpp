@@ -10,10 +10,10 @@ namespace plumb::accuracy {
 /// A command-line option without value, and the variable that it sets to true.
 struct Flag {
     std::string_view word;
-    bool* on;
+    bool* on;  ///< set to true if the option is given
 };
 
-/// Function that parses an option with a value. @return the error message; empty: success
+/// Callback that parses the value of an option. @return the error message; empty: success
 using TakeOption = std::function<std::string(std::string_view word, std::string_view value)>;
 
 /// Parses flags, and options with one value each. @return the error message; empty: success

@@ -22,17 +22,17 @@ struct ShapeSetup {
     Material material;
 };
 
-struct BodyPlan {
+struct BodyPlan {  ///< a body of a Blueprint with its shapes
     BodySetup setup;
     std::vector<ShapeSetup> shapes;
-    std::vector<std::vector<Vec2>> loops;  ///< closed chain shapes, free on the right of their direction
-    Material loopMaterial;
-    float mass = 0.0f;  ///< mass, kg; 0: computed from the shapes
+    std::vector<std::vector<Vec2>> loops;  ///< closed chain shapes; bodies touch their right side
+    Material loopMaterial;                 ///< material of `loops`
+    float mass = 0.0f;                     ///< mass, kg; 0: computed from the shapes
 };
 
 /// A condition that a scene must satisfy at its end.
 struct Goal {
-    std::string_view name;                      ///< predicate: "stands", "turns"
+    std::string_view name;                      ///< predicate that must be true: "stands", "turns"
     std::function<double(const Stage&)> error;  ///< computes the error, in the unit of `bound`
     double bound = 0.0;                         ///< maximum error
 };
@@ -53,11 +53,11 @@ struct Blueprint {
     std::vector<Goal> goals;
     /// True if no motor, kinematic body, field or edit adds energy.
     bool closed = true;
-    /// Maximum number of bodies on top of each other. Each contact may be pushed apart by one slop and lift
-    /// all bodies above it; the energy check allows for this energy.
+    /// Maximum number of bodies on top of each other. Each contact may be pushed apart by one slop of
+    /// Settings, which lifts all bodies above it; the energy check allows for this energy.
     int layers = 1;
 
-    std::uint32_t add(const BodyPlan& plan);
+    std::uint32_t add(const BodyPlan& plan);  ///< all add functions return the index of the body
     std::uint32_t add(const BodySetup& setup, const Outline& outline, const Material& material = {});
     std::uint32_t addStatic(const Outline& outline, Vec2 position, const Material& material = {},
                             float angle = 0.0f);

@@ -1,7 +1,7 @@
-// Growth of the step time with the number of objects of one kind: bullets, joints,
-// fields, sleeping bodies, … Objects are distributed with constant density. An object
-// that needs a body, such as a joint or a bounded field, has its own; so both numbers
-// double, and the time is proportional unless each object is tested against all bodies.
+// Measures how the step time grows with the number of objects of one kind: bullets,
+// joints, fields, sleeping bodies, … Objects are distributed with constant density.
+// An object that needs a body, such as a joint, has its own; so both numbers grow
+// alike, and the time is proportional unless each object is tested against all bodies.
 
 #include "tests/accuracy/families/costs.hpp"
 
@@ -58,7 +58,7 @@ struct CostScene {
         bodies.push_back(made);
         return made;
     }
-    /// Adds a static platform below a cell, so that no body falls out of it.
+    /// Adds a static platform below a cell, so that no body falls out of the cell.
     void shelf(physics::WorldPosition at) {
         body({at.x, at.y - 0.6}, physics::box({1.2f, 0.1f}), {.kind = BodyKind::Static});
     }
@@ -73,8 +73,8 @@ struct CostScene {
 
 // ---- objects -------------------------------------------------------------------------------------
 
-/// Adds moving balls between walls. Without walls they would fly apart, in a small scene earlier than in a
-/// large one, and collide less often.
+/// Adds moving balls between walls. Without walls they would fly apart, earlier in small scenes than in large
+/// ones, and then collide less often.
 void balls(CostScene& scene, float speed, bool bullet) {
     scene.world.settings.gravity = {};
     const auto half = static_cast<float>(0.5 * kCell * scene.columns());
@@ -106,7 +106,7 @@ void restingCrates(CostScene& scene) {
 void sleepingCrates(CostScene& scene) {
     scene.world.settings.sleeping = true;
     restingCrates(scene);
-    // One body that never sleeps makes every step run.
+    // A body that never sleeps, as a step with sleeping bodies only would be skipped.
     scene.body({-10.0, 100.0}, physics::circle(0.5f), {.gravityScale = 0.0f, .canSleep = false});
 }
 
@@ -245,7 +245,7 @@ void explosions(CostScene& scene) {
 }
 
 void spawns(CostScene& scene) {
-    // Bodies are created beside a constant number of sleeping crates, which must not add to the time.
+    // Bodies are created beside many sleeping crates, whose constant number must not add to the time.
     CostScene crowd{2000};
     restingCrates(crowd);
     scene.world = std::move(crowd.world);

@@ -16,7 +16,7 @@ struct CostRow {
     [[nodiscard]] double exponent() const;  ///< exponent p of the fit time ~ count^p; 1: proportional
 };
 
-/// Measures step times for every kind of object at growing counts. Needs a machine without other load.
+/// Measures step times for every kind of object at growing counts. Run it on a machine without other load.
 std::vector<CostRow> measureCosts();
 std::string textOf(std::span<const CostRow> rows);
 std::string markdownOf(std::span<const CostRow> rows);

@@ -92,7 +92,7 @@ std::string read(std::span<const std::string_view> words, Options& options) {
 void printShrunk(const Verdict& verdict, const Family& family) {
     const std::vector<bool> dropped = shrink(*verdict.relation, family, verdict.seed);
     if (dropped.empty()) {
-        std::printf("    %s, seed %llu: the relation holds in this member alone\n",
+        std::printf("    %s, seed %llu: the relation holds if only this member is checked\n",
                     std::string(verdict.relation->name).c_str(),
                     static_cast<unsigned long long>(verdict.seed));
         return;

@@ -12,17 +12,17 @@ namespace plumb::families {
 /// only those known to work; physically impossible scenes are excluded.
 struct Family {
     std::string_view name;
-    std::string_view what;  ///< parameters with their ranges, and the goal
-    Blueprint (*make)(Random& random) = nullptr;
-    /// Maximum distance of a body's final positions in two variations of a member that reaches its goals, m;
-    /// 0 if motion is chaotic and only the numbers of members that reach their goals are compared.
+    std::string_view what;                        ///< parameters with their ranges, and the goal
+    Blueprint (*make)(Random& random) = nullptr;  ///< creates a member
+    /// Maximum distance between the final positions of a body in two simulations of a member with different
+    /// settings, m. 0: motion is chaotic, so only the numbers of members that reach their goals are compared.
     double tolerance = 0.0;
 };
 
 /// All families, in alphabetical order of their files.
 std::span<const Family> allFamilies();
 const Family* findFamily(std::string_view name);
-/// Creates a member. The same seed gives the same scene on every machine.
+/// Creates a member of a family. The same seed gives the same scene on every machine.
 Blueprint memberOf(const Family& family, std::uint64_t seed);
 
 // One function per family, in families/kinds/<name>.cpp.

@@ -12,14 +12,14 @@ Goal staysWithin(std::vector<std::uint32_t> bodies, double distance);
 Goal sleeps();
 /// Goal "stays in": the centers of the bodies are inside a box.
 Goal staysIn(std::vector<std::uint32_t> bodies, Vec2 low, Vec2 high);
-/// Goal "overlaps": two shapes overlap by at most a depth at the end, m.
+/// Goal "overlaps": no two shapes overlap by more than a depth at the end, m.
 Goal overlapsAtMost(double depth);
-/// Goal "rests": the bodies are not faster than a speed, m/s.
+/// Goal "rests": at the end no body is faster than a speed, m/s.
 Goal rests(std::vector<std::uint32_t> bodies, double speed);
-/// Goal "keeps its joints": no joint error exceeds a gap, m.
+/// Goal "keeps its joints": at the end no joint error (distance of its anchors) exceeds `gap`, m.
 Goal keepsJoints(double gap);
 
-/// False for a body that was removed to reduce a failing scene; goals about motion skip it.
+/// False for a body that was removed to reduce a failing scene (shrink() in run.hpp); goals skip such bodies.
 bool takesPart(const Stage& stage, std::uint32_t body);
 
 }  // namespace plumb::families

@@ -15,7 +15,7 @@ namespace plumb::families {
 
 namespace {
 
-constexpr int kStepsBetweenLooks = 30;  // measuring the overlaps of all pairs takes longer than a step
+constexpr int kStepsBetweenLooks = 30;  // steps between measurements of overlaps, which are slow
 
 /// Kinetic energy of all bodies, J.
 double kineticEnergyOf(const physics::World& world) {
@@ -33,8 +33,8 @@ double kineticEnergyOf(const physics::World& world) {
 
 /// Records kinetic plus potential energy and its growth. Soft contacts and joints store energy and release it
 /// later, and pushing shapes out of an overlap of one slop lifts the bodies above. So growth is measured from
-/// the lowest level that was not exceeded for 2 s: the slowest oscillation observed, of a 24 m arch that
-/// sinks when it is built, takes 1.5 s.
+/// the lowest level that was not exceeded for 2 s. (The slowest oscillation observed takes 1.5 s: that of a
+/// 24 m arch that sinks when it is built.)
 class EnergyBook {
 public:
     /// @param layers  see Blueprint::layers
@@ -53,7 +53,7 @@ public:
         level_ = std::min(level_, *std::max_element(recent_.begin(), last));
         low_ = std::min(low_, now);
         high_ = std::max(high_, now);
-        // A body at constant speed converts no energy, so the kinetic energy is a second lower bound.
+        // Bodies at constant speed convert no energy; the gain is then related to the kinetic energy.
         motion_ = std::max(motion_, kineticEnergyOf(world));
     }
     /// Energy gain relative to the energy that was converted:
@@ -71,11 +71,11 @@ private:
     double low_ = 0.0;
     double high_ = 0.0;
     double gain_ = 0.0;
-    double lift_ = 0.0;    ///< allowed gain by pushing contacts apart, J
+    double lift_ = 0.0;    ///< allowed gain, by pushing overlapping contacts apart, J
     double motion_ = 0.0;  ///< maximum kinetic energy, J
 };
 
-/// Maximum ratio of the total to the normal velocity change in an impact, for friction up to 1: sqrt(2).
+/// Maximum ratio of the total to the normal velocity change in an impact: sqrt(2), for friction up to 1.
 constexpr double kMaxByFriction = 1.4142135623730951;
 
 /// Measures how much further bodies move in a step than their speed explains. That speed is the maximum of

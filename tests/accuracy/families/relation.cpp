@@ -11,12 +11,12 @@ namespace plumb::families {
 
 namespace {
 
-/// Accepted difference of two shares in standard deviations: exceeded by chance in one of 1000 comparisons.
+/// Accepted difference of two success rates in standard deviations: chance exceeds it in one of 1000 cases.
 constexpr double kSigmas = 3.3;
 /// Maximum displacement without velocity in a step, m. Settings::pushSpeed separates overlapping bodies by up
 /// to 5 cm in a step, and torn joints close at ten times that speed.
 constexpr double kMaxJump = 0.5;
-constexpr double kMaxGain = 0.01;  // ratio to the converted energy, as in the stability map
+constexpr double kMaxGain = 0.01;  // maximum energy gain, ratio to the converted energy
 
 Variation asDefault(std::uint64_t) { return {}; }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMissesKept = 8;
 
-/// Results of one member in all engines and relations.
+/// Results of one member (random scene of a family) in all engines and for all relations.
 struct MemberResult {
     std::vector<EngineShare> engines;
     std::vector<Verdict> verdicts;
@@ -53,8 +53,8 @@ void add(EngineShare& sum, const EngineShare& more) {
     if (sum.missing.empty()) sum.missing = more.missing;
 }
 
-/// Adds the results of a member. Called in the order of the
-/// seeds, so that the sum does not depend on thread timing.
+/// Adds the results of a member to those of the family. Called in the order
+/// of the seeds, so that the sum does not depend on thread timing.
 void add(FamilyResult& sum, const MemberResult& more) {
     if (sum.engines.empty()) {
         sum.engines = more.engines;
@@ -78,7 +78,7 @@ std::vector<const T*> allOf(std::span<const T> rows, const std::vector<const T*>
 
 bool fails(const Relation& relation, const Family& family, Blueprint plan, std::uint64_t seed,
            const std::vector<bool>& dropped) {
-    // Removed bodies stay as static bodies without shapes, so that indices do not change.
+    // Removed bodies remain as static bodies without shapes, so that the indices of the others do not change.
     for (std::size_t body = 0; body < dropped.size(); ++body) {
         if (!dropped[body]) continue;
         plan.bodies[body].shapes.clear();
@@ -123,7 +123,7 @@ std::vector<bool> shrink(const Relation& relation, const Family& family, std::ui
     const Blueprint plan = memberOf(family, seed);
     std::vector<bool> dropped(plan.bodies.size(), false);
     if (!fails(relation, family, plan, seed, dropped)) return {};
-    // Tries to remove halves, then quarters, down to single bodies. Source: A. Zeller and R. Hildebrandt,
+    // Tries to remove half of all bodies, quarters, ... single bodies. Source: A. Zeller and R. Hildebrandt,
     // "Simplifying and Isolating Failure-Inducing Input", 2002.
     for (std::size_t piece = dropped.size() / 2; piece > 0; piece /= 2) {
         for (std::size_t first = 0; first < dropped.size(); first += piece) {

@@ -12,20 +12,20 @@ struct RunOptions {
     std::vector<const Family*> families;     ///< families to run; empty: all
     std::vector<const Relation*> relations;  ///< relations to check; empty: all
     std::vector<scenes::Engine> peers;       ///< other engines, compared by success rate and time
-    std::uint64_t firstSeed = 1;
-    int members = 100;  ///< number of members per family
+    std::uint64_t firstSeed = 1;             ///< seed of the first member; the next ones follow
+    int members = 100;                       ///< number of members per family
     int threads = 1;
 };
 
 /// Results of a family in one engine with default settings.
 struct EngineShare {
-    std::string engine;
-    int members = 0;  ///< number of members that the engine supports
-    int reached = 0;
-    double micros = 0.0;  ///< time of a step, mean over members, µs
-    double maxOverlap = 0.0;
-    double maxJointError = 0.0;
-    std::string missing;  ///< feature that the engine lacks for the other members
+    std::string engine;          ///< name of the engine
+    int members = 0;             ///< number of members that the engine supports
+    int reached = 0;             ///< number of members that reach their goals
+    double micros = 0.0;         ///< time of a step, mean over members, µs
+    double maxOverlap = 0.0;     ///< maximum over members, m
+    double maxJointError = 0.0;  ///< maximum over members, m
+    std::string missing;         ///< feature that the engine lacks for the other members
 };
 
 struct FamilyResult {
@@ -33,9 +33,9 @@ struct FamilyResult {
     std::vector<EngineShare> engines;        ///< Plumb first
     std::vector<Verdict> verdicts;           ///< one per relation, in order
     std::vector<std::uint64_t> missedSeeds;  ///< seeds of the first members that missed their goals
-    std::string firstMiss;
+    std::string firstMiss;                   ///< goal that the first of these members missed
 
-    [[nodiscard]] bool holds() const;
+    [[nodiscard]] bool holds() const;  ///< true if all relations hold
 };
 
 /// Runs all selected families. @param show receives the number of finished members

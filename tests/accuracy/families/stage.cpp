@@ -28,7 +28,7 @@ std::vector<std::uint32_t> orderOf(std::size_t count, std::uint64_t seed) {
     return order;
 }
 
-/// Scales all lengths and speeds of the settings.
+/// Scales all lengths and speeds of the physics settings.
 void scaleSettings(physics::Settings& settings, float scale) {
     for (float* length :
          {&settings.slop, &settings.speculativeDistance, &settings.recycleDistance, &settings.boundsMargin,
@@ -113,8 +113,8 @@ void Stage::make(const JointSetup& joint) {
     made.axis = {sign() * joint.axis.x, joint.axis.y};
     made.length *= scale_;
     const bool slides = joint.kind == scenes::JointKind::Slider;
-    // Masses scale with scale^2, so torques with scale^4 and forces with scale^3. A slider's coordinate along
-    // its mirrored axis keeps its sign.
+    // Masses are proportional to scale^2, so torques to scale^4 and forces to scale^3. The coordinate of a
+    // slider is measured along its axis, which is mirrored too, so it keeps its sign.
     made.maxForce = std::min(joint.maxForce, kUnlimited) * std::pow(scale_, slides ? 3.0f : 4.0f);
     const float unit = slides ? scale_ : sign();
     made.reference = sign() * joint.reference;
@@ -151,7 +151,7 @@ Outline Stage::placed(const Outline& outline) const {
 }
 
 Material Stage::placed(Material material) const {
-    // The surface speed is along the outline; a mirror inverts that direction.
+    // The surface speed has a direction along the outline, which mirroring inverts.
     material.surfaceSpeed *= sign() * scale_;
     material.oneWayDirection.x *= sign();
     return material;
@@ -179,7 +179,7 @@ double Stage::hitSpeedOf(std::uint32_t body) const {
     const physics::Workspace* work = physics::lastStepOf(world);
     if (work == nullptr || work->swept.empty()) return 0.0;
     const std::uint32_t index = plumb_->idOf(handles_[body]).index;
-    double impulse = 0.0;  // sum of impulses, N s
+    double impulse = 0.0;  // sum of normal impulses, N s
     for (const physics::Contact& hit : work->madeHits) {
         if (hit.bodyA == index || hit.bodyB == index)
             impulse += static_cast<double>(std::fabs(hit.impulse0) + std::fabs(hit.impulse1));

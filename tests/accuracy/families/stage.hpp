@@ -19,13 +19,13 @@ class Stage {
 public:
     Stage(const Blueprint& plan, const Variation& variation);
 
-    void step();  ///< calls Blueprint::drive and simulates one step
-    [[nodiscard]] int steps() const { return steps_; }
-    [[nodiscard]] double time() const { return steps_ * static_cast<double>(kStep); }
+    void step();                                        ///< calls Blueprint::drive and simulates one step
+    [[nodiscard]] int steps() const { return steps_; }  ///< number of simulated steps
+    [[nodiscard]] double time() const { return steps_ * static_cast<double>(kStep); }  ///< s
 
     [[nodiscard]] const Blueprint& plan() const { return plan_; }
     [[nodiscard]] const Variation& variation() const { return variation_; }
-    /// False for a body that was omitted from the scene or has been destroyed.
+    /// False for a body that was omitted (Variation::dropped) or has been destroyed.
     [[nodiscard]] bool has(std::uint32_t body) const;
     [[nodiscard]] scenes::Point positionOf(std::uint32_t body) const;  ///< m
     [[nodiscard]] Rot rotationOf(std::uint32_t body) const;
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] Vec2 startOf(std::uint32_t body) const { return plan_.bodies[body].setup.position; }
     /// Distance of a body from its planned position, m.
     [[nodiscard]] double displacementOf(std::uint32_t body) const;
-    /// Rotation of a body from its planned angle, rad, -pi to pi.
+    /// Rotation of a body relative to its planned angle, rad, -pi to pi.
     [[nodiscard]] double turnOf(std::uint32_t body) const;
 
     void setVelocity(std::uint32_t body, Vec2 velocity);
@@ -57,8 +57,8 @@ public:
     [[nodiscard]] const physics::World* world() const {
         return plumb_ == nullptr ? nullptr : &std::as_const(*plumb_).world();
     }
-    /// Sum of the normal velocity changes by impacts of a fast
-    /// body within the last step, m/s. 0 in other engines.
+    /// Sum of a body's normal velocity changes by impacts that continuous
+    /// collision detection found within the last step, m/s; 0 in other engines.
     /// @pre has(body)
     [[nodiscard]] double hitSpeedOf(std::uint32_t body) const;
     /// True if a body sleeps; false in other engines. @pre has(body)
@@ -82,9 +82,9 @@ private:
     void build();
     void make(std::uint32_t body, const BodyPlan& plan);
     void make(const JointSetup& joint);
-    [[nodiscard]] Vec2 placed(Vec2 direction) const;  ///< rotates and mirrors, does not scale
-    [[nodiscard]] Vec2 unplaced(Vec2 direction) const;
-    [[nodiscard]] Vec2 local(Vec2 point) const;  ///< mirrors and scales a point of a body's frame
+    [[nodiscard]] Vec2 placed(Vec2 direction) const;    ///< rotates and mirrors, does not scale
+    [[nodiscard]] Vec2 unplaced(Vec2 direction) const;  ///< inverse of placed()
+    [[nodiscard]] Vec2 local(Vec2 point) const;         ///< mirrors and scales a point of a body's frame
     [[nodiscard]] float placedAngle(float angle) const;
     [[nodiscard]] Outline placed(const Outline& outline) const;
     [[nodiscard]] Material placed(Material material) const;
@@ -96,8 +96,8 @@ private:
     scenes::PlumbWorld* plumb_ = nullptr;
     std::vector<scenes::BodyHandle> handles_;  ///< handle of each body of the blueprint
     std::vector<std::uint32_t> teleported_;    ///< bodies teleported in this step
-    Rot turn_;
-    float scale_ = 1.0f;
+    Rot turn_;                                 ///< rotation by Placement::quarterTurns
+    float scale_ = 1.0f;                       ///< Placement::scale
     int steps_ = 0;
 };
 

@@ -32,7 +32,7 @@ inline Point toPoint(Vec2 v) { return {static_cast<double>(v.x), static_cast<dou
 struct Triple {
     double x = 0.0;
     double y = 0.0;
-    double turn = 0.0;
+    double turn = 0.0;  ///< rotational component: angle, angular velocity or derivative by the angle
 };
 
 constexpr Triple operator+(Triple a, Triple b) { return {a.x + b.x, a.y + b.y, a.turn + b.turn}; }
@@ -56,6 +56,6 @@ struct Turn {
 inline Point rotate(Turn q, Point v) { return {q.cos * v.x - q.sin * v.y, q.sin * v.x + q.cos * v.y}; }
 inline Point apply(Triple pose, Point local) { return placeOf(pose) + rotate(Turn{pose.turn}, local); }
 
-inline constexpr double kEndless = std::numeric_limits<double>::infinity();
+inline constexpr double kEndless = std::numeric_limits<double>::infinity();  ///< no limit, or never
 
 }  // namespace plumb::reference

@@ -14,13 +14,13 @@ namespace plumb::reference {
 /// Algorithm, SIAM Review 31, 1989.
 class BlockMatrix {
 public:
-    using Block = std::array<double, 9>;  // row-major
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+    using Block = std::array<double, 9>;                   // row-major
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;  // row and column of an off-diagonal block
 
-    /// Sets the pattern of off-diagonal blocks; does nothing if the pattern is unchanged.
-    /// @param edges  pairs of rows, sorted and unique, each with its lower index first
+    /// Sets the size, and the blocks that may be nonzero; does nothing if both are unchanged.
+    /// @param edges  off-diagonal blocks in the upper triangle, sorted and unique; the pattern is symmetric
     void shape(std::uint32_t count, std::vector<Edge> edges);
-    void clear();
+    void clear();  ///< sets all blocks to 0
     /// Returns the block of a row and a column. @pre row and column are equal or form one of the edges
     Block& at(std::uint32_t row, std::uint32_t column);
     /// Factors the matrix. @return false if a pivot block is singular
@@ -34,9 +34,9 @@ private:
 
     std::uint32_t count_ = 0;
     std::vector<Edge> edges_;
-    std::vector<std::uint32_t> placeOf_, rowAt_;  // elimination order: position of each row, and inverse
-    std::vector<std::uint32_t> first_, later_;  // later positions coupled to each position: first index, list
-    std::vector<std::uint32_t> updates_;  // target block for each position and pair of its later positions
+    std::vector<std::uint32_t> placeOf_, rowAt_;  // position of each row in the elimination, and inverse
+    std::vector<std::uint32_t> first_, later_;  // later positions coupled to position i: later_[first_[i]] on
+    std::vector<std::uint32_t> updates_;  // block changed by eliminating i, per pair of later positions of i
     std::vector<Block> diagonal_, upper_, lower_;
     std::vector<double> sorted_;
 };

@@ -52,9 +52,9 @@ void GroupStep::solveImpact(std::span<const Touch> touches, bool bounces) {
     for (std::size_t i = 0; i < group_->pushed; ++i) v0_[i] = system_.velocity[i];
 }
 
-/// Resolves the impact of the two bodies that approach each other fastest,
-/// together with bodies jointed to them but without other contacts. So
-/// impulses travel through a row of balls one by one, as in Newton's cradle.
+/// Resolves the impact of the two bodies that approach each other fastest, including joints
+/// but no contacts with other bodies. So impulses travel through a row of balls one by one, as
+/// in Newton's cradle. @return false if no two bodies approach fast enough to bounce
 bool GroupStep::bounceOnce(std::span<const Touch> touches) {
     double fastest = -scene_.bounceSpeed;
     std::size_t worst = touches.size();

@@ -6,12 +6,12 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kExact = 1.0e-13;  // accuracy of the gap at an impact, m
+constexpr double kExact = 1.0e-13;  // accepted gap at the computed time of an impact, m
 constexpr double kFarOff = 1.0e9;   // upper limit of computed gaps, m
 constexpr int kMaxSamples = 2000;
 
-/// Returns the time at which a gap closes that is open at `low` and below 0 at `high`. The gap may be
-/// infinite for shapes that are far apart. Method: bisection, and secants with the Illinois rule.
+/// Returns the time between `low` and `high` at which gap(time) reaches 0: it is above 0 at `low`, below 0 at
+/// `high`, and infinite for shapes that are far apart. Method: bisection, and secants with the Illinois rule.
 template <class Gap>
 double closingBetween(double low, double high, double gapLow, double gapHigh, const Gap& gap) {
     for (int i = 0; i < 200 && high - low > 1.0e-15 * high; ++i) {
@@ -31,7 +31,7 @@ double closingBetween(double low, double high, double gapLow, double gapHigh, co
 
 }  // namespace
 
-/// Returns the pose at a time in the step: velocities change linearly, positions are their integrals.
+/// Returns a body's pose at a time in the step: the velocity changes linearly, the pose is its integral.
 Triple GroupStep::poseAt(std::size_t local, double time, double h) const {
     const Triple pose = q0_[local] + time * v0_[local] + (0.5 * time * time / h) * (v1_[local] - v0_[local]);
     return pose;
@@ -71,7 +71,7 @@ double GroupStep::closingOfPair(std::uint32_t a, std::uint32_t b, double h) {
     return kEndless;
 }
 
-/// Returns the time at which two outlines that already touch get another contact.
+/// Returns the time in the step at which two outlines that touch already get another contact point, s.
 double GroupStep::closingOfTouches(std::uint32_t a, std::uint32_t b, double h) {
     std::vector<Touch> touches;
     const std::size_t one = localOfOutline(a), two = localOfOutline(b);

@@ -6,12 +6,12 @@ namespace plumb::reference {
 
 namespace {
 
-// Separating axes and closest corners by brute force, which is simple and fast enough for outlines of few
+// Tests all separating axes and all pairs of corners, which is simple, and fast enough for outlines of few
 // corners. Source: C. Ericson, Real-Time Collision Detection, 2005, 4.4, 5.1, 5.2.
 
-constexpr double kMin = 1.0e-9;  // tolerance of comparisons, m or ratio; smaller than kClosed
+constexpr double kMin = 1.0e-9;  // tolerance of comparisons, m or ratio; smaller than kClosed (group.hpp)
 
-struct Placed {
+struct Placed {  // an outline at a pose
     const Outline* outline = nullptr;
     Triple pose;
     std::vector<Point> corners, normals;  // world coordinates

@@ -4,8 +4,8 @@ namespace plumb::reference {
 
 namespace {
 
-/// Gradient of direction . (point of B - point of A), for
-/// points at arms `a` and `b` from the centres of mass.
+/// Returns the gradient of dot(direction, point of B - point of A); the
+/// points are at offsets `a` and `b` from the centres of mass.
 Gradient alongDirection(Point direction, Point a, Point b) {
     return {{-direction.x, -direction.y, -cross(a, direction)},
             {direction.x, direction.y, cross(b, direction)}};

@@ -6,8 +6,8 @@ namespace plumb::reference {
 
 /// Value and gradient of a scalar function of two poses.
 struct Gradient {
-    Triple a, b;
-    double value = 0.0;
+    Triple a, b;         ///< derivatives by the pose of body A and of body B
+    double value = 0.0;  ///< value of the function
 };
 
 Gradient gradientOf(const Measure& measure, Triple poseA, Triple poseB);
@@ -15,15 +15,15 @@ Gradient gradientOf(const Measure& measure, Triple poseA, Triple poseB);
 /// A potential contact of two outlines: a corner of one in front of a side of the other, or two rounded
 /// corners. Stored in the frames of the bodies, so that its distance can be computed at any pose.
 struct Touch {
-    std::uint64_t key = 0;  ///< unique key of the two outlines and their features
-    std::uint32_t outlineA = 0, outlineB = 0;
-    std::uint32_t bodyA = 0, bodyB = 0;
-    bool hasSide = false;  ///< true: corner and side; false: two corners
+    std::uint64_t key = 0;                     ///< unique key of the two outlines and their features
+    std::uint32_t outlineA = 0, outlineB = 0;  ///< indices in Scene::outlines
+    std::uint32_t bodyA = 0, bodyB = 0;        ///< indices in Scene::bodies
+    bool hasSide = false;                      ///< true: corner and side; false: two corners
     bool sideOfA = false;  ///< true: the side belongs to A and the corner to B; false: reversed
     Point a, b;            ///< the corner, or a point of the side, in the bodies' frames
     Point normal;          ///< outward normal in the frame of the side's body
-    double radiusA = 0.0, radiusB = 0.0;
-    double friction = 0.0, bounciness = 0.0, surfaceSpeed = 0.0;
+    double radiusA = 0.0, radiusB = 0.0;                          ///< rounding radii of the outlines, m
+    double friction = 0.0, bounciness = 0.0, surfaceSpeed = 0.0;  ///< of the pair; conveyor speed in m/s
 };
 
 /// A contact evaluated at two poses.

@@ -9,10 +9,10 @@ namespace plumb::reference {
 namespace {
 
 constexpr int kMaxPasses = 6;  // maximum number of passes until the end of a step agrees with its prediction
-constexpr double kSettled = 1.0e-13;  // accepted difference of end and prediction, m, rad
-constexpr int kMaxHits = 12;  // maximum number of impacts that divide a step; later ones are handled together
+constexpr double kSettled = 1.0e-13;  // accepted difference of end and predicted end, m, rad
+constexpr int kMaxHits = 12;  // maximum number of impacts that divide a step; further ones do not end it
 constexpr int kMaxTries = 6;  // maximum number of tries to end a step at an impact
-constexpr double kUnsolved = 1.0e-4;  // minimum residual of an unsolved system, ratio to the velocities
+constexpr double kUnsolved = 1.0e-4;  // a system with a larger residual is unsolved; ratio to the velocities
 
 const Press* findPress(std::span<const Press> presses, std::uint64_t key) {
     const auto at = std::lower_bound(presses.begin(), presses.end(), key,
@@ -48,8 +48,8 @@ void GroupStep::findAt(const std::vector<Triple>& poses, std::vector<Touch>& tou
             findTouches(scene_, a, poses[localOfOutline(a)], b, poses[localOfOutline(b)], kNear, touches));
 }
 
-/// Collects the active contacts: closed contacts, and contacts that
-/// were active before and whose gap is within the error of a step.
+/// Collects the active contacts: those active already, and those closed at the start and
+/// the predicted end of the step. @param takeAll  true: also those that close in the step
 void GroupStep::collect(bool takeAll) {
     std::vector<Active> before;
     before.swap(active_);
@@ -145,7 +145,7 @@ void GroupStep::solve(double scale) {
     }
 }
 
-/// Applies the solved velocities. @return the difference of the end of the step from its prediction
+/// Applies the solved velocities. @return the largest difference of the end poses from their prediction
 double GroupStep::takeSolution(double h) {
     double change = 0.0;
     for (std::size_t i = 0; i < group_->pushed; ++i) {

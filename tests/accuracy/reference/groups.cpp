@@ -29,8 +29,8 @@ Bounds boundsOf(const Scene& scene, std::uint32_t index, Triple pose, double mar
     return bounds;
 }
 
-/// Upper limit of the displacement of a body in a step, m:
-/// twice that of the fastest body, as impacts transfer speed.
+/// Returns an upper limit of a body's displacement in a step, m: twice
+/// that of the fastest body, as impacts can accelerate any other body.
 double marginOf(const Scene& scene, const RunState& state, double h) {
     double fastest = 0.0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -43,8 +43,8 @@ double marginOf(const Scene& scene, const RunState& state, double h) {
     return 2.0 * fastest * h + 2.0 * kNear;
 }
 
-/// Finds overlapping bounds by sort and sweep along x. Source:
-/// C. Ericson, Real-Time Collision Detection, 2005, 7.5.
+/// Finds pairs of outlines whose bounds overlap, by sort and sweep along x.
+/// Source: C. Ericson, Real-Time Collision Detection, 2005, 7.5.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Scene& scene, const RunState& state,
                                                              double h) {
     const double margin = marginOf(scene, state, h);
@@ -69,7 +69,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairsOf(const Scene& scene,
     return pairs;
 }
 
-/// Union-find structure of connected bodies.
+/// Union-find structure: sets of connected bodies.
 class Forest {
 public:
     explicit Forest(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }

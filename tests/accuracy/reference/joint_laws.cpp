@@ -23,7 +23,7 @@ public:
         usual_.measure.anchorB = toPoint(hot_.anchorB);
     }
 
-    /// Adds the laws that make both anchors coincide, rigidly or by a spring.
+    /// Adds two laws (x, y) that make both anchors coincide: rigidly, or by a spring if hertz > 0.
     void point(double hertz, double dampingRatio) {
         for (const MeasureKind kind : {MeasureKind::AnchorX, MeasureKind::AnchorY}) {
             Law law = usual_;
@@ -37,7 +37,7 @@ public:
         Law law = of(kind, rest);
         laws_.push_back(hertz > 0.0 ? spring(law, hertz, dampingRatio) : law);
     }
-    /// Adds the laws of spring, limits and motor that are enabled.
+    /// Adds the laws of a joint coordinate's spring, limits and motor, as far as they are enabled.
     void value(MeasureKind kind, double reference, bool withMotor) {
         const auto& [springs, limit, motor] =
             std::tie(definition_.spring, definition_.limit, definition_.motor);

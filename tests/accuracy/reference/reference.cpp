@@ -14,7 +14,7 @@ namespace {
 
 std::string text(double value) { return shortestText(static_cast<float>(value)); }
 
-/// Largest differences between two runs, or largest remaining errors.
+/// Largest differences of a body between two runs, or estimates of the largest errors.
 struct BoxStatistics {
     double place = 0.0;     // m
     double angle = 0.0;     // rad
@@ -33,10 +33,10 @@ BoxStatistics statisticsOf(const Scene& scene, const RunState& one, const RunSta
     return spread;
 }
 
-/// Estimates the rounding errors of a run. If systems are solved, velocities are accurate to 1e-16 times the
-/// ratio of the rows' stiffness to that of the bodies (solve_rows.cpp); positions are corrected to 1e-12 m.
+/// Estimates the rounding errors of a run. Solved velocities are accurate to 1e-16 times the ratio of a row's
+/// stiffness to that of the bodies (kFirstStiffness in solve_rows.cpp); positions are corrected to 1e-12 m.
 BoxStatistics roundingOf(const Scene& scene, const RunState& state, double seconds) {
-    constexpr double kSpeeds = 2.0e-11;  // relative error of velocities
+    constexpr double kSpeeds = 2.0e-11;  // relative rounding error of velocities
     const double ratio =
         4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps) + 1.0);
     double furthest = 0.0, turned = 0.0, fastest = 0.0;
@@ -51,15 +51,15 @@ BoxStatistics roundingOf(const Scene& scene, const RunState& state, double secon
             2.0e-12 + speed};
 }
 
-/// Estimates the error of the finer of two runs from their difference and the order of convergence: twice the
-/// result of Richardson extrapolation, as the observed order is inexact.
+/// Estimates the error of the finer of two runs from their difference and the order of convergence, by
+/// Richardson extrapolation; doubles the result, as the observed order is inexact.
 double leftOf(double difference, double order) {
     return 2.0 * difference / (std::pow(2.0, std::clamp(order, 0.5, 2.0)) - 1.0);
 }
 
-constexpr double kMinOrder = 0.5;  // minimum order of convergence
+constexpr double kMinOrder = 0.5;  // minimum observed order of convergence at which runs converge
 
-/// Runs with decreasing steps.
+/// Runs of one scene, each with half the time step of the previous one.
 class Runs {
 public:
     Runs(const Scene& scene, double seconds, const Options& options)
@@ -92,7 +92,7 @@ public:
         const double before = spreads_[spreads_.size() - 2].*part, last = spreads_.back().*part;
         return last > 0.0 ? std::log2(before / last) : 2.0;
     }
-    /// Estimated error of the last run, m, rad or m/s.
+    /// Estimated error of the last run in one quantity (`part`), m, rad or m/s.
     [[nodiscard]] double errorOf(double BoxStatistics::*part) const {
         const double rounding = roundingOf(scene_, state_, seconds_).*part;
         if (spreads_.empty()) return kEndless;

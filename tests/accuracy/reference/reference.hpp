@@ -14,7 +14,7 @@ namespace plumb::reference {
 struct Options {
     double step = 1.0 / 240.0;  ///< step of the coarsest run, s; each further run halves it
     int leastRuns = 3;          ///< minimum number of runs: two give an error, three the order of convergence
-    int mostRuns = 7;
+    int mostRuns = 7;           ///< maximum number of runs
     double wantedError = 1.0e-4;  ///< steps are halved until the error is below this, m
     double patience = 60.0;       ///< limit of the total wall time, s; then the solver returns an error
 };
@@ -24,9 +24,9 @@ struct BodyAnswer {
     physics::BodyId body;
     physics::WorldPosition centre;  ///< position of the centre of mass, m
     double angle = 0.0;             ///< angle including full revolutions, rad
-    double velocityX = 0.0;         ///< m/s
-    double velocityY = 0.0;
-    double angularVelocity = 0.0;  ///< rad/s
+    double velocityX = 0.0;         ///< of the centre of mass, m/s
+    double velocityY = 0.0;         ///< of the centre of mass, m/s
+    double angularVelocity = 0.0;   ///< rad/s
 };
 
 /// Final force at a contact point.
@@ -39,7 +39,7 @@ struct ContactAnswer {
     double friction = 0.0;                 ///< friction force on b along the normal rotated by +90 degrees, N
 };
 
-/// Final constraint force at the anchor and torque of a joint, both on body B.
+/// Final force (at the anchor) and torque that a joint exerts on its body B.
 struct JointAnswer {
     std::uint32_t joint = 0;            ///< index in World::joints
     double forceX = 0.0, forceY = 0.0;  ///< N
@@ -48,7 +48,7 @@ struct JointAnswer {
 
 /// The reference solution: the state after `seconds`, and its accuracy.
 struct Answer {
-    double seconds = 0.0;
+    double seconds = 0.0;            ///< simulated time, s
     std::vector<BodyAnswer> bodies;  ///< all dynamic bodies
     std::vector<ContactAnswer> contacts;
     std::vector<JointAnswer> joints;
@@ -57,30 +57,30 @@ struct Answer {
     double angleError = 0.0;     ///< estimated maximum error of the angles, rad
     double velocityError = 0.0;  ///< estimated maximum error of the velocities, m/s
     double order = 0.0;          ///< observed order of convergence; 0 if all runs agree except for rounding
-    double step = 0.0;           ///< step of the finest run, whose result this is, s
-    int runs = 0;
-    std::vector<double> differences;  ///< largest distance between consecutive runs, m
-    double residual = 0.0;            ///< largest residual of all systems, ratio to velocities
-    long steps = 0, hits = 0, factorings = 0, sweeps = 0;  ///< work of the finest run
+    double step = 0.0;           ///< time step of the finest run, whose results are stored here, s
+    int runs = 0;                ///< number of runs
+    std::vector<double> differences;  ///< largest distance of a body between consecutive runs, m
+    double residual = 0.0;            ///< largest residual of all solved systems, ratio to the velocities
+    long steps = 0, hits = 0, factorings = 0, sweeps = 0;  ///< counts of the finest run
 
-    /// True if the solution is at least a hundred times as accurate as an error to be measured with it, m.
+    /// True if the solution can be used to measure an error of `judged` m: it is 100 times as accurate.
     [[nodiscard]] bool canJudge(double judged) const { return error <= 0.01 * judged; }
 };
 
 /// Computes the motion of a world over a time, s. The world is not changed.
-/// @error names an unsupported feature of the scene, or reports that the runs did not converge within
-/// Options::patience, mostly because the scene is chaotic
+/// @error an unsupported feature of the scene, or runs that did not converge within Options::patience,
+/// mostly because the scene is chaotic
 Result<Answer> solveReference(const physics::World& world, double seconds, const Options& options = {});
 
 /// Deviation of a world from the reference solution.
 struct Difference {
-    double position = 0.0;  ///< largest distance of a body's centre, m
-    double angle = 0.0;     ///< rad
-    double velocity = 0.0;  ///< m/s
+    double position = 0.0;  ///< largest distance of a body's centre from the solution, m
+    double angle = 0.0;     ///< largest difference of a body's angle, rad
+    double velocity = 0.0;  ///< largest difference of a body's velocity, m/s
     physics::BodyId body;   ///< the body with the largest distance
 };
 
-/// Compares a world that was simulated for Answer::seconds with the solution. Destroyed bodies are skipped.
+/// Compares a world, simulated for Answer::seconds, with the reference solution. Skips destroyed bodies.
 [[nodiscard]] Difference compare(const physics::World& world, const Answer& answer);
 
 }  // namespace plumb::reference

@@ -11,8 +11,8 @@ Triple ways(Triple inverseMass) {
     return {way(inverseMass.x), way(inverseMass.y), way(inverseMass.turn)};
 }
 
-/// Selects `value` for free directions and `locked` for locked ones. Locked directions have a mass of 1 and a
-/// momentum equal to the prescribed velocity.
+/// Takes components from `value` where `way` is above 0 (free directions), else from `locked`. In locked
+/// directions a system has a mass of 1, and a momentum equal to the prescribed velocity.
 Triple withLocked(Triple value, Triple locked, Triple way) {
     return {way.x > 0.0 ? value.x : locked.x, way.y > 0.0 ? value.y : locked.y,
             way.turn > 0.0 ? value.turn : locked.turn};
@@ -91,8 +91,8 @@ double RowWriter::rate(const Gradient& gradient, const Law& law,
     return dot(gradient.a, velocities[local(law.a)]) + dot(gradient.b, velocities[local(law.b)]);
 }
 
-/// Adds a damped spring by the midpoint rule: it uses the mean velocity, and the guessed position corrected
-/// by the velocity error of the guess.
+/// Adds a damped spring by the midpoint rule: its force depends on the mean velocity of the step and on the
+/// position in the middle of the step, which is linear in the velocity at the end.
 void RowWriter::addSpringRow(RowSystem& system, const Law& law, const Gradient& gradient, double speedAtStart,
                              double speedAtGuess, double h) const {
     const double inverse = give(gradient, gradient, law);

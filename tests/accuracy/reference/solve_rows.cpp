@@ -7,8 +7,8 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kFirstStiffness = 1.0e5;  // ratio to a row's resistance; a round divides errors by this
-constexpr double kMaxStiffness = 1.0e8;    // above this, rounding errors dominate
+constexpr double kFirstStiffness = 1.0e5;  // times 1 / resistance_ of a row; a round divides errors by this
+constexpr double kMaxStiffness = 1.0e8;    // with larger ones, rounding errors dominate
 constexpr int kMaxGuesses = 25;            // maximum number of guesses before sweeps are used
 constexpr int kMaxRounds = 40;
 constexpr int kMaxAttempts = 10;
@@ -50,7 +50,7 @@ void RowSolver::prepare(RowOutcome& outcome) {
         // A row without movable bodies has no effect; it gets infinite resistance and is skipped.
         if (!(resistance > 0.0)) resistance = kEndless, row.impulse = 0.0;
         resistance_.push_back(resistance);
-        // A rigid row can reach its whole target, a spring only a part of it.
+        // A rigid row can change the velocity by its whole target, a spring only by a part of it.
         if (resistance < kEndless)
             outcome.scale =
                 std::max(outcome.scale, std::fabs(row.target) * resistance / (resistance + row.give));
@@ -83,7 +83,7 @@ double RowSolver::worst() const {
         if (resistance_[i] == kEndless) continue;
         const double miss = speedOf(row) + row.give * row.impulse - row.target;
         const double bound = boundOf(row);
-        // The residual of a bounded row is the change of its impulse in a projected Gauss-Seidel step.
+        // The residual is the change of the row's impulse in a projected Gauss-Seidel step, as a velocity.
         const double least = row.kind == RowKind::Push ? 0.0 : -bound;
         const double wanted = std::clamp(row.impulse - miss / (resistance_[i] + row.give), least, bound);
         most = std::max(most, std::fabs(wanted - row.impulse) * resistance_[i]);
@@ -112,7 +112,7 @@ void RowSolver::sweep() {
     }
 }
 
-/// Impulse of a row without its bounds, N s.
+/// Returns the impulse that a row would have without its bounds, N s.
 double RowSolver::trialOf(std::size_t i) const {
     const Row& row = system_->rows[i];
     const double miss = speedOf(row) - row.target;
@@ -133,7 +133,7 @@ bool RowSolver::takeGuesses(bool isFirst) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row& row = rows[i];
         Guess guess = Guess::Free;
-        double margin = kEndless;  // distance of the impulse from the nearest change of the guess
+        double margin = kEndless;  // change of the impulse after which the guess would be another one, N s
         if (resistance_[i] < kEndless) {
             double bound = row.most;
             if (row.kind == RowKind::Friction)
@@ -169,7 +169,7 @@ void RowSolver::addToMatrix(const Row& row, Triple pushA, Triple pushB, double w
     }
 }
 
-/// Weight in impulse = start - weight * speed of a holding row, N s per m/s.
+/// Returns the weight in impulse = start - weight * speed of a row with Guess::Holds, N s per m/s.
 double RowSolver::weightOf(std::size_t i) const {
     const Row& row = system_->rows[i];
     return row.give > 0.0 ? 1.0 / row.give : stiffness_ / resistance_[i];
@@ -179,7 +179,7 @@ double RowSolver::startOf(std::size_t i) const {
     return (row.give > 0.0 ? 0.0 : row.impulse) + weightOf(i) * row.target;
 }
 
-/// Factors the matrix of all rows that hold or slide, unless it is already factored for these guesses.
+/// Factors the matrix of all holding and sliding rows, unless it is already factored for these guesses.
 bool RowSolver::factorGuess() {
     if (guesses_ == factored_ && stiffness_ == factoredStiffness_) return true;
     const RowSystem& system = *system_;
@@ -204,8 +204,8 @@ bool RowSolver::factorGuess() {
     return true;
 }
 
-/// Solves for velocities at which each holding row has the
-/// impulse implied by its velocity. @pre factorGuess()
+/// Solves for the velocities at which each row has the impulse that
+/// belongs to its guess and velocity. @pre factorGuess() returned true
 void RowSolver::solveGuess() {
     RowSystem& system = *system_;
     momentum_ = system.momentum;

@@ -12,9 +12,9 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kWide = 760.0, kHigh = 430.0;  // size, px
+constexpr double kWide = 760.0, kHigh = 430.0;  // size of the diagram, px
 constexpr double kLeft = 68.0, kRight = 736.0, kTop = 66.0, kBottom = 372.0;
-constexpr double kDecades = 11.0;  // maximum range of the error axis; larger errors are at the upper edge
+constexpr double kDecades = 11.0;  // maximum powers of ten on the error axis; larger errors are at its top
 
 /// Line colors on a light background; kStyle defines those on a dark background.
 constexpr std::string_view kColours[] = {"#2463c8", "#d8611c", "#12876a", "#8a4fc9", "#a8871a"};
@@ -60,7 +60,7 @@ std::vector<Row> allRows(const Chart& chart) {
     return rows;
 }
 
-/// Scales of both axes, and the treatment of errors of 0, which a logarithmic axis cannot show.
+/// Scales of both axes, and the position of errors of 0, which a logarithmic axis cannot show.
 struct Frame {
     LogScale x, y;
     double zero;    ///< value at which errors of 0 are drawn
@@ -159,7 +159,7 @@ std::string front(const Chart& chart, const Frame& frame) {
     std::string points;
     const std::vector<std::size_t> best = paretoFront(samples);
     for (const std::size_t i : best) points += format("{},{} ", px(frame.px(rows[i])), px(frame.py(rows[i])));
-    if (best.size() < 2) return {};  // a single point is not a choice
+    if (best.size() < 2) return {};  // a band needs two points
     return format(
         "<polyline points=\"{}\" class=\"c-front\" fill=\"none\" stroke=\"#f3cf6b\" stroke-width=\"9\" "
         "stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
@@ -248,7 +248,7 @@ private:
     std::vector<Box> taken_;
 };
 
-/// Labels each point of the first line with its number of substeps, the default's point first.
+/// Labels each point of a line with its number of substeps. The default's point is first, and has a ring.
 std::string numbers(const Frame& frame, const ChartLine& part, Labels& labels) {
     std::string svg;
     for (const bool isDefaults : {true, false}) {

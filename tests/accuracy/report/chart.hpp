@@ -20,11 +20,11 @@ struct ChartLine {
 /// A work-precision diagram: error over time, both logarithmic. Further down and further left is better.
 struct Chart {
     std::string title;
-    std::string unit;
+    std::string unit;       ///< unit of the error
     double target = 0.0;    ///< goal of the error; infinite: none
     double usTarget = 0.0;  ///< goal of the time of a step, µs; 0: none
     std::vector<ChartLine> lines;
-    std::vector<Row> peers;
+    std::vector<Row> peers;  ///< results of other engines
 };
 
 /// Returns the diagram of the main figure of a scene.

@@ -17,10 +17,10 @@ public:
 
     struct Tick {
         double value = 0.0;
-        bool named = true;
+        bool named = true;  ///< true: with a label
     };
-    /// Tick marks at powers of ten, all or every second one labeled;
-    /// with at most three powers also at 2 and 5 times each.
+    /// Returns tick marks at powers of ten, all or every second one labeled; if the
+    /// axis has at most three of them, also marks at 2 and 5 times each power.
     [[nodiscard]] std::vector<Tick> ticks() const;
 
 private:

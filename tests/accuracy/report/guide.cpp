@@ -16,7 +16,7 @@ namespace {
 constexpr auto kPlots = std::to_array<std::string_view>(
     {"stack20", "heavy1000", "chain1000", "pendulum", "spring2", "spring10", "orbit", "bullet"});
 
-/// Scenes in the table of goals, in order.
+/// Names of the scenes in the table of goals, in its order.
 constexpr auto kMarks =
     std::to_array<std::string_view>({"stack20", "heavy100", "heavy1000", "chain100", "chain1000", "pendulum",
                                      "pyramid465", "bounces", "incline", "freefall"});
@@ -63,8 +63,8 @@ std::string cellOf(const Row* row) {
     return format("{} {} @ {} µs", figureText(row->error), row->unit, figureText(row->metrics.microsPerStep));
 }
 
-/// Returns the row of the default solver with the fewest
-/// substeps that reaches the error goal; the time is ignored.
+/// Returns the default solver's result with the fewest substeps that reaches
+/// the error goal, whatever its time; nullptr if none does.
 const Row* fewestThatMeet(const std::vector<Row>& rows, std::string_view scene) {
     const Row* best = nullptr;
     for (const Row& row : rows) {

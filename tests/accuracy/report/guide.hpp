@@ -22,7 +22,7 @@ struct Advice {
     std::string_view lead;
     std::string_view text;
 };
-std::span<const Advice> allAdvice();
+std::span<const Advice> allAdvice();  ///< recommendations in the section "What to choose"
 
 /// A row of the table of goals: the goal of a scene, and results as text.
 struct Mark {
@@ -30,9 +30,9 @@ struct Mark {
     std::string_view title;
     std::string goal;
     std::string own;     ///< result of the default settings
-    std::string fewest;  ///< minimum number of substeps that reach the goal, with the result
+    std::string fewest;  ///< smallest number of substeps that reaches the goal, with its result
     std::string peer;    ///< result of Box2D 2.4.1
-    std::string ratio;   ///< ratios of the default to Box2D: error / time
+    std::string ratio;   ///< ratios "error / time" of the default settings to Box2D
 };
 std::vector<Mark> marksOf(const std::vector<Row>& rows);
 /// Explanation of the columns of the table of goals.

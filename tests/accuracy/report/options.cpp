@@ -24,11 +24,11 @@ constexpr Option kOptions[] = {
     {"--docs", "DIR", "output folder for accuracy.md and its diagrams (docs updates the documentation)"},
     {"--no-peers", "", "does not run other engines"},
     {"--list", "", "prints the names of all scenes"},
-    {"--stability", "", "instead: the stability map of hard cases; all following options are its own"},
+    {"--stability", "", "instead runs the stability map of hard cases; all later options belong to it"},
     {"--families", "",
-     "instead: relations that must hold in random scenes; all following options are its own"},
+     "instead checks properties that must hold in random scenes; all later options belong to it"},
     {"--tuning", "",
-     "instead: effects of halving and doubling each physics constant; all following options are its own"},
+     "instead measures the effect of doubling or halving each constant; all later options belong to it"},
     {"--help", "", "prints this text"},
 };
 

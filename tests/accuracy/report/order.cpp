@@ -8,10 +8,10 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kBetter = 0.85;    // maximum ratio to the previous error of a falling point
-constexpr double kStraight = 1.25;  // maximum ratio of a point to the fitted line
+constexpr double kBetter = 0.85;    // an error falls if its ratio to the previous one is at most this
+constexpr double kStraight = 1.25;  // maximum ratio of an error to the fitted line in a straight part
 constexpr std::size_t kMin = 3;     // minimum number of points in a straight part
-constexpr double kNoticed = 0.99;   // maximum ratio of errors that counts as an improvement
+constexpr double kNoticed = 0.99;   // an error beats another if the ratio of both is at most this
 
 struct Run {
     std::size_t begin = 0, end = 0;
@@ -28,7 +28,7 @@ Run longestFall(std::span<const Sample> samples) {
     return best;
 }
 
-/// Line on log scales: log error = height - power * log effort.
+/// Straight line on log scales: log error = height - power * log effort.
 struct Line {
     double power = 0.0, height = 0.0;
 };
@@ -54,8 +54,8 @@ bool isStraight(std::span<const Sample> samples) {
 }
 
 /// Returns the longest straight part of a sequence; empty if there is none.
-/// @param early  true: of equally long parts the first (the later ones are nearer to the floor); false: the
-/// last
+/// @param early  selects among equally long parts: true: the first, which is furthest from the floor;
+/// false: the last
 Run straightPart(std::span<const Sample> samples, Run fall, bool early) {
     for (std::size_t size = fall.size(); size >= kMin; --size) {
         Run found;

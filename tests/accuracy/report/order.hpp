@@ -6,10 +6,10 @@
 
 namespace plumb::accuracy {
 
-/// A point of a work-precision diagram.
+/// A point of a work-precision diagram: the error reached with an effort.
 struct Sample {
     double effort = 0.0;  ///< number of substeps, or time of a step, µs
-    double error = 0.0;
+    double error = 0.0;   ///< in the unit of the scene's figure
 };
 
 /// Fitted exponent p of error ~ 1 / effort^p, and its range of validity.
@@ -22,10 +22,10 @@ struct Order {
 };
 
 /// Fits the order by least squares on log scales. First finds the longest sequence of falling errors (each at
-/// least 15 % below the previous one); in it the longest part whose points are within 25 % of a straight line
-/// is fitted. If there is no such part, the whole sequence is fitted, without its last point if a floor
-/// follows; if no error falls, all points are fitted. The points after the sequence are the floor. Errors of
-/// 0 and non-finite errors are ignored.
+/// least 15 % below the previous one). Then fits the longest part of the sequence with points within 25 % of
+/// a straight line; without such a part, the whole sequence, except its last point if a floor follows; if no
+/// error falls, fits all points. The points after the sequence are the floor. Ignores errors of 0 and
+/// non-finite errors.
 /// @param samples  sorted by increasing effort
 Order orderOf(std::span<const Sample> samples);
 

@@ -15,9 +15,9 @@ struct OrderRow {
     std::string scene;
     std::string method;  ///< name of the solver or integrator
     Order order;
-    std::optional<double> expected;
-    std::string unit;
-    std::string why;  ///< reason for a deviation; empty: as expected
+    std::optional<double> expected;  ///< theoretical exponent; none: unknown
+    std::string unit;                ///< unit of the error
+    std::string why;                 ///< reason for a deviation; empty: as expected
 };
 
 /// Computes the orders of each scene for all of its solvers and integrators, at one iteration.
@@ -27,7 +27,7 @@ std::vector<OrderRow> ordersOf(const std::vector<Row>& rows);
 std::string powerText(const Order& order);
 /// Formats the substeps of the fitted points: "2 to 64".
 std::string rangeText(const Order& order);
-/// Formats the floor: "0.02 mm from 16 substeps on", "not met".
+/// Formats the floor: "0.02 mm from 16 substeps on"; "not met" if there is none.
 std::string floorText(const OrderRow& row);
 
 }  // namespace plumb::accuracy

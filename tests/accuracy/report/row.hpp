@@ -8,7 +8,7 @@
 
 namespace plumb::accuracy {
 
-/// Result of one figure of a scene with one method; a line of results.csv.
+/// Result of one figure (measured error) of a scene with one method; a line of results.csv.
 struct Row {
     std::string scene;
     std::string figure;  ///< name of the figure; empty if the scene has only one
@@ -18,16 +18,16 @@ struct Row {
     std::string integrator;  ///< name of the integrator
     int substeps = 0;        ///< substeps per step; 0: automatic, or another engine
     double error = 0.0;      ///< infinite if the simulation diverged
-    std::string unit;
-    double target = 0.0;    ///< goal of the error; infinite: none
-    double usTarget = 0.0;  ///< goal of the time of a step, µs; 0: none
+    std::string unit;        ///< unit of the error
+    double target = 0.0;     ///< goal of the error; infinite: none
+    double usTarget = 0.0;   ///< goal of the time of a step, µs; 0: none
     Metrics metrics;
     bool fails = false;  ///< true if another figure of the same run misses its goal
 
-    [[nodiscard]] bool automatic() const {
+    [[nodiscard]] bool automatic() const {  ///< true for automatic quality
         return method.peer == nullptr && method.quality == physics::kQualityOfWorld;
     }
-    [[nodiscard]] bool met() const { return error <= target; }
+    [[nodiscard]] bool met() const { return error <= target; }  ///< reaches the error goal
     [[nodiscard]] bool fast() const { return usTarget <= 0.0 || metrics.microsPerStep <= usTarget; }
 };
 

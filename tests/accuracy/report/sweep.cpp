@@ -9,7 +9,7 @@ namespace plumb::accuracy {
 
 namespace {
 
-constexpr double kEnoughTime = 0.5;  // runs longer than this are not repeated, as their noise is small, s
+constexpr double kEnoughTime = 0.5;  // longer runs are not repeated, as their times vary little, s
 constexpr physics::Quality kIterated[] = {0, 2, 4};  // qualities that are also run with more iterations
 
 std::vector<physics::Quality> qualitiesOf(const SweepOptions& options) {
@@ -22,7 +22,7 @@ int substepsOf(const Method& method) {
     return method.peer != nullptr || method.quality == physics::kQualityOfWorld ? 0 : 1 << method.quality;
 }
 
-/// Estimates the run time, in arbitrary units.
+/// Estimates the time of a run, in arbitrary units.
 double workOf(const Experiment& experiment, const Method& method) {
     const double substeps = std::max(substepsOf(method), 8) * method.iterations;
     return (experiment.quick ? 1.0 : 15.0) * (8.0 + substeps);
@@ -72,7 +72,7 @@ std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& 
         for (const bool trees : {true, false}) {
             if (!trees && !experiment.has(kJoints)) continue;
             for (const physics::Quality quality : kIterated) {
-                if (!experiment.quick && quality != Method{}.quality) continue;  // slow scenes take minutes
+                if (!experiment.quick && quality != Method{}.quality) continue;  // would take minutes
                 for (const int iterations : {2, 4, 8})
                     methods.push_back({.quality = quality, .iterations = iterations, .jointTrees = trees});
             }
@@ -113,7 +113,7 @@ std::vector<Row> runOne(const Experiment& experiment, const Method& method, cons
         if (experiment.has(kNoExactAnswer) && trial.start()) {
             if (const auto error =
                     referenceError(experiment.name, *trial.start(), trial.world(), trial.time()))
-                // Not the first row, which is plotted: other engines have no such figure.
+                // Never the first row, as that is plotted with other engines, which lack this figure.
                 rows.push_back(rowOf(experiment, method, {"place", *error * 1000.0, "mm", kNoTarget}));
         }
     }

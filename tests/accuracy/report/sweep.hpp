@@ -16,12 +16,12 @@ struct SweepOptions {
     int runs = 3;                             ///< number of runs of each method; the fastest counts
     std::vector<physics::Quality> qualities;  ///< qualities to run; empty: all, and automatic
     std::span<const scenes::Engine> peers;    ///< other engines to run
-    Trial::CountAllocations count = nullptr;
+    Trial::CountAllocations count = nullptr;  ///< see Trial::Trial()
 };
 
-/// Returns the methods with which a scene is simulated: the default solver at each quality; without joint
-/// trees if it has joints; each integrator if it has only smooth forces; more iterations at some qualities;
-/// automatic quality; and the other engines.
+/// Returns the methods with which a scene is simulated: the default solver at each quality; if the scene has
+/// joints, also without the direct joint solver; if it has smooth forces only, with each integrator; and with
+/// more iterations at some qualities, with automatic quality; and the other engines.
 std::vector<Method> methodsOf(const Experiment& experiment, const SweepOptions& options);
 
 /// Returns the scenes selected by the options.
@@ -32,8 +32,8 @@ struct Progress {
     const Experiment* experiment = nullptr;
     std::string method;      ///< description of the method
     std::size_t number = 0;  ///< number of the current run, from 1
-    std::size_t all = 0;
-    double part = 0.0;  ///< estimated fraction of the work that is done, 0..1
+    std::size_t all = 0;     ///< number of runs
+    double part = 0.0;       ///< estimated fraction of the work that is done, 0..1
 };
 
 /// Runs an experiment with a method. @return a row per figure; empty if an engine lacks a feature

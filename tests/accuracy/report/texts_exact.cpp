@@ -17,7 +17,7 @@ constexpr auto kExact = std::to_array<SceneText>({
               "hundredths of a millimeter. Engines that multiply the new velocity by the step fall too far, "
               "by 167 mm here.",
      .choose = "Anything; substeps make no difference.",
-     .why = "Substeps do not reduce it, because the method is exact. What remains is the rounding of "
+     .why = "More substeps do not reduce the error: the method is exact. What remains is the rounding of "
             "velocities to single precision, once in each substep."},
     {.name = "projectile",
      .number = 2,
@@ -54,7 +54,7 @@ constexpr auto kExact = std::to_array<SceneText>({
      .choose = "Runge-Kutta 4 if the motion has to be accurate; the default if it only has to look like a "
                "spring.",
      .order = 1.0,
-     .why = "The default is above 1 at few substeps, because a phase lag of second order is added. The "
+     .why = "The default's order is above 1 at few substeps, as a second-order phase lag is added. The "
             "energy that explicit Euler gains multiplies from period to period, so its error falls faster "
             "than a power while it is huge. Runge-Kutta 4 has only two points above its floor."},
     {.name = "spring5",
@@ -187,7 +187,7 @@ constexpr auto kExact = std::to_array<SceneText>({
      .number = 13,
      .title = "A disc that slides and then rolls",
      .answer = "It rolls with v = ⅔ v₀ from t = v₀ / (3µg) on.",
-     .shows = "The change from sliding to rolling is found within a step: speed and way are "
+     .shows = "The change from sliding to rolling is found within a step: speed and path are "
               "right to thousandths of a percent.",
      .choose = "Anything.",
      .why = "Only rounding remains with one substep already."},
@@ -281,7 +281,7 @@ constexpr auto kExact = std::to_array<SceneText>({
      .number = 20,
      .title = "Chain of 20 with a ball of 1000 links",
      .answer = "The ball hangs 10.5 m below the pin for 10 s.",
-     .shows = "Ten times the load stretches it ten times as far: 0.004 mm at the default. Without trees, and "
+     .shows = "Ten times the load stretches it ten times as far: 0.004 mm. Without direct joints, and "
               "in other engines, the chain tears or stretches by meters.",
      .choose = "Leave direct joints on; any quality.",
      .order = 2.0,
@@ -294,7 +294,7 @@ constexpr auto kExact = std::to_array<SceneText>({
               "exact polygon. The polygon of 40 rods differs from the smooth curve by 0.05 % of the sag.",
      .choose = "Leave direct joints on; any quality.",
      .order = 2.0,
-     .why = "A quarter from one substep to two; from then on it is below a hundredth of a millimeter, where "
+     .why = "Two substeps have a quarter of the error of one; then it is below 1/100 of a millimeter, where "
             "rounding dominates."},
     {.name = "ladder",
      .number = 22,
@@ -322,7 +322,7 @@ constexpr auto kExact = std::to_array<SceneText>({
      .number = 24,
      .title = "Bullets at a thin wall",
      .answer =
-         "10 to 1000 m/s at a wall of 1 cm: none passes; the time of each hit, from its later position.",
+         "At 10 to 1000 m/s none passes a wall of 1 cm; error: the time of a hit, from the later position.",
      .shows = "No bullet passes, whatever its speed, and each leaves the wall as after a bounce at the exact "
               "time: it continues for the rest of the step in which it hits.",
      .choose = "Any quality stops bullets, at the correct time.",

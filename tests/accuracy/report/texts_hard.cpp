@@ -158,7 +158,7 @@ constexpr auto kHard = std::to_array<SceneText>({
     {.name = "pit1000",
      .title = "Pit of 1000 bodies",
      .answer = "The deepest overlap after 20 s.",
-     .shows = "Twice the pile in a wide pit. The largest overlap falls with substeps, while the time grows "
+     .shows = "Twice the pile's bodies in a wide pit. The overlap falls with substeps, while the time grows "
               "less than their number, because the cost of finding contacts stays the same.",
      .choose = "The default; quality 3 if overlaps show.",
      .order = 2.0},

@@ -11,7 +11,7 @@ namespace plumb::stability {
 namespace {
 
 constexpr int kColumns = 4;
-constexpr double kCell = 2.0;   // side of the cell of each body, m
+constexpr double kCell = 2.0;   // side of the square cell in which each body starts, m
 constexpr float kReach = 0.9f;  // maximum distance of a point of a body from its center, m
 constexpr double kWalls = 0.5 * kColumns * kCell;
 

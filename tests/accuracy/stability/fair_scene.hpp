@@ -8,14 +8,14 @@
 
 namespace plumb::stability {
 
-/// A random world without initial overlaps and motors: moving bodies of all shapes in a pit, some with a
-/// hinge to a neighbour. Its kinetic plus potential energy must not grow.
+/// A random world without initial overlaps and without motors: moving bodies of all shapes in a pit, some
+/// with a hinge to a neighbour. Its kinetic plus potential energy must not grow.
 class FairScene {
 public:
     explicit FairScene(std::uint64_t seed);
 
-    void run();
-    [[nodiscard]] bool isSound() const { return sound_; }
+    void run();                                            ///< simulates
+    [[nodiscard]] bool isSound() const { return sound_; }  ///< all numbers are finite
     /// Maximum energy relative to the initial energy, minus 1.
     [[nodiscard]] double energyGain() const { return mostEnergy_ / startEnergy_ - 1.0; }
     [[nodiscard]] bool hasJoints() const { return world_.joints.size() > 0; }
@@ -27,8 +27,8 @@ private:
     void addShape(physics::BodyId body);
     void addHinge();
     [[nodiscard]] double energy() const;
-    [[nodiscard]] double between(double low, double high);
-    [[nodiscard]] float decades(double low, double high);  ///< log-uniform random number
+    [[nodiscard]] double between(double low, double high);  ///< uniform random number
+    [[nodiscard]] float decades(double low, double high);   ///< log-uniform random number
     bool oneIn(std::uint32_t times) { return random_.below(times) == 0; }
 
     physics::World world_;

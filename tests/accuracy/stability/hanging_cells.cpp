@@ -4,7 +4,7 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// Cells with bodies on joints: joint errors are measured, and energy must not grow.
+// Scenes of the stability map with bodies on joints: joint errors are measured, and energy must not grow.
 
 namespace plumb::stability {
 
@@ -99,7 +99,7 @@ Figures loadedBridge(double quality, double ratio) {
     lab.run(kSeconds);
     const auto isLower = [&](BodyHandle a, BodyHandle b) { return lab.y(a) < lab.y(b); };
     const BodyHandle lowest = *std::min_element(planks.begin(), planks.end(), isLower);
-    lab.setOff(isLower(crate, lowest) ? 1.0 : 0.0);  // 1: the crate fell through
+    lab.setOff(isLower(crate, lowest) ? 1.0 : 0.0);  // an error of 1 if the crate fell through
     return lab.figures();
 }
 

@@ -9,7 +9,7 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr double kLate = 0.5;  // final time in which the residual speed is measured, s
+constexpr double kLate = 0.5;  // length of the final time in which the residual speed is measured, s
 constexpr double kApart =
     0.01;  // overlap below which bodies count as separated, ratio to ReferenceValues::size
 constexpr physics::Quality kUsual = 2;
@@ -111,7 +111,7 @@ void Lab::look(bool isLate) {
         const double turning = std::fabs(static_cast<double>(motion.angularVelocity)) *
                                static_cast<double>(world().bodies.info[i].reach);
         sound_ = sound_ && std::isfinite(speed) && std::isfinite(turning);
-        // Speed converted to the initial height, so that speed gained by falling is not counted.
+        // Speed that the body would have at its initial height, so that falling adds nothing.
         const double risen = world().bodies.pose[i].centre.y - static_cast<double>(stayer.start.y);
         const double unexplained = speed * speed + 2.0 * terms_.gravity * risen;
         mostSpeed_ = std::max(mostSpeed_, std::sqrt(std::max(unexplained, 0.0)));

@@ -10,7 +10,7 @@ namespace plumb::stability {
 namespace {
 
 constexpr double kQualities[] = {0, 1, 2, 3, 4, 5, -1};
-constexpr std::uint32_t kUsualRows = 1u << 2 | 1u << 6;  // rows of quality 2 and automatic quality
+constexpr std::uint32_t kUsualRows = 1u << 2 | 1u << 6;  // bit set: rows of quality 2 and automatic quality
 
 constexpr double kRatios[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
 constexpr double kHeights[] = {5, 10, 20, 50, 100};

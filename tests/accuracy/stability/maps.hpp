@@ -9,7 +9,7 @@
 
 namespace plumb::stability {
 
-/// Format of the axis labels.
+/// Format of the labels of an axis: number, quality or "auto", time step, multiple, percentage.
 enum class Label : std::uint8_t { Plain, Quality, Step, Times, Percent };
 
 /// The values along one axis of a map.
@@ -19,7 +19,7 @@ struct Axis {
     std::span<const double> values;
 };
 
-std::string labelOf(Label label, double value);
+std::string labelOf(Label label, double value);  ///< formats an axis label
 
 /// A grid of cells: one scene simulated with all combinations of two parameters.
 struct Map {
@@ -28,15 +28,15 @@ struct Map {
     std::string_view scene;  ///< description: scene, duration and exact result
     Axis rows;
     Axis columns;
-    std::size_t home = 0;  ///< index of the easiest column, from which ranges extend
-    Figures (*run)(double row, double column) = nullptr;
+    std::size_t home = 0;  ///< index of the easiest column; the range that a row supports includes it
+    Figures (*run)(double row, double column) = nullptr;  ///< simulates a cell, given the axes' values
     std::uint32_t quickRows = 0;  ///< bit set of the rows used by --quick and the tests
 };
 
 /// All maps, in the order of the report.
 std::span<const Map> allMaps();
 
-// Cells with bodies at rest: resting_cells.cpp.
+// Map::run functions for scenes with bodies at rest: resting_cells.cpp.
 Figures heavyOnTop(double quality, double ratio);
 Figures heavyOnStack(double count, double ratio);
 Figures stackOf(double quality, double count);
@@ -50,7 +50,7 @@ Figures stackFarAway(double quality, double distance);
 Figures thinPlates(double quality, double thickness);
 Figures slivers(double quality, double thickness);
 
-// Cells with hanging bodies: hanging_cells.cpp.
+// Map::run functions for scenes with hanging bodies: hanging_cells.cpp.
 Figures chainOf(double quality, double count);
 Figures ballOnChain(double quality, double ratio);
 Figures ballOnChainOf(double count, double ratio);
@@ -60,7 +60,7 @@ Figures loadedBridge(double quality, double ratio);
 Figures pendulumAtStep(double quality, double step);
 Figures motorAtLimit(double quality, double torque);
 
-// Cells with moving bodies: moving_cells.cpp.
+// Map::run functions for scenes with moving bodies: moving_cells.cpp.
 Figures bounce(double quality, double bounciness);
 Figures bounceAtStep(double step, double bounciness);
 Figures slope(double quality, double friction);

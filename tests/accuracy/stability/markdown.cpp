@@ -33,7 +33,7 @@ std::string scoreTable(const Counts& counts) {
     return table + "\n";
 }
 
-/// Lists the cells of a row with a score.
+/// Lists the columns of a row whose cells have a given score.
 std::string cellsOf(const PlayedMap& map, std::size_t row, Score score) {
     std::string cells;
     for (std::size_t column = 0; column < map.width(); ++column) {

@@ -4,7 +4,7 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// Cells with motion whose solution is known, and with fast spins, overlaps and presses.
+// Scenes of the stability map with motion whose solution is known, and with fast spins, overlaps, presses.
 
 namespace plumb::stability {
 
@@ -16,8 +16,8 @@ Vec2 at(double x, double y) { return {static_cast<float>(x), static_cast<float>(
 
 const Outline kCrate = scenes::box({0.5f, 0.5f});
 
-/// A ball that falls 2 m. Scored by the worst height of its
-/// first three bounces, relative to the expected height.
+/// A ball that falls 2 m and bounces. Its error is the largest deviation of the first
+/// three heights from the expected heights, relative to 2 m.
 Figures bouncing(const Terms& terms, double bounciness) {
     constexpr double kHeight = 2.0;
     const Material rubber{.friction = 0.0f, .bounciness = static_cast<float>(bounciness)};

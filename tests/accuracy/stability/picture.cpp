@@ -7,9 +7,9 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr int kCellWide = 66, kCellHigh = 40;  // px
+constexpr int kCellWide = 66, kCellHigh = 40;  // size of a cell, px
 constexpr int kLeft = 96, kTop = 52;           // upper left corner of the cells, px; leaves room for labels
-constexpr int kReachWide = 112;                // width of the column with the range in which a row holds, px
+constexpr int kReachWide = 112;                // width of the column "Holds" (range of good scores), px
 constexpr int kPad = 8;
 
 std::string text(int x, int y, std::string_view anchor, int size, std::string_view fill,

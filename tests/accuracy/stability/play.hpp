@@ -22,12 +22,12 @@ struct PlayedMap {
     [[nodiscard]] std::vector<Score> scoresOf(std::size_t row) const;
     [[nodiscard]] std::string rowLabel(std::size_t row) const;
     [[nodiscard]] std::string columnLabel(std::size_t column) const;
-    /// Range of columns around the easiest one with scores of
-    /// at least `floor`: "all", "none", "to 1000", "0.1 to 10".
+    /// Formats the range of column values around the easiest column for which all
+    /// scores are at least `floor`: "all", "none", "to 1000", "0.1 to 10".
     [[nodiscard]] std::string holds(std::size_t row, Score floor) const;
 };
 
-struct Choice {
+struct Choice {            ///< cells to run
     bool quick = false;    ///< only the rows in Map::quickRows
     std::string_view map;  ///< name of a map; empty: all maps
     int threads = 1;

@@ -11,7 +11,7 @@ namespace plumb::stability {
 
 namespace {
 
-constexpr std::size_t kAtOnce = 256;  // number of scenes per work item of a thread
+constexpr std::size_t kAtOnce = 256;  // number of scenes that a thread takes at once
 
 void playWild(std::uint64_t seed, RandomFindings& found) {
     physics::RandomScene scene{seed};

@@ -13,9 +13,9 @@ namespace plumb::stability {
 using Counts = std::array<std::size_t, static_cast<std::size_t>(Score::Count)>;
 Counts countsOf(std::span<const PlayedMap> maps);
 
-/// Draws a map as an SVG: sign, color and error of each cell, and the range in which each row holds.
+/// Draws a map as an SVG: sign, color and error of each cell, and per row the range of good scores.
 std::string pictureOf(const PlayedMap& map);
-/// Draws a bar with the shares of all scores as an SVG.
+/// Draws a bar with the shares of all scores as an SVG of `width` px.
 std::string shareBar(const Counts& counts, int width);
 /// Draws the legend of the signs as an SVG.
 std::string legendPicture();

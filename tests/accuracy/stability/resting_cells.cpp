@@ -5,7 +5,7 @@
 #include "tests/accuracy/stability/lab.hpp"
 #include "tests/accuracy/stability/maps.hpp"
 
-// Cells with bodies that should stay in place; their displacement is the error.
+// Scenes of the stability map with bodies that should stay in place; their displacement is the error.
 
 namespace plumb::stability {
 

@@ -11,16 +11,16 @@ namespace plumb::stability {
 /// Rating of a cell of a map. Larger is better.
 enum class Score : std::uint8_t { BlowsUp, Wrong, Soft, Close, Exact, Count };
 
-/// Measurements of a cell. All are ratios, so that the
-/// same rules apply to scenes of any size, mass and speed.
+/// Measurements of a cell of a map. All of them are ratios, so
+/// that the same rules apply to scenes of any size, mass and speed.
 struct Figures {
     double penetration = 0.0;  ///< maximum final overlap, ratio to the smallest body's thickness
     double joints = 0.0;       ///< maximum final joint error, ratio to the length of a link
-    double off = 0.0;          ///< deviation from the exact result, ratio defined by each map
-    double residual = 0.0;  ///< speed in the last 0.5 s, ratio to that of a fall by the smallest body's size
-    double energyGain = 0.0;  ///< maximum energy relative to the initial energy, minus 1
-    double speeding = 0.0;    ///< maximum speed, ratio to the maximum expected speed
-    bool finite = true;       ///< true if all numbers stayed finite and no body was quarantined
+    double off = 0.0;          ///< deviation from the exact result; each map defines the ratio
+    double residual = 0.0;     ///< speed in the last 0.5 s, ratio to the speed after a fall by a body's size
+    double energyGain = 0.0;   ///< maximum energy relative to the initial energy, minus 1
+    double speeding = 0.0;     ///< maximum speed, ratio to the maximum expected speed
+    bool finite = true;        ///< true if all numbers stayed finite and no body was quarantined
 
     friend bool operator==(const Figures&, const Figures&) = default;
 };
@@ -38,16 +38,16 @@ struct ScoreInfo {
     char sign;              ///< letter in each cell, in CSV and in floors.txt
     std::string_view word;  ///< name in JSON and legends
     std::string_view fill;  ///< cell color, distinguishable with color blindness (ColorBrewer RdYlBu)
-    std::string_view ink;
+    std::string_view ink;   ///< text color
     std::string_view rule;  ///< description of the rule
 };
 const ScoreInfo& infoOf(Score score);
-/// Returns the score with a sign; BlowsUp for any other character.
+/// Returns the score whose ScoreInfo::sign is `sign`; BlowsUp if there is none.
 Score scoreOf(char sign);
 
-/// Returns the largest of the figures that are errors; infinite if one is NaN.
+/// Returns the largest of penetration, joints, off and residual; infinite if one of them is NaN.
 double errorOf(const Figures& figures);
-Score scoreOf(const Figures& figures);
+Score scoreOf(const Figures& figures);  ///< rates a cell by its figures
 /// Returns a text with the figure that determines the score of a cell.
 std::string reasonOf(const Figures& figures);
 
@@ -59,6 +59,6 @@ struct Reach {
     [[nodiscard]] bool none() const { return first == end; }
     friend bool operator==(const Reach&, const Reach&) = default;
 };
-Reach reachOf(std::span<const Score> row, std::size_t home, Score floor);
+Reach reachOf(std::span<const Score> row, std::size_t home, Score floor);  ///< home: easiest column
 
 }  // namespace plumb::stability

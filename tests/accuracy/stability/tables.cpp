@@ -17,7 +17,7 @@ constexpr std::array<Column, 6> kFigures{{{"penetration", &Figures::penetration}
                                           {"energyGain", &Figures::energyGain},
                                           {"speeding", &Figures::speeding}}};
 
-/// Formats a number for JSON, which has no infinity.
+/// Formats a number for JSON, which has no infinity and NaN: they become null.
 std::string numberOf(double value) { return std::isfinite(value) ? format("{}", value) : "null"; }
 
 std::string jsonCell(const PlayedMap& map, std::size_t row, std::size_t column) {

@@ -8,9 +8,9 @@
 
 namespace plumb::tuning {
 
-/// Returns the explanation for a constant that changes a share by more than 2 %; empty for other constants.
+/// Explains why a change of a constant changes a family's success rate by more than 2 %; empty for others.
 std::string_view reasonOf(std::string_view constant);
-/// True if a change of the constant changes a share by more than 2 % and more than random variation.
+/// True if a change of the constant changes a success rate by more than 2 % and more than random variation.
 bool needsReason(const std::vector<Trial>& trials, const Constant& constant);
 
 std::string textOf(const Trial& trial);

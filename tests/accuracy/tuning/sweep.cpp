@@ -15,10 +15,10 @@ namespace plumb::tuning {
 namespace {
 
 constexpr double kLargeShift = 0.02;
-/// Difference of two shares, in standard deviations, that occurs by chance in one of 20 cases.
+/// Difference of two success rates, in standard deviations, that chance exceeds in one of 20 cases.
 constexpr double kSigmas = 2.0;
 
-/// Results of a member that are compared.
+/// Compared results of one member (random scene) of a family.
 struct End {
     std::uint64_t bits = 0;
     bool reached = false;
@@ -26,7 +26,7 @@ struct End {
 
 using Ends = std::vector<std::vector<End>>;  // indexed by family and member
 
-/// Simulates further members of some families, up to the number `upTo`.
+/// Simulates further members of the chosen families (indices), until each has `upTo` results.
 void playMembers(Ends& ends, const std::vector<std::size_t>& chosen, int upTo, int threads) {
     struct Member {
         std::size_t family, member;

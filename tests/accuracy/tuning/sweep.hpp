@@ -9,34 +9,34 @@
 
 namespace plumb::tuning {
 
-/// All constants in the order of tuning.hpp; empty in a build without PLUMB_TUNABLE.
+/// Returns all constants in the order of engine/physics/tuning.hpp; none in a build without PLUMB_TUNABLE.
 std::vector<const Constant*> allConstants();
 
 struct SweepOptions {
-    int members = 150;  ///< number of members per family
-    int threads = 1;
-    bool maps = true;    ///< true: includes the quick part of the stability map
+    int members = 150;   ///< number of members per family
+    int threads = 1;     ///< number of members simulated in parallel
+    bool maps = true;    ///< true: also runs the quick part of the stability map
     bool quick = false;  ///< true: runs at most kFirst members per family
 };
 
-/// Number of members of each family that run first. If
-/// their results are bit-identical, the others are skipped.
+/// Number of members of each family that run first with a changed constant. If
+/// their results are bit-identical to those of the default, the others are skipped.
 inline constexpr int kFirst = 40;
 
-/// Effect of a changed constant on one family or map.
+/// Effect of a changed constant on one family of random scenes, or on one stability map.
 struct Move {
-    std::string scene;
-    bool isMap = false;
-    int members = 0;  ///< number of members of the family, or of cells of the map
-    int base = 0;     ///< number of members that reach their goals, or of cells that hold, at the default
-    int reached = 0;  ///< number of members or cells as in `base`, at the changed value
-    int worse = 0;    ///< members that reach their goals only at the default, or cells with a worse score
-    int better = 0;   ///< members that reach their goals only at the changed value
+    std::string scene;   ///< name of the family or map
+    bool isMap = false;  ///< true: map
+    int members = 0;     ///< number of members (scenes) of the family, or of cells of the map
+    int base = 0;        ///< at the default: number of members that reach their goals, or of cells that hold
+    int reached = 0;     ///< at the changed value: number of members or cells as in `base`
+    int worse = 0;       ///< members that reach their goals only at the default, or cells with a worse score
+    int better = 0;  ///< members that reach their goals only at the changed value; cells with a better score
     bool differs = false;  ///< true if any bit of a member or any value of a cell differs
 
     /// Change of the share of members that reach their goals.
     [[nodiscard]] double shift() const { return members > 0 ? (reached - base) / (1.0 * members) : 0.0; }
-    [[nodiscard]] bool isLarge() const;
+    [[nodiscard]] bool isLarge() const;  ///< the share changes by > 2 %; maps: at all
     /// True if the numbers of worse and better members differ by no more than random variation.
     [[nodiscard]] bool isChance() const;
 };
@@ -44,10 +44,10 @@ struct Move {
 /// Effect of one changed value of a constant on all families and maps.
 struct Trial {
     const Constant* constant = nullptr;
-    double factor = 0.0;
+    double factor = 0.0;      ///< changed value / default value
     std::vector<Move> moves;  ///< one per family, then one per map
 
-    [[nodiscard]] bool differs() const;
+    [[nodiscard]] bool differs() const;  ///< true if any result differs in any bit
 };
 
 /// Runs families and maps with the default values of the constants, and then with changed values.

@@ -37,7 +37,7 @@ TEST_F(EffectDevices, gamepadsAreOpenedIfAComponentReadsInput) {
     play(alone, 3);
     EXPECT_EQ(alone.effects.runsOf(alone.world, "pads"), 0u);
     play(menu, 3);
-    EXPECT_EQ(menu.effects.runsOf(menu.world, "pads"), 1u) << "opened once";
+    EXPECT_EQ(menu.effects.runsOf(menu.world, "pads"), 1u) << "gamepads must be opened once";
 }
 
 TEST_F(EffectDevices, gamepadsThatArePinnedOffStayClosed) {

@@ -111,7 +111,7 @@ TEST(GameEffects, timersAndTweensRunWhileThereAreAny) {
 INSTANTIATE_TEST_SUITE_P(All, EveryGameEffect, testing::ValuesIn(gameEffects()),
                          [](const auto& tested) { return std::string{rowOf(tested.param).name}; });
 
-/// Returns a JSON field that makes a component require an effect that its default values do not require.
+/// Returns a JSON field with which a component requires an effect that its default values do not require.
 std::string fieldsFor(std::string_view effect, std::string_view component) {
     if (effect == "restitution") return R"("bounciness": 0.5)";
     if (effect == "drag") return R"("linearDrag": 1)";
@@ -286,7 +286,7 @@ TEST(Effects, aSceneWithPinsIsSavedByteForByteAndUnknownOnesAreReported) {
     ASSERT_EQ(report->problems.size(), 2u);
     EXPECT_EQ(report->problems[0].where, "scenes/a.scene.json: effects.partikles");
     EXPECT_NE(report->problems[0].remedy.find("did you mean \"particles\"?"), std::string::npos);
-    EXPECT_NE(report->problems[0].remedy.find("tile_animation"), std::string::npos) << "all names";
+    EXPECT_NE(report->problems[0].remedy.find("tile_animation"), std::string::npos) << "lists all effects";
     EXPECT_EQ(report->problems[1].where, "scenes/a.scene.json: effects.wind");
     EXPECT_NE(report->problems[1].what.find("found 3"), std::string::npos);
     EXPECT_EQ(sceneToJson(game.world, {game.types}, report->scene), text);

@@ -48,7 +48,7 @@ TEST(PhysicsLab, springsShowTheEnergyErrorOfTheirIntegrator) {
     // tick.
     EXPECT_NEAR(lab.last("energy", "explicit Euler") / std::pow(1.0 + 5053.0 / 128.0 / 3600.0, 120), 1.0,
                 0.02);
-    EXPECT_NEAR(lab.last("energy"), 1.0f, 0.06f) << "semi-implicit Euler wobbles about it";
+    EXPECT_NEAR(lab.last("energy"), 1.0f, 0.06f) << "semi-implicit Euler oscillates around 1";
     EXPECT_NEAR(lab.last("energy", "velocity Verlet"), 1.0f, 0.01f);
     EXPECT_NEAR(lab.last("energy", "Runge-Kutta 4"), 1.0f, 1e-4f);
 }
@@ -59,7 +59,7 @@ TEST(PhysicsLab, ofThreeTowersOfEqualCostTheOneWithMostSubstepsStands) {
     EXPECT_LT(lab.last("overlap", "8 x 1"), 3.0f);
     EXPECT_GT(lab.last("overlap", "2 x 4"), 2.0f * lab.last("overlap", "8 x 1"));
     const float highest = -lab.at("crate 14").y;
-    EXPECT_LT(highest, -400.0f) << "the tower of one substep has fallen";
+    EXPECT_LT(highest, -400.0f) << "the tower of one substep must fall";
 }
 
 TEST(PhysicsLab, moreSubstepsSinkLess) {
@@ -75,10 +75,10 @@ TEST(PhysicsLab, onlyTheBallWithContinuousDetectionIsStoppedByTheWall) {
     for (const float part : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
         lab.drag("speed", part);
         lab.run(240);
-        EXPECT_LT(lab.at("ball").x, 820.0f) << "at a part " << part << " of the speeds";
+        EXPECT_LT(lab.at("ball").x, 820.0f) << "slider at " << part << " of its length";
         EXPECT_GT(lab.at("ball").x, 40.0f);
     }
-    EXPECT_GT(std::fabs(lab.last("place", "without") - 3.4f), 3.5f) << "through one of the walls";
+    EXPECT_GT(std::fabs(lab.last("place", "without") - 3.4f), 3.5f) << "the other ball must pass a wall";
 }
 
 TEST(PhysicsLab, equalStartsGiveEqualBitsAndDifferentStartsDoNot) {
@@ -91,7 +91,7 @@ TEST(PhysicsLab, equalStartsGiveEqualBitsAndDifferentStartsDoNot) {
     }
     EXPECT_GT(touched, 1000u);
     EXPECT_FALSE(lab.curve("distance", "one ball moved").same);
-    EXPECT_GT(lab.last("distance", "one ball moved"), 1.0f) << "mm, from a ten millionth of a px";
+    EXPECT_GT(lab.last("distance", "one ball moved"), 1.0f) << "mm, after a start that differs by 1e-7 px";
 }
 
 TEST(PhysicsLab, releasingASliderRestartsTheExperiment) {
@@ -109,7 +109,7 @@ TEST(PhysicsLab, releasingASliderRestartsTheExperiment) {
     EXPECT_NEAR(std::as_const(lab.game.world).get<RigidBody>(lab.find("heavy")).mass, 1e4f, 1.0f);
     lab.hold(Key::R, 1);
     EXPECT_NEAR(std::as_const(lab.game.world).get<RigidBody>(lab.find("heavy")).mass, 1e4f, 1.0f)
-        << "R keeps what sliders say";
+        << "a reset (R) keeps the values of sliders";
     EXPECT_EQ(lab.physics().quality, 6);
 }
 
@@ -146,7 +146,7 @@ TEST(PhysicsLab, aRestoredSnapshotContinuesEqually) {
     lab.game.world.restore(past);
     lab.run(60);
     EXPECT_EQ(lab.game.world.hash(), hash);
-    EXPECT_EQ(lab.last("distance", "one ball moved"), distance) << "ghosts go back too";
+    EXPECT_EQ(lab.last("distance", "one ball moved"), distance) << "ghosts are restored too";
 }
 
 TEST(NumberFields, areFoundReadAndWrittenByName) {
@@ -162,7 +162,7 @@ TEST(NumberFields, areFoundReadAndWrittenByName) {
     set("gravity.y", 12.5f), set("quality", 9.0f), set("iterations", 2.6f), set("sleeping", 0.0f),
         set("integrator", 3.0f);
     EXPECT_EQ(physics.gravity, (Vec2{0.0f, 12.5f}));
-    EXPECT_EQ(physics.quality, 6) << "as large as its field allows";
+    EXPECT_EQ(physics.quality, 6) << "clamped to the field's maximum";
     EXPECT_EQ(physics.iterations, 3);
     EXPECT_FALSE(physics.sleeping);
     EXPECT_EQ(physics.integrator, physics::IntegratorKind::Rk4);

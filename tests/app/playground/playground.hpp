@@ -81,7 +81,7 @@ struct Playground {
             if (game.world.texts().find(named.text).starts_with(beginning))
                 found.push_back({from.order, entity.id()});
         }
-        EXPECT_FALSE(found.empty()) << "nothing is called " << beginning;
+        EXPECT_FALSE(found.empty()) << "no entity name begins with " << beginning;
         std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         std::vector<EntityId> entities;
         for (const auto& [order, entity] : found) entities.push_back(entity);
@@ -108,7 +108,7 @@ struct Playground {
             for (const physics::SoftParticle& particle : physics::particlesOf(physics().world, linkage.body))
                 list.push_back(positionInPixels(particle.place, physics().scale));
         }
-        EXPECT_FALSE(list.empty()) << name << " is not soft";
+        EXPECT_FALSE(list.empty()) << name << " is not a soft body";
         return list;
     }
 };

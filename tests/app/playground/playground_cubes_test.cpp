@@ -80,7 +80,7 @@ TEST(PlaygroundCubes, theSpinningTriggerColorsBodiesWithoutStoppingThem) {
     EXPECT_LT(play.runUntil(200, [&] { return !(tint() == own); }), 200);
     EXPECT_GT(play.at("small cube").x, 240.0f);
     EXPECT_LT(play.runUntil(200, [&] { return tint() == own; }), 200);
-    EXPECT_LT(play.at("small cube").x, 240.0f) << "it came out where it went in";
+    EXPECT_LT(play.at("small cube").x, 240.0f) << "the cube must leave on its entry side";
 }
 
 TEST(PlaygroundCubes, aKeyShowsAndHidesTheCountsOfTheThreePhases) {

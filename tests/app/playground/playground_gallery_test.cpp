@@ -41,7 +41,7 @@ TEST(PlaygroundGallery, theTumblerRotatesAndKeepsItsContents) {
             }
         }
     }
-    EXPECT_GT(highest, 20.0f) << "nothing is carried up";
+    EXPECT_GT(highest, 20.0f) << "no body was carried up";
 }
 
 TEST(PlaygroundGallery, ragdollsStayWholeAndComeToRest) {
@@ -57,7 +57,7 @@ TEST(PlaygroundGallery, ragdollsStayWholeAndComeToRest) {
     }
     const std::vector<Vec2> before = parts("Ada");
     play.run(60);
-    EXPECT_LT(farthest(parts("Ada"), before), 2.0f) << "it does not come to rest";
+    EXPECT_LT(farthest(parts("Ada"), before), 2.0f) << "the ragdoll still moves";
     play.hold(Key::Space, 1);
     play.run(20);
     EXPECT_GT(farthest(parts("Ada"), before), 30.0f);
@@ -70,9 +70,9 @@ TEST(PlaygroundGallery, theBridgeHoldsCratesAndABallThatRollsOverIt) {
     const std::vector<Vec2> planks = play.places("plank");
     for (std::size_t i = 1; i < planks.size(); ++i)
         EXPECT_NEAR(length(planks[i] - planks[i - 1]), pitch, 0.3f) << i;
-    EXPECT_GT(planks[15].y, 460.0f) << "it does not sag";
+    EXPECT_GT(planks[15].y, 460.0f) << "the bridge does not sag";
     EXPECT_LT(planks[15].y, 560.0f);
-    for (const Vec2 crate : play.places("crate")) EXPECT_LT(crate.y, 560.0f) << "it fell through";
+    for (const Vec2 crate : play.places("crate")) EXPECT_LT(crate.y, 560.0f) << "a crate fell through";
     play.frame.set(Key::Right, true);
     EXPECT_LT(play.runUntil(900, [&] { return play.at("your ball").x > 1020.0f; }), 900);
     EXPECT_LT(play.at("your ball").y, 420.0f);
@@ -87,7 +87,7 @@ TEST(PlaygroundGallery, theChainHoldsABallOfAHundredTimesItsLinks) {
         play.run(15);
         EXPECT_LT(length(play.at("heavy ball") - hook), 1.02f * reach);
     }
-    EXPECT_GT(farthest(play.places("brick"), wall), 100.0f) << "it misses the wall";
+    EXPECT_GT(farthest(play.places("brick"), wall), 100.0f) << "the ball misses the wall";
 }
 
 TEST(PlaygroundGallery, theHouseOfCardsStandsUntilItIsPushed) {
@@ -149,7 +149,7 @@ TEST(PlaygroundGallery, theBreakScattersTheBallsWithoutAddingEnergy) {
     EXPECT_GE(scattered, 12);
     for (const Vec2 place : play.places("ball")) {
         EXPECT_TRUE(place.x > 100.0f && place.x < 1270.0f && place.y > 60.0f && place.y < 720.0f)
-            << "it left the table";
+            << "a ball left the table";
     }
 }
 
@@ -207,7 +207,7 @@ TEST(PlaygroundGallery, theClothHangsFromItsPins) {
         float longest = 0.0f;
         for (std::size_t i = 0; i + 34 < now.size(); ++i)
             longest = std::max(longest, length(now[i + 34] - now[i]));
-        EXPECT_LT(longest, 1.25f * pitch) << "its threads stretch";
+        EXPECT_LT(longest, 1.25f * pitch) << "the cloth stretches";
     }
     const std::vector<Vec2> end = play.particles("curtain");
     float lowest = 0.0f;
@@ -229,7 +229,7 @@ TEST(PlaygroundGallery, beltsCarryBodiesAndThePortalReturnsThem) {
         before = now;
     }
     EXPECT_GT(led, 10);
-    for (const Vec2 place : before) EXPECT_LT(place.y, 720.0f) << "it fell out";
+    for (const Vec2 place : before) EXPECT_LT(place.y, 720.0f) << "a body fell out";
 }
 
 TEST(PlaygroundGallery, theExplosionThrowsBodiesAroundIt) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTicks = 600;
 
-/// Scripted input: pushes to the right, jumps, drags a body with the mouse and triggers an explosion.
+/// Scripted input of a tick: pushes to the right, jumps, drags a body with the mouse, triggers an explosion.
 InputFrame handsAt(int tick) {
     InputFrame frame;
     frame.set(Key::Right, tick % 150 > 60);
@@ -54,7 +54,7 @@ TEST(PlaygroundScenes, tenSecondsOfEachStayFiniteWithContacts) {
             inTouch += touchesAnything(play) ? 1 : 0;
             ASSERT_NO_FATAL_FAILURE(expectFinite(play)) << "tick " << tick;
         }
-        EXPECT_GT(inTouch, kTicks / 2) << "nothing touches or holds anything";
+        EXPECT_GT(inTouch, kTicks / 2) << "too few ticks with a contact or joint";
         EXPECT_TRUE(play.physics().refused.empty());
     }
 }

@@ -19,7 +19,7 @@ struct HeldMasses : Playground {
         physics.tolerance = 0.5f;
     }
     [[nodiscard]] const physics::World& bodies() { return game.world.resource<PhysicsState>().world; }
-    /// Maximum quality of all islands.
+    /// Maximum quality (log2 of the substeps) of all islands of bodies.
     [[nodiscard]] int quality() {
         int best = -1;
         for (const physics::SubstepController& effort : bodies().bodies.substepControllers)
@@ -40,7 +40,7 @@ struct HeldMasses : Playground {
 TEST(TolerancePace, theSameBitsAtTenTimesAndATenthOfRealTime) {
     HeldMasses real;
     real.runAt(1.0, 60.0);
-    ASSERT_GT(real.quality(), 0) << "the tolerance asks for more than the scene's quality";
+    ASSERT_GT(real.quality(), 0) << "the tolerance must raise the quality";
     ASSERT_GT(real.bodies().contacts.size(), 0u);
     for (const auto& [speed, rate] : {std::pair{10.0, 60.0}, {0.1, 60.0}, {10.0, 144.0}, {0.1, 30.0}}) {
         HeldMasses other;

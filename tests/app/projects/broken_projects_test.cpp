@@ -127,7 +127,7 @@ protected:
         ASSERT_EQ(reported_.size(), 1u) << ::testing::PrintToString(reported_);
         EXPECT_NE(reported_[0].find(where), std::string::npos) << reported_[0];
         EXPECT_NE(reported_[0].find(what), std::string::npos) << reported_[0];
-        EXPECT_NE(reported_[0].find("; "), std::string::npos) << "no remedy: " << reported_[0];
+        EXPECT_NE(reported_[0].find("; "), std::string::npos) << "there is no remedy: " << reported_[0];
     }
 
     static constexpr const char* kTileset =

@@ -27,7 +27,7 @@ struct MadeUp {
     float value = 0.0f;
 };
 
-/// A recorded game.
+/// A recorded game and its input.
 struct Playing {
     const ProjectReplay& row;
     std::vector<InputFrame> input;  ///< one frame per tick
@@ -91,11 +91,11 @@ void expectTheSameWithEach(const Playing& playing) {
     const std::vector<std::uint64_t> alone = hashesOf(playing, [](Game&, std::size_t) {});
     constexpr auto kAll = std::make_index_sequence<kMadeUpTypes>{};
 
-    expectTheSameWith(playing, alone, "types that no entity has, asked for before the game begins",
+    expectTheSameWith(playing, alone, "queries of unused types before the game begins",
                       [&](Game& game, std::size_t tick) {
                           if (tick == 0) askForMadeUpTypes(game.world, 0, kAll);
                       });
-    expectTheSameWith(playing, alone, "types that no entity has, asked for while it plays",
+    expectTheSameWith(playing, alone, "queries of unused types while it plays",
                       [&](Game& game, std::size_t tick) {
                           if (tick > 0) askForMadeUpTypes(game.world, tick, kAll);
                       });

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-// Changes of this value must be explained in the commit by a change of the levels or of the simulation.
+// Hash of the world after the replay. A commit that changes it must name the change of levels or simulation.
 // tests/replay/solve_platformer.cpp creates a new replay.
 constexpr std::uint64_t kHashAtTheEnd = 0x69324480c90a307bull;
 

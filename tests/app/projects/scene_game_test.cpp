@@ -27,7 +27,7 @@ std::uint64_t hashAfter(const std::string& scene, int ticks) {
         tickGame(game, frame);
         moved += movedEntities(game.world);
     }
-    EXPECT_GT(moved, 0u) << "nothing happens in this scene";
+    EXPECT_GT(moved, 0u) << "no entity of this scene moves";
     return game.world.hash();
 }
 
@@ -153,7 +153,7 @@ TEST(SceneGame, thePauseActionOpensTheMenuAndLeadsBackToTheTitle) {
     EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/level1.scene.json"}));
     press(Key::P);
     press(Key::Enter);
-    EXPECT_EQ(scenes().size(), 1u) << "the first item goes on";
+    EXPECT_EQ(scenes().size(), 1u) << "the first menu item closes the menu";
     press(Key::P);
     press(Key::Down);
     press(Key::Enter);
@@ -185,7 +185,7 @@ TEST(SceneGame, theLabelsOfALevelAreCorrectInItsFirstFrame) {
     game.world.resource<SceneRequests>().reload = true;
     tickGame(game, {});
     EXPECT_EQ(progress.levelCoins, 0);
-    EXPECT_EQ(progress.coins, 3) << "begun anew, it has its coins again";
+    EXPECT_EQ(progress.coins, 3) << "a restarted level has its coins again";
     EXPECT_EQ(progress.levelsReached.size(), 2u);
 }
 

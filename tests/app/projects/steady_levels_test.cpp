@@ -38,7 +38,7 @@ public:
     }
     void open(const std::string& scene) { ASSERT_TRUE(game_.openScene(scene).ok()); }
 
-    /// Replays the 600 ticks from a snapshot and returns their allocations. The first tick is not counted:
+    /// Plays 600 ticks from a snapshot; returns their number of allocations. The first tick is not counted:
     /// after restoring a world, queries rebuild their lists and the physics creates a new broad phase.
     std::size_t allocationsOfPlayingOn(const Snapshot& from) {
         game_.world.restore(from);
@@ -91,7 +91,7 @@ TEST(SteadyLevels, aDrawnTickOfEveryLevelAllocatesNothing) {
         const bool isMenu =
             scene.find("pause") != std::string::npos || scene.find("leave") != std::string::npos;
         if (!isMenu) {  // in menus nothing moves by itself
-            EXPECT_GT(game.moved(), moved) << "nothing happens in this scene";
+            EXPECT_GT(game.moved(), moved) << "no entity of this scene moves";
         }
         ++levels;
     }

@@ -13,16 +13,16 @@ constexpr int kBoxes = 2000;
 /// Effects that are active in a pit of boxes.
 struct Pit {
     const char* name;
-    bool turns = false;
-    bool rubs = false;
-    bool bounces = false;
-    bool reports = false;
-    bool stayEvents = false;
-    bool rolls = false;
-    bool slows = false;   // drag
-    bool sweeps = false;  // continuous collision, against tunnelling
-    bool oneWay = false;  // the floor is one-way
-    bool sleeps = false;  // checks which bodies may sleep; the sleep time is so long that none does
+    bool turns = false;       // boxes can rotate
+    bool rubs = false;        // friction
+    bool bounces = false;     // bounciness
+    bool reports = false;     // events when contacts begin and end
+    bool stayEvents = false;  // events in each step of a contact
+    bool rolls = false;       // rolling resistance
+    bool slows = false;       // drag
+    bool sweeps = false;      // continuous collision, against tunnelling
+    bool oneWay = false;      // the floor is one-way
+    bool sleeps = false;      // checks which bodies may sleep; the sleep time is so long that none does
 };
 
 constexpr int kBare = 6;  // index in kPits of the pit without effects, the reference for the ratios
@@ -67,7 +67,7 @@ int touching(const World& world) {
 
 int measureContacts(bool quick) {
     constexpr Pit kPits[] = {
-        {.name = "every effect a box can call for",
+        {.name = "all effects of a box",
          .turns = true,
          .rubs = true,
          .bounces = true,
@@ -78,23 +78,23 @@ int measureContacts(bool quick) {
          .sweeps = true,
          .oneWay = true,
          .sleeps = true},
-        {.name = "without drag, sweeps, one-way, sleep",
+        {.name = "all but drag, sweeps, one-way, sleep",
          .turns = true,
          .rubs = true,
          .bounces = true,
          .reports = true,
          .stayEvents = true,
          .rolls = true},
-        {.name = "turns, rubs, bounces, reports",
+        {.name = "rotation, friction, bounce, events",
          .turns = true,
          .rubs = true,
          .bounces = true,
          .reports = true},
-        {.name = "turns and rubs", .turns = true, .rubs = true, .reports = true},
-        {.name = "turns", .turns = true, .reports = true},
-        {.name = "rubs", .rubs = true, .reports = true},
-        {.name = "none: boxes along the axes"},
-        {.name = "turns and rubs, stay events",
+        {.name = "rotation, friction, events", .turns = true, .rubs = true, .reports = true},
+        {.name = "rotation, events", .turns = true, .reports = true},
+        {.name = "friction, events", .rubs = true, .reports = true},
+        {.name = "none: boxes that cannot rotate"},
+        {.name = "rotation, friction, stay events",
          .turns = true,
          .rubs = true,
          .reports = true,
@@ -115,13 +115,13 @@ int measureContacts(bool quick) {
             best[i] = std::min(best[i], time / touching(worlds[i]));
         }
     }
-    std::printf("a pit of %d boxes, one thread\n%-38s%12s%12s%10s\n", kBoxes, "what contacts do", "touching",
+    std::printf("a pit of %d boxes, one thread\n%-38s%12s%12s%10s\n", kBoxes, "effects", "touching",
                 "ns each", "ratio");
     for (int i = 0; i < kPitCount; ++i) {
         std::printf("%-38s%12d%12.1f%10.2f\n", kPits[i].name, touching(worlds[i]), best[i],
                     best[i] / best[kBare]);
     }
-    std::printf("stay events cost %.1f %%\n", 100.0 * (best[7] / best[3] - 1.0));
+    std::printf("stay events make a step %.1f %% slower\n", 100.0 * (best[7] / best[3] - 1.0));
     return 0;
 }
 

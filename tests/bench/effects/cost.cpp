@@ -23,8 +23,8 @@ namespace {
 using physics::Effect;
 using physics::World;
 
-/// Variants of a scene in which no body requires an effect: without the effect, with it unused, and pinned
-/// on.
+/// Variants of a scene in which no body requires an effect: effect not added, added but unused, and added and
+/// pinned on, which runs it nevertheless.
 enum Variant { kAbsent, kUnused, kPinnedOn, kVariants };
 
 World makeScene(Effect effect, int variant) {
@@ -64,7 +64,7 @@ int runCounted(bool quick) {
 }
 
 int measureCost(const char* program, bool quick) {
-    std::printf("\ninstructions of a pile of %d, by callgrind\n", physics::test::kCrates);
+    std::printf("\ninstructions of a step of %d crates, by callgrind\n", physics::test::kCrates);
     return countInstructions(program, "plumbCountedSteps", quick, printTable);
 }
 

@@ -12,13 +12,13 @@ inline constexpr float kTick = 1.0f / 60.0f;  ///< s
 
 // Each of these functions prints its results and returns an exit code.
 
-/// Counts the instructions of a step without an effect, with it unused, and pinned on but not required.
+/// Counts the instructions of a step without an effect, with the effect unused, and pinned on without need.
 /// @return 1 if an unused effect costs more than 1 %, 77 if valgrind is not installed
 int measureCost(const char* program, bool quick);
 /// Runs the steps that measureCost() counts under valgrind.
 int runCounted(bool quick);
-/// Measures the time of a step for boxes with and without rotation, friction and other effects, and of events
-/// for continuing contacts.
+/// Measures the time of a step for boxes with and without rotation, friction and other effects, and the cost
+/// of events for continuing contacts.
 int measureContacts(bool quick);
 /// Counts the instructions for crates without rotation beside a ragdoll and a
 /// jelly, and compares them with those for the crates alone.

@@ -40,9 +40,9 @@ int measureState(bool quick) {
     const double hashing = quickest(rounds, [&] { hash ^= hashOf(world), keep(&hash); });
     const std::size_t bytes = stateBytes(world), contacts = world.contacts.size() * sizeof(Contact);
     std::printf("\n%d awake boxes, %zu contacts\n", kBodies, world.contacts.size());
-    std::printf("%-38s%12.4f ms (aim 0.05)\n%-38s%12.4f ms (aim 0.05)\n%-38s%12.4f ms (aim 0.03)\n",
-                "snapshot into a world", 1e-6 * save, "put back", 1e-6 * restore, "hash", 1e-6 * hashing);
-    std::printf("%-38s%12.1f bytes (aim 256), and %.1f of contacts\n", "state for each body with one box",
+    std::printf("%-38s%12.4f ms (target 0.05)\n%-38s%12.4f ms (target 0.05)\n%-38s%12.4f ms (target 0.03)\n",
+                "snapshot into a world", 1e-6 * save, "restore", 1e-6 * restore, "hash", 1e-6 * hashing);
+    std::printf("%-38s%12.1f bytes (target 256), and %.1f of contacts\n", "state per body with one box",
                 static_cast<double>(bytes - contacts) / kBodies, static_cast<double>(contacts) / kBodies);
     return 0;
 }

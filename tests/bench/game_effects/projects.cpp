@@ -40,7 +40,7 @@ struct Result {
 };
 
 #if !defined(_WIN32)
-/// Runs a program. @param milliseconds  receives its time @return maximum resident memory, MB; 0: it failed
+/// Runs a program. @param milliseconds  receives the run time @return maximum resident memory, MB; 0: failed
 double run(const std::vector<std::string>& command, double& milliseconds) {
     const auto start = std::chrono::steady_clock::now();
     std::fflush(stdout);  // otherwise the child process would write buffered output again
@@ -116,7 +116,7 @@ int measureProjects(bool quick) {
     setenv("SDL_VIDEODRIVER", "offscreen", 0);
     setenv("SDL_AUDIODRIVER", "dummy", 0);
 #endif
-    std::printf("each as its scene calls for effects, and with every effect on\n%-32s%10s%9s%12s%9s%12s%9s\n",
+    std::printf("each project with its required effects, then with all effects\n%-32s%10s%9s%12s%9s%12s%9s\n",
                 "", "MB", "all on", "start ms", "all on", "tick us", "all on");
     for (const Sample& sample : kSamples) {
         Result results[2];

@@ -12,11 +12,11 @@ namespace {
 using enum physics::ProxyMotion;
 
 constexpr float kStepsPerSecond = 60.0f;
-constexpr float kMargin = 0.05f;  // m
+constexpr float kMargin = 0.05f;  // m by which bounds are enlarged
 constexpr float kFilled = 0.4f;   // ratio of the area covered by boxes
 constexpr float kHalf = 0.25f;    // m: half of the side of a usual box
 constexpr float kWalk = 2.0f;     // m/s: usual speed
-constexpr float kDash = 40.0f;    // m/s: a box leaves its bounds in each step
+constexpr float kDash = 40.0f;    // m/s: so fast that a box leaves its enlarged bounds in each step
 
 bool contains(const AABB& outer, const AABB& inner) {
     return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && inner.max.x <= outer.max.x &&

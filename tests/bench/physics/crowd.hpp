@@ -16,7 +16,7 @@ class Crowd {
 public:
     explicit Crowd(Vec2 size) : size_{size} {}
 
-    /// Adds a box. @param speed  m/s, in a random direction
+    /// Adds a box. @param half  half of its size, m @param speed  m/s, in a random direction
     void add(Vec2 position, Vec2 half, physics::ProxyMotion motion, float speed = 0.0f);
     /// Sets the number of static boxes that each step removes and adds again elsewhere.
     void streamIn(std::uint32_t count) { streaming_ = count; }
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(boxes_.size()); }
     /// Proxies whose bounds or motion changed in the last step.
     [[nodiscard]] std::span<const std::uint32_t> changed() const { return changed_; }
-    /// Proxies whose pairs must be searched again.
+    /// Proxies whose overlapping pairs must be searched again; indices of boxes.
     [[nodiscard]] std::span<const std::uint32_t> moved() const { return moved_; }
     [[nodiscard]] std::span<const std::uint8_t> isMoved() const { return isMoved_; }
     [[nodiscard]] Random& random() { return random_; }
@@ -40,7 +40,7 @@ private:
         Vec2 displacement;  ///< m per step
     };
 
-    void note(std::uint32_t box, bool looks);
+    void note(std::uint32_t box, bool looks);  ///< marks a box as changed; `looks`: as moved too
     void stream();
 
     Vec2 size_;  ///< size of the area, m
@@ -48,7 +48,7 @@ private:
     std::uint32_t streaming_ = 0;
     std::vector<Box> boxes_;
     std::vector<std::uint32_t> movers_;
-    std::vector<std::uint32_t> away_;  ///< boxes that are removed at the moment
+    std::vector<std::uint32_t> away_;  ///< boxes removed in the last step, to be added again in the next
     std::vector<AABB> bounds_;
     std::vector<physics::Filter> filters_;
     std::vector<physics::ProxyMotion> motions_;

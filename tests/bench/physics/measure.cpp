@@ -60,7 +60,7 @@ public:
         next_ = step + pause_;
         add(errorOf(world));
     }
-    /// @param last  error at the end of the run
+    /// Returns the mean of all samples. @param last  error at the end of the run, the last sample
     [[nodiscard]] SceneError mean(const SceneError& last) {
         add(last);
         sum_.maxPenetration /= count_;

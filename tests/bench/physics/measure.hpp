@@ -46,7 +46,7 @@ struct Measurement {
 struct MeasureOptions {
     int steps = 0;  ///< maximum number of steps; 0: as the scene defines
     int runs = 3;
-    double patience = 30.0;  ///< s per contender and scene, after which no further run is started
+    double patience = 30.0;  ///< s per contender and scene; afterwards no further run is started
     bool stages = true;      ///< one additional run for each engine that reports stages only on request
     bool loud = true;        ///< reports progress on stderr
 };

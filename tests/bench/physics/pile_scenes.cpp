@@ -8,7 +8,7 @@ namespace plumb::scenes {
 
 namespace {
 
-constexpr float kHalf = 0.25f;  // m
+constexpr float kHalf = 0.25f;  // m: half of the side of a box, radius of a circle
 
 Outline outlineOf(bool isCircle) { return isCircle ? circle(kHalf) : box({kHalf, kHalf}); }
 

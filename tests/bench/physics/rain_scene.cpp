@@ -10,13 +10,13 @@ namespace plumb::scenes {
 namespace {
 
 constexpr int kFloors = 5;
-constexpr float kStorey = 45.0f;  // m
-constexpr float kTile = 0.5f;     // m
+constexpr float kStorey = 45.0f;  // m: distance of two floors
+constexpr float kTile = 0.5f;     // m: width of a floor tile
 constexpr int kTiles = 500;
 constexpr float kHalfWidth = 0.5f * kTile * kTiles;  // m
 constexpr int kGroupSize = 5;
-constexpr float kDrop = 40.0f;  // m above the floor
-constexpr int kDelay = 8;       // steps
+constexpr float kDrop = 40.0f;  // m: initial height above the floor
+constexpr int kDelay = 8;       // steps between two columns
 
 struct Rain {
     using Group = std::array<Ragdoll, kGroupSize>;

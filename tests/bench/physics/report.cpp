@@ -66,7 +66,7 @@ void printRow(const Measurement& row, std::span<const Measurement> rows) {
     const std::string verdict = error.holds() ? ""
                                 : row.lostAfter > 0
                                     ? format("  EXPLODED, aborted after {} steps", row.lostAfter)
-                                : error.finite ? "  CAME APART"
+                                : error.finite ? "  JOINTS BROKE"
                                                : "  EXPLODED";
     std::printf("%9s %9s %9s %7zu %8.0f %8s %8s %8s %8s %6s%s\n", fixedText(row.msPerStep, digits).c_str(),
                 fixedText(row.quietMs, digits).c_str(), fixedText(row.medianMs, digits).c_str(), row.bodies,

@@ -16,7 +16,7 @@
 /// SceneBuilder, and each engine has an adapter. y points up.
 namespace plumb::scenes {
 
-/// Handle of a body: its index in the order of creation. Indices are not reused.
+/// Handle of a body: its index in the order of creation. Indices of destroyed bodies are not reused.
 struct BodyHandle {
     std::uint32_t index = std::numeric_limits<std::uint32_t>::max();
 };
@@ -30,7 +30,7 @@ struct BodySetup {
     Vec2 velocity;             ///< m/s
     float spin = 0.0f;         ///< rad/s
     float drag = 0.0f;         ///< 1/s
-    float sleepSpeed = 0.05f;  ///< m/s
+    float sleepSpeed = 0.05f;  ///< m/s: slower bodies may sleep
     bool canSleep = true;
     bool awake = true;
     bool bullet = false;  ///< continuous collision also with moving bodies
@@ -42,10 +42,10 @@ struct Material {
     float density = 1.0f;  ///< kg/m2
     float friction = 0.6f;
     float bounciness = 0.0f;
-    std::uint32_t layers = 1;
-    std::uint32_t mask = 0xffffffffu;
-    int group = 0;         ///< shapes of the same negative group never collide
-    bool reports = false;  ///< its contacts create events
+    std::uint32_t layers = 1;          ///< bits of the collision layers of the shape
+    std::uint32_t mask = 0xffffffffu;  ///< bits of the layers with which the shape collides
+    int group = 0;                     ///< shapes of the same negative group never collide
+    bool reports = false;              ///< its contacts create events
     /// Speed of a conveyor belt, m/s: bodies on its upper side are moved along +x.
     float surfaceSpeed = 0.0f;
     bool oneWay = false;               ///< bodies that move along `oneWayDirection` pass through
@@ -85,18 +85,18 @@ struct JointSetup {
     JointKind kind = JointKind::Hinge;
     BodyHandle a;
     BodyHandle b;
-    Vec2 anchorA;  ///< m, in the body's frame
-    Vec2 anchorB;
+    Vec2 anchorA;            ///< m, in A's frame
+    Vec2 anchorB;            ///< m, in B's frame
     Vec2 axis{1.0f, 0.0f};   ///< direction in A's frame, for Slider and Wheel
     float length = 1.0f;     ///< distance of a Rod's anchors, m
     float reference = 0.0f;  ///< rad: angle of b minus angle of a at which the joint's angle is 0
-    bool limited = false;
-    float lower = 0.0f;  ///< lower limit, rad; for sliders m
-    float upper = 0.0f;  ///< upper limit, rad; for sliders m
-    bool driven = false;
-    float speed = 0.0f;                                  ///< motor speed, rad/s; for sliders m/s
+    bool limited = false;    ///< `lower` and `upper` apply
+    float lower = 0.0f;      ///< lower limit, rad; for sliders m
+    float upper = 0.0f;      ///< upper limit, rad; for sliders m
+    bool driven = false;     ///< has a motor with `speed` and `maxForce`
+    float speed = 0.0f;      ///< motor speed, rad/s; for sliders m/s
     float maxForce = std::numeric_limits<float>::max();  ///< of the motor: torque, N m; for sliders force, N
-    bool sprung = false;
+    bool sprung = false;                                 ///< has a spring with `hertz`
     float hertz = 0.0f;
     float dampingRatio = 0.0f;
 };

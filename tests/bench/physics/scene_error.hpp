@@ -10,10 +10,10 @@ struct SceneError {
     double meanPenetration = 0.0;  ///< m, mean of all pairs that overlap by more than kNoticed
     std::size_t overlaps = 0;      ///< number of pairs that overlap by more than kNoticed
     double maxJointError = 0.0;    ///< m, distance of two anchor points that should coincide
-    double meanJointError = 0.0;   ///< m
+    double meanJointError = 0.0;   ///< m, mean of all joints
     bool finite = true;            ///< no position is NaN or infinite
 
-    static constexpr double kApart = 1.0;  ///< m; weak solvers that do not fail stretch joints by 0.7 m
+    static constexpr double kApart = 1.0;  ///< m: gap of a failed joint; soft solvers reach 0.7 m
 
     /// False if a joint failed or numbers are not finite. The time of such
     /// a scene has no meaning, because separated bodies are cheap to simulate.

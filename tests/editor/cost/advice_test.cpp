@@ -59,7 +59,7 @@ TEST_F(AdviceTest, lowerQualityIsAdvisedForAFewCrates) {
 }
 
 TEST_F(AdviceTest, automaticQualityIsAdvisedForAFewHardHeapsAmongManyEasyOnes) {
-    // The costs are set by hand: the differences are smaller than the timing noise of a test machine.
+    // The costs are set here, not measured: their differences are smaller than a test machine's timing noise.
     WhatIfResult result;
     result.complete = true;
     result.settings.quality = 1;
@@ -121,8 +121,8 @@ TEST_F(AdviceTest, restingBodiesAreCountedIfSleepingIsOff) {
 }
 
 TEST_F(AdviceTest, rungeKuttaForSlowSpringsIsNoBetterThanVerlet) {
-    // The positions of the bodies are measured. The costs are set by hand: on a busy machine a ratio of 1.3
-    // may be measured as 1.
+    // The positions of the bodies are measured. The costs are set here: on a busy machine a cost
+    // ratio of 1.3 may be measured as 1.
     const auto says = [&](std::string_view integrator) {
         judged(springs(format(R"("integrator": "{}", "quality": 4)", integrator)), "Runge-Kutta");
         WhatIfResult result = whatIf.result();

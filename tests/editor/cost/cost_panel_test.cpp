@@ -204,7 +204,7 @@ TEST_F(CostPanelTest, errorsAndForcesAreDrawnInClassesWithALegend) {
     };
     for (const CostShade& shade : kErrorShades) {
         EXPECT_TRUE(says(errors, shade.label)) << shade.label;
-        if (shade.from >= 2.0f) continue;  // checked above
+        if (shade.from >= 2.0f) continue;  // largeErrorsAreDrawnInAClassOfTheirOwn checks these
         EXPECT_GE(strokes(errors, shade.color), 5) << shade.label << ": a box, and a line in the legend";
     }
     EXPECT_TRUE(says(errors, " px")) << "the worst have their number";

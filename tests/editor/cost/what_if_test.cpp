@@ -203,12 +203,12 @@ TEST_F(WhatIfTest, resultsAreSummarizedInWords) {
     EXPECT_EQ(qualityWords(result, result.points[3], nullptr),
               "Quality 3: 0.42 ms, largest error 12 mm (0.8 px).");
     EXPECT_EQ(qualityWords(result, result.points[4], &result.points[3]),
-              "Quality 4: +0.32 ms, 1.6 mm (0.1 px).");
+              "Quality 4: +0.32 ms, error 1.6 mm (0.1 px).");
     EXPECT_EQ(enoughQuality(result)->quality, 4);
     EXPECT_EQ(
         verdictWords(result),
         "Current quality 3: 0.42 ms per tick, largest error 12 mm (0.8 px), which may be visible. Quality 4 "
-        "costs 0.32 ms more, with 1.6 mm (0.1 px).");
+        "costs 0.32 ms more, error 1.6 mm (0.1 px).");
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST_F(RootPlace, isNotWrittenByResettingPastingOrArranging) {
 }
 
 TEST_F(RootPlace, hasNoPivotForTheShapeTool) {
-    // The child does have a pivot handle.
+    // The child has a pivot handle, the root has none.
     for (const ObjectId id : {named("lamp"), root()})
         workspace.document.world.add<Sprite>(workspace.document.find(id), Sprite{});
     workspace.document.world.remove<BoxCollider>(workspace.document.find(root()));

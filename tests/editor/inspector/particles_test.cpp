@@ -34,7 +34,7 @@ protected:
     }
     /// Scrolls the inspector with the mouse wheel until the field is visible.
     void scrollTo(std::string_view field) {
-        constexpr float kLowest = 600.0f;  // px
+        constexpr float kLowest = 600.0f;  // px: lower edge of the visible part
         for (int i = 0; i < 60; ++i) {
             const WidgetMap::Widget* found = widget(field);
             if (found != nullptr && found->box.max.y < kLowest) return;

@@ -43,7 +43,7 @@ public:
         for (const char* name : names) ids.push_back(named(name));
         return workspace.document.selection.all() == ids;
     }
-    // Input that Hands does not offer.
+    // Input events that `hands` has no functions for.
 
     void send(const Event& event) { window.frame({std::span{&event, 1}}); }
     void hold(Key key, Modifiers modifiers = {}) {

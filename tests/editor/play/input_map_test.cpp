@@ -233,7 +233,7 @@ TEST_F(InputMapTest, renamingIsAllOrNothing) {
     EXPECT_EQ(fileText("scenes/menu.scene.json"), kMenu);
 }
 
-/// Game state that counts key hits.
+/// Game state: number of ticks in which the action Dash was held.
 struct Hits {
     int count = 0;
     void addTo(Hasher& hasher) const { hasher.add(static_cast<std::uint64_t>(count)); }

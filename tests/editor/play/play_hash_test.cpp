@@ -12,8 +12,8 @@
 namespace plumb::editor {
 namespace {
 
-/// One of many component types that no entity has: panels and overlays query types that no player queries,
-/// and this must not change the hash.
+/// One of many component types that no entity has. Panels and overlays query types that the player program
+/// never queries; this must not change the hash.
 template <int N>
 struct Looked {
     int value = N;

@@ -219,8 +219,8 @@ TEST_F(Playing, aRestartedLevelUsesTheEditedSceneAndRewindsExactly) {
     }
     EXPECT_EQ(playedPosition("crate"), (Vec2{500, 64})) << "not as the file has it";
     EXPECT_LT(playedPosition("player").y, 150.0f) << "it was begun anew";
-    // The restart was requested from outside the game, so ticks replayed from a snapshot before it must not
-    // contain it.
+    // The restart was requested from outside the game, so ticks replayed from an earlier snapshot must not
+    // contain the restart.
     for (const std::int64_t tick : {20, 39, 40, 50, 60, 47}) {
         workspace.play.seek(tick);
         EXPECT_EQ(workspace.play.world().hash(), hashes[static_cast<std::size_t>(tick)]) << tick;

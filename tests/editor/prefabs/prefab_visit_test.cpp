@@ -25,7 +25,7 @@ namespace plumb::editor {
 namespace {
 
 const std::string kTorch = prefabPath("torch");
-/// Like a file written by hand: the root has another id, parents and positions are omitted.
+/// A prefab file as written by hand: the id of the root is not 1, parents and positions are omitted.
 constexpr std::string_view kTorchText = R"({
   "format": 1,
   "entities": [

@@ -83,7 +83,7 @@ protected:
     ProjectCodeTest() {
         const Path folder = home_.path / "game";
         EXPECT_TRUE(createProject(*findTemplate("cpp"), "Game", folder).ok());
-        std::filesystem::remove_all(folder / "code");  // the versions come from this test
+        std::filesystem::remove_all(folder / "code");  // the test writes its own versions of the code
         scene_ = *readFile(folder / "scenes/level1.scene.json");
         session = std::move(*ProjectSession::open(folder.string()));
         session->openFirst({});

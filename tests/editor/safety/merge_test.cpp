@@ -94,7 +94,7 @@ TEST_F(Merging, movingAnEntityChangesAtMostTwoLinesOfTheFile) {
     const std::vector<ObjectId> all = document().objects();
     for (const ObjectId id : all) {
         const EntityId entity = document().find(id);
-        // Moving a part of a prefab instance adds an override, which is more than one line.
+        // Moving a part of a prefab instance adds an override, which changes more than one line of the file.
         if (!document().world.has(type, entity) || document().world.has<PrefabPart>(entity)) continue;
         const Vec2 to = std::as_const(document().world).get<Transform>(entity).position + Vec2{16, 8};
         std::vector<SetField::Change> change;

@@ -19,7 +19,7 @@ inline ImU32 over(ImU32 top, ImU32 below) {
     return IM_COL32(mix(IM_COL32_R_SHIFT), mix(IM_COL32_G_SHIFT), mix(IM_COL32_B_SHIFT), 255);
 }
 
-/// Returns the relative luminance of WCAG 2.1; contrast() below returns its contrast ratio, 1 to 21.
+/// Returns the relative luminance as defined by WCAG 2.1, 0 to 1.
 inline float luminance(ImU32 color) {
     const auto linear = [&](int shift) {
         const float value = channel(color, shift);

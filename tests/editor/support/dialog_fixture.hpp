@@ -12,7 +12,7 @@
 
 namespace plumb::editor::ui {
 
-/// Helpers for tests of the dialogs about unsaved or conflicting work; after any of them saving must work.
+/// Helpers for tests of the dialogs about unsaved or conflicting work; after each dialog saving must work.
 class DialogFixture : public EditorFixture {
 protected:
     /// An editor window with a workspace of its own, in which the dialogs are opened.
@@ -80,8 +80,8 @@ protected:
         }
     }
 
-    /// Expects that `save` writes the file, or that it reports why not and opens the dialog "Changed", after
-    /// whose answer a second save writes the file.
+    /// Expects that `save` writes the file. It may instead report why not and open the dialog "Changed"; once
+    /// this is answered, a second save must write the file.
     void expectSaves(Session& session, const std::function<void()>& save) {
         session.workspace.notice.clear();
         const std::string mine = session.workspace.text();

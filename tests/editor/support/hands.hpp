@@ -9,8 +9,8 @@
 
 namespace plumb::editor::ui {
 
-/// Simulates mouse and keyboard input: sends events to an editor window and runs frames. Uses the same path
-/// as events of a real window.
+/// Simulates mouse and keyboard input: sends events to an editor window and runs frames. The window handles
+/// the events like those of the operating system.
 class Hands {
 public:
     explicit Hands(EditorWindow& window) : window_{window} { rest(3); }

@@ -17,7 +17,7 @@ namespace plumb::test {
 /// that led to it and search for the shortest sequence that still crashes.
 class Lives {
 public:
-    using Tell = std::function<void(const std::string& line)>;
+    using Tell = std::function<void(const std::string& line)>;  ///< adds a line to report()
     /// Performs the actions with these numbers. @return the failure; empty on success
     using Life = std::function<std::string(const std::vector<std::uint64_t>& numbers, const Tell& tell)>;
 

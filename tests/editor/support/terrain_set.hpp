@@ -5,7 +5,7 @@
 namespace plumb::editor {
 
 /// A tileset with `terrains` terrains, numbered from 1; their tiles are numbered in the order of rising
-/// masks.
+/// neighbour masks.
 inline Tileset terrainSet(TerrainMode mode, int terrains) {
     Tileset set;
     set.tileWidth = set.tileHeight = 16;

@@ -150,7 +150,7 @@ TEST_F(Tools, arrowKeyNudgesAreMergedIntoOneStep) {
 }
 
 TEST_F(Tools, noTwoActionsThatCountAtOnceShareAShortcut) {
-    // A shortcut for entities or for tiles takes precedence over the same shortcut for `Always`.
+    // An action for entities or for tiles takes precedence over one for `Always` with the same shortcut.
     for (const During now : {During::Entities, During::Tiles, During::Always}) {
         std::vector<std::string> seen;
         for (const Action& action : actionTable()) {

@@ -42,7 +42,7 @@ TEST_F(LayoutWindow, aSplitterIsDraggedAndStoredAsAFractionOfTheWindow) {
 
 TEST_F(LayoutWindow, theTreeShowsWholeRows) {
     for (int i = 0; i < 60; ++i) runAction(workspace, "entity.create");
-    const float bottom = boxOf("Splitter/left").max.y - 8.0f;  // px; the margin of the panel is below
+    const float bottom = boxOf("Splitter/left").max.y - 8.0f;  // px: lower edge of the tree
     for (const char* name : {"camera", "ground"}) {
         workspace.document.selection.set({named(name)});
         hands.rest(3);

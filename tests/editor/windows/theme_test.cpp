@@ -19,7 +19,7 @@ struct Named {
 ImU32 shade(const ThemeColor& swatch, Theme theme) {
     return theme == Theme::Light ? swatch.light : swatch.dark;
 }
-/// Returns a swatch as written in the table of colours, so that it can be searched there.
+/// Returns a theme colour as it is written in theme_colors.hpp, so that it can be searched there.
 std::string text(const ThemeColor& swatch, Theme theme) {
     const ImU32 color = shade(swatch, theme);
     return format("({}, {}, {})", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
@@ -36,7 +36,7 @@ protected:
             }
         }
     }
-    /// Expects a contrast on a surface that is covered by a translucent colour.
+    /// Expects a contrast of at least `least` on the surface `back` covered by the translucent `between`.
     void expectOn(const ThemeColor& front, const ThemeColor& between, const ThemeColor& back, float least) {
         const ImU32 below = over(shade(between, GetParam()), shade(back, GetParam()));
         EXPECT_GE(contrast(shade(front, GetParam()), below), least)

@@ -11,7 +11,7 @@
 #include "tests/physics/support/golden_scenes.hpp"
 #include "tests/support/places.hpp"
 
-// The state hash of each golden scene must be the one in tests/replay/physics.golden on all machines.
+// On all machines, the state hash of each golden scene must equal the one in tests/replay/physics.golden.
 
 namespace plumb::physics {
 namespace {
@@ -33,12 +33,12 @@ std::string inDigits(std::uint64_t hash) {
     return text;
 }
 
-/// Parameters and observations of a run.
+/// Parameters of a run of a golden scene, and values observed in it.
 struct Course {
     StepOptions options;
-    bool rewinds = false;  // takes a snapshot every seventh step, continues, and restores it
-    int touching = 0;
-    std::size_t joints = 0;
+    bool rewinds = false;    // takes a snapshot every seventh step, continues, and restores it
+    int touching = 0;        // out: number of touching contacts, summed over all steps
+    std::size_t joints = 0;  // out: number of joints at the end
 };
 
 std::string hashOf(const GoldenScene& scene, Course& course) {
@@ -76,8 +76,8 @@ protected:
 TEST_P(Golden, isTheHashOfTheScene) {
     Course course;
     EXPECT_EQ(hashOf(scene, course), golden)
-        << "If this change was meant to move bits, run ./plumb test --record and commit "
-           "tests/replay/physics.golden; if not, something is not what it was.";
+        << "If this change is meant to change results, run ./plumb test --record and commit "
+           "tests/replay/physics.golden; otherwise it is a regression.";
     EXPECT_EQ(course.joints > 0, scene.joints);
     EXPECT_EQ(course.touching > 50, scene.contacts) << course.touching;
 }

@@ -5,7 +5,7 @@
 
 #include "tests/physics/support/random_scene.hpp"
 
-// The environment variable PLUMB_SCENES sets the number of scenes.
+// Runs random extreme worlds (random_scene.hpp). Environment variable PLUMB_SCENES: number of scenes.
 
 namespace plumb::physics {
 namespace {
@@ -29,7 +29,7 @@ TEST(RandomScenes, stayFinite) {
     }
     EXPECT_GT(contacts, scenes / 3) << "hardly any contacts";
     EXPECT_GT(plain, scenes / 20);
-    EXPECT_GT(refused, scenes / 20) << "no bad input was tried";
+    EXPECT_GT(refused, scenes / 20) << "hardly any invalid input was rejected";
 }
 
 }  // namespace

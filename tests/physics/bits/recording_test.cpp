@@ -151,8 +151,8 @@ TEST(FromOutside, theApproachSpeedIncludesTheRotationOfTheBodies) {
                 std::find_if(world.events.begin(), world.events.end(),
                              [](const ContactEvent& event) { return event.phase == ContactPhase::Began; });
             if (began == world.events.end()) continue;
-            // The velocities of both bodies before the hit. The contact point is that after the step, in
-            // which the bodies rotate by up to 0.02 rad.
+            // Relative velocity before the hit, at the contact point after the step. In this step the bodies
+            // rotate by up to 0.02 rad, so it is inexact.
             const Vec2 speed = velocity - cross(spin, began->point);
             EXPECT_NEAR(began->approachSpeed, std::fabs(dot(began->normal, speed)), 0.05f * length(speed))
                 << i;

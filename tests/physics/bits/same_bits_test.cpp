@@ -94,8 +94,8 @@ TEST(SameBits, forAnyInstructionSet) {
     setSimdWidth(widest);
 }
 
-/// A heap that uses the broad phase in all its forms: bullets, a rope, a lift, and bodies that are added and
-/// removed.
+/// A heap that uses all functions of the broad phase: with bullets, a rope, a lift, and bodies that are added
+/// and removed.
 World busyWorldAfter(int ticks, BroadPhaseKind kind, const StepOptions& options = {}) {
     Playground scene;
     World& world = scene.world;
@@ -130,7 +130,7 @@ TEST(SameBits, forAnyBroadPhase) {
          {BroadPhaseKind::Grid, BroadPhaseKind::SweepAndPrune, BroadPhaseKind::Quadtree}) {
         SCOPED_TRACE(nameOf(kind));
         World world = busyWorldAfter(300, kind, {.pool = &pool, .minimumWork = 0});
-        EXPECT_NE(hashOf(world), hashOf(expected));  // the kind of broad phase is part of the hashed settings
+        EXPECT_NE(hashOf(world), hashOf(expected));  // the hash includes the kind of broad phase
         world.settings.broadPhase = expected.settings.broadPhase;
         EXPECT_EQ(hashOf(world), hashOf(expected));
     }
@@ -141,7 +141,7 @@ TEST(SameBits, ifTheBroadPhaseIsSwitchedDuringTheRun) {
     pourIn(plain, 200);
     pourIn(switching, 200);
     for (std::uint8_t tick = 0; tick < 120; ++tick) {
-        // Invalid kinds select the tree.
+        // The kinds 4 to 6 are invalid, which selects the tree.
         if (tick % 5 == 0) switching.world.settings.broadPhase = static_cast<BroadPhaseKind>(tick / 5 % 7);
         plain.run(1);
         switching.run(1);
@@ -211,7 +211,7 @@ TEST(SameBits, forAnIslandThatChangesItsQualityGroup) {
     }
     for (int tick = 0; tick < 100; ++tick) {
         for (World* world : {&continued.world, &copied.world}) {
-            // The order of the bodies of both groups stays the same: only the boundary between them moves.
+            // The order of all bodies stays the same: only the boundary between the two groups moves.
             if (tick == 50) {
                 ASSERT_TRUE(setQuality(*world, crates[1], 4).ok());
             }

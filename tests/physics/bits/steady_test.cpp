@@ -82,8 +82,8 @@ TEST(State, ofABodyWithABoxIsSmall) {
     ASSERT_TRUE(world.contacts.empty());
     const std::size_t each = (stateBytes(world) - stateBytes(empty)) / kBodies;
     RecordProperty("bytes", static_cast<int>(each));
-    EXPECT_LE(each, 256u);  // the list of these bytes is in engine/physics/README.md, "State and memory"
-    EXPECT_GE(each, 200u);  // a lower value would mean that the count misses something
+    EXPECT_LE(each, 256u);  // see engine/physics/README.md, "State and memory"
+    EXPECT_GE(each, 200u);  // a lower value would mean that the count is incomplete
 }
 
 }  // namespace

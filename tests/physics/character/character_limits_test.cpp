@@ -73,8 +73,8 @@ TEST(CharacterLimits, cornerCorrectionActsOnlyInTheDirectionOfMotion) {
         for (const bool forwards : {true, false}) {
             SCOPED_TRACE(testing::Message() << side << (forwards ? " forwards" : " back"));
             Course course;
-            // "forwards": the block is behind the character, otherwise in front. It overlaps the head by 0.1
-            // m when they meet.
+            // If `forwards`, the character moves away from the block, otherwise towards it. When they meet,
+            // the block overlaps the head by 0.1 m.
             CharacterController one =
                 jumpUnderABlock(course, forwards ? -side : side, 0.1f + (forwards ? 0.055f : -0.055f));
             bool hit = false;
@@ -238,8 +238,8 @@ TEST(CastShape, reportsTheInitialOverlapAndIgnoresTouchingSurfacesAlongThePath) 
         const auto cast = [&](double y, Vec2 displacement) {
             return castShape(course.world, {box({0.5f, 0.5f}), {far, far + y}, {}}, displacement);
         };
-        // The shape overlaps the surface by 1/8 m: a hit at fraction 0 in any direction, with a normal that
-        // leads out.
+        // The shape overlaps the surface by 1/8 m: a cast in any direction hits at fraction 0, with a
+        // normal that points out of the surface.
         for (const Vec2 displacement : {Vec2{}, Vec2{1.0f, 0.0f}, Vec2{0.0f, -1.0f}, Vec2{0.0f, 1.0f}}) {
             const auto hit = cast(-0.375, displacement);
             ASSERT_TRUE(hit.has_value());
@@ -254,7 +254,7 @@ TEST(CastShape, reportsTheInitialOverlapAndIgnoresTouchingSurfacesAlongThePath) 
         EXPECT_FALSE(cast(-0.5, {}).has_value());
         ASSERT_TRUE(cast(-0.5, {1.0f, 0.1f}).has_value());
         EXPECT_EQ(cast(-0.5, {1.0f, 0.1f})->fraction, 0.0f);
-        // From a distance of 2 m.
+        // A cast from a distance of 2 m.
         const auto hit = cast(-2.5, {0.0f, 4.0f});
         ASSERT_TRUE(hit.has_value());
         EXPECT_NEAR(hit->fraction, 0.5f, 1.0e-5f);

@@ -9,18 +9,18 @@
 namespace plumb::physics {
 namespace {
 
-constexpr float kThin = 0.125f;  // m, half of the platform's thickness
-// m; closer to an end of the platform it is undefined whether a character stands above it
-constexpr float kEdge = 0.05f;
+constexpr float kThin = 0.125f;  // half of the platform's thickness, m
+// Within this distance of a platform's end it is undefined whether a character stands on it.
+constexpr float kEdge = 0.05f;  // m
 
 /// A one-way platform whose velocity changes at random times.
 struct Shelf {
     BodyId body;
     float half = 2.0f;
-    Vec2 axis;           // direction of its motion, or {0, 0}
-    float most = 0.0f;   // maximum speed, m/s
-    float swing = 0.0f;  // maximum angular speed, rad/s
-    bool steady = false;
+    Vec2 axis;            // direction of its motion, or {0, 0}
+    float most = 0.0f;    // maximum speed, m/s
+    float swing = 0.0f;   // maximum angular speed, rad/s
+    bool steady = false;  // true: the velocity never changes
     int ticks = 0;
     Vec2 velocity;
 
@@ -38,7 +38,7 @@ struct Shelf {
     }
 };
 
-/// Position of a character's feet in the frame of a platform, m: along its top, and above it.
+/// Position of a character's feet in the frame of a platform, m: along the platform's top, and above it.
 struct LocalFeet {
     float along = 0.0f;
     float over = 0.0f;
@@ -251,7 +251,7 @@ void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
         ASSERT_TRUE(run.tick()) << t;
         empty.tick(twin);
         if (run.stands(0) || run.all[0].position() != twin.position()) {
-            ASSERT_GE(before.over, -1.0e-4f) << t;  // it landed: the platform is solid from above only
+            ASSERT_GE(before.over, -1.0e-4f) << t;  // it may land only from above
             return;
         }
         ASSERT_EQ(run.all[0].velocity(), twin.velocity()) << t;
@@ -260,7 +260,7 @@ void flyAsIfAlone(OneWayCourse& run, Course& empty, int ticks) {
 
 TEST(CharacterOneWay, aCharacterThatStartsInsideFallsThrough) {
     for (int way = 0; way < 5; ++way) {
-        if (way == 2) continue;  // a platform of this kind is soon below the character
+        if (way == 2) continue;  // a platform that moves down is soon below the character
         for (int i = 0; i < runsToTry(kUsual); ++i) {
             SCOPED_TRACE(std::string{kWays[way]} + " " + std::to_string(i));
             OneWayCourse run{i};

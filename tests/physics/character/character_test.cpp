@@ -132,7 +132,7 @@ TEST(Character, slidesDownTooSteepSlopesAndCannotWalkUpThem) {
         const Vec2 down{-std::cos(angle), std::sin(angle)};
         const Vec2 before = one.velocity();
         course.run(one, 30);
-        // Without friction: the component of gravity along the slope, for half a second.
+        // Steep slopes have no friction: expects the acceleration g sin(angle), for half a second.
         EXPECT_NEAR(dot(one.velocity() - before, down), 10.0f * std::sin(angle) * 0.5f, 0.05f);
         EXPECT_NEAR(dot(one.velocity(), {std::sin(angle), std::cos(angle)}), 0.0f, 10.0f * kTick);
     }

@@ -189,8 +189,8 @@ TEST_P(BroadPhases, answerQueriesLikeBruteForce) {
     }
 }
 
-/// True if the segment from `from` with displacement `way` crosses the box grown by `half`: slab test in
-/// double precision.
+/// True if the segment from `from` to `from` + `way` crosses the box enlarged by `half` on all sides. Slab
+/// test in double precision.
 bool meetsLine(const AABB& box, Vec2 from, Vec2 way, Vec2 half) {
     double first = 0.0;
     double last = 1.0;
@@ -281,7 +281,7 @@ TEST_P(BroadPhases, emptyBoundsOverlapNothing) {
     EXPECT_TRUE(found.empty());
     phase->cast({-3e38f, 0.5f}, {3e38f, 0.0f}, {-1.0f, -1.0f}, 1, found, Among::All);
     EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()).count(line), 1u);
-    // Once more with existing proxies instead of new ones.
+    // The same update again: the proxies are now known to the broad phase.
     EXPECT_EQ(pairsOf(*phase, world), expected);
 }
 
@@ -406,7 +406,7 @@ TEST(BroadPhaseKinds, haveUniqueNames) {
         names.insert(nameOf(static_cast<BroadPhaseKind>(kind)));
     EXPECT_EQ(names.size(), kKinds);
     EXPECT_EQ(names.count(""), 0u);
-    EXPECT_EQ(nameOf(BroadPhaseKind::Count), nameOf(BroadPhaseKind{})) << "an unknown one is the default";
+    EXPECT_EQ(nameOf(BroadPhaseKind::Count), nameOf(BroadPhaseKind{})) << "invalid kinds mean the default";
 }
 
 }  // namespace

@@ -234,7 +234,7 @@ TEST(Events, aTriggerEndsContactsWithSleepingBodiesInAnyOrderOfCreation) {
         const BodyId crate = scene.crate({0.0, 0.5});
         if (!zoneFirst) add();
         scene.run(60);
-        ASSERT_FALSE(isAwake(scene.world, crate)) << "to be in a trigger is no reason to stay awake";
+        ASSERT_FALSE(isAwake(scene.world, crate)) << "an overlap with a trigger must not keep a body awake";
         ASSERT_TRUE(setVelocity(scene.world, zone, {4.0f, 0.0f}).ok());
         const Counted events = countEvents(scene);
         EXPECT_EQ(events.ended, 1);

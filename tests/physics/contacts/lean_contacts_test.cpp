@@ -20,8 +20,8 @@ constexpr int kSeeds = 60;
 
 Vec2 anyHalf(Random& random) { return {random.between(0.2f, 0.6f), random.between(0.2f, 0.6f)}; }
 
-/// A pit into which bodies with fixed rotation fall: onto bars that move or rotate; some bodies are
-/// accelerated, some are slowed by a viscous region.
+/// Builds a pit in which bodies with fixed rotation fall on a kinematic bar that moves and may rotate. Some
+/// bodies have drag, a locked x axis or joints. @param rubs  true: with friction
 World makeUprightPit(std::uint64_t seed, bool rubs) {
     Random random = Random::seeded(seed);
     World world;
@@ -39,7 +39,7 @@ World makeUprightPit(std::uint64_t seed, bool rubs) {
     for (const double side : {-7.0, 7.0})
         add({.kind = BodyKind::Static, .position = {side, 5.0}, .angle = random.between(-0.2f, 0.2f)},
             box({0.5f, 8.0f}));
-    const bool turning = random.below(2) == 0, tied = seed % 5 == 0;  // bodies with joints use full contacts
+    const bool turning = random.below(2) == 0, tied = seed % 5 == 0;  // tied: with joints, so full contacts
     add({.kind = BodyKind::Kinematic,
          .position = {-2.0, 1.0},
          .velocity = {random.between(0.0f, 0.5f), 0.0f},
@@ -125,7 +125,7 @@ TEST(LeanContacts, areUsedInIslandsWithFixedRotationNextToOthers) {
             const bool hasLean = std::any_of(groups.begin(), groups.end(),
                                              [](const SolveGroup& group) { return group.withoutRotation; });
             (hasLean ? apart : together) += 1;
-            if (i == 70) lean = World{lean};  // a copy has no cached data; this must make no difference
+            if (i == 70) lean = World{lean};  // a copy has no cached data, which must not matter
         }
         ASSERT_EQ(lean.contacts.size(), full.contacts.size());
     }

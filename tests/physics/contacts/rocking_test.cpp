@@ -20,7 +20,7 @@ constexpr ShapeDefinition kRough{.friction = 10.0f};
 /// within every two seconds, rad, and the mean period.
 struct Rocking {
     std::vector<float> tilts;
-    float period = 0.0f;  // s
+    float period = 0.0f;  // mean period, s
 
     Rocking(const Geometry& under, Quality quality) {
         World world;
@@ -81,8 +81,8 @@ TEST(Rocking, neverExceedsItsInitialTilt) {
 }
 
 TEST(Rocking, hasThePeriodOfTheFormula) {
-    // Formula for small amplitudes; at 0.2 rad the period is slightly longer. Moment of inertia about the
-    // contact point divided by the restoring torque, both per mass.
+    // Period for small amplitudes; at 0.2 rad it is slightly longer. It depends on the moment of inertia
+    // about the contact point and on the restoring torque, both per mass.
     const float inertia = (1.0f + 0.01f) / 3.0f + 0.01f;  // m2, per kg
     const float period = 6.2831853f * std::sqrt(inertia / (10.0f * (1.0f - 0.1f)));
     for (const Under& under : kUnder) {

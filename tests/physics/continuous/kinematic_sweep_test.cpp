@@ -5,7 +5,7 @@
 namespace plumb::physics {
 namespace {
 
-/// A thin kinematic wall that could tunnel through a body in front of it within a step.
+/// A thin kinematic wall, so fast that it could pass through the body in front of it within one step.
 struct FastWall : Playground {
     BodyId wall;
     BodyId ball;

@@ -6,7 +6,7 @@
 
 #include "tests/physics/support/world_of_bodies.hpp"
 
-// After a hit a swept body continues at the time of the hit, not with the next step.
+// A body stopped by continuous collision detection moves on at the time of the hit, not in the next step.
 
 namespace plumb::physics {
 namespace {
@@ -168,8 +168,8 @@ TEST(MomentOfHit, ofTwoBodiesConservesMomentumAndAddsNoEnergy) {
             const double most = static_cast<double>(world.bodies.mass[bullet.index].mass * speed);
             ASSERT_NEAR(now[0], before[0], 1e-5 * most) << seed;
             ASSERT_NEAR(now[1], before[1], 1e-5 * most) << seed;
-            // The lever arms are inexact by 1 mm, because a gap is left at hits, and by more in later steps,
-            // in which they refer to the poses in the middle of the step.
+            // The lever arms of impulses are inexact: by 1 mm, because a gap is left at hits, and by more in
+            // later steps, in which they are those of the poses in the middle of the step.
             ASSERT_NEAR(now[2], before[2], 5e-3 * most) << seed;
             const float left = energyOf(world, bullet) + energyOf(world, target);
             ASSERT_LE(left, energy * 1.0001f) << seed;
@@ -263,7 +263,7 @@ TEST(MomentOfHit, doesNotExistIfACallbackDisablesTheContact) {
     }
 }
 
-// A body at rest is not swept: the contact solver handles a fast wall that hits it.
+// Continuous collision detection skips a body at rest: the contact solver handles a fast wall that hits it.
 TEST(MomentOfHit, isHandledByTheSolverIfOnlyTheOtherBodyMoves) {
     World world = emptyWorld();
     const BodyId wall = addBody(world, BodyKind::Kinematic, {-1.01, 0.0});

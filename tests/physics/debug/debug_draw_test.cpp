@@ -71,7 +71,7 @@ TEST(DebugDraw, everyShapeIsDrawnInItsRole) {
     EXPECT_EQ(recording.count(DebugRole::Fixed, 'p'), 1u);
     EXPECT_EQ(recording.count(DebugRole::Fixed, 'l'), 1u);
     EXPECT_EQ(recording.count(DebugRole::Driven, 'c'), 1u);
-    EXPECT_EQ(recording.count(DebugRole::Driven, 'l'), 1u);  // line from the centre that shows its rotation
+    EXPECT_EQ(recording.count(DebugRole::Driven, 'l'), 1u);  // radius that shows the circle's rotation
     EXPECT_EQ(recording.count(DebugRole::Awake, 'p'), 1u);
     EXPECT_EQ(recording.count(DebugRole::Asleep, 'p'), 1u);
     EXPECT_EQ(recording.count(), 6u);
@@ -112,7 +112,7 @@ TEST(DebugDraw, velocitiesAndJointsAreDrawnAtTheirPositions) {
     EXPECT_GT(arrows.last[1].x, 0.0f);
     ASSERT_TRUE(createJoint(world, {.a = a, .b = b}));
     EXPECT_EQ(drawn(world, kDrawJoints).count(DebugRole::Joint, 'c'), 1u);
-    // One line from the centre of a to its anchor and one between the anchors; the static body b has no arm.
+    // One line from the centre of a to its anchor, one between the anchors; none for b, as it is static.
     EXPECT_EQ(drawn(world, kDrawJoints).count(DebugRole::Joint, 'l'), 2u);
 }
 
@@ -177,7 +177,7 @@ TEST(DebugDraw, theArrowOfAnImpulseIsProportionalToTheLoad) {
     for (int i = 0; i < 300; ++i) step(world, 1.0f / 60.0f);
     Recording recording = drawn(world, kDrawImpulses);
     ASSERT_EQ(recording.arrows.size(), 6u);
-    // Each interface has two contact points, which share the weight of three, two or one boxes.
+    // Two contact points below each box share the weight of the boxes above: three, two or one.
     std::sort(recording.arrows.begin(), recording.arrows.end());
     const float weight = recording.arrows[0];
     EXPECT_GT(weight, 0.01f);
@@ -191,7 +191,7 @@ TEST(DebugDraw, anImpulseIsThatOfTheWholeStepAtAnyQuality) {
         Playground scene;
         scene.floor();
         scene.crate({0.0, 0.5});
-        // The second crate is in a group with another quality than the first.
+        // The second crate has its own quality, so its island is solved in another group.
         ASSERT_TRUE(setQuality(scene.world, scene.crate({5.0, 0.5}), quality).ok());
         scene.world.settings.quality = 0;
         scene.run(120);
@@ -219,7 +219,7 @@ TEST(DebugDraw, theArrowOfAnImpulseDoesNotDependOnTheTimeStep) {
         for (float time = 0.0f; time < 2.0f; time += dt) step(scene.world, dt);
         const Recording recording = drawn(scene.world, kDrawImpulses);
         ASSERT_EQ(recording.arrows.size(), 2u);
-        EXPECT_NEAR(recording.arrows[0] + recording.arrows[1], 0.2f, 0.002f);  // 0.02 m for each m/s2
+        EXPECT_NEAR(recording.arrows[0] + recording.arrows[1], 0.2f, 0.002f);  // 0.02 m per m/s2
         World copied = scene.world;
         EXPECT_EQ(drawn(copied, kDrawImpulses).arrows, recording.arrows);
     }
@@ -248,7 +248,7 @@ TEST(DebugDraw, frictionIsDrawnAlongASlope) {
     float pushed = 0.0f;
     for (const Stroke& push : pushes) pushed += length(push.points[1] - push.points[0]);
     EXPECT_NEAR(length(along) / pushed, std::tan(slope), 0.02f);
-    // normal part of the weight, 0.02 m for each m/s2
+    // The component of gravity along the normal is drawn with 0.02 m per m/s2.
     EXPECT_NEAR(pushed, 0.2f * std::cos(slope), 0.01f);
 }
 
@@ -315,7 +315,7 @@ TEST(DebugDraw, aTriggerIsConnectedToTheBodiesInside) {
     const auto ties = strokesOf(drawn(world, kDrawTriggers), DebugRole::Visitor);
     ASSERT_EQ(ties.size(), 1u);
     EXPECT_EQ(ties[0].points, (std::vector<Vec2>{{0.0f, 0.0f}, {0.5f, 0.25f}}));
-    EXPECT_EQ(drawn(world, kDrawContacts).count(), 0u) << "a trigger has no points";
+    EXPECT_EQ(drawn(world, kDrawContacts).count(), 0u) << "a contact with a trigger has no points";
 }
 
 TEST(DebugDraw, theSweptPathAndTheHitOfAFastBodyAreDrawn) {
@@ -333,11 +333,11 @@ TEST(DebugDraw, theSweptPathAndTheHitOfAFastBodyAreDrawn) {
     EXPECT_NEAR(stops[0].points[0].x, 4.85f, 1e-2f);
     const auto ways = strokesOf(recording, DebugRole::Sweep);
     ASSERT_EQ(ways.back().kind, 'l');
-    EXPECT_EQ(ways.back().points[0], stops[0].points[0]) << "its path since the hit";
-    EXPECT_NEAR(ways.back().points[1].x, 4.85f, 1e-2f) << "it does not bounce";
+    EXPECT_EQ(ways.back().points[0], stops[0].points[0]) << "the path after the hit begins at the hit";
+    EXPECT_NEAR(ways.back().points[1].x, 4.85f, 1e-2f) << "the body does not bounce";
     ASSERT_TRUE(setVelocity(world, shot, {0.1f, 0.0f}));
     step(world, 1.0f / 60.0f);
-    EXPECT_EQ(drawn(world, kDrawSweeps).count(), 0u) << "what is slow was not swept";
+    EXPECT_EQ(drawn(world, kDrawSweeps).count(), 0u) << "slow bodies are not swept";
 }
 
 TEST(DebugDraw, theSleepTimerOfARestingBodyIsDrawn) {
@@ -376,7 +376,7 @@ TEST(DebugDraw, theRegionsOfEveryBroadPhaseContainAllBoxes) {
         for (const Stroke& box : strokesOf(recording, DebugRole::BroadPhase)) {
             const Vec2 middle = (box.points[0] + box.points[2]) * 0.5f;
             const bool isHeld = std::any_of(regions.begin(), regions.end(), [&](const Stroke& region) {
-                // Grid cells contain a corner of a box, quadtree squares its middle.
+                // A grid cell contains a corner of the box of each proxy in it, a quadtree square its middle.
                 return std::any_of(box.points.begin(), box.points.end(),
                                    [&](Vec2 corner) {
                                        return contains({region.points[0], region.points[2]}, corner);
@@ -394,7 +394,7 @@ TEST(DebugDraw, theRegionsOfEveryBroadPhaseContainAllBoxes) {
 TEST(DebugDraw, anOverwrittenWorldHasNoLastStepUntilTheNextOne) {
     const World crowd = makePit(60, 2);
     World world = makePit(3, 1);
-    ASSERT_TRUE(setQuality(world, {1, 1}, 4));  // two groups, so that bodies are looked up by index
+    ASSERT_TRUE(setQuality(world, {1, 1}, 4));  // two qualities, so two groups of islands
     for (int i = 0; i < 60; ++i) step(world, 1.0f / 60.0f);
     EXPECT_NE(lastStepOf(world), nullptr);
     EXPECT_GT(detectionOf(world).touching, 0);
@@ -434,7 +434,7 @@ TEST(DebugDraw, fieldsShowTheirRegionAndTheirBodies) {
         createField(world, {.kind = FieldKind::Spring, .place = {3.0, -2.0}, .strength = 5.0f, .a = body}));
     const std::vector<BodyId> chosen{body};
     strokes = strokesOf(drawnOf(world, kDrawFields, chosen), DebugRole::Field);
-    ASSERT_EQ(strokes.size(), 3u) << "of one body only its spring is shown";
+    ASSERT_EQ(strokes.size(), 3u) << "if one body is selected, only its spring is drawn";
     EXPECT_EQ(strokes[0].points, (std::vector<Vec2>{{3.0f, 0.0f}, {3.0f, -2.0f}}));
 }
 
@@ -453,7 +453,7 @@ TEST(DebugDraw, onlySelectedSoftBodiesAreDrawn) {
     const SoftBodyId ropes[] = {*createRope(world, {0.0, 0.0}, {1.0, 0.0}, 5),
                                 *createRope(world, {0.0, 2.0}, {1.0, 2.0}, 8)};
     for (const SoftBodyId rope : ropes) {
-        // shorter than the list of soft bodies for the first one
+        // The flags end after the selected body, so for the first one they are fewer than the soft bodies.
         std::vector<std::uint8_t> chosen(rope.index + 1);
         chosen[rope.index] = 1;
         Recording recording;

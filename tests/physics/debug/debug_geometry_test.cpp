@@ -39,7 +39,7 @@ TEST(DebugGeometry, roundedOutlinesAreOffsetByTheRadius) {
             if (length(in) > 1e-4f && length(out) > 1e-4f)
                 turnAngle += std::atan2(cross(in, out), dot(in, out));
         }
-        EXPECT_NEAR(std::fabs(turnAngle), 2.0f * kPi, 0.05f) << "it goes round once";
+        EXPECT_NEAR(std::fabs(turnAngle), 2.0f * kPi, 0.05f) << "the outline winds around once";
     }
 }
 
@@ -111,10 +111,10 @@ TEST(DebugGeometry, contactsAreWhereTheShapesTouch) {
             expectNear(normals[i].points[0], circles[i].points[0]);
             expectNear(unrotate(turn, normals[i].points[1] - normals[i].points[0]), {0.0f, -0.2f}, 1e-4f);
             expectNear(pushes[i].points[0], circles[i].points[0]);
-            // Half the weight, at 0.02 m for each m/s2.
+            // Each point carries half the weight, drawn with 0.02 m per m/s2.
             expectNear(unrotate(turn, pushes[i].points[1] - pushes[i].points[0]), {0.0f, -0.1f}, 2e-3f);
         }
-        EXPECT_NEAR(ends, 0.0f, 2e-3f) << "one at each end";
+        EXPECT_NEAR(ends, 0.0f, 2e-3f) << "one contact point at each end";
     }
 }
 
@@ -127,8 +127,8 @@ TEST(DebugGeometry, frictionIsDrawnBetweenTheContactPointsAgainstTheSliding) {
         scene.run(10);
         const auto holds = strokesOf(drawn(scene.world, kDrawFriction), DebugRole::Friction);
         ASSERT_EQ(holds.size(), 1u);
-        // The point is drawn where it was computed, at the start of the step. The deceleration of 5 m/s2 is
-        // drawn as 0.1 m.
+        // The contact point is drawn at its position at the start of the step. Friction decelerates by 5
+        // m/s2, which is drawn as 0.1 m.
         const auto place = static_cast<float>(scene.x(crate)) - kTick * velocityOf(scene.world, crate).x;
         EXPECT_NEAR(holds[0].points[0].x, place, 0.01f);
         EXPECT_NEAR(holds[0].points[0].y, 0.0f, 2e-3f);
@@ -237,14 +237,14 @@ TEST(DebugGeometry, springsAreDrawnFromAnchorToAnchor) {
     ASSERT_EQ(strokes.size(), 3u);
     expectLine(strokes[0], ends[0], ends[1]);
     for (std::size_t i = 0; i < 2; ++i) expectLine(strokes[i + 1], ends[i], {0.06f, 0.0f});
-    // It is drawn if either of its bodies or the spring itself is selected.
+    // The spring is drawn if one of its bodies or the spring itself is selected.
     EXPECT_EQ(drawnOf(pair.world, kDrawFields, {}).count(), 0u);
     for (const BodyId body : {pair.a, pair.b})
         EXPECT_EQ(drawnOf(pair.world, kDrawFields, {&body, 1}).count(), 3u);
     FieldDefinition wind{.kind = FieldKind::Wind, .velocity = {1.0f, 0.0f}};
     wind.a = pair.a;
     ASSERT_TRUE(createField(pair.world, wind));
-    EXPECT_EQ(drawnOf(pair.world, kDrawFields, {&pair.a, 1}).count(), 3u) << "only springs are their bodies'";
+    EXPECT_EQ(drawnOf(pair.world, kDrawFields, {&pair.a, 1}).count(), 3u) << "only springs belong to bodies";
     const std::vector<std::uint8_t> chosen{0, 1};
     Recording recording;
     debugDraw(pair.world, recording, {.parts = kDrawFields, .selectedOnly = true, .fields = chosen});
@@ -268,7 +268,7 @@ TEST(DebugGeometry, velocitiesAreDrawnForATenthOfASecondAndPathsInTwentySegments
     expectLine(arrows[1], {2.0f, 1.0f}, {2.3f, 0.6f});
     expectLine(arrows[3], {0.0f, 0.0f}, {0.1f, 0.2f});
     const auto lines = strokesOf(drawn(world, kDrawPaths), DebugRole::Path);
-    ASSERT_EQ(lines.size(), 40u) << "of dynamic bodies that are not slower than their sleep speed";
+    ASSERT_EQ(lines.size(), 40u) << "only dynamic bodies at least as fast as their sleep speed have lines";
     for (std::size_t i = 0; i < 20; ++i) {
         const auto at = [](std::size_t part) {
             const float time = 0.05f * static_cast<float>(part);

@@ -105,7 +105,7 @@ TEST(DebugGeometry, limitsOfARodAreDrawnAtItsMinimumAndMaximumLength) {
                        .limit = {true, lower, 2.0f}}};
             const auto strokes = pair.strokes(DebugRole::JointLimit);
             const Vec2 along = normalized(pair.anchorB - pair.anchorA);
-            ASSERT_EQ(strokes.size(), lower > 0.0f ? 2u : 1u) << "a rope has no shortest length";
+            ASSERT_EQ(strokes.size(), lower > 0.0f ? 2u : 1u) << "a rope has no lower limit";
             if (lower > 0.0f) Pair::expectTick(strokes[0], pair.anchorA + lower * along, along);
             Pair::expectTick(strokes.back(), pair.anchorA + 2.0f * along, along);
         }

@@ -52,7 +52,7 @@ TEST(DebugDraw, aSliderShowsItsRangeFromLimitToLimit) {
                .axis = {0.0f, 1.0f},
                .limit = {true, -0.5f, 1.5f}}};
     const auto lines = strokesOf(drawn(hung.world, kDrawJoints), DebugRole::JointLimit);
-    ASSERT_EQ(lines.size(), 3u);  // the range and a stroke at each end
+    ASSERT_EQ(lines.size(), 3u);  // a line along the range, and a short stroke across each end
     EXPECT_EQ(lines[0].points, (std::vector<Vec2>{{2.0f, -0.5f}, {2.0f, 1.5f}}));
     EXPECT_EQ((lines[1].points[0] + lines[1].points[1]) * 0.5f, (Vec2{2.0f, -0.5f}));
     EXPECT_EQ((lines[2].points[0] + lines[2].points[1]) * 0.5f, (Vec2{2.0f, 1.5f}));

@@ -51,7 +51,7 @@ TEST(DisabledBodies, areNotInTheIslandsOfJointedBodies) {
         const BodyId b = addBody(world, BodyKind::Dynamic, {3.0, -0.5}, box({0.5f, 0.5f}));
         ShapeDefinition heavy;
         heavy.density = 300.0f;
-        // this body on b makes b's island need many substeps
+        // This heavy body on b makes the island of b require many substeps.
         addBody(world, BodyKind::Dynamic, {3.0, -1.5}, box({0.5f, 0.5f}), heavy);
         run(world, 30);
         setEnabled(world, b, false);

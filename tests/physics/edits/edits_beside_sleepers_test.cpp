@@ -36,7 +36,7 @@ struct Beside : Playground {
 
 enum class Way { Created, Moved, TurnedInto, Enabled, Count };
 
-/// Puts a trigger of 2 m width over the sleeping crate by one of four edits.
+/// Puts a trigger of 2 m width over the sleeping crate by one of four edits (`way`).
 ShapeId putTrigger(Beside& scene, BodyKind kind, Way way) {
     World& world = scene.world;
     const bool isThere = way != Way::Created;

@@ -64,8 +64,8 @@ TEST(Edits, bodiesOfChangedKindBehaveAsIfCreatedThatWay) {
             const BodyId body = bodyAt(changed, i + 1);
             ASSERT_TRUE(setKind(changed, body, after[i]).ok());
         }
-        // The order of World::awake differs, so sums over islands, and the corrections of their energy, are
-        // rounded differently.
+        // The order of World::awake differs between the worlds, so sums over islands, and energy corrections
+        // computed from these sums, are rounded differently.
         run(changed, 25);
         run(created, 25);
         expectNear(changed, created, 1.0e-4);

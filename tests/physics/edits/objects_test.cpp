@@ -87,7 +87,7 @@ TEST(Objects, callbacksMayDestroyBothColliders) {
         ASSERT_TRUE(physics.create<BoxCollider>(body, Vec2{0.3f, 0.3f}).ok());
     }
     physics.update(kTick);
-    EXPECT_EQ(mine->entered, 1) << "it hears nothing more once it is gone";
+    EXPECT_EQ(mine->entered, 1) << "a destroyed collider receives no further callbacks";
     EXPECT_TRUE(mine->destroyed());
     for (int i = 0; i < 30; ++i) physics.update(kTick);
     EXPECT_EQ(bodyCount(physics.world()), 2u) << "the floor and the second cube";
@@ -197,7 +197,7 @@ TEST(Objects, sleepingCollidersKeepTheirContactsAndReportTheirEnd) {
     EXPECT_FALSE(physics.isTouching(*floor, *box));
     physics.update(kTick);
     EXPECT_EQ(floor->left, 1);
-    EXPECT_EQ(heard, 0) << "what is destroyed hears nothing more";
+    EXPECT_EQ(heard, 0) << "destroyed colliders receive no callbacks";
 }
 
 /// A collider that tries to step the physics in a collision callback.

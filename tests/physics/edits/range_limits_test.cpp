@@ -267,7 +267,7 @@ TEST(RangeLimits, polygonsAreAcceptedIfTheyAreHulls) {
     const std::vector<Corner> pool = square(1.0f);
     EXPECT_TRUE(checkGeometry(polygon, pool).ok());
     polygon.first = 1;
-    EXPECT_FALSE(checkGeometry(polygon, pool).ok()) << "its last corner is not there";
+    EXPECT_FALSE(checkGeometry(polygon, pool).ok()) << "its last corner is not in the pool";
     polygon.first = 5;
     EXPECT_FALSE(checkGeometry(polygon, pool).ok());
     // The index must not exceed the pool even if the memory behind it contains valid corners.

@@ -86,7 +86,7 @@ TEST(ReusedIds, ofDestroyedObjectsDoNotReferToTheirSuccessors) {
         ids = addAll(world, ground, 1.0 + i);
         expectAll(world, gone, false);
         expectAll(world, ids, true);
-        EXPECT_EQ(ids.field.index, gone.field.index) << "its slot is free";
+        EXPECT_EQ(ids.field.index, gone.field.index) << "the freed index must be reused";
         EXPECT_EQ(ids.joint.index, gone.joint.index);
         EXPECT_EQ(ids.body.index, gone.body.index);
         EXPECT_EQ(ids.shape.index, gone.shape.index);

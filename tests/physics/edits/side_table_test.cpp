@@ -8,8 +8,8 @@
 #include "core/random.hpp"
 #include "physics/simulation.hpp"
 
-// Rarely used properties of bodies and shapes are stored in side-table rows that are created and freed with
-// them.
+// Rarely used properties of bodies and shapes are stored in rows of side tables. A row is created when a body
+// or shape needs one, and freed with it.
 
 namespace plumb::physics {
 namespace {
@@ -41,7 +41,7 @@ TEST(SideTable, reusedRowsHaveDefaults) {
     EXPECT_TRUE(table.free.empty());
 }
 
-/// Expects that every used index has a row of its own and that all other rows are in the free list.
+/// Expects that every used index has a row of its own, and that all other rows are in the list `free`.
 void expectNoRowIsLostOrShared(std::vector<std::uint32_t> used, const std::vector<std::uint32_t>& free,
                                std::size_t rows) {
     used.erase(std::remove(used.begin(), used.end(), kNone), used.end());

@@ -43,7 +43,7 @@ TEST(OneWay, letsBodiesPassFromBelowAndCatchesThemFromAbove) {
             step(world, kStep);
             highest = std::max(highest, heightOf(world, thrown));
         }
-        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // the ledge does not slow it
+        EXPECT_NEAR(highest, start + rise, 0.02 * rise);  // the ledge does not slow the body
         EXPECT_NEAR(heightOf(world, thrown), 0.4, 0.02);
     }
 }

@@ -4,8 +4,8 @@
 
 #include "tests/physics/support/effect_scenes.hpp"
 
-// For each effect: a scene that does not require it does not run it, and running it without need changes no
-// bit.
+// For each effect: a scene that does not require the effect does not run it, and a run of the effect without
+// need changes no bit.
 
 namespace plumb::physics {
 namespace {

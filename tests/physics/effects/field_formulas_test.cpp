@@ -189,7 +189,7 @@ TEST(FieldFormulas, explosionsPushByWidthAndDistance) {
         EXPECT_NEAR(velocityOf(world, disc).y, wanted.y, 1.0e-3f * (1.0f + length(wanted)));
         const float turn = cross(at - centreOf(world, disc), impulse) / mass.inertia;
         EXPECT_NEAR(angularVelocityOf(world, disc), turn, 2.0e-3f * (1.0f + std::fabs(turn)));
-        EXPECT_EQ(fieldCount(world), 0u) << "it explodes once";
+        EXPECT_EQ(fieldCount(world), 0u) << "an explosion is removed after one step";
     }
 }
 
@@ -242,10 +242,10 @@ TEST(FieldFormulas, gustsAreLimitedAndSmooth) {
         before = speed;
     }
     EXPECT_GT(low, 10.0f - 3.01f);
-    EXPECT_LT(low, 10.0f - 2.5f) << "in a hundred gusts some are nearly as strong as may be";
+    EXPECT_LT(low, 10.0f - 2.5f) << "some of a hundred gusts have nearly the maximum strength";
     EXPECT_LT(high, 10.0f + 3.01f);
     EXPECT_GT(high, 10.0f + 2.5f);
-    EXPECT_LT(jump, 6.0f * 1.5f / 20.0f + 0.05f) << "the steepest of 3 t2 - 2 t3 is 1.5";
+    EXPECT_LT(jump, 6.0f * 1.5f / 20.0f + 0.05f) << "the maximum slope of 3 t2 - 2 t3 is 1.5";
 }
 
 TEST(FieldFormulas, fluidsLiftAndDragSubmergedBodies) {
@@ -260,8 +260,8 @@ TEST(FieldFormulas, fluidsLiftAndDragSubmergedBodies) {
         field.linearDrag = flight.random.between(0.0f, 3.0f);
         field.angularDrag = flight.random.between(0.0f, 3.0f);
         field.velocity = test::randomPoint(flight.random, 2.0f);
-        // The whole body is in the fluid: a large box or circle around it, or far below the surface of an
-        // unbounded fluid.
+        // The whole body is submerged: the fluid is a large box or circle around it, or unbounded with its
+        // surface far above the body.
         field.region = static_cast<RegionKind>(seed % 3);
         field.half = {50.0f, 40.0f};
         field.radius = 60.0f;

@@ -9,13 +9,13 @@ namespace {
 
 using namespace test;
 
-/// A fluid of 1.5 to 10^5 times the density of a body (`ratio`); its drag on the body is `fluid.linearDrag`
-/// times that ratio.
+/// A fluid that is much denser than a body; its drag on the submerged body is `fluid.linearDrag` times
+/// `ratio`.
 struct HeavyFluid {
     FieldDefinition fluid;
-    float ratio = 0.0f;
-    Geometry outline;
-    float size = 0.0f;  // m
+    float ratio = 0.0f;  // density of the fluid / density of the body, 1.5 to 10^5
+    Geometry outline;    // outline of the body
+    float size = 0.0f;   // size of the body, m
 };
 
 /// Adds a random heavy fluid to a world and sets a random quality and integrator.
@@ -60,7 +60,7 @@ TEST(HeavyFluids, ofAnyDensityAndDragFloatsBodiesAtTheirDepth) {
         SCOPED_TRACE(testing::Message() << seed << " ratio " << made.ratio << " size " << made.size
                                         << " drag " << made.fluid.linearDrag);
         made.outline = box({2.0f * made.size, made.size});
-        // With less drag it oscillates for longer than this minute, with more it sinks for longer.
+        // With less drag the raft oscillates for longer than this minute, with more it sinks for longer.
         if (made.fluid.linearDrag < 1.0f || made.fluid.linearDrag > 30.0f) continue;
         const double depth = static_cast<double>(made.size) * (2.0 / static_cast<double>(made.ratio) - 1.0);
         const BodyId raft = addBody(world, BodyKind::Dynamic, {0.0, depth - 0.3 * made.size}, made.outline);

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-/// Sets a random quality and an integrator that is stable for oscillations.
+/// Sets a random quality, and a random integrator among those that are stable for oscillations.
 void chooseScheme(Random& random, World& world) {
     world.settings.quality = static_cast<Quality>(random.below(5));
     world.settings.integrator = static_cast<IntegratorKind>(1 + random.below(3));

@@ -66,9 +66,9 @@ TEST(IslandReport, reportsTheQualityOfTheWorldForNewBodies) {
     scene.crate({40.0, 0.5});
     const std::vector<IslandReport> islands = reportIslands(scene.world);
     ASSERT_EQ(islands.size(), 3u);
-    EXPECT_EQ(islands[0].quality, 2) << "it was asleep";
+    EXPECT_EQ(islands[0].quality, 2) << "the default, as the island was asleep in the last step";
     EXPECT_EQ(islands[1].quality, 5);
-    EXPECT_EQ(islands[2].quality, 2) << "it was not there";
+    EXPECT_EQ(islands[2].quality, 2) << "the default, as the crate is new";
 }
 
 TEST(IslandReport, reportsTheOwnQualityOfTheFirstBodyToo) {
@@ -77,7 +77,7 @@ TEST(IslandReport, reportsTheOwnQualityOfTheFirstBodyToo) {
     scene.floor();
     scene.crate({0.0, 0.5});
     scene.crate({0.0, 1.5}, {0.5f, 0.5f}, {.density = 20.0f});
-    EXPECT_EQ(reportIslands(scene.world).at(0).quality, 2) << "before it is known";
+    EXPECT_EQ(reportIslands(scene.world).at(0).quality, 2) << "the default before the first step";
     scene.run(2);
     ASSERT_EQ(reportIslands(scene.world).size(), 1u);
     EXPECT_EQ(reportIslands(scene.world)[0].quality, 3);

@@ -23,7 +23,7 @@ float stretchAfter(std::uint8_t iterations, float seconds) {
 }
 
 TEST(Iterations, doNotReduceTheElongationByCompliance) {
-    constexpr float kRested = 30.0f;  // s, until the oscillation has decayed
+    constexpr float kRested = 30.0f;  // time until the oscillation has decayed, s
     const float once = stretchAfter(1, kRested);
     EXPECT_GT(once, 0.3f);
     EXPECT_NEAR(stretchAfter(8, kRested), once, 0.005f * once);

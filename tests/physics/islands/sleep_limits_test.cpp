@@ -22,7 +22,7 @@ int stepsToSleep(float speed, float spin, float sleepSpeed, float sleepTime, flo
         world,
         {.velocity = {0.6f * speed, -0.8f * speed}, .angularVelocity = spin, .sleepSpeed = sleepSpeed});
     static_cast<void>(createShape(world, body, circle(0.5f, {1.5f, 0.0f}), {}));
-    // its farthest point is 2 m from the center of mass
+    // The mass is centered at the origin, so the disc's farthest point is 2 m from the center of mass.
     static_cast<void>(setMassData(world, body, {1.0f, {}, 1.0f}));
     for (int i = 1; i < static_cast<int>(3.0f / dt); ++i) {
         step(world, dt);
@@ -43,10 +43,10 @@ TEST(SleepLimits, bodiesBelowTheSleepSpeedSleepExactlyAfterTheSleepTime) {
         EXPECT_EQ(stepsToSleep(0.0f, 0.51f * limit, limit, 0.495f), -1);
         EXPECT_EQ(stepsToSleep(0.0f, -0.51f * limit, limit, 0.495f), -1);
     }
-    EXPECT_EQ(stepsToSleep(0.0f, 0.0f, 0.0f, 0.495f), 30) << "what stands still is not above 0";
+    EXPECT_EQ(stepsToSleep(0.0f, 0.0f, 0.0f, 0.495f), 30) << "a speed of 0 does not exceed a limit of 0";
     EXPECT_EQ(stepsToSleep(1.0e-4f, 0.0f, 0.0f, 0.495f), -1);
-    EXPECT_EQ(stepsToSleep(0.25f, 0.0f, 0.25f, 0.495f), 30) << "at its limit it rests";
-    EXPECT_EQ(stepsToSleep(0.0f, 0.0f, 0.05f, 1.5f, 0.125f), 12) << "after the time exactly";
+    EXPECT_EQ(stepsToSleep(0.25f, 0.0f, 0.25f, 0.495f), 30) << "the sleep speed itself counts as rest";
+    EXPECT_EQ(stepsToSleep(0.0f, 0.0f, 0.05f, 1.5f, 0.125f), 12) << "sleeps exactly after the sleep time";
     EXPECT_EQ(stepsToSleep(0.0f, 0.0f, 0.05f, 0.0f), 1);
 }
 
@@ -82,7 +82,7 @@ TEST(SleepLimits, oscillatingBodiesSleepByTheirMeanEnergy) {
         const float frequency = 30.0f;  // rad/s
         spring.strength = massOf(world, body) * frequency * frequency;
         ASSERT_TRUE(createField(world, spring).ok());
-        // m/s, for bodies moved only by fields
+        // Speed limit of bodies that are moved only by fields, m/s.
         const float limit = world.settings.slop / world.settings.sleepTime;
         ASSERT_TRUE(setVelocity(world, body, {0.0f, amplitude * limit}).ok());
         for (int i = 0; i < 600; ++i) step(world, kTick);

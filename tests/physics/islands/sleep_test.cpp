@@ -112,7 +112,7 @@ TEST(Sleep, aPlatformThatStartsToMoveWakesBodiesOnItAndHangingFromIt) {
     EXPECT_NEAR(scene.y(lying), 1.75, 0.02);
     EXPECT_NEAR(scene.y(hanging), -1.0, 0.02);
     scene.run(60);
-    EXPECT_NEAR(scene.y(lying), 2.75, 0.02) << "it fell asleep on a platform that moves";
+    EXPECT_NEAR(scene.y(lying), 2.75, 0.02) << "the body slept although its platform moves";
     EXPECT_NEAR(scene.y(hanging), 0.0, 0.02);
 }
 
@@ -169,7 +169,7 @@ struct Sweeper {
                 << "it passes through a sleeping crate";
         }
         while (positionOf(scene.world, sweeper).x < reach + 0.1) tick(byTarget);
-        EXPECT_GT(scene.x(crate), startX + 0.09) << "pushed, as nothing stops it";
+        EXPECT_GT(scene.x(crate), startX + 0.09) << "the awake crate must be pushed";
     }
 };
 
@@ -211,7 +211,7 @@ TEST(Sleep, aKinematicTriggerReportsASleepingBody) {
     }
     EXPECT_EQ(began, 1);
     EXPECT_EQ(ended, 1);
-    EXPECT_FALSE(isAwake(scene.world, crate)) << "a trigger stops nothing";
+    EXPECT_FALSE(isAwake(scene.world, crate)) << "an overlap with a trigger must not prevent sleep";
 }
 
 TEST(Sleep, aChangeOfGravityWakesEverything) {

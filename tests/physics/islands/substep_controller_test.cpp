@@ -22,7 +22,7 @@ struct Island {
     float load = 0.0f;     // error at quality 0, m
     float gain = 4.0f;     // ratio of the errors of two successive quality levels
     float follows = 0.2f;  // fraction of the remaining difference per step
-    float error = 0.0f;    // m
+    float error = 0.0f;    // current error, m
     int changes = 0;
 
     void run(int steps) {
@@ -46,10 +46,10 @@ TEST(SubstepController, aLightIslandGetsTheLowestQuality) {
 TEST(SubstepController, aHardIslandRisesByTheLevelsThatItsErrorRequires) {
     Island island{.effort = begun(0, kStep), .load = 0.1f, .follows = 1.0f};
     island.run(6);
-    EXPECT_EQ(island.effort.quality, 1) << "not all at once: it would hop";
+    EXPECT_EQ(island.effort.quality, 1) << "a larger rise at once would make bodies hop";
     island.run(60);
     EXPECT_GE(island.effort.quality, 4);
-    EXPECT_EQ(island.changes, island.effort.quality) << "one after the other";
+    EXPECT_EQ(island.changes, island.effort.quality) << "each change must be of one level";
     EXPECT_LE(island.error, kTolerance);
 }
 
@@ -129,14 +129,14 @@ struct Tie {
     float error = 0.0f, tolerance = 0.0f;  // m
 };
 
-/// Finds an error that is exactly kRoom of a tolerance when multiplied by `factor`.
+/// Finds an error and a tolerance for which error * factor is exactly kRoom * tolerance.
 Tie tieOf(float factor) {
     for (float tolerance = 1.0f; tolerance < 1.001f; tolerance = std::nextafter(tolerance, 2.0f)) {
         const float limit = kRoom * tolerance, error = limit / factor;
         for (const float near : {std::nextafter(error, 0.0f), error, std::nextafter(error, 9.0f)})
             if (near * factor == limit) return {near, tolerance};
     }
-    ADD_FAILURE() << "there is none";
+    ADD_FAILURE() << "no such error and tolerance found";
     return {};
 }
 
@@ -152,7 +152,7 @@ TEST(SubstepController, limitsAreInclusive) {
     for (const Phase phase : {Phase::Calm, Phase::Strained, Phase::Rising, Phase::Resigned})
         EXPECT_EQ(after({.phase = phase, .wait = kLong}, 1.0f).phase, Phase::Calm);
     EXPECT_EQ(after({.phase = Phase::Trying, .wait = kLong}, kRoom).phase, Phase::Trying);
-    // Maximum error at which a lower quality is tried, and the error that one more level corrects.
+    // Maximum error at which a lower quality is tried, and the limit of an error that another level corrects.
     const Tie small = tieOf(kMaxGain), large = tieOf(1.0f / kMinGain);
     EXPECT_EQ(after({.phase = Phase::Calm}, small.error, small.tolerance).phase, Phase::Trying);
     EXPECT_EQ(after({.phase = Phase::Rising, .error = large.error, .first = large.error}, large.error,
@@ -168,7 +168,7 @@ TEST(SubstepController, limitsAreInclusive) {
               3);
 }
 
-/// Random state with only three qualities, so that many pairs have equal ones.
+/// Creates a random state with one of only three qualities, so that many pairs of states have equal ones.
 SubstepController anyController(Random& random) {
     SubstepController one;
     one.quality = static_cast<Quality>(static_cast<int>(random.below(3)) - 1);

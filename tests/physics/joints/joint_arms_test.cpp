@@ -12,13 +12,13 @@
 namespace plumb::physics {
 namespace {
 
-// m/s, maximum speed at which joint errors are corrected: 10 times Settings::pushSpeed
-constexpr float kClosing = 30.0f;
+// Maximum speed at which joint errors are corrected, 10 times Settings::pushSpeed.
+constexpr float kClosing = 30.0f;  // m/s
 
-/// A box that is pressed against crates under a ceiling.
+/// A box (`lift`) that a joint presses from below against two crates under a ceiling.
 struct Press {
     JointWorld scene;
-    Vec2 half;  // m
+    Vec2 half;  // half extents of the lift, m
     BodyId lift;
 
     Press(Vec2 size, float density, float gap) : half{size} {
@@ -41,7 +41,7 @@ struct Press {
         return body;
     }
     [[nodiscard]] float weight() const { return JointWorld::kGravity * massOf(scene.world, lift); }
-    /// Maximum speed within five seconds, m/s.
+    /// Runs for five seconds. @return the maximum speed of the lift, m/s
     float fastest() {
         float most = 0.0f;
         for (int i = 0; i < 300; ++i) {
@@ -77,8 +77,8 @@ TEST(LongArms, doNotAffectALift) {
 struct RandomPress {
     Press press;
     JointDefinition definition;
-    float arm;    // m
-    float speed;  // m/s
+    float arm;    // distance of the anchor from the lift, m
+    float speed;  // speed of the motor, m/s
 };
 
 RandomPress pressOf(JointKind kind, std::uint64_t seed) {
@@ -114,7 +114,7 @@ TEST(LongArms, ofRandomWeldsToARisingBodyAddNoSpeedBeyondItsOwn) {
         riser.velocity = {0.0f, weld.speed};
         weld.definition.a = *createBody(world, riser);
         (void)weld.press.scene.join(weld.definition);
-        // The crates that overlap it push it out.
+        // Allows for crates that overlap the lift and push it out.
         EXPECT_LT(weld.press.fastest(), 1.1f * weld.speed + 2.0f * world.settings.pushSpeed);
     }
 }

@@ -8,7 +8,7 @@
 namespace plumb::physics {
 namespace {
 
-/// Builds a net of discs connected by every kind of two-body joint.
+/// Builds a net of discs connected by random revolute, distance, prismatic, weld and wheel joints.
 void weave(JointWorld& scene, std::uint64_t seed) {
     Random random = Random::seeded(seed);
     constexpr int kSide = 8;

@@ -4,8 +4,8 @@
 
 #include "tests/physics/support/joint_world.hpp"
 
-// Joints that are created open, or whose bodies are moved apart, close: within the speed limit, completely,
-// and without a remaining velocity.
+// Joints that are created with anchors apart, or whose bodies are moved apart, close completely: within the
+// speed limit, and without a remaining velocity.
 
 namespace plumb::physics {
 namespace {
@@ -43,7 +43,7 @@ TEST(JointClosing, isCompleteBeforeItSleeps) {
                 world.settings.gravity = {};
                 world.settings.sleeping = true;
                 world.settings.directJoints = direct;
-                // maximum correction per step, m
+                // Maximum correction per step, m.
                 const float most = kTimes * world.settings.pushSpeed * JointWorld::kDt;
                 int steps = 0;
                 for (float left = gap; left > world.settings.slop && steps < 600; ++steps) {

@@ -262,7 +262,7 @@ TEST(JointEdits, treesAreSolvedDirectlyDespiteFilterJointsAndDisabledBodies) {
     setEnabled(scene.world, extra, true);
     scene.run(0.5f);
     EXPECT_NE(positionOf(scene.world, extra), (WorldPosition{2.0, -5.0}));
-    EXPECT_LT(readingOf(scene.world, hinge).separation, 1.0e-3f) << "it was made while its body was off";
+    EXPECT_LT(readingOf(scene.world, hinge).separation, 1.0e-3f) << "created while its body was disabled";
 }
 
 TEST(JointEdits, windDragsAndLiftsABoxLikeAFlatPlate) {
@@ -273,7 +273,7 @@ TEST(JointEdits, windDragsAndLiftsABoxLikeAFlatPlate) {
         const ShapeId mass = *createShape(scene.world, body, circle(0.5f));
         ASSERT_TRUE(applyWind(scene.world, plate, {3.0f, 0.0f}, 0.5f, 0.25f).ok());
         const Vec2 force = scene.world.bodies.driveOf(body.index).force;
-        const float width = 2.0f * std::cos(angle), square = 9.0f;  // m, m2/s2
+        const float width = 2.0f * std::cos(angle), square = 9.0f;  // projected width (m), speed^2 (m2/s2)
         EXPECT_NEAR(force.x, 0.5f * width * square, 1.0e-4f);
         EXPECT_NEAR(force.y, 0.25f * width * square * std::sin(angle), 1.0e-4f);
         clearForces(scene.world, body);

@@ -9,14 +9,14 @@
 namespace plumb::physics {
 namespace {
 
-constexpr float kMass = 2.0f;   // kg
-constexpr float kSpeed = 8.0f;  // rad/s or m/s, speed of the motors
+constexpr float kMass = 2.0f;   // mass of the driven body, kg
+constexpr float kSpeed = 8.0f;  // speed of the motors, rad/s or m/s
 
-/// A joint whose motor drives its value back and forth between two limits, with or against the weight.
+/// A joint whose motor drives its coordinate back and forth between two limits, with or against gravity.
 struct Driven {
     std::string_view name;
     JointDefinition (*define)(JointWorld& scene);
-    float (*value)(const JointWorld& scene, BodyId body);        ///< value of the joint, rad or m
+    float (*value)(const JointWorld& scene, BodyId body);        ///< joint coordinate, rad or m
     float (*load)(const JointWorld& scene, BodyId, JointId id);  ///< load reported by the joint, N or N m
     float (*weight)(float value);                                ///< expected load of the weight by formula
 };

@@ -8,7 +8,7 @@
 namespace plumb::physics {
 namespace {
 
-/// The load that a joint carries at rest, in N and N m per 1 m/s2 of gravity.
+/// A joint and the load that it must carry at rest, in N and N m per 1 m/s2 of gravity.
 struct Load {
     JointId joint;
     float force = 0.0f;
@@ -21,8 +21,8 @@ struct Hanging {
     Load (*hang)(JointWorld& scene, float breakForce, float breakTorque);
 };
 
-constexpr float kArm = 0.5f;     // m, distance between hinge and hanging body
-constexpr float kHold = 1.0e6f;  // N or N m, practically rigid
+constexpr float kArm = 0.5f;     // distance between hinge and hanging body, m
+constexpr float kHold = 1.0e6f;  // practically unlimited force or torque, N or N m
 
 Load join(JointWorld& scene, JointDefinition definition, float breakForce, float breakTorque, Load load) {
     definition.breakForce = breakForce;
@@ -211,7 +211,7 @@ TEST(EachJoint, carriesAndReportsItsLoadAtRest) {
     }
 }
 
-/// Gravity at which the joint broke, m/s2; 0 if it did not.
+/// Increases gravity until the joint breaks. @return gravity at that time, m/s2; 0 if the joint did not break
 float whereItBroke(const Hanging& hanging, float breakForce, float breakTorque) {
     JointWorld scene;
     scene.world.settings.gravity = {};

@@ -61,7 +61,7 @@ TEST(PrismaticJoint, motorLiftsLoadsUpToItsForce) {
 
         scene.run(2.0f);
 
-        // m/s after 2 s, if the motor is too weak
+        // Speed after 2 s if the motor is too weak, m/s.
         const float sinking = (force - 1.0f) * JointWorld::kGravity * 2.0f;
         EXPECT_NEAR(velocityOf(scene.world, lift).y, force > 1.0f ? 2.0f : sinking, 0.02f);
     }

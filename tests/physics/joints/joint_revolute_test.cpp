@@ -39,7 +39,7 @@ TEST(RevoluteJoint, keepsTheEnergyOfAPendulumForTenSeconds) {
 
     scene.run(10.0f);
 
-    const double height = 1.0 * JointWorld::kGravity;  // J, for a height difference of 1 m
+    const double height = 1.0 * JointWorld::kGravity;  // potential energy of 1 m in height, J
     EXPECT_NEAR(scene.energyOf(bob), before, 0.005 * height);
     EXPECT_LT(length(scene.gapOf(joint)), 0.002f);
 }
@@ -134,7 +134,7 @@ TEST(RevoluteJoint, springOscillatesWithItsFrequency) {
             scene.run(JointWorld::kDt);
             highest = std::fmax(highest, angle());
         }
-        EXPECT_NEAR(highest, 0.6f, 0.03f);  // amplitude as at the start
+        EXPECT_NEAR(highest, 0.6f, 0.03f);  // the amplitude at the start
     }
 }
 

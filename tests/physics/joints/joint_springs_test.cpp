@@ -33,7 +33,7 @@ const Case kHanging[] = {
       .anchorA = {0.0f, 1.5f},
       .axis = {0.0f, -1.0f},
       .spring = {.rest = 1.5f}}},
-    {"wheel, whose motor is of its rotation only",
+    {"wheel, whose motor drives its rotation only",
      {.kind = JointKind::Wheel, .axis = {0.0f, 1.0f}, .motor = {true, 3.0f, 5.0f}}},
     {"mouse", {.kind = JointKind::Mouse}},
     {"motor", {.kind = JointKind::Motor}, true},
@@ -53,7 +53,7 @@ const Case kTurning[] = {
     {"motor", {.kind = JointKind::Motor}, true},
 };
 
-/// @return a disc of 3 kg at the origin, held by a critically damped joint of this frequency
+/// Creates a disc of 3 kg at the origin, held by the given joint with this frequency and critical damping.
 BodyId tieDisc(JointWorld& scene, const Case& one, float hertz) {
     scene.world.settings.quality = 3;
     JointDefinition joint = one.joint;

@@ -72,7 +72,7 @@ TEST(WeldJoint, breaksByTorque) {
         JointWorld scene;
         const BodyId arm = scene.disc({1.0, 0.0});
         JointDefinition definition = scene.define(JointKind::Weld, scene.ground, arm, {0.0, 0.0});
-        // relative to the weight at 1 m, which is applied suddenly
+        // Relative to the torque of the weight at 1 m, which acts suddenly.
         definition.breakTorque = strength * JointWorld::kGravity;
         const JointId joint = scene.join(definition);
 

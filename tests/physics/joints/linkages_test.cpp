@@ -133,7 +133,7 @@ TEST_P(Linkages, aRopeHungAtBothEndsHoldsItsMotor) {
     float fastest = 0.0f;
     for (std::size_t i = 0; i < scene.world.bodies.size(); ++i)
         fastest = std::max(fastest, length(scene.world.bodies.motion[i].velocity));
-    EXPECT_LT(fastest, 5.0f) << "m/s: more than the motor turns it with";
+    EXPECT_LT(fastest, 5.0f) << "m/s: faster than the motor drives it";
     EXPECT_LT(scene.turn(1.0f, turned), 0.2f) << "m: a joint opened";
 }
 

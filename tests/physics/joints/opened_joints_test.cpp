@@ -44,7 +44,7 @@ TEST(OpenedJoints, ofAMovedBodyClose) {
                         .ok());
         EXPECT_GT(readingOf(world, joint).separation, world.settings.slop);
         run(world, 120);
-        // m; the bob still swings, also at quality 0
+        // 0.02 m, as the bob still swings, also at quality 0.
         EXPECT_LE(readingOf(world, joint).separation, 0.02f) << seed;
     }
 }

@@ -71,9 +71,9 @@ TEST(QueryLimits, touchingCountsAsOverlapAndRangesIncludeTheirEnd) {
     EXPECT_FALSE(closestPoint(world, {0.0, 0.0}, std::nextafter(1.0f, 0.0f)).has_value());
     EXPECT_TRUE(closestPoint(world, {2.0, 0.0}, 0.0f).has_value()) << "inside";
     EXPECT_FALSE(closestPoint(world, {2.0, 0.0}, -1.0e-6f).has_value());
-    EXPECT_TRUE(castRay(world, {}, {1.0f, 0.0f}).has_value()) << "it ends on the surface";
+    EXPECT_TRUE(castRay(world, {}, {1.0f, 0.0f}).has_value()) << "the ray ends on the surface";
     EXPECT_FALSE(castRay(world, {}, {0.999f, 0.0f}).has_value());
-    ASSERT_TRUE(castRay(world, {}, {2.0f, 2.0f}).has_value()) << "it passes through a corner alone";
+    ASSERT_TRUE(castRay(world, {}, {2.0f, 2.0f}).has_value()) << "the ray touches only a corner";
     EXPECT_EQ(castRay(world, {}, {2.0f, 2.0f})->fraction, 0.5f);
     EXPECT_FALSE(castRay(world, {}, {2.0f, 2.001f}).has_value());
 }

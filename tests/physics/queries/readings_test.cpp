@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kScenes = 40;
 
-/// Two moving and rotating bodies with offset centers of mass.
+/// Two moving and rotating bodies, whose centers of mass differ from their positions.
 struct Two {
     World world;
     Random random;
@@ -113,7 +113,7 @@ TEST(Readings, ofSlidersAreDisplacementAlongTheAxisAndItsSpeed) {
         if (seed % 4 < 2) d.limit = {true, -0.5f, 0.5f};
         const JointReading reading = two.read(d);
         const Two::Gap gap = two.gapOf(d);
-        // displacement along the axis at a time, in the rotating frame of A
+        // Displacement of B along the axis after a time, in the rotating frame of A.
         const auto wayOf = [&](float time) {
             const Rot turn =
                 rotFromAngle(time * angularVelocityOf(two.world, two.a)) * rotationOf(two.world, two.a);

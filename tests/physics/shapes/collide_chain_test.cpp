@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-constexpr float kFar = 0.02f;  // m, speculative distance
+constexpr float kFar = 0.02f;  // maximum gap at which contact points are created, m
 
 /// Builds the chain segments between successive points; closed chains end at their first point.
 std::vector<Geometry> chainOf(const std::vector<Vec2>& points, bool closed) {
@@ -200,7 +200,7 @@ TEST(CollideChainProperty, theSeparationFromAnyTerrainIsThatOfTheNearestSegment)
             }
             return least;
         };
-        // Lower it from above (y points down) until the gap is as small as wanted.
+        // Lowers the outline from above (y points down) until the gap is as small as wanted.
         Frame frame{{random.between(-2.0f, 2.0f), -5.0f}, randomRotation(random)};
         const float gap = random.between(0.0f, 0.018f);
         for (int i = 0; i < 200; ++i) frame.position.y += std::fmax(0.0f, nearest(frame) - gap);
@@ -218,7 +218,7 @@ TEST(CollideChain, doesNotCollideFromBehind) {
     for (const Geometry& shape :
          {circle(0.5f), box({0.5f, 0.5f}), capsule({-0.2f, 0}, {0.2f, 0}, 0.4f), hexagon.geometry}) {
         const Outline outline{shape, hexagon.corners};
-        // y points down: it is above the floor
+        // y points down, so the outline is above the floor.
         EXPECT_FALSE(touches(floor, outline, {{0.1f, -0.39f}, {}}).empty());
         EXPECT_TRUE(touches(floor, outline, {{0.1f, 0.45f}, {}}).empty());
         EXPECT_TRUE(touches(floor, outline, {{0.1f, 0.1f}, {}}).empty());
@@ -243,8 +243,8 @@ TEST(CollideChain, aFreeEndActsAsASquareCorner) {
 }
 
 TEST(CollideChainProperty, aCrateTipsOverALedgeWithoutFallingThrough) {
-    // As long as the crate stands on the ledge, its center is behind the plane of the side wall, which it
-    // cannot hit.
+    // As long as the crate stands on the ledge, its center is behind the plane of the ledge's side wall, so
+    // the crate cannot touch this wall.
     const std::vector<Geometry> ledge = chainOf({{-3, 3}, {-3, 0}, {0, 0}, {0, 3}}, false);
     const Convex solid = convexOf(box({1.5f, 1.5f}, {-1.5f, 1.5f}), {});
     for (std::uint64_t seed = 1; seed <= 1000; ++seed) {

@@ -13,8 +13,8 @@ namespace {
 
 using namespace test;
 
-constexpr float kFar = 0.02f;    // m, speculative distance
-constexpr float kTie = 1.6e-3f;  // m, three times the maximum preference for a face
+constexpr float kFar = 0.02f;    // maximum gap at which contact points are created, m
+constexpr float kTie = 1.6e-3f;  // three times the maximum error by preferring a face, m
 
 float least(const Manifold& manifold) {
     float least = std::numeric_limits<float>::infinity();
@@ -130,9 +130,9 @@ TEST_P(EveryPair, isSymmetric) {
         ASSERT_EQ(there.count > 0, back.count > 0);
         if (there.count == 0) continue;
         EXPECT_NEAR(least(there), least(back), kTie);
-        // another face with the same depth was selected
+        // With a different normal, another face of the same depth was selected.
         if (dot(there.normal, back.normal) < 0.9999f) continue;
-        if (there.count != back.count) continue;  // at the limit of the speculative distance
+        if (there.count != back.count) continue;  // a point with a gap of nearly kFar
         ++compared;
         for (int i = 0; i < there.count; ++i) {
             const bool found =

@@ -60,9 +60,9 @@ TEST(Outlines, ofAFullMapAreItsFourBorders) {
 TEST(Outlines, ofAHoleHaveTheOppositeOrientation) {
     const TerrainOutline outline = outlineOf(drawn({"#####", "#...#", "#.#.#", "#...#", "#####"}));
     ASSERT_EQ(outline.size(), 12u);
-    // downwards: the normal of the hole's left wall points right
+    // The hole's left wall runs downwards, so that its normal points right.
     EXPECT_EQ(from(outline, at(1, 1)).b, at(1, 4));
-    // an island in the hole has the orientation of any other solid
+    // The solid cell inside the hole has the orientation of any other solid.
     EXPECT_EQ(from(outline, at(2, 2)).b, at(3, 2));
 }
 
@@ -82,7 +82,7 @@ TEST(Outlines, stayOnTheOpenSideWhereTwoSolidsTouchInAPoint) {
         std::find_if(outline.begin(), outline.end(), [](const TerrainSegment& s) { return s.a == at(1, 0); });
     ASSERT_NE(wall, outline.end());
     EXPECT_EQ(wall->b, at(1, 1));
-    // the floor of the pocket, not the underside of the tile that has this wall
+    // The wall continues with the floor of its pocket, not with the underside of its own tile.
     EXPECT_EQ(wall->after, at(2, 1));
 }
 
@@ -229,7 +229,7 @@ TEST(Outlines, betweenLayersStopBodiesThatDoNotCollideWithTheOtherLayer) {
     const TerrainSegment right = inner(at(1, 0));  // right edge of the left tile
     EXPECT_EQ(right.b, at(1, 1));
     EXPECT_EQ(right.kind, (EdgeKind{0, 0, OneWay::No, static_cast<std::uint8_t>(two + 1)}));
-    // shapes that collide only with this edge treat the left tile as free-standing
+    // For shapes that collide with the left tile only, this tile stands alone.
     EXPECT_EQ(right.before, at(0, 0));
     EXPECT_EQ(right.after, at(0, 1));
     const TerrainSegment left = inner(at(1, 1));
@@ -247,7 +247,7 @@ TEST(Outlines, betweenLayersExistOnlyIfTheOtherLayerCollidesWithFewerShapes) {
     mask.set(0, 0, {TileForm::Full});
     mask.set(1, 0, {TileForm::Full, 0, both});
     const TerrainOutline outline = outlineOf(mask);
-    // no inner edge: shapes that collide with the left tile also collide with the right one
+    // No inner edge, as shapes that collide with the left tile also collide with the right one.
     EXPECT_EQ(outline.size(), 7u);
 }
 

@@ -37,7 +37,7 @@ bool isInside(const TileOutline& outline, GridPoint point) {
     return outline.isSolid();
 }
 
-/// The solid cell that contains a point in its interior; empty if there is none.
+/// Returns the solid cell whose interior contains a point; an empty cell if there is none.
 MaskCell solidAt(const TileMask& mask, GridPoint point) {
     const int x = (point.x + kCellUnits) / kCellUnits - 1;
     const int y = (point.y + kCellUnits) / kCellUnits - 1;

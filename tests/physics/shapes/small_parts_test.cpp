@@ -71,7 +71,7 @@ TEST(BoxStatistics, matchAGridOfBoxes) {
         EXPECT_NEAR(found.aspect, static_cast<float>(columns) / static_cast<float>(rows),
                     0.03f * found.aspect);
         EXPECT_GE(found.extent, 0.999f * size);
-        EXPECT_LE(found.extent, 1.501f * size) << "in steps of a half or a third";
+        EXPECT_LE(found.extent, 1.501f * size) << "the extent is rounded up by at most half";
     }
 }
 
@@ -89,7 +89,7 @@ TEST(BoxStatistics, ignoreAQuarterOfLargeBoxes) {
             return statisticsOf(world.proxies(), ids).extent;
         };
         EXPECT_LE(extent(80, 20), 1.5f);
-        EXPECT_GT(extent(60, 40), 1.5f) << "but of more";
+        EXPECT_GT(extent(60, 40), 1.5f) << "40 % large boxes are not ignored";
         EXPECT_LE(extent(60, 40), 3.0f) << "no more than twice the median";
         EXPECT_GT(extent(40, 60), 0.999f * large);
     }

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 
 constexpr float kDensity = 4.2f;  // kg/m2
-constexpr float kSmall = 0.15f;   // m, radius of balls and half size of crates
+constexpr float kSmall = 0.15f;   // radius of balls and half size of crates, m
 
 SoftBodyId addJelly(World& world, WorldPosition place, float radius, const SoftMaterial& material) {
     std::vector<Vec2> ring;
@@ -42,12 +42,12 @@ BodyId addBall(World& world, WorldPosition place) { return addSmall(world, place
 BodyId addCrate(World& world, WorldPosition place) { return addSmall(world, place, box({kSmall, kSmall})); }
 void addPost(World& world, double x) { addBody(world, BodyKind::Static, {x, -0.5}, box({0.1f, 0.5f})); }
 
-/// Momenta and energy of all soft and rigid bodies; angular momentum about the origin.
+/// Sums over all soft and rigid bodies; the angular momentum is about the origin.
 struct Motion {
-    double x = 0.0, y = 0.0;       // kg m/s
+    double x = 0.0, y = 0.0;       // momentum, kg m/s
     double angularMomentum = 0.0;  // kg m2/s
     double energy = 0.0;           // J
-    double size = 0.0;             // kg m/s, sum of the magnitudes of all momenta
+    double size = 0.0;             // sum of the magnitudes of all momenta, kg m/s
 };
 
 void add(Motion& sum, float mass, WorldPosition place, Vec2 velocity) {
@@ -89,7 +89,7 @@ float fastestPoint(World& world) {
     return most;
 }
 
-/// Builds a world with one of a few impacts, without gravity and damping.
+/// Builds a random scene in which a ball or crate hits a jelly, without gravity and damping.
 World makeBlow(std::uint64_t seed) {
     Random random = Random::seeded(seed);
     World world = makeWorld();
@@ -119,7 +119,7 @@ TEST(SoftContacts, impactsConserveMomentumAndAddNoEnergy) {
             ASSERT_NEAR(now.y, before.y, 1.0e-5 * before.size) << i;
             ASSERT_LT(now.energy, before.energy * (1.0 + 1.0e-4)) << i;
         }
-        EXPECT_GT(thrownOf(world), thrown) << "they never met";
+        EXPECT_GT(thrownOf(world), thrown) << "the ball or crate never hit the jelly";
     }
 }
 
@@ -133,31 +133,31 @@ TEST(SoftContacts, impactsConserveAngularMomentum) {
     }
 }
 
-/// A jelly on the floor between two posts, with bodies that lean on it.
+/// Scene with a jelly on the floor between two posts, and rigid bodies on, under or beside the jelly.
 struct Leaning {
     const char* name;
-    double post;  // m, position of the right post; the left one is at -0.8 m
+    double post;  // x of the right post, m; the left one is at x = -0.8 m
     void (*add)(World& world);
 };
 
 constexpr Leaning kLeanings[] = {
-    {"a ball on it", 0.8,
+    {"a ball on the jelly", 0.8,
      [](World& world) {
          addBall(world, {0.03, -1.6});
      }},
-    {"a ball under it", 0.8,
+    {"a ball under the jelly", 0.8,
      [](World& world) {
          addBall(world, {0.45, -0.15});
      }},
-    {"a crate beside it", 1.1,
+    {"a crate beside the jelly", 1.1,
      [](World& world) {
          addCrate(world, {0.75, -0.2});
      }},
-    {"a ball between it and a post", 0.9,
+    {"a ball between jelly and post", 0.9,
      [](World& world) {
          addBall(world, {0.6, -1.4});
      }},
-    {"a crate between it and a ball", 1.15,
+    {"a crate between jelly and ball", 1.15,
      [](World& world) {
          addCrate(world, {0.62, -1.2}), addBall(world, {0.85, -1.6});
      }},

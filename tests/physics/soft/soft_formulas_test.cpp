@@ -145,13 +145,13 @@ TEST(SoftFormulas, noTwoNeighbouringLinksOfTheListShareAParticle) {
         const SoftLink &a = links[i - 1], &b = links[i];
         shared += a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b ? 1 : 0;
     }
-    EXPECT_LE(shared, 8u) << "but where one color ends and the next begins";
+    EXPECT_LE(shared, 8u) << "only links at the border of two colors may share a particle";
 }
 
 TEST(SoftFormulas, rangesOfCountsAreExact) {
     World world;
     EXPECT_FALSE(createRope(world, {}, {1.0, 0.0}, 1).ok());
-    EXPECT_FALSE(createRope(world, {1.0, 2.0}, {1.0, 2.0}, 5).ok()) << "without a length";
+    EXPECT_FALSE(createRope(world, {1.0, 2.0}, {1.0, 2.0}, 5).ok()) << "a rope of length 0";
     EXPECT_TRUE(createRope(world, {}, {1.0, 0.0}, 2).ok());
     EXPECT_TRUE(createRope(world, {}, {1.0, 0.0}, 10000).ok());
     EXPECT_FALSE(createRope(world, {}, {1.0, 0.0}, 10001).ok());

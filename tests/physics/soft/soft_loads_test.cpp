@@ -15,17 +15,17 @@ using namespace test;
 
 constexpr float kGravity = 10.0f;     // m/s2
 constexpr int kTenSeconds = 600;      // number of steps in ten seconds
-constexpr float kNearRest = 4.0e-3f;  // m/s; crates rock on round jellies for a while
-constexpr float kAtRest = 1.0e-3f;    // m/s
+constexpr float kNearRest = 4.0e-3f;  // maximum speed of crates, m/s; they rock on round jellies for a while
+constexpr float kAtRest = 1.0e-3f;    // maximum speed of bodies at rest, m/s
 
 /// A jelly of 1 kg between two posts, and crates on it or a crate below it.
 struct Load {
-    float radius = 0.5f;      // m
-    float crate = 0.2f;       // m, half the side length of a crate
-    float mass = 1.0f;        // kg, total mass of the crates
-    float compliance = 0.0f;  // m/N
-    int crates = 1;
-    bool below = false;
+    float radius = 0.5f;      // radius of the jelly, m
+    float crate = 0.2f;       // half the side length of a crate, m
+    float mass = 1.0f;        // total mass of the crates, kg
+    float compliance = 0.0f;  // compliance of the jelly's links, m/N
+    int crates = 1;           // number of crates
+    bool below = false;       // true: the crate is below the jelly
 };
 
 /// Creates a random load of 1/1000 to 1000 times the mass of the jelly. Links stretch by at most 1 cm under
@@ -47,7 +47,7 @@ struct Loaded {
     std::vector<BodyId> crates;
 };
 
-constexpr float kParticle = 0.02f;  // m, radius of a particle
+constexpr float kParticle = 0.02f;  // radius of a particle, m
 
 Loaded build(const Load& load) {
     Loaded made{makeWorld(), {}, {}};
@@ -88,7 +88,7 @@ float fastest(const Loaded& made) {
     return most;
 }
 
-/// Maximum depth of a particle's center inside a crate, m.
+/// Returns the maximum depth of a particle's center inside a crate, m.
 float entered(const Loaded& made, float crate) {
     float most = 0.0f;
     for (const BodyId body : made.crates) {
@@ -179,7 +179,7 @@ TEST(SoftLoads, aJellyInFreeFlightStopsDeforming) {
         world.settings.gravity = {};
         run(world, kTenSeconds);
         for (const SoftParticle& p : particlesOf(world, made.jelly))
-            ASSERT_LT(length(p.velocity), kAtRest) << "links pass errors on around the ring";
+            ASSERT_LT(length(p.velocity), kAtRest) << "solver errors must not travel around the ring";
     }
 }
 
@@ -200,7 +200,7 @@ TEST(SoftLoads, islandsThatShareASoftBodyAreSolvedTogether) {
     for (const BodyId ball : {fine, coarse}) {
         momentum += static_cast<double>(massOf(world, ball) * velocityOf(world, ball).y);
         before += static_cast<double>(massOf(world, ball) * 2.0f);
-        EXPECT_LT(velocityOf(world, ball).y, 1.99f) << "it met the rope";
+        EXPECT_LT(velocityOf(world, ball).y, 1.99f) << "the ball must have hit the rope";
     }
     EXPECT_NEAR(momentum, before, 1.0e-5 * before);
 }

@@ -77,7 +77,7 @@ float gapBetween(const World& world, SoftBodyId a, SoftBodyId b) {
     return gap;
 }
 
-constexpr float kApart = 0.1f;  // m, sum of both particle radii
+constexpr float kApart = 0.1f;  // sum of both particle radii, m
 
 struct Momentum {
     double x = 0.0, y = 0.0;
@@ -98,7 +98,7 @@ TEST(SoftSoftContacts, aJellyRestsOnAnother) {
     addFloor(world);
     const SoftBodyId below = addJelly(world, {0.0, -0.7}, 0.6f, firm(2.0f));
     const SoftBodyId above = addJelly(world, {0.05, -2.2}, 0.6f, firm(2.0f));
-    addBody(world, BodyKind::Static, {-1.0, -2.0}, box({0.3f, 2.0f}));  // posts that keep it from rolling off
+    addBody(world, BodyKind::Static, {-1.0, -2.0}, box({0.3f, 2.0f}));  // posts: nothing rolls off
     addBody(world, BodyKind::Static, {1.0, -2.0}, box({0.3f, 2.0f}));
     for (int i = 0; i < 600; ++i) {
         run(world, 1);
@@ -157,7 +157,7 @@ TEST(SoftSoftContacts, impactsConserveMomentum) {
             run(world, 1);
             nearest = std::min(nearest, gapBetween(world, a, b));
         }
-        EXPECT_LT(nearest, kApart + 0.01f) << "they never met";
+        EXPECT_LT(nearest, kApart + 0.01f) << "the bodies never touched";
         EXPECT_GT(nearest, kApart - 0.03f);
         const Momentum after = momentumOf(world);
         EXPECT_NEAR(after.x, before.x, 1.0e-5 * size);

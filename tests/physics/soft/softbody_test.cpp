@@ -61,7 +61,7 @@ TEST(SoftBody, windMovesARopeOnlyInsideItsRegion) {
         return wayOf(world, rope, 0, 19).x;
     };
     EXPECT_GT(asideIn({10.0f, 10.0f}), 0.5f);
-    EXPECT_EQ(asideIn({0.5f, 0.01f}), 0.0f) << "only its pin is in the wind";
+    EXPECT_EQ(asideIn({0.5f, 0.01f}), 0.0f) << "only the pinned particle is in the wind";
 }
 
 TEST(SoftBody, aJellyKeepsItsArea) {

@@ -12,8 +12,8 @@
 
 namespace plumb::physics {
 
-inline constexpr float kTick = 1.0f / 60.0f;  // s
-inline constexpr float kGap = 0.001f;         // m, equal to the default of CharacterDefinition::gap
+inline constexpr float kTick = 1.0f / 60.0f;  // time step, s
+inline constexpr float kGap = 0.001f;         // default of CharacterDefinition::gap, m
 
 enum class Figure { Box, RoundedBox, Circle, Capsule, Count };
 inline constexpr Figure kFigures[] = {Figure::Box, Figure::RoundedBox, Figure::Circle, Figure::Capsule};
@@ -26,7 +26,7 @@ inline Geometry outlineOf(Figure figure, float size = 1.0f) {
         default: return capsule({0.0f, -0.5f * size}, {0.0f, 0.5f * size}, 0.4f * size);
     }
 }
-/// Distance from the origin of the outline to its lowest point (y down), m.
+/// Returns the distance from the outline's origin down to its lowest point (y down), m.
 inline float feetOf(const Geometry& outline) {
     return outline.kind == ShapeKind::Circle ? outline.radius : outline.b.y + outline.radius;
 }

@@ -33,7 +33,7 @@ inline float areaOf(std::span<const Vec2> points) {
     return 0.5f * twice;
 }
 
-/// Distance of a point from a convex outline, m; 0 inside it.
+/// Returns the distance of a point from a convex outline, m; 0 inside the outline.
 inline float distanceFrom(std::span<const Vec2> corners, Vec2 point) {
     float nearest = std::numeric_limits<float>::max();
     bool isInside = true;
@@ -82,6 +82,6 @@ struct Pair {
     }
 };
 
-constexpr std::uint64_t kPairs = 20;
+constexpr std::uint64_t kPairs = 20;  // number of random pairs that a test tries
 
 }  // namespace plumb::physics

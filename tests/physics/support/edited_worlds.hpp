@@ -15,7 +15,7 @@ inline bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// Expects equal bodies up to rounding, the same effects in use and as many contacts.
+/// Expects equal positions up to `tolerance`, m, the same effects in use and equally many contacts.
 inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6) {
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         EXPECT_NEAR(a.bodies.pose[i].centre.x, b.bodies.pose[i].centre.x, tolerance) << i;
@@ -26,7 +26,7 @@ inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6
     EXPECT_EQ(a.contacts.size(), b.contacts.size());
 }
 
-/// Expects poses, motions and masses that are equal bit for bit.
+/// Expects poses, velocities and masses that are equal bit for bit.
 inline void expectSame(const World& a, const World& b) {
     EXPECT_TRUE(sameBytes(a.bodies.pose, b.bodies.pose));
     EXPECT_TRUE(sameBytes(a.bodies.motion, b.bodies.motion));
@@ -60,7 +60,7 @@ inline ShapeDefinition randomDefinition(Random& random) {
     return d;
 }
 
-/// @param exact  makes the center of mass lie exactly at the origin of the body
+/// @param exact  true: the center of mass is exactly at the origin of the body
 inline Geometry randomGeometry(Random& random, bool exact = false) {
     const float size = random.between(0.3f, 0.6f);
     if (exact && random.below(2) == 0) return box({size, random.between(0.2f, 0.6f)});
@@ -71,7 +71,7 @@ inline Geometry randomGeometry(Random& random, bool exact = false) {
     }
 }
 
-/// Builds a floor (body 0, shape 0) and a heap of bodies with one shape each: body i has shape i.
+/// Builds a floor (body 0, shape 0) and a heap of `count` bodies with one shape each: body i has shape i.
 inline World heap(int count, const std::function<BodyKind(int)>& kindOf,
                   const std::function<ShapeDefinition(int)>& definitionOf,
                   const std::function<Geometry(int)>& geometryOf) {

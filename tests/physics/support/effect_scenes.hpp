@@ -7,14 +7,14 @@
 #include "physics/simulation.hpp"
 #include "physics/soft/softbody.hpp"
 
-// For every effect: a scene that does not require it, and a distant object that requires it but touches
-// nothing else. Tests iterate over all effects; a new effect needs a case in addDistantObject().
+// For every effect (Effect, a part of the step that runs only if an object requires it): a scene that does
+// not require the effect, and a distant object that does. A new effect needs a case in addDistantObject().
 
 namespace plumb::physics::test {
 
 inline constexpr int kCrates = 30;
 
-/// Builds a pile of boxes and discs that requires neither the effect `omitted` nor any rarely used effect.
+/// Builds a pile of boxes and discs that does not require the effect `omitted`, nor any rarely used effect.
 inline World makeSceneWithout(Effect omitted) {
     World world;
     world.settings.sleeping = false;
@@ -64,7 +64,7 @@ struct Remote {
     }
 };
 
-/// Adds a distant object that requires an effect. @return false if the switch has no case for the effect
+/// Adds a distant object that requires an effect. @return false if this function lacks a case for the effect
 inline bool addDistantObject(World& world, Effect effect) {
     Remote far{world};
     switch (effect) {
@@ -109,7 +109,7 @@ inline void pinEffectOn(World& world, Effect effect) {
     if (effect == Effect::Sleep) world.settings.sleeping = true;
 }
 
-/// True if the poses and motions of the floor and the pile are equal bit for bit.
+/// True if poses and velocities of the floor and the pile are equal bit for bit; ignores distant objects.
 inline bool samePile(const World& a, const World& b) {
     const std::size_t count = kCrates + 1;
     return std::memcmp(a.bodies.pose.data(), b.bodies.pose.data(), count * sizeof(BodyPose)) == 0 &&

@@ -26,7 +26,7 @@ struct JointWorld {
         ground = *createBody(world, definition);
     }
 
-    /// Creates a disc of radius 0.5 m; with the default mass of 1 kg its inertia is 1/8 kg m2.
+    /// Creates a disc of radius 0.5 m; with a mass of 1 kg its moment of inertia is 1/8 kg m2.
     BodyId disc(WorldPosition place, float mass = 1.0f) {
         constexpr float kRadius = 0.5f;
         BodyDefinition definition;
@@ -48,7 +48,7 @@ struct JointWorld {
         definition.anchorB = pivot - positionOf(world, b);
         return definition;
     }
-    /// Creates discs of 1 and 2 kg, each 3 m below its pulley wheel.
+    /// Creates discs of 1 and 2 kg, each 3 m below its pulley wheel. @return a pulley joint between them
     JointDefinition definePulley(float ratio) {
         JointDefinition definition;
         definition.kind = JointKind::Pulley;
@@ -76,7 +76,7 @@ struct JointWorld {
     [[nodiscard]] float angle(BodyId body) const { return angleOf(rotationOf(world, body)); }
     [[nodiscard]] Vec2 place(BodyId body) const { return toVec2(centreOf(world, body)); }
 
-    /// Kinetic plus potential energy, J.
+    /// Returns the kinetic plus potential energy of a body, J.
     [[nodiscard]] double energyOf(BodyId body) const {
         const BodyMass& mass = world.bodies.mass[body.index];
         const double speed = length(velocityOf(world, body)), spin = angularVelocityOf(world, body);
@@ -84,7 +84,7 @@ struct JointWorld {
                mass.mass * -static_cast<double>(world.settings.gravity.y) * centreOf(world, body).y;
     }
 
-    /// Mean time between upward crossings of `rest` by the result of `measure`, s; 0 after fewer than two.
+    /// Runs for `seconds`. @return the mean time between upward crossings of `rest` by measure(), s; 0: none
     template <class Measure>
     float periodOf(float rest, float seconds, Measure&& measure) {
         float first = 0.0f, last = 0.0f, before = measure();
@@ -103,7 +103,7 @@ struct JointWorld {
 };
 
 /// Creates a random tree of discs with joints that the direct solver supports.
-/// @param hangs  attaches its root to the ground
+/// @param hangs  true: attaches the root of the tree to the ground
 inline std::vector<JointId> growTree(JointWorld& scene, Random& random, WorldPosition root, bool hangs) {
     constexpr JointKind kKinds[] = {JointKind::Revolute, JointKind::Weld, JointKind::Prismatic,
                                     JointKind::Distance};

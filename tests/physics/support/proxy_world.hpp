@@ -15,8 +15,8 @@ struct ProxyWorld {
     std::vector<AABB> bounds;
     std::vector<Filter> filters;
     std::vector<ProxyMotion> motions;
-    std::vector<std::uint32_t> changed;  ///< proxies added or changed since the last call of clearChanged()
-    std::vector<std::uint8_t> isChanged;
+    std::vector<std::uint32_t> changed;   ///< proxies added or changed since the last call of clearChanged()
+    std::vector<std::uint8_t> isChanged;  ///< per proxy: 1 if it is in `changed`
 
     [[nodiscard]] Proxies proxies() const { return {bounds, filters, motions}; }
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(bounds.size()); }
@@ -48,7 +48,7 @@ struct ProxyWorld {
         changed.clear();
     }
 
-    /// Keys of all pairs with at least one changed proxy, sorted.
+    /// Returns the sorted keys of all expected pairs with at least one changed proxy.
     [[nodiscard]] std::vector<PairKey> pairsOfChanged() const {
         std::vector<PairKey> pairs;
         for (const std::uint32_t a : changed) {
@@ -93,7 +93,7 @@ struct ProxyWorld {
 
 inline AABB boxAt(Vec2 centre, Vec2 half) { return {centre - half, centre + half}; }
 
-/// Distribution of the boxes of a random world.
+/// Distribution of the sizes and positions of the boxes of a random world; see randomBox().
 enum class BoxStatistics : std::uint8_t { Even, Crowds, Sizes, Column, Lattice, Spot, Giants, Far, Count };
 
 /// Creates a box with random half extents and position.

@@ -11,10 +11,10 @@
 
 namespace plumb::physics {
 
-// Extreme scenes: sizes over six decades, masses over eight, speeds up to 10 km/s, overlapping bodies, random
-// joints and edits. In all of them the numbers must stay finite and every step must end.
+// Extreme scenes: sizes over six powers of ten, masses over eight, speeds up to 10 km/s, overlapping bodies,
+// random joints and edits. In all of them the numbers must stay finite and every step must end.
 
-/// A random world, with counts of contacts and of rejected calls.
+/// A random extreme world. Counts its contacts and the calls that the world rejected.
 class RandomScene {
 public:
     explicit RandomScene(std::uint64_t seed) : random_{Random::seeded(seed)} {
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] int refused() const { return refused_; }
 
 private:
-    static constexpr float kTick = 1.0f / 60.0f;  ///< s
+    static constexpr float kTick = 1.0f / 60.0f;  ///< time step, s
     static constexpr std::uint32_t kBox = 5;      ///< the case of addShape() that creates a box
     static constexpr float kBadNumbers[] = {std::numeric_limits<float>::quiet_NaN(),
                                             std::numeric_limits<float>::infinity(),
@@ -71,7 +71,7 @@ private:
                                             1.0e30f};
 
     bool oneIn(std::uint32_t times) { return random_.below(times) == 0; }
-    /// Log-uniform between low and high; an invalid or extreme number in one of 200 calls.
+    /// Returns a log-uniform random number from low to high; in one of 200 calls an invalid or extreme one.
     float number(float low, float high) {
         if (oneIn(200)) return kBadNumbers[random_.below(static_cast<std::uint32_t>(std::size(kBadNumbers)))];
         return low * exponential(random_.unit() * std::log(high / low));
@@ -203,8 +203,8 @@ private:
     std::vector<JointId> joints_;
     float size_ = 1.0f;
     bool plain_ = false;  ///< fixed rotation, no bounce or joints, mostly boxes: runs the reduced kernels
-    int contacts_ = 0;
-    int refused_ = 0;
+    int contacts_ = 0;    ///< number of contacts, summed over all steps
+    int refused_ = 0;     ///< number of rejected calls
 };
 
 }  // namespace plumb::physics

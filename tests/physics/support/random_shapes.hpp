@@ -10,9 +10,9 @@
 
 namespace plumb::physics::test {
 
-inline constexpr std::uint64_t kSeeds = 200;
+inline constexpr std::uint64_t kSeeds = 200;  // number of random cases that a test tries
 
-/// A geometry together with its corners.
+/// A geometry together with its corners, which are empty except for polygons.
 struct Outline {
     Geometry geometry;
     std::vector<Corner> corners;

@@ -97,7 +97,7 @@ inline std::int64_t doubleAreaOf(const TileOutline& outline) {
     return sum;
 }
 
-/// Twice the area of the solid cells, computed from the tile outlines, units^2.
+/// Twice the area of all solid cells of a mask, computed from the tile outlines, units^2.
 inline std::int64_t doubleAreaOf(const TileMask& mask) {
     std::int64_t sum = 0;
     for (int y = 0; y < mask.height(); ++y) {

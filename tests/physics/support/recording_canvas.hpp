@@ -12,8 +12,8 @@ namespace plumb::physics {
 
 struct Stroke {
     DebugRole role;
-    char kind;  // l line, c circle, p polygon or a arrow
-    std::vector<Vec2> points;
+    char kind;                 // 'l': line, 'c': circle, 'p': polygon, 'a': arrow
+    std::vector<Vec2> points;  // m; a circle has its center and {radius, 0}
 };
 
 /// Records and counts strokes by role and kind, and checks that all their points are finite.
@@ -41,7 +41,7 @@ public:
         for (const auto& [key, number] : counts_) all += number;
         return all;
     }
-    std::vector<Vec2> last;
+    std::vector<Vec2> last;     // points of the last stroke
     std::vector<float> arrows;  // lengths of all arrows, m
     std::vector<Stroke> strokes;
     std::vector<std::uint32_t> islands;  // island index of each polygon with DebugRole::Island

@@ -7,7 +7,7 @@ namespace plumb::physics {
 
 // Worlds for tests of queries, and the shapes that a query is expected to consider.
 
-/// 2^20 m: its sum with a position on the grid of 1/128 m is exact.
+/// Distance from the origin, 2^20 m: the sum with a position on a grid of 1/128 m is exact.
 inline constexpr double kFar = 1048576.0;
 
 /// Scatters bodies and shapes of all kinds over 20 x 20 m around (origin, 0).

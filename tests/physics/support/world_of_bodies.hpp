@@ -13,7 +13,7 @@ namespace plumb::physics {
 
 // Worlds for tests of whole steps. y points up here, unlike the default: gravity is (0, -10).
 
-inline constexpr float kTick = 1.0f / 60.0f;  ///< s
+inline constexpr float kTick = 1.0f / 60.0f;  ///< time step, s
 
 inline BodyId addBody(World& world, BodyKind kind, WorldPosition position, float angle = 0.0f) {
     const Result<BodyId> made = createBody(world, {.kind = kind, .position = position, .angle = angle});
@@ -72,7 +72,7 @@ struct Playground {
         EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().text());
         return *made;
     }
-    /// A static box whose top is at y = 0.
+    /// Adds a static box whose top is at y = 0.
     BodyId floor(const ShapeDefinition& definition = {}, float half = 50.0f) {
         const BodyId ground = body(BodyKind::Static, {0.0, -1.0});
         shape(ground, box({half, 1.0f}), definition);
@@ -105,7 +105,7 @@ struct Playground {
     [[nodiscard]] Vec2 velocity(BodyId body) const { return velocityOf(world, body); }
 };
 
-/// Returns all poses and motions bit for bit: the state that must be deterministic.
+/// Returns all bits of all poses and velocities: the state that must be deterministic.
 inline std::vector<std::uint64_t> bitsOf(const World& world) {
     std::vector<std::uint64_t> bits;
     const auto add = [&](const void* memory, std::size_t bytes) {
@@ -120,7 +120,7 @@ inline std::vector<std::uint64_t> bitsOf(const World& world) {
     return bits;
 }
 
-/// Number of contacts that touch.
+/// Returns the number of contacts whose shapes touch.
 inline int touching(const World& world) {
     int count = 0;
     for (const Contact& contact : world.contacts) count += (contact.flags & kTouching) != 0 ? 1 : 0;

@@ -85,7 +85,7 @@ TEST(TerrainBody, hasTheSegmentsOfTheOutlinesInTheWorld) {
                 }));
             }
         }
-        EXPECT_LE(surfaces.size(), 1u) << "it is one surface";
+        EXPECT_LE(surfaces.size(), 1u) << "all segments must belong to one surface";
         addBody(world, BodyKind::Static, {});
         made->destroy(world);
         EXPECT_EQ(bodyCount(world), 1u);
@@ -133,7 +133,7 @@ TEST(PolygonStore, reusesTheBlocksOfDestroyedPolygons) {
         step(world, kTick);
         const std::size_t after = world.shapes.corners.size();
         const ShapeId again = add(corners);
-        EXPECT_EQ(world.shapes.corners.size(), after) << "its place was free";
+        EXPECT_EQ(world.shapes.corners.size(), after) << "the freed corner block must be reused";
         const Geometry second = world.shapes.geometry[again.index];
         EXPECT_EQ(second.first, first.first);
         EXPECT_TRUE(std::equal(outline.begin(), outline.end(), world.shapes.corners.begin() + second.first));

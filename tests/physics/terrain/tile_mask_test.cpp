@@ -125,7 +125,7 @@ TEST(TilePalette, numbersMaterialsAndLayersAndRejectsInvalidOnes) {
     }
     EXPECT_FALSE(palette.addMaterial({.bounciness = 1.1f}).ok());
     EXPECT_FALSE(palette.addMaterial({.surfaceSpeed = kNan}).ok());
-    EXPECT_FALSE(palette.addMaterial({.friction = 101.0f}).ok()) << "no shape would take it";
+    EXPECT_FALSE(palette.addMaterial({.friction = 101.0f}).ok()) << "a friction that shapes reject";
     EXPECT_FALSE(palette.addMaterial({.surfaceSpeed = 1.1e6f}).ok());
     EXPECT_EQ(*palette.addMaterial({.surfaceSpeed = -3.0f}), 3);
     for (std::uint32_t i = 0; i < 1000; ++i) {

@@ -20,16 +20,16 @@ enum class Rider { Box, Ball, Pentagon, Capsule, Count };
 /// A body and its tiled floor, in a frame in which the floor is y = 0 along x.
 struct Ride {
     Rider rider = Rider::Box;
-    float half = 0.5f;   // m
-    float speed = 1.0f;  // m/s
+    float half = 0.5f;   // half size of the body, m
+    float speed = 1.0f;  // initial speed, m/s
     float friction = 0.0f;
-    float tile = 1.0f;     // m, maximum width of a tile
-    float unlike = 0.0f;   // maximum ratio by which tiles are smaller
-    float slant = 0.0f;    // m, slant of the sides of polygon tiles
-    float overlap = 0.0f;  // m, overlap of neighboring tiles
-    float uneven = 0.0f;   // m, height differences of the tops
-    float slope = 0.0f;    // rad, rotation of everything including gravity
-    bool inRows = false;   // more rows of tiles below
+    float tile = 1.0f;     // maximum width of a tile, m
+    float unlike = 0.0f;   // tiles are narrower than the maximum by up to this fraction
+    float slant = 0.0f;    // horizontal offset of the slanted sides of polygon tiles, m
+    float overlap = 0.0f;  // overlap of neighboring tiles, m
+    float uneven = 0.0f;   // height differences of the tops, m
+    float slope = 0.0f;    // rotation of the whole scene including gravity, rad
+    bool inRows = false;   // true: more rows of tiles below
     bool oneBody = false;  // all tiles belong to one body
     BodyKind kind = BodyKind::Static;
     std::uint64_t seed = 0;
@@ -148,9 +148,9 @@ struct Track {
     [[nodiscard]] float speed() const { return unrotate(turn, velocityOf(ground.world, body)).x; }
 };
 
-struct Loss {
-    float speed = 0.0f;  // ratio of the speeds on tiles and on a single floor
-    float hop = 0.0f;    // m
+struct Loss {            // effect of the tiles
+    float speed = 0.0f;  // largest difference of the speeds on tiles and on a single floor / initial speed
+    float hop = 0.0f;    // largest deviation from the height at the start, m
 };
 
 Loss lossOf(const Ride& ride) {
@@ -188,11 +188,11 @@ TEST(TileSeams, stepsBelowTheToleranceStopNothing) {
 
 /// A floor that ends at x = `end` at a wall or an edge, built of tiles and of a single shape for comparison.
 struct Ends {
-    float half = 0.2f;  // m, half size of the body
+    float half = 0.2f;  // half size of the body, m
     float speed = 1.0f;
     float end = 1.0f;
     float tile = 0.5f;
-    float wall = 0.0f;  // m, height of the wall; 0 means an edge
+    float wall = 0.0f;  // height of the wall at the end, m; 0: an edge
     bool turns = true;
     std::uint64_t seed = 0;
 

@@ -6,15 +6,15 @@ using namespace plumb;
 
 /// A character that the player moves. The inspector shows the fields, scenes save them.
 struct Walker {
-    float speed = 200.0f;  ///< px/s
-    float jump = 420.0f;   ///< px/s
+    float speed = 200.0f;  ///< px/s, walking speed
+    float jump = 420.0f;   ///< px/s, speed at the start of a jump
 
     static void describe(TypeBuilder<Walker>& type) {
-        type.name("Walker").doc("A character that the arrow keys move and Space lets jump.");
+        type.name("Walker").doc("A character that walks with the arrow keys and jumps with Space.");
         type.field<&Walker::speed>("speed")
             .unit(Unit::PixelsPerSecond)
             .range(0.0f, 2000.0f)
-            .doc("Speed, px/s.");
+            .doc("Walking speed, px/s.");
         type.field<&Walker::jump>("jump")
             .unit(Unit::PixelsPerSecond)
             .range(0.0f, 2000.0f)
@@ -22,26 +22,26 @@ struct Walker {
     }
 };
 
-/// Brings an entity back to where it was when it falls out of the level.
+/// Moves an entity back to its initial position when it falls out of the level.
 struct ComeBack {
-    float below = 400.0f;  ///< px
-    Vec2 home;             ///< px
-    bool hasHome = false;
+    float below = 400.0f;  ///< px: y below which the entity is moved back
+    Vec2 home;             ///< px: initial position, to which it is moved back
+    bool hasHome = false;  ///< `home` has been set
 
     static void describe(TypeBuilder<ComeBack>& type) {
-        type.name("ComeBack").doc("Brings the entity back to its start when it falls out of the level.");
-        type.field<&ComeBack::below>("below").unit(Unit::Pixels).doc("Height below which it comes back, px.");
+        type.name("ComeBack").doc("Moves the entity back to its initial position when it falls.");
+        type.field<&ComeBack::below>("below").unit(Unit::Pixels).doc("Moves it back from below this y, px.");
         type.field<&ComeBack::home>("home").transient();
         type.field<&ComeBack::hasHome>("hasHome").transient();
     }
 };
 
-/// An event: others can react to it.
+/// Event: an entity fell out of the level. Systems and functions can react to it.
 struct Fell {
     EntityId entity;
 };
 
-/// Systems run in every tick, 60 times a second.
+/// Moves the Walkers by the player's input. Systems run in every tick, 60 times a second.
 struct WalkerSystem {
     void update(World& world, float) {
         for (auto [entity, walker, body] : world.query<const Walker, RigidBody>()) {
@@ -67,9 +67,9 @@ struct ComeBackSystem {
     }
 };
 
-static void reportFall(World&, const Fell&) { logNote("Game", "The player fell and comes back"); }
+static void reportFall(World&, const Fell&) { logNote("Game", "The player fell and was moved back"); }
 
-/// The list of everything above that the game uses.
+/// Registers the components, systems and event handlers above with the engine.
 PLUMB_MODULE(module) {
     module.components<Walker, ComeBack>();
     module.system<WalkerSystem, Walker>(before<PhysicsSystem>());

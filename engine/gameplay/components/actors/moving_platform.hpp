@@ -12,10 +12,10 @@ enum class Easing : std::uint8_t { Linear, Smooth };
 /// Moves the entity back and forth along a straight path and
 /// carries the bodies on it. Needs a KinematicBody and a collider.
 struct MovingPlatform {
-    Vec2 way = {64.0f, 0.0f};        ///< px, displacement from the initial position to the other end
+    Vec2 way = {64.0f, 0.0f};        ///< px, from the initial position to the other end of the path
     float period = 4.0f;             ///< s, travel time there and back, without waiting
     float phase = 0.0f;              ///< initial phase, as a ratio of the period
-    Easing easing = Easing::Smooth;  ///< acceleration near the ends
+    Easing easing = Easing::Smooth;  ///< motion near the ends: sudden, or with gradual acceleration
     float wait = 0.0f;               ///< s, waiting time at each end
     Vec2 home;                       ///< px, initial position
     bool started = false;            ///< `home` has been set

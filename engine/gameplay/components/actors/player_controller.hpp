@@ -11,7 +11,7 @@ struct PlayerController {
     float runSpeed = 180.0f;          ///< px/s, maximum speed of running
     float runAcceleration = 2000.0f;  ///< px/s2, for starting, reversing and stopping
     float overspeedBraking = 800.0f;  ///< px/s2, deceleration to runSpeed from a higher speed
-    float airControl = 0.65f;         ///< ratio of accelerations, in the air to on the ground
+    float airControl = 0.65f;         ///< ratio of the acceleration in the air to that on the ground
     float gravity = 1800.0f;          ///< px/s2, used instead of the world's gravity
     float fallSpeed = 320.0f;         ///< px/s, maximum falling speed
     float fastFallSpeed = 480.0f;     ///< px/s, maximum falling speed while down is held
@@ -21,7 +21,7 @@ struct PlayerController {
     int coyoteTicks = 6;            ///< ticks after walking off a ledge in which it can still jump
     int bufferTicks = 6;            ///< ticks for which a press in the air is kept until it can jump
     float apexSpeed = 80.0f;        ///< px/s: below this vertical speed gravity is halved while jump is held
-    float cornerCorrection = 4.0f;  ///< px, maximum sideways shift by which its head passes a corner
+    float cornerCorrection = 4.0f;  ///< px, maximum sideways shift past a corner that its head hits
     float steepest = 0.8727f;       ///< rad, maximum slope of ground; steeper ground is a wall
     float pushSpeed = 60.0f;        ///< px/s, speed of pushing boxes
     int facing = 1;                 ///< facing direction: 1 right, -1 left
@@ -31,7 +31,7 @@ struct PlayerController {
     int dropping = 0;               ///< remaining ticks of falling through one-way ground
     EntityId ground;                ///< the entity it stands on
     Vec2 groundNormal = {0.0f, -1.0f};  ///< unit normal of the ground
-    Vec2 carry;                         ///< px/s, velocity of the ground; added to its own when it leaves
+    Vec2 carry;                         ///< px/s, velocity of the ground; added to its own in a jump or fall
 
     static void describe(TypeBuilder<PlayerController>& type) {
         type.name("PlayerController")
@@ -78,7 +78,7 @@ struct PlayerController {
         type.field<&PlayerController::jumpHoldTicks>("jumpHoldTicks")
             .unit(Unit::Ticks)
             .range(0.0f, 600.0f)
-            .doc("Maximum time for which holding the button keeps the jump speed, ticks.");
+            .doc("Maximum time for which holding the jump button keeps the jump speed, ticks.");
         type.field<&PlayerController::coyoteTicks>("coyoteTicks")
             .unit(Unit::Ticks)
             .range(0.0f, 600.0f)
@@ -94,7 +94,7 @@ struct PlayerController {
         type.field<&PlayerController::cornerCorrection>("cornerCorrection")
             .unit(Unit::Pixels)
             .range(0.0f, 32.0f)
-            .doc("Maximum sideways shift by which its head passes a ceiling corner, px.");
+            .doc("Maximum sideways shift past a ceiling corner that its head hits, px.");
         type.field<&PlayerController::steepest>("steepest")
             .unit(Unit::Radians)
             .range(0.0f, 1.5f)

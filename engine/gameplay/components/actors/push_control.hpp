@@ -22,7 +22,7 @@ struct PushControl {
         type.field<&PushControl::maxSpeed>("maxSpeed")
             .unit(Unit::PixelsPerSecond)
             .range(0.0f, 1e5f)
-            .doc("Speed per axis above which it does not accelerate further, px/s.");
+            .doc("Speed per axis above which the player cannot accelerate the body further, px/s.");
         type.field<&PushControl::jumpSpeed>("jumpSpeed")
             .unit(Unit::PixelsPerSecond)
             .range(0.0f, 1e5f)

@@ -10,7 +10,7 @@ namespace plumb {
 
 /// A menu of the MenuItems in its scene, sorted by ascending order. The axis
 /// Vertical and the mouse select an item, Confirm and a click activate it;
-/// Cancel and Pause close an overlay. Sounds: SoundCues step and activate.
+/// Cancel and Pause close an overlay. Plays the SoundCues `step` and `activate`.
 struct Menu {
     Color color;                              ///< color of items that are not selected
     Color selectedColor{255, 216, 102, 255};  ///< color of the selected item
@@ -28,7 +28,7 @@ struct Menu {
         type.field<&Menu::cursorOffset>("cursorOffset")
             .unit(Unit::Pixels)
             .doc("Vector from the selected item to the cursor, px.");
-        type.field<&Menu::closes>("closes").doc("Cancel and Pause close the overlay.");
+        type.field<&Menu::closes>("closes").doc("The actions Cancel and Pause close the overlay.");
         type.field<&Menu::selected>("selected").transient();
         type.field<&Menu::pushed>("pushed").transient();
     }

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-enum class MenuAction : std::uint8_t { Close, GoTo, Restart, Quit, Open };
+enum class MenuAction : std::uint8_t { Close, GoTo, Restart, Quit, Open };  ///< request for the scene stack
 
 /// An item of a Menu; its text is the entity's Label.
 struct MenuItem {

@@ -8,7 +8,7 @@ namespace plumb {
 /// A trigger at which a player that touched it respawns.
 struct Checkpoint {
     Vec2 offset;          ///< px, from the Transform to the respawn position
-    bool active = false;  ///< the checkpoint touched last
+    bool active = false;  ///< this is the checkpoint that was touched last
 
     static void describe(TypeBuilder<Checkpoint>& type) {
         type.name("Checkpoint").doc("A trigger at which a player that touched it respawns.");

@@ -31,7 +31,7 @@ struct Detonator {
         type.field<&Detonator::speed>("speed")
             .unit(Unit::PixelsPerSecond)
             .range(-1e9f, 1e9f)
-            .doc("Speed at the center, px/s, of a body with a mass of 1 kg per px of its width.");
+            .doc("Speed that a body of 1 kg per px of its width gets at the center, px/s.");
         type.field<&Detonator::ticks>("ticks").unit(Unit::Ticks).transient();
     }
 };

@@ -9,7 +9,7 @@ namespace plumb {
 struct CharacterBody {
     static void describe(TypeBuilder<CharacterBody>& type) {
         type.name("CharacterBody")
-            .doc("Marks a body that a controller moves, not forces; it pushes dynamic bodies.");
+            .doc("Marks a body that a controller moves instead of forces; it pushes dynamic bodies.");
     }
 };
 

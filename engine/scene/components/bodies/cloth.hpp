@@ -9,14 +9,14 @@
 
 namespace plumb {
 
-enum class ClothPins : std::uint8_t { None, TopCorners, TopEdge };
+enum class ClothPins : std::uint8_t { None, TopCorners, TopEdge };  ///< particles of a cloth that are fixed
 
 /// A cloth: a grid of particles whose top-left corner starts at the entity. The entity itself does not move.
 struct Cloth : SoftLook {
-    Vec2 size{200.0f, 200.0f};  ///< px, width and height at the start
-    int columns = 20;           ///< number of particles from left to right
-    int rows = 20;              ///< number of particles from top to bottom
-    ClothPins pinned = ClothPins::TopEdge;
+    Vec2 size{200.0f, 200.0f};              ///< px, width and height at the start
+    int columns = 20;                       ///< number of particles from left to right
+    int rows = 20;                          ///< number of particles from top to bottom
+    ClothPins pinned = ClothPins::TopEdge;  ///< particles fixed at their initial positions
 
     static void describe(TypeBuilder<Cloth>& type) {
         type.name("Cloth").doc(

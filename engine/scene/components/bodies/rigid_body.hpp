@@ -22,7 +22,7 @@ struct RigidBody {
     bool canSleep = true;          ///< may fall asleep while at rest, to save time
     bool lockX = false;            ///< never moves along x
     bool lockY = false;            ///< never moves along y
-    int quality = -1;  ///< 2^quality substeps for it and the bodies it touches; -1: the scene's quality
+    int quality = -1;  ///< 2^quality substeps per tick for it and bodies it touches; -1: the scene's quality
 
     RigidBody() = default;
     explicit RigidBody(float kilograms) : mass{kilograms} {}
@@ -66,8 +66,8 @@ struct RigidBody {
         type.field<&RigidBody::quality>("quality")
             .range(-1.0f, 6.0f)
             .doc(
-                "Quality: 2^quality substeps for this body and the bodies it touches; -1: the scene's "
-                "quality.");
+                "Quality: 2^quality substeps per tick for this body and the bodies it touches; -1: the "
+                "scene's quality.");
     }
 };
 

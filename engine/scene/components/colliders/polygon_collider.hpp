@@ -10,7 +10,7 @@ namespace plumb {
 struct PolygonCollider : ColliderSurface {
     FixedList<Vec2, 64> points;  ///< px from the Transform, in order, clockwise or counterclockwise
     Vec2 offset;                 ///< px, added to all points
-    float rounding = 0.0f;       ///< px: radius by which it is enlarged on all sides, with round corners
+    float rounding = 0.0f;       ///< px: radius by which the polygon grows on all sides, with round corners
 
     static void describe(TypeBuilder<PolygonCollider>& type) {
         type.name("PolygonCollider").doc("A polygon collider; it may be concave.");
@@ -24,7 +24,7 @@ struct PolygonCollider : ColliderSurface {
         type.field<&PolygonCollider::rounding>("rounding")
             .unit(Unit::Pixels)
             .range(0.0f, 1e6f)
-            .doc("Radius by which it is enlarged on all sides, with round corners, px.");
+            .doc("Radius by which the polygon grows on all sides, with round corners, px.");
     }
 };
 

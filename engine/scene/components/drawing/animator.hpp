@@ -11,7 +11,7 @@ class World;
 struct Animation;
 
 /// Plays the clips of an animation file on the entity's
-/// Sprite. Code selects the clip, or the file's state machine.
+/// Sprite. Game code or the file's state machine selects the clip.
 struct Animator {
     static constexpr std::size_t kParameters = 8;  ///< maximum number of state machine parameters
 
@@ -22,10 +22,10 @@ struct Animator {
     bool loop = true;                          ///< false: every clip plays once, then stops
     int frame = 0;                             ///< index of the frame in the clip
     float timer = 0.0f;                        ///< s since the frame was first shown
-    int direction = 0;                         ///< 1 forward, -1 backward; 0 until the clip has started
+    int direction = 0;                         ///< playback: 1 forward, -1 backward; 0: clip not started yet
     bool ended = false;                        ///< a clip that plays once has finished
     int state = 0;                             ///< index of the state in the state machine
-    FixedList<float, kParameters> parameters;  ///< values for the state machine; bools and triggers: 0 or 1
+    FixedList<float, kParameters> parameters;  ///< values of the parameters; bools and triggers: 0 or 1
 
     Animator() = default;
     explicit Animator(AnimationId file) : animation{file} {}
@@ -38,7 +38,7 @@ struct Animator {
         type.field<&Animator::animation>("animation").doc("Animation file to play.");
         type.field<&Animator::clip>("clip")
             .range(0.0f, 1023.0f)
-            .doc("Index of the clip played first; a state machine selects its own.");
+            .doc("Index of the clip to play; a state machine in the file selects the clip instead.");
         type.field<&Animator::speed>("speed")
             .unit(Unit::Ratio)
             .range(-10.0f, 10.0f)

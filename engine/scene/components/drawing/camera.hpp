@@ -15,12 +15,12 @@ struct Camera {
     Vec2 deadZone;   ///< px, size of the box in which the followed entity can move without moving the camera
     Vec2 lookAhead;  ///< s: the view is ahead of the followed body by its velocity times this
     float smoothing = 0.0f;      ///< s in which it covers 95 % of the distance to its target; 0: at once
-    Rect limits;                 ///< px, world: rectangle that the view stays inside; empty for none
+    Rect limits;                 ///< px, world: rectangle that the view stays inside; empty: no limits
     float previousZoom = 1.0f;   ///< zoom one tick ago (ratio)
     float shakeStrength = 0.0f;  ///< px, amplitude at the start of the shake
     float shakeSeconds = 0.0f;   ///< s, duration of the shake
     float shakeTime = 0.0f;      ///< s since the shake began
-    bool settled = false;        ///< the camera has reached its target once; the first tick jumps to it
+    bool settled = false;        ///< false until the first tick, in which the camera jumps to its target
 
     static void describe(TypeBuilder<Camera>& type) {
         type.name("Camera").doc(

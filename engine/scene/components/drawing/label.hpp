@@ -21,7 +21,7 @@ struct Label {
     Color outline{0, 0, 0, 0};  ///< color of the 1 px outline; transparent for none
     LabelAlign align = LabelAlign::Left;
     int layer = 100;      ///< drawing layer; higher numbers are in front
-    bool screen = false;  ///< fixed on the screen: the Transform is px from the view's top-left corner
+    bool screen = false;  ///< fixed on the screen: the Transform is in px from the view's top-left corner
 
     static void describe(TypeBuilder<Label>& type) {
         type.name("Label").doc(

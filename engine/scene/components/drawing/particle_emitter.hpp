@@ -24,10 +24,10 @@ struct ParticleEmitter {
     int burst = 0;                ///< particles emitted at once at the start of each cycle
     float duration = 1.0f;        ///< s, length of an emission cycle
     bool loop = true;             ///< repeats the cycle
-    bool prewarm = false;         ///< starts with the particles of past emission
+    bool prewarm = false;         ///< starts with the particles that a long emission would have left
     int maximum = 1000;           ///< maximum number of particles alive at a time
     float lifetime = 0.9f;        ///< s, mean lifetime of a particle
-    float lifetimeSpread = 0.4f;  ///< ratio: maximum deviation of the lifetime
+    float lifetimeSpread = 0.4f;  ///< maximum deviation from the mean lifetime, as a ratio of it
 
     EmitterArea area = EmitterArea::Point;
     Vec2 areaSize{64.0f, 16.0f};  ///< px, size of the box around the Transform
@@ -36,22 +36,22 @@ struct ParticleEmitter {
     float direction = -1.57079637f;  ///< rad, clockwise from the right; default: up
     float spread = 1.22173048f;      ///< rad: full angle of the fan around the direction
     float speed = 150.0f;            ///< px/s, mean initial speed
-    float speedSpread = 0.5f;        ///< ratio: maximum deviation of the speed
+    float speedSpread = 0.5f;        ///< maximum deviation from the mean speed, as a ratio of it
     float gravity = 0.35f;           ///< ratio to the scene's gravity
     float drag = 1.0f;               ///< 1/s: decay rate of the velocity
     float spin = 0.0f;               ///< rad/s, mean angular velocity
-    float spinSpread = 0.0f;         ///< rad/s: maximum deviation of the angular velocity
-    bool randomTurn = false;         ///< random initial rotation
+    float spinSpread = 0.0f;         ///< rad/s: maximum deviation from the mean angular velocity
+    bool randomTurn = false;         ///< each particle starts with a random rotation
     ParticleSpace space = ParticleSpace::World;
 
     TextureId texture;
-    Rect source;              ///< px: the part of the texture to draw; empty: all of it
-    float size = 3.0f;        ///< px, mean length of the longer side
-    float sizeSpread = 0.5f;  ///< ratio: maximum deviation of the size
-    Curve sizeOverLife = Curve::line(1.0f, 0.3f);
+    Rect source;                                   ///< px: the part of the texture to draw; empty: all of it
+    float size = 3.0f;                             ///< px, mean length of the longer side
+    float sizeSpread = 0.5f;                       ///< maximum deviation from the mean size, as a ratio of it
+    Curve sizeOverLife = Curve::line(1.0f, 0.3f);  ///< multiplier of the size over the lifetime
     Curve opacityOverLife = {{CurveKey{0.0f, 1.0f}, CurveKey{0.6f, 0.9f}, CurveKey{1.0f, 0.0f}}, 3};
-    Color colorStart{255, 214, 102, 255};
-    Color colorEnd{214, 58, 26, 255};
+    Color colorStart{255, 214, 102, 255};  ///< color of a particle when it is emitted
+    Color colorEnd{214, 58, 26, 255};      ///< color of a particle at the end of its lifetime
     ParticleBlend blend = ParticleBlend::Normal;
     int layer = 10;  ///< drawing layer; higher numbers are in front
 
@@ -90,7 +90,7 @@ private:
         type.field<&ParticleEmitter::lifetimeSpread>("lifetimeSpread")
             .unit(Unit::Ratio)
             .range(0.0f, 1.0f)
-            .doc("Maximum deviation of the lifetime, as a ratio.");
+            .doc("Maximum deviation from the mean lifetime, as a ratio of it.");
         type.field<&ParticleEmitter::area>("area")
             .names({{"point", 0}, {"box", 1}, {"circle", 2}})
             .doc("Shape of the area around the Transform in which particles appear.");
@@ -119,11 +119,11 @@ private:
         type.field<&ParticleEmitter::speedSpread>("speedSpread")
             .unit(Unit::Ratio)
             .range(0.0f, 1.0f)
-            .doc("Maximum deviation of the speed, as a ratio.");
+            .doc("Maximum deviation from the mean speed, as a ratio of it.");
         type.field<&ParticleEmitter::gravity>("gravity")
             .unit(Unit::Ratio)
             .range(-100.0f, 100.0f)
-            .doc("Ratio to the scene's gravity; negative makes particles rise.");
+            .doc("Gravity of the particles as a ratio to the scene's; negative makes them rise.");
         type.field<&ParticleEmitter::drag>("drag")
             .range(0.0f, 100.0f)
             .doc("Decay rate of the velocity, 1/s: after 1 / drag seconds 37 % of the speed is left.");
@@ -133,7 +133,7 @@ private:
         type.field<&ParticleEmitter::spinSpread>("spinSpread")
             .unit(Unit::RadiansPerSecond)
             .range(0.0f, 1000.0f)
-            .doc("Maximum deviation of the angular velocity, degrees/s.");
+            .doc("Maximum deviation from the mean angular velocity, degrees/s.");
         type.field<&ParticleEmitter::randomTurn>("randomTurn")
             .doc("Gives each particle a random initial rotation.");
         type.field<&ParticleEmitter::space>("space")
@@ -154,7 +154,7 @@ private:
         type.field<&ParticleEmitter::sizeSpread>("sizeSpread")
             .unit(Unit::Ratio)
             .range(0.0f, 1.0f)
-            .doc("Maximum deviation of the size, as a ratio.");
+            .doc("Maximum deviation from the mean size, as a ratio of it.");
         type.field<&ParticleEmitter::sizeOverLife>("sizeOverLife")
             .unit(Unit::Ratio)
             .range(0.0f, 10.0f)

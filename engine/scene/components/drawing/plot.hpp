@@ -22,7 +22,7 @@ enum class PlotMeasure : std::uint8_t {
 /// Transform is the plot's top-left corner, px from the top-left corner of the view.
 struct Plot {
     PlotMeasure measure = PlotMeasure::Energy;
-    EntityId target;                  ///< the entity whose position X and Y show
+    EntityId target;                  ///< entity whose position is plotted for X and Y
     TextId text;                      ///< title of the plot
     TextId name;                      ///< name of the scene's own curve in the legend
     Color color{244, 234, 213, 255};  ///< color of the scene's own curve and of the text
@@ -30,7 +30,7 @@ struct Plot {
     float width = 360.0f;   ///< px
     float height = 160.0f;  ///< px
     float seconds = 10.0f;  ///< s, length of the time axis
-    float min = 0.0f;       ///< value at the bottom; not below max: fits the curves
+    float min = 0.0f;       ///< value at the bottom; if it is not below max, the scale fits the curves
     float max = 0.0f;       ///< value at the top
     bool powers = false;    ///< logarithmic scale; min and max are exponents of ten
     int layer = 70;         ///< drawing layer; higher numbers are in front

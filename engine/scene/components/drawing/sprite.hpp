@@ -10,8 +10,8 @@ namespace plumb {
 /// An image, or one cell of a sheet of equal cells, drawn at the entity's Transform.
 struct Sprite {
     TextureId texture;
-    int width = 32;   ///< px, of the drawn cell; `source` is scaled to this size (see Game::wholePicture)
-    int height = 32;  ///< px, of the drawn cell
+    int width = 32;   ///< px, width of the drawn cell; `source` is scaled to this size
+    int height = 32;  ///< px, height of the drawn cell
     int frameX = 0;   ///< column of the cell in the sheet, from 0
     int frameY = 0;   ///< row of the cell in the sheet, from 0
     Rect source;      ///< px: the part of the texture to draw; empty: the cell (frameX, frameY)

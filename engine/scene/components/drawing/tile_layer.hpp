@@ -9,7 +9,7 @@ namespace plumb {
 /// A grid of tiles, its top-left corner at the entity's Transform.
 struct TileLayer {
     TilesetId tileset;
-    TilesId cells;
+    TilesId cells;    ///< tile of each cell
     TilesId terrain;  ///< terrain id of each cell, from which the editor selected its tile
     Vec2 tileSize;    ///< px, size of a tile in the world; {0, 0}: the tileset's tile size
     int layer = 0;    ///< drawing layer; higher numbers are in front

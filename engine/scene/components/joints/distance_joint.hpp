@@ -6,7 +6,7 @@ namespace plumb {
 
 /// Keeps two anchors at a given distance: a rod, a rope, or a spring.
 struct DistanceJoint : JointLink, JointStiffness {
-    float length = 0.0f;  ///< px; 0: the distance of the anchors at the start
+    float length = 0.0f;  ///< px, distance of the anchors; 0: their distance at the start
     bool rope = false;    ///< limits only the maximum distance; the anchors may come closer
 
     DistanceJoint() { autoAnchor = false; }

@@ -6,12 +6,12 @@ namespace plumb {
 
 /// A slider: the body moves along an axis of the other body and does not rotate relative to it.
 struct PrismaticJoint : JointLink, JointStiffness {
-    Vec2 axis{1.0f, 0.0f};  ///< direction of motion, in the other body's frame
-    bool limited = false;   ///< limits the motion to `lower` .. `upper`
-    float lower = 0.0f;     ///< px along the axis, from the position at the start
-    float upper = 0.0f;     ///< px along the axis, from the position at the start
-    bool motor = false;
-    float motorSpeed = 0.0f;  ///< px/s along the axis
+    Vec2 axis{1.0f, 0.0f};    ///< direction of motion, in the other body's frame
+    bool limited = false;     ///< limits the motion to `lower` .. `upper`
+    float lower = 0.0f;       ///< px along the axis, from the position at the start
+    float upper = 0.0f;       ///< px along the axis, from the position at the start
+    bool motor = false;       ///< a motor drives the body along the axis
+    float motorSpeed = 0.0f;  ///< px/s along the axis, target speed of the motor
     float maxForce = 0.0f;    ///< kg px/s^2, maximum force of the motor; 0: unlimited
 
     static void describe(TypeBuilder<PrismaticJoint>& type) {

@@ -9,7 +9,7 @@ struct PulleyJoint : JointLink {
     Vec2 wheel;           ///< px in the world, position of the wheel above this body
     Vec2 otherWheel;      ///< px in the world, position of the wheel above the other body
     float ratio = 1.0f;   ///< displacement of the other body per displacement of this one
-    float length = 0.0f;  ///< px: length on the other side + ratio * length on this side; 0: as at the start
+    float length = 0.0f;  ///< px: rope on the other side + ratio * rope on this side; 0: as at the start
 
     PulleyJoint() {
         autoAnchor = false;
@@ -32,7 +32,7 @@ struct PulleyJoint : JointLink {
         type.field<&PulleyJoint::length>("length")
             .unit(Unit::Pixels)
             .range(0.0f, 1e6f)
-            .doc("Length on the other side plus ratio times length on this side, px; 0: as at the start.");
+            .doc("Rope on the other side plus ratio times rope on this side, px; 0: as at the start.");
     }
     void apply(physics::JointDefinition& joint, float metres) const {
         joint.kind = physics::JointKind::Pulley;

@@ -6,11 +6,11 @@ namespace plumb {
 
 /// A hinge: keeps the two anchors together; the bodies rotate about them.
 struct RevoluteJoint : JointLink, JointStiffness {
-    bool limited = false;  ///< limits the angle to `lower` .. `upper`
-    float lower = 0.0f;    ///< rad, from the angle at the start
-    float upper = 0.0f;    ///< rad, from the angle at the start
-    bool motor = false;
-    float motorSpeed = 0.0f;  ///< rad/s, clockwise on screen
+    bool limited = false;     ///< limits the angle to `lower` .. `upper`
+    float lower = 0.0f;       ///< rad, from the angle at the start
+    float upper = 0.0f;       ///< rad, from the angle at the start
+    bool motor = false;       ///< a motor drives the rotation
+    float motorSpeed = 0.0f;  ///< rad/s, target speed of the motor, clockwise on screen
     float maxTorque = 0.0f;   ///< kg px^2/s^2, maximum torque of the motor; 0: unlimited
 
     static void describe(TypeBuilder<RevoluteJoint>& type) {

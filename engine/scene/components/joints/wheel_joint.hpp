@@ -7,12 +7,12 @@ namespace plumb {
 /// Attaches a wheel to a car (the other body): the wheel rotates
 /// freely and is suspended by a spring along an axis of the car.
 struct WheelJoint : JointLink, JointStiffness {
-    Vec2 axis{0.0f, 1.0f};  ///< direction of the spring, in the other body's frame
-    bool limited = false;   ///< limits the spring travel to `lower` .. `upper`
-    float lower = 0.0f;     ///< px along the axis, from the position at the start
-    float upper = 0.0f;     ///< px along the axis, from the position at the start
-    bool motor = false;
-    float motorSpeed = 0.0f;  ///< rad/s, clockwise on screen
+    Vec2 axis{0.0f, 1.0f};    ///< direction of the spring, in the other body's frame
+    bool limited = false;     ///< limits the spring travel to `lower` .. `upper`
+    float lower = 0.0f;       ///< px along the axis, from the position at the start
+    float upper = 0.0f;       ///< px along the axis, from the position at the start
+    bool motor = false;       ///< a motor drives the rotation of the wheel
+    float motorSpeed = 0.0f;  ///< rad/s, target speed of the motor, clockwise on screen
     float maxTorque = 0.0f;   ///< kg px^2/s^2, maximum torque of the motor; 0: unlimited
 
     WheelJoint() { hertz = 4.0f; }

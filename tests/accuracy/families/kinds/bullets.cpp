@@ -12,14 +12,14 @@
 namespace plumb::families {
 
 Blueprint makeBullets(Random& random) {
-    constexpr float kCrate = 0.5f;  // half the diagonal of the largest crate, m
+    constexpr float kCrate = 0.5f;  // upper limit of half the diagonal of a crate, m
     Blueprint plan;
     plan.seconds = 4.0;
     if (random.below(2) == 0) plan.gravity = {};
     const int rooms = 1 + static_cast<int>(random.below(3));
     const float width = random.between(6.0f, 14.0f), height = random.between(6.0f, 10.0f);  // of a room, m
     const float wall = random.between(0.025f, 0.25f);            // half the thickness of a wall, m
-    const float speed = 10.0f * std::pow(30.0f, random.unit());  // m/s
+    const float speed = 10.0f * std::pow(30.0f, random.unit());  // initial speed of the bullets, m/s
     const float caliber = random.between(0.03f, 0.15f), weight = random.between(1.0f, 20.0f);
     const bool spins = random.below(2) == 0;
     const float spin = random.between(-8.0f, 8.0f);
@@ -72,7 +72,7 @@ Blueprint makeBullets(Random& random) {
         }
         plan.goals.push_back(staysIn(inside, {left, 0.0f}, {right, height}));
     }
-    // Bodies that collide at 6 m/s overlap by 0.1 m at the end of that step.
+    // Bodies that approach at 6 m/s may overlap by 0.1 m at the end of the step in which they collide.
     plan.goals.push_back(overlapsAtMost(0.1));
     return plan;
 }

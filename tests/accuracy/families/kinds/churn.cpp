@@ -16,11 +16,11 @@ namespace plumb::families {
 namespace {
 
 struct Pit {
-    float half = 3.0f;  // m
+    float half = 3.0f;  // half the width, m
     float height = 8.0f;
     float size = 0.3f;       // maximum radius of a body, m
     float speed = 5.0f;      // maximum speed of pushes, m/s
-    float rate = 0.2f;       // changes per step
+    float rate = 0.2f;       // mean number of changes per step
     float heaviest = 10.0f;  // maximum mass ratio
     std::uint32_t maxCount = 40;
     Material stuff;
@@ -64,14 +64,14 @@ void change(Stage& stage, Random& random, const Pit& pit, std::vector<std::uint3
 }  // namespace
 
 Blueprint makeChurn(Random& random) {
-    constexpr int kPhase = 90;  // number of steps with changes, and of the following steps without
+    constexpr int kPhase = 90;  // phases of 90 steps with changes alternate with 90 steps without
     Blueprint plan;
     plan.closed = false;
     plan.seconds = 8.0;
     Pit pit;
     pit.half = random.between(1.5f, 4.0f);
     pit.height = random.between(6.0f, 12.0f);
-    // Sizes limit the area of all bodies to a third of the pit.
+    // The maximum size is such that all bodies together fill at most a third of the pit.
     pit.maxCount = 10 + random.below(31);
     pit.size =
         std::min(std::sqrt(2.0f * pit.half * pit.height / (9.5f * static_cast<float>(pit.maxCount))), 0.6f);

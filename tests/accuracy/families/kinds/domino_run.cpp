@@ -4,7 +4,7 @@
 // if every impact stops the domino: a domino of height h and thickness t that leans on the next one across a
 // gap g touches it at the height y = sqrt(h^2 - g^2). Its weight W pushes with a force N, N (y + f g) >= W (g
 // - t) / 2, at friction f, and the next domino tips if N (y - f t) > W t / 2. So g > t (1 + (y + f g) / (y -
-// f t)); members have a margin of 5 %. In a leaning row at rest the cosine of the angle to the vertical is t
+// f t)); all rows have a margin of 5 %. In a fallen row at rest the cosine of the angle to the vertical is t
 // / (t + g).
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace plumb::families {
 
 namespace {
 
-/// Records the step in which each domino finally fell, for the goals.
+/// Records the step in which each domino fell for good. Used by the goals of the scene.
 struct Falls {
     std::vector<std::uint32_t> dominoes;
     double angle = 0.0;  ///< angle above which a domino counts as fallen, rad
@@ -79,8 +79,8 @@ Blueprint makeDominoRun(Random& random) {
 
     auto falls = std::make_shared<Falls>();
     const float pitch = thickness + gap;
-    // At rest the dominoes lean at acos(t / pitch), except for the
-    // last one, which lies flat. Goals require half of this angle.
+    // At rest the dominoes lean at acos(t / pitch), except for the last
+    // one, which lies flat. A domino counts as fallen at half this angle.
     falls->angle = 0.5 * std::acos(static_cast<double>(thickness / pitch));
     for (int i = 0; i < count; ++i)
         falls->dominoes.push_back(plan.addDynamic(scenes::box({0.5f * thickness, 0.5f * height}),
@@ -92,7 +92,7 @@ Blueprint makeDominoRun(Random& random) {
     BodySetup& first = plan.bodies[falls->dominoes[0]].setup;
     first.spin = -spin;
     first.velocity = spin * Vec2{0.5f * height, 0.5f * thickness};
-    // The wave is faster than sqrt(g height) / 2; then the dominoes settle.
+    // Time for a wave with a speed of at least sqrt(g height) / 2, and for the dominoes to come to rest.
     plan.seconds = 2.0 +
                    2.0 * static_cast<double>(static_cast<float>(count) * pitch / std::sqrt(10.0f * height)) +
                    3.0 * std::sqrt(static_cast<double>(height));

@@ -3,8 +3,8 @@
 //
 // Each motor has at least 3 times the static torque of the horizontal chain beyond it. The motors' speed is
 // limited to 1.2 rad/s divided by the number of rods, so that accelerations need less than a tenth of this
-// torque; at 2 rad/s the tip of a 9 m arm would have 36 m/s2. So each joint must reach the limit that its
-// motor drives to, and stay there.
+// torque (at 2 rad/s the tip of a 9 m arm would have 36 m/s2). So each joint must reach the limit towards
+// which its motor drives it, and stay there.
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +20,22 @@ namespace {
 
 constexpr float kGravity = 10.0f;  // m/s2
 
-struct Driven {
-    std::uint32_t a, b;
-    bool slides = false;
+struct Driven {           // a joint with a motor
+    std::uint32_t a, b;   ///< indices of the bodies
+    bool slides = false;  ///< true: slider joint (boom)
     float target = 0.0f;  ///< displacement from the start to the limit, rad or m
 };
 
 struct Builder {
     Random& random;
     Blueprint plan;
-    float density = 1.0f;  ///< kg/m2
-    float width = 0.1f;    ///< m
-    float excess = 3.0f;   ///< ratio of motor to static torque
-    float fastest = 1.0f;  ///< rad/s
+    float density = 1.0f;  ///< density of the rods, kg/m2
+    float width = 0.1f;    ///< width of the rods, m
+    float excess = 3.0f;   ///< ratio of a motor's maximum torque to the static torque
+    float fastest = 1.0f;  ///< speed of the motors, rad/s
     std::vector<Driven> driven;
     std::vector<float> lengths;  ///< lengths of the rods, m, including the travel of a boom
-    std::vector<float> masses;   ///< kg
+    std::vector<float> masses;   ///< masses of the rods, kg
     float tipMass = 0.0f;        ///< mass of fingers and load, kg
 
     /// Motor torque at the hinge of a rod, N m: `excess` times the
@@ -150,7 +150,7 @@ Blueprint makeDrivenChain(Random& random) {
         at = end;
     }
     if (hasBoom) {
-        // The boom starts inside the last rod.
+        // The boom starts fully retracted, inside the last rod.
         const std::uint32_t rod =
             addRod(plan, at - builder.lengths[rods - 1] * along, at, builder.width, builder.density);
         builder.boom(last, rod, at, along, slide, builder.forceAt(rods));

@@ -13,7 +13,7 @@ namespace {
 
 struct Builder {
     Blueprint plan;
-    float density = 1.0f;  // kg/m2
+    float density = 1.0f;  // density of the rods, kg/m2
     std::uint32_t ground = 0;
 
     std::uint32_t rod(Vec2 from, Vec2 to) { return addRod(plan, from, to, 0.1f, density); }
@@ -26,7 +26,7 @@ struct Builder {
 std::uint32_t fourBar(Builder& builder, Random& random, float speed, float torque) {
     const float crank = random.between(0.3f, 1.0f), base = crank * random.between(2.0f, 4.0f);
     const float coupler = crank * random.between(2.0f, 4.0f);
-    // Grashof: shortest + longest < sum of the other two; the triangle then closes in both extreme positions.
+    // Grashof: shortest + longest < sum of the other two: the linkage then closes at every crank angle.
     const float low = std::max(std::fabs(base - coupler) + 1.15f * crank, 1.2f * crank);
     const float high = base + coupler - 1.15f * crank;
     const float rocker = low + (high - low) * random.between(0.05f, 0.6f);

@@ -1,6 +1,6 @@
 // Discs and boxes that bounce off each other and off walls without friction and gravity.
 //
-// Energy: an elastic impact conserves it for any direction of the normal. Impacts slower
+// Energy: an elastic impact conserves energy for any contact normal. But impacts slower
 // than Settings::bounceSpeed (1 m/s in all engines here) are not elastic. At a mean speed v
 // the approach speed is below 1 m/s in a fraction 1 / (2 v^2) of all impacts (flux of a Maxwell
 // gas); each loses m (1 m/s)^2 / 8 on average: at the lowest speed here, 4 m/s, 5e-4 of a
@@ -23,14 +23,14 @@ namespace {
 struct Molecule {
     std::uint32_t body = 0;
     double mass = 0.0;     // kg
-    double inertia = 0.0;  // kg m2
+    double inertia = 0.0;  // moment of inertia, kg m2
 };
 
 struct Book {
-    double energy = 0.0;  // J
-    double x = 0.0;       // kg m/s
+    double energy = 0.0;  // total kinetic energy, J
+    double x = 0.0;       // total momentum, kg m/s
     double y = 0.0;
-    double around = 0.0;  // kg m2/s
+    double around = 0.0;  // total angular momentum about the origin, kg m2/s
     double size = 0.0;    // sum of the magnitudes of all momenta, kg m/s
     double reach = 0.0;   // sum of the magnitudes of all angular momenta, kg m2/s
 };
@@ -62,9 +62,9 @@ Blueprint makeElasticGas(Random& random) {
     const bool walled = random.below(2) == 0;
     const int columns = 2 + static_cast<int>(random.below(6));
     const float unlike = random.between(0.0f, 0.6f), density = random.between(0.2f, 20.0f);
-    const float speed = 4.0f * std::pow(10.0f, random.unit());  // m/s
-    // Radius of the largest body, m, chosen so that the smallest is 0.7 to 4 (fast) or 4 to 10 times the
-    // distance travelled in a step at the mean speed.
+    const float speed = 4.0f * std::pow(10.0f, random.unit());  // mean speed, m/s
+    // Radius of the largest body, m. The radius of the smallest is 0.7 to 4 times (fast) or 4 to 10 times the
+    // distance that a body of mean speed travels in a step.
     const bool fast = random.below(2) == 0;
     const float share = fast ? random.between(0.7f, 4.0f) : random.between(4.0f, 10.0f);
     const float radius = share * speed * kStep / (1.0f - unlike);

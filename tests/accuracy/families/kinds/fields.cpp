@@ -1,6 +1,6 @@
 // Family "fields": planets with gravity, water, and linear attractors.
 //
-// Planet of radius R with an acceleration k / d^2: a falling body comes to rest on the ground or on others; a
+// Planet with an acceleration k / d^2 at distance d: a falling body comes to rest on the ground or others; a
 // moon at distance d with a tangential speed of sqrt(k / d) keeps this distance. Water: a box of height h and
 // density ratio s < 1 floats with s h under water (Archimedes). A box at least 1.5 times as wide as high does
 // not capsize: its metacenter is above the center of mass if width^2 / height^2 > 6 s (1 - s), whose maximum
@@ -20,9 +20,9 @@ namespace plumb::families {
 
 namespace {
 
-/// State of a field in one run.
+/// Result of the creation of a field in one run.
 struct FieldState {
-    std::string refused;
+    std::string refused;  ///< error message; empty: created
 };
 
 void addField(Blueprint& plan, const physics::FieldDefinition& field, Vec2 place) {
@@ -56,7 +56,7 @@ void makePlanet(Blueprint& plan, Random& random) {
     const float size = random.between(0.1f, 0.3f);
     std::vector<std::uint32_t> landers;
     for (int i = 0; i < count; ++i) {
-        // Landers start in rings around the planet, apart from each other.
+        // Landers (bodies that fall on the planet) start in rings around it, apart from each other.
         const int around = std::max(static_cast<int>(kTau * radius / (3.0f * size)), 4);
         const float angle =
             kTau * (static_cast<float>(i % around) + random.between(0.0f, 0.2f)) / static_cast<float>(around);
@@ -80,7 +80,7 @@ void makePlanet(Blueprint& plan, Random& random) {
     }
     plan.goals.push_back({"lies on the planet",
                           [=](const Stage& stage) {
-                              // maximum height above the ground, m
+                              // Maximum height of a lander above the ground, m.
                               double furthest = 0.0;
                               for (const std::uint32_t body : landers) {
                                   if (!stage.has(body)) continue;
@@ -109,7 +109,7 @@ void makePlanet(Blueprint& plan, Random& random) {
 }
 
 void makeWater(Blueprint& plan, Random& random) {
-    constexpr float kDeep = 6.0f;  // m
+    constexpr float kDeep = 6.0f;  // depth of the water, m
     plan.seconds = 10.0;
     physics::FieldDefinition water;
     water.kind = physics::FieldKind::Buoyancy;
@@ -121,8 +121,8 @@ void makeWater(Blueprint& plan, Random& random) {
     plan.addStatic(scenes::box({100.0f, 1.0f}), {0.0f, -kDeep - 1.0f}, {});
     struct Floater {
         std::uint32_t body = 0;
-        float y = 0.0f;       // height of the floating center, m
-        float height = 0.0f;  // m
+        float y = 0.0f;       // height of the center while floating, m
+        float height = 0.0f;  // height of the box, m
     };
     std::vector<Floater> floaters;
     const int count = 1 + static_cast<int>(random.below(12));

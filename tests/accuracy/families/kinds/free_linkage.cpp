@@ -1,9 +1,9 @@
 // Linkages without motors that swing under gravity: four-bar linkages, parallelograms and Jansen legs, which
 // form loops with the ground; multiple pendulums, pantographs and scissors, which hang from the ground.
 //
-// Rigid rods and hinges without friction conserve energy. Semi-implicit Euler with 4 substeps of 4 ms
-// (quality 2) conserves the mean energy; the allowed loss in 8 s is a tenth of the maximum kinetic energy,
-// which makes the speed 5 % lower. Linkages that could fold flat have a limit at a hinge, which dissipates
+// Rigid rods and hinges without friction conserve energy, and semi-implicit Euler with 4 substeps of 4 ms
+// (quality 2) does so on average. The allowed loss in 8 s is a tenth of the maximum kinetic energy, which
+// makes the speed 5 % lower. Linkages that could fold flat have a limit at a hinge, which dissipates
 // energy at every stop; they have no energy goal.
 //
 // Positions with all rods of a loop on one line are avoided, as the loop can change its branch there. A
@@ -23,7 +23,7 @@ namespace plumb::families {
 
 namespace {
 
-/// Random densities of rods, 1 to 10 times the minimum.
+/// Draws random densities of rods, 1 to 10^spread times the minimum.
 struct Densities {
     Random& random;
     float minimum = 1.0f;
@@ -140,8 +140,8 @@ void scissors(Mechanism& made, Random& random, Densities& density) {
     }
 }
 
-/// Limits the hinge between two rods, so that no loop can
-/// fold flat: this angle determines the shape of all loops.
+/// Limits the hinge between two rods, so that no loop can fold
+/// flat. The angle of this hinge determines the shape of all loops.
 void limit(Blueprint& plan, std::uint32_t a, std::uint32_t b, float by) {
     for (JointSetup& joint : plan.joints) {
         if (joint.a.index != a || joint.b.index != b) continue;

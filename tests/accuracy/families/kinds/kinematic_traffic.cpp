@@ -20,20 +20,20 @@ namespace {
 
 constexpr float kGravity = 10.0f;  // m/s2
 constexpr int kAsleep = 75;        // steps until the first motion; all bodies are asleep by then
-constexpr int kWakes = 2;          // maximum number of steps until a moved body is awake
+constexpr int kWakes = 2;          // steps of the lift's motion after which a carried body must be awake
 
 /// A kinematic body that moves back and forth between two points, with rests at both ends.
 struct Shuttle {
     std::uint32_t body = 0;
     Vec2 start;
-    Vec2 stroke;          // displacement to the other end, m
-    int rests = kAsleep;  // steps at each end
-    int moves = 60;       // steps from end to end
+    Vec2 stroke;          // displacement from one end to the other, m
+    int rests = kAsleep;  // number of steps of a rest at each end
+    int moves = 60;       // number of steps of a move from end to end
     bool byTarget = true;
     bool even = false;  ///< true: constant speed; false: cosine of time
 
     [[nodiscard]] bool isMoving(int step) const { return step % (rests + moves) >= rests; }
-    /// Target position at the end of a step.
+    /// Returns the target position at the end of a step.
     [[nodiscard]] Vec2 at(int step) const {
         const int cycle = step / (rests + moves), phase = step % (rests + moves) - rests + 1;
         float part = 0.0f;
@@ -53,7 +53,7 @@ struct Shuttle {
 };
 
 struct Watch {
-    double asleep = 0.0;  // sum over steps of the number of bodies that were asleep while the lift moved them
+    double asleep = 0.0;  // number of bodies asleep while the lift moves them, summed over all steps
 };
 
 Goal staysAwake(const std::shared_ptr<Watch>& watch) {

@@ -1,16 +1,16 @@
 // An arch of stones without mortar between two abutments, with a load on its keystone.
 //
-// Every member is statically stable. A horizontal thrust H at height c of the crown section pushes the right
+// Every arch is statically stable. A horizontal thrust H at height c of the crown section pushes the right
 // half of the arch. With the weights w (at x) between the crown and a joint, the joint carries the force
 // (H, -sum w), which crosses it at a distance e from its middle:
 //   e (n.x V + n.y H) = c H + sum w x - p.x V - p.y H,   V = sum w, p the joint's middle, n its direction.
 // The arch stands if for some H and c all e are within the stones and all forces within
 // the friction cones. Source: J. Heyman, The Stone Skeleton, 1966. For a semicircle
-// under its own weight this gives the known minimum thickness of 0.1075 radii. Members
+// under its own weight this gives the known minimum thickness of 0.1075 radii. All arches
 // have at least 1.15 times the minimum thickness and 1.25 times the minimum friction.
 //
 // Contacts may overlap by the slop of 5 mm. This shortens stones of 0.5 m by 1 % and lowers the crown by up
-// to 3 % of half the span, so no member is thinner than 5 % of half the span.
+// to 3 % of half the span, so no arch is thinner than 5 % of half the span.
 
 #include <algorithm>
 #include <array>
@@ -25,11 +25,11 @@ namespace {
 
 constexpr double kMinExcess = 1.15;     // minimum ratio of thickness to the minimum stable thickness
 constexpr double kFrictionUsed = 0.8;   // maximum ratio of required to available friction
-constexpr double kMinThickness = 0.05;  // ratio to half the span
+constexpr double kMinThickness = 0.05;  // minimum thickness, ratio to half the span
 
-struct Joint {
+struct Joint {  // the face between two stones
     Vec2 middle;
-    Vec2 outwards;
+    Vec2 outwards;  // unit direction from the inner to the outer end
 };
 
 /// Computes the joints of a circular arch of half span 1, from left to right.
@@ -81,7 +81,7 @@ struct Arch {
     std::vector<Joint> joints;
     float thickness = 0.1f;
     float friction = 0.6f;
-    float load = 0.0f;  ///< weight of the load, as an area of stone
+    float load = 0.0f;  ///< weight of the load on the keystone, as the area of stone of this weight, m2
 
     [[nodiscard]] std::size_t stones() const { return joints.size() - 1; }
     [[nodiscard]] Stone stone(std::size_t i) const {
@@ -89,8 +89,8 @@ struct Arch {
     }
 };
 
-/// True if the line of thrust for the thrust H at a height of
-/// the crown stays within stones of a fraction of the thickness.
+/// True if the line of thrust, for a thrust H at a height at the crown, stays
+/// within the stones if only the fraction `part` of their thickness is used.
 bool holds(const Arch& arch, const std::vector<Stone>& stones, double thrust, double height, double part) {
     const std::size_t key = arch.stones() / 2;
     // The right half of the keystone with half of the load.
@@ -132,8 +132,8 @@ bool stands(const Arch& arch, double part) {
     return false;
 }
 
-/// Sets the thickness to the minimum stable thickness times
-/// an excess. @return false if no thickness is stable
+/// Sets the thickness to `excess` times the minimum stable thickness.
+/// @return false if no thickness is stable
 bool thicken(Arch& arch, float excess) {
     constexpr float kThickest = 0.5f, kFiner = 1.05f;
     arch.thickness = static_cast<float>(kMinThickness);
@@ -149,7 +149,7 @@ Blueprint makeMasonryArch(Random& random) {
     const float half = random.between(3.0f, 12.0f);  // half the span, m
     const bool circular = random.below(2) == 0;
     const float shape = circular ? random.between(0.9f, 0.5f * kPi) : random.between(0.8f, 2.0f);
-    // Stones are at least 0.5 m long: the flattest arch is 2.3 half spans long.
+    // Stones are at least 0.5 m long; the shortest arch has a length of 2.3 half spans.
     const auto maxStones = static_cast<std::uint32_t>(std::min(2.3f * half / 0.5f, 25.0f));
     const int stones = 7 + 2 * static_cast<int>(random.below((maxStones - 5) / 2));
     const float density = random.between(1.0f, 50.0f), excess = random.between(1.15f, 2.0f);

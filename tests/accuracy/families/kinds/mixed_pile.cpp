@@ -16,7 +16,7 @@ namespace plumb::families {
 
 namespace {
 
-/// Creates a polygon of 3 to 8 corners on an ellipse, at least half of the regular spacing apart.
+/// Creates a polygon of 3 to 8 corners on an ellipse, whose spacing is at least half of the regular one.
 Outline polygonOf(Random& random, Vec2 half) {
     std::array<Vec2, 8> corners{};
     const std::size_t count = 3 + random.below(6);
@@ -34,7 +34,7 @@ Blueprint makeMixedPile(Random& random) {
     Blueprint plan;
     plan.seconds = 12.0;
     const int count = 15 + static_cast<int>(random.below(22));
-    const float size = random.between(0.3f, 0.8f);        // half the size of the largest body, m
+    const float size = random.between(0.3f, 0.8f);        // half the length of the largest body, m
     const float crumb = std::pow(20.0f, -random.unit());  // size ratio of the smallest to the largest body
     const float slim = std::pow(20.0f, -random.unit());   // ratio of thickness to length of the thinnest body
     const float spread = random.unit();                   // log10 of the maximum density ratio

@@ -23,7 +23,7 @@ constexpr double kSettles = 0.05;
 
 struct Good {
     std::uint32_t body = 0;
-    float end = 0.0f;  // final speed, m/s
+    float end = 0.0f;  // expected final speed, m/s
 };
 
 void makeBelt(Blueprint& plan, Random& random) {
@@ -108,7 +108,7 @@ void makePlatform(Blueprint& plan, Random& random) {
                    {0.0f, level - 0.5f * thick}, gate);
     struct Jumper {
         std::uint32_t body = 0;
-        float end = 0.0f;  // final height of the center, m
+        float end = 0.0f;  // expected final height of the center, m
     };
     std::vector<Jumper> jumpers;
     for (int i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
 // Family "pyramid": pyramids of bricks.
 //
 // Statics: each brick lies on two others with equal parts of its width, and all forces are vertical, so any
-// friction is enough. Overlap: each row may sink by a slop (5 mm).
+// friction is enough. Overlaps: each row may sink into the row below by a slop (5 mm).
 
 #include "tests/accuracy/families/family.hpp"
 #include "tests/accuracy/families/goals.hpp"

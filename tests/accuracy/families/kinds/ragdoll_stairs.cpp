@@ -39,7 +39,7 @@ constexpr std::array kBones{
 constexpr std::size_t kHead = 1;
 
 struct Fall {
-    Vec2 at;  ///< position of the torso, m
+    Vec2 at;  ///< initial position of the torso, m
     float angle = 0.0f;
     Vec2 velocity;
     float spin = 0.0f;

@@ -1,6 +1,6 @@
 // Stacks of boxes with different masses and sizes.
 //
-// Every member is statically stable: at each face between two boxes, and between the lowest box and the
+// Every stack is statically stable: at each face between two boxes, and between the lowest box and the
 // floor, the center of mass of all boxes above is inside the face by 30 % of its half width. There are no
 // sideways forces, so any friction is enough. Contacts may sink by a slop (5 mm) on one side, which tilts a
 // face of 0.4 m by 1/80. So the height of a stack is limited to 12 times its narrowest face: three such tilts
@@ -20,7 +20,7 @@ constexpr float kInside = 0.7f;  // maximum offset of the center of mass above a
 constexpr float kSlender = 12.0f;  // maximum ratio of height to narrowest face
 
 struct Block {
-    float halfWidth = 0.5f;  // m
+    float halfWidth = 0.5f;  // half the width, m
     float halfHeight = 0.25f;
     float x = 0.0f;
     float mass = 1.0f;  // kg
@@ -84,7 +84,7 @@ std::vector<Block> drawStack(Random& random) {
 
 Blueprint makeRatioStack(Random& random) {
     Blueprint plan;
-    const float friction = random.between(0.1f, 1.0f), unit = random.between(0.2f, 20.0f);  // kg
+    const float friction = random.between(0.1f, 1.0f), unit = random.between(0.2f, 20.0f);  // ratio; mass, kg
     plan.addFloor({.friction = friction});
     std::vector<std::uint32_t> boxes;
     float top = 0.0f;

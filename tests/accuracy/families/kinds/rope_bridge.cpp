@@ -4,8 +4,8 @@
 // the middle causes a tension of P span / (4 sag). Joint errors may be up to 5 % of a link, which is visible.
 //
 // An arc of radius r swings at w = sqrt(g / r); a drag d below 2 w reduces its speed at a rate of d / 2.
-// Members with r < 10 m (w > 1/s) have d = 1.2 to 1.8 w and keep less than 1/1000 of the speed after 12 s.
-// The others have no drag, and no goal to rest.
+// Bridges with r < 10 m (w > 1/s) have d = 1.2 to 1.8 w and keep less than 1/1000 of the speed after 12 s.
+// Other bridges have no drag, and their goals do not include that they come to rest.
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +22,9 @@ constexpr std::uint32_t kBanks = 1, kLinks = 2, kLoads = 4;
 struct Builder {
     Blueprint plan;
     float link = 0.5f;       ///< length of a link, m
-    float thickness = 0.1f;  ///< m
+    float thickness = 0.1f;  ///< thickness of a link, m
     float drag = 0.0f;       ///< drag of all dynamic bodies, 1/s
-    float linkMass = 1.0f;   ///< kg
+    float linkMass = 1.0f;   ///< mass of a link, kg
     float friction = 0.6f;
     std::vector<Vec2> knots;  ///< positions of the hinges, from bank to bank; the banks' edges are at y = 0
     std::vector<std::uint32_t> banks;
@@ -81,7 +81,7 @@ void bridge(Builder& builder) {
     builder.plan.join(builder.hanging.back(), builder.banks[1], builder.knots.back());
 }
 
-/// Height of the bridge at x in its initial shape, m.
+/// Returns the height of the bridge at x in its initial shape, m.
 float heightAt(const Builder& builder, float x) {
     for (std::size_t i = 1; i < builder.knots.size(); ++i) {
         const Vec2 a = builder.knots[i - 1], b = builder.knots[i];

@@ -1,8 +1,8 @@
 // A body that slides or rolls over a floor of adjacent boxes.
 //
 // The floor is flat, so the body must move as on a single box: sliding decelerates it by friction * g;
-// rolling and sliding without friction keep the speed. Sliding shapes tip over if the friction exceeds width
-// / height; the lowest such limit here is 0.73, of the pentagon.
+// rolling, or sliding without friction, keeps the speed. Sliding shapes tip over if the friction exceeds
+// width / height; the smallest width / height here is 0.73, of the pentagon.
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ float heightOf(Slider kind, float half) {
 }
 
 struct Ride {
-    double start = 0.0;  // height at rest, m
+    double start = 0.0;  // height of the body at rest, m
     double hop = 0.0;    // maximum deviation from `start`, m
 };
 
@@ -60,8 +60,8 @@ Blueprint makeSeamSlide(Random& random) {
     Blueprint plan;
     plan.closed = false;  // the body is set in motion by the test
     const auto kind = static_cast<Slider>(random.below(static_cast<std::uint32_t>(Slider::Count)));
-    const float half = 0.02f * std::pow(50.0f, random.unit());  // m
-    const float speed = 0.5f * std::pow(40.0f, random.unit());  // m/s
+    const float half = 0.02f * std::pow(50.0f, random.unit());  // half size of the body, m
+    const float speed = 0.5f * std::pow(40.0f, random.unit());  // initial speed, m/s
     const bool rolls = kind == Slider::Ball;
     const float friction = random.below(2) == 0 ? 0.0f : random.between(0.05f, 0.5f);
     const float width = half * std::pow(10.0f, random.between(-0.3f, 1.0f));  // mean width of a tile, m
@@ -69,7 +69,7 @@ Blueprint makeSeamSlide(Random& random) {
     const Material stuff{.density = random.between(0.5f, 10.0f), .friction = friction};
     const float slows = rolls ? 0.0f : friction * kGravity;  // deceleration, m/s2
 
-    // The run ends at half the speed, after 2 s, or at the last tiles.
+    // The run ends when the body has half its speed, after 2 s, or at the last boxes of the floor.
     float seconds = 2.0f;
     if (slows > 0.0f) seconds = std::min(seconds, 0.5f * speed / slows);
     seconds = std::min(seconds, static_cast<float>(kTiles - 3) * width * (1.0f - 0.5f * unlike) / speed);

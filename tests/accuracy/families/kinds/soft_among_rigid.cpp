@@ -21,11 +21,11 @@ namespace {
 constexpr float kDent = 0.02f;  // maximum penetration of a particle of 5 cm into the ground, m
 
 struct SoftScene {
-    float half = 3.0f;  // half the width of the pit, m
-    std::uint32_t kind = 0;
-    float size = 1.0f;      // m
-    float mass = 1.0f;      // kg
-    float softness = 0.0f;  // m/N
+    float half = 3.0f;       // half the width of the pit, m
+    std::uint32_t kind = 0;  // 0: jelly, 1: rope, 2: cloth
+    float size = 1.0f;       // size of the soft body, m
+    float mass = 1.0f;       // mass of the soft body, kg
+    float softness = 0.0f;   // compliance, m/N
     float friction = 0.5f;
     float damping = 1.0f;  // 1/s
     bool pinned = false;
@@ -35,15 +35,15 @@ struct SoftScene {
 /// State of the soft body in one run.
 struct SoftState {
     physics::SoftBodyId body;
-    double start = 0.0;  // J
-    double highest = 0.0;
-    std::string refused;
+    double start = 0.0;        ///< initial energy, J
+    double highest = 0.0;      ///< maximum energy, J
+    std::string refused;       ///< error message of the creation; empty: created
     std::vector<Vec2> before;  ///< positions of the particles 1 s before the end, m
 };
 
 physics::SoftMaterial materialOf(const SoftScene& scene, float scale) {
     physics::SoftMaterial material;
-    // Forces scale with scale^3 and lengths with scale, so compliances with 1 / scale^2.
+    // Forces are proportional to scale^3 and lengths to scale, so compliances to 1 / scale^2.
     const float give = 1.0f / (scale * scale);
     material.mass = scene.mass * scale * scale;
     material.radius = 0.05f * scale;

@@ -1,7 +1,7 @@
 // Bodies in a rotating drum. The drum is kinematic, or on a hinge with a motor.
 //
-// The drum is a closed ring of boxes that overlap at its corners. It
-// is at most 45 % full, so that no body is forced out or crushed.
+// The drum is a closed ring of boxes that overlap at the corners of the ring.
+// It is at most 45 % full, so that no body is forced out or crushed.
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 
 BodyPlan drumOf(float radius, int sides, float thickness, int baffles, const Material& material) {
     BodyPlan drum;
-    const float corner = kPi / static_cast<float>(sides);  // half the angle of a side
+    const float corner = kPi / static_cast<float>(sides);  // half the angle that a side covers, rad
     for (int i = 0; i < sides; ++i) {
         const float angle = 2.0f * corner * static_cast<float>(i);
         const Vec2 out{std::cos(angle), std::sin(angle)}, along{-out.y, out.x};
@@ -95,7 +95,7 @@ Blueprint makeTumbler(Random& random) {
                           },
                           // The distance of the ring's corners from its center.
                           static_cast<double>(radius / std::cos(kPi / static_cast<float>(sides)))});
-    // Bodies that collide at the rim's speed may overlap by a quarter of the distance travelled in a step.
+    // Bodies that collide at the rim's speed may overlap by a quarter of the rim's path in a step.
     plan.goals.push_back(overlapsAtMost(0.05 + 0.25 * static_cast<double>(std::fabs(spin) * radius * kStep)));
     plan.goals.push_back(keepsJoints(0.05));
     return plan;

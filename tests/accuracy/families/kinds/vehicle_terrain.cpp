@@ -1,6 +1,6 @@
 // A car with two driven wheels on springs, on rough ground.
 //
-// The ground consists of segments with random slopes s, |s| <= limit. Traction suffices, as friction exceeds
+// The ground consists of segments with random slopes s, |s| <= limit. Wheels do not slip, as friction exceeds
 // twice the limit. The motors' force is twice the weight's component on the steepest slope, and their torque
 // too low to lift the front wheel (half the weight times half the wheelbase). Between the wheels the ground
 // rises by at most half a wheelbase times the limit, which is below the axles. At a corner of the ground the
@@ -130,7 +130,7 @@ Blueprint makeVehicleTerrain(Random& random) {
                               return takesPart(stage, chassis) ? std::fabs(stage.turnOf(chassis)) : 0.0;
                           },
                           0.8});
-    // The wheels' joints must hold within 3 % of the wheel radius.
+    // Errors of the wheels' joints must be at most 3 % of the wheel radius.
     plan.goals.push_back(keepsJoints(0.03 * static_cast<double>(radius)));
     return plan;
 }
