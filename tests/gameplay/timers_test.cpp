@@ -1,3 +1,4 @@
+#include <cstring>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -87,6 +88,22 @@ TEST_F(Timers, areOfTheState) {
     EXPECT_NE(one, before);
     world.resource<DelayedEvents>().entries[0].tick += 1;
     EXPECT_NE(world.hash(), one);
+}
+
+TEST_F(Timers, bytesBetweenMembersAreNotOfTheState) {
+    struct Padded {
+        bool flag;
+        double value;
+    };
+    World other;
+    Padded first, second;
+    std::memset(static_cast<void*>(&first), 0, sizeof first);
+    std::memset(static_cast<void*>(&second), 255, sizeof second);
+    first.flag = second.flag = true;
+    first.value = second.value = 1.0;
+    emitAfter(world, 1.0f, first);
+    emitAfter(other, 1.0f, second);
+    EXPECT_EQ(world.hash(), other.hash());
 }
 
 TEST_F(Timers, ticksAreTheNearestToATime) {
