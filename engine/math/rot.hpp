@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+
 #include "math/portable.hpp"
 #include "math/vec2.hpp"
 
@@ -30,7 +32,9 @@ constexpr Rot between(Rot from, Rot to) {
     return {from.cos * to.cos + from.sin * to.sin, from.cos * to.sin - from.sin * to.cos};
 }
 constexpr Rot inverse(Rot q) { return {q.cos, -q.sin}; }
-inline Rot normalized(Rot q) {
+/// A template, so that normalized({x, y}) is that of a Vec2: no type is deduced from braces.
+template <std::same_as<Rot> R>
+R normalized(R q) {
     const float size = std::sqrt(q.cos * q.cos + q.sin * q.sin);
     return size > 0.0f ? Rot{q.cos / size, q.sin / size} : Rot{};
 }
