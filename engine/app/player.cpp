@@ -80,8 +80,7 @@ bool hasCode(const Project& project) {
     return std::filesystem::is_directory(project.root / "code", ignored);
 }
 
-void reportCode(const Project& project, const Module& code, const std::vector<Error>& problems) {
-    for (const Error& problem : problems) logError("Code", problem);
+void warnOfMissingCode(const Project& project, const Module& code) {
     if (hasCode(project) && code.componentTypes().empty() && code.systems().empty())
         logWarning("Code",
                    Error{(project.root / "code").generic_string(), "this player was built without this code",
@@ -101,6 +100,11 @@ int playProject(const PlayerOptions& asked, const Module& code) {
     for (const Error& warning : project->warnings) {
         logWarning("Engine", warning);
     }
+    std::vector<Error> problems;
+    const GameContent content{code, problems};
+    for (const Error& problem : problems) logError("Code", problem);
+    if (!problems.empty()) return 1;
+    warnOfMissingCode(*project, code);
     std::unique_ptr<Screen> screen;
     if (!options.headless && !options.effects) {
         Result<std::unique_ptr<Screen>> opened = Screen::open(screenOf(*project, options));
@@ -110,9 +114,6 @@ int playProject(const PlayerOptions& asked, const Module& code) {
         }
         screen = std::move(*opened);
     }
-    std::vector<Error> problems;
-    const GameContent content{code, problems};
-    reportCode(*project, code, problems);
     SceneGame game{std::move(*project), options.scene, options.seed, content};
     if (screen == nullptr) game.assets.logging = false;
     game.onCreate();

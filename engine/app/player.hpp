@@ -8,7 +8,8 @@ namespace plumb {
 /// Runs plumb-player with these options: plays a project,
 /// runs the benchmark, or lists the effects of a scene.
 /// @param code  code of the project that is linked into this program
-/// @return the program's exit code
+/// @return the program's exit code; not 0 if the project, its code or its first scene has errors, which are
+/// logged
 int playProject(const PlayerOptions& options, const Module& code);
 
 }  // namespace plumb

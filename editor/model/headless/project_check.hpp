@@ -20,7 +20,7 @@ struct ProjectCheck {
     std::size_t scenes = 0;
     std::size_t prefabs = 0;
     std::size_t assets = 0;
-    bool playable = true;  ///< all scenes can be read, and the start scene exists
+    bool playable = true;  ///< the code and all scenes can be read, and the start scene exists
 
     /// Returns one line per problem, and a last line with counts.
     [[nodiscard]] std::string text() const;

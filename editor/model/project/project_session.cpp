@@ -33,7 +33,6 @@ ProjectSession::ProjectSession(Project project)
     };
     workspace_->document.world.provide(content_.effects());
     workspace_->followCode = [this](double now) { followCode(now); };
-    if (code_.isBuilt()) loadCode();
 }
 
 void ProjectSession::followCode(double now) {
@@ -41,15 +40,24 @@ void ProjectSession::followCode(double now) {
     const bool hasNewLibrary = code_.poll(now);
     if (code_.isBuilding() && !wasBuilding) workspace_->notice = "Building the code of the project...";
     if (!hasNewLibrary) return;
-    loadCode();
+    loadCodeAndReport();
     workspace_->notice = "Reloaded the code of the project";
     logNote("Code", "{}", workspace_->notice);
 }
 
-void ProjectSession::loadCode() {
+bool ProjectSession::loadCode() {
     Result<Module> code = code_.load();
-    if (!code) return logError("Code", code.error());
+    if (!code) {
+        logError("Code", code.error());
+        return false;
+    }
     useCode(*std::move(code));
+    return true;
+}
+
+void ProjectSession::loadCodeAndReport() {
+    if (!loadCode()) return;
+    for (const Error& problem : codeProblems_) logError("Code", problem);
 }
 
 void ProjectSession::useCode(Module code) {
@@ -59,7 +67,6 @@ void ProjectSession::useCode(Module code) {
     const std::string text = isOpen ? w.text() : std::string{};
     codeProblems_.clear();
     const ContentChange change = content_.update(std::move(code), codeProblems_);
-    for (const Error& problem : codeProblems_) logError("Code", problem);
     prefabs_.forget();
     convertWorld(w.document.world, content_, change);
     if (w.play.running()) w.play.contentChanged(content_, change);
@@ -94,6 +101,7 @@ std::unique_ptr<ProjectSession> ProjectSession::none() {
 }
 
 void ProjectSession::openFirst(std::string_view scene) {
+    if (code_.isBuilt()) loadCodeAndReport();
     const std::vector<std::string> scenes = workspace_->scenes();
     const std::string wanted{scene.empty() ? std::string_view{project_.startScene} : scene};
     for (const std::string& path : {wanted, "scenes/" + wanted, "scenes/" + wanted + ".scene.json"}) {
@@ -108,24 +116,29 @@ void ProjectSession::openFirst(std::string_view scene) {
 bool ProjectSession::buildCode() {
     if (!code_.exists()) return true;
     std::printf("Building the code...\n");
-    if (!code_.buildNow()) return false;
-    loadCode();
-    return true;
+    return code_.buildNow() && loadCode();
+}
+
+ProjectCheck ProjectSession::check() {
+    ProjectCheck found = checkProject(project_, *workspace_, prefabs_);
+    found.problems.insert(found.problems.begin(), codeProblems_.begin(), codeProblems_.end());
+    found.playable = found.playable && codeProblems_.empty();  // the player does not start with them
+    return found;
 }
 
 int ProjectSession::validate() {
     if (!buildCode()) return 1;
-    const ProjectCheck check = checkProject(project_, *workspace_, prefabs_);
-    std::printf("%s", check.text().c_str());
-    return check.problems.empty() ? 0 : 1;
+    const ProjectCheck found = check();
+    std::printf("%s", found.text().c_str());
+    return found.problems.empty() ? 0 : 1;
 }
 
 int ProjectSession::exportTo(const std::string& folder) {
     if (!buildCode()) return 1;
-    const ProjectCheck check = checkProject(project_, *workspace_, prefabs_);
-    std::printf("%s", check.text().c_str());
-    if (!check.playable) {
-        std::fprintf(stderr, "plumb-editor: nothing was exported; fix the scenes first\n");
+    const ProjectCheck found = check();
+    std::printf("%s", found.text().c_str());
+    if (!found.playable) {
+        std::fprintf(stderr, "plumb-editor: nothing was exported; fix the scenes and the code first\n");
         return 1;
     }
     const Result<ExportReport> report =

@@ -7,6 +7,7 @@
 #include "app/game_content.hpp"
 #include "app/project.hpp"
 #include "assets/asset_store.hpp"
+#include "editor/model/headless/project_check.hpp"
 #include "editor/model/project/editor_options.hpp"
 #include "editor/model/project/project_code.hpp"
 #include "editor/model/workspace.hpp"
@@ -27,26 +28,30 @@ public:
     [[nodiscard]] Workspace& workspace() { return *workspace_; }
     [[nodiscard]] AssetStore& assets() { return assets_; }
 
-    /// Opens the scene of this name; if `scene` is empty, the project's start scene, or its first scene if it
-    /// has no start scene.
+    /// Loads the project's code if it is built, and opens the scene of this name; if `scene` is empty, the
+    /// project's start scene, or its first scene if it has no start scene.
     void openFirst(std::string_view scene);
 
-    /// Checks all scenes, prefabs and assets, and prints the problems. @return exit code of the program
+    /// Builds the code, checks it and all scenes, prefabs and assets, and prints the problems. @return exit
+    /// code of the program
     int validate();
     /// Exports the project as a game that runs without the editor. @return exit code of the program
     int exportTo(const std::string& folder);
 
     /// Replaces the project's code by another version, in the open scene and in a running game too:
     /// components keep the values of the fields that both versions have. If fields of a component differ, the
-    /// undo history is cleared.
+    /// undo history is cleared. Errors in the description of the code are kept, see codeProblems().
     void useCode(Module code);
+    [[nodiscard]] const std::vector<Error>& codeProblems() const { return codeProblems_; }
 
 private:
     explicit ProjectSession(Project project);
 
     void followCode(double now);
-    void loadCode();
+    bool loadCode();
+    void loadCodeAndReport();
     bool buildCode();
+    ProjectCheck check();
 
     Project project_;
     std::vector<Error> codeProblems_;
