@@ -16,6 +16,12 @@
 namespace plumb {
 namespace {
 
+TypeInfo described(const Module::Resource& resource) {
+    TypeRegistry types;
+    resource.describe(types);
+    return types.all().front();
+}
+
 /// Systems of a project's code run before this one by default: earlier systems control and simulate, this one
 /// and later ones display the result.
 constexpr std::string_view kFirstShowing = MotionDecorSystem::kName;
@@ -24,15 +30,30 @@ auto rowOf(std::vector<SystemRow>& rows, std::string_view name) {
     return std::find_if(rows.begin(), rows.end(), [&](const SystemRow& row) { return row.name == name; });
 }
 
-Error unknownSystem(const SystemRow& row, std::string_view name) {
-    return {format("code: system \"{}\"", row.name),
-            format("there is no system \"{}\" to run before or after", name),
+/// Returns a system of the code as errors name it: a handler as the code registers it, because its type's
+/// name is that of a class of the engine.
+std::string whereOf(const Module::System& system) {
+    const std::string_view name = system.row.name;
+    return system.isHandler ? format("code: module.on{}", name.substr(name.find('<')))
+                            : format("code: system \"{}\"", name);
+}
+
+Error unknownSystem(const Module::System& system, std::string_view name) {
+    return {whereOf(system), format("there is no system \"{}\" to run before or after", name),
             "use a system of the engine, e.g. before<PhysicsSystem>(), or one that the code adds earlier"};
 }
 
-Error nameIsUsed(std::string_view kind, std::string_view name, std::string_view where) {
-    return {format("code: {} \"{}\"", kind, name), format("there is a {} of this name already", kind),
-            format("choose another name in {}", where)};
+Error nameIsUsed(const Module::System& system) {
+    if (system.isHandler)
+        return {whereOf(system), "this function is registered for this event already",
+                "remove one of the two lines; if they mean functions of two files, rename one of these"};
+    return {whereOf(system), "there is a system of this name already",
+            "add each system once; to give a system another name, rename its type or its kName"};
+}
+
+Error nameIsUsed(std::string_view kind, const TypeInfo& type, std::string_view user) {
+    return {format("code: {} \"{}\"", kind, type.name), format("there is a {} of this name already", user),
+            "choose another name in describe()"};
 }
 
 /// Returns the position in `rows` at which a system of the code must be inserted.
@@ -42,7 +63,7 @@ auto positionOf(std::vector<SystemRow>& rows, const Module::System& system, std:
     if (!name.empty()) {
         const auto found = rowOf(rows, name);
         if (found != rows.end()) return after ? std::next(found) : found;
-        problems.push_back(unknownSystem(system.row, name));
+        problems.push_back(unknownSystem(system, name));
     }
     return rowOf(rows, kFirstShowing);
 }
@@ -59,20 +80,24 @@ ContentChange GameContent::update(Module code, std::vector<Error>& problems) {
     change.before = std::exchange(code_, std::move(code));
     for (const Module::System& system : change.before.systems()) change.systems.push_back(system.row.key());
     updateTypes(change, problems);
+    checkResources(problems);
     updateSystems(problems);
     return change;
 }
 
 void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problems) {
     const std::vector<std::string> former = std::exchange(codeTypes_, {});
+    const auto contains = [](const std::vector<std::string>& names, std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
     for (const auto add : code_.componentTypes()) {
         TypeRegistry described;
         add(described);
         const TypeInfo& type = described.all().front();
         const TypeInfo* known = types_.find(type.name);
-        const bool wasOfCode = std::find(former.begin(), former.end(), type.name) != former.end();
-        if (known != nullptr && !wasOfCode) {
-            problems.push_back(nameIsUsed("component", type.name, "describe()"));
+        const bool isOfEngine = known != nullptr && !contains(former, type.name);
+        if (isOfEngine || contains(codeTypes_, type.name)) {
+            problems.push_back(nameIsUsed("component", type, "component"));
             continue;
         }
         codeTypes_.emplace_back(type.name);
@@ -81,9 +106,21 @@ void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problem
         updateComponentType(types_.update(type));
     }
     for (const std::string& name : former) {
-        if (std::find(codeTypes_.begin(), codeTypes_.end(), name) != codeTypes_.end()) continue;
+        if (contains(codeTypes_, name)) continue;
         change.types.push_back({*types_.find(name), nullptr});
         types_.remove(name);
+    }
+}
+
+/// Values of resources are kept by their names when the code is loaded again, so names must differ.
+void GameContent::checkResources(std::vector<Error>& problems) const {
+    std::vector<std::string_view> names;
+    for (const Module::Resource& resource : code_.resourceTypes()) {
+        const TypeInfo type = described(resource);
+        if (types_.find(type.name) != nullptr) problems.push_back(nameIsUsed("resource", type, "component"));
+        if (std::find(names.begin(), names.end(), type.name) != names.end())
+            problems.push_back(nameIsUsed("resource", type, "resource"));
+        names.push_back(type.name);
     }
 }
 
@@ -93,7 +130,7 @@ void GameContent::updateSystems(std::vector<Error>& problems) {
     std::vector<EffectSystem> gated = engineEffects().systems();
     for (const Module::System& system : code_.systems()) {
         if (rowOf(systems_, system.row.name) != systems_.end()) {
-            problems.push_back(nameIsUsed("system", system.row.name, "its kName"));
+            problems.push_back(nameIsUsed(system));
             continue;
         }
         systems_.insert(positionOf(systems_, system, problems), system.row);
@@ -125,12 +162,6 @@ struct KeptResource {
     TypeInfo type;
     std::vector<std::byte> value;
 };
-
-TypeInfo described(const Module::Resource& resource) {
-    TypeRegistry types;
-    resource.describe(types);
-    return types.all().front();
-}
 
 std::vector<KeptResource> keepResources(const World& world, const Module& code) {
     std::vector<KeptResource> kept;

@@ -26,7 +26,8 @@ struct ContentChange {
 /// what a tick runs. Must outlive the games that use it.
 class GameContent {
 public:
-    /// @param problems  receives the errors: a name that is already in use, a position at an unknown system
+    /// @param problems  receives the errors: a name that is already in use, a position at an unknown system.
+    /// A game must not be started with them.
     GameContent(Module code, std::vector<Error>& problems);
     GameContent(const GameContent&) = delete;
     GameContent& operator=(const GameContent&) = delete;
@@ -47,6 +48,7 @@ public:
 
 private:
     void updateTypes(ContentChange& change, std::vector<Error>& problems);
+    void checkResources(std::vector<Error>& problems) const;
     void updateSystems(std::vector<Error>& problems);
 
     Module code_;

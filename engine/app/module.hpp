@@ -5,6 +5,7 @@
 
 #include "app/system_order.hpp"
 #include "ecs/world.hpp"
+#include "reflect/type_name.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/effect_table.hpp"
 
@@ -53,11 +54,15 @@ public:
         SystemRow row;
         EffectRow effect;  ///< without a name: the system always runs
         SystemPosition position;
+        bool isHandler = false;  ///< added by on(): its row is named EventHandler<Event, Handler>
     };
 
     /// Adds types with a `describe` function: scenes can contain them and the inspector edits them.
     template <Described... T>
     void components() {
+        static_assert((!isInUnnamedNamespace(compilerTypeName<T>()) && ...),
+                      "a component of the code must be in the global namespace or in a named one: in an "
+                      "unnamed namespace it is another type whenever the code is loaded again");
         (components_.push_back([](TypeRegistry& types) { static_cast<void>(types.add<T>()); }), ...);
     }
 
@@ -88,10 +93,12 @@ public:
         }
     }
 
-    /// Calls `Handler` for each event of a tick, at this position in the order of systems.
+    /// Calls `Handler` for the events that were emitted in a tick before its position in the order of
+    /// systems, but not for those that it emits itself.
     template <class Event, void (*Handler)(World& world, const Event& event)>
     void on(SystemPosition position = {}) {
         system<EventHandler<Event, Handler>>(position);
+        systems_.back().isHandler = true;
     }
 
     [[nodiscard]] const std::vector<void (*)(TypeRegistry& types)>& componentTypes() const {
@@ -104,8 +111,9 @@ private:
     template <class Event, void (*Handler)(World& world, const Event& event)>
     struct EventHandler {
         void update(World& world, float) const {
-            // By index, as a handler may emit events of the same type, which reallocates the list.
-            for (std::size_t i = 0; i < world.events<Event>().size(); ++i) {
+            // Not the events that the handler adds, or it might never end. By index, as they move the list.
+            const std::size_t count = world.events<Event>().size();
+            for (std::size_t i = 0; i < count; ++i) {
                 const Event event = world.events<Event>()[i];
                 Handler(world, event);
             }

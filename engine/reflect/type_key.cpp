@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/assert.hpp"
+#include "reflect/type_name.hpp"
 
 namespace plumb {
 
@@ -39,9 +40,7 @@ ReloadableTypes& reloadableTypes() {
 
 TypeKey reloadableTypeKey(std::string_view name) {
     ReloadableTypes& types = reloadableTypes();
-    for (const std::string_view mark : {"<unnamed>", "{anonymous}", "(anonymous", "`anonymous"}) {
-        if (name.find(mark) != std::string_view::npos) return types.add();
-    }
+    if (isInUnnamedNamespace(name)) return types.add();
     const auto found = types.byName.find(name);
     return found != types.byName.end() ? found->second
                                        : types.byName.emplace(name, types.add()).first->second;

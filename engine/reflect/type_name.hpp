@@ -34,4 +34,13 @@ constexpr std::string_view shortTypeName() {
     return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
+/// True if a name of compilerTypeName() is that of a type in an unnamed namespace: two files may have such
+/// types of the same name.
+constexpr bool isInUnnamedNamespace(std::string_view name) {
+    for (const std::string_view mark : {"<unnamed>", "{anonymous}", "(anonymous", "`anonymous"}) {
+        if (name.find(mark) != std::string_view::npos) return true;
+    }
+    return false;
+}
+
 }  // namespace plumb

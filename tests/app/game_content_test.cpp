@@ -8,9 +8,8 @@
 #include "scene/components/transform.hpp"
 #include "scene/systems/physics_system.hpp"
 
+// Versions of a project's code. Components must not be in an unnamed namespace.
 namespace plumb {
-namespace {
-
 namespace first {
 
 struct Turret {
@@ -44,6 +43,16 @@ struct TurretSystem {
 };
 
 void count(World& world, const Shot& shot) { world.resource<Score>().hits += shot.number; }
+
+struct Hit {
+    int number = 0;
+};
+
+/// Emits its own event, as a chain reaction does.
+void chain(World& world, const Hit& hit) {
+    world.resource<Score>().hits += hit.number;
+    world.emit(hit);
+}
 
 Module module() {
     Module module;
@@ -96,6 +105,21 @@ Module module() {
 
 }  // namespace second
 
+namespace wrong {
+
+/// A component or resource of this name, which each test sets.
+struct Named {
+    static inline std::string_view name;
+    static void describe(TypeBuilder<Named>& type) { type.name(name); }
+};
+struct OtherNamed {
+    static void describe(TypeBuilder<OtherNamed>& type) { type.name(Named::name); }
+};
+
+}  // namespace wrong
+
+namespace {
+
 std::size_t positionOf(const GameContent& content, std::string_view name) {
     for (std::size_t i = 0; i < content.systems().size(); ++i) {
         if (content.systems()[i].name == name) return i;
@@ -135,11 +159,9 @@ TEST_F(GameContentTest, runsSystemsAndHandlersOnlyWhenTheyAreRequired) {
 }
 
 TEST_F(GameContentTest, reportsNamesThatAreUsedAndUnknownSystems) {
-    struct Taken {
-        static void describe(TypeBuilder<Taken>& type) { type.name("Transform"); }
-    };
+    wrong::Named::name = "Transform";
     Module module;
-    module.components<Taken>();
+    module.components<wrong::Named>();
     module.system<first::TurretSystem>({.before = "physic"});
     module.system<second::TurretSystem>();
     const GameContent content{module, problems};
@@ -151,6 +173,76 @@ TEST_F(GameContentTest, reportsNamesThatAreUsedAndUnknownSystems) {
     EXPECT_EQ(problems[1].what, "there is no system \"physic\" to run before or after");
     EXPECT_EQ(problems[2].where, "code: system \"TurretSystem\"");
     EXPECT_EQ(content.types().all().size(), engineContent().types().all().size());
+}
+
+TEST_F(GameContentTest, reportsTwoComponentsOfOneNameAgainWhenTheCodeIsLoadedAgain) {
+    wrong::Named::name = "Turret";
+    Module module = first::module();
+    module.components<wrong::Named>();
+    GameContent content{module, problems};
+    EXPECT_EQ(problems.size(), 1u);
+    static_cast<void>(content.update(module, problems));
+    EXPECT_EQ(problems.size(), 2u);
+    EXPECT_EQ(content.types().find("Turret")->key, typeKey<first::Turret>());
+}
+
+TEST_F(GameContentTest, reportsResourcesWithTheNameOfAComponentOrOfAnotherResource) {
+    wrong::Named::name = "Turret";
+    Module module = first::module();
+    module.resources<wrong::Named>();
+    const GameContent content{module, problems};
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].text(),
+              "code: resource \"Turret\": there is a component of this name already; choose another name in "
+              "describe()");
+
+    wrong::Named::name = "Lives";
+    Module two;
+    two.resources<wrong::Named, wrong::OtherNamed>();
+    const GameContent other{two, problems};
+    ASSERT_EQ(problems.size(), 2u);
+    EXPECT_EQ(problems[1].what, "there is a resource of this name already");
+}
+
+TEST_F(GameContentTest, namesAHandlerThatIsRegisteredTwiceAsTheCodeWritesIt) {
+    Module module;
+    module.on<first::Shot, first::count>();
+    module.on<first::Shot, first::count>();
+    module.on<first::Shot, first::count>({.after = "physic"});
+    module.on<first::Hit, first::chain>({.after = "physic"});
+    const GameContent content{module, problems};
+    ASSERT_EQ(problems.size(), 3u);
+    EXPECT_EQ(problems[0].where.find("code: module.on<"), 0u) << problems[0].where;
+    EXPECT_NE(problems[0].where.find("first::count>"), std::string::npos) << problems[0].where;
+    EXPECT_EQ(problems[0].what, "this function is registered for this event already");
+    EXPECT_EQ(problems[0].remedy.find("kName"), std::string::npos);
+    EXPECT_EQ(problems[2].where.find("code: module.on<"), 0u) << problems[2].where;
+    EXPECT_EQ(problems[2].what, "there is no system \"physic\" to run before or after");
+}
+
+TEST_F(GameContentTest, aHandlerDoesNotReceiveTheEventsThatItEmits) {
+    Module module = first::module();
+    module.on<first::Hit, first::chain>();
+    const GameContent content{module, problems};
+    Game game{content};
+    content.addSystems(game.world);
+    game.world.beginTick();
+    game.world.emit(first::Hit{1});
+    game.world.emit(first::Hit{2});
+    game.world.update(1.0f / 60.0f);
+    EXPECT_EQ(game.world.resource<first::Score>().hits, 1 + 2);
+    EXPECT_EQ(game.world.events<first::Hit>().size(), 4u) << "later systems read them";
+    game.world.beginTick();
+    game.world.update(1.0f / 60.0f);
+    EXPECT_EQ(game.world.resource<first::Score>().hits, 1 + 2) << "they end with the tick";
+}
+
+struct Unnamed {};
+
+TEST_F(GameContentTest, typesOfUnnamedNamespacesAreRecognized) {
+    static_assert(isInUnnamedNamespace(compilerTypeName<Unnamed>()));
+    static_assert(!isInUnnamedNamespace(compilerTypeName<first::Turret>()));
+    static_assert(!isInUnnamedNamespace(compilerTypeName<Transform>()));
 }
 
 TEST_F(GameContentTest, anotherVersionKeepsTheStateOfARunningGame) {

@@ -16,8 +16,6 @@
 // A project whose scenes contain components of its own code, in versions that replace each other.
 
 namespace plumb::editor {
-namespace {
-
 namespace first {
 
 struct Walker {
@@ -77,6 +75,8 @@ Module module() {
 }
 
 }  // namespace second
+
+namespace {
 
 class ProjectCodeTest : public ::testing::Test {
 protected:
@@ -254,6 +254,27 @@ TEST_F(ProjectCodeTest, withoutCodeTheComponentsBecomeTextAgain) {
     session->useCode(first::module());
     ASSERT_NE(edited<first::Walker>(), nullptr);
     EXPECT_EQ(workspace().text(), scene_);
+}
+
+TEST_F(ProjectCodeTest, errorsOfTheCodeAreReportedOnceByTheCheckAndForbidTheExport) {
+    Module wrong = first::module();
+    wrong.system<second::WalkerSystem>();
+    session->useCode(wrong);
+    ASSERT_EQ(session->codeProblems().size(), 1u);
+    EXPECT_EQ(session->codeProblems()[0].where, "code: system \"WalkerSystem\"");
+
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(session->validate(), 1);
+    const std::string output = testing::internal::GetCapturedStdout();
+    const std::size_t at = output.find(session->codeProblems()[0].text());
+    ASSERT_NE(at, std::string::npos) << output;
+    EXPECT_EQ(output.find(session->codeProblems()[0].text(), at + 1), std::string::npos) << output;
+
+    const Path exported = session->workspace().project.root / "exported";
+    EXPECT_EQ(session->exportTo(exported.string()), 1);
+    EXPECT_FALSE(std::filesystem::exists(exported));
+    session->useCode(first::module());
+    EXPECT_TRUE(session->codeProblems().empty());
 }
 
 TEST_F(ProjectCodeTest, aLibraryIsLoadedWithItsTypesAndSystems) {
