@@ -2,13 +2,20 @@
 #
 #   NAME-code    a library that the editor loads, and loads again after a change
 #   NAME-player  the player with the code linked in; an export contains it
+include(${CMAKE_CURRENT_LIST_DIR}/code_target.cmake)
 function(add_project_code name folder)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/code/*.cpp)
     if(NOT sources)
         return()
     endif()
+    # Checked before they are compiled, again whenever a file is changed, added or removed.
+    set(check ${PROJECT_SOURCE_DIR}/engine/cmake/check_module.cmake)
+    set(checked ${CMAKE_CURRENT_BINARY_DIR}/${name}-module.txt)
+    add_custom_command(OUTPUT ${checked} COMMENT "Checking PLUMB_MODULE in ${folder}/code"
+        COMMAND ${CMAKE_COMMAND} -D FOLDER=${folder}/code -D "FILES=${sources}" -D STAMP=${checked} -P ${check}
+        DEPENDS ${sources} ${check} VERBATIM)
     # Compiled once for both. The header of all that games use is compiled once, too: a change is built in some 4 s.
-    add_library(${name}-objects OBJECT ${sources})
+    add_library(${name}-objects OBJECT ${sources} ${checked})
     target_link_libraries(${name}-objects PUBLIC plumb::engine)
     target_precompile_headers(${name}-objects PRIVATE <plumb.hpp>)
     target_compile_options(${name}-objects PRIVATE $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-Wall -Wextra>)

@@ -23,12 +23,36 @@ constexpr std::string_view kLibraryEnding = ".dll";
 constexpr std::string_view kProgramEnding = ".exe";
 std::FILE* openPipe(const std::string& command) { return _popen(command.c_str(), "r"); }
 int closePipe(std::FILE* pipe) { return _pclose(pipe); }
+std::string shellWord(std::string_view text) { return format("\"{}\"", text); }
 #else
 constexpr std::string_view kLibraryEnding = ".so";
 constexpr std::string_view kProgramEnding = "";
 std::FILE* openPipe(const std::string& command) { return popen(command.c_str(), "r"); }
 int closePipe(std::FILE* pipe) { return pclose(pipe); }
+/// Returns a text as one word of a shell's command.
+std::string shellWord(std::string_view text) {
+    std::string word = "'";
+    for (const char letter : text) word += letter == '\'' ? std::string{"'\\''"} : std::string{letter};
+    return word + "'";
+}
 #endif
+
+/// What a command printed, and whether it ended with 0.
+struct Output {
+    bool succeeded = false;
+    std::string text;
+};
+
+Output run(const std::string& command) {
+    Output output;
+    std::FILE* pipe = openPipe(command);
+    if (pipe == nullptr) return output;
+    std::array<char, 4096> part{};
+    while (std::fgets(part.data(), static_cast<int>(part.size()), pipe) != nullptr)
+        output.text += part.data();
+    output.succeeded = closePipe(pipe) == 0;
+    return output;
+}
 
 /// The build folder in which this editor was built, or an empty path.
 Path findBuildFolder() {
@@ -36,6 +60,9 @@ Path findBuildFolder() {
     const Path folder = fs::weakly_canonical(executableFolder() / "..", ignored);
     return fs::is_regular_file(folder / "CMakeCache.txt", ignored) ? folder : Path{};
 }
+
+/// True if there is a file that the build compiles.
+bool hasCode(const Path& project) { return !filesBelow(project / "code", ".cpp").empty(); }
 
 bool isCode(const Path& file) {
     const std::string ending = file.extension().string();
@@ -72,28 +99,20 @@ void logDiagnostics(const Path& project, std::string_view output) {
 }  // namespace
 
 Result<std::string> codeTarget(const Path& project, const Path& buildFolder) {
-    std::error_code ignored;
-    const Path folder = fs::weakly_canonical(project, ignored);
-    if (!engineProjects().empty() && folder.parent_path() == fs::weakly_canonical(engineProjects(), ignored))
-        return folder.filename().string();
-    const Path list = buildFolder / "projects.txt";
-    std::string text;
-    if (const Result<std::string> known = readFile(list)) text = *known;
-    std::size_t number = 0;
-    for (const std::string_view line : split(text, '\n')) {
-        if (line.empty()) continue;
-        ++number;
-        if (line == folder.generic_string()) return format("outside-{}", number);
-    }
-    if (const Result<Done> written = writeFile(list, text + folder.generic_string() + "\n"); !written)
-        return written.error();
-    return format("outside-{}", number + 1);
+    const Path script = engineProjects().parent_path() / "engine/cmake/code_target.cmake";
+    const Output found =
+        run(format("cmake -D {} -D {} -P {}", shellWord("PROJECT=" + project.generic_string()),
+                   shellWord("BUILD=" + buildFolder.generic_string()), shellWord(script.generic_string())));
+    const std::string_view name = trimmed(found.text);
+    if (found.succeeded && !name.empty()) return std::string{name};
+    return Error{(project / "code").generic_string(), "cmake names no target for it",
+                 "install cmake, and write a .cpp file in this folder"};
 }
 
 Path playerOf(const Path& project) {
     std::error_code ignored;
     const Path plain = executableFolder() / ("plumb-player" + std::string{kProgramEnding});
-    if (codeFiles(project).empty()) return plain;
+    if (!hasCode(project)) return plain;
     const Path build = findBuildFolder();
     const Result<std::string> target =
         build.empty() ? Result<std::string>{Error{}} : codeTarget(project, build);
@@ -101,7 +120,7 @@ Path playerOf(const Path& project) {
 }
 
 ProjectCode::ProjectCode(Path project)
-    : project_{std::move(project)}, buildFolder_{findBuildFolder()}, exists_{!codeFiles(project_).empty()} {
+    : project_{std::move(project)}, buildFolder_{findBuildFolder()}, exists_{hasCode(project_)} {
     if (!exists_) return;
     if (buildFolder_.empty()) {
         logError("Code", Error{(project_ / "code").generic_string(), "this editor cannot build code",
@@ -161,17 +180,11 @@ std::uint64_t ProjectCode::stampOfFiles() const {
 void ProjectCode::start(bool withPlayer) {
     stamp_ = stampOfFiles();
     const std::string player = withPlayer ? format(" {}-player", target_) : std::string{};
-    const std::string command = format("cmake --build \"{}\" --target {}-code{} 2>&1",
-                                       buildFolder_.generic_string(), target_, player);
+    const std::string command = format("cmake --build {} --target {}-code{} 2>&1",
+                                       shellWord(buildFolder_.generic_string()), target_, player);
     build_ = std::async(std::launch::async, [command] {
-        Build build;
-        std::FILE* pipe = openPipe(command);
-        if (pipe == nullptr) return build;
-        std::array<char, 4096> part{};
-        while (std::fgets(part.data(), static_cast<int>(part.size()), pipe) != nullptr)
-            build.output += part.data();
-        build.succeeded = closePipe(pipe) == 0;
-        return build;
+        Output output = run(command);
+        return Build{output.succeeded, std::move(output.text)};
     });
 }
 

@@ -60,8 +60,10 @@ private:
     std::future<Build> build_;
 };
 
-/// Returns NAME of the CMake targets NAME-code and NAME-player of a project. A project outside the engine's
-/// folder is first added to the list projects.txt of the build folder, which creates its targets.
+/// Returns NAME of the CMake targets NAME-code and NAME-player of a project with code, as the file
+/// engine/cmake/code_target.cmake says. A project outside the engine's folder is first added to the list
+/// projects.txt of the build folder, which creates its targets.
+/// @error cmake is not installed, or the project has no .cpp file
 Result<std::string> codeTarget(const Path& project, const Path& buildFolder);
 
 /// Returns the program that plays a project: the player with the project's code; without code, plumb-player.

@@ -20,8 +20,21 @@ exported=$("$work/out/play" --headless --frames 300 --hash 2>"$work/warnings" | 
 [ "$exported" = "$expected" ] || fail "the exported game says $exported, the template's player $expected"
 [ ! -s "$work/warnings" ] || fail "$(cat "$work/warnings")"
 
+cp "$work/game/code/game.cpp" "$work/game.cpp"
+sed 's/module.system<ComeBackSystem, ComeBack>()/module.system<ComeBackSystem, ComeBack>({.after = "Physic"})/' \
+    "$work/game.cpp" >"$work/game/code/game.cpp"
+"$editor" "$work/game" --validate >"$work/position" 2>&1 && fail "a position after an unknown system was accepted"
+[ "$(grep -c 'there is no system "Physic"' "$work/position")" = 1 ] || fail "not reported once: $(cat "$work/position")"
+cp "$work/game.cpp" "$work/game/code/game.cpp"
+
+grep "#include" "$work/game.cpp" >"$work/game/code/other.cpp"
+echo "PLUMB_MODULE(module) { static_cast<void>(module); }" >>"$work/game/code/other.cpp"
+"$editor" "$work/game" --validate >"$work/two" 2>&1 && fail "two PLUMB_MODULE were accepted"
+grep -q "\[Code\] error: code: error: there are 2 PLUMB_MODULE, in game.cpp, other.cpp" "$work/two" || fail "$(cat "$work/two")"
+rm "$work/game/code/other.cpp"
+
 line=$(($(wc -l <"$work/game/code/game.cpp") + 1))
 echo "int broken = ;" >>"$work/game/code/game.cpp"
 "$editor" "$work/game" --validate >"$work/broken" 2>&1 && fail "code that does not compile was accepted"
 grep -q "\[Code\] error: code/game.cpp:$line:14: error:" "$work/broken" || fail "no file and line: $(cat "$work/broken")"
-echo "made, checked, exported, played; an error of the compiler has its file and line"
+echo "made, checked, exported, played; errors of the code have their file and remedy"

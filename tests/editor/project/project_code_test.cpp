@@ -298,5 +298,25 @@ TEST_F(ProjectCodeTest, aLibraryIsLoadedWithItsTypesAndSystems) {
     EXPECT_LT(end.y, 400.0f) << "a player that falls comes back";
 }
 
+TEST(CodeTarget, ofAProjectElsewhereIsNamedByItsLineInTheList) {
+    const test::TemporaryFolder home;
+    const Path folder = std::filesystem::canonical(home.path);
+    const Path build = folder / "build folder";
+    const auto project = [&](const char* name) {
+        EXPECT_TRUE(writeFile(folder / name / "code/game.cpp", "").ok());
+        return folder / name;
+    };
+    const Path one = project("one"), other = project("the other's");
+    std::filesystem::create_directories(build);
+    EXPECT_EQ(*codeTarget(one, build), "outside-1");
+    EXPECT_EQ(*codeTarget(other, build), "outside-2");
+    EXPECT_EQ(*codeTarget(one / "../one", build), "outside-1");
+    EXPECT_EQ(*readFile(build / "projects.txt"), one.string() + "\n" + other.string() + "\n");
+
+    const Result<std::string> none = codeTarget(folder / "empty", build);
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().what, "cmake names no target for it");
+}
+
 }  // namespace
 }  // namespace plumb::editor
