@@ -248,6 +248,14 @@ bool hasColliders(const World& world) {
                        [&](const ColliderRow& row) { return row.count(world) > 0; });
 }
 
+std::uint32_t shapeLayersOf(const World& world, EntityId entity) {
+    std::uint32_t layers = 0;
+    for (const ColliderRow& row : kColliders) {
+        if (const ColliderSurface* collider = row.find(world, entity)) layers |= collider->layers;
+    }
+    return layers;
+}
+
 std::optional<std::uint64_t> colliderOrder(const World& world, EntityId entity) {
     for (std::size_t kind = 0; kind < std::size(kColliders); ++kind) {
         if (kColliders[kind].find(world, entity) == nullptr) continue;

@@ -41,6 +41,9 @@ Result<Done> updateSurfaces(physics::World& bodies, physics::BodyId body, const 
 [[nodiscard]] std::uint64_t colliderMembers(const World& world);
 [[nodiscard]] bool hasColliders(const World& world);
 
+/// Returns the collision layers of all colliders of an entity except tiles (bits).
+[[nodiscard]] std::uint32_t shapeLayersOf(const World& world, EntityId entity);
+
 /// Returns a sort key of an entity with a collider: by kind
 /// of collider, then by query order. nullopt without one.
 [[nodiscard]] std::optional<std::uint64_t> colliderOrder(const World& world, EntityId entity);

@@ -6,6 +6,8 @@
 #include "physics/queries/overlap.hpp"
 #include "physics/queries/ray_cast.hpp"
 #include "physics/queries/shape_cast.hpp"
+#include "scene/components/colliders/tile_collider.hpp"
+#include "scene/physics/collider_shapes.hpp"
 #include "scene/physics/entity_bodies.hpp"
 #include "scene/physics_bridge.hpp"
 
@@ -67,6 +69,11 @@ std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFi
     physics::castRayAll(state.world, positionInMetres(from, state.scale), metres, filterFrom(state, filter),
                         state.hits);
     return firstThatStops(state, metres, filter.oneWay);
+}
+
+std::uint32_t collisionLayersOf(const World& world, EntityId entity) {
+    const TileCollider* tiles = world.find<TileCollider>(entity);
+    return shapeLayersOf(world, entity) | (tiles != nullptr ? tiles->layers : 0);
 }
 
 Vec2 tickMotionOf(World& world, EntityId entity, float dt) {

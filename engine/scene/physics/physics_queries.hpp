@@ -33,6 +33,10 @@ std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const Q
 /// Returns the first collider that a ray from `from` to `from + way` (px) hits.
 std::optional<QueryHit> castRay(World& world, Vec2 from, Vec2 way, const QueryFilter& filter = {});
 
+/// Returns the collision layers of all colliders of an entity (bits), e.g. of one that a contact names; 0
+/// without a collider.
+std::uint32_t collisionLayersOf(const World& world, EntityId entity);
+
 /// Returns the displacement of an entity's body in this
 /// tick (px), as its velocity before the step predicts it.
 Vec2 tickMotionOf(World& world, EntityId entity, float dt);
