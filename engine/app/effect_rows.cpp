@@ -12,6 +12,7 @@
 #include "scene/lab.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/particles.hpp"
+#include "script/script_system.hpp"
 
 namespace plumb {
 namespace {
@@ -76,6 +77,7 @@ std::vector<EffectRow> systemEffectRows() {
     std::vector<EffectRow> rows{
         {"timers", "Emits delayed events.", {}, hasDelayedEvents},
         row<PlayerController>("progress", "Counts time, coins and levels."),
+        {"scripts", "Runs the Lua scripts of entities.", {}, hasScripts},
         row<MovingPlatform>("moving_platforms", "Moves platforms along their paths."),
         row<Patrol>("patrols", "Moves enemies back and forth."),
         row<PlayerController>("players", "Lets the player run, jump and pause."),

@@ -22,6 +22,8 @@ Game::Game(const GameContent& gameContent)
       effects{content.effects(), world} {
     world.provide(assets);
     world.provide(threads);
+    world.provide(content.scripts());
+    content.scripts().addTexts(world);
 }
 
 Game::~Game() = default;

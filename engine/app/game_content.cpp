@@ -51,9 +51,15 @@ Error nameIsUsed(const Module::System& system) {
             "add each system once; to give a system another name, rename its type or its kName"};
 }
 
-Error nameIsUsed(std::string_view kind, const TypeInfo& type, std::string_view user) {
-    return {format("code: {} \"{}\"", kind, type.name), format("there is a {} of this name already", user),
-            "choose another name in describe()"};
+/// @param where  what gives the type its name: "describe()", or the path of a script, whose name is that of
+/// the type
+Error nameIsUsed(std::string_view kind, const TypeInfo& type, std::string_view user,
+                 std::string_view where = "describe()") {
+    const bool isScript = endsWith(where, ".lua");
+    return {
+        isScript ? std::string{where} : format("code: {} \"{}\"", kind, type.name),
+        format("there is a {} \"{}\" already", user, type.name),
+        isScript ? std::string{"give the file another name"} : format("choose another name in {}", where)};
 }
 
 /// Returns the position in `rows` at which a system of the code must be inserted.
@@ -77,6 +83,7 @@ GameContent::GameContent(Module code, std::vector<Error>& problems)
 
 ContentChange GameContent::update(Module code, std::vector<Error>& problems) {
     ContentChange change;
+    change.newCode = true;
     change.before = std::exchange(code_, std::move(code));
     for (const Module::System& system : change.before.systems()) change.systems.push_back(system.row.key());
     updateTypes(change, problems);
@@ -85,31 +92,58 @@ ContentChange GameContent::update(Module code, std::vector<Error>& problems) {
     return change;
 }
 
-void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problems) {
-    const std::vector<std::string> former = std::exchange(codeTypes_, {});
-    const auto contains = [](const std::vector<std::string>& names, std::string_view name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
+ContentChange GameContent::readScripts(const Path& folder, std::vector<Error>& problems) {
+    ContentChange change;
+    const std::uint64_t version = scripts_.version();
+    scripts_.read(folder, problems);
+    if (scripts_.version() != version) updateTypes(change, problems);
+    return change;
+}
+
+ContentChange GameContent::useScripts(const std::vector<std::pair<std::string, std::string>>& texts,
+                                      std::vector<Error>& problems) {
+    ContentChange change;
+    scripts_.readTexts(texts, problems);
+    updateTypes(change, problems);
+    return change;
+}
+
+std::vector<GameContent::ProjectType> GameContent::projectTypes() const {
+    std::vector<ProjectType> types;
     for (const auto add : code_.componentTypes()) {
         TypeRegistry described;
         add(described);
-        const TypeInfo& type = described.all().front();
+        types.push_back({described.all().front(), "describe()"});
+    }
+    for (const ScriptSet::File& file : scripts_.files()) {
+        if (file.type) types.push_back({*file.type, file.path});
+    }
+    return types;
+}
+
+void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problems) {
+    const std::vector<std::string> former = std::exchange(projectTypes_, {});
+    const auto contains = [](const std::vector<std::string>& names, std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const auto& [type, where] : projectTypes()) {
         const TypeInfo* known = types_.find(type.name);
         const bool isOfEngine = known != nullptr && !contains(former, type.name);
-        if (isOfEngine || contains(codeTypes_, type.name)) {
-            problems.push_back(nameIsUsed("component", type, "component"));
+        if (isOfEngine || contains(projectTypes_, type.name)) {
+            problems.push_back(nameIsUsed("component", type, "component", where));
             continue;
         }
-        codeTypes_.emplace_back(type.name);
+        projectTypes_.emplace_back(type.name);
         if (known != nullptr && !sameLayout(*known, type)) change.types.push_back({*known, known});
         change.newTypes = change.newTypes || known == nullptr;
         updateComponentType(types_.update(type));
     }
     for (const std::string& name : former) {
-        if (contains(codeTypes_, name)) continue;
+        if (contains(projectTypes_, name)) continue;
         change.types.push_back({*types_.find(name), nullptr});
         types_.remove(name);
     }
+    scripts_.typesChanged();
 }
 
 /// Values of resources are kept by their names when the code is loaded again, so names must differ.
@@ -177,15 +211,14 @@ std::vector<KeptResource> keepResources(const World& world, const Module& code) 
 
 }  // namespace
 
-void convertWorld(World& world, const GameContent& content, const ContentChange& change) {
+namespace {
+
+/// Replaces systems, resources and events of the code by those of its new version.
+void convertCode(World& world, const GameContent& content, const ContentChange& change) {
     const std::vector<KeptResource> kept = keepResources(world, change.before);
     world.dropReloadable();
     if (auto* delayed = world.findResource<DelayedEvents>()) delayed->dropReloadable();
-    if (auto* tweens = world.findResource<Tweens>()) {
-        for (const ContentChange::Type& type : change.types) tweens->drop(type.before.key);
-    }
     for (const TypeKey system : change.systems) world.removeSystem(system);
-    for (const ContentChange::Type& type : change.types) world.convert(type.before, type.now);
     for (const Module::Resource& resource : content.code().resourceTypes()) {
         const TypeInfo now = described(resource);
         for (const KeptResource& before : kept) {
@@ -195,6 +228,17 @@ void convertWorld(World& world, const GameContent& content, const ContentChange&
     }
     if (world.systemNames().empty()) return;  // a scene that is edited: it has no systems
     content.addSystems(world);
+}
+
+}  // namespace
+
+void convertWorld(World& world, const GameContent& content, const ContentChange& change) {
+    if (auto* tweens = world.findResource<Tweens>()) {
+        for (const ContentChange::Type& type : change.types) tweens->drop(type.before.key);
+    }
+    for (const ContentChange::Type& type : change.types) world.convert(type.before, type.now);
+    content.scripts().addTexts(world);
+    if (change.newCode) convertCode(world, content, change);
 }
 
 const GameContent& engineContent() {

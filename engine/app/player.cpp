@@ -101,7 +101,8 @@ int playProject(const PlayerOptions& asked, const Module& code) {
         logWarning("Engine", warning);
     }
     std::vector<Error> problems;
-    const GameContent content{code, problems};
+    GameContent content{code, problems};
+    content.readScripts(project->root, problems);
     for (const Error& problem : problems) logError("Code", problem);
     if (!problems.empty()) return 1;
     warnOfMissingCode(*project, code);

@@ -4,6 +4,7 @@
 
 #include "gameplay/systems.hpp"
 #include "scene/systems.hpp"
+#include "script/script_system.hpp"
 
 namespace plumb {
 namespace {
@@ -17,6 +18,7 @@ constexpr SystemRow row(std::string_view effect) {
 constexpr std::array kSystems{
     row<TimerSystem>("timers"),
     row<ProgressSystem>("progress"),
+    row<ScriptSystem>("scripts"),
     row<MovingPlatformSystem>("moving_platforms"),
     row<PatrolSystem>("patrols"),
     row<PlayerControllerSystem>("players"),
@@ -42,6 +44,7 @@ constexpr std::array kSystems{
     row<RespawnSystem>("respawn"),
     row<ShortcutSystem>("shortcuts"),
     row<PauseSystem>("players"),
+    row<ScriptEventSystem>("scripts"),
     row<TweenSystem>("tweens"),
     row<MotionDecorSystem>("decor"),
     row<CharacterAnimationSystem>("character_animation"),

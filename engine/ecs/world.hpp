@@ -167,6 +167,10 @@ public:
         return (storage_.knownPool(typeKey<T>()).changes() + ...);
     }
 
+    [[nodiscard]] std::uint64_t memberships(const TypeInfo& type) const {
+        return storage_.knownPool(type.key).changes();
+    }
+
     // resources and services
 
     template <class T>

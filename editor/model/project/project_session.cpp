@@ -19,8 +19,10 @@ namespace plumb::editor {
 ProjectSession::ProjectSession(Project project)
     : project_{std::move(project)},
       code_{project_.root},
+      scriptStamp_{stampOfScripts(project_.root)},
       assets_{project_.root, engineAssets()},
       prefabs_{content_.types(), project_.root} {
+    content_.readScripts(project_.root, scriptProblems_);
     ProjectFolder folder{project_.root,
                          project_.name,
                          {static_cast<float>(project_.width), static_cast<float>(project_.height)},
@@ -32,7 +34,8 @@ ProjectSession::ProjectSession(Project project)
         return makeGameSession(project_, path, text, content_);
     };
     workspace_->document.world.provide(content_.effects());
-    workspace_->followCode = [this](double now) { followCode(now); };
+    content_.scripts().addTexts(workspace_->document.world);
+    workspace_->followCode = [this](double now) { followCode(now), followScripts(now); };
 }
 
 void ProjectSession::followCode(double now) {
@@ -61,16 +64,33 @@ void ProjectSession::loadCodeAndReport() {
 }
 
 void ProjectSession::useCode(Module code) {
+    codeProblems_.clear();
+    change([&] { return content_.update(std::move(code), codeProblems_); });
+}
+
+void ProjectSession::followScripts(double now) {
+    if (now < nextScriptCheck_) return;
+    nextScriptCheck_ = now + ProjectCode::kInterval;
+    const std::uint64_t stamp = stampOfScripts(project_.root);
+    if (stamp == scriptStamp_) return;
+    scriptStamp_ = stamp;
+    scriptProblems_.clear();
+    change([&] { return content_.readScripts(project_.root, scriptProblems_); });
+    for (const Error& problem : scriptProblems_) logError("Script", problem);
+    workspace_->notice =
+        scriptProblems_.empty() ? "Reloaded the scripts" : "A script has an error: see the Console";
+}
+
+void ProjectSession::change(const std::function<ContentChange()>& update) {
     Workspace& w = *workspace_;
     const bool isOpen = !w.document.scenePath.empty();
     const bool unsaved = w.unsaved();
     const std::string text = isOpen ? w.text() : std::string{};
-    codeProblems_.clear();
-    const ContentChange change = content_.update(std::move(code), codeProblems_);
+    const ContentChange change = update();
     prefabs_.forget();
     convertWorld(w.document.world, content_, change);
     if (w.play.running()) w.play.contentChanged(content_, change);
-    // The scene's text also contains components of types that the old or the new code does not know.
+    // The scene's text also contains components of types that the old or the new version does not know.
     const bool reread = isOpen && (change.newTypes || !change.types.empty());
     if (reread) {
         const SceneContext context{content_.types(), &prefabs_, project_.root};
@@ -102,6 +122,7 @@ std::unique_ptr<ProjectSession> ProjectSession::none() {
 
 void ProjectSession::openFirst(std::string_view scene) {
     if (code_.isBuilt()) loadCodeAndReport();
+    for (const Error& problem : scriptProblems_) logError("Script", problem);
     const std::vector<std::string> scenes = workspace_->scenes();
     const std::string wanted{scene.empty() ? std::string_view{project_.startScene} : scene};
     for (const std::string& path : {wanted, "scenes/" + wanted, "scenes/" + wanted + ".scene.json"}) {
@@ -121,8 +142,10 @@ bool ProjectSession::buildCode() {
 
 ProjectCheck ProjectSession::check() {
     ProjectCheck found = checkProject(project_, *workspace_, prefabs_);
-    found.problems.insert(found.problems.begin(), codeProblems_.begin(), codeProblems_.end());
-    found.playable = found.playable && codeProblems_.empty();  // the player does not start with them
+    for (const std::vector<Error>* problems : {&codeProblems_, &scriptProblems_}) {
+        found.problems.insert(found.problems.begin(), problems->begin(), problems->end());
+        found.playable = found.playable && problems->empty();  // the player does not start with them
+    }
     return found;
 }
 

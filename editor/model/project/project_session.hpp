@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -48,6 +50,10 @@ private:
     explicit ProjectSession(Project project);
 
     void followCode(double now);
+    /// Reads the script files again when one of them has changed.
+    void followScripts(double now);
+    /// Updates content_, then the open scene and a running game.
+    void change(const std::function<ContentChange()>& update);
     bool loadCode();
     void loadCodeAndReport();
     bool buildCode();
@@ -55,8 +61,11 @@ private:
 
     Project project_;
     std::vector<Error> codeProblems_;
+    std::vector<Error> scriptProblems_;
     GameContent content_{{}, codeProblems_};
     ProjectCode code_;
+    std::uint64_t scriptStamp_ = 0;  // of the script files that were read
+    double nextScriptCheck_ = 0.0;   // s
     AssetStore assets_;
     PrefabLibrary prefabs_;
     std::unique_ptr<Workspace> workspace_;

@@ -1,0 +1,187 @@
+#include "gameplay/game_functions.hpp"
+
+#include <vector>
+
+#include <lua.hpp>
+
+#include "assets/asset_store.hpp"
+#include "core/text.hpp"
+#include "ecs/world.hpp"
+#include "reflect/type_registry.hpp"
+#include "scene/components/transform.hpp"
+#include "scene/physics/physics_queries.hpp"
+#include "script/script_context.hpp"
+#include "script/script_entity.hpp"
+#include "script/script_functions.hpp"
+#include "script/script_vector.hpp"
+
+namespace plumb::script {
+namespace {
+
+std::string_view checkText(lua_State* state, int index) {
+    std::size_t size = 0;
+    const char* text = luaL_checklstring(state, index, &size);
+    return {text, size};
+}
+
+/// Sets fields of components: {Sprite = {tint = "#ff0000"}}. @return false after pushing a message
+bool setComponents(lua_State* state, int table, EntityId entity) {
+    World& world = worldOf(state);
+    for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
+        const char* name = lua_type(state, -2) == LUA_TSTRING ? lua_tostring(state, -2) : "?";
+        const TypeInfo* type = world.types()->find(name);
+        if (type == nullptr || lua_istable(state, -1) == 0 || !world.has(*type, entity)) {
+            lua_pushfstring(state, "the prefab has no component \"%s\", or its fields are no table", name);
+            return false;
+        }
+        if (!setFields(state, lua_gettop(state), entity, *type)) return false;
+    }
+    return true;
+}
+
+/// "prefabs/coin" may stand for "prefabs/coin.prefab.json".
+std::string prefabPath(std::string_view name) {
+    return endsWith(name, ".json") ? std::string{name} : format("{}.prefab.json", name);
+}
+
+int spawnPrefabAt(lua_State* state) {
+    const std::string_view prefab = checkText(state, 1);
+    const Vec2 position = checkVector(state, 2);
+    if (!lua_isnoneornil(state, 3)) luaL_checktype(state, 3, LUA_TTABLE);
+    const EntityId entity = spawn(worldOf(state), prefabPath(prefab), position).id();
+    if (!entity) return luaL_error(state, "the prefab cannot be spawned; see the log");
+    if (lua_istable(state, 3) && !setComponents(state, 3, entity)) return lua_error(state);
+    pushEntity(state, entity);
+    return 1;
+}
+
+int findByName(lua_State* state) {
+    const std::string_view name = checkText(state, 1);
+    pushEntity(state, findEntity(worldOf(state), name).id());
+    return 1;
+}
+
+int playSoundFile(lua_State* state) {
+    const std::string_view path = checkText(state, 1);
+    const auto volume = static_cast<float>(luaL_optnumber(state, 2, 1.0));
+    World& world = worldOf(state);
+    playSound(world, assetsOf(world).loadSound(path), volume);
+    return 0;
+}
+
+int showTextFor(lua_State* state) {
+    const std::string_view word = checkText(state, 1);
+    std::size_t size = 0;
+    const char* text = luaL_tolstring(state, 2, &size);
+    showText(worldOf(state), word, {text, size});
+    return 0;
+}
+
+int mouse(lua_State* state) {
+    pushVector(state, mouseInWorld(worldOf(state)));
+    return 1;
+}
+
+int changeToScene(lua_State* state) {
+    changeScene(worldOf(state), checkText(state, 1));
+    return 0;
+}
+int openOverlayScene(lua_State* state) {
+    showOverlay(worldOf(state), checkText(state, 1));
+    return 0;
+}
+int closeOverlayScene(lua_State* state) {
+    hideOverlay(worldOf(state));
+    return 0;
+}
+int restart(lua_State* state) {
+    restartScene(worldOf(state));
+    return 0;
+}
+int quit(lua_State* state) {
+    quitGame(worldOf(state));
+    return 0;
+}
+
+int teleportEntity(lua_State* state) {
+    const EntityId entity = checkEntity(state, 1);
+    const Vec2 position = checkVector(state, 2);
+    auto* transform = worldOf(state).find<Transform>(entity);
+    if (transform == nullptr) return luaL_argerror(state, 1, "the entity has no Transform");
+    teleport(*transform, position);
+    return 0;
+}
+
+QueryFilter checkFilter(lua_State* state, int index) {
+    QueryFilter filter;
+    filter.except = lua_isnoneornil(state, index) ? EntityId{} : checkEntity(state, index);
+    return filter;
+}
+
+int castRayFrom(lua_State* state) {
+    const Vec2 from = checkVector(state, 1);
+    const Vec2 way = checkVector(state, 2);
+    const std::optional<QueryHit> hit = castRay(worldOf(state), from, way, checkFilter(state, 3));
+    if (!hit) return lua_pushnil(state), 1;
+    lua_createtable(state, 0, 4);
+    pushEntity(state, hit->entity);
+    lua_setfield(state, -2, "entity");
+    pushVector(state, hit->point);
+    lua_setfield(state, -2, "point");
+    pushVector(state, hit->normal);
+    lua_setfield(state, -2, "normal");
+    lua_pushnumber(state, hit->fraction);
+    lua_setfield(state, -2, "fraction");
+    return 1;
+}
+
+void pushEntities(lua_State* state, const std::vector<EntityId>& entities) {
+    lua_createtable(state, static_cast<int>(entities.size()), 0);
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        pushEntity(state, entities[i]);
+        lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
+    }
+}
+
+int overlapBoxBetween(lua_State* state) {
+    const Vec2 a = checkVector(state, 1);
+    const Vec2 b = checkVector(state, 2);
+    const QueryFilter filter = checkFilter(state, 3);
+    std::vector<EntityId> found;
+    overlapBox(worldOf(state), {min(a, b), max(a, b)}, filter, found);
+    pushEntities(state, found);
+    return 1;
+}
+
+constexpr ScriptFunction kGame[] = {
+    {"spawn", "(prefab: string, position: vec, fields: table?): Entity",
+     "Instantiates a prefab: spawn(\"prefabs/coin\", vec(10, 20), { Coin = { value = 5 } }). The third value "
+     "sets "
+     "fields of components of its root.",
+     spawnPrefabAt},
+    {"findEntity", "(name: string): Entity?", "The first entity with this name.", findByName},
+    {"teleport", "(entity: Entity, position: vec)",
+     "Moves an entity without drawing the motion from its old position.", teleportEntity},
+    {"playSound", "(path: string, volume: number?)", "Plays a sound, starting in this tick.", playSoundFile},
+    {"showText", "(word: string, text: any)", "Sets the text that replaces {word} in every Label.",
+     showTextFor},
+    {"mouseInWorld", "(): vec", "The position of the mouse in the world, px.", mouse},
+    {"castRay", "(from: vec, way: vec, except: Entity?): table?",
+     "The first collider that a ray from `from` to `from + way` hits: { entity, point, normal, fraction }, "
+     "or nil.",
+     castRayFrom},
+    {"overlapBox", "(min: vec, max: vec, except: Entity?): Entity[]",
+     "The entities whose colliders overlap a box.", overlapBoxBetween},
+    {"changeScene", "(scene: string)", "Changes to another scene at the end of this tick.", changeToScene},
+    {"showOverlay", "(scene: string)", "Opens a scene over the current one, which is paused meanwhile.",
+     openOverlayScene},
+    {"hideOverlay", "()", "Closes the top overlay.", closeOverlayScene},
+    {"restartScene", "()", "Loads the current scene again.", restart},
+    {"quitGame", "()", "Ends the game.", quit},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> gameFunctions() { return kGame; }
+
+}  // namespace plumb::script

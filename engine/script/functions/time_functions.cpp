@@ -1,0 +1,214 @@
+#include <array>
+#include <cstring>
+#include <iterator>
+#include <string_view>
+
+#include <lua.hpp>
+
+#include "core/text.hpp"
+#include "ecs/world.hpp"
+#include "gameplay/delayed_events.hpp"
+#include "gameplay/tweens.hpp"
+#include "script/script_context.hpp"
+#include "script/script_entity.hpp"
+#include "script/script_functions.hpp"
+#include "script/script_values.hpp"
+#include "script/script_vector.hpp"
+
+namespace plumb::script {
+namespace {
+
+// ---- waiting
+
+Context& handlerContext(lua_State* state, const char* function) {
+    Context& context = contextOf(state);
+    if (context.handler != state)
+        luaL_error(state, "%s() works in handlers, not in coroutines of your own", function);
+    return context;
+}
+
+int wait(lua_State* state) {
+    Context& context = handlerContext(state, "wait");
+    context.request = {static_cast<std::uint32_t>(ticksOf(static_cast<float>(luaL_optnumber(state, 1, 0.0)))),
+                       {}};
+    return lua_yield(state, 0);
+}
+
+/// Called again in each tick, until the condition holds.
+int waitUntilTrue(lua_State* state, int, lua_KContext) {
+    lua_settop(state, 1);
+    lua_pushvalue(state, 1);
+    lua_call(state, 0, 1);
+    if (lua_toboolean(state, -1) != 0) return 0;
+    handlerContext(state, "waitUntil").request = {};
+    return lua_yieldk(state, 0, 0, waitUntilTrue);
+}
+int waitUntil(lua_State* state) {
+    luaL_checktype(state, 1, LUA_TFUNCTION);
+    return waitUntilTrue(state, LUA_OK, 0);
+}
+
+int waitFor(lua_State* state) {
+    std::size_t size = 0;
+    const char* name = luaL_checklstring(state, 1, &size);
+    Context& context = handlerContext(state, "waitFor");
+    context.request = {0, context.world.texts().add({name, size})};
+    return lua_yield(state, 0);
+}
+
+// ---- events
+
+template <class T>
+ScriptValue valueOf(ScriptValue::Kind kind, const T& from) {
+    ScriptValue value{kind, 0};
+    static_assert(sizeof(T) <= sizeof value.bits);
+    std::memcpy(&value.bits, &from, sizeof from);
+    return value;
+}
+
+ScriptValue checkValue(lua_State* state, int index) {
+    switch (lua_type(state, index)) {
+        case LUA_TNIL: return {};
+        case LUA_TBOOLEAN: return {ScriptValue::Kind::Bool, lua_toboolean(state, index) != 0 ? 1u : 0u};
+        case LUA_TNUMBER:
+            if (lua_isinteger(state, index) != 0)
+                return valueOf(ScriptValue::Kind::Integer, lua_tointeger(state, index));
+            return valueOf(ScriptValue::Kind::Number, lua_tonumber(state, index));
+        case LUA_TSTRING: {
+            std::size_t size = 0;
+            const char* text = lua_tolstring(state, index, &size);
+            return valueOf(ScriptValue::Kind::Text, worldOf(state).texts().add({text, size}));
+        }
+        default: break;
+    }
+    if (const Vec2* vector = vectorAt(state, index)) return valueOf(ScriptValue::Kind::Vector, *vector);
+    const EntityId entity = entityAt(state, index);
+    if (!entity)
+        luaL_argerror(state, index, "events pass nil, booleans, numbers, texts, vectors and entities");
+    return valueOf(ScriptValue::Kind::Entity, entity);
+}
+
+/// The event whose name is at an index, followed by its values.
+ScriptEvent checkEvent(lua_State* state, int index) {
+    std::size_t size = 0;
+    const char* name = luaL_checklstring(state, index, &size);
+    const int count = lua_gettop(state) - index;
+    if (count > static_cast<int>(ScriptEvent::kMaxValues))
+        luaL_error(state, "an event has at most %d values", static_cast<int>(ScriptEvent::kMaxValues));
+    ScriptEvent event;
+    event.name = worldOf(state).texts().add({name, size});
+    for (int i = 1; i <= count; ++i) event.add(checkValue(state, index + i));
+    return event;
+}
+
+int emit(lua_State* state) {
+    worldOf(state).emit(checkEvent(state, 1));
+    return 0;
+}
+
+int emitAfterSeconds(lua_State* state) {
+    const auto seconds = static_cast<float>(luaL_checknumber(state, 1));
+    const ScriptEvent event = checkEvent(state, 2);
+    lua_pushinteger(state, static_cast<lua_Integer>(emitAfter(worldOf(state), seconds, event).number));
+    return 1;
+}
+
+int cancelEvent(lua_State* state) {
+    cancel(worldOf(state), DelayedEvent{static_cast<std::uint64_t>(luaL_checkinteger(state, 1))});
+    return 0;
+}
+
+// ---- tweens
+
+constexpr std::array kEases{"linear",   "quadIn",     "quadOut",   "quadInOut",  "cubicIn",
+                            "cubicOut", "cubicInOut", "sineIn",    "sineOut",    "sineInOut",
+                            "backIn",   "backOut",    "backInOut", "elasticOut", "bounceOut"};
+
+Ease checkEase(lua_State* state, int index) {
+    if (lua_isnoneornil(state, index)) return Ease::QuadInOut;
+    const std::string_view wanted = luaL_checkstring(state, index);
+    for (std::size_t i = 0; i < kEases.size(); ++i) {
+        if (wanted == kEases[i]) return static_cast<Ease>(i);
+    }
+    luaL_argerror(state, index, "unknown easing; e.g. \"linear\", \"quadOut\", \"sineInOut\", \"bounceOut\"");
+    return Ease::Linear;
+}
+
+/// Sets the goal of a tween to the value on top of the stack. @return false after pushing a message
+bool readGoal(lua_State* state, const TypeInfo& type, const FieldInfo& field, Tweens::Entry& tween) {
+    World& world = worldOf(state);
+    const int value = lua_gettop(state);
+    if (field.kind == FieldKind::Color) {
+        std::array<std::uint8_t, 4> color{};
+        if (!readValue(state, value, world, type.name, field, color.data())) return false;
+        tween.kind = Tweens::Kind::Color;
+        for (std::size_t i = 0; i < color.size(); ++i) tween.to[i] = color[i];
+        return true;
+    }
+    if (field.kind != FieldKind::Float && field.kind != FieldKind::Vec2) {
+        const std::string text =
+            format("{}.{}: only numbers, vectors and colors change gradually", type.name, field.name);
+        lua_pushlstring(state, text.data(), text.size());
+        return false;
+    }
+    tween.kind = field.kind == FieldKind::Float ? Tweens::Kind::Float : Tweens::Kind::Vec2;
+    return readValue(state, value, world, type.name, field, tween.to.data());
+}
+
+/// tween(component, {field = value}, seconds, ease)
+int tweenFields(lua_State* state) {
+    const ComponentHandle component = checkComponent(state, 1);
+    luaL_checktype(state, 2, LUA_TTABLE);
+    const auto seconds = static_cast<float>(luaL_checknumber(state, 3));
+    Tweens::Entry tween;
+    tween.ease = checkEase(state, 4);
+    tween.entity = component.entity;
+    tween.type = component.type->key;
+    for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
+        const char* name = lua_type(state, -2) == LUA_TSTRING ? lua_tostring(state, -2) : "?";
+        if (component.type->find(name) == nullptr)
+            return luaL_error(state, "the component has no field \"%s\"", name);
+    }
+    for (const FieldInfo& field : component.type->fields) {
+        lua_pushlstring(state, field.name.data(), field.name.size());
+        lua_rawget(state, 2);
+        if (lua_isnil(state, -1) == 0) {
+            tween.offset = static_cast<std::uint32_t>(field.offset);
+            if (!readGoal(state, *component.type, field, tween)) return lua_error(state);
+            addTween(worldOf(state), tween, seconds);
+        }
+        lua_pop(state, 1);
+    }
+    return 0;
+}
+
+int stopEntityTweens(lua_State* state) {
+    stopTweens(worldOf(state), checkEntity(state, 1));
+    return 0;
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"wait", "(seconds: number?)",
+     "Waits; without a time until the next tick. The handler goes on afterwards.", wait},
+    {"waitUntil", "(condition: fun(): boolean)",
+     "Waits until the function returns true; it is called in every tick.", waitUntil},
+    {"waitFor", "(event: string): any, any, any", "Waits for an event and returns its values.", waitFor},
+    {"emit", "(event: string, ...: any)",
+     "Calls onEvent_NAME(...) of all scripts later in this tick. An event has up to three values.", emit},
+    {"emitAfter", "(seconds: number, event: string, ...: any): integer",
+     "Emits an event later. Returns a number for cancel().", emitAfterSeconds},
+    {"cancel", "(timer: integer)", "Cancels an event of emitAfter(); does nothing if it was emitted.",
+     cancelEvent},
+    {"tween", "(component: Component, fields: table, seconds: number, ease: string?)",
+     "Changes fields of a component gradually: tween(self.sprite, { tint = \"#ffffff00\" }, 0.3, "
+     "\"quadOut\").",
+     tweenFields},
+    {"stopTweens", "(entity: Entity)", "Ends the tweens of an entity; fields keep their current values.",
+     stopEntityTweens},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> timeFunctions() { return kFunctions; }
+
+}  // namespace plumb::script

@@ -1,0 +1,34 @@
+#include "script/script_context.hpp"
+
+#include <lua.hpp>
+
+namespace plumb::script {
+namespace {
+
+thread_local Context* current = nullptr;
+
+}  // namespace
+
+ContextScope::ContextScope(Context& context) : before_{current} { current = &context; }
+ContextScope::~ContextScope() { current = before_; }
+
+Context* currentContext() { return current; }
+
+Context& contextOf(lua_State* state) {
+    if (current == nullptr)
+        luaL_error(
+            state,
+            "the world is not available while a file is loaded; call this in a handler, e.g. onCreate");
+    return *current;
+}
+
+int fail(lua_State* state, const std::string& message) {
+    luaL_where(state, 1);
+    lua_pushlstring(state, message.data(), message.size());
+    lua_concat(state, 2);
+    return -1;
+}
+
+int raise(lua_State* state) { return lua_error(state); }
+
+}  // namespace plumb::script
