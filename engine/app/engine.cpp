@@ -93,11 +93,12 @@ std::optional<int> Engine::open() {
 int Engine::loop() {
     game_->assets = AssetStore{codeGameFolder(programOf(words_)), engineAssets()};
     game_->world.resource<GameRandom>().random = Random::seeded(options_.seed);
-    game_->world.resource<PictureSize>().size = {static_cast<float>(width_), static_cast<float>(height_)};
+    game_->world.resource<GameImageSize>().size = {static_cast<float>(width_), static_cast<float>(height_)};
     game_->content.useSystemOrder(game_->world);
     game_->onCreate();
     if (game_->world.systemNames().empty()) game_->content.addSystems(game_->world);
-    game_->effects.setProgram("pads", Pin::On);  // game code may read gamepads, which no component requests
+    game_->effects.setProgramPin("pads",
+                                 Pin::On);  // game code may read gamepads, which no component requests
     const int code = GameLoop{*game_, screen_.get(), options_, title_}.run();
     screen_.reset();  // before the assets that its textures refer to
     return code;

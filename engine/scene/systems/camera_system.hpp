@@ -8,7 +8,7 @@ namespace plumb {
 
 /// Size of the game image, for code that depends on the
 /// visible area. A world resource, set when a game starts.
-struct PictureSize {
+struct GameImageSize {
     Vec2 size{1280.0f, 720.0f};  ///< px
 
     void addTo(Hasher& hasher) const { hasher.add(size.x), hasher.add(size.y); }
