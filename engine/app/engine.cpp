@@ -93,7 +93,7 @@ std::optional<int> Engine::open() {
 int Engine::loop() {
     game_->assets = AssetStore{codeGameFolder(programOf(words_)), engineAssets()};
     game_->world.resource<GameRandom>().random = Random::seeded(options_.seed);
-    game_->world.resource<GameImageSize>().size = {static_cast<float>(width_), static_cast<float>(height_)};
+    game_->world.resource<PictureSize>().size = {static_cast<float>(width_), static_cast<float>(height_)};
     game_->content.useSystemOrder(game_->world);
     game_->onCreate();
     if (game_->world.systemNames().empty()) game_->content.addSystems(game_->world);

@@ -38,8 +38,8 @@ SceneGame::SceneGame(Project project, std::string firstScene, std::uint64_t seed
     world.resource<PhysicsSettings>().gravity = project_.gravity;
     world.resource<PhysicsSettings>().pixelsPerMetre = project_.pixelsPerMetre;
     world.resource<PhysicsSettings>().tolerances.quality = qualityOf(project_.physicsQuality);
-    world.resource<GameImageSize>().size = {static_cast<float>(project_.width),
-                                            static_cast<float>(project_.height)};
+    world.resource<PictureSize>().size = {static_cast<float>(project_.width),
+                                          static_cast<float>(project_.height)};
     world.resource<PauseScene>().path = {world.texts().add(project_.pauseScene)};
     world.provide(prefabs_);
     content.addSystems(world);

@@ -65,7 +65,7 @@ void playSound(World& world, SoundId sound, float volume) {
 }
 
 Vec2 mouseInWorld(World& world) {
-    return toWorld(cameraView(world, world.resource<GameImageSize>().size, 1.0f),
+    return toWorld(cameraView(world, world.resource<PictureSize>().size, 1.0f),
                    world.resource<Input>().mouse());
 }
 

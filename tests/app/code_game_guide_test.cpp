@@ -112,7 +112,7 @@ protected:
         EXPECT_TRUE(writeFile(folder_ / "assets/shot.wav", "RIFF"));
         game_.assets = AssetStore{folder_, {}};
         game_.assets.logging = false;
-        game_.world.resource<GameImageSize>().size = {320.0f, 180.0f};
+        game_.world.resource<PictureSize>().size = {320.0f, 180.0f};
         static_cast<Game&>(game_).onCreate();
         game_.content.addSystems(game_.world);
     }

@@ -15,7 +15,7 @@ namespace {
 
 TEST(Panning, soundsArePannedByTheirPositionOnScreen) {
     Game game;
-    game.world.resource<GameImageSize>().size = {320.0f, 180.0f};
+    game.world.resource<PictureSize>().size = {320.0f, 180.0f};
     const auto panAt = [&](float x) {
         Entity entity = game.world.createEntity();
         entity.addComponent<Transform>(x, 90.0f);

@@ -86,7 +86,7 @@ TEST(Menu, activatesTheItemOnConfirm) {
 
 TEST(Menu, theMousePointsAndPresses) {
     MenuLevel level;
-    level.world.resource<GameImageSize>().size = {320.0f, 180.0f};
+    level.world.resource<PictureSize>().size = {320.0f, 180.0f};
     for (Entity item : {level.first, level.second, level.third})
         item.get<Label>().text = level.world.texts().add("choose me");
     const auto selected = [&level] { return level.menu.get<Menu>().selected; };

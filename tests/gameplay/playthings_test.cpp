@@ -21,7 +21,7 @@ struct Playroom {
     InputFrame frame;
 
     Playroom() {
-        world.resource<GameImageSize>().size = {320.0f, 180.0f};
+        world.resource<PictureSize>().size = {320.0f, 180.0f};
         world.addSystem<PushControlSystem>();
         world.addSystem<MouseDragSystem>();
         world.addSystem<DetonatorSystem>();

@@ -35,7 +35,7 @@ struct DrawScene : testing::Test {
 
     DrawScene() {
         registerSceneComponents(types);
-        world.resource<GameImageSize>().size = kPicture;
+        world.resource<PictureSize>().size = kPicture;
     }
 
     Entity addSprite(Vec2 place, int layer = 0) {

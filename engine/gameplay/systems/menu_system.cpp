@@ -78,7 +78,7 @@ bool point(World& world, EntityId id, Menu& menu, const Input& input, const Item
     const bool pressed = input.isPressed(MouseButton::Left);
     if (!pressed && input.mouse() == input.previousFrame().mouse()) return false;
     const View view =
-        cameraView(world, world.resource<GameImageSize>().size, 1.0f, static_cast<int>(placeOf(world, id)));
+        cameraView(world, world.resource<PictureSize>().size, 1.0f, static_cast<int>(placeOf(world, id)));
     const int under = itemAt(std::as_const(world), items, view, toWorld(view, input.mouse()));
     if (under < 0) return false;
     if (under != menu.selected) playCue(world, id, &SoundCues::step);

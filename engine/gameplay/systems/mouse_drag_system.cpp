@@ -31,7 +31,7 @@ constexpr float kHertz = 5.0f;       ///< Hz, frequency of the mouse joint's spr
 constexpr float kDragReach = 10.0f;  ///< px, maximum distance from the mouse, to grab thin bodies
 
 Vec2 placeOfMouse(World& world, EntityId hand, const Input& input) {
-    const Vec2 picture = world.resource<GameImageSize>().size;
+    const Vec2 picture = world.resource<PictureSize>().size;
     const View view = cameraView(world, picture, 1.0f, static_cast<int>(placeOf(world, hand)));
     return toWorld(view, input.mouse());
 }

@@ -18,7 +18,7 @@ bool isCut(Vec2 step, Vec2 seen) {
 }  // namespace
 
 void CameraSystem::update(World& world, float dt) {
-    const GameImageSize picture = world.resource<GameImageSize>();
+    const PictureSize picture = world.resource<PictureSize>();
     for (auto [entity, camera, transform] : world.query<Camera, Transform>()) {
         if (!camera.settled) camera.previousZoom = camera.zoom;
         if (camera.shakeTime < camera.shakeSeconds) camera.shakeTime += dt;

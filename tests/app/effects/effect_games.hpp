@@ -21,7 +21,7 @@ public:
         for (const SystemRow& system : systemTable()) {
             if (without.empty() || system.effect != without) system.add(world);
         }
-        world.resource<GameImageSize>();  // scenes add this resource
+        world.resource<PictureSize>();  // scenes add this resource
         Entity floor = world.createEntity();
         floor.addComponent<Transform>(-400.0f, 200.0f);
         floor.addComponent<BoxCollider>(1200, 20);
