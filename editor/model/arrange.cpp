@@ -9,7 +9,7 @@
 #include "editor/model/document/bounds.hpp"
 #include "editor/model/document/entity_state.hpp"
 #include "editor/model/document/prefab_root.hpp"
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 #include "editor/model/tools/transform_drag.hpp"
 
 namespace plumb::editor {

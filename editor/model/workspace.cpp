@@ -202,13 +202,14 @@ void Workspace::useTool(std::size_t index) {
     notice = format("{}: {}", row.name, withKeys(*this, row.hint));
     if (!row.forTiles) return;
     tiles.layer = activeTileLayer(document, tiles);
-    if (row.hand != Hand::Keeps) tiles.activeTerrain = row.hand == Hand::Terrain;
+    if (row.paintChoice != PaintChoice::Unchanged)
+        tiles.activeTerrain = row.paintChoice == PaintChoice::Terrain;
     const Tileset* tileset = tilesetOf(document, tiles.layer);
     if (document.scenePath.empty()) {
         notice = "No scene is open";
     } else if (!tiles.layer) {
         notice = "This scene has no tile layer; add one in the Tiles panel, or drag a tileset into the scene";
-    } else if (row.hand == Hand::Terrain && (tileset == nullptr || tileset->terrains.empty())) {
+    } else if (row.paintChoice == PaintChoice::Terrain && (tileset == nullptr || tileset->terrains.empty())) {
         notice = "This tileset has no terrain yet; create one in the Tileset panel";
     }
 }
@@ -235,7 +236,7 @@ void Workspace::startPlaying(bool paused) {
         return;
     }
     play.start(std::move(session), paused);
-    profiler.tend(play);  // records the first tick too
+    profiler.update(play);  // records the first tick too
     notice = paused ? "Paused before the first tick" : std::string{kPlayingNotice};
 }
 
@@ -254,17 +255,18 @@ void Workspace::keepTicked() {
                  : format("Kept {} changes of the game; press {} to undo", kept, keysFor(*this, "edit.undo"));
 }
 
-void Workspace::tend(double seconds) {
-    safety.tend(seconds);
-    profiler.tend(play);
+void Workspace::update(double seconds) {
+    safety.update(seconds);
+    profiler.update(play);
     viewFile.keep(document.scenePath, document.view);
     updatePlayedKeys(*this);
     updateGrid(*this, seconds);
     const bool open = !document.scenePath.empty() && !editsPrefab(*this);
     const PhysicsReach jumps = open ? reachOf("reach") : PhysicsReach::Off;
-    jumps == PhysicsReach::Off ? reach.clear() : reach.tend(*this, jumps == PhysicsReach::All);
+    jumps == PhysicsReach::Off ? reach.clear() : reach.update(*this, jumps == PhysicsReach::All);
     const PhysicsReach paths = open ? reachOf("trajectories") : PhysicsReach::Off;
-    paths == PhysicsReach::Off ? trajectories.clear() : trajectories.tend(*this, paths == PhysicsReach::All);
+    paths == PhysicsReach::Off ? trajectories.clear()
+                               : trajectories.update(*this, paths == PhysicsReach::All);
 }
 
 PhysicsReach Workspace::reachOf(std::string_view overlay) const {

@@ -180,7 +180,7 @@ public:
 
     /// Updates background work: the journal, and overlays that are computed over several frames. Must be
     /// called once per frame. @param seconds  since the last call
-    void tend(double seconds);
+    void update(double seconds);
 
     [[nodiscard]] bool shows(std::string_view overlay) const { return reachOf(overlay) != PhysicsReach::Off; }
     void toggleOverlay(std::string_view overlay);

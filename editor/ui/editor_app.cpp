@@ -64,7 +64,7 @@ public:
             if (!events.empty()) idleFrames_ = kIdleFrames;
             const double now = wallSeconds();
             frame(events, static_cast<float>(now - before));
-            if (settingsFile_ != nullptr) settingsFile_->tend(workspace().settings, now - before);
+            if (settingsFile_ != nullptr) settingsFile_->update(workspace().settings, now - before);
             before = now;
             window_->swap();
             tellReady();

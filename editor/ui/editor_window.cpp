@@ -140,7 +140,7 @@ void EditorWindow::frame(const FrameInput& input) {
         hotReload_.poll(ImGui::GetTime());
         if (workspace_.followCode) workspace_.followCode(ImGui::GetTime());
         showAssetPanel();
-        workspace_.tend(input.seconds);
+        workspace_.update(input.seconds);
         drawAll();
     }
     drawDialogs();

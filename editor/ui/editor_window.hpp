@@ -65,6 +65,7 @@ private:
     /// Brings the panel Workspace::panelToShow, or the panel for assetToShow or assetToEdit, to the front.
     void showAssetPanel();
     void drawStatus(float height);
+    /// Return the right and the left text of the status bar. @param width  px, room for the right one
     [[nodiscard]] std::string stateInWords(float width) const;
     [[nodiscard]] std::string noticeInWords() const;
     void drawDialogs();

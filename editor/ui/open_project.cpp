@@ -21,7 +21,7 @@ void OpenProject::use(std::unique_ptr<ProjectSession> session) {
     if (device_ != nullptr) renderer_ = std::make_unique<ImguiRenderer>();
 }
 
-void OpenProject::letGo() {
+void OpenProject::closeProject() {
     renderer_.reset();
     window_.reset();
     picture_.reset();
@@ -44,7 +44,7 @@ Result<Done> OpenProject::change(const std::string& folder, const std::function<
     workspace().stopPlaying();
     if (leaving) leaving();
     Settings settings = workspace().settings;
-    letGo();
+    closeProject();
     (*next)->workspace().settings = std::move(settings);
     (*next)->openFirst({});
     use(std::move(*next));

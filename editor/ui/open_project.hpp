@@ -21,7 +21,7 @@ class OpenProject {
 public:
     /// @param device  graphics device; null: headless, nothing is drawn
     OpenProject(std::unique_ptr<ProjectSession> session, LogBook& log, RenderDevice* device);
-    ~OpenProject() { letGo(); }
+    ~OpenProject() { closeProject(); }
     OpenProject(const OpenProject&) = delete;
     OpenProject& operator=(const OpenProject&) = delete;
 
@@ -42,7 +42,7 @@ public:
 
 private:
     void use(std::unique_ptr<ProjectSession> session);  ///< creates the window of a project
-    void letGo();                                       ///< closes the project and its window
+    void closeProject();                                ///< closes the project and its window
 
     LogBook& log_;
     RenderDevice* device_;

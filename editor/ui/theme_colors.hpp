@@ -69,12 +69,12 @@ inline constexpr ThemeColor kAhead        {IM_COL32(240, 185,  74,  70), IM_COL3
 inline constexpr ThemeColor kTick         {IM_COL32(255, 255, 255,  22), IM_COL32(  0,  10,  30,  28)};  ///< lines at each second; grid lines
 inline constexpr ThemeColor kTickMark     {IM_COL32(255, 255, 255,  60), IM_COL32(  0,  10,  30,  90)};  ///< lines every 5 seconds
 // Over images: the same in both themes.
-inline constexpr ThemeColor kCellLine     {IM_COL32(128, 128, 128,  90), IM_COL32(  90,  90,  90, 90)};  ///< between cells and tiles
+inline constexpr ThemeColor kCellLine     {IM_COL32(128, 128, 128,  90), IM_COL32(  90,  90,  90, 90)};  ///< lines between cells; thin lines of plots
 inline constexpr ThemeColor kCellHovered  {IM_COL32(255, 255, 255, 160), IM_COL32(255, 255, 255, 200)};
 inline constexpr ThemeColor kFaded        {IM_COL32(255, 255, 255,  60), IM_COL32(255, 255, 255,  60)};  ///< tint of tiles not found by the search
 inline constexpr ThemeColor kSolid        {IM_COL32(110, 230, 140, 200), IM_COL32(110, 230, 140, 200)};  ///< collision shapes
 inline constexpr ThemeColor kOneWay       {IM_COL32(120, 200, 255, 220), IM_COL32(120, 200, 255, 220)};  ///< collision shapes solid from above only
-inline constexpr ThemeColor kHalo         {IM_COL32(  0,   0,   0, 190), IM_COL32(  0,   0,   0, 190)};  ///< around lines over the scene
+inline constexpr ThemeColor kHalo         {IM_COL32(  0,   0,   0, 190), IM_COL32(  0,   0,   0, 190)};  ///< dark border of lines drawn over the scene
 inline constexpr ThemeColor kHaloText     {IM_COL32(  0,   0,   0, 200), IM_COL32(  0,   0,   0, 200)};  ///< shadow of text over the scene
 // clang-format on
 }  // namespace palette

@@ -37,7 +37,7 @@ double play(Game& game, const Snapshot& from, int ticks) {
     for (int i = 0; i < ticks; ++i) tickGame(game, InputFrame{});
     const double seconds = threadSeconds() - start;
     game.world.restore(from);
-    game.onLateUpdate(0.0f);  // state outside of the world follows, e.g. held assets
+    game.onLateUpdate(0.0f);  // updates state outside the restored world, e.g. the list of assets in use
     return seconds * kMicro / ticks;
 }
 
@@ -59,13 +59,13 @@ void cell(std::string& line, const Column& column, std::string_view text) {
     if (!column.right) line.append(blank, ' ');
 }
 
-std::string callersText(const EffectRow& row, const EffectLine& line) {
+std::string requestersText(const EffectRow& row, const EffectLine& line) {
     std::string text;
-    for (const EffectCount& caller : line.callers)
-        text += format("{}{} ({})", text.empty() ? "" : ", ", caller.type->name, caller.count);
+    for (const EffectCount& requester : line.requesters)
+        text += format("{}{} ({})", text.empty() ? "" : ", ", requester.type->name, requester.count);
     if (!text.empty()) return line.isRequired ? text : text + ", none of which requests it now";
     if (line.isRequired) return "tiles or game code";
-    return "none of: " + missingCallers(row);
+    return "none of: " + missingRequesters(row);
 }
 
 std::string lineText(const EffectReport& report, const EffectLine& line) {
@@ -86,7 +86,7 @@ std::string lineText(const EffectReport& report, const EffectLine& line) {
                                           : "-");
     const bool saves = measured && (own || isOfPhysics(row));
     cell(text, kColumns[5], saves ? number(std::max(line.saves, 0.0), 1) : "-");
-    text += "  " + callersText(row, line);
+    text += "  " + requestersText(row, line);
     if (!line.pinnedBy.empty()) text += format("; pinned by {}", line.pinnedBy);
     return text;
 }
@@ -104,12 +104,12 @@ double zoneOverhead() {
     return best;
 }
 
-std::string missingCallers(const EffectRow& row) {
+std::string missingRequesters(const EffectRow& row) {
     constexpr std::size_t kMost = 4;
     std::string text;
-    for (std::size_t i = 0; i < std::min(row.callers.size(), kMost); ++i)
-        text += format("{}{}", i == 0 ? "" : ", ", row.callers[i].type().name);
-    if (row.callers.size() > kMost) text += format(" and {} more", row.callers.size() - kMost);
+    for (std::size_t i = 0; i < std::min(row.requesters.size(), kMost); ++i)
+        text += format("{}{}", i == 0 ? "" : ", ", row.requesters[i].type().name);
+    if (row.requesters.size() > kMost) text += format(" and {} more", row.requesters.size() - kMost);
     return text.empty() ? "game code" : text;
 }
 
@@ -129,11 +129,11 @@ EffectZones zonesOf(const EffectTable& table, std::size_t row) {
     return zones;
 }
 
-std::vector<EffectCount> callersOf(const World& world, const EffectRow& row) {
+std::vector<EffectCount> requestersOf(const World& world, const EffectRow& row) {
     std::vector<EffectCount> counts;
-    for (const EffectCaller& caller : row.callers) {
-        if (const std::size_t count = caller.callers(world); count > 0)
-            counts.push_back({&caller.type(), count});
+    for (const EffectRequester& requester : row.requesters) {
+        if (const std::size_t count = requester.requesters(world); count > 0)
+            counts.push_back({&requester.type(), count});
     }
     return counts;
 }
@@ -148,7 +148,7 @@ EffectReport reportEffects(const World& world, const Effects& effects, const Pro
         line.runs = effects.runs(world, i);
         line.pin = effects.pinOf(i);
         line.pinnedBy = effects.pinnedBy(i);
-        line.callers = callersOf(world, effects.table().rows()[i]);
+        line.requesters = requestersOf(world, effects.table().rows()[i]);
         line.zones = zonesOf(effects.table(), i);
         for (const std::string_view zone : line.zones.own) {
             if (profile != nullptr) line.microseconds += microsecondsOf(*profile, zone, ticks, overhead);
@@ -178,9 +178,9 @@ EffectReport measureEffects(Game& game, Profile& profile, int ticks) {
         for (int round = 0; round < kRounds;
              ++round) {  // alternately, so that other load on the machine affects both
             with = std::min(with, play(game, start, ticks));
-            game.effects.setMeasured(line.row, Pin::Off);
+            game.effects.setMeasuredPin(line.row, Pin::Off);
             without = std::min(without, play(game, start, ticks));
-            game.effects.setMeasured(line.row, Pin::Auto);
+            game.effects.setMeasuredPin(line.row, Pin::Auto);
         }
         line.saves = with - without;
         report.microseconds = std::min(report.microseconds, with);

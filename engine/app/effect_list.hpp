@@ -24,10 +24,10 @@ struct EffectCount {
     std::size_t count = 0;
 };
 /// Returns the components that currently request an effect, without types that no entity has.
-std::vector<EffectCount> callersOf(const World& world, const EffectRow& row);
+std::vector<EffectCount> requestersOf(const World& world, const EffectRow& row);
 
 /// Returns the first component types that can request an effect as text, e.g. "Door, Button".
-std::string missingCallers(const EffectRow& row);
+std::string missingRequesters(const EffectRow& row);
 
 /// Measures the overhead of a profiler zone, s per call, to subtract it from measured times.
 double zoneOverhead();
@@ -39,7 +39,7 @@ struct EffectLine {
     bool runs = false;        ///< it runs: because of a request or its pin
     Pin pin = Pin::Auto;      ///< On or Off: runs or does not, whatever components request
     std::string pinnedBy;     ///< path of the scene that pins it; empty: not pinned, or pinned by the program
-    std::vector<EffectCount> callers;
+    std::vector<EffectCount> requesters;
     EffectZones zones;
     double microseconds = 0.0;  ///< µs per tick in its own zones
     double saves = 0.0;         ///< µs per tick that turning it off saves; measured, so it may be negative

@@ -17,10 +17,11 @@
 namespace plumb {
 namespace {
 
-/// Returns an effect that runs while an entity has one of the components `Callers`.
-template <class... Callers>
+/// Returns an effect that runs while an entity has one of the components `Requesters`.
+template <class... Requesters>
 EffectRow row(std::string_view name, std::string_view doc, std::string_view device = {}) {
-    EffectRow made{name, doc, kCallersOf<Callers...>, isThereAny<typename CallerOf<Callers>::Component...>};
+    EffectRow made{name, doc, kRequestersOf<Requesters...>,
+                   isThereAny<typename RequesterOf<Requesters>::Component...>};
     made.device = device;
     return made;
 }

@@ -97,7 +97,8 @@ int Engine::loop() {
     game_->content.useSystemOrder(game_->world);
     game_->onCreate();
     if (game_->world.systemNames().empty()) game_->content.addSystems(game_->world);
-    game_->effects.setProgram("pads", Pin::On);  // game code may read gamepads, which no component requests
+    game_->effects.setProgramPin("pads",
+                                 Pin::On);  // game code may read gamepads, which no component requests
     const int code = GameLoop{*game_, screen_.get(), options_, title_}.run();
     screen_.reset();  // before the assets that its textures refer to
     return code;

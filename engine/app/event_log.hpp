@@ -18,7 +18,7 @@ public:
 
 private:
     EntityId player_;
-    bool grounded_ = false;
+    bool grounded_ = false;  // state of the player that was last logged
 };
 
 }  // namespace plumb

@@ -49,7 +49,7 @@ GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std
     game_.input.logging = screen_ != nullptr;
     if (screen_ != nullptr) sounds_.emplace(game_.assets);
     if (!options_.allEffects) return;
-    for (const EffectRow& row : game_.effects.table().rows()) game_.effects.setProgram(row.name, Pin::On);
+    for (const EffectRow& row : game_.effects.table().rows()) game_.effects.setProgramPin(row.name, Pin::On);
 }
 
 int GameLoop::run() {

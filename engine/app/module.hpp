@@ -88,7 +88,7 @@ public:
         if constexpr (sizeof...(Required) != 0) {
             made.row.effect = made.effect.name = made.row.name;
             made.effect.doc = "System of the project's code.";
-            made.effect.callers = kCallersOf<Required...>;
+            made.effect.requesters = kRequestersOf<Required...>;
             made.effect.isRequired = isThereAny<Required...>;
         }
     }

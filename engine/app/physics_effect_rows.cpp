@@ -47,10 +47,10 @@ bool hasMotor(const T& joint) {
 bool tilesRub(const TileCollider& tiles) { return tiles.friction > 0.0f; }
 bool tilesBounce(const TileCollider& tiles) { return tiles.bounciness > 0.0f; }
 
-template <class... Callers>
+template <class... Requesters>
 EffectRow row(Effect effect, std::string_view doc, bool byDefault = false) {
     EffectRow made{physics::nameOf(effect), doc, {}, nullptr, effect, byDefault};
-    if constexpr (sizeof...(Callers) > 0) made.callers = kCallersOf<Callers...>;
+    if constexpr (sizeof...(Requesters) > 0) made.requesters = kRequestersOf<Requesters...>;
     return made;
 }
 

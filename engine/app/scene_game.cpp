@@ -59,10 +59,11 @@ void SceneGame::onCreate() {
 }
 
 Result<Done> SceneGame::openScene(std::string_view path) {
-    const bool isEdited = !editedPath_.empty() && path == editedPath_;
-    const Result<LoadReport> report = switchScene(world, context(), path, isEdited ? &editedText_ : nullptr);
+    const bool isReplaced = !replacedPath_.empty() && path == replacedPath_;
+    const Result<LoadReport> report =
+        switchScene(world, context(), path, isReplaced ? &replacementText_ : nullptr);
     if (!report) return report.error();
-    if (!isEdited) logProblems(*report);
+    if (!isReplaced) logProblems(*report);
     beginLevel(world);
     heldScenes_.clear();
     followAssets();
@@ -72,8 +73,8 @@ Result<Done> SceneGame::openScene(std::string_view path) {
 }
 
 void SceneGame::edit(std::string path, std::string text) {
-    editedPath_ = std::move(path);
-    editedText_ = std::move(text);
+    replacedPath_ = std::move(path);
+    replacementText_ = std::move(text);
 }
 
 void SceneGame::logProblems(const LoadReport& report) const {

@@ -49,7 +49,8 @@ private:
 
     Project project_;
     std::string firstScene_;
-    std::string editedPath_, editedText_;
+    // Set by edit(): path of a scene file, and the text that is loaded in its place.
+    std::string replacedPath_, replacementText_;
     PrefabLibrary prefabs_;
     SceneAssets held_{assets};
     std::vector<SceneId> heldScenes_;  // the scenes whose assets are held

@@ -55,7 +55,8 @@ const TileImage* Tileset::imageOf(int tile) const {
 
 namespace {
 
-/// The tiles added when an image grew from size `from` to size `to`, with ids in the order of `index`.
+/// The tiles added when a tileset's image grew from size `from` to size `to`: columns on the right, then rows
+/// below. Ids of older tiles do not change; indexOf() numbers the added ones.
 struct Growth {
     TilesetSize from;
     TilesetSize to;

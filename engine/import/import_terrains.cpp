@@ -11,7 +11,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMaxTerrains = 255;  // in a tileset
+constexpr std::size_t kMaxTerrains = 255;  // maximum number of terrains of a tileset
 
 TerrainMode modeOf(const Json& set) {
     const std::string type = stringOrEmpty(set["type"]);

@@ -21,8 +21,8 @@ constexpr float radiansFromDegrees(float angle) { return angle * (kPi / 180.0f);
 
 inline Vec2 rotated(Vec2 v, float angle) {  // angle in rad, from x towards y
     if (angle == 0.0f) return v;
-    const SinCos turn = sinCos(angle);
-    return {turn.cos * v.x - turn.sin * v.y, turn.sin * v.x + turn.cos * v.y};
+    const SinCos rotation = sinCos(angle);
+    return {rotation.cos * v.x - rotation.sin * v.y, rotation.sin * v.x + rotation.cos * v.y};
 }
 
 }  // namespace plumb

@@ -52,7 +52,7 @@ ProxyMotion motionOf(const World& world, std::uint32_t shape) {
     if (info.kind != BodyKind::Dynamic && (outline.flags & kTrigger) != 0) return ProxyMotion::Awake;
     if (info.kind == BodyKind::Static) return ProxyMotion::Static;
     if (info.kind == BodyKind::Kinematic) return ProxyMotion::Kinematic;
-    return info.place == kNone ? ProxyMotion::Asleep : ProxyMotion::Awake;
+    return info.awakeIndex == kNone ? ProxyMotion::Asleep : ProxyMotion::Awake;
 }
 
 AABB tightBounds(const World& world, std::uint32_t shape) {
@@ -102,7 +102,7 @@ void noteMoved(World& world, std::uint32_t shape) {
 }
 
 void updateBroadPhase(World& world, Workspace& work) {
-    refreshColours(world, work);  // before takeStale() resets the flag that it reads
+    refreshColours(world, work);  // first: takeStale() resets a flag that this reads
     const bool stale = world.work.takeStale();
     work.isChanged.resize(world.shapes.size());
     work.isMoved.resize(world.shapes.size());

@@ -62,7 +62,7 @@ struct Corner {
 
 /// An outline in the frame of its body (m). The meaning of a member depends on the kind:
 ///
-///            | a               | b          | turn      | radius            | first, count
+///            | a               | b          | rotation      | radius            | first, count
 ///   Circle   | centre          |            |           | of the circle     |
 ///   Capsule  | start           | end        |           | of its ends       |
 ///   Box      | centre          | half size  | rotation  | of round corners  |
@@ -83,7 +83,7 @@ struct Geometry {
     float radius = 0.0f;
     Vec2 a{};
     Vec2 b{0.5f, 0.5f};
-    Rot turn{};  ///< rotation; a chain segment stores its first ghost vertex here: see beforeOf()
+    Rot rotation{};  ///< rotation; a chain segment stores its first ghost vertex here: see beforeOf()
     Vec2 after{};
 
     friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
@@ -91,8 +91,8 @@ struct Geometry {
 
 inline constexpr int kMaxCorners = 32;  ///< maximum number of corners of a polygon
 
-/// The ghost vertex before a chain segment. Stored in `turn`, which a segment does not need.
-constexpr Vec2 beforeOf(const Geometry& segment) { return {segment.turn.cos, segment.turn.sin}; }
+/// The ghost vertex before a chain segment. Stored in `rotation`, which a segment does not need.
+constexpr Vec2 beforeOf(const Geometry& segment) { return {segment.rotation.cos, segment.rotation.sin}; }
 
 /// The unit normal of the solid side of a chain segment.
 inline Vec2 normalOfChain(const Geometry& segment) {
@@ -106,16 +106,19 @@ constexpr Geometry circle(float radius, Vec2 centre = {}) {
 constexpr Geometry capsule(Vec2 start, Vec2 end, float radius) {
     return {.kind = ShapeKind::Capsule, .radius = radius, .a = start, .b = end};
 }
-constexpr Geometry box(Vec2 half, Vec2 centre = {}, Rot turn = {}, float radius = 0.0f) {
-    return {.kind = ShapeKind::Box, .radius = radius, .a = centre, .b = half, .turn = turn};
+constexpr Geometry box(Vec2 half, Vec2 centre = {}, Rot rotation = {}, float radius = 0.0f) {
+    return {.kind = ShapeKind::Box, .radius = radius, .a = centre, .b = half, .rotation = rotation};
 }
 constexpr Geometry segment(Vec2 start, Vec2 end) {
     return {.kind = ShapeKind::Segment, .a = start, .b = end};
 }
 /// A segment from `start` to `end`, with the ghost vertices `before` and `after`.
 constexpr Geometry chainSegment(Vec2 before, Vec2 start, Vec2 end, Vec2 after) {
-    return {
-        .kind = ShapeKind::ChainSegment, .a = start, .b = end, .turn = {before.x, before.y}, .after = after};
+    return {.kind = ShapeKind::ChainSegment,
+            .a = start,
+            .b = end,
+            .rotation = {before.x, before.y},
+            .after = after};
 }
 
 /// Surface numbers from this one on are reserved for the library.

@@ -67,7 +67,8 @@ struct SolverKernels {
     const char* name;
     GroupKernels<SolverBodies> rotating;
     GroupKernels<BodiesWithoutRotation> withoutRotation;
-    void (*moveUnturned)(const SolverBodies& bodies, float h, int begin, int end);  ///< without rotation
+    /// Moves the bodies in the slots begin to end - 1 by velocity * h, without rotating them.
+    void (*moveWithoutRotation)(const SolverBodies& bodies, float h, int begin, int end);
     void (*collideBoxes)(const BoxPairs& pairs, float speculative, BoxTouches& touches);
     JointKernels joints;
 };

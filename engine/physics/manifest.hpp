@@ -39,7 +39,7 @@ inline constexpr std::size_t kEffects = static_cast<std::size_t>(Effect::Count);
 
 /// The effects that a scene needs: number of users of each effect.
 struct Manifest {
-    std::array<std::uint32_t, kEffects> callers{};
+    std::array<std::uint32_t, kEffects> requesters{};
     std::uint32_t pinnedOn = 0;   ///< bits of effects that run even without users
     std::uint32_t pinnedOff = 0;  ///< bits of effects that never run
 
@@ -47,18 +47,18 @@ struct Manifest {
         return 1u << static_cast<std::uint32_t>(effect);
     }
     [[nodiscard]] bool runs(Effect effect) const {
-        const bool called = callers[static_cast<std::size_t>(effect)] > 0 || (pinnedOn & bit(effect)) != 0;
+        const bool called = requesters[static_cast<std::size_t>(effect)] > 0 || (pinnedOn & bit(effect)) != 0;
         return called && (pinnedOff & bit(effect)) == 0;
     }
     /// The bits of all effects that run.
     [[nodiscard]] std::uint32_t running() const {
         std::uint32_t called = pinnedOn;
-        for (std::size_t i = 0; i < kEffects; ++i) called |= callers[i] > 0 ? 1u << i : 0u;
+        for (std::size_t i = 0; i < kEffects; ++i) called |= requesters[i] > 0 ? 1u << i : 0u;
         return called & ~pinnedOff;
     }
     /// Adds `times` users of an effect if `on` is true; a negative number removes users.
     void call(Effect effect, bool on, int times = 1) {
-        if (on) callers[static_cast<std::size_t>(effect)] += static_cast<std::uint32_t>(times);
+        if (on) requesters[static_cast<std::size_t>(effect)] += static_cast<std::uint32_t>(times);
     }
 };
 

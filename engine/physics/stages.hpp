@@ -28,7 +28,7 @@ struct StepContext {
     [[nodiscard]] bool isWithoutRotation() const {
         constexpr auto kTurning = static_cast<std::size_t>(Effect::Rotation);
         return !runs(Effect::Rotation) && !runs(Effect::SoftBodies) &&
-               world.manifest.callers[kTurning] == 0 && !runs(Effect::Restitution) &&
+               world.manifest.requesters[kTurning] == 0 && !runs(Effect::Restitution) &&
                !runs(Effect::Rolling) && !runs(Effect::Joints);
     }
 };

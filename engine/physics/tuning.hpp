@@ -11,16 +11,16 @@ namespace plumb::physics {
 // clang-format off
 
 // Rounding: a float has 24 bits.
-PLUMB_TUNING(kRounding, 5.0e-7f, "ratio", "relative error of coordinates after a few operations: four times the last bit of the largest");
+PLUMB_TUNING(kRounding, 5.0e-7f, "ratio", "relative error of coordinates after a few operations: about four times the rounding error of one");
 PLUMB_TUNING(kBlur, 1.0e-5f, "ratio", "relative error of corners transformed to another frame: closer points define no direction");
 PLUMB_TUNING(kSimplexPrecision, 1.0e-6f, "ratio", "relative distance of a simplex from the origin, to its size, below which cores touch: "
-             "eight times the last bit");
+             "about eight times the rounding error of one operation");
 PLUMB_TUNING(kTouchDistance, 1.0e-5f, "m", "distance below which shapes touch: in casts, overlaps that are removed at once and, doubled, in "
              "sweeps. Not exact for coordinates above 100 m; a tenth of the minimum shape size");
-PLUMB_TUNING(kAlong, 1.0e-3f, "ratio", "a displacement that approaches a surface by less than this part of its length is parallel to it");
+PLUMB_TUNING(kAlong, 1.0e-3f, "ratio", "a displacement that approaches a surface by less than this part of its length counts as parallel to it");
 PLUMB_TUNING(kMaxRounds, 64, "rounds", "maximum number of iterations, a safeguard: conservative advancement takes fewer except for grazing "
              "rotations, and propagating an impact takes n along a row of n bodies");
-PLUMB_TUNING(kSlowDrag, 0.1f, "ratio", "drag * h below which power series are accurate to the last bit, and differences are not");
+PLUMB_TUNING(kSlowDrag, 0.1f, "ratio", "drag * h below which formulas like 1 - exp(-x) lose digits, so their power series are used");
 
 // Contact points.
 PLUMB_TUNING(kFaceTie, 0.001f, "ratio to the half size", "advantage in separation that another reference face must have; otherwise normals "
@@ -31,13 +31,13 @@ PLUMB_TUNING(kParallel, 0.01f, "rad", "angle below which edges are parallel: a c
              "outlines no sector between their borders");
 PLUMB_TUNING(kSameNormal, 1.0e-6f, "1 - cosine", "difference below which normals are equal: 1.4e-3 rad, which lifts a body by 0.04 mm at 20 "
              "m/s");
-PLUMB_TUNING(kFlush, 0.2f, "ratio to Settings::slop", "maximum size of gaps and steps between flush shapes: 1 mm, below any overlap");
-PLUMB_TUNING(kMaxTurn, 0.03f, "rad", "maximum rotation at which points are reused; with 0.1 boxes that rock on balls gain energy and never "
+PLUMB_TUNING(kFlush, 0.2f, "ratio to Settings::slop", "maximum size of gaps and steps between shapes that count as flush: 1 mm, less than resting bodies overlap");
+PLUMB_TUNING(kMaxTurn, 0.03f, "rad", "maximum relative rotation at which contact points are reused; with 0.1 boxes that rock on balls gain energy and never "
              "rest");
 PLUMB_TUNING(kMaxOfSize, 0.1f, "ratio to the half size", "upper limit of Settings::recycleDistance for small bodies");
 PLUMB_TUNING(kOnePointPart, 0.05f, "ratio", "factor on the recycle distance if one point of two touches: a second one may be about to touch");
 PLUMB_TUNING(kMinCosine, 0.95f, "cosine", "18 degrees: maximum rotation of a round shape's normal in half a step");
-PLUMB_TUNING(kFadeRate, 4.74f, "1/s", "decrease of the square root of a hidden initial overlap, in slops: a deceleration of 0.22 m/s2 at a "
+PLUMB_TUNING(kFadeRate, 4.74f, "1/s", "initial overlaps are hidden from the solver and shrink: decrease of the square root of one, in slops: a deceleration of 0.22 m/s2 at a "
              "slop of 5 mm, small compared to gravity; an overlap of 0.25 m opens within 1.5 s, at up to 0.34 m/s");
 
 // Impacts.
@@ -77,7 +77,7 @@ PLUMB_TUNING(kTreeGain, 2.0e-3, "ratio to the energy", "maximum energy that join
 // Energy.
 PLUMB_TUNING(kMemory, 2.0f, "s", "time within which energy that joints or an impact removed may be regained; the recent maximum, to which "
              "rounding is compared, decays in twice the time. A taut bridge throws within 0.25 s");
-PLUMB_TUNING(kIslandGain, 0.005f, "ratio", "maximum total energy that joints may add, to the recent maximum of the energy");
+PLUMB_TUNING(kIslandGain, 0.005f, "ratio", "maximum total energy that the joints of an island may add, relative to the recent maximum of its energy");
 PLUMB_TUNING(kContactGain, 1.0e-3f, "ratio to the energy", "maximum energy that contacts may add in a step");
 PLUMB_TUNING(kCreeping, 0.006f, "ratio to Settings::pushSpeed", "speed below which motion keeps its energy: otherwise bodies that sag in "
              "their joints could not be lifted; with a larger value, a card house collapses under its weight");
@@ -108,7 +108,7 @@ PLUMB_TUNING(kStillFalls, 0.9f, "ratio to an earlier error", "ratio below which 
 PLUMB_TUNING(kHelped, 0.6f, "ratio to the error before", "ratio below which a higher quality helped: each level divides the error by 3 to "
              "4.5");
 PLUMB_TUNING(kGrew, 1.5f, "ratio to the error before", "ratio above which the load has grown");
-PLUMB_TUNING(kVanished, 0.02f, "ratio to the error before", "ratio below which most of the load has been removed");
+PLUMB_TUNING(kVanished, 0.02f, "ratio to the error before", "ratio below which most of the load has been removed, so that earlier failures no longer count");
 
 // Fields, one-way shapes, soft bodies.
 PLUMB_TUNING(kOnTop, 4.0f, "ratio to Settings::slop", "overlap at which a body still lies on a platform: more than at rest");

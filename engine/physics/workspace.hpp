@@ -294,7 +294,7 @@ struct Workspace {
     std::vector<std::uint32_t> bookedBodies;             ///< bodies of islands with an account
     std::vector<EnergySums> bookings;                    ///< indexed like `bookedBodies`
     std::vector<std::vector<std::uint32_t>> pieceLists;  ///< scratch of collect(), per piece of work
-    std::vector<std::uint32_t> pieceFound;               ///< concatenated result of collect()
+    std::vector<std::uint32_t> pieceFound;               ///< pieceLists, concatenated by collect()
     std::vector<std::uint32_t> gainers;  ///< bodies that gained energy from contacts in this step
     std::vector<IslandCase> cases;       ///< indexed by root, if there is a tolerance
 };

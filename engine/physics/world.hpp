@@ -61,7 +61,7 @@ struct BodyInfo {
     std::uint8_t owned = 0;            ///< bits of BodyOverride
     std::uint32_t firstShape = kNone;  ///< first shape; the others follow by ShapeInfo::next
     std::uint32_t firstJoint = kNone;  ///< first joint; the others follow by Joint::nextA or nextB
-    std::uint32_t place = kNone;       ///< index in World::awake; kNone if not there
+    std::uint32_t awakeIndex = kNone;  ///< index in World::awake; kNone if not there
     std::uint32_t island = kNone;  ///< parent in the union-find forest of islands; a root is its own parent
     float sleepSpeed = 0.05f;      ///< m/s, see BodyDefinition::sleepSpeed
     std::uint32_t drive = kNone;   ///< index in Bodies::drives, or kNone: default values
@@ -127,6 +127,7 @@ struct Bodies {
 
     [[nodiscard]] std::size_t size() const { return info.size(); }
     [[nodiscard]] const BodyDrive& driveOf(std::uint32_t body) const { return drives[info[body].drive]; }
+    /// Returns the drive of a body for writing; creates one if the body has the default values.
     BodyDrive& ownDriveOf(std::uint32_t body) { return drives.own(info[body].drive); }
 };
 
@@ -202,7 +203,7 @@ struct Joint {
                          ///< (rad or m) in rows[1]
     std::uint32_t nextA = kNone;  ///< the next joint of body A
     std::uint32_t nextB = kNone;
-    std::uint32_t place = kNone;  ///< index in Joints::awake; kNone if not there
+    std::uint32_t awakeIndex = kNone;  ///< index in Joints::awake; kNone if not there
 };
 
 enum JointFlag : std::uint8_t {
@@ -279,10 +280,10 @@ struct Sleepers {
     std::vector<SleepingIsland> islands;
     std::vector<std::uint32_t> freeIslands;
     std::vector<Contact> contacts;
-    std::vector<std::uint32_t> nextContact;  ///< parallel to `contacts`
+    std::vector<std::uint32_t> nextContact;  ///< parallel to `contacts`: the next one of the same island
     std::vector<std::uint32_t> freeContacts;
-    std::vector<std::uint32_t> nextBody;  ///< indexed by body index
-    std::vector<std::uint32_t> islandOf;  ///< indexed by body index; kNone for an awake body
+    std::vector<std::uint32_t> nextBody;  ///< indexed by body index: the next one of the same island
+    std::vector<std::uint32_t> islandOf;  ///< indexed by body index: its island; kNone for an awake body
 };
 
 /// Objects, indexed by Id::index.
@@ -414,7 +415,7 @@ template <class T, class Thing>
 }
 /// True for an awake dynamic body.
 [[nodiscard]] inline bool isUp(const World& world, std::uint32_t body) {
-    return isDynamic(world, body) && world.bodies.info[body].place != kNone;
+    return isDynamic(world, body) && world.bodies.info[body].awakeIndex != kNone;
 }
 
 }  // namespace plumb::physics

@@ -30,7 +30,7 @@ private:
     [[nodiscard]] std::optional<int> heightAt(std::size_t index, int width) const;
     void raise(std::size_t index, const Step& top);
 
-    int side_;  ///< of the square, px
+    int side_;  ///< side length of the square, px
     std::vector<Step> steps_;
 };
 

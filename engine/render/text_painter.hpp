@@ -55,7 +55,7 @@ private:
     std::vector<Letter> letters_;  ///< hash table, open addressing: a power of two, at most half full
     std::size_t letterCount_ = 0;
     TextLayout layout_;
-    float pixelScale_ = 1.0f;
+    float pixelScale_ = 1.0f;  ///< px of the target per px of the view at zoom 1
 };
 
 }  // namespace plumb

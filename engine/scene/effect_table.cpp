@@ -21,11 +21,11 @@ std::string entityText(const World& world, EntityId entity, const SceneEntity& s
 
 std::string_view nameOf(Pin pin) { return kPinNames[static_cast<std::size_t>(pin)]; }
 
-std::size_t EffectCaller::callers(const World& world) const {
-    if (calls == nullptr) return count(world);
-    std::size_t callers = 0;
-    world.eachOf(type(), [&](EntityId, const void* component) { callers += calls(component) ? 1 : 0; });
-    return callers;
+std::size_t EffectRequester::requesters(const World& world) const {
+    if (requests == nullptr) return count(world);
+    std::size_t requesters = 0;
+    world.eachOf(type(), [&](EntityId, const void* component) { requesters += requests(component) ? 1 : 0; });
+    return requesters;
 }
 
 std::size_t EffectTable::find(std::string_view name) const {
@@ -79,12 +79,12 @@ void EffectTable::checkNeeds(const World& world, SceneId scene, std::string_view
                              std::span<const Pin> pins, std::vector<Error>& problems) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (pins[i] != Pin::Off || rows_[i].byDefault) continue;
-        for (const EffectCaller& caller : rows_[i].callers) {
+        for (const EffectRequester& requester : rows_[i].requesters) {
             EntityId first;
             std::string firstText;
             std::size_t count = 0;
-            world.eachOf(caller.type(), [&](EntityId entity, const void* component) {
-                if (caller.calls != nullptr && !caller.calls(component)) return;
+            world.eachOf(requester.type(), [&](EntityId entity, const void* component) {
+                if (requester.requests != nullptr && !requester.requests(component)) return;
                 const auto* source = world.find<SceneEntity>(entity);
                 if (source == nullptr || !(source->scene == scene)) return;
                 if (++count == 1 || entity.index < first.index)
@@ -96,8 +96,8 @@ void EffectTable::checkNeeds(const World& world, SceneId scene, std::string_view
                 {format("{}: effects.{}", path, rows_[i].name),
                  format("it is \"off\", but {}{} {} {}, which needs it", firstText,
                         alone ? std::string{} : format(" and {} more", count - 1), alone ? "has" : "have",
-                        caller.type().name),
-                 format("remove {}, or write \"auto\"; the effect stays off", caller.type().name)});
+                        requester.type().name),
+                 format("remove {}, or write \"auto\"; the effect stays off", requester.type().name)});
         }
     }
 }

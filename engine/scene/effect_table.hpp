@@ -15,19 +15,19 @@
 namespace plumb {
 
 /// A component type that requests an effect: an optional feature of the engine, see EffectRow.
-struct EffectCaller {
+struct EffectRequester {
     const TypeInfo& (*type)();
-    std::size_t (*count)(const World& world);        ///< number of entities that have the component; O(1)
-    bool (*calls)(const void* component) = nullptr;  ///< true if this one requests it; null: all do
-    [[nodiscard]] std::size_t callers(
-        const World& world) const;  ///< number of requests; O(1) if `calls` is null
+    std::size_t (*count)(const World& world);           ///< number of entities that have the component; O(1)
+    bool (*requests)(const void* component) = nullptr;  ///< true if this one requests it; null: all do
+    [[nodiscard]] std::size_t requesters(
+        const World& world) const;  ///< number of requests; O(1) if `requests` is null
 };
 
 /// An optional feature of the engine, and the components that request it. It runs only while it is requested.
 struct EffectRow {
-    std::string_view name;                  ///< name in scene files, e.g. "particles"
-    std::string_view doc;                   ///< description, for tooltips
-    std::span<const EffectCaller> callers;  ///< component types that request it
+    std::string_view name;                        ///< name in scene files, e.g. "particles"
+    std::string_view doc;                         ///< description, for tooltips
+    std::span<const EffectRequester> requesters;  ///< component types that request it
     /// Returns true if the effect is requested, in O(1); null for
     /// effects of the physics, which counts its own requests.
     bool (*isRequired)(const World& world) = nullptr;
@@ -81,32 +81,32 @@ std::string_view nameOf(Pin pin);
 
 // Helpers to define rows.
 
-/// Template argument of kCallersOf that stands for those components T for which `Calls` returns true.
-template <class T, bool (*Calls)(const T& component)>
+/// Template argument of kRequestersOf that stands for those components T for which `Requests` returns true.
+template <class T, bool (*Requests)(const T& component)>
 struct Some;
 
 template <class T>
-struct CallerOf {
+struct RequesterOf {
     using Component = T;
-    static constexpr bool (*kCalls)(const void*) = nullptr;
+    static constexpr bool (*kRequests)(const void*) = nullptr;
 };
-template <class T, bool (*Calls)(const T&)>
-struct CallerOf<Some<T, Calls>> {
+template <class T, bool (*Requests)(const T&)>
+struct RequesterOf<Some<T, Requests>> {
     using Component = T;
-    static constexpr bool (*kCalls)(const void*) = [](const void* component) {
-        return Calls(*static_cast<const T*>(component));
+    static constexpr bool (*kRequests)(const void*) = [](const void* component) {
+        return Requests(*static_cast<const T*>(component));
     };
 };
 
 template <class C>
-constexpr EffectCaller callerOf() {
-    using T = typename CallerOf<C>::Component;
+constexpr EffectRequester requesterOf() {
+    using T = typename RequesterOf<C>::Component;
     return {[]() -> const TypeInfo& { return componentType<T>().info; },
-            [](const World& world) { return world.count<T>(); }, CallerOf<C>::kCalls};
+            [](const World& world) { return world.count<T>(); }, RequesterOf<C>::kRequests};
 }
 
-template <class... Callers>
-inline constexpr EffectCaller kCallersOf[] = {callerOf<Callers>()...};
+template <class... Requesters>
+inline constexpr EffectRequester kRequestersOf[] = {requesterOf<Requesters>()...};
 
 /// True if any entity has one of these components.
 template <class... T>

@@ -103,7 +103,7 @@ bool Effects::isRequired(const World& world, std::size_t row) const {
     const EffectRow& effect = table_.rows()[row];
     if (!isOfPhysics(effect)) return effect.isRequired(world);
     const auto* state = world.findResource<PhysicsState>();
-    return state != nullptr && state->world.manifest.callers[static_cast<std::size_t>(effect.physics)] > 0;
+    return state != nullptr && state->world.manifest.requesters[static_cast<std::size_t>(effect.physics)] > 0;
 }
 
 std::uint64_t Effects::runsOf(World& world, std::size_t row) const {
@@ -120,12 +120,12 @@ std::uint64_t Effects::runsOf(World& world, std::size_t row) const {
     return runs;
 }
 
-void Effects::setProgram(std::string_view name, Pin pin) {
+void Effects::setProgramPin(std::string_view name, Pin pin) {
     program_[table_.find(name)] = pin;
     resolvePins();
 }
 
-void Effects::setMeasured(std::size_t row, Pin pin) {
+void Effects::setMeasuredPin(std::size_t row, Pin pin) {
     measured_[row] = pin;
     resolvePins();
 }

@@ -12,8 +12,8 @@ namespace plumb {
 /// Decides which effects (optional features, see EffectRow) of a world run: those that components request,
 /// unless they are pinned on or off. A service of the world, so it must outlive the last tick. A `row` is the
 /// index of an effect in the table.
-/// All scenes of a stack share it. Pins by decreasing priority: a measurement (setMeasured()), the topmost
-/// scene that names the effect, the program (setProgram()).
+/// All scenes of a stack share it. Pins by decreasing priority: a measurement (setMeasuredPin()), the topmost
+/// scene that names the effect, the program (setProgramPin()).
 class Effects {
 public:
     /// Registers itself and its system gates as services of the world.
@@ -21,7 +21,7 @@ public:
     Effects(const Effects&) = delete;
     Effects& operator=(const Effects&) = delete;
 
-    /// Must be called after the table was changed. Resets the pins of setProgram() and setMeasured().
+    /// Must be called after the table was changed. Resets the pins of setProgramPin() and setMeasuredPin().
     void tableChanged();
     [[nodiscard]] const EffectTable& table() const { return table_; }
 
@@ -51,9 +51,9 @@ public:
     [[nodiscard]] std::uint32_t physicsOff() const { return physicsOff_; }
 
     /// Pins an effect unless a scene pins it, e.g. for game code that uses what no component requests.
-    void setProgram(std::string_view name, Pin pin);
+    void setProgramPin(std::string_view name, Pin pin);
     /// Pins an effect with priority over scenes and program, to measure its cost.
-    void setMeasured(std::size_t row, Pin pin);
+    void setMeasuredPin(std::size_t row, Pin pin);
     /// Counts a use of an effect outside of systems: a device was opened or something was drawn.
     void count(std::string_view name) { ++counted_[table_.find(name)]; }
 

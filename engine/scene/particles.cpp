@@ -122,8 +122,8 @@ Vec2 placeIn(const ParticleEmitter& emitter, Random& random) {
         case EmitterArea::Point: break;
         case EmitterArea::Box: return {(a - 0.5f) * emitter.areaSize.x, (b - 0.5f) * emitter.areaSize.y};
         case EmitterArea::Circle: {
-            const SinCos turn = sinCos(kTau * b);
-            return Vec2{turn.cos, turn.sin} * (emitter.areaRadius * std::sqrt(a));
+            const SinCos direction = sinCos(kTau * b);
+            return Vec2{direction.cos, direction.sin} * (emitter.areaRadius * std::sqrt(a));
         }
     }
     return {};

@@ -17,7 +17,7 @@
 #include "scene/physics/physics_threads.hpp"
 #include "scene/physics/physics_times.hpp"
 #include "scene/physics/publish_bodies.hpp"
-#include "scene/physics/soft_hand.hpp"
+#include "scene/physics/soft_grips.hpp"
 #include "scene/systems/physics_system.hpp"
 
 namespace plumb {

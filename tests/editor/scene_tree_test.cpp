@@ -7,7 +7,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/reorder.hpp"
 #include "editor/model/document/bounds.hpp"
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "scene/world_transform.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
@@ -189,7 +189,7 @@ TEST_F(SceneTreeTest, whatIsLockedIsNotMovedWithTheOthers) {
 TEST_F(SceneTreeTest, whatIsHiddenAndLockedIsRememberedBesideTheProject) {
     workspace.document.view.setHidden(named("crate"), true);
     workspace.document.view.setLocked(named("sign"), true);
-    workspace.tend(0.1);
+    workspace.update(0.1);
     const Path file = workspace.project.root / ".plumb/view/scenes/level.scene.json.view";
     EXPECT_TRUE(std::filesystem::exists(file));
     EXPECT_TRUE(std::filesystem::exists(workspace.project.root / ".plumb/.gitignore"));
@@ -197,7 +197,7 @@ TEST_F(SceneTreeTest, whatIsHiddenAndLockedIsRememberedBesideTheProject) {
     EXPECT_TRUE(workspace.document.view.isHidden(named("crate")));
     EXPECT_TRUE(workspace.document.view.locks(named("sign")));
     ASSERT_TRUE(runAction(workspace, "entity.showAll"));
-    workspace.tend(0.1);
+    workspace.update(0.1);
     EXPECT_FALSE(std::filesystem::exists(file)) << "nothing is left behind";
 }
 

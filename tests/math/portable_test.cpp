@@ -13,9 +13,9 @@ TEST(Portable, sineAndCosineStayWithinTheirStatedErrorOfTheExactValue) {
     Random random = Random::seeded(1);
     for (int i = 0; i < 200'000; ++i) {
         const float angle = random.between(-1.0e5f, 1.0e5f) * (i % 2 == 0 ? 1.0f : 1.0e-4f);
-        const SinCos turn = sinCos(angle);
-        ASSERT_NEAR(turn.sin, std::sin(static_cast<double>(angle)), 1.5e-7) << angle;
-        ASSERT_NEAR(turn.cos, std::cos(static_cast<double>(angle)), 1.5e-7) << angle;
+        const SinCos rotation = sinCos(angle);
+        ASSERT_NEAR(rotation.sin, std::sin(static_cast<double>(angle)), 1.5e-7) << angle;
+        ASSERT_NEAR(rotation.cos, std::cos(static_cast<double>(angle)), 1.5e-7) << angle;
     }
 }
 

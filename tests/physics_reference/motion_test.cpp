@@ -35,8 +35,8 @@ TEST(ReferenceMotion, aCrateSlidesDownAnInclineByCoulombsLaw) {
     const float friction = 0.25f;  // exactly representable as float, like its square root
     const BodyId slope = scene.body(BodyKind::Static, {}, -0.5f);
     scene.shape(slope, physics::box({100.0f, 1.0f}), {.friction = friction});
-    const Rot turn = physics::rotationOf(scene.world, slope);
-    const double angle = -std::atan2(static_cast<double>(turn.sin), static_cast<double>(turn.cos));
+    const Rot rotation = physics::rotationOf(scene.world, slope);
+    const double angle = -std::atan2(static_cast<double>(rotation.sin), static_cast<double>(rotation.cos));
     const double sine = std::sin(angle), cosine = std::cos(angle);
     const BodyId crate = scene.body(BodyKind::Dynamic, {1.5 * sine, 1.5 * cosine}, -0.5f);
     scene.shape(crate, physics::box({0.5f, 0.5f}), {.friction = friction});

@@ -170,9 +170,9 @@ TEST_F(RendererTest, objectsThatReachIntoTheViewAreNeverCulled) {
         SpriteQuad quad = quadAt({});
         quad.half = {random.between(1.0f, 60.0f), random.between(1.0f, 60.0f)};
         quad.rotation = random.between(-4.0f, 4.0f);
-        const SinCos turn = sinCos(quad.rotation);
-        quad.center = seen - Vec2{turn.cos * quad.half.x - turn.sin * quad.half.y,
-                                  turn.sin * quad.half.x + turn.cos * quad.half.y} *
+        const SinCos rotation = sinCos(quad.rotation);
+        quad.center = seen - Vec2{rotation.cos * quad.half.x - rotation.sin * quad.half.y,
+                                  rotation.sin * quad.half.x + rotation.cos * quad.half.y} *
                                  0.99f;
         list.sprite(quad);
         EXPECT_EQ(list.spriteCount(), 1u) << seed;

@@ -32,8 +32,9 @@ void print(const char* name, std::uint64_t hash, const char* with = "") {
 }
 
 void addFunctionsOf(Hasher& hasher, float x, float y) {
-    const SinCos turn = sinCos(x);
-    for (const float value : {turn.sin, turn.cos, arcTangent(x, y), exponential(x)}) hasher.add(value);
+    const SinCos rotation = sinCos(x);
+    for (const float value : {rotation.sin, rotation.cos, arcTangent(x, y), exponential(x)})
+        hasher.add(value);
     hasher.add(static_cast<std::uint64_t>(floorToInt(x)));
 }
 

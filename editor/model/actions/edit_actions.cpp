@@ -6,7 +6,7 @@
 #include "editor/model/commands/delete_entities.hpp"
 #include "editor/model/commands/place_copies.hpp"
 #include "editor/model/document/prefab_root.hpp"
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 
 namespace plumb::editor {
 namespace {

@@ -34,7 +34,7 @@ const std::array kRows{
     Action{"run.playPaused", "Run", "Play, paused before the first tick", shifted(Key::F5), editable,
            [](Workspace& w) { w.startPlaying(true); }},
     Action{"run.watch", "Run", "Watch the recording", shifted(Key::F6), inPast,
-           [](Workspace& w) { w.play.watch(); }},
+           [](Workspace& w) { w.play.playReplay(); }},
     line("Run"),
     Action{"run.slower", "Run", "Slower", {Key::F7}, always, speedBy<-1>},
     Action{"run.faster", "Run", "Faster", {Key::F8}, always, speedBy<1>},

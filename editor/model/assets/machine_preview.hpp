@@ -40,7 +40,7 @@ private:
     EntityId entity_;
     AnimationId animation_;
     std::vector<AnimationParameter> parameters_;  // parameters of the file at the last step
-    double rest_ = 0.0;                           // s not yet consumed by steps
+    double rest_ = 0.0;                           // s: playback time not yet simulated
 };
 
 }  // namespace plumb::editor

@@ -38,7 +38,7 @@ private:
 
     ObjectId root_;
     std::map<ObjectId, std::uint64_t> parts_;
-    std::string path_;  // of the prefab's file
+    std::string path_;  // path of the prefab's file
     PrefabLibrary& prefabs_;
     std::vector<Before> before_;
     std::vector<ObjectId> line_;  // file order before the command

@@ -127,7 +127,7 @@ void WhatIf::finishTape() {
     run_ = std::make_unique<WhatIfRun>(tape_);
 }
 
-void WhatIf::tend(Workspace& workspace) {
+void WhatIf::update(Workspace& workspace) {
     if (!recording_) return;
     if (!stillThere(workspace)) return refuse("The game was started, stopped or rewound; measure again.");
     const double start = threadSeconds();

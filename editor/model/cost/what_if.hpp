@@ -27,7 +27,7 @@ public:
     /// Cancels and drops all results, e.g. when another scene is opened.
     void forget();
     /// Continues the measurement; must be called in every frame in which the panel is shown.
-    void tend(Workspace& workspace);
+    void update(Workspace& workspace);
 
     [[nodiscard]] bool busy() const { return recording_ || (run_ != nullptr && !run_->done()); }
     [[nodiscard]] float progress() const;  ///< 0 to 1

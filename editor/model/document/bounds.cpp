@@ -6,8 +6,8 @@
 #include <set>
 
 #include "editor/model/document/scene_boxes.hpp"
-#include "editor/model/document/sight.hpp"
 #include "editor/model/document/tile_layers.hpp"
+#include "editor/model/document/visibility.hpp"
 #include "math/angle.hpp"
 #include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/colliders/capsule_collider.hpp"

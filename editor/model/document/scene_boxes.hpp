@@ -52,7 +52,7 @@ private:
     std::vector<EntityId> restless_;      // entities whose boxes change without a component write
     std::uint64_t tree_ = ~0ull;          // Document::treeRevision at the last update
     std::uint64_t members_ = 0;           // changes when an entity gains or loses a component with a box
-    std::uint64_t mark_ = 0;              // of the last update, for the world's change tracking
+    std::uint64_t mark_ = 0;              // change mark of the world at the last update
 };
 
 }  // namespace plumb::editor

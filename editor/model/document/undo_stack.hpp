@@ -69,7 +69,7 @@ private:
     std::size_t cleared_ = 0;
     bool gesture_ = false;  // the last command can still be merged with the next one
     std::vector<std::unique_ptr<Command>>* group_ = nullptr;  // commands of the open transaction
-    std::string groupSubject_;                                // of the transaction: its first known subject
+    std::string groupSubject_;                                // first known subject of the open transaction
 };
 
 /// Groups several commands into one undo step. Reverts them if destroyed without commit.

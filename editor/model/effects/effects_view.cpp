@@ -59,10 +59,10 @@ void EffectsView::lookAtScene(const Workspace& workspace, bool) {
     const std::vector<Pin> pins = pinsOf(workspace.document, table());
     tick_ = 0.0f;
     for (Line& line : lines_) {
-        line.callers = callersOf(workspace.document.world, table().rows()[line.row]);
+        line.requesters = requestersOf(workspace.document.world, table().rows()[line.row]);
         line.pin = pins[line.row];
         line.pinnedBy.clear();
-        line.isRequired = !line.callers.empty();
+        line.isRequired = !line.requesters.empty();
         line.runs = line.pin == Pin::Auto ? line.isRequired : line.pin == Pin::On;
         line.measured = false;
     }
@@ -80,7 +80,7 @@ void EffectsView::lookAtGame(const Workspace& workspace, bool recount) {
                             : effects->pinnedBy(line.row);
         line.isRequired = effects->isRequired(world, line.row);
         line.runs = effects->runs(world, line.row);
-        if (recount) line.callers = callersOf(world, table().rows()[line.row]);
+        if (recount) line.requesters = requestersOf(world, table().rows()[line.row]);
     }
     readCosts(workspace.profiler);
 }
@@ -108,13 +108,13 @@ void EffectsView::readCosts(const Profiler& profiler) {
     }
 }
 
-void selectCallers(Workspace& workspace, const EffectRow& row, const TypeInfo& type) {
+void selectRequesters(Workspace& workspace, const EffectRow& row, const TypeInfo& type) {
     std::vector<ObjectId> ids;
-    for (const EffectCaller& caller : row.callers) {
-        if (&caller.type() != &type) continue;
+    for (const EffectRequester& requester : row.requesters) {
+        if (&requester.type() != &type) continue;
         workspace.shownWorld().eachOf(type, [&](EntityId entity, const void* component) {
-            const bool calls = caller.calls == nullptr || caller.calls(component);
-            if (const ObjectId id = calls ? workspace.shownNames().idOf(entity) : ObjectId{}; id)
+            const bool requests = requester.requests == nullptr || requester.requests(component);
+            if (const ObjectId id = requests ? workspace.shownNames().idOf(entity) : ObjectId{}; id)
                 ids.push_back(id);
         });
     }

@@ -22,11 +22,11 @@ public:
         bool inPhysics = false;   ///< an effect of the physics
         Pin pin = Pin::Auto;      ///< setting in the open scene's file: on, off, or auto (only if required)
         std::string pinnedBy{};   ///< in the running game: path of another scene that sets it to on or off
-        std::vector<EffectCount> callers{};  ///< components that require the effect, with their numbers
-        EffectZones zones{};                 ///< measured parts of a tick that belong to the effect
-        bool measured = false;               ///< a game runs, and the effect has measured parts of its own
-        float milliseconds = 0.0f;           ///< mean time per tick
-        float share = 0.0f;                  ///< ratio to the time of the tick
+        std::vector<EffectCount> requesters{};  ///< components that require the effect, with their numbers
+        EffectZones zones{};                    ///< measured parts of a tick that belong to the effect
+        bool measured = false;                  ///< a game runs, and the effect has measured parts of its own
+        float milliseconds = 0.0f;              ///< mean time per tick
+        float share = 0.0f;                     ///< ratio to the time of the tick
     };
 
     /// Updates the data if the scene changed or the game advanced.
@@ -53,7 +53,7 @@ private:
 std::vector<Pin> pinsOf(const Document& document, const EffectTable& table);
 
 /// Selects the entities of the shown world whose component of this type requires the effect.
-void selectCallers(Workspace& workspace, const EffectRow& row, const TypeInfo& type);
+void selectRequesters(Workspace& workspace, const EffectRow& row, const TypeInfo& type);
 
 /// Sets an effect of the open scene to on, off or auto, as one undo step. No effect while the game runs.
 void pinEffect(Workspace& workspace, std::string_view effect, Pin pin);

@@ -41,7 +41,7 @@ bool ReachView::outdated(const Workspace& workspace, const Asked& now) const {
            distance(world.get<Transform>(player).position, from_) >= kMoved;
 }
 
-void ReachView::tend(Workspace& workspace, bool anyPlayer) {
+void ReachView::update(Workspace& workspace, bool anyPlayer) {
     const Asked now{playerOf(workspace, anyPlayer), workspace.play.running(),
                     workspace.document.sceneRevision, workspace.play.running() ? workspace.play.ticks() : 0};
     if (!now.player) {

@@ -13,7 +13,7 @@ public:
 
     /// Must be called in every frame in which the jump reach is shown.
     /// @param anyPlayer  if no player is selected, takes the first player of the scene
-    void tend(Workspace& workspace, bool anyPlayer);
+    void update(Workspace& workspace, bool anyPlayer);
     void clear();
 
     [[nodiscard]] const JumpReach& reach() const { return reach_; }

@@ -42,7 +42,7 @@ void Trajectories::choose(const Workspace& workspace, bool all) {
     }
 }
 
-void Trajectories::tend(Workspace& workspace, bool all) {
+void Trajectories::update(Workspace& workspace, bool all) {
     const bool playing = workspace.play.running();
     Asked now{playing, all, workspace.document.sceneRevision, workspace.document.selection.revision(),
               playing ? workspace.play.ticks() : 0};

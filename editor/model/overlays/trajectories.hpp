@@ -24,7 +24,7 @@ public:
     /// Must be called in every frame in which trajectories are shown. While a game runs unpaused, only the
     /// past is recorded.
     /// @param all  true: of all moving entities; false: of the selected ones
-    void tend(Workspace& workspace, bool all);
+    void update(Workspace& workspace, bool all);
     void clear();
     [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
     [[nodiscard]] bool done() const { return ahead_ >= kAhead; }

@@ -20,7 +20,7 @@ void PlayMode::start(std::unique_ptr<PlaySession> session, bool paused) {
     session_ = std::move(session);
     indexed_ = -1;
     paused_ = paused;
-    watching_ = false;
+    replaying_ = false;
     ticks_ = 0;
     rest_ = 0.0;
     edits_.clear();
@@ -30,12 +30,12 @@ void PlayMode::start(std::unique_ptr<PlaySession> session, bool paused) {
 void PlayMode::stop() {
     session_.reset();
     recording_.clear();
-    paused_ = watching_ = false;
+    paused_ = replaying_ = false;
 }
 
 void PlayMode::contentChanged(const GameContent& content, const ContentChange& change) {
     session_->contentChanged(content, change);
-    watching_ = false;
+    replaying_ = false;
     edits_.clear();
     recording_.begin(ticks_, world());
 }
@@ -76,7 +76,7 @@ void PlayMode::step(const InputFrame& input) {
     if (!running()) return;
     if (inPast()) {
         playRecorded();
-        if (watching_ && !inPast()) paused_ = true, watching_ = false;
+        if (replaying_ && !inPast()) paused_ = true, replaying_ = false;
         return;
     }
     recording_.record(input);
@@ -88,7 +88,7 @@ void PlayMode::step(const InputFrame& input) {
 void PlayMode::setPaused(bool paused) {
     if (!running() || paused == paused_) return;
     paused_ = paused;
-    watching_ = false;
+    replaying_ = false;
     rest_ = 0.0;
     if (!paused && inPast()) branch();
 }
@@ -98,7 +98,7 @@ void PlayMode::setSpeed(int power) { speed_ = std::clamp(power, kSlowest, kFaste
 void PlayMode::seek(std::int64_t tick) {
     if (!running()) return;
     paused_ = true;
-    watching_ = false;
+    replaying_ = false;
     rest_ = 0.0;
     tick = std::clamp(tick, oldest(), newest());
     if (tick == ticks_) return;
@@ -113,10 +113,10 @@ void PlayMode::seek(std::int64_t tick) {
     while (ticks_ < tick) playRecorded();
 }
 
-void PlayMode::watch() {
+void PlayMode::playReplay() {
     if (!inPast()) return;
     paused_ = false;
-    watching_ = true;
+    replaying_ = true;
     rest_ = 0.0;
 }
 
@@ -145,7 +145,7 @@ void PlayMode::playRecorded() {
 void PlayMode::branch() {
     recording_.cut(ticks_);
     edits_.cut(ticks_);
-    watching_ = false;
+    replaying_ = false;
 }
 
 }  // namespace plumb::editor

@@ -90,8 +90,8 @@ public:
     void seek(std::int64_t tick);
     /// Replays the recorded ticks from the current one on, and pauses after the newest. No effect outside the
     /// past.
-    void watch();
-    [[nodiscard]] bool watching() const { return watching_; }
+    void playReplay();
+    [[nodiscard]] bool isReplaying() const { return replaying_; }
     [[nodiscard]] const PlayRecording& recording() const { return recording_; }
 
     TickListener* tickListener = nullptr;  ///< listener of all ticks; may be null
@@ -115,7 +115,7 @@ private:
     PlayRecording recording_;
     PlayEdits edits_;
     bool paused_ = false;
-    bool watching_ = false;
+    bool replaying_ = false;
     int speed_ = 0;  // power of two
     std::int64_t ticks_ = 0;
     double rest_ = 0.0;                   // s: elapsed time that is not simulated yet

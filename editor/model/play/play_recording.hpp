@@ -50,7 +50,7 @@ public:
 private:
     void keep(std::int64_t tick, const World& world);
     void drop(Keyframe& keyframe);
-    void thin();
+    void thin();  ///< removes about half of the keyframes, to free memory
 
     std::deque<Keyframe> keyframes_;                // sorted by tick
     std::deque<InputFrame> inputs_;                 // one per tick after `first_`

@@ -32,7 +32,7 @@ Profiler::Counts countsOf(const World& world) {
         const physics::World& physics = state->world;
         counts.bodies = static_cast<std::uint32_t>(physics.bodies.size() - physics.bodies.free.size());
         counts.awake = static_cast<std::uint32_t>(physics.awake.size());
-        counts.callers = physics.manifest.callers;
+        counts.requesters = physics.manifest.requesters;
         counts.contacts = static_cast<std::uint32_t>(physics.contacts.size());
     }
     return counts;
@@ -40,7 +40,7 @@ Profiler::Counts countsOf(const World& world) {
 
 }  // namespace
 
-void Profiler::tend(PlayMode& play) {
+void Profiler::update(PlayMode& play) {
     const bool on = wanted_ > 0 && !held && play.running();
     if (wanted_ > 0) --wanted_;
     profile_.on = on;

@@ -31,7 +31,7 @@ public:
         std::uint32_t contacts = 0;  ///< contacts of awake bodies
         std::uint32_t drawCalls = 0;
         std::uint32_t sprites = 0;
-        std::array<std::uint32_t, physics::kEffects> callers{};  ///< components that require each effect
+        std::array<std::uint32_t, physics::kEffects> requesters{};  ///< components that require each effect
     };
     /// How several threads shared the work of a physics stage.
     struct Threads {
@@ -68,7 +68,7 @@ public:
     /// Requests that ticks are measured; to be called in every frame in which the profiler is shown.
     void want() { wanted_ = kFramesOfWish; }
     /// Starts or stops measuring, depending on `want` and `held`; to be called once per frame.
-    void tend(PlayMode& play);
+    void update(PlayMode& play);
     [[nodiscard]] bool measures() const { return profile_.on; }
     /// Adds the time and the numbers of drawing the frame to the sample of the last tick.
     /// @param seconds  CPU time

@@ -145,7 +145,7 @@ std::vector<Error> SettingsFile::load(Settings& settings) {
     return problems;
 }
 
-void SettingsFile::tend(const Settings& settings, double seconds) {
+void SettingsFile::update(const Settings& settings, double seconds) {
     waited_ += seconds;
     if (waited_ < kPause) return;
     waited_ = 0.0;

@@ -66,7 +66,7 @@ public:
     /// @return the problems found, to be shown to the user
     std::vector<Error> load(Settings& settings);
     /// Checks for changes once per `kPause` and writes them. @param seconds  time since the last call
-    void tend(const Settings& settings, double seconds);
+    void update(const Settings& settings, double seconds);
     /// Writes the settings if they differ from the file.
     Result<Done> save(const Settings& settings);
     [[nodiscard]] const Path& path() const { return path_; }

@@ -72,7 +72,7 @@ Path Journal::fileOf(std::string_view scene) const {
     return folder_ / (name + std::string{kJournalEnding});
 }
 
-void Journal::tend(const Document& document, const UndoStack& undo, double now) {
+void Journal::update(const Document& document, const UndoStack& undo, double now) {
     if (!begun()) return;
     if (const std::string problem = writer_->takeProblem();
         !problem.empty() && !std::exchange(reported_, true))

@@ -43,7 +43,7 @@ public:
 
     /// Starts to write the journal if that is due; to be called in every frame.
     /// @param now  s: present time of any monotonic clock
-    void tend(const Document& document, const UndoStack& undo, double now);
+    void update(const Document& document, const UndoStack& undo, double now);
     /// Deletes the journal, after the scene was saved or its changes were discarded.
     void forget();
     /// Waits until the journal is written.
@@ -67,8 +67,8 @@ private:
     std::uint64_t revision_ = 0;  // revision of the document in the journal
     double written_ = -1e9;       // s: time of the last write
     std::size_t actions_ = 0;     // number of actions since the last write
-    std::size_t step_ = 0;        // `UndoStack::size` at the last call of `tend`
-    std::size_t steps_ = 0;       // `UndoStack::total` at the last call of `tend`
+    std::size_t step_ = 0;        // `UndoStack::size` at the last call of `update`
+    std::size_t steps_ = 0;       // `UndoStack::total` at the last call of `update`
     bool reported_ = false;       // a write error was logged
 };
 

@@ -30,9 +30,9 @@ void SafetyNet::begin() {
     logWarning("Editor", "{}", workspace_.notice);
 }
 
-void SafetyNet::tend(double seconds) {
+void SafetyNet::update(double seconds) {
     now_ += seconds;
-    journal_.tend(workspace_.document, workspace_.undo, now_);
+    journal_.update(workspace_.document, workspace_.undo, now_);
     if (!journal_.begun() || now_ - looked_ < kLookEvery) return;
     looked_ = now_;
     lookAtFile();
@@ -53,7 +53,7 @@ Result<Done> SafetyNet::recover(std::size_t index) {
     if (!opened) return opened.error();
     workspace_.notice = format("Recovered {} as of {}; save it to keep it", work.scene, work.when);
     // A new journal is written before the old one is deleted, so that a crash in between loses nothing.
-    journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kSeconds);
+    journal_.update(workspace_.document, workspace_.undo, now_ + Journal::kSeconds);
     journal_.finish();
     std::error_code failed;
     std::filesystem::remove(work.journal, failed);
@@ -112,7 +112,7 @@ void SafetyNet::opened() {
 /// with finish() before it writes the file.
 void SafetyNet::saving() {
     journal_.finish();
-    journal_.tend(workspace_.document, workspace_.undo, now_ + Journal::kMostSeconds);
+    journal_.update(workspace_.document, workspace_.undo, now_ + Journal::kMostSeconds);
     backups.keep(workspace_.document.scenePath);
 }
 

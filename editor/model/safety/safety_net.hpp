@@ -21,7 +21,7 @@ public:
     /// and tools that only read a project.
     void begin();
     /// Must be called in every frame. @param seconds  time since the last call
-    void tend(double seconds);
+    void update(double seconds);
     /// Waits until the journal is written.
     void finish() { journal_.finish(); }
 

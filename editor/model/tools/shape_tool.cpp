@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 #include "editor/model/tools/handles.hpp"
 
 namespace plumb::editor {

@@ -50,8 +50,9 @@ public:
     [[nodiscard]] virtual std::string_view next() const { return {}; }
 };
 
-/// What a tile tool paints from its selection on: the stamp, terrain, or (Keeps) the same as before.
-enum class Hand : unsigned char { Keeps, Stamp, Terrain };
+/// What the tile tools paint after a tool is selected: the stamp (the chosen tiles), the chosen terrain, or
+/// (Unchanged) what they painted before.
+enum class PaintChoice : unsigned char { Unchanged, Stamp, Terrain };
 
 /// One tool in the table of all tools.
 struct ToolRow {
@@ -59,7 +60,7 @@ struct ToolRow {
     std::string_view action;  ///< id of the action that selects the tool, which has its shortcut
     std::string_view hint;    ///< text shown in the status bar
     bool forTiles = false;    ///< true: edits tiles; false: edits entities
-    Hand hand = Hand::Keeps;  ///< paint that selecting the tool activates
+    PaintChoice paintChoice = PaintChoice::Unchanged;  ///< applied when the tool is selected
     std::unique_ptr<Tool> (*make)() = nullptr;
 };
 const std::vector<ToolRow>& toolTable();

@@ -7,7 +7,7 @@
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/document/entity_state.hpp"
 #include "editor/model/document/prefab_root.hpp"
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 #include "math/angle.hpp"
 #include "scene/components/drawing/sprite.hpp"
 

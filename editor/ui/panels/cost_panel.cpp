@@ -30,7 +30,7 @@ void wrapped(const std::string& words, ImU32 color) {
 class CostPanel final : public Panel {
 public:
     void draw(Ui& ui) override {
-        whatIf_.tend(ui.workspace);
+        whatIf_.update(ui.workspace);
         const Document& document = ui.workspace.document;
         if (document.objectCount() == 0 && !ui.workspace.play.running()) {
             whatIf_.cancel();

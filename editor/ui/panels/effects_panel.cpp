@@ -108,7 +108,7 @@ private:
         ImGui::TableNextColumn();
         drawShare(ui, line);
         ImGui::TableNextColumn();
-        drawCallers(ui, row, line, path);
+        drawRequesters(ui, row, line, path);
         ImGui::PopID();
     }
 
@@ -202,31 +202,31 @@ private:
         tooltip(format("{} % of the tick", fixedText(100.0 * static_cast<double>(line.share), 1)));
     }
 
-    static void drawCallers(Ui& ui, const EffectRow& row, const Line& line, const std::string& path) {
-        if (line.callers.empty() && line.isRequired) {
+    static void drawRequesters(Ui& ui, const EffectRow& row, const Line& line, const std::string& path) {
+        if (line.requesters.empty() && line.isRequired) {
             ImGui::TextDisabled("needed by tiles or game code");
             return;
         }
-        if (line.callers.empty()) {
-            const std::string names = "none of: " + missingCallers(row);
+        if (line.requesters.empty()) {
+            const std::string names = "none of: " + missingRequesters(row);
             ImGui::TextDisabled("%s", names.c_str());
             ui.widgets.mark(path + "/none", names);
             return;
         }
         bool first = true;
-        for (const EffectCount& caller : line.callers) {
+        for (const EffectCount& requester : line.requesters) {
             if (!std::exchange(first, false)) ImGui::SameLine(0.0f, ui.px(10.0f));
-            const std::string text = format("{} {}", caller.type->name, caller.count);
+            const std::string text = format("{} {}", requester.type->name, requester.count);
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const ImVec2 size = ImGui::CalcTextSize(text.c_str());
             const bool pressed = ImGui::InvisibleButton(text.c_str(), {size.x, ImGui::GetTextLineHeight()});
-            ui.widgets.mark(format("{}/{}", path, caller.type->name), format("{}", caller.count));
+            ui.widgets.mark(format("{}/{}", path, requester.type->name), format("{}", requester.count));
             ImDrawList& list = *ImGui::GetWindowDrawList();
             list.AddText(at, palette::kAccent, text.c_str());
             if (ImGui::IsItemHovered())
                 list.AddLine({at.x, at.y + size.y}, {at.x + size.x, at.y + size.y}, palette::kAccent);
             tooltip("Selects the entities with this component");
-            if (pressed) selectCallers(ui.workspace, row, *caller.type);
+            if (pressed) selectRequesters(ui.workspace, row, *requester.type);
         }
     }
 

@@ -252,7 +252,7 @@ private:
 
     ComponentView components_;
     AddComponent add_;
-    PrefabGroup group_;  // of the selected entities, computed at `compared_`
+    PrefabGroup group_;  // group of the selected entities, computed at `compared_`
     Compared compared_;
     std::vector<EntityId> entities_;      // the selected entities, read at `looked_`
     std::vector<ComponentHolders> held_;  // component types of the selected entities, with counts

@@ -317,8 +317,9 @@ private:
         tooltip(
             "Physics effects that run, and the number of bodies, shapes, joints or fields that need them");
         for (std::size_t i = 0; i < physics::kEffects; ++i) {
-            if (counts.callers[i] > 0)
-                row(std::string{physics::nameOf(static_cast<physics::Effect>(i))}.c_str(), counts.callers[i]);
+            if (counts.requesters[i] > 0)
+                row(std::string{physics::nameOf(static_cast<physics::Effect>(i))}.c_str(),
+                    counts.requesters[i]);
         }
     }
 

@@ -10,7 +10,7 @@
 #include "editor/model/actions.hpp"
 #include "editor/model/commands/change_components.hpp"
 #include "editor/model/document/scene_tree.hpp"
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 #include "editor/model/play/scene_of_game.hpp"
 #include "editor/model/tree_edit.hpp"
 #include "editor/ui/fields/pickers.hpp"

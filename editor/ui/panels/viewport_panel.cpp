@@ -9,7 +9,7 @@
 #include "editor/model/document/bounds.hpp"
 #include "editor/model/document/root_place.hpp"
 #include "editor/model/document/scene_boxes.hpp"
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 #include "editor/model/prefabs/go_inside.hpp"
 #include "editor/model/problems.hpp"
 #include "editor/model/tools/motion_paths.hpp"

@@ -18,7 +18,7 @@
 #include "scene/components/transform.hpp"
 #include "scene/drawing/draw_scene.hpp"
 #include "scene/physics/physics_queries.hpp"
-#include "scene/physics/soft_hand.hpp"
+#include "scene/physics/soft_grips.hpp"
 #include "scene/scene_stack.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"

@@ -16,7 +16,7 @@ using Cells = std::vector<Gid>;
 /// Uncompressed size below which any compression ratio is accepted, since empty layers compress very well.
 constexpr std::size_t kAlwaysAllowedBytes = std::size_t{64} << 20;
 
-Error wrong(std::string_view where, std::string what, std::string remedy) {
+Error valueError(std::string_view where, std::string what, std::string remedy) {
     return Error{std::string{where}, std::move(what), std::move(remedy)};
 }
 
@@ -28,7 +28,7 @@ std::string_view attribute(const XmlElement& element, std::string_view name) {
 Result<Gid> parseGid(std::string_view text, std::string_view where) {
     const std::optional<std::int64_t> value = parseInt(trimmed(text));
     if (value && *value >= 0 && *value <= 0xffffffffll) return static_cast<Gid>(*value);
-    return wrong(where, format("\"{}\" is not a tile id", text.substr(0, 20)), "export the map again");
+    return valueError(where, format("\"{}\" is not a tile id", text.substr(0, 20)), "export the map again");
 }
 
 Result<Cells> cellsFromElements(const XmlElement& data, std::string_view where) {
@@ -55,7 +55,7 @@ Result<Cells> cellsFromCsv(std::string_view text, std::size_t count, std::string
         cells.push_back(*cell);
         if (end == text.size()) break;
         text.remove_prefix(end + 1);
-        if (text.empty()) return wrong(where, "a tile id is missing at the end", "export the map again");
+        if (text.empty()) return valueError(where, "a tile id is missing at the end", "export the map again");
     }
     return cells;
 }
@@ -65,14 +65,14 @@ Result<std::string> unpacked(std::string bytes, std::string_view compression, st
     if (compression.empty() || compression == "none") return bytes;
     const std::size_t plausible = std::max(kAlwaysAllowedBytes, bytes.size() * limits::kCompressionRatio);
     if (size > plausible) {
-        return wrong(where, "the data is too short for the number of cells",
-                     "check the size of the layer; export the map again");
+        return valueError(where, "the data is too short for the number of cells",
+                          "check the size of the layer; export the map again");
     }
     if (compression == "zlib") return unpackZlib(bytes, size, where);
     if (compression == "gzip") return unpackGzip(bytes, size, where);
     if (compression == "zstd") return unpackZstd(bytes, size, where);
-    return wrong(where, format("the compression \"{}\" is not supported", compression),
-                 "select zlib, gzip or zstd in Tiled");
+    return valueError(where, format("the compression \"{}\" is not supported", compression),
+                      "select zlib, gzip or zstd in Tiled");
 }
 
 Result<Cells> cellsFromBase64(const XmlElement& data, std::string_view compression, std::size_t count,
@@ -100,11 +100,12 @@ Result<Cells> readCells(const XmlElement& part, const XmlElement& data, std::siz
                           : encoding == "csv" ? cellsFromCsv(part.text, count, where)
                           : encoding == "base64"
                               ? cellsFromBase64(part, attribute(data, "compression"), count, where)
-                              : wrong(where, format("the encoding \"{}\" is not supported", encoding),
-                                      "select csv or base64 in Tiled");
+                              : valueError(where, format("the encoding \"{}\" is not supported", encoding),
+                                           "select csv or base64 in Tiled");
     if (cells && cells->size() != count) {
-        return wrong(where, format("found {} cells, expected {} for the layer's size", cells->size(), count),
-                     "export the map again");
+        return valueError(where,
+                          format("found {} cells, expected {} for the layer's size", cells->size(), count),
+                          "export the map again");
     }
     return cells;
 }
@@ -121,8 +122,8 @@ Result<int> chunkNumber(const XmlElement& chunk, std::string_view name, int min,
                         std::string_view where) {
     const std::optional<std::int64_t> value = parseInt(attribute(chunk, name));
     if (value && *value >= min && *value <= max) return static_cast<int>(*value);
-    return wrong(where, format("a chunk's {} is \"{}\", out of range", name, attribute(chunk, name)),
-                 "export the map again");
+    return valueError(where, format("a chunk's {} is \"{}\", out of range", name, attribute(chunk, name)),
+                      "export the map again");
 }
 
 Result<std::vector<Chunk>> findChunks(const XmlElement& data, std::string_view where) {
@@ -173,8 +174,8 @@ Result<Done> encloseChunks(const std::vector<Chunk>& chunks, tiled::Layer& layer
     const bool fits = layer.width <= limits::kTileSide && layer.height <= limits::kTileSide;
     const std::size_t cells = fits ? area(layer.width, layer.height) : 0;
     if (!fits || cells > room || (cells > kSmall && cells / 64 > filled)) {
-        return wrong(where, "the layer's chunks are too far apart",
-                     "move the distant tiles closer to the others in Tiled");
+        return valueError(where, "the layer's chunks are too far apart",
+                          "move the distant tiles closer to the others in Tiled");
     }
     return Done{};
 }
@@ -208,7 +209,7 @@ Result<Done> readTmxCells(const XmlElement& data, tiled::Layer& layer, std::size
 
     const std::size_t count = area(layer.width, layer.height);
     const bool infiniteAndEmpty = data.children.empty() && trimmed(data.text).empty();
-    if (count > room) return wrong(where, "the map has too many cells", "split it into several maps");
+    if (count > room) return valueError(where, "the map has too many cells", "split it into several maps");
     if (infiniteAndEmpty) {
         layer.width = layer.height = 0;
         return Done{};

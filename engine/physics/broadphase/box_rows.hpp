@@ -84,7 +84,7 @@ private:
     std::uint32_t sortsSince_ = 0;  ///< sorts since that choice
 };
 
-struct Stretch {  // a range of slots: begin to end - 1
+struct SlotRange {  // the slots begin to end - 1
     std::uint32_t begin;
     std::uint32_t end;
 };

@@ -63,8 +63,8 @@ PLUMB_TARGET inline void takeHits(const RowSearch& search, const std::uint32_t* 
         const bool reported = left & (search.isMoved[b] != 0);
         const bool paired = search.allCanPair | ((own.states[i] | others.states[j]) == BoxRows::kAwake);
         found[count] = pairKey(a, b);
-        const bool met = meet(own.filters[i], others.filters[j]);
-        count += (paired & !reported & (a != b) & met) ? 1u : 0u;
+        const bool collide = mayCollide(own.filters[i], others.filters[j]);
+        count += (paired & !reported & (a != b) & collide) ? 1u : 0u;
     }
     pairs.insert(pairs.end(), found, found + count);
 }
@@ -80,17 +80,17 @@ PLUMB_TARGET inline std::uint64_t laterPlaces(const RowSearch& search, std::uint
     return bits;
 }
 
-PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const Stretch> stretches,
+PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const SlotRange> ranges,
                                   std::vector<PairKey>& pairs) {
     Wide boxes[RowSearch::kMaxLookers];
     for (std::uint32_t i = 0; i < search.count; ++i) boxes[i] = widen(search.own->boxAt(search.searchers[i]));
     const std::uint32_t last = search.searchers[search.count - 1];
     std::uint32_t hits[kMaxRowHits + kSpare];
-    for (const Stretch& stretch : stretches) {
+    for (const SlotRange& range : ranges) {
         std::uint32_t* end = hits;
-        std::uint32_t first = stretch.begin;
-        for (std::uint32_t place = first; place < stretch.end; place += kBranch) {
-            const std::uint32_t left = stretch.end - place;
+        std::uint32_t first = range.begin;
+        for (std::uint32_t place = first; place < range.end; place += kBranch) {
+            const std::uint32_t left = range.end - place;
             std::uint64_t bits = 0;
             for (std::uint32_t i = 0; i < search.count; ++i)
                 bits |= std::uint64_t{overlapsAt(*search.others, place, boxes[i])} << 8 * i;
@@ -106,7 +106,7 @@ PLUMB_TARGET void findPairsInRows(const RowSearch& search, std::span<const Stret
     }
 }
 
-PLUMB_TARGET void findInRows(const BoxRows& rows, Stretch part, const AABB& box, const LineSweep* sweep,
+PLUMB_TARGET void findInRows(const BoxRows& rows, SlotRange part, const AABB& box, const LineSweep* sweep,
                              std::uint32_t mask, std::vector<std::uint32_t>& found) {
     const Wide wide = widen(box);
     for (std::uint32_t place = part.begin; place < part.end; place += kBranch) {
@@ -230,7 +230,7 @@ PLUMB_TARGET inline void testLeaves(const TreeSearch& search, std::uint32_t lane
         const std::uint32_t j = *hit % 8;
         const TreeLeaf& leaf = leaves[candidates[*hit / 64]];
         found[count] = pairKey(own.ids[i], leaf.ids[j]);
-        count += meet(own.filters[i], leaf.filters[j]) ? 1u : 0u;
+        count += mayCollide(own.filters[i], leaf.filters[j]) ? 1u : 0u;
     }
     pairs.insert(pairs.end(), found, found + count);
 }

@@ -35,14 +35,14 @@ struct RowSearch : PartSearch<BoxRows> {
 /// choice affects the time only, not the results. Trees must not be empty.
 struct BoxSearches {
     void (*findPairsOfLeaf)(const TreeSearch& search, std::vector<PairKey>& pairs);
-    void (*findPairsInRows)(const RowSearch& search, std::span<const Stretch> stretches,
+    void (*findPairsInRows)(const RowSearch& search, std::span<const SlotRange> ranges,
                             std::vector<PairKey>& pairs);
     /// Appends the ids of the proxies that the box overlaps and, unless `sweep` is null, that the sweep may
     /// hit.
     /// @param box  the bounds of `sweep`, if there is one
     void (*findInTree)(const Bvh8& tree, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
                        std::vector<std::uint32_t>& found);
-    void (*findInRows)(const BoxRows& rows, Stretch part, const AABB& box, const LineSweep* sweep,
+    void (*findInRows)(const BoxRows& rows, SlotRange part, const AABB& box, const LineSweep* sweep,
                        std::uint32_t mask, std::vector<std::uint32_t>& found);
 };
 

@@ -20,7 +20,8 @@ struct Filter {
     std::uint32_t body = 0;
 };
 
-constexpr bool meet(const Filter& a, const Filter& b) {  // true if the shapes collide
+/// True if shapes with these filters collide when they touch.
+constexpr bool mayCollide(const Filter& a, const Filter& b) {
     if (a.body == b.body) return false;
     if (a.group == b.group && a.group != 0) return a.group > 0;
     return (a.layers & b.mask) != 0 && (b.layers & a.mask) != 0;

@@ -323,7 +323,7 @@ public:
                     const bool theirs = own == other ? item.id <= id : own != kMovingPart;
                     if ((theirs && isMoved[item.id] != 0) || item.id == id) return;
                     if (!looker.awake && !item.awake && !allCanPair(own, other)) return;
-                    if (meet(looker.filter, item.filter)) pairs.push_back(pairKey(id, item.id));
+                    if (mayCollide(looker.filter, item.filter)) pairs.push_back(pairKey(id, item.id));
                 });
             }
         }

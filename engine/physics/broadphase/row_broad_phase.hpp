@@ -94,18 +94,18 @@ private:
 
     void findPairsNear(const RowSearch& search, const Part& others, const AABB& box,
                        std::vector<PairKey>& pairs) const {
-        std::array<Stretch, 32> stretches;
+        std::array<SlotRange, 32> ranges;
         std::size_t count = 0;
         others.visitNear(box, nullptr, search.onlyLater ? search.searchers[0] + 1 : 0,
                          [&](std::uint32_t begin, std::uint32_t end) {
                              if (begin >= end) return;
-                             if (count == stretches.size()) {
-                                 this->searches_.findPairsInRows(search, stretches, pairs);
+                             if (count == ranges.size()) {
+                                 this->searches_.findPairsInRows(search, ranges, pairs);
                                  count = 0;
                              }
-                             stretches[count++] = {begin, end};
+                             ranges[count++] = {begin, end};
                          });
-        this->searches_.findPairsInRows(search, {stretches.data(), count}, pairs);
+        this->searches_.findPairsInRows(search, {ranges.data(), count}, pairs);
     }
 };
 

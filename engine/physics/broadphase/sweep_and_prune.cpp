@@ -109,8 +109,8 @@ public:
     void visitNear(const AABB& box, const LineSweep*, std::uint32_t from, const Visit& visit) const {
         for (const Segment& segment : segments_) {
             if (segment.end <= from || segment.begin == segment.end) continue;
-            const Stretch stretch = findStarts(segment, box, from);
-            visit(stretch.begin, stretch.end);
+            const SlotRange range = findStarts(segment, box, from);
+            visit(range.begin, range.end);
         }
         if (places() > sorted_) visit(std::max(sorted_, from), places());
     }
@@ -161,7 +161,7 @@ private:
     }
 
     /// Returns the slots of a segment, none before `from`, whose boxes `box` may overlap.
-    [[nodiscard]] Stretch findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
+    [[nodiscard]] SlotRange findStarts(const Segment& segment, const AABB& box, std::uint32_t from) const {
         // Boxes may have moved since the sort; lengths and positions may have been rounded.
         const float lower = startOf(box) - segment.longest - stray_;
         const float upper = endOf(box) + stray_ + std::fabs(endOf(box)) * (2.0f * kRounding);

@@ -21,15 +21,16 @@ Result<Done> checkOutline(const Geometry& outline) {
     const bool known = outline.kind == ShapeKind::Box || outline.kind == ShapeKind::Circle ||
                        outline.kind == ShapeKind::Capsule;
     if (known) return checkGeometry(outline, {});
-    return wrong("CharacterDefinition.outline",
-                 "expected a box, a circle or a capsule, found another kind of shape",
-                 "use physics::box(), circle() or capsule()");
+    return usageError("CharacterDefinition.outline",
+                      "expected a box, a circle or a capsule, found another kind of shape",
+                      "use physics::box(), circle() or capsule()");
 }
 
 Result<Done> checkUp(Vec2 up) {
     const float square = lengthSquared(up);
     if (square > 0.999f && square < 1.001f) return Done{};
-    return wrong("CharacterDefinition.up", "expected a direction of length 1", "use {0, -1} where y is down");
+    return usageError("CharacterDefinition.up", "expected a direction of length 1",
+                      "use {0, -1} where y is down");
 }
 
 Result<Done> check(const CharacterDefinition& definition) {
@@ -185,7 +186,8 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     position_ = mover.position();
     placed_ = false;
 
-    // Displacement by the ground and by other moving bodies.
+    // Adds the displacement that the ground and other moving bodies cause in this tick to the character's
+    // own.
     const bool stood = grounded();
     const bool walks = stood && !(rise(velocity_) > kTakeOff);
     const Vec2 gravity = world.settings.gravity * definition_.gravityScale;

@@ -95,10 +95,10 @@ bool CharacterMover::escape() {
 
 bool CharacterMover::carryTo(WorldPosition place) {
     Vec2 displacement = place - position_;
-    for (int turn = 0; turn < kMoverTurns; ++turn) {
+    for (int iteration = 0; iteration < kMoverTurns; ++iteration) {
         const auto hit = advance(displacement);
-        if (!hit && turn == 0) position_ = place;  // the exact target, without rounding
-        if (!hit) return turn == 0;
+        if (!hit && iteration == 0) position_ = place;  // the exact target, without rounding
+        if (!hit) return iteration == 0;
         displacement = alongSurface(displacement * (1.0f - hit->fraction), hit->normal);
     }
     return false;
@@ -154,7 +154,7 @@ bool CharacterMover::stepUp(float dx) {
 CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
     CharacterMotion motion;
     Vec2 normal = isGround(groundNormal) ? groundNormal : definition_.up;
-    for (int turn = 0; turn < kMoverTurns && dx != 0.0f; ++turn) {
+    for (int iteration = 0; iteration < kMoverTurns && dx != 0.0f; ++iteration) {
         const auto hit = advance(onGround(dx, normal));
         if (!hit) break;
         dx *= 1.0f - hit->fraction;
@@ -171,7 +171,7 @@ CharacterMotion CharacterMover::walk(float dx, Vec2 groundNormal) {
 CharacterMotion CharacterMover::fly(Vec2 displacement) {
     CharacterMotion motion;
     Vec2 before;  // normal of the last surface along which it slid
-    for (int turn = 0; turn < kMoverTurns && displacement != Vec2{}; ++turn) {
+    for (int iteration = 0; iteration < kMoverTurns && displacement != Vec2{}; ++iteration) {
         const auto hit = advance(displacement);
         if (!hit) break;
         const Vec2 normal = hit->normal;

@@ -15,8 +15,8 @@ namespace {
 /// Pose of body B relative to the centre of mass of body A.
 struct Encounter {
     Rot rotationA;
-    Rot turn;      // B's rotation relative to A
-    Vec2 between;  // m: from A's centre of mass to B's, in A's frame
+    Rot relativeRotation;  // B's rotation relative to A
+    Vec2 between;          // m: from A's centre of mass to B's, in A's frame
 };
 
 Encounter encounterOf(const BodyPose& a, const BodyPose& b) {
@@ -38,7 +38,7 @@ Encounter ahead(const World& world, const Contact& contact, float time) {
 }
 
 float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 normalInA) {
-    return dot(normalInA, now.between + rotate(now.turn, anchors.b) - anchors.a);
+    return dot(normalInA, now.between + rotate(now.relativeRotation, anchors.b) - anchors.a);
 }
 
 float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
@@ -47,11 +47,13 @@ float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
 /// @param normal  the contact's normal, in A's current frame
 bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
     if (std::fabs(cross(contact.normalInA, normal)) > kMaxTurn) return false;
-    const float turned = contact.turn.cos * now.turn.sin - contact.turn.sin * now.turn.cos;
+    const float turned = contact.relativeRotation.cos * now.relativeRotation.sin -
+                         contact.relativeRotation.sin * now.relativeRotation.cos;
     const float arm =
         longest(contact.anchors[0].b) + longest(contact.anchors[1].b) + longest(contact.anchors[0].a);
     if (std::fabs(turned) * arm > tolerance) return false;
-    const Vec2 apart = now.between + rotate(now.turn, contact.anchors[0].b) - contact.anchors[0].a;
+    const Vec2 apart =
+        now.between + rotate(now.relativeRotation, contact.anchors[0].b) - contact.anchors[0].a;
     return std::fabs(cross(normal, apart)) <= tolerance;
 }
 
@@ -60,7 +62,7 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
 /// upright one, and high stacks do not buckle on their contacts, which are springs.
 /// @return false if the points must be recomputed
 bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
-    // Without contact forces a body could pass through the other along the normal.
+    // Only for contacts with forces: without them a body could pass through the other along the normal.
     if ((contact.flags & (kTouching | kRound | kTriggered | kPassing | kDisabled)) != kTouching) return false;
     const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
     if (contact.count > all) return false;
@@ -85,7 +87,7 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
         return count > 1 && second == id ? impulse1 : 0.0f;
     };
     contact.count = static_cast<std::uint8_t>(manifold.count);
-    contact.turn = now.turn;
+    contact.relativeRotation = now.relativeRotation;
     contact.normalInA = manifold.normal;
     contact.normal = rotate(now.rotationA, manifold.normal);
     contact.roundA = manifold.roundA;
@@ -94,7 +96,8 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
         const ManifoldPoint& point = manifold.points[std::min(i, manifold.count - 1)];
         const Vec2 middle = point.point - world.bodies.pose[contact.bodyA].localCentre;
         const Vec2 halfway = (0.5f * point.separation) * manifold.normal;
-        contact.anchors[i] = {middle - halfway, unrotate(now.turn, middle + halfway - now.between)};
+        contact.anchors[i] = {middle - halfway,
+                              unrotate(now.relativeRotation, middle + halfway - now.between)};
         contact.ids[i] = point.id;
     }
     contact.separation0 = manifold.points[0].separation;
@@ -106,7 +109,7 @@ void takeManifold(const World& world, Contact& contact, const Manifold& manifold
 Frame frameInA(const World& world, const Contact& contact, const Encounter& now) {
     const BodyPose& a = world.bodies.pose[contact.bodyA];
     const BodyPose& b = world.bodies.pose[contact.bodyB];
-    return {a.localCentre + now.between - rotate(now.turn, b.localCentre), now.turn};
+    return {a.localCentre + now.between - rotate(now.relativeRotation, b.localCentre), now.relativeRotation};
 }
 
 /// Keeps only the deepest point: without rotation both points approach at the same speed.
@@ -173,7 +176,7 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
     // A round feature can rotate in place: only its center moves with the body.
     const ContactAnchors centers{
         contact.anchors[0].a - contact.roundA * manifold.normal,
-        contact.anchors[0].b + contact.roundB * unrotate(then.turn, manifold.normal)};
+        contact.anchors[0].b + contact.roundB * unrotate(then.relativeRotation, manifold.normal)};
     contact.separation0 =
         separationOf(now, centers, unrotate(now.rotationA, contact.normal)) - contact.roundA - contact.roundB;
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
@@ -295,7 +298,7 @@ private:
 /// True if the shape is axis-aligned and only a setter can rotate its body.
 bool staysUpright(const World& world, std::uint32_t body, const Geometry& outline) {
     return world.bodies.info[body].kind != BodyKind::Kinematic && outline.kind == ShapeKind::Box &&
-           outline.radius == 0.0f && outline.turn == Rot{} && world.bodies.pose[body].rotation == Rot{};
+           outline.radius == 0.0f && outline.rotation == Rot{} && world.bodies.pose[body].rotation == Rot{};
 }
 
 constexpr std::size_t kAhead = 4;  // contacts: prefetch distance
@@ -375,7 +378,7 @@ bool needsContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB
         // Two bodies that are not dynamic have contacts only with triggers, and one of them must be awake.
         const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
         const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
-        const bool someAwake = a.place != kNone || b.place != kNone;
+        const bool someAwake = a.awakeIndex != kNone || b.awakeIndex != kNone;
         if (!(pushed ? trigger || someAwake : trigger && someAwake)) return false;
     }
     return !isStopped(shapes.extrasOf(shapeA), shapes.filter[shapeB]) &&

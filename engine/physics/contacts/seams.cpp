@@ -305,7 +305,7 @@ const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& co
         const ShapeInfo& info = shapes.info[shape];
         return world.bodies.info[info.body].kind == BodyKind::Dynamic ||
                !needsContact(world, shape, contact.shapeB) || (info.flags & (kTrigger | kOneWay)) != 0 ||
-               !meet(shapes.filter[shape], shapes.filter[contact.shapeB]);
+               !mayCollide(shapes.filter[shape], shapes.filter[contact.shapeB]);
     });
     std::sort(found.begin(), found.end());
     return found;

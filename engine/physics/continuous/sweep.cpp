@@ -40,7 +40,7 @@ bool opensFor(const World& world, const Mover& mover, const Mover& target) {
 bool mayCollide(const World& world, std::uint32_t a, std::uint32_t b) {
     const Shapes& shapes = world.shapes;
     if (((shapes.info[a].flags | shapes.info[b].flags) & kTrigger) != 0) return false;
-    if (!meet(shapes.filter[a], shapes.filter[b]) || !needsContact(world, a, b)) return false;
+    if (!mayCollide(shapes.filter[a], shapes.filter[b]) || !needsContact(world, a, b)) return false;
     const std::uint32_t bodyA = shapes.info[a].body, bodyB = shapes.info[b].body;
     return world.bodies.info[bodyA].firstJoint == kNone || !keptApart(world, bodyA, bodyB);
 }
@@ -49,12 +49,12 @@ bool mayCollide(const World& world, std::uint32_t a, std::uint32_t b) {
 /// like most bodies on a floor. Uses arc lengths as upper bounds of displacements by rotation.
 bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs, const Sweep& target,
                      float end) {
-    if (target.displacement != Vec2{} || target.turn != 0.0f) return false;
+    if (target.displacement != Vec2{} || target.angle != 0.0f) return false;
     const BodyPose from = path.at(path.begin), pose = target.at(0.0f);
-    const Rot turn = between(pose.rotation, from.rotation);
+    const Rot relative = between(pose.rotation, from.rotation);
     const auto inTarget = [&](Vec2 point) {
-        return unrotate(pose.rotation, from.centre - pose.centre) + rotate(turn, point - from.localCentre) +
-               pose.localCentre;
+        return unrotate(pose.rotation, from.centre - pose.centre) +
+               rotate(relative, point - from.localCentre) + pose.localCentre;
     };
     const Vec2 centre = inTarget(core.centre);
     const Vec2 displacement = unrotate(pose.rotation, (end - path.begin) * path.displacement);
@@ -67,20 +67,21 @@ bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs
         lever = std::max(lever, lengthSquared(corner.point - from.localCentre));
         extent = std::max(extent, dot(normal, centre - inTarget(corner.point)));
     }
-    const float arc = std::fabs(path.turn) * (end - path.begin) * std::sqrt(lever);
+    const float arc = std::fabs(path.angle) * (end - path.begin) * std::sqrt(lever);
     return beyond.value > extent + arc + core.radius + theirs.radius;
 }
 
 }  // namespace
 
 BodyPose Sweep::at(float part) const {
-    const Rot turned = turn == 0.0f ? rotation : rotFromAngle(turn * part) * rotation;
+    const Rot turned = angle == 0.0f ? rotation : rotFromAngle(angle * part) * rotation;
     return {start + displacement * part, normalized(turned), localCentre};
 }
 
-Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn) {
-    const Rot before = turn == 0.0f ? pose.rotation : normalized(rotFromAngle(-turn * part) * pose.rotation);
-    return {pose.centre + displacement * -part, displacement, before, turn, pose.localCentre, part};
+Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float angle) {
+    const Rot before =
+        angle == 0.0f ? pose.rotation : normalized(rotFromAngle(-angle * part) * pose.rotation);
+    return {pose.centre + displacement * -part, displacement, before, angle, pose.localCentre, part};
 }
 
 Frame relativeFrame(const BodyPose& a, const BodyPose& b) {
@@ -93,7 +94,7 @@ Frame relativeFrame(const BodyPose& a, const BodyPose& b) {
 float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float latest) {
     // Terms of the maximum approach along a normal in a whole step.
     const Vec2 displacement = a.sweep.displacement - b.sweep.displacement;
-    const float turning = std::fabs(a.sweep.turn) * armOf(a) + std::fabs(b.sweep.turn) * armOf(b);
+    const float turning = std::fabs(a.sweep.angle) * armOf(a) + std::fabs(b.sweep.angle) * armOf(b);
     SimplexCache cache;
     float part = std::max(a.sweep.begin, b.sweep.begin);
     for (int i = 0; i < kMaxRounds && part <= latest; ++i) {

@@ -11,7 +11,7 @@ struct Sweep {
     WorldPosition start;  ///< m: position of the centre of mass at part 0
     Vec2 displacement;    ///< m in a whole step
     Rot rotation;         ///< at part 0
-    float turn = 0.0f;    ///< rad: rotation in a whole step; may exceed 2 pi
+    float angle = 0.0f;   ///< rad: rotation in a whole step; may exceed 2 pi
     Vec2 localCentre;     ///< m: the centre of mass in the frame of the shapes
     float begin = 0.0f;   ///< fraction of the step at which the path begins
 
@@ -19,8 +19,8 @@ struct Sweep {
 };
 
 /// Returns the path on which the body has the given pose at a fraction of the step.
-/// @param displacement, turn  m and rad in a whole step
-Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float turn);
+/// @param displacement, angle  m and rad in a whole step
+Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float angle);
 inline Sweep resting(const BodyPose& pose, float part = 0.0f) { return sweepThrough(pose, part, {}, 0.0f); }
 
 /// True if a body with this displacement (m) and rotation (rad) in a step may tunnel through a thin shape: a
@@ -54,8 +54,8 @@ float firstImpact(const SweptOutline& a, const SweptOutline& b, float gap, float
 struct PathHit {
     float part = kNever;          ///< fraction of the step at which the shapes hit
     std::uint32_t shape = kNone;  ///< the shape of the swept body
-    std::uint32_t met = kNone;    ///< the shape of another body that it hits
-    int metHits = 0;         ///< SweptBody::hits of the other body; a higher number now: it changed its path
+    std::uint32_t other = kNone;  ///< the shape of another body that it hits
+    int otherHits = 0;       ///< SweptBody::hits of the other body; a higher number now: it changed its path
     bool isPressed = false;  ///< the shapes touched at the start; now the core of one would enter the other
 };
 

@@ -42,7 +42,7 @@ void findPaths(const Workspace& work, Vec2 from, Vec2 displacement, Vec2 half, s
 float longestPath(const World& world, const SweptBody& swept) {
     if (swept.hits > 0) return std::numeric_limits<float>::max();
     return length(swept.sweep.displacement) +
-           std::fabs(swept.sweep.turn) * world.bodies.info[swept.body].reach;
+           std::fabs(swept.sweep.angle) * world.bodies.info[swept.body].reach;
 }
 
 }  // namespace
@@ -56,12 +56,12 @@ Sweep pathOf(const StepContext& step, std::uint32_t body) {
     if (deltaPosition.z == 0.0f && step.work.velocity[slot].z == 0.0f) return sweep;
     const float angle = angleOf(turnOf(deltaPosition));
     const float turns = (step.work.velocity[slot].z * step.dt - angle) / kTau;
-    sweep.turn = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
+    sweep.angle = angle + kTau * static_cast<float>(floorToInt(turns + 0.5f));
     sweep.rotation = normalized(inverse(turnOf(deltaPosition)) * pose.rotation);
     return sweep;
 }
 
-Sweep pathOfMet(const StepContext& step, std::uint32_t body) {
+Sweep currentPathOf(const StepContext& step, std::uint32_t body) {
     const Workspace& work = step.work;
     if (const std::uint32_t place = work.bodyScratch[body]; place != kNone) return work.swept[place].sweep;
     const bool stays = !isDynamic(step.world, body) || work.slots[body] < 0 || isHeld(step, body);
@@ -81,10 +81,10 @@ SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body) {
 }
 
 bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info) {
-    if (path.turn == 0.0f) return isFast(own.displacement - path.displacement, own.turn, info);
+    if (path.angle == 0.0f) return isFast(own.displacement - path.displacement, own.angle, info);
     const Vec2 arm = own.start - path.start;
-    const Vec2 carried = path.displacement + rotate(rotFromAngle(path.turn), arm) - arm;
-    return std::fabs(path.turn) > kWide || isFast(own.displacement - carried, own.turn - path.turn, info);
+    const Vec2 carried = path.displacement + rotate(rotFromAngle(path.angle), arm) - arm;
+    return std::fabs(path.angle) > kWide || isFast(own.displacement - carried, own.angle - path.angle, info);
 }
 
 void limitMotion(World& world, std::uint32_t body) {
@@ -117,7 +117,7 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     if (!isDynamic(world, swept.body) || swept.hits > kMaxImpacts || sweep.begin >= 1.0f) return;
     const auto meetAll = [&](std::uint32_t shape) {
         if (shape == swept.passed) return;
-        const Sweep path = pathOfMet(step, world.shapes.info[shape].body);
+        const Sweep path = currentPathOf(step, world.shapes.info[shape].body);
         if (swept.hits == 0 && !isFastBeside(sweep, path, world.bodies.info[swept.body])) return;
         forShapesOf(world, swept.body, [&](std::uint32_t s) {
             ++counts.swept;
@@ -144,13 +144,14 @@ void findNextHit(const StepContext& step, std::size_t place, std::vector<std::ui
     std::sort(found.begin(), found.end());
     for (const std::uint32_t other : found) {
         if (other == place) continue;
-        const SweptBody& met = work.swept[other];
-        const AABB near = grown(pathBounds(step, swept), longestPath(world, met));
-        forShapesOf(world, met.body, [&](std::uint32_t s) {
+        const SweptBody& second = work.swept[other];
+        const AABB near = grown(pathBounds(step, swept), longestPath(world, second));
+        forShapesOf(world, second.body, [&](std::uint32_t s) {
             if (intersects(world.shapes.bounds[s], near)) meetAll(s);
         });
     }
-    if (swept.next.met != kNone) swept.next.metHits = hitsOf(work, world.shapes.info[swept.next.met].body);
+    if (swept.next.other != kNone)
+        swept.next.otherHits = hitsOf(work, world.shapes.info[swept.next.other].body);
 }
 
 }  // namespace plumb::physics

@@ -22,8 +22,9 @@ inline int hitsOf(const Workspace& work, std::uint32_t body) {  // SweptBody::hi
 
 /// Returns the path of a body through this step, from its current pose and its displacement in the step.
 Sweep pathOf(const StepContext& step, std::uint32_t body);
-/// Returns the path of a body that may be hit. If not swept, a static or held body (isHeld()) is at rest.
-Sweep pathOfMet(const StepContext& step, std::uint32_t body);
+/// Returns the path of any body in this step; of a swept one, its path since its last hit. A body that is not
+/// swept rests if it is static or held (isHeld()).
+Sweep currentPathOf(const StepContext& step, std::uint32_t body);
 /// True if a body with the path `own` may tunnel through a thin shape that moves along `path`. False for a
 /// body that lies in a drum and rotates with it, at any speed of the drum.
 bool isFastBeside(const Sweep& own, const Sweep& path, const BodyInfo& info);

@@ -134,7 +134,7 @@ void forPoints(const Picture& picture, Draw&& draw) {
 float partsOfStep(const Picture& picture, const Contact& contact) {
     const Bodies& bodies = picture.world.bodies;
     const BodyInfo& pushed = bodies.info[contact.bodyB];
-    if (const Workspace* work = picture.choice.lastStep; work != nullptr && pushed.place != kNone) {
+    if (const Workspace* work = picture.choice.lastStep; work != nullptr && pushed.awakeIndex != kNone) {
         const std::size_t group = work->groups.size() > 1 ? work->groupOf[contact.bodyB] : 0;
         if (group < work->groups.size()) return static_cast<float>(work->groups[group].substeps);
     }

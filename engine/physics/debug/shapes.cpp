@@ -115,9 +115,9 @@ void DebugCanvas::box(const AABB& box, DebugInk ink) {
 
 void drawArc(DebugCanvas& canvas, Vec2 centre, float radius, Rot from, float angle, DebugInk ink) {
     constexpr int kLines = 2 * kArcPoints;
-    const Rot turn = rotFromAngle(angle / static_cast<float>(kLines));
+    const Rot rotation = rotFromAngle(angle / static_cast<float>(kLines));
     for (int i = 0; i < kLines; ++i) {
-        const Rot to = normalized(turn * from);
+        const Rot to = normalized(rotation * from);
         canvas.line(centre + radius * Vec2{from.cos, from.sin}, centre + radius * Vec2{to.cos, to.sin}, ink);
         from = to;
     }

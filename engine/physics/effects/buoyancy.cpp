@@ -136,9 +136,9 @@ Sums alongEdge(const Convex& convex, const Frame& toFluid, const AABB& fluid) {
         const Vec2 out = convex.radius * here.normal;
         addStraight(sums, here.point + out, next.point + out, fluid);
         if (convex.radius == 0.0f) continue;
-        const float turn = arcTangent(cross(here.normal, next.normal), dot(here.normal, next.normal));
+        const float rotation = arcTangent(cross(here.normal, next.normal), dot(here.normal, next.normal));
         // The ends of a capsule are half circles, for which the sign of the angle is undefined.
-        const float sweep = count == 2 ? kPi : turn;
+        const float sweep = count == 2 ? kPi : rotation;
         addArc(sums, {next.point, convex.radius, arcTangent(here.normal.y, here.normal.x), sweep}, fluid);
     }
     return sums;
@@ -150,20 +150,20 @@ constexpr float kEndlessPool = 1.0e7f;
 /// A fluid in a frame whose y axis points along gravity.
 struct Fluid {
     WorldPosition surface;  // m: middle of the surface
-    Rot turn;               // from the fluid's frame to the world: x along the surface, y down
+    Rot rotation;           // from the fluid's frame to the world: x along the surface, y down
     AABB box;               // m: from the surface, y = 0, to the bottom
 };
 
 Fluid fluidOf(const World& world, const FieldDefinition& field) {
     const Vec2 gravity = world.settings.gravity;
     const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{0.0f, 1.0f};
-    const Rot turn{down.y, -down.x};  // rotates (0, 1) to `down`
+    const Rot rotation{down.y, -down.x};  // rotates (0, 1) to `down`
     if (field.region == RegionKind::Everywhere)
-        return {field.place, turn, {{-kEndlessPool, 0.0f}, {kEndlessPool, kEndlessPool}}};
+        return {field.place, rotation, {{-kEndlessPool, 0.0f}, {kEndlessPool, kEndlessPool}}};
     const Vec2 half = field.region == RegionKind::Circle ? Vec2{field.radius, field.radius} : field.half;
-    const float along = std::fabs(turn.cos) * half.x + std::fabs(turn.sin) * half.y;
-    const float deep = std::fabs(turn.sin) * half.x + std::fabs(turn.cos) * half.y;
-    return {field.place + -deep * down, turn, {{-along, 0.0f}, {along, 2.0f * deep}}};
+    const float along = std::fabs(rotation.cos) * half.x + std::fabs(rotation.sin) * half.y;
+    const float deep = std::fabs(rotation.sin) * half.x + std::fabs(rotation.cos) * half.y;
+    return {field.place + -deep * down, rotation, {{-along, 0.0f}, {along, 2.0f * deep}}};
 }
 
 }  // namespace
@@ -194,7 +194,7 @@ FieldForce buoyancy(const FieldView& view, std::uint32_t f, std::uint32_t body, 
     const BodyMass& mass = world.bodies.mass[body];
     const Vec2 origin =
         state.centre - fluid.surface - rotate(state.rotation, world.bodies.pose[body].localCentre);
-    const Frame toFluid{unrotate(fluid.turn, origin), between(fluid.turn, state.rotation)};
+    const Frame toFluid{unrotate(fluid.rotation, origin), between(fluid.rotation, state.rotation)};
     Acceleration sum;
     float displaced = 0.0f;  // kg: mass of the displaced fluid
     float stiffness = 0.0f;
@@ -203,7 +203,7 @@ FieldForce buoyancy(const FieldView& view, std::uint32_t f, std::uint32_t body, 
             submergedPart(world.shapes.geometry[s], world.shapes.corners, toFluid, fluid.box);
         if (part.area == 0.0f || (world.shapes.info[s].flags & kTrigger) != 0) continue;
         const float weight = field.density * part.area;
-        const Vec2 arm = rotate(fluid.turn, part.centre) - (state.centre - fluid.surface);
+        const Vec2 arm = rotate(fluid.rotation, part.centre) - (state.centre - fluid.surface);
         const Vec2 felt = field.velocity - (state.velocity + cross(state.angularVelocity, arm));
         const Vec2 force = -weight * world.settings.gravity + field.linearDrag * weight * felt;
         sum += Acceleration{mass.inverseMass * force, mass.inverseInertia * cross(arm, force)};

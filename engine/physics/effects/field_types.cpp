@@ -31,19 +31,19 @@ FieldForce areaGravity(const FieldView& view, std::uint32_t f, std::uint32_t bod
     return {{view.world.bodies.driveOf(body).gravityScale * pull, 0.0f}};
 }
 
-/// Returns the strength, from -1 to 1, of gust number `turn` in the random sequence of a seed.
-float gustAt(std::uint32_t seed, std::uint64_t turn) {
-    const auto bits = static_cast<std::uint32_t>(mixBits(mixBits(seed) ^ turn) >> 40);
+/// Returns the strength, from -1 to 1, of gust number `gust` in the random sequence of a seed.
+float gustAt(std::uint32_t seed, std::uint64_t gust) {
+    const auto bits = static_cast<std::uint32_t>(mixBits(mixBits(seed) ^ gust) >> 40);
     return static_cast<float>(bits) * 0x1p-23f - 1.0f;
 }
 
 /// Returns the gust in a step, -1 to 1, interpolated between consecutive gusts. Depends only on the step
 /// number, so that a repeated step has the same wind.
 float gustiness(const FieldDefinition& field, std::uint64_t step) {
-    const std::uint64_t turn = step / field.gustSteps;
+    const std::uint64_t gust = step / field.gustSteps;
     const float t = static_cast<float>(step % field.gustSteps) / static_cast<float>(field.gustSteps);
     const float smooth = t * t * (3.0f - 2.0f * t);
-    return lerp(gustAt(field.seed, turn), gustAt(field.seed, turn + 1), smooth);
+    return lerp(gustAt(field.seed, gust), gustAt(field.seed, gust + 1), smooth);
 }
 
 /// Wind: F = density * width * speed^2, along the apparent wind.

@@ -70,9 +70,12 @@ void judgeIslands(World& world, Workspace& work) {
 /// True if some awake bodies can be solved without rotation although others rotate.
 bool mixesRotation(const StepContext& step) {
     const Manifest& manifest = step.world.manifest;
-    const auto callers = [&](Effect effect) { return manifest.callers[static_cast<std::size_t>(effect)]; };
+    const auto requesters = [&](Effect effect) {
+        return manifest.requesters[static_cast<std::size_t>(effect)];
+    };
     const bool pinned = (manifest.pinnedOn & Manifest::bit(Effect::Rotation)) != 0;
-    return step.runs(Effect::Rotation) && !pinned && callers(Effect::Rotation) < callers(Effect::Continuous);
+    return step.runs(Effect::Rotation) && !pinned &&
+           requesters(Effect::Rotation) < requesters(Effect::Continuous);
 }
 
 /// Gives all islands that a group of soft bodies may push the same quality, so that they are solved together.

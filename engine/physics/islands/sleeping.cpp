@@ -96,21 +96,22 @@ void wakeIsland(World& world, std::uint32_t island) {
     sleepers.freeIslands.push_back(island);
 }
 
-/// Removes object `index` from a list. @param members  all objects, which store their place in the list
+/// Removes object `index` from a list. @param members  all objects, which store their index in the list as
+/// `awakeIndex`
 template <class Member>
 void takeOut(std::vector<std::uint32_t>& list, std::vector<Member>& members, std::uint32_t index) {
-    const std::uint32_t place = members[index].place;
-    if (place == kNone) return;
-    list[place] = list.back();
-    members[list[place]].place = place;
-    members[index].place = kNone;  // last, because the member may be the moved one itself
+    const std::uint32_t awakeIndex = members[index].awakeIndex;
+    if (awakeIndex == kNone) return;
+    list[awakeIndex] = list.back();
+    members[list[awakeIndex]].awakeIndex = awakeIndex;
+    members[index].awakeIndex = kNone;  // last, because the member may be the moved one itself
     list.pop_back();
 }
 
 }  // namespace
 
 void addAwake(World& world, std::uint32_t body) {
-    world.bodies.info[body].place = static_cast<std::uint32_t>(world.awake.size());
+    world.bodies.info[body].awakeIndex = static_cast<std::uint32_t>(world.awake.size());
     world.awake.push_back(body);
 }
 
@@ -126,10 +127,11 @@ void removeAwakeJoint(World& world, std::uint32_t joint) {
 void addAwakeJoint(World& world, std::uint32_t index) {
     Joint& joint = world.joints.hot[index];
     const auto isOff = [&](std::uint32_t body) { return (world.bodies.info[body].owned & kBodyOff) != 0; };
-    if (joint.place != kNone || joint.kind == JointKind::Filter || isOff(joint.bodyA) || isOff(joint.bodyB))
+    if (joint.awakeIndex != kNone || joint.kind == JointKind::Filter || isOff(joint.bodyA) ||
+        isOff(joint.bodyB))
         return;
     world.work.get().joints.trees.stale = true;
-    joint.place = static_cast<std::uint32_t>(world.joints.awake.size());
+    joint.awakeIndex = static_cast<std::uint32_t>(world.joints.awake.size());
     world.joints.awake.push_back(index);
 }
 
@@ -183,12 +185,12 @@ void sleepIslands(World& world, std::vector<std::uint32_t>& sleepingRoots) {
         BodyInfo& info = world.bodies.info[body];
         const std::uint32_t root = info.kind == BodyKind::Dynamic ? islandOf(world, body) : kNone;
         if (root == kNone || sleepingRoots[root] == kNone) {
-            info.place = static_cast<std::uint32_t>(kept);
+            info.awakeIndex = static_cast<std::uint32_t>(kept);
             awake[kept++] = body;
             continue;
         }
         if (sleepingRoots[root] == kIslandToBe) sleepingRoots[root] = takeIsland(world.sleepers);
-        info.place = kNone;
+        info.awakeIndex = kNone;
         world.fellAsleep.push_back({body, info.generation});
         putInIsland(world, sleepingRoots[root], body);
         forJointsOf(world, body, [&](std::uint32_t j) { removeAwakeJoint(world, j); });

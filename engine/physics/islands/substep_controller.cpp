@@ -207,7 +207,7 @@ void scaleImpulses(World& world, Workspace& work) {
     for (Contact& contact : world.contacts) {
         if ((contact.flags & (kTouching | kTriggered)) != kTouching) continue;
         const Quality before = world.bodies.substepControllers[contact.bodyB].quality;
-        if (world.bodies.info[contact.bodyB].place == kNone || before == kQualityOfWorld) continue;
+        if (world.bodies.info[contact.bodyB].awakeIndex == kNone || before == kQualityOfWorld) continue;
         const int change = before - work.cases[work.roots[contact.bodyB]].controller.quality;
         if (change == 0) continue;
         const float ratio = std::ldexp(1.0f, change);

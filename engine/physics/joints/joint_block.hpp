@@ -10,12 +10,12 @@ namespace plumb::physics {
 // A joint is composed of three constraints: a point of A that coincides with a point of B, a length along a
 // direction, an angle. A "value" (a length or an angle) can be held, driven by a motor, and limited.
 
-/// Soft constraint parameters of a joint ("grip"): impulse -= mass * (take * speed + pull * error) + give *
-/// impulse.
+/// Soft constraint parameters of a joint ("grip"):
+/// impulse -= mass * (speedScale * speed + errorRate * error) + impulseScale * impulse.
 struct Grip {
-    float take = 0.0f;  ///< ratio
-    float pull = 0.0f;  ///< 1/s
-    float give = 1.0f;  ///< ratio
+    float speedScale = 0.0f;    ///< ratio
+    float errorRate = 0.0f;     ///< 1/s
+    float impulseScale = 1.0f;  ///< ratio
 };
 
 inline Grip gripOf(const Softness& soft) {
@@ -24,9 +24,9 @@ inline Grip gripOf(const Softness& soft) {
 
 /// The Grip of eight joints. In the relax pass of a substep only springs use it; other joints are rigid.
 struct GripLanes {
-    float take[kLanes];
-    float pull[kLanes];
-    float give[kLanes];
+    float speedScale[kLanes];
+    float errorRate[kLanes];
+    float impulseScale[kLanes];
     float springs[kLanes];  ///< 1 for a spring, else 0
     float maximum[kLanes];  ///< N s or N m s: maximum impulse per substep
 };
@@ -98,7 +98,7 @@ struct CarryLanes {
 
 /// Eight joints that act along the line through their anchors.
 struct RodBlock {
-    static constexpr bool kSlides = false;
+    static constexpr bool kSlides = false;  ///< false: a rod between two anchors; true: see SliderBlock
 
     JointBodies bodies;
     AnchorLanes anchors;

@@ -39,12 +39,12 @@ float impulseOf(float force, const JointView& view) { return std::min(force * vi
 /// spring is much slower than the substeps.
 Grip springGrip(float hertz, float dampingRatio, float h) {
     // Above half a radian per substep the implicit (soft) spring is used: it is unconditionally stable.
-    const float turn = kTau * hertz * h;
-    if (turn > 0.5f) return gripOf(softness(hertz, dampingRatio, h));
+    const float phase = kTau * hertz * h;
+    if (phase > 0.5f) return gripOf(softness(hertz, dampingRatio, h));
     // Explicit spring: its velocity decays as that of the damped oscillator, and its static sag is exact.
     // Without damping this is symplectic Euler, which conserves energy.
-    const float kept = exponential(-2.0f * dampingRatio * turn);
-    return {1.0f - kept, turn * turn * kept / h, kept};
+    const float kept = exponential(-2.0f * dampingRatio * phase);
+    return {1.0f - kept, phase * phase * kept / h, kept};
 }
 
 /// Sets `grip` to JointTiming::rigid, or to a spring if the joint's hertz is below JointTiming::stiffest.
@@ -183,7 +183,8 @@ JointParts motor(const JointView& view) {
     parts.grip = springGrip(own ? definition.hertz : kDefaultHertz, own ? definition.dampingRatio : 1.0f,
                             view.timing.h);
     if (!own) {  // no spring is defined: the error closes no faster than in other joints
-        const float most = kJointPushing * view.world.settings.pushSpeed * parts.grip.take / parts.grip.pull;
+        const float most =
+            kJointPushing * view.world.settings.pushSpeed * parts.grip.speedScale / parts.grip.errorRate;
         parts.apart *= most / std::max(length(parts.apart), most);
         parts.angle = std::clamp(parts.angle, -most, most);
     }

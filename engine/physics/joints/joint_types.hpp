@@ -61,7 +61,7 @@ struct NBodyJacobian {
     std::uint32_t body = 0;
     float x = 0.0f;  ///< derivative with respect to the body's position
     float y = 0.0f;
-    float turn = 0.0f;  ///< derivative with respect to the body's angle
+    float angle = 0.0f;  ///< derivative with respect to the body's angle
 };
 
 /// Constraint that keeps a sum over up to four bodies at 0: gears and pulleys. They are rare, so they are

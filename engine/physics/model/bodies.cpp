@@ -324,8 +324,8 @@ Result<Done> moveTo(World& world, BodyId body, WorldPosition position, float ang
                                  checkNumber("moveTo dt", dt, 1.0e-6, 1.0e6));
     if (!checked) return checked;
     if (world.bodies.info[body.index].kind != BodyKind::Kinematic) {
-        return wrong("moveTo", "expected a kinematic body, found a static or dynamic one",
-                     "set the velocity of a dynamic body, or the position of a static one");
+        return usageError("moveTo", "expected a kinematic body, found a static or dynamic one",
+                          "set the velocity of a dynamic body, or the position of a static one");
     }
     const BodyPose& pose = world.bodies.pose[body.index];
     const Rot target = rotFromAngle(angle);
@@ -383,8 +383,8 @@ Result<Done> setKind(World& world, BodyId id, BodyKind kind) {
         holds &= canActOn(joint.kind, kindOf(joint.bodyA), kindOf(joint.bodyB));
     });
     if (!holds)
-        return wrong("setKind", "one of the body's joints would have no dynamic body",
-                     "destroy this joint first");
+        return usageError("setKind", "one of the body's joints would have no dynamic body",
+                          "destroy this joint first");
     wakeTouching(world, body);
     forJointsOf(world, body, [&](std::uint32_t j) {
         releaseColour(world, j);

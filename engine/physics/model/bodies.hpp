@@ -61,7 +61,7 @@ using MassData = MassProperties;
     return alive(world, body) && (world.bodies.info[body.index].owned & kBodyOff) == 0;
 }
 [[nodiscard]] inline bool isAwake(const World& world, BodyId body) {
-    return readOf(world, world.bodies.info, body).place != kNone;
+    return readOf(world, world.bodies.info, body).awakeIndex != kNone;
 }
 [[nodiscard]] inline const BodyDrive& driveOf(const World& world, BodyId body) {
     return world.bodies.drives[readOf(world, world.bodies.info, body).drive];

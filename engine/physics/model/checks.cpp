@@ -6,7 +6,9 @@
 
 namespace plumb::physics {
 
-Error wrong(const char* where, const std::string& what, const char* remedy) { return {where, what, remedy}; }
+Error usageError(const char* where, const std::string& what, const char* remedy) {
+    return {where, what, remedy};
+}
 
 namespace {
 
@@ -26,9 +28,9 @@ std::string textOf(double value) {
 
 Result<Done> checkNumber(const char* where, double value, double low, double high) {
     if (value >= low && value <= high) return Done{};
-    return wrong(where,
-                 "expected a number from " + textOf(low) + " to " + textOf(high) + ", found " + textOf(value),
-                 "check the computation of this value");
+    return usageError(
+        where, "expected a number from " + textOf(low) + " to " + textOf(high) + ", found " + textOf(value),
+        "check the computation of this value");
 }
 
 Result<Done> checkVector(const char* where, Vec2 value, float maximum) {
@@ -43,7 +45,8 @@ Result<Done> checkPosition(const char* where, WorldPosition value) {
 
 Result<Done> checkKind(const char* where, BodyKind kind) {
     if (kind != BodyKind::None && kind <= BodyKind::Dynamic) return Done{};
-    return wrong(where, "expected Static, Kinematic or Dynamic, found another kind", "pass one of these");
+    return usageError(where, "expected Static, Kinematic or Dynamic, found another kind",
+                      "pass one of these");
 }
 
 Result<Done> checkQuality(const char* where, int quality) {
@@ -52,12 +55,12 @@ Result<Done> checkQuality(const char* where, int quality) {
 
 Result<Done> checkOutside(const char* where, const World& world) {
     if (!world.work.isInCallback) return Done{};
-    return wrong(where, "called from a callback during a step", "apply the change after the step");
+    return usageError(where, "called from a callback during a step", "apply the change after the step");
 }
 
 Error staleIdError(const char* where, const std::string& what) {
-    return wrong(where, "expected an existing " + what + ", found a null or stale id",
-                 "check alive() first, or reset the id when its object is destroyed");
+    return usageError(where, "expected an existing " + what + ", found a null or stale id",
+                      "check alive() first, or reset the id when its object is destroyed");
 }
 
 void bringIntoRange(Settings& settings) {

@@ -9,7 +9,8 @@ namespace plumb::physics {
 
 // Range checks of the setters. Each returns the Error to report, or Done. `where`: Error::where.
 
-Error wrong(const char* where, const std::string& what, const char* remedy);
+/// Makes the error that a function of the library returns for a wrong argument or a call at a wrong time.
+Error usageError(const char* where, const std::string& what, const char* remedy);
 
 /// Checks that a number is within a range and not NaN.
 Result<Done> checkNumber(const char* where, double value, double low, double high);

@@ -44,7 +44,7 @@ struct alignas(64) Contact {
     float separation1 = 0.0f;
     float impulse1 = 0.0f;
 
-    Rot turn;                     ///< B's rotation relative to A when the points were computed
+    Rot relativeRotation;         ///< B's rotation relative to A when the points were computed
     float rollingImpulse = 0.0f;  ///< N m s
     std::uint16_t ids[2] = {};    ///< indexed by point, see ManifoldPoint::id
 

@@ -11,8 +11,9 @@ namespace {
 
 Result<Done> checkKinds(const FieldDefinition& d) {
     if (d.kind < FieldKind::Count && d.region < RegionKind::Count) return Done{};
-    return wrong("FieldDefinition.kind", "expected a valid FieldKind and RegionKind, found another number",
-                 "use the constants of these enums");
+    return usageError("FieldDefinition.kind",
+                      "expected a valid FieldKind and RegionKind, found another number",
+                      "use the constants of these enums");
 }
 
 Result<Done> checkEnds(const World& world, const FieldDefinition& d) {
@@ -21,8 +22,8 @@ Result<Done> checkEnds(const World& world, const FieldDefinition& d) {
     const auto checked = checkAlive("FieldDefinition.a", world, d.a);
     if (!checked || !d.b) return checked;
     if (d.a == d.b) {
-        return wrong("FieldDefinition.b", "expected a body other than a, found the same one",
-                     "pass two bodies, or omit b to attach a to a fixed point");
+        return usageError("FieldDefinition.b", "expected a body other than a, found the same one",
+                          "pass two bodies, or omit b to attach a to a fixed point");
     }
     return checkAlive("FieldDefinition.b", world, d.b);
 }
@@ -51,7 +52,7 @@ void wakeThoseIn(World& world, const FieldDefinition& definition) {
     if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;  // no body is asleep
     for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
         const BodyInfo& info = world.bodies.info[body];
-        if (info.kind == BodyKind::Dynamic && info.place == kNone && actsOn(world, definition, body)) {
+        if (info.kind == BodyKind::Dynamic && info.awakeIndex == kNone && actsOn(world, definition, body)) {
             wake(world, body);
         }
     }
@@ -89,8 +90,8 @@ void destroyField(World& world, FieldId field) {
 Result<Done> setField(World& world, FieldId field, const FieldDefinition& definition) {
     if (const auto checked = check(world, definition); !checked) return checked;
     if (!alive(world, field) || definitionOf(world, field).kind != definition.kind) {
-        return wrong("setField", "expected an existing field of the same kind",
-                     "destroy the field and create one of the other kind");
+        return usageError("setField", "expected an existing field of the same kind",
+                          "destroy the field and create one of the other kind");
     }
     wakeThoseIn(world, definitionOf(world, field));
     world.fields.all[field.index].definition = definition;

@@ -52,26 +52,26 @@ Result<Done> checkAngles(const JointDefinition& d) {
     if (d.kind != JointKind::Revolute) return Done{};
     const float limit = d.limit.on ? std::max(-d.limit.lower, d.limit.upper) : 0.0f;
     if (std::max(limit, d.spring.on ? std::fabs(d.spring.rest) : 0.0f) <= kPi) return Done{};
-    return wrong("JointDefinition",
-                 "expected limits and a rest angle from -pi to pi, because a hinge measures its "
-                 "angle only within one revolution",
-                 "to stop after several revolutions, integrate angularVelocityOf() and stop the motor");
+    return usageError("JointDefinition",
+                      "expected limits and a rest angle from -pi to pi, because a hinge measures its "
+                      "angle only within one revolution",
+                      "to stop after several revolutions, integrate angularVelocityOf() and stop the motor");
 }
 
 Result<Done> check(const World& world, const JointDefinition& d) {
     if (d.kind >= JointKind::Count)
-        return wrong("JointDefinition.kind", "expected a JointKind, found another number",
-                     "use a constant of this enum");
+        return usageError("JointDefinition.kind", "expected a JointKind, found another number",
+                          "use a constant of this enum");
     const auto living =
         firstOf(checkAlive("JointDefinition.a", world, d.a), checkAlive("JointDefinition.b", world, d.b));
     if (!living) return living;
     if (d.a == d.b) {
-        return wrong("createJoint", "expected two bodies, found the same one twice",
-                     "connect it to another body, such as a static one");
+        return usageError("createJoint", "expected two bodies, found the same one twice",
+                          "connect it to another body, such as a static one");
     }
     if (!canActOn(d.kind, world.bodies.info[d.a.index].kind, world.bodies.info[d.b.index].kind)) {
-        return wrong("createJoint", "expected a dynamic body (for a mouse joint: body b), found none",
-                     "make a body dynamic; for a mouse joint pass the pulled body as b");
+        return usageError("createJoint", "expected a dynamic body (for a mouse joint: body b), found none",
+                          "make a body dynamic; for a mouse joint pass the pulled body as b");
     }
     const auto gears = [&](JointId joint) {
         if (!alive(world, joint)) return false;
@@ -79,13 +79,13 @@ Result<Done> check(const World& world, const JointDefinition& d) {
         return kind == JointKind::Revolute || kind == JointKind::Prismatic;
     };
     if (d.kind == JointKind::Gear && (d.jointA == d.jointB || !(gears(d.jointA) && gears(d.jointB)))) {
-        return wrong("createJoint",
-                     "expected two different existing revolute or prismatic joints for the gear",
-                     "create both first, and pass their ids as jointA and jointB");
+        return usageError("createJoint",
+                          "expected two different existing revolute or prismatic joints for the gear",
+                          "create both first, and pass their ids as jointA and jointB");
     }
     if ((d.kind == JointKind::Gear && d.ratio == 0.0f) || (d.kind == JointKind::Pulley && d.ratio <= 0.0f)) {
-        return wrong("JointDefinition.ratio", "expected a ratio other than 0 (for a pulley: above 0)",
-                     "use 1 for equal displacements of both sides");
+        return usageError("JointDefinition.ratio", "expected a ratio other than 0 (for a pulley: above 0)",
+                          "use 1 for equal displacements of both sides");
     }
     return firstOf(checkNumbers(d), checkAngles(d));
 }
@@ -169,7 +169,7 @@ void releaseColour(World& world, std::uint32_t index) {
 }
 
 void joinIslandsOf(World& world, const Joint& joint) {
-    if (joint.place == kNone) return;  // a filter, or a joint of a disabled body, which is in no island
+    if (joint.awakeIndex == kNone) return;  // a filter, or a joint of a disabled body, which is in no island
     if (isDynamic(world, joint.bodyA) && isDynamic(world, joint.bodyB))
         joinIslands(world, joint.bodyA, joint.bodyB);
 }
@@ -215,8 +215,8 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     const JointDefinition& before = definitionOf(world, id);
     if (definition.kind != before.kind || definition.a != before.a || definition.b != before.b ||
         definition.jointA != before.jointA || definition.jointB != before.jointB) {
-        return wrong("setDefinition", "the kind, the bodies and the joints of a gear cannot be changed",
-                     "destroy the joint and create another");
+        return usageError("setDefinition", "the kind, the bodies and the joints of a gear cannot be changed",
+                          "destroy the joint and create another");
     }
     Joint& joint = world.joints.hot[id.index];
     const bool rearms = flagsOf(definition) != flagsOf(before);
@@ -238,15 +238,15 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
 
 Result<Done> setMotorSpeed(World& world, JointId joint, float speed) {
     if (alive(world, joint) && !jointType(definitionOf(world, joint).kind).hasMotor) {
-        return wrong("setMotorSpeed", "this kind of joint has no motor",
-                     "use a distance, revolute, prismatic, wheel or motor joint");
+        return usageError("setMotorSpeed", "this kind of joint has no motor",
+                          "use a distance, revolute, prismatic, wheel or motor joint");
     }
     return change(world, joint, [&](JointDefinition& definition) { definition.motor.speed = speed; });
 }
 
 Result<Done> setTarget(World& world, JointId joint, WorldPosition target) {
     if (alive(world, joint) && definitionOf(world, joint).kind != JointKind::Mouse)
-        return wrong("setTarget", "expected a mouse joint, found another kind", "pass a mouse joint");
+        return usageError("setTarget", "expected a mouse joint, found another kind", "pass a mouse joint");
     return change(world, joint, [&](JointDefinition& definition) { definition.target = target; });
 }
 

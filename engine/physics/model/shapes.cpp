@@ -18,7 +18,7 @@ namespace {
 
 Result<Done> checkDirection(const ShapeDefinition& definition) {
     if (!definition.oneWay || definition.oneWayDirection != Vec2{}) return Done{};
-    return wrong(
+    return usageError(
         "ShapeDefinition.oneWayDirection", "expected a direction, found (0, 0)",
         "use the outward normal of the solid side, e.g. (0, -1) if y points down and the top is solid");
 }
@@ -36,8 +36,8 @@ Result<Done> check(const ShapeDefinition& definition) {
 /// Checks an outline other than a polygon, whose corners only createPolygon() stores in Shapes::corners.
 Result<Done> check(const Geometry& geometry) {
     if (geometry.kind != ShapeKind::Polygon) return checkGeometry(geometry, {});
-    return wrong("createShape", "expected a circle, capsule, box or segment, found a polygon",
-                 "use createPolygon()");
+    return usageError("createShape", "expected a circle, capsule, box or segment, found a polygon",
+                      "use createPolygon()");
 }
 
 /// Copies the members of a definition that ShapeInfo stores; other members of `info` do not change.
@@ -193,17 +193,17 @@ Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> poi
     if (const auto checked = checkAlive("createChain", world, body); !checked) return checked.error();
     const std::size_t count = points.size(), fewest = closed ? 3 : 4;
     if (count < fewest) {
-        return wrong(
+        return usageError(
             "createChain",
             "expected at least " + std::to_string(fewest) + " points, found " + std::to_string(count),
             "add points; the first and last point of an open chain are ghost vertices");
     }
     const std::size_t segments = closed ? count : count - 3, first = closed ? 0 : 1;
     if (definitions.size() != 1 && definitions.size() != segments) {
-        return wrong("createChain",
-                     "expected 1 definition, or one for each of " + std::to_string(segments) +
-                         " segments, found " + std::to_string(definitions.size()),
-                     "pass one definition for all segments, or a list of this length");
+        return usageError("createChain",
+                          "expected 1 definition, or one for each of " + std::to_string(segments) +
+                              " segments, found " + std::to_string(definitions.size()),
+                          "pass one definition for all segments, or a list of this length");
     }
     for (const ShapeDefinition& definition : definitions) {
         if (const auto checked = check(definition); !checked) return checked.error();
@@ -237,10 +237,10 @@ Result<Done> createShapes(World& world, BodyId body, std::span<const Geometry> g
                           std::span<const ShapeDefinition> definitions) {
     if (const auto checked = checkAlive("createShapes", world, body); !checked) return checked.error();
     if (geometries.size() != definitions.size()) {
-        return wrong("createShapes",
-                     "expected a definition for each of " + std::to_string(geometries.size()) +
-                         " outlines, found " + std::to_string(definitions.size()),
-                     "pass two lists of the same length");
+        return usageError("createShapes",
+                          "expected a definition for each of " + std::to_string(geometries.size()) +
+                              " outlines, found " + std::to_string(definitions.size()),
+                          "pass two lists of the same length");
     }
     for (std::size_t i = 0; i < geometries.size(); ++i) {
         const auto checked = firstOf(check(geometries[i]), check(definitions[i]));
@@ -328,8 +328,8 @@ Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& d
     const ShapeDefinition before = definitionOf(world, shape);
     if (definition == before) return checked;
     if (definition.surface != before.surface)
-        return wrong("ShapeDefinition.surface", "the surface of a shape cannot be changed",
-                     "destroy the shape and create another");
+        return usageError("ShapeDefinition.surface", "the surface of a shape cannot be changed",
+                          "destroy the shape and create another");
     Shapes& shapes = world.shapes;
     ShapeInfo& info = shapes.info[shape.index];
     wakeTouching(world, info.body);

@@ -8,12 +8,12 @@
 namespace plumb::physics {
 
 void putPair(BoxPairs& pairs, int lane, const Geometry& a, const Geometry& b, const Frame& bInA) {
-    const Rot turn = between(a.turn, bInA.rotation * b.turn);
+    const Rot rotation = between(a.rotation, bInA.rotation * b.rotation);
     pairs.halfA.set(lane, a.b);
     pairs.halfB.set(lane, b.b);
-    pairs.place.set(lane, unrotate(a.turn, apply(bInA, b.a) - a.a));
-    pairs.cosine[lane] = turn.cos;
-    pairs.sine[lane] = turn.sin;
+    pairs.place.set(lane, unrotate(a.rotation, apply(bInA, b.a) - a.a));
+    pairs.cosine[lane] = rotation.cos;
+    pairs.sine[lane] = rotation.sin;
     pairs.radiusA[lane] = a.radius;
     pairs.radiusB[lane] = b.radius;
 }
@@ -22,12 +22,12 @@ Manifold manifoldOf(const BoxTouches& touches, int lane, const Geometry& a) {
     Manifold manifold;
     if (!(touches.count[lane] > 0.0f)) return manifold;
     manifold.count = static_cast<int>(touches.count[lane]);
-    manifold.normal = rotate(a.turn, touches.normal.at(lane));
+    manifold.normal = rotate(a.rotation, touches.normal.at(lane));
     manifold.roundA = touches.roundA[lane];
     manifold.roundB = touches.roundB[lane];
     for (int i = 0; i < manifold.count; ++i) {
-        manifold.points[i] = {a.a + rotate(a.turn, touches.point[i].at(lane)), touches.separation[i][lane],
-                              static_cast<std::uint16_t>(touches.id[i][lane])};
+        manifold.points[i] = {a.a + rotate(a.rotation, touches.point[i].at(lane)),
+                              touches.separation[i][lane], static_cast<std::uint16_t>(touches.id[i][lane])};
     }
     return manifold;
 }
@@ -65,8 +65,8 @@ Manifold collideCircles(const Geometry& a, const Geometry& b, const Frame& bInA,
 }
 
 Manifold collideCircleBox(const Geometry& circle, const Geometry& box, const Frame& bInA, float speculative) {
-    const Rot turn = bInA.rotation * box.turn;
-    const Vec2 place = unrotate(turn, circle.a - apply(bInA, box.a));
+    const Rot rotation = bInA.rotation * box.rotation;
+    const Vec2 place = unrotate(rotation, circle.a - apply(bInA, box.a));
     const Vec2 inside = max(-box.b, min(place, box.b));
     const Vec2 out = place - inside;
     const float square = lengthSquared(out);
@@ -77,14 +77,14 @@ Manifold collideCircleBox(const Geometry& circle, const Geometry& box, const Fra
     const float distance = std::sqrt(square);
     if (distance > kNoDistance) {
         const bool atCorner = out.x != 0.0f && out.y != 0.0f;
-        return onePoint(circle, rotate(turn, -out / distance), distance - radii, atCorner ? box.radius : 0.0f,
-                        featureTowards(out));
+        return onePoint(circle, rotate(rotation, -out / distance), distance - radii,
+                        atCorner ? box.radius : 0.0f, featureTowards(out));
     }
     const Vec2 depth{box.b.x - std::fabs(place.x), box.b.y - std::fabs(place.y)};
     const bool byX = depth.x < depth.y;
     const Vec2 face =
         byX ? Vec2{place.x < 0.0f ? -1.0f : 1.0f, 0.0f} : Vec2{0.0f, place.y < 0.0f ? -1.0f : 1.0f};
-    return onePoint(circle, rotate(turn, -face), -(byX ? depth.x : depth.y) - radii, 0.0f,
+    return onePoint(circle, rotate(rotation, -face), -(byX ? depth.x : depth.y) - radii, 0.0f,
                     featureTowards(face));
 }
 

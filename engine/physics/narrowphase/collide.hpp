@@ -73,6 +73,7 @@ struct BoxTouchOf {
     Row roundA, roundB;
 };
 
+// Eight pairs of boxes, one per SIMD lane, and their contacts.
 using BoxPairs = BoxPairOf<float[kLanes], VecLanes>;
 using BoxTouches = BoxTouchOf<float[kLanes], VecLanes>;
 

@@ -136,7 +136,8 @@ Manifold touchFace(const Chain& chain, const Side& other, float gap, float specu
     return touchEdge(edges, chain.side(), other, true, speculative);
 }
 
-/// Returns the maximum separation along the normal of a neighbour at a convex vertex.
+/// Returns the largest separation of `other` from the lines through those neighbouring segments that meet
+/// this one at a convex vertex.
 JointGap widestNeighbourGap(const Chain& chain, const Side& other) {
     JointGap widest;
     for (std::size_t end = 0; end < 2; ++end) {

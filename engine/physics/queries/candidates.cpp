@@ -75,8 +75,9 @@ AABB boundsOf(const World& world, const QueryShape& shape) {
 }
 
 bool isUsable(const World& world, const QueryShape& shape) {
-    const float turn = shape.rotation.cos * shape.rotation.cos + shape.rotation.sin * shape.rotation.sin;
-    return isUsable(shape.position) && turn > 0.999f && turn < 1.001f &&
+    const float squaredLength =
+        shape.rotation.cos * shape.rotation.cos + shape.rotation.sin * shape.rotation.sin;
+    return isUsable(shape.position) && squaredLength > 0.999f && squaredLength < 1.001f &&
            checkGeometry(shape.geometry, cornersOf(world, shape)).ok();
 }
 

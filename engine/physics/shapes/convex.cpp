@@ -6,9 +6,9 @@
 
 namespace plumb::physics {
 
-std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn) {
-    const Vec2 x = rotate(turn, {1.0f, 0.0f});
-    const Vec2 y = rotate(turn, {0.0f, 1.0f});
+std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot rotation) {
+    const Vec2 x = rotate(rotation, {1.0f, 0.0f});
+    const Vec2 y = rotate(rotation, {0.0f, 1.0f});
     const Vec2 along = x * half.x;
     const Vec2 across = y * half.y;
     return {Corner{centre - along - across, -y}, Corner{centre + along - across, x},
@@ -56,7 +56,7 @@ Convex convexOf(const Geometry& geometry, std::span<const Corner> pool) {
             if (!(distance(geometry.a, geometry.b) > kBlur * geometry.radius)) takeDisc();
             break;
         case ShapeKind::Box:
-            convex.own = cornersOfBox(geometry.a, geometry.b, geometry.turn);
+            convex.own = cornersOfBox(geometry.a, geometry.b, geometry.rotation);
             convex.count = 4;
             break;
         case ShapeKind::Polygon:

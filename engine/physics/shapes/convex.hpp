@@ -48,7 +48,7 @@ inline constexpr Vec2 kAnyNormal{1.0f, 0.0f};
 Convex convexOf(const Geometry& geometry, std::span<const Corner> pool);
 
 /// Returns the corners of a box from (-, -) on, in the direction of rotation from x to y like all outlines.
-std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot turn);
+std::array<Corner, 4> cornersOfBox(Vec2 centre, Vec2 half, Rot rotation);
 
 /// Support function: returns the index of the corner farthest along a direction; the first of equal ones.
 int farthest(std::span<const Corner> corners, Vec2 direction);

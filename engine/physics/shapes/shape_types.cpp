@@ -21,9 +21,9 @@ AABB aroundTwoPoints(const Geometry& geometry, Corners, const Frame& frame) {
 }
 
 AABB aroundBox(const Geometry& geometry, Corners, const Frame& frame) {
-    const Rot turn = frame.rotation * geometry.turn;
-    const float c = std::fabs(turn.cos);
-    const float s = std::fabs(turn.sin);
+    const Rot rotation = frame.rotation * geometry.rotation;
+    const float c = std::fabs(rotation.cos);
+    const float s = std::fabs(rotation.sin);
     const Vec2 centre = apply(frame, geometry.a);
     const Vec2 half{c * geometry.b.x + s * geometry.b.y, s * geometry.b.x + c * geometry.b.y};
     return grown({centre - half, centre + half}, geometry.radius);
@@ -166,9 +166,10 @@ Result<Done> checkCapsule(const Geometry& geometry, Corners) {
 
 Result<Done> checkBox(const Geometry& geometry, Corners) {
     if (!isPlace(geometry.a)) return badPlace("box.a", geometry.a);
-    const Rot turn = geometry.turn;
-    if (!(std::fabs(turn.cos * turn.cos + turn.sin * turn.sin - 1.0f) < 1.0e-3f)) {
-        return Error{"box.turn", format("expected a cosine and sine, found ({}, {})", turn.cos, turn.sin),
+    const Rot rotation = geometry.rotation;
+    if (!(std::fabs(rotation.cos * rotation.cos + rotation.sin * rotation.sin - 1.0f) < 1.0e-3f)) {
+        return Error{"box.rotation",
+                     format("expected a cosine and sine, found ({}, {})", rotation.cos, rotation.sin),
                      "use rotFromAngle()"};
     }
     if (auto checked = checkSize("box.radius", geometry.radius, 0.0f); !checked) return checked;

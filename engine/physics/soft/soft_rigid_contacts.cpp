@@ -113,15 +113,15 @@ void measure(const StepContext& step, SoftObstacle& obstacle, float elapsed) {
     const BodyPose& pose = step.world.bodies.pose[obstacle.body];
     const Float4& motion = obstacle.motion;
     Vec2 displacement = elapsed * Vec2{motion.x, motion.y};
-    Rot turn = motion.z == 0.0f ? Rot{} : rotFromAngle(elapsed * motion.z);
+    Rot rotation = motion.z == 0.0f ? Rot{} : rotFromAngle(elapsed * motion.z);
     if (obstacle.isPushed) {
         const Float4& moved = step.work.deltaPosition[static_cast<std::size_t>(obstacle.slot)];
         displacement = {moved.x, moved.y};
-        turn = {1.0f + moved.w, moved.z};
+        rotation = {1.0f + moved.w, moved.z};
     }
     obstacle.pressed = 0.0f;
     obstacle.centre = pose.centre + displacement;
-    obstacle.rotation = normalized(turn * pose.rotation);
+    obstacle.rotation = normalized(rotation * pose.rotation);
 }
 
 /// Returns the inverse effective mass (1/kg) of particle and body along a direction.

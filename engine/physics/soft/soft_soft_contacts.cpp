@@ -170,7 +170,8 @@ struct Meeting {
     }
 };
 
-/// Sets `t` and the normal of a meeting. @return false if the normal is undefined
+/// Sets `meeting.t` to the point of the edge closest to the particle, and `meeting.normal` to the direction
+/// in which the two are separated. @return false if that direction is undefined
 bool aim(const SoftSoftContact& which, Meeting& meeting) {
     const Vec2 edge = meeting.b.place - meeting.a.place;
     const float square = lengthSquared(edge);

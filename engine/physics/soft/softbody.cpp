@@ -95,8 +95,8 @@ Result<SoftBodyId> createRope(World& world, WorldPosition from, WorldPosition to
                 checkPosition("createRope to", to), checkNumber("createRope count", count, 2.0, 10000.0));
     if (!checked) return checked.error();
     if (from.x == to.x && from.y == to.y)
-        return wrong("createRope", "expected two different ends, found equal positions",
-                     "pass different positions");
+        return usageError("createRope", "expected two different ends, found equal positions",
+                          "pass different positions");
     SoftBody body = bodyOf(material);
     const double parts = count - 1;
     for (int i = 0; i < count; ++i) {
@@ -159,8 +159,8 @@ Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<cons
         body.area += 0.5f * cross(outline[i], outline[(i + 1) % outline.size()]);
     }
     if (!(body.area > kSmallest * kSmallest || body.area < -kSmallest * kSmallest)) {
-        return wrong("createJelly", "expected an outline with a nonzero area",
-                     "pass the points in the order of the outline");
+        return usageError("createJelly", "expected an outline with a nonzero area",
+                          "pass the points in the order of the outline");
     }
     for (int i = 0; i < count; ++i) edge(body, i, (i + 1) % count, material.stretchCompliance);
     if (count > 4) {

@@ -13,7 +13,7 @@ enum ContactRow {
     kSurfaceRow = 1,
     kNormalRow = 2,
     kImpulseRow = 3,
-    kTurnRow = 4,
+    kRotationRow = 4,
     kAnchorsRow = 5,
     kRoundRow = 7,
     kContactRows = 8

@@ -53,7 +53,7 @@ void bounceBlock(StepContext& step, Block& block, const BlockLanes& lanes, const
     for (int i = 0; i < lanes.count; ++i) {
         if (bounce.bounciness[i] == 0.0f) continue;
         const bool both = bounce.largest[0][i] > 0.0f && bounce.largest[1][i] > 0.0f;
-        for (int turn = both ? kTwoPointTurns : 1; turn > 0; --turn) {
+        for (int left = both ? kTwoPointTurns : 1; left > 0; --left) {
             for (int p = 0; p < 2; ++p) bouncePoint(step, block, bounce, p, i);
         }
     }
@@ -70,15 +70,15 @@ float spinOf(Workspace& work, const RotatingSide& side, const RollingBlock&, int
 }
 float spinOf(Workspace&, const FixedSide<2>&, const RollingBlock& rolling, int i) { return rolling.spin[i]; }
 
-void turn(Workspace& work, const RotatingSide& side, int i, float impulse) {
+void applyTorque(Workspace& work, const RotatingSide& side, int i, float impulse) {
     work.velocity[static_cast<std::size_t>(side.slot[i])].z += side.inverseInertia[i] * impulse;
 }
-void turn(Workspace&, const FixedSide<2>&, int, float) {}
+void applyTorque(Workspace&, const FixedSide<2>&, int, float) {}
 
 template <class Block>
 void turnApart(Workspace& work, const Block& block, int i, float impulse) {
-    turn(work, block.a, i, -impulse);
-    turn(work, block.b, i, impulse);
+    applyTorque(work, block.a, i, -impulse);
+    applyTorque(work, block.b, i, impulse);
 }
 
 template <class Block>

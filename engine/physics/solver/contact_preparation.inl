@@ -77,9 +77,9 @@ struct Places8 {
 
 inline Places8 placesOf(const ContactSource& source, const Rows8& rows) {
     Places8 places;
-    Float8 first[4], turn[4];
+    Float8 first[4], rotation[4];
     gather(source.contacts + kNormalRow, rows.contact, first);
-    gather(source.contacts + kTurnRow, rows.contact, turn);
+    gather(source.contacts + kRotationRow, rows.contact, rotation);
     gather(source.contacts + kAnchorsRow, rows.contact, places.anchors[0]);
     gather(source.contacts + kAnchorsRow + 1, rows.contact, places.anchors[1]);
     gather(source.contacts + kImpulseRow, rows.contact, places.impulses);
@@ -87,7 +87,7 @@ inline Places8 placesOf(const ContactSource& source, const Rows8& rows) {
     places.normal = {first[0], first[1]};
     const Two8 normalInA{places.rounds[2], places.rounds[3]};
     places.rotationA = {dot8(normalInA, places.normal), cross8(normalInA, places.normal)};
-    places.rotationB = turned(places.rotationA.x, places.rotationA.y, turn[0], turn[1]);
+    places.rotationB = turned(places.rotationA.x, places.rotationA.y, rotation[0], rotation[1]);
     places.friction = first[2];
     places.slideImpulse = first[3];
     return places;

@@ -40,7 +40,7 @@ public:
     }
 
     void stop() {
-        for (int turn = 0; turn < kTwoPointTurns; ++turn) {
+        for (int iteration = 0; iteration < kTwoPointTurns; ++iteration) {
             for (ImpactPoint& point : points()) {
                 push(point, -point.closing);
                 const float maximum = contact_.friction * point.push, before = point.rub;
@@ -51,9 +51,9 @@ public:
     }
 
     void bounce(float bounceSpeed) {
-        for (int turn = 0; turn < kTwoPointTurns; ++turn) {
+        for (int iteration = 0; iteration < kTwoPointTurns; ++iteration) {
             for (ImpactPoint& point : points()) {
-                if (turn == 0) point.stopping = point.push;
+                if (iteration == 0) point.stopping = point.push;
                 const bool bounces = point.closing == 0.0f && point.approach.x < -bounceSpeed;
                 if (point.push > 0.0f)
                     push(point, bounces ? -contact_.bounciness * point.approach.x : -point.closing);

@@ -73,27 +73,27 @@ inline Anchors8 anchorsAt(const AnchorLanes& lanes, const Couple8& couple) {
 // Soft constraint parameters.
 
 struct Grip8 {
-    Float8 take, pull, give;
+    Float8 speedScale, errorRate, impulseScale;
 };
 
-inline Grip8 gripOf(const Grip& grip) { return {all(grip.take), all(grip.pull), all(grip.give)}; }
+inline Grip8 gripOf(const Grip& grip) { return {all(grip.speedScale), all(grip.errorRate), all(grip.impulseScale)}; }
 
 template <bool kPush>
 inline Grip8 gripOf(const GripLanes& lanes) {
-    const Grip8 soft{load(lanes.take), load(lanes.pull), load(lanes.give)};
+    const Grip8 soft{load(lanes.speedScale), load(lanes.errorRate), load(lanes.impulseScale)};
     if constexpr (kPush) return soft;
     const Mask8 springs = load(lanes.springs) > all(0.5f);
-    return {select(springs, soft.take, all(1.0f)), select(springs, soft.pull, all(0.0f)),
-            select(springs, soft.give, all(0.0f))};
+    return {select(springs, soft.speedScale, all(1.0f)), select(springs, soft.errorRate, all(0.0f)),
+            select(springs, soft.impulseScale, all(0.0f))};
 }
 
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
-/// Returns the maximum speed at which joint errors are closed, times grip.take. Springs are not limited.
+/// Returns the maximum speed at which joint errors are closed, times grip.speedScale. Springs are not limited.
 inline Float8 maxPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
-    return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.take * all(pass.pushSpeed));
+    return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.speedScale * all(pass.pushSpeed));
 }
-inline Float8 maxPull(const JointPass& pass, const Grip8& grip) { return grip.take * all(pass.pushSpeed); }
+inline Float8 maxPull(const JointPass& pass, const Grip8& grip) { return grip.speedScale * all(pass.pushSpeed); }
 
 // Point constraint: two rows, solved together.
 
@@ -108,9 +108,9 @@ inline Two8 solvePoint(const Couple8& couple, const Anchors8& at, Two8 wanted) {
     return {inverse * (yy * wanted.x - xy * wanted.y), inverse * (xx * wanted.y - xy * wanted.x)};
 }
 
-/// Returns `grip.pull` times the error, limited to `maximum` (from maxPull()).
+/// Returns `grip.errorRate` times the error, limited to `maximum` (from maxPull()).
 inline Two8 closing(const Grip8& grip, Two8 apart, Float8 maximum) {
-    const Two8 pull = grip.pull * apart;
+    const Two8 pull = grip.errorRate * apart;
     const Float8 square = dot8(pull, pull);
     const Mask8 fast = square > maximum * maximum;
     if (bits(fast) == 0) return pull;
@@ -118,7 +118,7 @@ inline Two8 closing(const Grip8& grip, Two8 apart, Float8 maximum) {
     return select(fast, ratio, all(1.0f)) * pull;
 }
 inline Float8 closing(const Grip8& grip, Float8 apart, Float8 maximum) {
-    return clamp(grip.pull * apart, -maximum, maximum);
+    return clamp(grip.errorRate * apart, -maximum, maximum);
 }
 
 /// Returns the change of the impulse of a soft point constraint.
@@ -126,8 +126,8 @@ inline Float8 closing(const Grip8& grip, Float8 apart, Float8 maximum) {
 inline Two8 answerPoint(const Couple8& couple, const Anchors8& at, const Grip8& grip, Two8 pull,
                         Two8 impulse) {
     const Two8 speed = couple.velocityBetween(at.armA, at.armB);
-    const Two8 wanted = grip.take * speed + pull;
-    return Two8{all(0.0f), all(0.0f)} - (solvePoint(couple, at, wanted) + grip.give * impulse);
+    const Two8 wanted = grip.speedScale * speed + pull;
+    return Two8{all(0.0f), all(0.0f)} - (solvePoint(couple, at, wanted) + grip.impulseScale * impulse);
 }
 
 inline void givePoint(Couple8& couple, const Anchors8& at, Two8 impulse) {
@@ -163,8 +163,8 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
     const Grip8 grip = gripOf<kPush>(rows.grip);
     const Float8 before = load(rows.holdImpulse), maximum = load(rows.grip.maximum);
     const Float8 pull = closing(grip, value - load(rows.rest), maxPull(pass, rows.grip, grip));
-    const Float8 wanted = grip.take * line.speed() + pull;
-    const Float8 after = clamp(before - (mass * wanted + grip.give * before), -maximum, maximum);
+    const Float8 wanted = grip.speedScale * line.speed() + pull;
+    const Float8 after = clamp(before - (mass * wanted + grip.impulseScale * before), -maximum, maximum);
     store(rows.holdImpulse, after);
     line.push(after - before);
 }
@@ -173,7 +173,7 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
 /// limit; beyond the limit it returns at the speed of the limit's error correction.
 template <bool kPush>
 inline Float8 speedTo(const JointPass& pass, Float8 gap) {
-    const float back = kPush ? pass.rigid.pull / pass.rigid.take : 0.0f;
+    const float back = kPush ? pass.rigid.errorRate / pass.rigid.speedScale : 0.0f;
     return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.pushSpeed));
 }
 
@@ -202,9 +202,9 @@ inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 ma
     const Mask8 apart = gap > all(0.0f);
     const Grip grip = kPush ? pass.rigid : kRelaxed;
     const Float8 before = load(total);
-    const Float8 back = max(all(grip.pull) * gap, all(-grip.take * pass.pushSpeed));
-    const Float8 wanted = select(apart, speed + gap * all(pass.substepRate), all(grip.take) * speed + back);
-    const Float8 give = select(apart, all(0.0f), all(grip.give));
+    const Float8 back = max(all(grip.errorRate) * gap, all(-grip.speedScale * pass.pushSpeed));
+    const Float8 wanted = select(apart, speed + gap * all(pass.substepRate), all(grip.speedScale) * speed + back);
+    const Float8 give = select(apart, all(0.0f), all(grip.impulseScale));
     const Float8 after = max(before - (mass * wanted + give * before), all(0.0f));
     store(total, after);
     return after - before;

@@ -183,9 +183,9 @@ void calm(const JointParts& parts, Vec2 force, float h, JointBodies& bodies, int
 }
 
 void setGrip(const Grip& grip, bool springs, float maximum, GripLanes& lanes, int lane) {
-    lanes.take[lane] = grip.take;
-    lanes.pull[lane] = grip.pull;
-    lanes.give[lane] = grip.give;
+    lanes.speedScale[lane] = grip.speedScale;
+    lanes.errorRate[lane] = grip.errorRate;
+    lanes.impulseScale[lane] = grip.impulseScale;
     lanes.springs[lane] = springs ? 1.0f : 0.0f;
     lanes.maximum[lane] = maximum;
 }
@@ -238,8 +238,8 @@ void setLane(const Preparation& all, const Joint& joint, const JointParts& parts
     block.spin[lane] = parts.spin;
     block.maxSpin[lane] = parts.maxSpin;
     block.acrossImpulse[lane] = joint.rows[4] * all.timing.h;
-    const float turn = joint.rows[5] - moment;
-    (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = turn * all.timing.h;
+    const float torque = joint.rows[5] - moment;
+    (parts.holdsAngle ? block.angleImpulse : block.spinImpulse)[lane] = torque * all.timing.h;
 }
 
 template <class Block>

@@ -15,7 +15,7 @@ float speedOf(Workspace& work, const NBodyConstraint& constraint) {
     float speed = 0.0f;
     for (int i = 0; i < constraint.count; ++i) {
         const Float4& v = velocityAt(work, constraint, i);
-        speed += v.x * constraint.ends[i].x + v.y * constraint.ends[i].y + v.z * constraint.ends[i].turn;
+        speed += v.x * constraint.ends[i].x + v.y * constraint.ends[i].y + v.z * constraint.ends[i].angle;
     }
     return speed;
 }
@@ -26,7 +26,7 @@ void push(Workspace& work, const NBodyConstraint& constraint, float impulse) {
         if (v.w == 0.0f) continue;
         v.x += v.w * (impulse * constraint.ends[i].x);
         v.y += v.w * (impulse * constraint.ends[i].y);
-        v.z += constraint.inverseInertia[i] * (impulse * constraint.ends[i].turn);
+        v.z += constraint.inverseInertia[i] * (impulse * constraint.ends[i].angle);
     }
 }
 
@@ -35,7 +35,7 @@ float errorNow(const Workspace& work, const NBodyConstraint& constraint) {
     for (int i = 0; i < constraint.count; ++i) {
         const Float4& deltaPosition = work.deltaPosition[static_cast<std::size_t>(constraint.slots[i])];
         error += deltaPosition.x * constraint.ends[i].x + deltaPosition.y * constraint.ends[i].y +
-                 arcTangent(deltaPosition.z, 1.0f + deltaPosition.w) * constraint.ends[i].turn;
+                 arcTangent(deltaPosition.z, 1.0f + deltaPosition.w) * constraint.ends[i].angle;
     }
     return error;
 }
@@ -59,7 +59,7 @@ void addTie(StepContext& step, std::uint32_t index, std::uint8_t group) {
         constraint.inverseInertia[kept] = mass.inverseInertia;
         constraint.ends[kept++] = end;
         response +=
-            mass.inverseMass * (end.x * end.x + end.y * end.y) + mass.inverseInertia * end.turn * end.turn;
+            mass.inverseMass * (end.x * end.x + end.y * end.y) + mass.inverseInertia * end.angle * end.angle;
     }
     constraint.count = kept;
     if (response == 0.0f) return;
@@ -78,10 +78,10 @@ void solveTies(Workspace& work, const JointPass& pass, const SolveGroup& group, 
             continue;
         }
         const Grip grip = kind == PassKind::Push ? pass.rigid : Grip{1.0f, 0.0f, 0.0f};
-        const float maximum = grip.take * pass.pushSpeed;  // as for other joints
-        const float pull = std::clamp(grip.pull * errorNow(work, constraint), -maximum, maximum);
-        const float wanted = grip.take * speedOf(work, constraint) + pull;
-        const float change = -(constraint.mass * wanted + grip.give * constraint.impulse);
+        const float maximum = grip.speedScale * pass.pushSpeed;  // as for other joints
+        const float pull = std::clamp(grip.errorRate * errorNow(work, constraint), -maximum, maximum);
+        const float wanted = grip.speedScale * speedOf(work, constraint) + pull;
+        const float change = -(constraint.mass * wanted + grip.impulseScale * constraint.impulse);
         constraint.impulse += change;
         push(work, constraint, change);
     }
@@ -96,7 +96,7 @@ void storeTies(StepContext& step) {
         joint.rows[0] = force;
         joint.rows[1] = errorNow(step.work, constraint);
         joint.force = force * Vec2{end.x, end.y};
-        joint.torque = force * end.turn;
+        joint.torque = force * end.angle;
         if ((joint.flags & kBreakable) != 0) {
             step.work.joints.breakables.push_back(
                 {constraint.joint, kJointBlockKinds, 0, 0, length(joint.force), std::fabs(joint.torque)});

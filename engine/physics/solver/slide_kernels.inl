@@ -106,26 +106,26 @@ template <bool kPush>
     const Float8 zero = all(0.0f), rotationA = couple.a.inverseInertia, rotationB = couple.b.inverseInertia;
     const Float8 ww = across.inverseMass();
     const Grip8 soft = gripOf(kPush ? pass.rigid : kRelaxed);
-    Float8 displacement = soft.take * across.speed();
+    Float8 displacement = soft.speedScale * across.speed();
     if constexpr (kPush) displacement += closing(soft, slider.offWay, maxPull(pass, soft));
     const Float8 displacementBefore = load(block.acrossImpulse);
     const auto give = [&](Float8 change) {
         store(block.acrossImpulse, displacementBefore + change);
         couple.push(change * across.axis, change * across.leverA, change * across.leverB);
     };
-    if (!any(held)) return give(-(inverseOrZero(ww) * displacement + soft.give * displacementBefore));
+    if (!any(held)) return give(-(inverseOrZero(ww) * displacement + soft.impulseScale * displacementBefore));
     const Float8 wa = select(held, rotationA * across.leverA + rotationB * across.leverB, zero);
     const Mask8 turns = held & (rotationA + rotationB > zero);
     const Float8 aa = select(turns, rotationA + rotationB, all(1.0f));
-    Float8 turning = soft.take * couple.spin();
+    Float8 turning = soft.speedScale * couple.spin();
     if constexpr (kPush)
         turning += closing(soft, load(block.angle) + turnBetween(couple), maxPull(pass, soft));
     const Float8 angle = select(turns, turning, zero);
     const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
     const Float8 angleBefore = load(block.angleImpulse);
-    const Float8 angleChange = -(inverse * (ww * angle - wa * displacement) + soft.give * angleBefore);
+    const Float8 angleChange = -(inverse * (ww * angle - wa * displacement) + soft.impulseScale * angleBefore);
     store(block.angleImpulse, angleBefore + angleChange);
-    give(-(inverse * (aa * displacement - wa * angle) + soft.give * displacementBefore));
+    give(-(inverse * (aa * displacement - wa * angle) + soft.impulseScale * displacementBefore));
     couple.turn(angleChange);
 }
 

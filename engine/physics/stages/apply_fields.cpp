@@ -186,7 +186,7 @@ void wakeOtherEnds(World& world) {
     const auto rests = [&](BodyId body) { return isDynamic(world, body.index) && !isUp(world, body.index); };
     const auto moves = [&](BodyId body) {
         const BodyInfo& info = world.bodies.info[body.index];
-        return info.place != kNone &&
+        return info.awakeIndex != kNone &&
                (info.kind == BodyKind::Kinematic || world.bodies.motion[body.index].restTime == 0.0f);
     };
     for (const Field& field : world.fields.all) {
@@ -214,8 +214,8 @@ BodyState stateInSolver(const FieldView& view, std::uint32_t body) {
         return {pose.centre + Vec2{state.z, state.w}, pose.rotation, {state.x, state.y}, 0.0f};
     }
     const Float4 &velocity = work.velocity[row], &moved = work.deltaPosition[row];
-    const Rot turn = normalized(Rot{1.0f + moved.w, moved.z} * pose.rotation);
-    return {pose.centre + Vec2{moved.x, moved.y}, turn, {velocity.x, velocity.y}, velocity.z};
+    const Rot rotation = normalized(Rot{1.0f + moved.w, moved.z} * pose.rotation);
+    return {pose.centre + Vec2{moved.x, moved.y}, rotation, {velocity.x, velocity.y}, velocity.z};
 }
 
 /// Calls act(driven) for the driven bodies of a group.

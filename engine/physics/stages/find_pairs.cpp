@@ -41,7 +41,7 @@ void makeContacts(StepContext& step) {
             world.bodies.info[bodyA].firstJoint != kNone && world.bodies.info[bodyB].firstJoint != kNone;
         if (joined && keptApart(world, bodyA, bodyB)) continue;
         if (!needsContact(world, a, b) || !mayMeet(step, a, b)) continue;
-        const auto isAwake = [&](std::uint32_t body) { return world.bodies.info[body].place != kNone; };
+        const auto isAwake = [&](std::uint32_t body) { return world.bodies.info[body].awakeIndex != kNone; };
         // A resting trigger overlaps a sleeping body: wakes it, because only awake contacts are updated.
         if (!isAwake(bodyA) && !isAwake(bodyB)) wake(world, isDynamic(world, bodyA) ? bodyA : bodyB);
         step.work.pairs.add(key);

@@ -53,7 +53,7 @@ float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
 /// reduces it by the ratio of the energies, so that a swaying pile also comes to rest, such as a tall pyramid
 /// in which single boxes are too fast from time to time.
 float restTimeAfter(const BodyMotion& motion, float reach, float restSpeed, float dt) {
-    const float spin = motion.angularVelocity * reach;  // m/s: upper bound, of the farthest point
+    const float spin = motion.angularVelocity * reach;  // m/s: upper bound of the speed of its points
     const float square = std::max(lengthSquared(motion.velocity), spin * spin);
     const float maximum = restSpeed * restSpeed;
     if (square <= maximum) return motion.restTime + dt;
@@ -70,7 +70,8 @@ bool meetsSome(const World& world, std::uint32_t body) {
 /// Like boundsOf(), with a fast path for axis-aligned boxes.
 AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) {
     const Geometry& outline = shapes.geometry[shape];
-    const bool upright = outline.kind == ShapeKind::Box && frame.rotation == Rot{} && outline.turn == Rot{};
+    const bool upright =
+        outline.kind == ShapeKind::Box && frame.rotation == Rot{} && outline.rotation == Rot{};
     if (!upright || outline.radius != 0.0f) return boundsOf(outline, shapes.corners, frame);
     const Vec2 centre = frame.position + outline.a;
     return {centre - outline.b, centre + outline.b};

@@ -153,10 +153,11 @@ void integrate(const StepContext& step, const SolveGroup& group, std::span<FreeB
 /// Replaces the solver's result for a flyer, which does not include fields, by the integrated state.
 void land(const World& world, Workspace& work, const FreeBody& flyer) {
     const Vec2 displacement = flyer.now.centre - world.bodies.pose[flyer.body].centre;
-    const SinCos turn = sinCos(flyer.turned);
+    const SinCos rotation = sinCos(flyer.turned);
     // cosine - 1, without cancellation near 0.
-    const float versine = turn.cos > 0.0f ? -turn.sin * turn.sin / (1.0f + turn.cos) : turn.cos - 1.0f;
-    work.deltaPosition[flyer.slot] = {displacement.x, displacement.y, turn.sin, versine};
+    const float versine =
+        rotation.cos > 0.0f ? -rotation.sin * rotation.sin / (1.0f + rotation.cos) : rotation.cos - 1.0f;
+    work.deltaPosition[flyer.slot] = {displacement.x, displacement.y, rotation.sin, versine};
     Float4& velocity = work.velocity[flyer.slot];
     velocity.x = flyer.now.velocity.x;
     velocity.y = flyer.now.velocity.y;

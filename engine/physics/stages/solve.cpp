@@ -83,14 +83,14 @@ void lock(Solver<Bodies>& solver) {
 template <PassKind kKind, class Bodies>
 void iterate(Solver<Bodies>& solver, int substep) {
     constexpr bool kRelaxes = kKind == PassKind::Relax;
-    for (int turn = 0; turn < solver.iterations; ++turn) {
-        solver.joints.first = turn == 0;
+    for (int iteration = 0; iteration < solver.iterations; ++iteration) {
+        solver.joints.first = iteration == 0;
         if constexpr (Bodies::kRotate) {
             forSoft(solver, [&](const SoftGroup& soft) {
                 solveSoft(solver.step, soft, solver.contacts.two.pass, kRelaxes);
             });
         }
-        if (solver.hasTrees) solveTrees(solver.step, solver.group, kKind, solver.h, substep, turn > 0);
+        if (solver.hasTrees) solveTrees(solver.step, solver.group, kKind, solver.h, substep, iteration > 0);
         forConstraints(solver, kKind);
         if constexpr (Bodies::kRotate && kRelaxes) relaxRolling(solver.step, solver.group);
         lock(solver);
@@ -109,7 +109,7 @@ void solveGroup(Solver<Bodies>& solver) {
     // Kinematic bodies may rotate even if no dynamic body can.
     if constexpr (Bodies::kRotate) {
         if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
-            move = solverKernels().moveUnturned;
+            move = solverKernels().moveWithoutRotation;
     }
     const bool isDriven = !solver.step.work.smooth.driven.empty();
     for (int i = 0; i < solver.group.substeps; ++i) {

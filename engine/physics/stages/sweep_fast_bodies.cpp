@@ -55,7 +55,7 @@ void carryAlong(StepContext& step, std::uint32_t body, std::uint32_t by, const P
     const std::uint32_t place = step.work.bodyScratch[body];
     const float left = (1.0f - hit.part) * step.dt;
     if (place == kNone || !isDynamic(step.world, body) || isDynamic(step.world, by) || left <= 0.0f) return;
-    const Sweep path = pathOfMet(step, by);
+    const Sweep path = currentPathOf(step, by);
     const BodyPose from = path.at(hit.part), to = path.at(1.0f);
     SweptBody& swept = step.work.swept[place];
     BodyPose pose = swept.sweep.at(1.0f);
@@ -83,7 +83,7 @@ float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, f
 ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& sweep, float part, float left) {
     const World& world = step.world;
     if (!isDynamic(world, body))
-        return {sweep.at(part), {(1.0f / step.dt) * sweep.displacement, sweep.turn / step.dt}, {}};
+        return {sweep.at(part), {(1.0f / step.dt) * sweep.displacement, sweep.angle / step.dt}, {}};
     ImpactBody found{sweep.at(part), world.bodies.motion[body], world.bodies.mass[body]};
     found.motion.velocity -= left * step.work.swept[step.work.bodyScratch[body]].pull;
     return found;
@@ -108,53 +108,53 @@ void sendOn(StepContext& step, std::uint32_t body, const ImpactBody& after, floa
 }
 
 /// Returns the contact of a hit, at the poses of the hit.
-Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std::uint32_t met) {
+Contact contactOf(StepContext& step, const PathHit& hit, std::uint32_t own, std::uint32_t other) {
     World& world = step.world;
-    Contact contact = makeContact(world, hit.shape, hit.met);
+    Contact contact = makeContact(world, hit.shape, hit.other);
     std::vector<BodyPose>& poses = world.bodies.pose;
-    const BodyPose kept[] = {poses[own], poses[met]};
-    poses[own] = pathOfMet(step, own).at(hit.part);
-    poses[met] = pathOfMet(step, met).at(hit.part);
+    const BodyPose kept[] = {poses[own], poses[other]};
+    poses[own] = currentPathOf(step, own).at(hit.part);
+    poses[other] = currentPathOf(step, other).at(hit.part);
     findTouch(world, contact, world.bodies.info[own].reach);
     touchUnion(step, contact);
     poses[own] = kept[0];
-    poses[met] = kept[1];
+    poses[other] = kept[1];
     askForMaterial(step, contact);
     if (hit.isPressed) contact.bounciness = 0.0f;
     return contact;
 }
 
 /// Handles the next hit on the path of a body.
-void hitNext(StepContext& step, std::uint32_t own, std::uint32_t met, const PathHit& hit) {
+void hitNext(StepContext& step, std::uint32_t own, std::uint32_t other, const PathHit& hit) {
     Workspace& work = step.work;
-    Contact contact = contactOf(step, hit, own, met);
+    Contact contact = contactOf(step, hit, own, other);
     if (hitsOf(work, own) < kMaxImpacts &&
-        !(mayMeet(step, hit.shape, hit.met) && mayPush(step, contact))) {  // a callback lets them pass
+        !(mayMeet(step, hit.shape, hit.other) && mayPush(step, contact))) {  // a callback lets them pass
         SweptBody& swept = work.swept[work.bodyScratch[own]];
-        swept.passed = hit.met;
+        swept.passed = hit.other;
         swept.sweep.begin = hit.part;
         ++swept.hits;
         return;
     }
-    if (contact.count == 0 || needsSolver(step, own) || needsSolver(step, met)) {
+    if (contact.count == 0 || needsSolver(step, own) || needsSolver(step, other)) {
         stop(step, own, hit);
-        stop(step, met, hit);
-        if (contact.count > 0) carryAlong(step, own, met, hit, contact.normal);
+        stop(step, other, hit);
+        if (contact.count > 0) carryAlong(step, own, other, hit, contact.normal);
         return;
     }
-    const bool fixed = !isDynamic(step.world, met);
-    if (work.bodyScratch[met] == kNone && !fixed) {
-        work.bodyScratch[met] = static_cast<std::uint32_t>(work.swept.size());
-        work.swept.push_back(sweptBodyOf(step, met));
+    const bool fixed = !isDynamic(step.world, other);
+    if (work.bodyScratch[other] == kNone && !fixed) {
+        work.bodyScratch[other] = static_cast<std::uint32_t>(work.swept.size());
+        work.swept.push_back(sweptBodyOf(step, other));
         work.sweptProxies.bounds.push_back(pathBounds(step, work.swept.back()));
-        work.sweptProxies.filters.push_back({.layers = layerOf(step.world, met)});
+        work.sweptProxies.filters.push_back({.layers = layerOf(step.world, other)});
         work.sweptProxies.motions.push_back(ProxyMotion::Awake);
     }
     const SweptBody& swept = work.swept[work.bodyScratch[own]];
     float left = (1.0f - hit.part) * step.dt;
     if (fixed) left = timeLeft(swept, step.world.bodies.motion[own].velocity, contact.normal, left, step.dt);
-    ImpactBody a = bodyAt(step, contact.bodyA, pathOfMet(step, contact.bodyA), hit.part, left);
-    ImpactBody b = bodyAt(step, contact.bodyB, pathOfMet(step, contact.bodyB), hit.part, left);
+    ImpactBody a = bodyAt(step, contact.bodyA, currentPathOf(step, contact.bodyA), hit.part, left);
+    ImpactBody b = bodyAt(step, contact.bodyB, currentPathOf(step, contact.bodyB), hit.part, left);
     noteApproach(step.world, work, contact, a.motion, b.motion);
     exchangeImpulses(contact, a, b, left, step.world.settings);
     const Vec2 out = fixed ? contact.normal : Vec2{};  // A is the static or kinematic body
@@ -174,7 +174,7 @@ void lookAgain(StepContext& step, std::uint32_t place) {
 }
 
 void note(Workspace& work, std::uint32_t place) {
-    if (work.swept[place].next.met == kNone) return;
+    if (work.swept[place].next.other == kNone) return;
     work.dueHits.emplace_back(work.swept[place].next.part, place);
     std::push_heap(work.dueHits.begin(), work.dueHits.end(), std::greater{});
 }
@@ -191,13 +191,13 @@ void goThroughHits(StepContext& step) {
         work.dueHits.pop_back();
         const PathHit hit = work.swept[place].next;
         if (hit.part != part) continue;  // superseded by another hit
-        const std::uint32_t own = work.swept[place].body, met = step.world.shapes.info[hit.met].body;
-        const bool isCurrent = hit.metHits == hitsOf(work, met);
-        if (isCurrent) hitNext(step, own, met, hit);
+        const std::uint32_t own = work.swept[place].body, other = step.world.shapes.info[hit.other].body;
+        const bool isCurrent = hit.otherHits == hitsOf(work, other);
+        if (isCurrent) hitNext(step, own, other, hit);
         lookAgain(step, place);
-        if (const std::uint32_t other = work.bodyScratch[met]; isCurrent && other != kNone) {
-            lookAgain(step, other);
-            note(work, other);
+        if (const std::uint32_t index = work.bodyScratch[other]; isCurrent && index != kNone) {
+            lookAgain(step, index);
+            note(work, index);
         }
         note(work, place);
     }
@@ -293,7 +293,7 @@ void addPassedBodies(StepContext& step) {
         if (isDynamic(world, body)) continue;
         const Sweep path = pathOf(step, body);
         const BodyInfo& info = world.bodies.info[body];
-        if (!isFast(path.displacement, path.turn, info)) continue;
+        if (!isFast(path.displacement, path.angle, info)) continue;
         work.candidates.clear();
         work.broadPhase->cast(toVec2(path.start), path.displacement, {info.reach, info.reach}, 0xffffffffu,
                               work.candidates, Among::All);
@@ -334,7 +334,7 @@ void sweepFastBodies(StepContext& step) {
     const auto moving = std::count_if(work.fastBodies.begin(), work.fastBodies.end(),
                                       [&](std::uint32_t body) { return !isDynamic(world, body); });
     work.kinematicsAtRest = static_cast<std::uint32_t>(moving) <
-                            world.manifest.callers[static_cast<std::size_t>(Effect::Kinematics)];
+                            world.manifest.requesters[static_cast<std::size_t>(Effect::Kinematics)];
     const bool hasBullets = some([&](std::uint32_t body) { return layerOf(world, body) == kBulletLayer; });
     if (moving > 0 || hasBullets) updateBroadPhase(world, work);
     fillSwept(step, moving > 0, hasBullets);

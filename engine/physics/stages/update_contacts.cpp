@@ -29,7 +29,7 @@ void lookAt(StepContext& step, std::size_t first, std::size_t count, bool asked,
         Contact& contact = contacts[i];
         if (strips.areUsed && contact.bodyB < strips.ofBody.size())
             strips.ofContact[first + i] = strips.ofBody[contact.bodyB];
-        if (asked && (!meet(world.shapes.filter[contact.shapeA], world.shapes.filter[contact.shapeB]) ||
+        if (asked && (!mayCollide(world.shapes.filter[contact.shapeA], world.shapes.filter[contact.shapeB]) ||
                       keptApart(world, contact.bodyA, contact.bodyB)))
             contact.flags |= kGone;
         if ((contact.flags & (kFixedA | kTriggered | kPassing | kGone)) == kFixedA)
@@ -150,7 +150,7 @@ void beginContact(World& world, Workspace& work, std::size_t index) {
     if ((begun.flags & kTriggered) == 0) {
         begun.colour = takeColour(work, bodyA, bodyB);
         for (const std::uint32_t body : {bodyA, bodyB})  // may reallocate World::contacts
-            if (body != kNone && world.bodies.info[body].place == kNone) wake(world, body);
+            if (body != kNone && world.bodies.info[body].awakeIndex == kNone) wake(world, body);
     }
     if (bodyA != kNone) joinIslands(world, bodyA, bodyB);
 }

@@ -9,7 +9,8 @@ namespace {
 
 /// True if a joint can be solved directly: no limit, motor, spring, softness or locked axis of its bodies.
 bool canBeInTree(const World& world, const Joint& joint) {
-    if (joint.place == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0) return false;
+    if (joint.awakeIndex == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0)
+        return false;
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
         if (isDynamic(world, body) && (world.bodies.info[body].flags & (kLockX | kLockY)) != 0) return false;
     }
@@ -60,7 +61,7 @@ private:
         forJointsOf(world_, from.body, [&](std::uint32_t index) {
             const Joint& joint = world_.joints.hot[index];
             const std::uint32_t other = joint.bodyA == from.body ? joint.bodyB : joint.bodyA;
-            if (index == from.joint || joint.place == kNone)
+            if (index == from.joint || joint.awakeIndex == kNone)
                 return;  // a filter, or a joint of a disabled body
             const bool can = canBeInTree(world_, joint);
             if (can && !isDynamic(world_, other)) {

@@ -32,10 +32,10 @@ Triple tripleOf(const Float4& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-TreePose parentPose(const Link& link, const TreeBody* parent, double elapsed) {
-    if (parent != nullptr) return parent->pose;
+PoseChange parentPoseChange(const Link& link, const TreeBody* parent, double elapsed) {
+    if (parent != nullptr) return parent->poseChange;
     const Triple& v = link.groundVelocity;
-    const TreePose moved{v.x * elapsed, v.y * elapsed, 0.0, 0.0};
+    const PoseChange moved{v.x * elapsed, v.y * elapsed, 0.0, 0.0};
     return v.turn == 0.0 ? moved : turnedBy(moved, v.turn * elapsed);
 }
 
@@ -66,7 +66,7 @@ void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
 void setLink(const Trees& trees, Link& link) {
     TreeBody* const parent = trees.parentOf(link);
     TreeBody& treeBody = trees.treeBodyOf(link);
-    link.gap = setRows(link, treeBody.pose, parentPose(link, parent, trees.elapsed));
+    link.gap = setRows(link, treeBody.poseChange, parentPoseChange(link, parent, trees.elapsed));
     if (trees.elapsed == 0.0) soften(treeBody, link, parent);
     // Only joints that fix a point have these arms.
     if (link.kind != JointKind::Revolute && link.kind != JointKind::Weld) return;
@@ -78,8 +78,8 @@ void setLink(const Trees& trees, Link& link) {
 void takeMotion(const Trees& trees, TreeBody& treeBody) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
     const Float4& deltaPosition = trees.work.deltaPosition[slot];
-    treeBody.pose = {static_cast<double>(deltaPosition.x), static_cast<double>(deltaPosition.y),
-                     static_cast<double>(deltaPosition.z), static_cast<double>(deltaPosition.w)};
+    treeBody.poseChange = {static_cast<double>(deltaPosition.x), static_cast<double>(deltaPosition.y),
+                           static_cast<double>(deltaPosition.z), static_cast<double>(deltaPosition.w)};
     treeBody.velocity = tripleOf(trees.work.velocity[slot]);
     treeBody.impulse = {};
 }
@@ -113,15 +113,15 @@ void setTree(const Trees& trees, const JointTree& tree) {
 void lookAhead(const Trees& trees, TreeBody& treeBody) {
     const Float4& ballisticDrift = trees.work.ballisticDrift[static_cast<std::size_t>(treeBody.slot)];
     const auto time = static_cast<double>(ballisticDrift.z);
-    treeBody.pose = turnedBy(treeBody.pose, treeBody.velocity.turn * trees.h);
-    treeBody.pose.x += treeBody.velocity.x * time + static_cast<double>(ballisticDrift.x);
-    treeBody.pose.y += treeBody.velocity.y * time + static_cast<double>(ballisticDrift.y);
+    treeBody.poseChange = turnedBy(treeBody.poseChange, treeBody.velocity.turn * trees.h);
+    treeBody.poseChange.x += treeBody.velocity.x * time + static_cast<double>(ballisticDrift.x);
+    treeBody.poseChange.y += treeBody.velocity.y * time + static_cast<double>(ballisticDrift.y);
 }
 
 /// Computes the velocities to remove so that the gaps are closed at the predicted poses.
 void aimAtGaps(const Trees& trees, Link& link) {
-    const TreePose parent = parentPose(link, trees.parentOf(link), trees.elapsed + trees.h);
-    const Triple ahead = gapsOf(link, trees.treeBodyOf(link).pose, parent);
+    const PoseChange parent = parentPoseChange(link, trees.parentOf(link), trees.elapsed + trees.h);
+    const Triple ahead = gapsOf(link, trees.treeBodyOf(link).poseChange, parent);
     const auto reach = static_cast<double>(link.reach);
     const auto aim = [&](double gap, double then) {
         const double size = std::fabs(gap);

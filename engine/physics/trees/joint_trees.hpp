@@ -61,12 +61,12 @@ inline Symmetric inverseUnturned(const Symmetric& m) {
 // Data of the direct solver for trees of joints, see joint_tree_solver.hpp. A link is a joint between a tree
 // body and its parent; a hold is a further joint of a tree body to a static or kinematic body: a loop.
 
-/// Motion of a body since the start of the step: m, m, sine and (cosine - 1) of its rotation.
-struct TreePose {
-    double x = 0.0;
-    double y = 0.0;
-    double sine = 0.0;
-    double versine = 0.0;
+/// Displacement and rotation of a body since the start of the step.
+struct PoseChange {
+    double x = 0.0;        ///< m
+    double y = 0.0;        ///< m
+    double sine = 0.0;     ///< sine of the rotation
+    double versine = 0.0;  ///< cosine of the rotation, minus 1
 };
 
 struct TreeBody {
@@ -76,7 +76,7 @@ struct TreeBody {
     double mass = 0.0;          ///< kg
     double inertia = 0.0;       ///< kg m2; 0 if it cannot rotate
     double straining = 0.0;     ///< N m/rad: rotational stiffness due to the tension of its joints
-    TreePose pose;
+    PoseChange poseChange;      ///< since the start of the step
     Triple velocity;
     Symmetric own;   ///< effective mass matrix of body and subtree; after factoring, the inverse
     Triple impulse;  ///< impulse of its subtree on it; later the change of its velocity
@@ -182,11 +182,11 @@ void forLinks(JointTrees& trees, const JointTree& tree, Act&& act) {
 }
 
 /// Returns a pose, rotated further by an angle (rad).
-TreePose turnedBy(const TreePose& pose, double angle);
+PoseChange turnedBy(const PoseChange& pose, double angle);
 
 /// Computes the arms or rows of a link at two poses.
 /// @return the gaps of its rows, m or rad
-Triple setRows(Link& link, const TreePose& treeBody, const TreePose& parent);
-Triple gapsOf(const Link& link, const TreePose& treeBody, const TreePose& parent);
+Triple setRows(Link& link, const PoseChange& treeBody, const PoseChange& parent);
+Triple gapsOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent);
 
 }  // namespace plumb::physics

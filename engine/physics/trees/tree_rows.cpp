@@ -8,7 +8,7 @@ namespace plumb::physics {
 namespace {
 
 /// Returns the change of a direction or arm by a rotation.
-Double2 changeOf(Vec2 arm, const TreePose& pose) {
+Double2 changeOf(Vec2 arm, const PoseChange& pose) {
     const auto [x, y] = wide(arm);
     return {pose.versine * x - pose.sine * y, pose.sine * x + pose.versine * y};
 }
@@ -19,7 +19,7 @@ struct Anchors {
     Double2 apart;
 };
 
-Anchors anchorsAt(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+Anchors anchorsAt(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     const Double2 changeOfLimb = changeOf(link.treeBodyArm, treeBody);
     const Double2 changeOfParent = changeOf(link.parentArm, parent);
     const Double2 moved{treeBody.x - parent.x, treeBody.y - parent.y};
@@ -28,12 +28,12 @@ Anchors anchorsAt(const Link& link, const TreePose& treeBody, const TreePose& pa
 }
 
 /// Returns the direction across the axis of a slider, which rotates with body A.
-Double2 acrossOf(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+Double2 acrossOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     const Double2 axis = wide(link.axis) + changeOf(link.axis, link.treeBodyIsB ? parent : treeBody);
     return {-axis.y, axis.x};
 }
 
-double angleAt(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+double angleAt(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     const double sine =
         (treeBody.sine - parent.sine) + (treeBody.sine * parent.versine - parent.sine * treeBody.versine);
     const double cosine = 1.0 + ((treeBody.versine + parent.versine) +
@@ -79,7 +79,7 @@ void setSlider(Link& link, const Anchors& at, Double2 across) {
     setAngle(link, 1);
 }
 
-Triple gapsAt(const Link& link, const Anchors& at, const TreePose& treeBody, const TreePose& parent) {
+Triple gapsAt(const Link& link, const Anchors& at, const PoseChange& treeBody, const PoseChange& parent) {
     switch (link.kind) {
         case JointKind::Weld: return {at.apart.x, at.apart.y, angleAt(link, treeBody, parent)};
         case JointKind::Revolute: return {at.apart.x, at.apart.y, 0.0};
@@ -93,22 +93,22 @@ Triple gapsAt(const Link& link, const Anchors& at, const TreePose& treeBody, con
 
 }  // namespace
 
-TreePose turnedBy(const TreePose& pose, double angle) {
+PoseChange turnedBy(const PoseChange& pose, double angle) {
     double sine = 0.0, versine = 0.0;
     if (std::fabs(angle) <= 0.5) {  // series, accurate to 1e-9
         const double square = angle * angle;
         sine = angle * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square * (1.0 / 5040.0))));
         versine = -square * (0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0 - square * (1.0 / 40320.0))));
     } else {
-        const SinCos turn = sinCos(static_cast<float>(angle));
-        sine = static_cast<double>(turn.sin);
-        versine = static_cast<double>(turn.cos) - 1.0;
+        const SinCos rotation = sinCos(static_cast<float>(angle));
+        sine = static_cast<double>(rotation.sin);
+        versine = static_cast<double>(rotation.cos) - 1.0;
     }
     return {pose.x, pose.y, pose.sine + (pose.sine * versine + sine + pose.versine * sine),
             pose.versine + (versine + pose.versine * versine - pose.sine * sine)};
 }
 
-Triple setRows(Link& link, const TreePose& treeBody, const TreePose& parent) {
+Triple setRows(Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     const Anchors at = anchorsAt(link, treeBody, parent);
     switch (link.kind) {
         case JointKind::Weld: setAngle(link, 2); [[fallthrough]];
@@ -120,7 +120,7 @@ Triple setRows(Link& link, const TreePose& treeBody, const TreePose& parent) {
     return gapsAt(link, at, treeBody, parent);
 }
 
-Triple gapsOf(const Link& link, const TreePose& treeBody, const TreePose& parent) {
+Triple gapsOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     return gapsAt(link, anchorsAt(link, treeBody, parent), treeBody, parent);
 }
 

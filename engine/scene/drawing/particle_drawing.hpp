@@ -45,8 +45,9 @@ private:
 
     const Table& tableOf(const ParticleEmitter& emitter, Color tint);
 
-    std::vector<Table> tables_;   // one per stream in drawing order, which rarely changes between frames
-    std::size_t usedTables_ = 0;  // number of tables used in this frame
+    // Kept over frames: the n-th stream drawn in a frame reuses the n-th table if its emitter looks the same.
+    std::vector<Table> tables_;
+    std::size_t usedTables_ = 0;  // number of streams drawn so far in this frame
 };
 
 }  // namespace plumb

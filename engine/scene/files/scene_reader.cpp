@@ -288,7 +288,7 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
             kept(id).fields.push_back({"", key, overrides, Json()});
             continue;
         }
-        if (!readRemoved(overrides, entity, partId, format("{}.{}.removed", where, key))) continue;
+        if (!keepsPart(overrides, entity, partId, format("{}.{}.removed", where, key))) continue;
         readKeys(
             [&said = overrides] {
                 Json copy = said;
@@ -301,8 +301,8 @@ void SceneReader::readChildren(const Json& value, EntityId root, std::uint64_t i
     }
 }
 
-bool SceneReader::readRemoved(const Json& overrides, EntityId entity, std::uint64_t id,
-                              const std::string& where) {
+bool SceneReader::keepsPart(const Json& overrides, EntityId entity, std::uint64_t id,
+                            const std::string& where) {
     const Json* removed = findMember(overrides, "removed");
     if (removed == nullptr) return true;
     if (*removed == true) {

@@ -78,8 +78,9 @@ private:
     void readName(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readWithout(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readChildren(const Json& value, EntityId root, std::uint64_t id, const std::string& where);
-    /// @return false if the instance removes this part of its prefab
-    bool readRemoved(const Json& overrides, EntityId entity, std::uint64_t id, const std::string& where);
+    /// Reads the key "removed" of a part's overrides and destroys the part's entity if it is true.
+    /// @return false if it was destroyed
+    bool keepsPart(const Json& overrides, EntityId entity, std::uint64_t id, const std::string& where);
     void readComponents(const Json& value, EntityId entity, std::uint64_t id, const std::string& where);
     void readComponent(const TypeInfo& type, const Json& json, EntityId entity, std::uint64_t id,
                        const std::string& where, bool mayWait);

@@ -63,7 +63,7 @@ struct TileTerrain {
     physics::TerrainBody body;
     std::uint64_t made = 0;     ///< hash of everything except the cells that it was created from
     std::uint32_t version = 0;  ///< version of the grid at the last synchronization
-    std::uint64_t seen = 0;     ///< PhysicsState::syncs of the last visit
+    std::uint64_t seen = 0;     ///< value of PhysicsState::syncs when its entity was last found
 };
 
 /// Connects a joint component with its joint.

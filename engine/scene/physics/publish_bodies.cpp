@@ -86,7 +86,7 @@ void publishBodies(World& world, PhysicsState& state) {
     };
     for (const std::uint32_t index : state.world.awake) publish(index, false);
     for (const std::uint32_t index : state.stepped) {
-        if (state.world.bodies.info[index].place == physics::kNone) publish(index, true);
+        if (state.world.bodies.info[index].awakeIndex == physics::kNone) publish(index, true);
     }
 }
 

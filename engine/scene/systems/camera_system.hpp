@@ -7,7 +7,8 @@
 namespace plumb {
 
 /// Size of the game image, for code that depends on the
-/// visible area. A world resource, set when a game starts.
+/// visible area. A world resource, set when a game starts. The type's
+/// name is part of the hash of a world: renaming it would invalidate the hashes in replay files.
 struct PictureSize {
     Vec2 size{1280.0f, 720.0f};  ///< px
 

@@ -74,7 +74,7 @@ constexpr auto kRelations = std::to_array<Relation>({
     {"sleep", "the result does not depend on whether bodies may sleep", kSameShare, Rule::SameOutcome,
      withoutSleep},
     {"direct-joints", "the direct solver for joints is never worse than the iterative one",
-     "members that reach their goal only with the iterative solver, by no more than chance", Rule::NeverWorse,
+     "members that reach their goal only with the iterative solver, by no more than chance", Rule::NotFewer,
      asDefault, withoutTrees},
     {"all-effects", "an effect that nothing requires changes nothing", "the same bits", Rule::SameBits,
      withAllEffects},
@@ -84,14 +84,14 @@ constexpr auto kRelations = std::to_array<Relation>({
     {"restore", "replacing the world by a copy in every 7th step changes nothing", "the same bits",
      Rule::SameBits, restored},
     {"later", "starting 1 to 17 steps later changes nothing", "the same bits", Rule::SameBits, later},
-    {"quality-2-over-1", "quality 2 is never worse than 1", "by no more than chance", Rule::NeverWorse,
+    {"quality-2-over-1", "quality 2 is never worse than 1", "by no more than chance", Rule::NotFewer,
      asDefault, atQuality1},
-    {"quality-3-over-2", "quality 3 is never worse than 2", "by no more than chance", Rule::NeverWorse,
+    {"quality-3-over-2", "quality 3 is never worse than 2", "by no more than chance", Rule::NotFewer,
      atQuality3, asDefault},
-    {"quality-4-over-3", "quality 4 is never worse than 3", "by no more than chance", Rule::NeverWorse,
+    {"quality-4-over-3", "quality 4 is never worse than 3", "by no more than chance", Rule::NotFewer,
      atQuality4, atQuality3},
-    {"automatic-over-2", "automatic quality is never worse than 2", "by no more than chance",
-     Rule::NeverWorse, atAutomaticQuality, asDefault},
+    {"automatic-over-2", "automatic quality is never worse than 2", "by no more than chance", Rule::NotFewer,
+     atAutomaticQuality, asDefault},
     {"order", "the result does not depend on the order in which bodies and joints are created", kSameShare,
      Rule::SameOutcome, inOtherOrder},
     {"mirror", "the mirrored scene gives the mirrored result", kSameShare, Rule::SameOutcome, mirrored},
@@ -138,7 +138,7 @@ bool Verdict::holds() const {
         case Rule::Bound: return differing == 0;
         case Rule::SameOutcome:
             return differing == 0 && !exceedsChance(worse, better) && !exceedsChance(better, worse);
-        case Rule::NeverWorse: return !exceedsChance(worse, better);
+        case Rule::NotFewer: return !exceedsChance(worse, better);
     }
     return false;
 }

@@ -15,7 +15,8 @@ enum class Rule : std::uint8_t {
     SameBits,     ///< all final poses and velocities are bit-identical
     SameOutcome,  ///< equally many members reach their goals and, unless
                   ///< the family is chaotic, their final positions agree
-    NeverWorse,   ///< at least as many members reach their goals as in the base variation
+    NotFewer,     ///< no fewer members reach their goals than in the base variation,
+                  ///< except by a difference that chance explains
     Bound         ///< no comparison: a figure of each outcome is limited
 };
 

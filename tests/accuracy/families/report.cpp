@@ -20,7 +20,7 @@ std::string numberText(double value) {
     return fixedText(value, value >= 100.0 ? 0 : value >= 1.0 ? 2 : value >= 0.001 ? 4 : 7);
 }
 
-bool comparesShares(Rule rule) { return rule == Rule::SameOutcome || rule == Rule::NeverWorse; }
+bool comparesShares(Rule rule) { return rule == Rule::SameOutcome || rule == Rule::NotFewer; }
 
 /// Returns the table cell with the result of a relation in a family.
 std::string cellOf(const Verdict& verdict) {

@@ -64,15 +64,15 @@ private:
     [[nodiscard]] Triple poseAt(std::size_t local, double time, double h) const;
     [[nodiscard]] double longestWay(std::uint32_t a, std::uint32_t b, double h) const;
 
-    // Solve impacts: blows.cpp.
+    // Solve impacts: impacts.cpp.
     void strike();
     bool bounceOnce(std::span<const Touch> touches);
     void solveImpact(std::span<const Touch> touches, bool bounces);
     [[nodiscard]] double approachOf(const Touch& touch) const;
 
-    // Correct position errors: put_right.cpp.
+    // Correct position errors: correct_positions.cpp.
     void correctPositions(int mostRounds, double hopeless);
-    double putRightOnce();
+    double correctPositionsOnce();
 
     const Scene& scene_;
     RunState& state_;

@@ -48,7 +48,7 @@ void RowWriter::beginStep(RowSystem& system, const std::vector<Triple>& velociti
     }
 }
 
-void RowWriter::beginBlow(RowSystem& system, const std::vector<Triple>& velocities) {
+void RowWriter::beginImpact(RowSystem& system, const std::vector<Triple>& velocities) {
     system = {};
     known_ = velocities;
     for (std::size_t i = 0; i < group_->pushed; ++i) {
@@ -60,7 +60,7 @@ void RowWriter::beginBlow(RowSystem& system, const std::vector<Triple>& velociti
 }
 
 void RowWriter::beginShift(RowSystem& system) {
-    beginBlow(system, std::vector<Triple>(group_->bodies.size()));
+    beginImpact(system, std::vector<Triple>(group_->bodies.size()));
 }
 
 std::uint32_t RowWriter::add(RowSystem& system, const Gradient& push, const Gradient& speed,

@@ -20,7 +20,7 @@ public:
     /// Clears the system and sets its masses and momenta for a step of `h` s, including forces and drag.
     void beginStep(RowSystem& system, const std::vector<Triple>& velocities, double h);
     /// Clears the system and sets its masses and momenta for an impact, which takes no time.
-    void beginBlow(RowSystem& system, const std::vector<Triple>& velocities);
+    void beginImpact(RowSystem& system, const std::vector<Triple>& velocities);
     /// Clears the system and sets it up to correct positions: its velocities are then displacements.
     void beginShift(RowSystem& system);
 

@@ -85,8 +85,8 @@ std::vector<Point> cornersOf(const World& world, const Geometry& geometry) {
     switch (geometry.kind) {
         case ShapeKind::Circle: return {a};
         case ShapeKind::Box: {
-            Turn turn{
-                std::atan2(static_cast<double>(geometry.turn.sin), static_cast<double>(geometry.turn.cos))};
+            Turn turn{std::atan2(static_cast<double>(geometry.rotation.sin),
+                                 static_cast<double>(geometry.rotation.cos))};
             std::vector<Point> corners;
             for (const Point corner : {Point{-b.x, -b.y}, Point{b.x, -b.y}, b, Point{-b.x, b.y}})
                 corners.push_back(a + rotate(turn, corner));
@@ -239,7 +239,7 @@ Result<Scene> makeScene(const World& world) {
 bool mayCollide(const Scene& scene, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t bodyA = scene.outlines[a].body, bodyB = scene.outlines[b].body;
     if (!scene.bodies[bodyA].isPushed && !scene.bodies[bodyB].isPushed) return false;
-    if (!physics::meet(scene.filters[a], scene.filters[b])) return false;
+    if (!physics::mayCollide(scene.filters[a], scene.filters[b])) return false;
     return !std::binary_search(scene.apart.begin(), scene.apart.end(), physics::pairKey(bodyA, bodyB));
 }
 

@@ -39,11 +39,11 @@ std::string_view integratorName(physics::IntegratorKind kind);
 /// @param joints  true if the scene has joints; otherwise Method::jointTrees is not mentioned
 std::string solverName(const Method& method, bool joints);
 
-/// Returns the rows of a scene, in order.
+/// Returns those rows that belong to a scene, in the same order.
 std::vector<Row> rowsOf(const std::vector<Row>& rows, std::string_view scene);
-/// Returns the row of a scene's main figure with the default method; nullptr if it was not run.
+/// Returns the result of a scene's main figure with default settings; nullptr if that was not measured.
 const Row* defaultRow(const std::vector<Row>& rows, std::string_view scene);
-/// Returns the row of a scene's main figure with another engine; nullptr if it was not run.
+/// Returns the result of a scene's main figure with another engine; nullptr if that was not measured.
 const Row* peerRow(const std::vector<Row>& rows, std::string_view scene, std::string_view engine);
 
 /// Formats a number with three significant digits, or as 1.2e-07 if that is shorter.

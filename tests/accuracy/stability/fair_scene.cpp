@@ -114,14 +114,14 @@ void FairScene::addHinge() {
     const auto local = [&](physics::BodyId body, Vec2 arm) {
         return unrotate(physics::rotationOf(world_, body), arm);
     };
-    const Rot turn = inverse(physics::rotationOf(world_, a)) * physics::rotationOf(world_, b);
+    const Rot rotation = inverse(physics::rotationOf(world_, a)) * physics::rotationOf(world_, b);
     const auto made = physics::createJoint(
         world_, {.kind = oneIn(4) ? physics::JointKind::Weld : physics::JointKind::Revolute,
                  .a = a,
                  .b = b,
                  .anchorA = local(a, half),
                  .anchorB = local(b, -half),
-                 .referenceAngle = std::atan2(turn.sin, turn.cos)});
+                 .referenceAngle = std::atan2(rotation.sin, rotation.cos)});
     sound_ = sound_ && made.ok();
 }
 

@@ -43,7 +43,7 @@ TEST_F(EffectDevices, gamepadsAreOpenedIfAComponentReadsInput) {
 TEST_F(EffectDevices, gamepadsThatArePinnedOffStayClosed) {
     PileGame game;
     game.world.createEntity().addComponent<Menu>();
-    game.effects.setProgram("pads", Pin::Off);
+    game.effects.setProgramPin("pads", Pin::Off);
     play(game, 3);
     EXPECT_EQ(game.effects.runsOf(game.world, "pads"), 0u);
 }
@@ -74,7 +74,7 @@ TEST_F(EffectDevices, withDrawingPinnedOffTheFrameIsBlack) {
         return true;
     };
     EXPECT_FALSE(isBlack());
-    game.effects.setProgram("picture", Pin::Off);
+    game.effects.setProgramPin("picture", Pin::Off);
     EXPECT_TRUE(isBlack());
 }
 
@@ -107,7 +107,7 @@ TEST_F(EffectDevices, onlyTilesThatChangeAreAnimated) {
         game.play(1);
         screen->draw(game.world, game.assets, 1.0f);
         EXPECT_EQ(game.effects.runsOf(game.world, "tile_animation"), changes ? 1u : 0u) << name;
-        game.effects.setProgram("tile_animation", Pin::Off);
+        game.effects.setProgramPin("tile_animation", Pin::Off);
         screen->draw(game.world, game.assets, 1.0f);
         EXPECT_EQ(game.effects.runsOf(game.world, "tile_animation"), changes ? 1u : 0u) << name;
     }

@@ -35,7 +35,7 @@ TEST(EffectList, listsRunningEffectsAndTheirUsers) {
     EXPECT_NE(lineOf(before, "sound").find("no "), std::string::npos);
     game.world.createEntity().addComponent<ParticleEmitter>();
     game.world.createEntity().addComponent<Music>();
-    game.effects.setProgram("particles", Pin::On);
+    game.effects.setProgramPin("particles", Pin::On);
     const std::string after = tableOf(game);
     EXPECT_EQ(lineOf(after, "particles"),
               "  particles            yes   on                -       -         -  ParticleEmitter (1)");
@@ -47,13 +47,13 @@ TEST(EffectList, everyColumnIsBelowItsTitle) {
     PileGame game;
     game.play(1);
     const std::string table = tableOf(game);
-    const std::size_t callers = table.find("requested by");
-    ASSERT_LT(callers, table.find('\n'));
+    const std::size_t requesters = table.find("requested by");
+    ASSERT_LT(requesters, table.find('\n'));
     for (const EffectRow& row : engineEffects().rows()) {
         const std::string line = lineOf(table, std::string{row.name});
-        ASSERT_GT(line.size(), callers) << row.name;
-        EXPECT_EQ(line[callers - 1], ' ') << line;
-        EXPECT_NE(line[callers], ' ') << line;
+        ASSERT_GT(line.size(), requesters) << row.name;
+        EXPECT_EQ(line[requesters - 1], ' ') << line;
+        EXPECT_NE(line[requesters], ' ') << line;
     }
 }
 

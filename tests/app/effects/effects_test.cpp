@@ -42,33 +42,33 @@ TEST_P(EveryGameEffect, isRunOnlyWhileSomethingRequiresIt) {
     if (rowOf(GetParam()).name == "tile_animation") return;  // required by a tileset; see EffectDevices
     // Timers and tweens are required by their own state; see the test below.
     const bool byState = rowOf(GetParam()).name == "timers" || rowOf(GetParam()).name == "tweens";
-    ASSERT_EQ(rowOf(GetParam()).callers.empty(), byState);
-    for (const EffectCaller& caller : rowOf(GetParam()).callers) {
+    ASSERT_EQ(rowOf(GetParam()).requesters.empty(), byState);
+    for (const EffectRequester& requester : rowOf(GetParam()).requesters) {
         PileGame game;
         game.play(2);
         const EntityId entity = game.world.createEntity().id();
         game.world.add<Transform>(entity);
-        ASSERT_NE(game.world.add(caller.type(), entity), nullptr);
-        EXPECT_EQ(caller.callers(game.world), 1u) << caller.type().name;
-        EXPECT_TRUE(game.effects.runs(game.world, GetParam())) << caller.type().name;
+        ASSERT_NE(game.world.add(requester.type(), entity), nullptr);
+        EXPECT_EQ(requester.requesters(game.world), 1u) << requester.type().name;
+        EXPECT_TRUE(game.effects.runs(game.world, GetParam())) << requester.type().name;
         if (!hasSystem(GetParam())) continue;
         game.play(3);
-        EXPECT_GE(game.effects.runsOf(game.world, GetParam()), 3u) << caller.type().name;
+        EXPECT_GE(game.effects.runsOf(game.world, GetParam()), 3u) << requester.type().name;
         if (game.world.alive(entity)) game.world.destroy(entity);
         game.play(2);  // systems may do their final work in the first of these ticks
         const std::uint64_t runs = game.effects.runsOf(game.world, GetParam());
         game.play(3);
-        EXPECT_EQ(game.effects.runsOf(game.world, GetParam()), runs) << caller.type().name;
+        EXPECT_EQ(game.effects.runsOf(game.world, GetParam()), runs) << requester.type().name;
     }
 }
 
 TEST_P(EveryGameEffect, isNeverRunIfPinnedOff) {
-    if (!hasSystem(GetParam()) || rowOf(GetParam()).callers.empty()) return;
+    if (!hasSystem(GetParam()) || rowOf(GetParam()).requesters.empty()) return;
     PileGame game;
-    game.effects.setProgram(rowOf(GetParam()).name, Pin::Off);
+    game.effects.setProgramPin(rowOf(GetParam()).name, Pin::Off);
     const EntityId entity = game.world.createEntity().id();
     game.world.add<Transform>(entity);
-    game.world.add(rowOf(GetParam()).callers.front().type(), entity);
+    game.world.add(rowOf(GetParam()).requesters.front().type(), entity);
     game.play(5);
     EXPECT_EQ(game.effects.runsOf(game.world, GetParam()), 0u);
     EXPECT_FALSE(game.effects.runs(game.world, GetParam()));
@@ -76,7 +76,7 @@ TEST_P(EveryGameEffect, isNeverRunIfPinnedOff) {
 
 TEST_P(EveryGameEffect, changesNoBitIfPinnedOnWithoutNeed) {
     PileGame off, on;
-    on.effects.setProgram(rowOf(GetParam()).name, Pin::On);
+    on.effects.setProgramPin(rowOf(GetParam()).name, Pin::On);
     for (int i = 0; i < 120; ++i) {
         off.play(1);
         on.play(1);
@@ -91,8 +91,8 @@ TEST_P(EveryGameEffect, changesNoBitIfPinnedOnWithoutNeed) {
 TEST(GameEffects, timersAndTweensRunWhileThereAreAny) {
     for (const Pin pin : {Pin::Auto, Pin::Off}) {
         PileGame game;
-        game.effects.setProgram("timers", pin);
-        game.effects.setProgram("tweens", pin);
+        game.effects.setProgramPin("timers", pin);
+        game.effects.setProgramPin("tweens", pin);
         game.play(2);
         const EntityId entity = game.world.createEntity().id();
         game.world.add<Transform>(entity);
@@ -134,11 +134,12 @@ class EveryEffectRow : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(EveryEffectRow, reportsComponentsThatRequireItIfPinnedOff) {
     const EffectRow& row = rowOf(GetParam());
-    for (const EffectCaller& caller : row.callers) {
+    for (const EffectRequester& requester : row.requesters) {
         for (const char* pin : {"off", "on", "auto"}) {
             Game game;
-            const std::string text = sceneWith(format(R"({"{}": "{}"})", row.name, pin), caller.type().name,
-                                               fieldsFor(row.name, caller.type().name));
+            const std::string text =
+                sceneWith(format(R"({"{}": "{}"})", row.name, pin), requester.type().name,
+                          fieldsFor(row.name, requester.type().name));
             const Result<LoadReport> report =
                 loadScene(game.world, {game.types}, "scenes/a.scene.json", text);
             ASSERT_TRUE(report.ok()) << text;
@@ -150,7 +151,7 @@ TEST_P(EveryEffectRow, reportsComponentsThatRequireItIfPinnedOff) {
             ASSERT_EQ(reported != report->problems.end(), wrong) << text;
             if (!wrong) continue;
             EXPECT_NE(reported->what.find("torch @0000000000000007"), std::string::npos) << reported->text();
-            EXPECT_NE(reported->what.find(caller.type().name), std::string::npos) << reported->text();
+            EXPECT_NE(reported->what.find(requester.type().name), std::string::npos) << reported->text();
             EXPECT_FALSE(reported->remedy.empty());
             EXPECT_EQ(report->loaded, 1u);
             game.effects.followScenes(game.world);
@@ -342,7 +343,7 @@ TEST(Effects, theAudioDeviceStaysClosedUntilTheFirstSound) {
 TEST(Effects, theAudioDeviceIsOpenedAtOnceWhenPinnedOnAndNeverWhenPinnedOff) {
     for (const Pin pin : {Pin::On, Pin::Off}) {
         PileGame game;
-        game.effects.setProgram("sound", pin);
+        game.effects.setProgramPin("sound", pin);
         Sounds sounds{game};
         game.play(1);
         sounds.output.listen(game.world);

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "app/game.hpp"
-#include "app/project.hpp"
 #include "app/game_content.hpp"
+#include "app/project.hpp"
 #include "assets/animation.hpp"
 #include "assets/tileset.hpp"
 #include "core/file.hpp"

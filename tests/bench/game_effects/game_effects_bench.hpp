@@ -9,8 +9,9 @@ namespace plumb::bench {
 
 // Each of these functions prints its results and returns an exit code.
 
-/// Counts the instructions of a tick without the systems of an effect, and with the systems added but not
-/// required. @return 1 if an unused effect costs more than 1 %, 77 if valgrind is not installed
+/// For each effect (an optional part of the engine), counts the instructions of a tick without its systems,
+/// and with its systems added to a scene that does not require it. @return 1 if an unused effect costs more
+/// than 1 %, 77 if valgrind is not installed
 int measureUnused(const char* program, bool quick);
 /// Runs the ticks that measureUnused() counts under valgrind.
 int runCountedTicks(bool quick);

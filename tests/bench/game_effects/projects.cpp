@@ -97,7 +97,7 @@ void measureTick(const Sample& sample, bool all, int rounds, Result& result) {
     game.assets.logging = false;
     game.onCreate();
     if (all) {
-        for (const EffectRow& row : engineEffects().rows()) game.effects.setProgram(row.name, Pin::On);
+        for (const EffectRow& row : engineEffects().rows()) game.effects.setProgramPin(row.name, Pin::On);
     }
     constexpr int kTicks = 60;
     result.tick = kNever;

@@ -65,7 +65,7 @@ int runCountedTicks(bool quick) {
     }
     test::PileGame gated{kCrates}, all{kCrates};
     for (const std::size_t row : countedEffects())
-        all.effects.setProgram(engineEffects().rows()[row].name, Pin::On);
+        all.effects.setProgramPin(engineEffects().rows()[row].name, Pin::On);
     count(gated, quick);
     count(all, quick);
     return 0;

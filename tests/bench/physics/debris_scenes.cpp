@@ -45,8 +45,8 @@ BeforeStep buildJunkyard(SceneBuilder& world, int rows) {
     addTrough(world, 80, 50);
     std::array<Vec2, 5> points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const SinCos turn = sinCos(kTurn * static_cast<float>(i));
-        points[i] = kRadius * Vec2{turn.cos, turn.sin};
+        const SinCos rotation = sinCos(kTurn * static_cast<float>(i));
+        points[i] = kRadius * Vec2{rotation.cos, rotation.sin};
     }
     const Outline scrap = polygon(points);
     float side = -0.1f;

@@ -13,8 +13,8 @@ constexpr float kDrumSpin = 25.0f / 180.0f * kPi;  // rad/s
 std::vector<Vec2> ringOf(int count, float radius, Vec2 centre) {
     std::vector<Vec2> points;
     for (int i = 0; i < count; ++i) {
-        const SinCos turn = sinCos(-kTau * static_cast<float>(i) / static_cast<float>(count));
-        points.push_back(centre + radius * Vec2{turn.cos, turn.sin});
+        const SinCos rotation = sinCos(-kTau * static_cast<float>(i) / static_cast<float>(count));
+        points.push_back(centre + radius * Vec2{rotation.cos, rotation.sin});
     }
     return points;
 }

@@ -101,13 +101,13 @@ struct JointSetup {
     float dampingRatio = 0.0f;
 };
 
-/// Settings of a world.
+/// Settings of a physics world.
 struct WorldSetup {
     Vec2 gravity{0.0f, -10.0f};  ///< m/s2
     bool sleeping = true;
-    int quality = 2;  ///< 2^quality substeps, for engines with such a parameter
+    int quality = 2;  ///< engines with substeps use 2^quality per step
     int threads = 1;
-    bool profiled = false;  ///< stages() will be called
+    bool profiled = false;  ///< measures the times of stages, for stages()
     double originX = 0.0;   ///< position of the scene's origin in the world, m
     double originY = 0.0;
 };

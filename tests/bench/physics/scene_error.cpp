@@ -39,7 +39,7 @@ std::vector<Pair> joinedPairs(const SceneBuilder& world) {
     return joined;
 }
 
-bool meet(const Material& a, const Material& b) {
+bool mayCollide(const Material& a, const Material& b) {
     if (a.group == b.group && a.group != 0) return a.group > 0;
     return (a.layers & b.mask) != 0 && (b.layers & a.mask) != 0;
 }
@@ -48,7 +48,7 @@ bool isExempt(const Entry& a, const Entry& b, std::span<const Pair> joined) {
     const BodyHandle bodyA = a.shape->body;
     const BodyHandle bodyB = b.shape->body;
     return bodyA.index == bodyB.index || (!a.dynamic && !b.dynamic) ||
-           !meet(a.shape->material, b.shape->material) ||
+           !mayCollide(a.shape->material, b.shape->material) ||
            std::binary_search(joined.begin(), joined.end(), pairOf(bodyA, bodyB));
 }
 

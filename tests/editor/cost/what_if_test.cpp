@@ -81,7 +81,7 @@ TEST_F(WhatIfTest, measuringDoesNotChangeTheGame) {
     play(90);
     whatIf.begin(workspace);
     for (int tick = 0; tick < 60; ++tick) {
-        whatIf.tend(workspace);
+        whatIf.update(workspace);
         workspace.play.step({});
     }
     whatIf.wait();
@@ -143,7 +143,7 @@ TEST_F(WhatIfTest, stoppingTheGameCancelsTheMeasurement) {
     whatIf.begin(workspace);
     ASSERT_TRUE(whatIf.busy());
     workspace.stopPlaying();
-    whatIf.tend(workspace);
+    whatIf.update(workspace);
     EXPECT_FALSE(whatIf.busy());
     EXPECT_NE(whatIf.refusal(), "");
 }
@@ -164,7 +164,7 @@ TEST_F(WhatIfTest, measuringCanBeStopped) {
     open(CostScene{}.stack(40));
     play(320);
     whatIf.begin(workspace);
-    while (!whatIf.measured() && whatIf.busy()) whatIf.tend(workspace);
+    while (!whatIf.measured() && whatIf.busy()) whatIf.update(workspace);
     whatIf.cancel();
     EXPECT_FALSE(whatIf.busy());
 }

@@ -98,7 +98,7 @@ TEST_F(SetWays, trajectoriesOfAllBodiesIncludePlatformsAndWalkers) {
     give("crate", MovingPlatform{});
     give("sign", Patrol{});
     Trajectories trajectories;
-    trajectories.tend(workspace, true);
+    trajectories.update(workspace, true);
     const auto has = [&](std::string_view name) {
         return std::any_of(trajectories.ways().begin(), trajectories.ways().end(),
                            [&](const Trajectories::Way& way) { return way.object == named(name); });

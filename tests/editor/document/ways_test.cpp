@@ -44,7 +44,7 @@ protected:
     }
     void findOut() {
         for (int i = 0; i < 4000; ++i) {
-            workspace.tend(1.0 / 60.0);
+            workspace.update(1.0 / 60.0);
             if (reach().done() && !reach().landings().empty()) return;
         }
         FAIL() << "it never ends";
@@ -117,7 +117,7 @@ TEST_F(Ways, theReachIsThatOfTheSelectedOrOfAnyPlayerAndDoesNotChangeTheScene) {
     const std::uint64_t hash = workspace.document.world.hash();
     workspace.document.selection.clear();
     workspace.setReach("reach", PhysicsReach::Selected);
-    workspace.tend(0.1);
+    workspace.update(0.1);
     EXPECT_TRUE(reach().landings().empty());
     workspace.setReach("reach", PhysicsReach::All);
     findOut();
@@ -125,7 +125,7 @@ TEST_F(Ways, theReachIsThatOfTheSelectedOrOfAnyPlayerAndDoesNotChangeTheScene) {
     EXPECT_EQ(workspace.text(), before);
     EXPECT_EQ(workspace.document.world.hash(), hash);
     workspace.setReach("reach", PhysicsReach::Off);
-    workspace.tend(0.1);
+    workspace.update(0.1);
     EXPECT_TRUE(reach().cells().empty());
 }
 
@@ -140,7 +140,7 @@ TEST_F(Ways, whileItPlaysTheReachIsFromWhereThePlayerStandsAndTheGameGoesOnAsItW
     for (int tick = 0; tick < 90; ++tick) {
         workspace.play.step(right);
         alone.step(right);
-        workspace.tend(1.0 / 60.0);
+        workspace.update(1.0 / 60.0);
     }
     EXPECT_EQ(workspace.play.world().hash(), alone.world().hash());
     workspace.play.setPaused(true);
@@ -174,7 +174,7 @@ TEST_F(Ways, theListOfLayersHasWaysOfAllOfTheSelectedOrOfNone) {
 TEST_F(Ways, trajectoriesAreTheWaysThatTheGameThenGoes) {
     open(ledgeScene(30.0f));
     workspace.setReach("trajectories", PhysicsReach::Selected);
-    for (int i = 0; i < 200 && (i < 2 || !workspace.trajectories.done()); ++i) workspace.tend(1.0 / 60.0);
+    for (int i = 0; i < 200 && (i < 2 || !workspace.trajectories.done()); ++i) workspace.update(1.0 / 60.0);
     ASSERT_EQ(workspace.trajectories.ways().size(), 1u);
     const std::vector<Vec2> ahead = workspace.trajectories.ways()[0].future;
     ASSERT_EQ(ahead.size(), static_cast<std::size_t>(Trajectories::kAhead));
@@ -193,7 +193,7 @@ TEST_F(Ways, trajectoriesAreTheWaysThatTheGameThenGoes) {
     }
     // After seeking back, the past and the future path equal the recorded positions.
     workspace.play.seek(70);
-    for (int i = 0; i < 400 && (i < 2 || !workspace.trajectories.done()); ++i) workspace.tend(1.0 / 60.0);
+    for (int i = 0; i < 400 && (i < 2 || !workspace.trajectories.done()); ++i) workspace.update(1.0 / 60.0);
     const Trajectories::Way& way = workspace.trajectories.ways()[0];
     ASSERT_EQ(way.past.size(), static_cast<std::size_t>(Trajectories::kBehind) + 1);
     for (std::size_t i = 0; i < way.past.size(); ++i) ASSERT_EQ(way.past[i], gone[10 + i]);

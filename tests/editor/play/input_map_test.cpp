@@ -278,7 +278,7 @@ TEST_F(InputMapTest, newKeysApplyToTheRunningGameAndRecordedTicksKeepTheOldOnes)
     EXPECT_EQ(hits(), 18);
     workspace.play.seek(10);
     workspace.play.setPaused(false);  // continues from tick 10, which discards the later ticks
-    workspace.tend(0.0);
+    workspace.update(0.0);
     play(5);
     EXPECT_EQ(hits(), 5) << "with the keys of now";
     workspace.play.seek(10);

@@ -107,8 +107,8 @@ TEST(Rewind, continuingFromThePastDiscardsTheLaterTicks) {
 TEST(Rewind, aRecordingCanBeWatchedAndStopsAtItsEnd) {
     Played game{[] { return platformerSession(); }, 300};
     game.play.seek(200);
-    game.play.watch();
-    EXPECT_TRUE(game.play.watching());
+    game.play.playReplay();
+    EXPECT_TRUE(game.play.isReplaying());
     for (int i = 0; i < 200; ++i) static_cast<void>(game.play.advance(1.0 / 60.0, InputFrame{}));
     EXPECT_TRUE(game.play.paused());
     EXPECT_EQ(game.play.ticks(), 300);

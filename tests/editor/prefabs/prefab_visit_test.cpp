@@ -316,7 +316,7 @@ TEST_F(PrefabVisits, unsavedPrefabsSurviveACrashAndGetBackupsLikeScenes) {
     workspace.safety.begin();
     ASSERT_TRUE(editPrefab(workspace, kTorch).ok());
     setHeight(root(), 40);
-    workspace.tend(1.5);
+    workspace.update(1.5);
     workspace.safety.finish();
     const std::string journal = fileText(".plumb/session1/prefabs+torch.prefab.json.journal");
     EXPECT_NE(journal.find("\"height\": 40"), std::string::npos);

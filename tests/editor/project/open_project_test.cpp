@@ -125,7 +125,7 @@ TEST_F(ProjectChange, unsavedChangesAreConfirmedAndDiscardedOnesAreBackedUp) {
     hands->click("Unsaved/Discard");
     hands->rest(2);
     ASSERT_EQ(open->window().takeProject(), folder("second"));
-    w().tend(2.0);
+    w().update(2.0);
     w().safety.finish();
     go("second");
     EXPECT_TRUE(w().safety.lost().empty());

@@ -24,7 +24,7 @@ protected:
 };
 
 TEST_F(ProjectHabits, theGridIsRestored) {
-    workspace.tend(2.0);
+    workspace.update(2.0);
     EXPECT_FALSE(isThere(".plumb/grid.json")) << "nothing was chosen yet";
     workspace.grid.size = {24.0f, 12.5f};
     workspace.grid.color = {10, 20, 30, 200};
@@ -32,7 +32,7 @@ TEST_F(ProjectHabits, theGridIsRestored) {
     workspace.grid.snapAngles = false;
     ASSERT_TRUE(runAction(workspace, "view.snapHalf"));
     ASSERT_TRUE(runAction(workspace, "view.snap"));
-    workspace.tend(2.0);
+    workspace.update(2.0);
     const GridSettings kept = nextSession();
     EXPECT_EQ(kept.size, (Vec2{24.0f, 12.5f}));
     EXPECT_EQ(kept.color, (Color{10, 20, 30, 200}));

@@ -38,12 +38,12 @@ TEST(SettingsTest, theFileIsWrittenOnceShortlyAfterAChangeAndReadAtTheNextStart)
     SettingsFile file{folder.path};
     Settings settings;
     EXPECT_TRUE(file.load(settings).empty());
-    file.tend(settings, 2.0);
+    file.update(settings, 2.0);
     EXPECT_FALSE(std::filesystem::exists(file.path())) << "nothing was chosen yet";
     settings = someSettings();
-    file.tend(settings, 0.5);
+    file.update(settings, 0.5);
     EXPECT_FALSE(std::filesystem::exists(file.path()));
-    file.tend(settings, 0.6);
+    file.update(settings, 0.6);
     ASSERT_TRUE(std::filesystem::exists(file.path()));
 
     Settings next;

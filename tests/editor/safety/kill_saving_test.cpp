@@ -62,7 +62,7 @@ protected:
         workspace.safety.begin();
         for (float x = first;; x += 1.0f) {
             move(workspace, x);
-            workspace.safety.tend(2.0 * Journal::kMostSeconds);
+            workspace.safety.update(2.0 * Journal::kMostSeconds);
             workspace.safety.finish();
             tell({.text = hashText(workspace.text())});
             if (!workspace.save().ok()) ::_exit(3);

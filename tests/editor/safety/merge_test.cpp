@@ -11,7 +11,7 @@
 namespace plumb::editor {
 namespace {
 
-/// Changes of single entities in a scene of the platformer.
+/// Makes random changes of single entities in a scene of the sample project "platformer".
 class Merging : public testing::Test {
 protected:
     ObjectId anyObject() {

@@ -39,8 +39,8 @@ protected:
 TEST_F(Safety, theJournalStoresUnsavedWorkAndIsRemovedBySaving) {
     workspace.safety.begin();
     createOne();
-    workspace.safety.tend(0.1);
-    workspace.safety.tend(1.0);
+    workspace.safety.update(0.1);
+    workspace.safety.update(1.0);
     workspace.safety.finish();
     ASSERT_EQ(journals().size(), 1u);
     const std::string journal = fileText(".plumb/" + journals()[0]);
@@ -60,7 +60,7 @@ TEST_F(Safety, writingTheJournalDoesNotMoveBodies) {
     const auto before = bodies();
     ASSERT_GT(before, 0u);
     createOne();
-    workspace.safety.tend(2.0);
+    workspace.safety.update(2.0);
     workspace.safety.finish();
     ASSERT_EQ(journals().size(), 1u);
     EXPECT_EQ(bodies(), before);
@@ -69,17 +69,17 @@ TEST_F(Safety, writingTheJournalDoesNotMoveBodies) {
 TEST_F(Safety, theJournalIsWrittenAfterOneSecondOrAFewActions) {
     workspace.safety.begin();
     createOne();
-    workspace.safety.tend(0.0);
+    workspace.safety.update(0.0);
     workspace.safety.finish();
     const std::string first = fileText(".plumb/" + journals().at(0));
     for (std::size_t i = 0; i + 1 < Journal::kActions; ++i) {
         createOne();
-        workspace.safety.tend(0.01);
+        workspace.safety.update(0.01);
     }
     workspace.safety.finish();
     EXPECT_EQ(fileText(".plumb/" + journals()[0]), first) << "not for every action";
     createOne();
-    workspace.safety.tend(0.01);
+    workspace.safety.update(0.01);
     workspace.safety.finish();
     EXPECT_NE(fileText(".plumb/" + journals()[0]), first);
 }
@@ -87,9 +87,9 @@ TEST_F(Safety, theJournalIsWrittenAfterOneSecondOrAFewActions) {
 TEST_F(Safety, undoingToTheSavedStateRemovesTheJournal) {
     workspace.safety.begin();
     createOne();
-    workspace.safety.tend(2.0);
+    workspace.safety.update(2.0);
     workspace.undo.undo();
-    workspace.safety.tend(0.1);
+    workspace.safety.update(0.1);
     EXPECT_TRUE(journals().empty());
 }
 
@@ -131,7 +131,7 @@ TEST_F(Safety, laterAsksAgainTheNextTime) {
     hands.rest(3);
     EXPECT_FALSE(shows("Recovery/later"));
     createOne();
-    workspace.safety.tend(2.0), workspace.safety.finish();
+    workspace.safety.update(2.0), workspace.safety.finish();
     EXPECT_EQ(journals().size(), 2u) << "the new one does not replace what was lost";
     Workspace next{workspace.document.types(), workspace.assets, {root()}};
     next.safety.begin();
@@ -263,7 +263,7 @@ TEST_F(Safety, mineIsSavedBesideAndTheirsIsLoaded) {
 TEST_F(Safety, aCrashDuringSavingOffersNoStateOlderThanTheFile) {
     workspace.safety.begin();
     createOne();
-    workspace.safety.tend(2.0), workspace.safety.finish();
+    workspace.safety.update(2.0), workspace.safety.finish();
     createOne();
     workspace.safety.saving(),
         // the file is written afterwards, and the program is killed before it removes the journal

@@ -67,7 +67,7 @@ protected:
     /// Measures the scene until all results are available.
     void measure() {
         whatIf.begin(workspace);
-        while (whatIf.busy() && !whatIf.measured()) whatIf.tend(workspace);
+        while (whatIf.busy() && !whatIf.measured()) whatIf.update(workspace);
         whatIf.wait();
     }
     [[nodiscard]] const Advice* adviceOf(std::string_view rule) {

@@ -1,8 +1,9 @@
 #include <cstdio>
 #include <plumb_physics.hpp>
 
-// Links the physics library alone. A small cube is pushed over a bouncy, rough floor against a light and a
-// heavy cube, over a large smooth one, and through a spinning trigger that changes its colour. y points down.
+// Example of a program that links only the physics library. It prints what happens to a small cube in
+// separate worlds: it hits a light and a heavy cube, slides on smooth and rough floors, bounces, and passes
+// through a spinning trigger that changes its colour. y points down.
 
 using namespace plumb;
 using namespace plumb::physics;

@@ -232,7 +232,7 @@ TEST(CharacterOneWay, dropsThroughAPlatformThatMovesEvenly) {
             for (int t = 1; t <= 40; ++t) {
                 ASSERT_TRUE(run.tick());
                 ASSERT_FALSE(run.all[0].grounded()) << t;
-                // It starts with the velocity of the platform and falls freely.
+                // The character starts with the velocity of the platform and falls freely.
                 const float fallen = 5.0f * static_cast<float>(t * t) * kTick * kTick;
                 ASSERT_NEAR(LocalFeet::from(run.course.world, run.shelf, run.all[0]).over, -fallen,
                             3.0f * kGap)

@@ -83,7 +83,7 @@ TEST(Rocking, neverExceedsItsInitialTilt) {
 TEST(Rocking, hasThePeriodOfTheFormula) {
     // Period for small amplitudes; at 0.2 rad it is slightly longer. It depends on the moment of inertia
     // about the contact point and on the restoring torque, both per mass.
-    const float inertia = (1.0f + 0.01f) / 3.0f + 0.01f;  // m2, per kg
+    const float inertia = (1.0f + 0.01f) / 3.0f + 0.01f;  // moment of inertia per mass, m2
     const float period = 6.2831853f * std::sqrt(inertia / (10.0f * (1.0f - 0.1f)));
     for (const Under& under : kUnder) {
         SCOPED_TRACE(under.name);

@@ -22,10 +22,10 @@ int shots() {
 struct Shot {
     World world;
     BodyId bullet;
-    Rot turn;
+    Rot rotation;
     float thickness;
 
-    [[nodiscard]] Vec2 seen() const { return unrotate(turn, centreOf(world, bullet) - WorldPosition{}); }
+    [[nodiscard]] Vec2 seen() const { return unrotate(rotation, centreOf(world, bullet) - WorldPosition{}); }
     /// Distance between the rear of the bullet and the far side of the wall, m; negative unless the whole
     /// bullet is behind the wall.
     [[nodiscard]] float behind() const {
@@ -38,7 +38,7 @@ Shot makeShot(Random& random) {
     World& world = shot.world;
     world.settings.gravity = {};
     const float angle = random.between(-3.0f, 3.0f);
-    shot.turn = rotFromAngle(angle);
+    shot.rotation = rotFromAngle(angle);
     shot.thickness = random.below(2) == 0 ? 0.01f : random.between(0.01f, 1.0f);
     const BodyId wall = addBody(world, BodyKind::Static, {}, angle);
     ShapeDefinition material;
@@ -49,7 +49,7 @@ Shot makeShot(Random& random) {
         random.below(2) == 0 ? random.between(10.0f, 100.0f) : random.between(100.0f, 1000.0f);
     const Vec2 way{speed, random.between(-0.7f, 0.7f) * speed};
     const Vec2 start = Vec2{-random.between(1.5f, 6.0f), 0.0f};
-    const WorldPosition place = WorldPosition{} + rotate(shot.turn, start);
+    const WorldPosition place = WorldPosition{} + rotate(shot.rotation, start);
     shot.bullet = addBody(world, BodyKind::Dynamic, place, random.between(-3.0f, 3.0f));
     const float size = random.below(2) == 0 ? 0.02f : random.between(0.02f, 0.3f);
     if (random.below(3) == 0) {
@@ -59,7 +59,7 @@ Shot makeShot(Random& random) {
         if (random.below(3) == 0)
             static_cast<void>(createShape(world, shot.bullet, circle(size, {2.0f * size, 0.0f})));
     }
-    static_cast<void>(setVelocity(world, shot.bullet, rotate(shot.turn, way)));
+    static_cast<void>(setVelocity(world, shot.bullet, rotate(shot.rotation, way)));
     if (random.below(2) == 0)
         static_cast<void>(setAngularVelocity(world, shot.bullet, random.between(-200.0f, 200.0f)));
     return shot;

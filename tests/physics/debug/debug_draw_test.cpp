@@ -230,10 +230,10 @@ TEST(DebugDraw, frictionIsDrawnAlongASlope) {
     World world;
     world.settings.sleeping = false;
     const BodyId ground = addBody(world, BodyKind::Static, {});
-    const Rot turn = rotFromAngle(slope);
-    static_cast<void>(createShape(world, ground, box({10.0f, 0.5f}, {}, turn)));
+    const Rot rotation = rotFromAngle(slope);
+    static_cast<void>(createShape(world, ground, box({10.0f, 0.5f}, {}, rotation)));
     BodyDefinition lies;
-    lies.position = WorldPosition{rotate(turn, {0.0f, -1.0f})};
+    lies.position = WorldPosition{rotate(rotation, {0.0f, -1.0f})};
     lies.angle = slope;
     const BodyId body = *createBody(world, lies);
     static_cast<void>(createShape(world, body, box({0.5f, 0.5f})));
@@ -243,7 +243,7 @@ TEST(DebugDraw, frictionIsDrawnAlongASlope) {
     ASSERT_EQ(holds.size(), 1u);
     ASSERT_EQ(pushes.size(), 2u);
     const Vec2 along = holds[0].points[1] - holds[0].points[0];
-    const Vec2 uphill = rotate(turn, {-1.0f, 0.0f});
+    const Vec2 uphill = rotate(rotation, {-1.0f, 0.0f});
     EXPECT_NEAR(dot(normalized(along), uphill), 1.0f, 1e-3f);
     float pushed = 0.0f;
     for (const Stroke& push : pushes) pushed += length(push.points[1] - push.points[0]);

@@ -85,10 +85,10 @@ TEST(DebugGeometry, oneWayShapesShowTheirOpenDirection) {
 TEST(DebugGeometry, contactsAreWhereTheShapesTouch) {
     for (const float angle : {0.0f, 0.4f, 2.0f, -1.2f}) {
         SCOPED_TRACE(angle);
-        const Rot turn = rotFromAngle(angle);
+        const Rot rotation = rotFromAngle(angle);
         World world;
-        world.settings.gravity = rotate(turn, {0.0f, 10.0f});
-        const auto at = [&](Vec2 point) { return WorldPosition{1e5, 0.0} + rotate(turn, point); };
+        world.settings.gravity = rotate(rotation, {0.0f, 10.0f});
+        const auto at = [&](Vec2 point) { return WorldPosition{1e5, 0.0} + rotate(rotation, point); };
         const BodyId ground = addBody(world, BodyKind::Static, at({0.0f, 0.0f}), angle);
         ASSERT_TRUE(createShape(world, ground, box({10.0f, 0.5f})));
         const BodyId crate = addBody(world, BodyKind::Dynamic, at({2.0f, -0.9f}), angle);
@@ -103,16 +103,16 @@ TEST(DebugGeometry, contactsAreWhereTheShapesTouch) {
         ASSERT_EQ(pushes.size(), 2u);
         float ends = 0.0f;
         for (std::size_t i = 0; i < 2; ++i) {
-            const Vec2 place = unrotate(turn, circles[i].points[0]);
+            const Vec2 place = unrotate(rotation, circles[i].points[0]);
             EXPECT_NEAR(place.y, -0.5f, 2e-3f);
             EXPECT_NEAR(std::fabs(place.x - 2.0f), 0.7f, 2e-3f);
             ends += place.x - 2.0f;
             EXPECT_EQ(circles[i].points[1].x, 0.02f);
             expectNear(normals[i].points[0], circles[i].points[0]);
-            expectNear(unrotate(turn, normals[i].points[1] - normals[i].points[0]), {0.0f, -0.2f}, 1e-4f);
+            expectNear(unrotate(rotation, normals[i].points[1] - normals[i].points[0]), {0.0f, -0.2f}, 1e-4f);
             expectNear(pushes[i].points[0], circles[i].points[0]);
             // Each point carries half the weight, drawn with 0.02 m per m/s2.
-            expectNear(unrotate(turn, pushes[i].points[1] - pushes[i].points[0]), {0.0f, -0.1f}, 2e-3f);
+            expectNear(unrotate(rotation, pushes[i].points[1] - pushes[i].points[0]), {0.0f, -0.1f}, 2e-3f);
         }
         EXPECT_NEAR(ends, 0.0f, 2e-3f) << "one contact point at each end";
     }

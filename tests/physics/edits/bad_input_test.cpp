@@ -127,8 +127,8 @@ std::vector<Named> creators() {
         PLUMB_OUTLINE(box({1.0f, 1.0f}), b.x),
         PLUMB_OUTLINE(box({1.0f, 1.0f}), b.y),
         PLUMB_OUTLINE(box({1.0f, 1.0f}), radius),
-        PLUMB_OUTLINE(box({1.0f, 1.0f}), turn.cos),
-        PLUMB_OUTLINE(box({1.0f, 1.0f}), turn.sin),
+        PLUMB_OUTLINE(box({1.0f, 1.0f}), rotation.cos),
+        PLUMB_OUTLINE(box({1.0f, 1.0f}), rotation.sin),
         PLUMB_OUTLINE(capsule({}, {1.0f, 0.0f}, 1.0f), radius),
         PLUMB_OUTLINE(capsule({}, {1.0f, 0.0f}, 1.0f), a.x),
         PLUMB_OUTLINE(capsule({}, {1.0f, 0.0f}, 1.0f), b.y),
@@ -493,7 +493,7 @@ TEST(BadInput, objectsMayBeDestroyedInAnyOrder) {
         EXPECT_TRUE(world.contacts.empty());
         EXPECT_TRUE(world.awake.empty());
         EXPECT_TRUE(world.joints.awake.empty());
-        for (const std::uint32_t callers : world.manifest.callers) EXPECT_EQ(callers, 0u);
+        for (const std::uint32_t requesters : world.manifest.requesters) EXPECT_EQ(requesters, 0u);
         EXPECT_EQ(world.shapes.free.size(), world.shapes.size());
     }
 }

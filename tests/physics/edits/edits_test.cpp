@@ -137,7 +137,7 @@ TEST(Edits, theEffectsInUseAreConsistentAfterEdits) {
             if (i % 6 == 0) step(world, kTick);
         }
         for (std::uint32_t i = 0; i < world.bodies.size(); ++i) destroyBody(world, bodyAt(world, i));
-        EXPECT_EQ(world.manifest.callers, Manifest{}.callers) << seed;
+        EXPECT_EQ(world.manifest.requesters, Manifest{}.requesters) << seed;
         EXPECT_EQ(world.qualityCallers, 0u);
         run(world, 2);
         EXPECT_TRUE(world.contacts.empty());

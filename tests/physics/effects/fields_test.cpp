@@ -159,11 +159,11 @@ TEST(Submerged, equalsCountingPointsForEveryOutlineAndPose) {
                 points.push_back({random.between(-1.0f, 1.0f), random.between(-1.0f, 1.0f)});
             ASSERT_TRUE(createPolygon(world, body, points, seed % 2 == 0 ? 0.2f : 0.0f).ok());
         } else {
-            const Rot turn = rotFromAngle(random.between(-3.0f, 3.0f));
+            const Rot rotation = rotFromAngle(random.between(-3.0f, 3.0f));
             const Geometry outlines[] = {circle(random.between(0.2f, 1.5f), {0.3f, 0.1f}),
                                          capsule({-0.5f, 0.2f}, {0.9f, 0.4f}, random.between(0.2f, 0.8f)),
-                                         box({0.9f, 0.4f}, {0.2f, 0.0f}, turn),
-                                         box({0.9f, 0.4f}, {0.2f, 0.0f}, turn, 0.3f)};
+                                         box({0.9f, 0.4f}, {0.2f, 0.0f}, rotation),
+                                         box({0.9f, 0.4f}, {0.2f, 0.0f}, rotation, 0.3f)};
             ASSERT_TRUE(createShape(world, body, outlines[kind]).ok());
         }
         const Geometry& geometry = world.shapes.geometry[0];

@@ -115,9 +115,9 @@ TEST(Readings, ofSlidersAreDisplacementAlongTheAxisAndItsSpeed) {
         const Two::Gap gap = two.gapOf(d);
         // Displacement of B along the axis after a time, in the rotating frame of A.
         const auto wayOf = [&](float time) {
-            const Rot turn =
+            const Rot rotation =
                 rotFromAngle(time * angularVelocityOf(two.world, two.a)) * rotationOf(two.world, two.a);
-            return unrotate(turn, gap.displacement + time * gap.speed);
+            return unrotate(rotation, gap.displacement + time * gap.speed);
         };
         const float value = dot(axis, wayOf(0.0f));
         EXPECT_NEAR(reading.value, value, 1e-5f);

@@ -100,10 +100,10 @@ TEST(CollideChainProperty, jointsOfAFlatFloorHaveNoEffect) {
         SCOPED_TRACE(seed);
         Random random = Random::seeded(seed);
         const float tilt = random.between(-1.0f, 1.0f);
-        const Rot turn = rotFromAngle(tilt);
+        const Rot rotation = rotFromAngle(tilt);
         std::vector<Vec2> points;
         for (float x = -20.0f; x < 20.0f; x += random.between(0.05f, 3.0f))
-            points.push_back(rotate(turn, {-x, 0.0f}));
+            points.push_back(rotate(rotation, {-x, 0.0f}));
         const std::vector<Geometry> floor = chainOf(points, false);
         const Vec2 up = normalOfChain(floor[0]);
         const Outline outline = randomOutline(random, kConvexKinds[seed % 5], 1.0f);
@@ -112,7 +112,7 @@ TEST(CollideChainProperty, jointsOfAFlatFloorHaveNoEffect) {
         const float depth = random.between(0.0f, 0.01f);
         for (float x = -10.0f; x < 10.0f; x += 0.037f) {
             // Lower the outline until its lowest corner is `depth` deep in the floor.
-            Frame frame{rotate(turn, {x, 0.0f}), posture};
+            Frame frame{rotate(rotation, {x, 0.0f}), posture};
             const auto lowest = static_cast<std::size_t>(farthest(convex.corners(), -unrotate(posture, up)));
             const float height = dot(apply(frame, convex.corners()[lowest].point), up) - convex.radius;
             frame.position -= up * (height + depth);

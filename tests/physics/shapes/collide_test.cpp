@@ -150,7 +150,7 @@ Geometry placed(const Geometry& geometry, const Frame& frame) {
     Geometry moved = geometry;
     moved.a = apply(frame, geometry.a);
     if (geometry.kind != ShapeKind::Box) moved.b = apply(frame, geometry.b);
-    if (geometry.kind == ShapeKind::Box) moved.turn = frame.rotation * geometry.turn;
+    if (geometry.kind == ShapeKind::Box) moved.rotation = frame.rotation * geometry.rotation;
     return moved;
 }
 

@@ -236,7 +236,7 @@ TEST(CheckGeometry, acceptsValidOutlinesAndNamesTheInvalidMember) {
     EXPECT_EQ(refusal(circle(1.0f, {0.0f, kNan})), "circle.a");
     EXPECT_EQ(refusal(capsule({}, {1e7f, 0}, 1.0f)), "capsule.b");
     EXPECT_EQ(refusal(box({1.0f, 0.0f})), "box.b.y");
-    EXPECT_EQ(refusal(box({1.0f, 1.0f}, {}, {0.0f, 0.0f})), "box.turn");
+    EXPECT_EQ(refusal(box({1.0f, 1.0f}, {}, {0.0f, 0.0f})), "box.rotation");
     EXPECT_EQ(refusal(box({1.0f, 1.0f}, {}, {}, -0.1f)), "box.radius");
     EXPECT_EQ(refusal(segment({1, 1}, {1, 1})), "segment length");
     Outline hexagon = regularPolygon(6, 1.0f);

@@ -154,8 +154,8 @@ TEST(Convex, ofBoxesAndSegmentsHasCornersInTheOrderOfTheirNormals) {
         Random random = Random::seeded(seed);
         const Vec2 centre = test::randomPoint(random, 3.0f),
                    half{random.between(0.1f, 2.0f), random.between(0.1f, 2.0f)};
-        const Rot turn = test::randomRotation(random);
-        const Geometry geometry = box(half, centre, turn, 0.25f);
+        const Rot rotation = test::randomRotation(random);
+        const Geometry geometry = box(half, centre, rotation, 0.25f);
         const Convex convex = convexOf(geometry, {});
         EXPECT_EQ(convex.centre, centre);
         EXPECT_EQ(convex.radius, 0.25f);
@@ -163,10 +163,10 @@ TEST(Convex, ofBoxesAndSegmentsHasCornersInTheOrderOfTheirNormals) {
         constexpr Vec2 kSides[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
         constexpr Vec2 kNormals[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
         for (std::size_t i = 0; i < 4; ++i) {
-            const Vec2 local = unrotate(turn, convex.corners()[i].point - centre);
+            const Vec2 local = unrotate(rotation, convex.corners()[i].point - centre);
             EXPECT_NEAR(local.x, kSides[i].x * half.x, 1e-5f);
             EXPECT_NEAR(local.y, kSides[i].y * half.y, 1e-5f);
-            EXPECT_NEAR(length(unrotate(turn, convex.corners()[i].normal) - kNormals[i]), 0.0f, 1e-6f);
+            EXPECT_NEAR(length(unrotate(rotation, convex.corners()[i].normal) - kNormals[i]), 0.0f, 1e-6f);
         }
         const Vec2 end = test::randomPoint(random, 3.0f);
         const Convex rod = convexOf(capsule(centre, end, 0.1f), {});

@@ -21,7 +21,7 @@ inline void expectNear(const World& a, const World& b, double tolerance = 1.0e-6
         EXPECT_NEAR(a.bodies.pose[i].centre.x, b.bodies.pose[i].centre.x, tolerance) << i;
         EXPECT_NEAR(a.bodies.pose[i].centre.y, b.bodies.pose[i].centre.y, tolerance) << i;
     }
-    EXPECT_EQ(a.manifest.callers, b.manifest.callers);
+    EXPECT_EQ(a.manifest.requesters, b.manifest.requesters);
     EXPECT_EQ(a.qualityCallers, b.qualityCallers);
     EXPECT_EQ(a.contacts.size(), b.contacts.size());
 }

@@ -80,7 +80,7 @@ struct ProxyWorld {
             return motions[id] == ProxyMotion::Awake || motions[id] == ProxyMotion::Kinematic;
         };
         if ((!movable(a) && !movable(b)) || (!moves(a) && !moves(b))) return false;
-        return overlap(bounds[a], bounds[b]) && meet(filters[a], filters[b]);
+        return overlap(bounds[a], bounds[b]) && mayCollide(filters[a], filters[b]);
     }
 
     /// True if two boxes overlap. Inverted boxes and boxes with a NaN overlap nothing.

@@ -81,11 +81,11 @@ Ride randomRide(std::uint64_t seed) {
 
 struct Track {
     Playground ground;
-    Rot turn;
+    Rot rotation;
     BodyId body;
 
-    Track(const Ride& ride, bool tiled) : turn{rotFromAngle(ride.slope)} {
-        ground.world.settings.gravity = rotate(turn, {0.0f, -10.0f});
+    Track(const Ride& ride, bool tiled) : rotation{rotFromAngle(ride.slope)} {
+        ground.world.settings.gravity = rotate(rotation, {0.0f, -10.0f});
         const float depth = std::max(ride.half, 0.1f);
         const ShapeDefinition stuff{.friction = ride.friction};
         const float start = -3.0f * ride.half - 0.5f, end = ride.speed * 2.2f + 3.0f * ride.half + 0.5f;
@@ -101,14 +101,14 @@ struct Track {
                 edge += width;
             }
         } else {
-            const Vec2 middle = rotate(turn, {0.5f * (start + end), -0.5f * depth});
+            const Vec2 middle = rotate(rotation, {0.5f * (start + end), -0.5f * depth});
             const BodyId floor = ground.body(BodyKind::Static, middle, ride.slope);
             ground.shape(floor, box({0.5f * (end - start), 0.5f * depth}), stuff);
         }
-        body = ground.body(BodyKind::Dynamic, rotate(turn, {0.0f, ride.top()}), ride.slope);
+        body = ground.body(BodyKind::Dynamic, rotate(rotation, {0.0f, ride.top()}), ride.slope);
         addRider(ride, {.friction = ride.friction});
         ground.run(30);
-        EXPECT_TRUE(setVelocity(ground.world, body, rotate(turn, {ride.speed, 0.0f})).ok());
+        EXPECT_TRUE(setVelocity(ground.world, body, rotate(rotation, {ride.speed, 0.0f})).ok());
         const float spin = ride.rolls() ? -ride.speed / ride.half : 0.0f;
         EXPECT_TRUE(setAngularVelocity(ground.world, body, spin).ok());
     }
@@ -117,7 +117,7 @@ struct Track {
               const ShapeDefinition& stuff) {
         const Vec2 middle{edge + 0.5f * (width + ride.overlap), y - 0.5f * depth};
         const Vec2 half{0.5f * (width + ride.overlap), 0.5f * depth};
-        const BodyId own = ride.oneBody ? all : ground.body(ride.kind, rotate(turn, middle), ride.slope);
+        const BodyId own = ride.oneBody ? all : ground.body(ride.kind, rotate(rotation, middle), ride.slope);
         const Vec2 at = ride.oneBody ? middle : Vec2{};
         if (ride.slant == 0.0f) {
             ground.shape(own, box(half, at), stuff);
@@ -144,11 +144,11 @@ struct Track {
         EXPECT_TRUE(createPolygon(ground.world, body, corners, 0.0f, stuff).ok());
     }
 
-    [[nodiscard]] float height() const { return unrotate(turn, toVec2(centreOf(ground.world, body))).y; }
-    [[nodiscard]] float speed() const { return unrotate(turn, velocityOf(ground.world, body)).x; }
+    [[nodiscard]] float height() const { return unrotate(rotation, toVec2(centreOf(ground.world, body))).y; }
+    [[nodiscard]] float speed() const { return unrotate(rotation, velocityOf(ground.world, body)).x; }
 };
 
-struct Loss {            // effect of the tiles
+struct Loss {            // what the seams between tiles do to a body that slides or rolls over them
     float speed = 0.0f;  // largest difference of the speeds on tiles and on a single floor / initial speed
     float hop = 0.0f;    // largest deviation from the height at the start, m
 };

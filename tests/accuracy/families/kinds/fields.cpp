@@ -157,8 +157,8 @@ void makeWater(Blueprint& plan, Random& random) {
                               double worst = 0.0;
                               for (const Floater& one : floaters) {
                                   if (!stage.has(one.body)) continue;
-                                  const Rot turn = stage.rotationOf(one.body);
-                                  worst = std::max(worst, static_cast<double>(std::fabs(angleOf(turn))));
+                                  const Rot rotation = stage.rotationOf(one.body);
+                                  worst = std::max(worst, static_cast<double>(std::fabs(angleOf(rotation))));
                               }
                               return worst;
                           },

@@ -230,13 +230,13 @@ void makeRotor(Blueprint& plan, Random& random) {
          [=](const Stage& stage) {
              double inside = 0.0;
              if (!stage.has(rotor)) return inside;
-             const Rot turn = stage.rotationOf(rotor);
+             const Rot rotation = stage.rotationOf(rotor);
              const scenes::Point hub = stage.positionOf(rotor);
              for (const std::uint32_t body : crowd) {
                  if (!stage.has(body)) continue;
                  const scenes::Point at = stage.positionOf(body);
                  const Vec2 local =
-                     unrotate(turn, {static_cast<float>(at.x - hub.x), static_cast<float>(at.y - hub.y)});
+                     unrotate(rotation, {static_cast<float>(at.x - hub.x), static_cast<float>(at.y - hub.y)});
                  inside += std::fabs(local.x) < reach && std::fabs(local.y) < thick ? 1.0 : 0.0;
              }
              return inside;

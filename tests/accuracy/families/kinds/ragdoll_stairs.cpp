@@ -47,8 +47,8 @@ struct Fall {
 
 void addFigure(Blueprint& plan, float size, const Fall& fall, Material skin, float torque,
                std::vector<std::uint32_t>& bodies) {
-    const Rot turn = rotFromAngle(fall.angle);
-    const auto placed = [&](float y) { return fall.at + size * rotate(turn, {0.0f, y - kBones[0].y}); };
+    const Rot rotation = rotFromAngle(fall.angle);
+    const auto placed = [&](float y) { return fall.at + size * rotate(rotation, {0.0f, y - kBones[0].y}); };
     const auto first = static_cast<std::uint32_t>(plan.bodies.size());
     for (std::size_t i = 0; i < kBones.size(); ++i) {
         const Bone& bone = kBones[i];

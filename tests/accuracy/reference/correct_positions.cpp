@@ -7,13 +7,13 @@ namespace plumb::reference {
 
 namespace {
 
-constexpr double kRight = 1.0e-12;  // accepted position error, m, rad
+constexpr double kAcceptedError = 1.0e-12;  // accepted position error, m, rad
 
 }  // namespace
 
 /// Corrects position errors of joints and contacts by minimal displacements of bodies, to first order.
 /// @return the largest error before the correction, m or rad
-double GroupStep::putRightOnce() {
+double GroupStep::correctPositionsOnce() {
     writer_.beginShift(shift_);
     double worst = 0.0;
     for (const std::uint32_t index : group_->laws) {
@@ -44,7 +44,7 @@ double GroupStep::putRightOnce() {
         writer_.add(shift_, along, along, a, b,
                     {.target = -now.gap, .kind = presses ? RowKind::Both : RowKind::Push});
     }
-    if (worst < kRight) return worst;
+    if (worst < kAcceptedError) return worst;
     shift_.tolerance = std::max(1.0e-4 * worst, 1.0e-15);
     const RowOutcome outcome = shifter_.solve(shift_);
     state_.factorings += outcome.factorings;
@@ -55,8 +55,8 @@ double GroupStep::putRightOnce() {
 
 void GroupStep::correctPositions(int mostRounds, double hopeless) {
     double worst = kEndless, before = kEndless;
-    for (int round = 0; round < mostRounds && !(worst < kRight); ++round) {
-        worst = putRightOnce();
+    for (int round = 0; round < mostRounds && !(worst < kAcceptedError); ++round) {
+        worst = correctPositionsOnce();
         if (round % 10 != 9) continue;
         if (worst > 0.9 * before) break;
         before = worst;

@@ -18,7 +18,7 @@ double GroupStep::approachOf(const Touch& touch) const {
 
 /// Solves an impact: changes velocities instantaneously so that joints hold and no contact approaches.
 void GroupStep::solveImpact(std::span<const Touch> touches, bool bounces) {
-    writer_.beginBlow(system_, v0_);
+    writer_.beginImpact(system_, v0_);
     for (const std::uint32_t index : group_->laws) {
         const Law& law = scene_.laws[index];
         Gradient gradient = gradientOf(law.measure, q0_[writer_.local(law.a)], q0_[writer_.local(law.b)]);

@@ -1,4 +1,4 @@
-#include "editor/model/document/sight.hpp"
+#include "editor/model/document/visibility.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "scene/physics/soft_hand.hpp"
+#include "scene/physics/soft_grips.hpp"
 
 #include <algorithm>
 #include <cmath>
