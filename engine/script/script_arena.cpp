@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 #include "core/assert.hpp"
 
@@ -60,9 +61,56 @@ void* ScriptArena::take(std::size_t sizeClass) {
         return block;
     }
     const std::size_t at = header().used;
-    if (!grow(at + sizeOf(sizeClass))) return nullptr;
+    if (!grow(at + sizeOf(sizeClass))) return takePart(sizeClass);
     header().used = at + sizeOf(sizeClass);
     return start() + at;
+}
+
+/// The largest class of blocks that are not larger.
+std::size_t ScriptArena::classWithin(std::size_t bytes) {
+    if (bytes <= kSmall) return bytes / kStep - 1;
+    return kSmallSizes + static_cast<std::size_t>(std::bit_width(bytes / kSmall)) - 2;
+}
+
+/// Takes a part of a larger block that was freed.
+void* ScriptArena::takePart(std::size_t sizeClass) {
+    for (std::size_t larger = sizeClass + 1; larger < kSizes; ++larger) {
+        if (header().free[larger] == 0) continue;
+        std::byte* block = static_cast<std::byte*>(take(larger));
+        const auto begin = static_cast<std::size_t>(block - start());
+        giveRange(begin + sizeOf(sizeClass), begin + sizeOf(larger));
+        return block;
+    }
+    return nullptr;
+}
+
+/// Frees a range of offsets, as blocks that are as large as possible.
+void ScriptArena::giveRange(std::size_t begin, std::size_t end) {
+    while (begin < end) {
+        const std::size_t sizeClass = classWithin(end - begin);
+        give(start() + begin, sizeClass);
+        begin += sizeOf(sizeClass);
+    }
+}
+
+void ScriptArena::joinFreed() {
+    std::vector<bool> isFree(header().used / kStep);  // each step of the arena
+    for (std::size_t sizeClass = 0; sizeClass < kSizes; ++sizeClass) {
+        const std::size_t steps = sizeOf(sizeClass) / kStep;
+        for (std::uint32_t at = header().free[sizeClass]; at != 0; std::memcpy(&at, start() + at, sizeof at))
+            std::fill_n(isFree.begin() + static_cast<std::ptrdiff_t>(at / kStep), steps, true);
+    }
+    header().free = {};
+    for (auto begin = std::find(isFree.begin(), isFree.end(), true); begin != isFree.end();) {
+        const auto end = std::find(begin, isFree.end(), false);
+        const auto offset = static_cast<std::size_t>(begin - isFree.begin()) * kStep;
+        if (end == isFree.end()) {
+            header().used = offset;
+        } else {
+            giveRange(offset, static_cast<std::size_t>(end - isFree.begin()) * kStep);
+        }
+        begin = std::find(end, isFree.end(), true);
+    }
 }
 
 void ScriptArena::give(void* block, std::size_t sizeClass) {

@@ -25,6 +25,10 @@ public:
     /// @return null if the arena is full: the old block stays valid then
     void* allocate(void* block, std::size_t oldSize, std::size_t newSize);
 
+    /// Joins freed blocks that lie side by side, so that they serve for other sizes. Takes some 10 ms: for
+    /// when the arena is full.
+    void joinFreed();
+
     /// The used beginning of the arena.
     [[nodiscard]] std::span<const std::byte> content() const { return {start(), header().used}; }
     /// Replaces the content by a copy of one that was in this arena before.
@@ -34,7 +38,8 @@ public:
 
 private:
     // Blocks of up to 1 KiB have sizes in steps of 16 bytes, larger ones powers of two. Freed blocks of each
-    // size form a list whose links lie in the blocks; offsets from the start, 0 for the end.
+    // size form a list whose links lie in the blocks; offsets from the start, 0 for the end. Larger blocks
+    // are split only if the arena is full.
     static constexpr std::size_t kStep = 16;
     static constexpr std::size_t kSmall = 1024;
     static constexpr std::size_t kSmallSizes = kSmall / kStep;
@@ -50,7 +55,10 @@ private:
     [[nodiscard]] Header& header() const { return *reinterpret_cast<Header*>(start()); }
     [[nodiscard]] static std::size_t sizeClass(std::size_t bytes);
     [[nodiscard]] static std::size_t sizeOf(std::size_t sizeClass);
+    [[nodiscard]] static std::size_t classWithin(std::size_t bytes);
     void* take(std::size_t sizeClass);
+    void* takePart(std::size_t sizeClass);
+    void giveRange(std::size_t begin, std::size_t end);
     void give(void* block, std::size_t sizeClass);
     bool grow(std::size_t used);
 

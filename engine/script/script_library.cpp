@@ -5,6 +5,7 @@
 #include <lua.hpp>
 
 #include "script/library/library_parts.hpp"
+#include "script/library/work.hpp"
 
 namespace plumb {
 namespace {
@@ -23,6 +24,7 @@ int print(lua_State* state) {
     luaL_pushresult(&line);
     std::size_t length = 0;
     const char* text = lua_tolstring(state, -1, &length);
+    script::spendText(state, length);
     if (currentHost != nullptr) currentHost->print({text, length});
     return 0;
 }
@@ -59,8 +61,14 @@ void removeUnsafe(lua_State* state) {
 
 }  // namespace
 
-ScriptHostScope::ScriptHostScope(ScriptHost& host) : before_{currentHost} { currentHost = &host; }
-ScriptHostScope::~ScriptHostScope() { currentHost = before_; }
+ScriptHostScope::ScriptHostScope(ScriptHost& host) : before_{currentHost} {
+    currentHost = &host;
+    if (before_ == nullptr) script::Work::begin();
+}
+ScriptHostScope::~ScriptHostScope() {
+    currentHost = before_;
+    if (before_ == nullptr) script::Work::end();
+}
 
 namespace script {
 
@@ -83,8 +91,31 @@ void openScriptLibrary(lua_State* state) {
     script::addTexts(state);
     script::addSearch(state);
     script::addMath(state);
+    script::addCalls(state);
+    script::addLists(state);
+    script::addProtection(state);
     lua_pushcfunction(state, print);
     lua_setglobal(state, "print");
+    for (const char* name : {LUA_TABLIBNAME, LUA_STRLIBNAME, LUA_MATHLIBNAME, LUA_COLIBNAME, LUA_UTF8LIBNAME})
+        makeReadOnly(state, name);
+}
+
+void makeReadOnly(lua_State* state, const char* global) {
+    lua_getglobal(state, global);
+    script::pushReadOnly(state);
+    lua_setglobal(state, global);
+}
+
+void pushScriptEnvironment(lua_State* state) {
+    lua_newtable(state);
+    lua_pushvalue(state, -1);
+    lua_setfield(state, -2, LUA_GNAME);
+    lua_createtable(state, 0, 2);
+    lua_pushglobaltable(state);
+    lua_setfield(state, -2, "__index");
+    lua_pushboolean(state, 0);
+    lua_setfield(state, -2, "__metatable");
+    lua_setmetatable(state, -2);
 }
 
 }  // namespace plumb

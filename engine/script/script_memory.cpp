@@ -3,6 +3,7 @@
 #include <lua.hpp>
 
 #include "core/assert.hpp"
+#include "script/library/work.hpp"
 #include "script/script_arena.hpp"
 
 namespace plumb {
@@ -12,8 +13,15 @@ std::recursive_mutex accessMutex;
 ScriptMemory* resident = nullptr;  // whose state is in the arena; guarded by the mutex
 
 void* allocate(void*, void* block, std::size_t oldSize, std::size_t newSize) {
-    // Without a block, Lua passes the kind of the object as the old size.
-    return ScriptArena::instance().allocate(block, block == nullptr ? 0 : oldSize, newSize);
+    if (block == nullptr) oldSize = 0;  // Lua passes the kind of the object
+    ScriptArena& arena = ScriptArena::instance();
+    const bool allowed = newSize <= oldSize || script::Work::spendBlock(newSize);
+    void* result = allowed ? arena.allocate(block, oldSize, newSize) : nullptr;
+    if (result != nullptr || newSize == 0) return result;
+    script::Work::spendCollection(arena.content().size());
+    if (!allowed) return nullptr;
+    arena.joinFreed();
+    return arena.allocate(block, oldSize, newSize);
 }
 
 }  // namespace

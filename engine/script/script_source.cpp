@@ -1,6 +1,8 @@
 #include "script/script_source.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/text.hpp"
@@ -10,6 +12,7 @@ namespace {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// The parts of a Lua text that matter here; everything else is a symbol of one character.
 struct Token {
@@ -52,7 +55,7 @@ public:
         }
         return {kind, text_.substr(start, at_ - start), at_};
     }
-    void skipLine() { at_ = std::min(text_.find('\n', at_), text_.size()); }
+    void skipLine() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
     [[nodiscard]] std::size_t lineOf(std::size_t offset) const {
         return 1 + static_cast<std::size_t>(
                        std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
@@ -66,8 +69,7 @@ private:
     }
     void skipSpace() {
         for (;;) {
-            while (at_ < text_.size() && (text_[at_] == ' ' || (text_[at_] >= '\t' && text_[at_] <= '\r')))
-                ++at_;
+            while (isSpace(peek(0))) ++at_;
             if (peek(0) != '-' || peek(1) != '-') return;
             at_ += 2;
             if (const std::size_t level = longBracket(); level != kNone) {
@@ -94,10 +96,20 @@ private:
     }
     void skipQuoted(char quote) {
         for (++at_; at_ < text_.size() && text_[at_] != quote; ++at_) {
-            if (text_[at_] == '\n') return;  // an error that Lua reports
-            if (text_[at_] == '\\') ++at_;
+            if (text_[at_] == '\n' || text_[at_] == '\r') return;  // an error that Lua reports
+            if (text_[at_] == '\\') skipEscape();
         }
         at_ = std::min(at_ + 1, text_.size());
+    }
+    /// Moves to the last character of an escape sequence that may contain the end of a line; of the others,
+    /// the first character is enough.
+    void skipEscape() {
+        ++at_;
+        if (peek(0) == 'z') {
+            while (isSpace(peek(1))) ++at_;
+        } else if ((peek(0) == '\r' && peek(1) == '\n') || (peek(0) == '\n' && peek(1) == '\r')) {
+            ++at_;
+        }
     }
     /// The level of a long bracket "[==[" that starts here.
     [[nodiscard]] std::size_t longBracket() const {
@@ -134,16 +146,39 @@ public:
                     return powerError(token.end);
                 continue;
             }
+            if (std::optional<Error> error = problemOf(token)) return std::move(*error);
             visit(token);
         }
         copyTo(text_.size());
+        if (needsCount_) out_.insert(0, format("local {}=select ", kVarargCount));
         return std::move(out_);
     }
 
 private:
     enum class Block : unsigned char { Plain, LoopHead };
 
+    /// What would lead out of the function around the script or past its budget.
+    [[nodiscard]] std::optional<Error> problemOf(const Token& token) const {
+        if (token.is(kBudget) || token.is(kOverBudget) || token.is(kVarargCount))
+            return errorAt(token.end, format("the name {} is reserved", token.text), "use another name");
+        if ((token.is("end") || token.is("until")) && open_.empty())
+            return errorAt(token.end, format("'{}' closes nothing", token.text), "remove it");
+        if (token.text == "__mode" || (token.kind == Token::Kind::String && isModeText(token.text)))
+            return errorAt(token.end, "__mode is not available: when it acts would differ between runs",
+                           "set entries to nil");
+        return std::nullopt;
+    }
+    /// True for "__mode" in quotes or long brackets: weak tables that get their mode after setmetatable().
+    [[nodiscard]] static bool isModeText(std::string_view text) {
+        constexpr std::string_view kMode = "__mode";
+        const std::size_t at = text.find(kMode);
+        const std::string_view after = at == std::string_view::npos ? text : text.substr(at + kMode.size());
+        return at != std::string_view::npos && text.find_first_not_of("'\"[=\r\n") == at &&
+               after.find_first_not_of("'\"]=") == std::string_view::npos;
+    }
+
     void visit(const Token& token) {
+        if (inHead_) return visitHead(token);
         if (token.kind != Token::Kind::Word) return;
         if (token.text == "while" || token.text == "for") {
             open_.push_back(Block::LoopHead);
@@ -160,35 +195,45 @@ private:
             insertAfter(token.end);
         } else if (token.text == "function") {
             open_.push_back(Block::Plain);
-            skipParameters();
+            inHead_ = true;
+            dots_ = 0;
         } else if (token.text == "if") {
             open_.push_back(Block::Plain);
         } else if (token.text == "end" || token.text == "until") {
-            if (!open_.empty()) open_.pop_back();
+            open_.pop_back();
         } else if (token.text == "goto") {
             insertAfter(token.end - token.text.size());
         }
     }
 
-    /// Parameters contain no parentheses.
-    void skipParameters() {
-        Token token = lexer_.next();
-        while (token.kind != Token::Kind::End && !token.is(")")) token = lexer_.next();
-        if (token.kind != Token::Kind::End) insertAfter(token.end);
+    /// The name and the parameters of a function, which contain no parentheses.
+    void visitHead(const Token& token) {
+        if (token.is(".")) ++dots_;
+        if (token.is("(")) dots_ = 0;  // those of the name
+        if (!token.is(")")) return;
+        inHead_ = false;
+        insertAfter(token.end, dots_ == 3);
     }
 
     void copyTo(std::size_t offset) {
         out_ += text_.substr(copied_, offset - copied_);
         copied_ = offset;
     }
-    void insertAfter(std::size_t offset) {
+    /// Each use of `...` copies all of its values, so a function with very many is stopped too.
+    void insertAfter(std::size_t offset, bool hasVarargs = false) {
+        constexpr int kMaxVarargs = 250;
         copyTo(offset);
-        out_ += format(" {}={}-1 if {}<0 then {}() end ", kBudget, kBudget, kBudget, kOverBudget);
+        const std::string tooMany =
+            hasVarargs ? format(" or {}('#',...)>{}", kVarargCount, kMaxVarargs) : "";
+        out_ += format(" {}={}-1 if {}<0{} then {}() end ", kBudget, kBudget, kBudget, tooMany, kOverBudget);
+        needsCount_ = needsCount_ || hasVarargs;
+    }
+    [[nodiscard]] Error errorAt(std::size_t offset, std::string what, std::string advice) const {
+        return {format("{}:{}", name_, lexer_.lineOf(offset)), std::move(what), std::move(advice)};
     }
     [[nodiscard]] Error powerError(std::size_t offset) const {
-        return {format("{}:{}", name_, lexer_.lineOf(offset)),
-                "powers other than ^2 have different last digits on different machines",
-                "write math.pow(x, y), or products"};
+        return errorAt(offset, "powers other than ^2 have different last digits on different machines",
+                       "write math.pow(x, y), or products");
     }
 
     std::string_view text_;
@@ -197,11 +242,16 @@ private:
     std::string out_;
     std::size_t copied_ = 0;   // offset up to which the text was copied
     std::vector<Block> open_;  // blocks and heads of loops that are open
+    bool inHead_ = false;      // in the name or the parameters of a function
+    int dots_ = 0;             // of these
+    bool needsCount_ = false;
 };
 
 }  // namespace
 
 Result<std::string> prepareScript(std::string_view text, std::string_view name) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (startsWith(text, kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     if (!isUtf8(text)) return Error{std::string{name}, "the file is not UTF-8 text", "save it as UTF-8"};
     return Preparation{text, name}.run();
 }

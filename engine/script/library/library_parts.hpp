@@ -17,6 +17,15 @@ void addTexts(lua_State* state);
 void addSearch(lua_State* state);
 /// Functions of math.
 void addMath(lua_State* state);
+/// pcall(), xpcall(), coroutine.resume() and close().
+void addCalls(lua_State* state);
+/// table.insert(), remove(), move() and concat().
+void addLists(lua_State* state);
+/// rawset().
+void addProtection(lua_State* state);
+
+/// Replaces the table on top of the stack by one that shows it and cannot be changed.
+void pushReadOnly(lua_State* state);
 
 /// Pushes the text of the value at an index, like tostring().
 void pushText(lua_State* state, int index);

@@ -1,12 +1,17 @@
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 
 #include <lua.hpp>
 
 #include "script/library/library_parts.hpp"
+#include "script/library/work.hpp"
 
 namespace plumb::script {
 namespace {
+
+constexpr std::int64_t kWorkPerKey = 30;
 
 /// Rank of the type of a key in the order of pairs(); kNoOrder for types without an order.
 enum Rank : int { kNumber, kString, kBoolean, kNoOrder };
@@ -76,6 +81,8 @@ void merge(lua_State* state, int list, InOrder inOrder, const lua_Integer* from,
 /// Sorts the values 1..count of the list at an index by merging, and pushes the sorted list. Never fails by
 /// itself, even if `inOrder` is no order.
 void pushSorted(lua_State* state, int list, lua_Integer count, InOrder inOrder) {
+    constexpr std::int64_t kWorkPerComparison = 30;
+    spend(state, kWorkPerComparison * count * std::bit_width(static_cast<std::uint64_t>(count)));
     // Memory of the state, so that an error of the comparison loses nothing.
     auto* from = static_cast<lua_Integer*>(
         lua_newuserdatauv(state, static_cast<std::size_t>(count + 1) * 2 * sizeof(lua_Integer), 0));
@@ -97,7 +104,7 @@ void pushSorted(lua_State* state, int list, lua_Integer count, InOrder inOrder) 
 
 int sort(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
-    const lua_Integer count = luaL_len(state, 1);
+    const lua_Integer count = std::max<lua_Integer>(luaL_len(state, 1), 0);
     if (!lua_isnoneornil(state, 2)) luaL_checktype(state, 2, LUA_TFUNCTION);
     lua_settop(state, 2);
     constexpr lua_Integer kMax = 1 << 24;
@@ -123,6 +130,7 @@ void pushKeys(lua_State* state) {
     bool sorted = true;
     for (lua_pushnil(state); lua_next(state, 1) != 0;) {
         lua_pop(state, 1);
+        spend(state, kWorkPerKey);
         if (rankOf(state, -1) == kNoOrder)
             luaL_error(
                 state,
@@ -183,6 +191,7 @@ int next(lua_State* state) {
     lua_pushnil(state);  // the best key so far
     for (lua_pushnil(state); lua_next(state, 1) != 0;) {
         lua_pop(state, 1);
+        spend(state, kWorkPerKey);
         if (rankOf(state, 4) == kNoOrder) {
             // Still tells whether a table is empty.
             if (first && lua_isnil(state, 3)) lua_copy(state, 4, 3);

@@ -30,6 +30,8 @@ bool ofClass(unsigned char c, unsigned char name) {
     return isUpper(name) ? !is : is;
 }
 
+constexpr std::size_t kSetPerStep = 16;  // characters of a set that cost a step
+
 unsigned char at(std::string_view text, std::size_t index) { return static_cast<unsigned char>(text[index]); }
 
 }  // namespace
@@ -40,16 +42,20 @@ std::size_t PatternMatcher::match(std::size_t start) {
     return matchFrom(start, 0);
 }
 
+/// Counts steps. @return false if there are too many
+bool PatternMatcher::spend(std::size_t steps) {
+    steps_ += static_cast<std::int64_t>(steps);
+    if (steps_ > kMaxSteps) fail(Problem::TooManySteps);
+    return steps_ <= kMaxSteps;
+}
+
 /// Matches the rest of the pattern, from an item on.
 std::size_t PatternMatcher::matchFrom(std::size_t start, std::size_t item) {
     if (++depth_ > kMaxDepth) return fail(Problem::TooComplex);
     std::size_t position = start;
     std::size_t result = kNone;
     while (problem_ == Problem::None) {
-        if (++steps_ > kMaxSteps) {
-            fail(Problem::TooManySteps);
-            break;
-        }
+        if (!spend(1)) break;
         if (item == pattern_.size()) {
             result = position;
             break;
@@ -132,7 +138,7 @@ std::size_t PatternMatcher::matchBalanced(std::size_t position, std::size_t item
     if (position >= text_.size() || text_[position] != pattern_[item]) return kNone;
     int open = 1;
     for (std::size_t i = position + 1; i < text_.size(); ++i) {
-        ++steps_;
+        if (!spend(1)) return kNone;
         if (text_[i] == pattern_[item + 1]) {
             if (--open == 0) return matchFrom(i + 1, item + 2);
         } else if (text_[i] == pattern_[item]) {
@@ -160,7 +166,7 @@ std::size_t PatternMatcher::matchBack(std::size_t position, std::size_t item) {
     if (index < 0 || index >= captureCount_ || capture(index).isOpen || capture(index).isPosition)
         return fail(Problem::BadCapture);
     const std::string_view captured = text_.substr(capture(index).begin, capture(index).length);
-    steps_ += static_cast<std::int64_t>(captured.size());
+    if (!spend(captured.size())) return kNone;
     if (text_.substr(position, captured.size()) != captured) return kNone;
     return matchFrom(position + captured.size(), item + 1);
 }
@@ -169,8 +175,7 @@ std::size_t PatternMatcher::matchBack(std::size_t position, std::size_t item) {
 std::size_t PatternMatcher::matchMost(std::size_t position, std::size_t item, std::size_t after) {
     const std::size_t least = pattern_[after] == '+' ? 1 : 0;
     std::size_t count = 0;
-    while (matchesOne(position + count, item, after)) ++count;
-    steps_ += static_cast<std::int64_t>(count);
+    while (matchesOne(position + count, item, after) && spend(1)) ++count;
     for (std::size_t i = count + 1; i > least && problem_ == Problem::None; --i) {
         const std::size_t result = matchFrom(position + i - 1, after + 1);
         if (result != kNone) return result;
@@ -203,6 +208,7 @@ std::size_t PatternMatcher::endOfItem(std::size_t item) {
         if (i >= pattern_.size()) return fail(Problem::Malformed);
         i += pattern_[i] == '%' ? 2 : 1;
     } while (i >= pattern_.size() || pattern_[i] != ']');
+    spend((i - item) / kSetPerStep);
     return i + 1;
 }
 
@@ -212,7 +218,7 @@ bool PatternMatcher::matchesOne(std::size_t position, std::size_t item, std::siz
     switch (pattern_[item]) {
         case '.': return true;
         case '%': return ofClass(c, at(pattern_, item + 1));
-        case '[': return inSet(c, item, end - 1);
+        case '[': return spend((end - item) / kSetPerStep) && inSet(c, item, end - 1);
         default: return at(pattern_, item) == c;
     }
 }

@@ -39,6 +39,8 @@ public:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     /// What is wrong with the pattern; nothing matches then.
+    /// Steps of all matches so far.
+    [[nodiscard]] std::int64_t steps() const { return steps_; }
     [[nodiscard]] Problem problem() const { return problem_; }
     [[nodiscard]] int captureCount() const { return captureCount_; }
     [[nodiscard]] const Capture& capture(int index) const {
@@ -57,6 +59,7 @@ private:
     std::size_t matchLeast(std::size_t at, std::size_t item, std::size_t after);
     [[nodiscard]] std::size_t endOfItem(std::size_t item);
     [[nodiscard]] bool matchesOne(std::size_t at, std::size_t item, std::size_t end);
+    bool spend(std::size_t steps);
     [[nodiscard]] bool inSet(unsigned char c, std::size_t open, std::size_t close) const;
     std::size_t fail(Problem problem) { return problem_ = problem, kNone; }
 

@@ -6,6 +6,7 @@
 
 #include "script/library/library_parts.hpp"
 #include "script/library/pattern.hpp"
+#include "script/library/work.hpp"
 
 // string.find, match, gmatch and gsub with patterns that end in a limited number of steps.
 
@@ -34,7 +35,10 @@ int raise(lua_State* state, PatternMatcher::Problem problem) {
 
 /// Matches at a position; raises an error if something is wrong with the pattern.
 std::size_t matchAt(lua_State* state, PatternMatcher& matcher, std::size_t position) {
+    const std::int64_t before = matcher.steps();
     const std::size_t end = matcher.match(position);
+    constexpr std::int64_t kWorkPerStep = 3;
+    spend(state, kWorkPerStep * (matcher.steps() - before));
     if (matcher.problem() != PatternMatcher::Problem::None) raise(state, matcher.problem());
     return end;
 }
@@ -66,7 +70,7 @@ int pushCaptures(lua_State* state, const PatternMatcher& matcher, std::string_vi
 std::size_t startAt(lua_State* state, int index, std::size_t length) {
     const lua_Integer position = luaL_optinteger(state, index, 1);
     if (position > 0) return static_cast<std::size_t>(position) - 1;
-    if (position == 0 || static_cast<std::uint64_t>(-position) > length) return 0;
+    if (position == 0 || 0 - static_cast<std::uint64_t>(position) > length) return 0;
     return length - static_cast<std::size_t>(-position);
 }
 
@@ -78,6 +82,24 @@ int pushRange(lua_State* state, std::size_t begin, std::size_t end) {
     return 2;
 }
 
+/// Like std::string_view::find, in a limited number of steps.
+std::size_t findPlain(lua_State* state, std::string_view text, std::string_view part, std::size_t start) {
+    constexpr std::int64_t kStepsPerPlace = 4;  // a comparison with few equal characters
+    if (part.empty()) return start;
+    std::int64_t steps = static_cast<std::int64_t>((text.size() - start) / 16);
+    std::size_t at = text.find(part.front(), start);
+    for (; at != std::string_view::npos; at = text.find(part.front(), at + 1)) {
+        const std::string_view here = text.substr(at, part.size());
+        const auto [end, rest] = std::mismatch(here.begin(), here.end(), part.begin());
+        if (rest == part.end()) break;
+        steps += kStepsPerPlace + (end - here.begin());
+        if (steps > PatternMatcher::kMaxSteps * kStepsPerPlace)
+            raise(state, PatternMatcher::Problem::TooManySteps);
+    }
+    spend(state, steps);
+    return at;
+}
+
 int findOrMatch(lua_State* state, bool finds) {
     const std::string_view text = textAt(state, 1);
     std::string_view pattern = textAt(state, 2);
@@ -85,7 +107,7 @@ int findOrMatch(lua_State* state, bool finds) {
     if (start > text.size()) return pushNil(state);
     if (finds &&
         (lua_toboolean(state, 4) != 0 || pattern.find_first_of("^$*+?.([%-") == std::string_view::npos)) {
-        const std::size_t found = text.find(pattern, start);
+        const std::size_t found = findPlain(state, text, pattern, start);
         return found == std::string_view::npos ? pushNil(state)
                                                : pushRange(state, found, found + pattern.size());
     }
@@ -201,6 +223,7 @@ int replaceAll(lua_State* state) {
         const std::size_t end = matchAt(state, matcher, start);
         if (end != PatternMatcher::kNone && end != last) {
             ++count;
+            spend(state, 20);  // a function of the library may replace each match
             addValue(state, out, matcher, text, start, end);
             start = last = end;
         } else if (start < text.size()) {

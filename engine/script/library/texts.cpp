@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include <lua.hpp>
 
 #include "script/library/library_parts.hpp"
+#include "script/library/work.hpp"
 
 namespace plumb::script {
 namespace {
@@ -32,10 +34,13 @@ const char* endOfSpecification(const char* at) {
 /// string.format: replaces arguments of %s that are no strings by their texts, and calls Lua's own function,
 /// the upvalue.
 int formatText(lua_State* state) {
-    const char* format = luaL_checkstring(state, 1);
+    std::size_t length = 0;
+    const char* format = luaL_checklstring(state, 1, &length);
+    const char* formatEnd = format + length;  // the text may contain the character 0
     const int count = lua_gettop(state);
     int argument = 1;
-    for (const char* at = std::strchr(format, '%'); at != nullptr; at = std::strchr(at, '%')) {
+    for (const char* at = std::find(format, formatEnd, '%'); at != formatEnd;
+         at = std::find(at, formatEnd, '%')) {
         if (at[1] == '%') {
             at += 2;
             continue;
@@ -59,6 +64,56 @@ int formatText(lua_State* state) {
     return 1;
 }
 
+/// string.rep, without the endless loop of Lua's own function (the upvalue) for texts of length 0.
+int repeat(lua_State* state) {
+    std::size_t length = 0;
+    std::size_t separatorLength = 0;
+    luaL_checklstring(state, 1, &length);
+    const lua_Integer count = luaL_checkinteger(state, 2);
+    luaL_optlstring(state, 3, "", &separatorLength);
+    if (count <= 0 || length + separatorLength == 0) return lua_pushliteral(state, ""), 1;
+    spend(state, std::min<lua_Integer>(count, Work::kMax) / 8);
+    lua_settop(state, 3);
+    lua_pushvalue(state, lua_upvalueindex(1));
+    lua_insert(state, 1);
+    lua_call(state, 3, 1);
+    return 1;
+}
+
+/// A function of Lua, the upvalue: its text, its arguments and its results are counted as work.
+int countWork(lua_State* state) {
+    std::size_t length = 0;
+    if (lua_type(state, 1) == LUA_TSTRING) static_cast<void>(lua_tolstring(state, 1, &length));
+    spendText(state, length);
+    spend(state, lua_gettop(state));
+    lua_pushvalue(state, lua_upvalueindex(1));
+    lua_insert(state, 1);
+    lua_call(state, lua_gettop(state) - 1, LUA_MULTRET);
+    spend(state, lua_gettop(state));
+    return lua_gettop(state);
+}
+
+/// Puts a function between scripts and the function of that name in the library on top of the stack.
+void wrap(lua_State* state, const char* name, lua_CFunction function) {
+    lua_getfield(state, -1, name);
+    lua_pushcclosure(state, function, 1);
+    lua_setfield(state, -2, name);
+}
+
+/// Wraps functions whose time grows with a text or the number of values.
+void countLongOnes(lua_State* state) {
+    for (const char* name : {"upper", "lower", "reverse", "pack", "unpack"}) wrap(state, name, countWork);
+    lua_getglobal(state, LUA_UTF8LIBNAME);
+    for (const char* name : {"len", "offset", "codepoint"}) wrap(state, name, countWork);
+    lua_pop(state, 1);
+    lua_getglobal(state, LUA_TABLIBNAME);
+    wrap(state, "unpack", countWork);
+    lua_pop(state, 1);
+    lua_pushglobaltable(state);
+    wrap(state, "select", countWork);
+    lua_pop(state, 1);
+}
+
 }  // namespace
 
 void pushText(lua_State* state, int index) {
@@ -75,7 +130,9 @@ void pushText(lua_State* state, int index) {
         if (lua_isstring(state, -1) == 0) luaL_error(state, "'__tostring' must return a string");
         return;
     }
-    if (luaL_getmetafield(state, index, "__name") == LUA_TSTRING) return;
+    const int name = luaL_getmetafield(state, index, "__name");
+    if (name == LUA_TSTRING) return;
+    if (name != LUA_TNIL) lua_pop(state, 1);
     lua_pushstring(state, luaL_typename(state, index));
 }
 
@@ -83,9 +140,9 @@ void addTexts(lua_State* state) {
     lua_pushcfunction(state, toText);
     lua_setglobal(state, "tostring");
     lua_getglobal(state, LUA_STRLIBNAME);
-    lua_getfield(state, -1, "format");
-    lua_pushcclosure(state, formatText, 1);
-    lua_setfield(state, -2, "format");
+    wrap(state, "format", formatText);
+    wrap(state, "rep", repeat);
+    countLongOnes(state);
     lua_pop(state, 1);
 }
 
