@@ -1,14 +1,20 @@
 #include "gameplay/game_functions.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "assets/asset_store.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "ecs/hierarchy.hpp"
 #include "gameplay/label_values.hpp"
 #include "input/input.hpp"
+#include "scene/components/bodies/rigid_body.hpp"
+#include "scene/components/drawing/animator.hpp"
+#include "scene/components/drawing/camera.hpp"
 #include "scene/components/name.hpp"
+#include "scene/components/tags.hpp"
 #include "scene/drawing/draw_scene.hpp"
 #include "scene/files/prefab.hpp"
 #include "scene/game_random.hpp"
@@ -27,6 +33,16 @@ std::string pathOf(const AssetStore& assets, std::string_view prefab) {
     return named && below && *named == *below ? inAssets : std::string{prefab};
 }
 
+/// Returns the first child with this name, or the empty handle.
+Entity findChild(World& world, Entity parent, std::string_view name) {
+    if (!parent) return {};
+    for (const Entity child : childrenOf(world, parent)) {
+        const Name* named = std::as_const(world).find<Name>(child);
+        if (named != nullptr && named->text == textId(name)) return child;
+    }
+    return {};
+}
+
 void requestScene(World& world, std::string_view scene, bool overlay) {
     const std::string path =
         endsWith(scene, ".json") ? std::string{scene} : format("scenes/{}.scene.json", scene);
@@ -38,12 +54,29 @@ void requestScene(World& world, std::string_view scene, bool overlay) {
 }  // namespace
 
 Entity findEntity(World& world, std::string_view name) {
+    const std::size_t slash = name.rfind('/');
+    if (slash != std::string_view::npos)
+        return findChild(world, findEntity(world, name.substr(0, slash)), name.substr(slash + 1));
     const TextId wanted = textId(name);
     EntityId first;
     for (auto [entity, named] : std::as_const(world).query<const Name>(withPaused)) {
         if (named.text == wanted && (!first || entity.id() < first)) first = entity.id();
     }
     return first ? world.entity(first) : Entity{};
+}
+
+std::vector<Entity> findEntities(World& world, std::string_view tag) {
+    std::vector<Entity> found;
+    for (auto [entity, tags] : std::as_const(world).query<const Tags>(withPaused)) {
+        if (tags.has(tag)) found.push_back(world.entity(entity.id()));
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+bool hasTag(const World& world, EntityId entity, std::string_view tag) {
+    const Tags* tags = world.find<Tags>(entity);
+    return tags != nullptr && tags->has(tag);
 }
 
 Entity spawn(World& world, std::string_view prefab, Vec2 position) {
@@ -62,6 +95,31 @@ Random& randomOf(World& world) { return world.resource<GameRandom>().random; }
 
 void playSound(World& world, SoundId sound, float volume) {
     world.emit(PlaySound{sound, volume, {}, world.tick});
+}
+
+void playClip(World& world, EntityId entity, std::string_view clip) {
+    auto* animator = world.find<Animator>(entity);
+    if (animator == nullptr) return;
+    const std::vector<Animation>& clips = assetsOf(world).animation(animator->animation).clips;
+    const auto found =
+        std::find_if(clips.begin(), clips.end(), [&](const Animation& other) { return other.name == clip; });
+    const auto index = static_cast<int>(found - clips.begin());
+    if (found == clips.end() || (animator->clip == index && animator->playing && !animator->ended)) return;
+    animator->clip = index;
+    animator->frame = animator->direction = 0;
+    animator->timer = 0.0f;
+    animator->ended = false;
+    animator->playing = true;
+}
+
+void applyImpulse(World& world, EntityId entity, Vec2 impulse) {
+    if (auto* body = world.find<RigidBody>(entity)) body->velocity += impulse / body->mass;
+}
+
+void shakeCamera(World& world, float strength, float seconds) {
+    for (auto [entity, camera] : world.query<Camera>()) {
+        if (camera.enabled) return shake(camera, strength, seconds);
+    }
 }
 
 Vec2 mouseInWorld(World& world) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "core/random.hpp"
 #include "ecs/world.hpp"
@@ -13,8 +14,13 @@ namespace plumb {
 
 class AssetStore;
 
-/// Returns the first entity with this Name, or the empty handle.
+/// Returns the first entity with this Name, or the empty handle. A path finds the child of a child:
+/// "Boss/Arm/Hand".
 Entity findEntity(World& world, std::string_view name);
+/// Returns the entities whose Tags contain this word, in the order in which they were created.
+std::vector<Entity> findEntities(World& world, std::string_view tag);
+/// True if the Tags of an entity contain this word.
+bool hasTag(const World& world, EntityId entity, std::string_view tag);
 /// Instantiates a prefab file, e.g. "prefabs/coin.prefab.json". Errors are logged.
 /// @param position  px, of the root
 /// @return the root entity, or the empty handle
@@ -25,6 +31,14 @@ Random& randomOf(World& world);
 void playSound(World& world, SoundId sound, float volume = 1.0f);
 /// Returns the position of the mouse (px) in the view of the first enabled camera.
 Vec2 mouseInWorld(World& world);
+/// Plays a clip of an entity's Animator from its start, unless it is playing already. Does nothing if there
+/// is no clip of this name.
+void playClip(World& world, EntityId entity, std::string_view clip);
+/// Changes the velocity of an entity's RigidBody by impulse / mass. @param impulse  kg px/s
+void applyImpulse(World& world, EntityId entity, Vec2 impulse);
+/// Shakes the first enabled camera, unless it still shakes more strongly.
+/// @param strength  px, at the start @param seconds  s
+void shakeCamera(World& world, float strength, float seconds);
 /// Sets the text that replaces {word} in every Label.
 void showText(World& world, std::string_view word, std::string_view text);
 /// Returns the store of the game's textures, sounds and other assets.

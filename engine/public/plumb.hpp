@@ -17,6 +17,7 @@
 #include "gameplay/game_progress.hpp"
 #include "gameplay/label_values.hpp"
 #include "gameplay/systems.hpp"
+#include "gameplay/touches.hpp"
 #include "gameplay/tweens.hpp"
 #include "math/angle.hpp"
 #include "math/color.hpp"
@@ -33,3 +34,4 @@
 #include "scene/scene_stack.hpp"
 #include "scene/systems.hpp"
 #include "scene/world_transform.hpp"
+#include "script/script_event.hpp"

@@ -50,6 +50,7 @@
 #include "scene/components/scene_entity.hpp"
 #include "scene/components/scene_physics.hpp"
 #include "scene/components/slider.hpp"
+#include "scene/components/tags.hpp"
 #include "scene/components/transform.hpp"
 
 namespace plumb {
@@ -61,7 +62,7 @@ using SceneComponents =
              KinematicBody, CharacterBody, CharacterController, BoxCollider, CircleCollider, CapsuleCollider,
              PolygonCollider, ChainCollider, ScenePhysics, RevoluteJoint, DistanceJoint, PrismaticJoint,
              WeldJoint, WheelJoint, MouseJoint, MotorJoint, PulleyJoint, GearJoint, GravityField, WindField,
-             BuoyancyField, Attractor, Explosion, Rope, Cloth, Jelly, SoftGrip, Hidden, Persistent, Overlay,
-             Slider, Plot, Ghost, Experiment>;
+             BuoyancyField, Attractor, Explosion, Rope, Cloth, Jelly, SoftGrip, Hidden, Tags, Persistent,
+             Overlay, Slider, Plot, Ghost, Experiment>;
 
 }  // namespace plumb
