@@ -101,16 +101,26 @@ bool sameField(const FieldInfo& a, const FieldInfo& b) {
 
 }  // namespace
 
+namespace {
+
+bool hasDefault(const TypeInfo& type, const FieldInfo& field, const void* object) {
+    return !type.defaults.empty() &&
+           std::memcmp(field.in(type.defaults.data()), field.in(object), field.size) == 0;
+}
+
+}  // namespace
+
 void convertComponent(const TypeInfo& before, const void* from, const TypeInfo& now, void* to) {
     for (const FieldInfo& field : now.fields) {
         const FieldInfo* former = before.find(field.name);
         if (former == nullptr && !field.was.empty()) former = before.find(field.was);
-        if (former != nullptr) convertField(*former, former->in(from), field, field.in(to));
+        if (former != nullptr && !hasDefault(before, *former, from))
+            convertField(*former, former->in(from), field, field.in(to));
     }
 }
 
 bool sameLayout(const TypeInfo& a, const TypeInfo& b) {
-    return a.key == b.key && a.size == b.size && a.alignment == b.alignment &&
+    return a.key == b.key && a.size == b.size && a.alignment == b.alignment && a.defaults == b.defaults &&
            std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(), sameField);
 }
 

@@ -16,13 +16,13 @@ namespace {
 enum class Mood : std::uint8_t { Calm, Angry, Asleep };
 
 struct Before {
-    float speed = 2.6f;
-    int lives = 3;
-    bool open = true;
-    Mood mood = Mood::Angry;
-    Vec2 home{1.0f, 2.0f};
+    float speed = 1.0f;
+    int lives = 1;
+    bool open = false;
+    Mood mood = Mood::Calm;
+    Vec2 home;
     FixedList<float, 4> times{};
-    int big = 100000;
+    int big = 10;
     float gone = 1.0f;
 
     static void describe(TypeBuilder<Before>& type) {
@@ -65,6 +65,18 @@ struct Now {
     }
 };
 
+/// A component whose fields all have other values than by default.
+Before changed() {
+    Before before;
+    before.speed = 2.6f;
+    before.lives = 3;
+    before.open = true;
+    before.mood = Mood::Angry;
+    before.home = {1.0f, 2.0f};
+    before.big = 100000;
+    return before;
+}
+
 template <class T>
 TypeInfo describe() {
     TypeRegistry types;
@@ -78,13 +90,13 @@ Now converted(const Before& before) {
 }
 
 TEST(ConvertComponent, movesFieldsByNameAndByFormerName) {
-    const Now now = converted({});
+    const Now now = converted(changed());
     EXPECT_EQ(now.base, (Vec2{1.0f, 2.0f}));
     EXPECT_EQ(now.mood, Mood::Asleep) << "angry is the third name now";
 }
 
 TEST(ConvertComponent, convertsNumbersAndLimitsThem) {
-    const Now now = converted({});
+    const Now now = converted(changed());
     EXPECT_EQ(now.speed, 3);
     EXPECT_EQ(now.lives, 3.0f);
     EXPECT_EQ(now.open, 1);
@@ -98,9 +110,19 @@ TEST(ConvertComponent, convertsNumbersAndLimitsThem) {
 }
 
 TEST(ConvertComponent, keepsDefaultsOfNewFieldsAndOfOtherKinds) {
-    const Now now = converted({});
+    const Now now = converted(changed());
     EXPECT_EQ(now.added, 4.0f);
     EXPECT_EQ(now.home, 5);
+}
+
+TEST(ConvertComponent, givesFieldsWithTheOldDefaultTheNewOne) {
+    const Now now = converted(Before{});
+    EXPECT_EQ(now.base, (Vec2{9.0f, 9.0f}));
+    EXPECT_EQ(now.speed, 0);
+    EXPECT_EQ(now.open, 7);
+    TypeInfo other = describe<Before>();
+    other.defaults[0] = std::byte{1};
+    EXPECT_FALSE(sameLayout(describe<Before>(), other)) << "components must follow the new default";
 }
 
 TEST(ConvertComponent, keepsTheItemsOfAListThatFit) {

@@ -234,7 +234,7 @@ TEST_F(ProjectCodeTest, aRunningGameGoesOnWithItsState) {
     session->useCode(second::module());
     ASSERT_NE(played<second::Walker>(), nullptr);
     EXPECT_EQ(played<second::Walker>()->steps, 5);
-    EXPECT_EQ(played<second::Walker>()->pace, 200.0f);
+    EXPECT_EQ(played<second::Walker>()->pace, 1.0f) << "it had the default of the first version";
     EXPECT_EQ(workspace().play.oldest(), 5) << "the ticks before were simulated by the version before";
     step(3);
     EXPECT_EQ(played<second::Walker>()->steps, 3005);
