@@ -16,7 +16,7 @@ namespace {
 
 // Sizes in px at scale 1.
 constexpr float kWidth = 980.0f;  // width of the whole content
-constexpr float kHeight = 600.0f;
+constexpr float kHeight = 672.0f;
 constexpr float kLeft = 0.42f;  // ratio of the width for the part "New project"
 constexpr float kTemplateHeight = 66.0f;
 constexpr float kRowHeight = 64.0f;  // height of a row of the recent projects

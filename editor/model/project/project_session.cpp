@@ -11,6 +11,7 @@
 #include "editor/model/headless/project_export.hpp"
 #include "editor/model/play/game_session.hpp"
 #include "editor/model/project/project_templates.hpp"
+#include "editor/model/project/script_definitions.hpp"
 #include "import/import_file.hpp"
 #include "platform/paths.hpp"
 
@@ -23,6 +24,7 @@ ProjectSession::ProjectSession(Project project)
       assets_{project_.root, engineAssets()},
       prefabs_{content_.types(), project_.root} {
     content_.readScripts(project_.root, scriptProblems_);
+    writeScriptDefinitions(project_.root, content_);
     ProjectFolder folder{project_.root,
                          project_.name,
                          {static_cast<float>(project_.width), static_cast<float>(project_.height)},
@@ -86,7 +88,9 @@ void ProjectSession::change(const std::function<ContentChange()>& update) {
     const bool isOpen = !w.document.scenePath.empty();
     const bool unsaved = w.unsaved();
     const std::string text = isOpen ? w.text() : std::string{};
+    w.play.leaveTick();  // before the types of its snapshot change
     const ContentChange change = update();
+    writeScriptDefinitions(project_.root, content_);
     prefabs_.forget();
     convertWorld(w.document.world, content_, change);
     if (w.play.running()) w.play.contentChanged(content_, change);
