@@ -72,6 +72,7 @@ int runQuality(const Options& options);
 int runRender(const Options& options);
 int runRewind(const Options& options);
 int runScene(const Options& options);
+int runScripts(const Options& options);
 int runTiles(const Options& options);
 
 }  // namespace plumb::bench

@@ -19,7 +19,7 @@ constexpr std::array kPrograms {
         Program{"integrators", &plumb::bench::runIntegrators},
         Program{"particles", &plumb::bench::runParticles}, Program{"physics", &plumb::bench::runPhysics},
         Program{"quality", &plumb::bench::runQuality}, Program{"render", &plumb::bench::runRender},
-        Program{"scene", &plumb::bench::runScene},
+        Program{"scene", &plumb::bench::runScene}, Program{"scripts", &plumb::bench::runScripts},
 #if PLUMB_WITH_EDITOR
         Program{"editor", &plumb::bench::runEditor}, Program{"rewind", &plumb::bench::runRewind},
         Program{"tiles", &plumb::bench::runTiles},
