@@ -88,8 +88,7 @@ std::string SceneGame::currentPath() const {
     return loaded == nullptr || loaded->scenes.empty() ? std::string{} : loaded->scenes.front().path;
 }
 
-/// Acquires the assets of the world's current scenes. Compares the scenes with heldScenes_ instead of
-/// reacting to scene changes, as a restored snapshot can change scenes too.
+/// Acquires the assets of the world's current scenes if these have changed.
 void SceneGame::followAssets() {
     const LoadedScenes& loaded = world.resource<LoadedScenes>();
     const bool same =
@@ -100,6 +99,11 @@ void SceneGame::followAssets() {
     for (const LoadedScene& scene : loaded.scenes) heldScenes_.push_back(scene.id);
     held_.follow(world, types);
     ticksToUnload_ = kUnloadTicks;
+}
+
+void SceneGame::restored() {
+    heldScenes_.clear();
+    followAssets();
 }
 
 void SceneGame::unloadLater() {

@@ -31,6 +31,8 @@ public:
     /// editor. Errors in it are not logged.
     void edit(std::string path, std::string text);
 
+    /// To be called after a snapshot was restored: loads the assets that the restored world references.
+    void restored();
     /// Reads prefabs again when they are needed next.
     void reloadPrefabs() { prefabs_.forget(); }
 

@@ -24,9 +24,7 @@ public:
     [[nodiscard]] World& world() override { return game_.world; }
     [[nodiscard]] AssetStore* assets() override { return &game_.assets; }
     void tick(const InputFrame& input) override { tickGame(game_, input); }
-    /// Loads the assets of the restored scene. No scene change is pending between two ticks, so none is
-    /// started.
-    void restored() override { game_.onLateUpdate(0.0f); }
+    void restored() override { game_.restored(); }
     void contentChanged(const GameContent& content, const ContentChange& change) override {
         convertWorld(game_.world, content, change);
         game_.effects.tableChanged();

@@ -8,6 +8,7 @@
 #include "physics/simulation.hpp"
 #include "scene/particles.hpp"
 #include "scene/physics/physics_state.hpp"
+#include "script/script_state.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -21,8 +22,10 @@ constexpr std::size_t kParticleBytes = 9 * sizeof(float);  // size of one partic
 std::size_t bytesOf(const Snapshot& snapshot, const World& world) {
     const auto* physics = world.findResource<PhysicsState>();
     const auto* particles = world.findResource<Particles>();
+    const auto* scripts = world.findResource<ScriptState>();
     return snapshot.byteCount() + (physics == nullptr ? 0 : physics::stateBytes(physics->world)) +
-           (particles == nullptr ? 0 : particles->x.size() * kParticleBytes);
+           (particles == nullptr ? 0 : particles->x.size() * kParticleBytes) +
+           (scripts == nullptr ? 0 : scripts->memory.bytes());
 }
 
 }  // namespace
@@ -44,7 +47,7 @@ void PlayRecording::clear() {
 
 void PlayRecording::tickDone(const World& world) {
     const std::int64_t now = newest();
-    if (now % spacing_ == 0) keep(now, world);
+    if (now % spacing_ == 0 && keyframes_.back().tick < now) keep(now, world);
     // The oldest keyframe is removed as soon as the second oldest covers the whole time to rewind.
     while (keyframes_.size() > 1 && keyframes_[1].tick <= now - kTicks) {
         drop(keyframes_.front());

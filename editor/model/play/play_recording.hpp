@@ -29,8 +29,8 @@ public:
     void clear();
     /// Records the input of the next tick; to be called before the tick.
     void record(const InputFrame& input) { inputs_.push_back(input); }
-    /// Saves a keyframe if one is due, and removes data older than 30 s; to be called after the recorded
-    /// tick.
+    /// Saves a keyframe if one is due, and removes data older than 30 s; to be called after the newest
+    /// recorded tick has run, at least once.
     void tickDone(const World& world);
     /// Removes everything recorded after `tick`.
     void cut(std::int64_t tick);

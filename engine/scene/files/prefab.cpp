@@ -178,6 +178,36 @@ void changeReferences(const TypeRegistry& types, Json& components,
     }
 }
 
+namespace {
+
+void addAsset(std::vector<PrefabAsset>& assets, AssetKind kind, const Json& path) {
+    const auto* text = path.get_ptr<const std::string*>();
+    if (text == nullptr || text->empty()) return;
+    PrefabAsset asset{kind, *text};
+    if (std::find(assets.begin(), assets.end(), asset) == assets.end()) assets.push_back(std::move(asset));
+}
+
+/// Returns the assets that the fields of the components name.
+std::vector<PrefabAsset> assetsOf(const TypeRegistry& types, const Prefab& prefab) {
+    std::vector<PrefabAsset> assets;
+    for (const PrefabEntity& entity : prefab.entities) {
+        for (const auto& [name, fields] : *entity.components.get_ptr<const Json::object_t*>()) {
+            const TypeInfo* type = types.find(name);
+            if (type == nullptr || !fields.is_object()) continue;
+            for (const auto& [key, value] : *fields.get_ptr<const Json::object_t*>()) {
+                const FieldInfo* field = type->find(key);
+                if (field == nullptr || field->asset == AssetKind::None) continue;
+                if (!value.is_array()) addAsset(assets, field->asset, value);
+                for (std::size_t i = 0; value.is_array() && i < value.size(); ++i)
+                    addAsset(assets, field->asset, value[i]);
+            }
+        }
+    }
+    return assets;
+}
+
+}  // namespace
+
 void PrefabLibrary::add(std::string_view path, std::string text) {
     forget();
     for (Source& source : replacedTexts_) {
@@ -195,6 +225,7 @@ Result<const Prefab*> PrefabLibrary::find(std::string_view path) {
     std::vector<std::string> open;
     Result<Prefab> read = guarded(path, [&] { return this->read(path, open); });
     if (!read) return read.error();
+    read->assets = assetsOf(types_, *read);
     prefabs_.push_back(std::move(*read));
     return &prefabs_.back();
 }

@@ -27,6 +27,14 @@ struct PrefabEntity {
     Json components = Json::object();  ///< references to entities are ids of parts
 };
 
+/// An asset that components of a prefab reference.
+struct PrefabAsset {
+    AssetKind kind = AssetKind::None;
+    std::string path;
+
+    friend bool operator==(const PrefabAsset&, const PrefabAsset&) = default;
+};
+
 /// A prefab ready to be instantiated. The first entity is the root; parents come before their children.
 struct Prefab {
     static constexpr std::uint64_t kRootPart = 1;
@@ -34,7 +42,8 @@ struct Prefab {
 
     std::string path;
     std::vector<PrefabEntity> entities;
-    std::vector<Error> problems;  ///< errors of the entities that were skipped
+    std::vector<PrefabAsset> assets;  ///< without duplicates
+    std::vector<Error> problems;      ///< errors of the entities that were skipped
 
     [[nodiscard]] const PrefabEntity* find(std::uint64_t part) const;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "assets/asset_store.hpp"
 #include "ecs/hierarchy.hpp"
 #include "reflect/component_json.hpp"
 #include "reflect/json.hpp"
@@ -45,6 +46,10 @@ PlacedPrefab placePrefab(World& world, const TypeRegistry& types, const Prefab& 
 }
 
 Entity spawnPrefab(World& world, const TypeRegistry& types, const Prefab& prefab, Vec2 position) {
+    // Now, not when scenes change: what a tick does must not depend on what was loaded before.
+    if (auto* assets = world.service<AssetStore>()) {
+        for (const PrefabAsset& asset : prefab.assets) assets->load(asset.kind, asset.path);
+    }
     const PlacedPrefab placed = placePrefab(world, types, prefab);
     const Entity root = world.entity(placed.entities.front());
     if (Transform* transform = root.find<Transform>()) {
