@@ -12,6 +12,7 @@
 #include "scene/lab.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/particles.hpp"
+#include "scene/play_sound.hpp"
 #include "script/script_system.hpp"
 
 namespace plumb {
@@ -33,6 +34,11 @@ bool hasDelayedEvents(const World& world) {
 bool hasTweens(const World& world) {
     const auto* tweens = world.findResource<Tweens>();
     return tweens != nullptr && !tweens->entries.empty();
+}
+
+/// True if a component may play a sound, or code or a script has played one in this tick.
+bool hasSound(const World& world) {
+    return isThereAny<SoundCues, Music>(world) || !world.events<PlaySound>().empty();
 }
 
 /// True if there are emitters, or particles of destroyed emitters that must be removed.
@@ -118,6 +124,7 @@ std::vector<EffectRow> systemEffectRows() {
     };
     for (EffectRow& made : rows) {
         if (made.name == "particles") made.isRequired = hasParticles;
+        if (made.name == "sound") made.isRequired = hasSound;
         if (made.name == "ghosts") made.isRequired = hasGhosts;
         if (made.name == "plots") made.isRequired = hasPlots;
         if (made.name == "picture") made.isRequired = hasPicture;

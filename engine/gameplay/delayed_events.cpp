@@ -29,7 +29,8 @@ void DelayedEvents::dropReloadable() {
 
 std::uint64_t ticksOf(float seconds) {
     constexpr float kTicksPerSecond = 60.0f;
-    constexpr float kMax = 1e9f;  // ticks: half a year
+    constexpr float kMax = 1e9f;      // ticks: half a year
+    if (!(seconds > 0.0f)) return 1;  // NaN too
     return static_cast<std::uint64_t>(std::clamp(seconds * kTicksPerSecond + 0.5f, 1.0f, kMax));
 }
 

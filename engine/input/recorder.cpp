@@ -20,7 +20,9 @@ void Recorder::record(const InputFrame& frame) {
 }
 
 void Recorder::check(std::uint64_t hash) {
-    if (replay.checkpoints.size() < Replay::kMaxCheckpoints) replay.checkpoints.push_back({ticks_, hash});
+    const bool isChecked = !replay.checkpoints.empty() && replay.checkpoints.back().tick == ticks_;
+    if (!isChecked && replay.checkpoints.size() < Replay::kMaxCheckpoints)
+        replay.checkpoints.push_back({ticks_, hash});
 }
 
 const InputFrame* ReplayPlayer::next() {

@@ -83,6 +83,15 @@ TEST(Recorder, thePlayerReturnsTheFrameAndCheckpointOfEveryTick) {
     EXPECT_EQ(recorder.ticks(), 500u);
 }
 
+TEST(Recorder, aTickIsCheckedOnce) {
+    Recorder recorder;
+    recorder.record({});
+    recorder.check(7);
+    recorder.check(7);  // of the last tick, at the end of the game
+    ASSERT_EQ(recorder.replay.checkpoints.size(), 1u);
+    EXPECT_EQ(recorder.replay.checkpoints[0].tick, 1u);
+}
+
 TEST(Recorder, theFileListsInputChangesAsText) {
     Recorder recorder;
     recorder.replay.project = "Sky\nCaves";
