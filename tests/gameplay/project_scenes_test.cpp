@@ -33,7 +33,14 @@ TEST(ProjectScenes, goldenOpenAndSaveChangesNoByteOfAnyScene) {
         World world{types};
         const auto report = loadScene(world, context, path, *text);
         ASSERT_TRUE(report) << report.error().text();
-        for (const Error& problem : report->problems) ADD_FAILURE() << problem.text();
+        // Components of a project's code and scripts are unknown here; the scene keeps them unchanged.
+        const Path project = projects / name.substr(0, folder);
+        const bool hasCode =
+            std::filesystem::exists(project / "code") || std::filesystem::exists(project / "scripts");
+        for (const Error& problem : report->problems) {
+            if (!hasCode || problem.what.find("there is no component") == std::string::npos)
+                ADD_FAILURE() << problem.text();
+        }
         const std::string saved = sceneToJson(world, context, report->scene);
         if (std::getenv("UPDATE_GOLDEN") != nullptr) {
             ASSERT_TRUE(writeFile(projects / name, saved));

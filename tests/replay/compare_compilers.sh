@@ -13,6 +13,7 @@ replay=$root/tests/replay/platformer.replay
 replays='
 platformer          platformer.replay
 physics-playground  playground.replay
+physics-playground  pinball.replay
 physics-lab         lab.replay
 '
 

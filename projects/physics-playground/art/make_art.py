@@ -55,6 +55,14 @@ def plain_disc(x, y):
     return rounded(64 - math.hypot(x - 64, y - 64), 7)
 
 
+def dot(x, y):
+    return 1.0 if math.hypot(x - 64, y - 64) < 64 else None
+
+
+def rail(x, y):
+    return rounded(12 - math.hypot(x - 12, y - min(max(y, 12), 180)), 2)
+
+
 def box(x, y):
     return rounded(min(x, y, 64 - x, 64 - y), 4)
 
@@ -102,6 +110,8 @@ def blast():
 FILES = {
     "disc.png": lambda: png(128, 128, disc),
     "ball.png": lambda: png(128, 128, plain_disc),
+    "dot.png": lambda: png(128, 128, dot),
+    "rail.png": lambda: png(24, 192, rail),
     "box.png": lambda: png(64, 64, box),
     "ring.png": lambda: png(64, 64, ring),
     "capsule.png": lambda: png(48, 144, capsule),

@@ -10,6 +10,7 @@
 #include "app/scene_game.hpp"
 #include "core/file.hpp"
 #include "gameplay/components.hpp"
+#include "gameplay/label_values.hpp"
 #include "physics/soft/softbody.hpp"
 #include "scene/components.hpp"
 #include "scene/components/name.hpp"
@@ -18,6 +19,7 @@
 #include "scene/physics/physics_state.hpp"
 #include "scene/physics/soft_sync.hpp"
 #include "scene/world_transform.hpp"
+#include "tests/app/projects/project_content.hpp"
 #include "tests/support/places.hpp"
 
 namespace plumb {
@@ -41,12 +43,12 @@ struct Playground {
         return *loaded;
     }
 
-    SceneGame game;
+    ProjectGame played;
+    SceneGame& game = played.game;
     InputFrame frame;
 
     explicit Playground(const std::string& scene, const std::string& sample = "physics-playground")
-        : game{project(sample), scene} {
-        game.assets.logging = false;
+        : played{project(sample), scene} {
         game.onCreate();
         EXPECT_FALSE(game.failed()) << scene;
     }
@@ -96,6 +98,18 @@ struct Playground {
         std::vector<Vec2> list;
         for (const EntityId entity : all(beginning)) list.push_back(at(entity));
         return list;
+    }
+
+    /// The value of a property of a script; T is the type in which worlds store it.
+    template <class T>
+    T& property(std::string_view name, std::string_view script, std::string_view field) {
+        const TypeInfo& type = *game.types.find(script);
+        return *static_cast<T*>(type.find(field)->in(game.world.find(type, find(name))));
+    }
+    /// The text that replaces {word} in labels.
+    std::string shown(std::string_view word) {
+        const std::string* text = game.world.resource<LabelValues>().find(word);
+        return text == nullptr ? std::string{} : *text;
     }
 
     PhysicsState& physics() { return game.world.resource<PhysicsState>(); }

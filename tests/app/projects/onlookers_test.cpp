@@ -37,8 +37,8 @@ struct Playing {
 using Onlooker = std::function<void(Game&, std::size_t tick)>;
 
 std::vector<std::uint64_t> hashesOf(const Playing& playing, const Onlooker& look) {
-    SceneGame game{projectOf(playing.row)};
-    game.assets.logging = false;
+    ProjectGame played{projectOf(playing.row), playing.row.scene};
+    SceneGame& game = played.game;
     look(game, 0);
     game.onCreate();
     std::vector<std::uint64_t> hashes;
@@ -87,7 +87,7 @@ private:
 
 void expectTheSameWithEach(const Playing& playing) {
     constexpr std::size_t kFrame = 8;  // ticks between drawn frames, because software rendering is slow
-    SCOPED_TRACE(playing.row.project);
+    SCOPED_TRACE(playing.row.replay);
     const std::vector<std::uint64_t> alone = hashesOf(playing, [](Game&, std::size_t) {});
     constexpr auto kAll = std::make_index_sequence<kMadeUpTypes>{};
 
@@ -138,11 +138,7 @@ TEST_P(Onlookers, theGameIsTheSameWithThem) {
     expectTheSameWithEach({GetParam(), framesOf(replayOf(GetParam()))});
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Onlookers, testing::ValuesIn(kProjectReplays), [](const auto& row) {
-    std::string name = row.param.project;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Each, Onlookers, testing::ValuesIn(kProjectReplays), testNameOf);
 
 }  // namespace
 }  // namespace plumb

@@ -26,10 +26,12 @@ void look(const World& world, std::integer_sequence<int, N...>) {
 
 class PlayHash : public testing::TestWithParam<ProjectReplay> {};
 
-std::unique_ptr<PlaySession> sessionOf(const Project& project) {
-    const Result<std::string> text = readFile(project.root / project.startScene);
+std::unique_ptr<PlaySession> sessionOf(const Project& project, std::string_view scene,
+                                       const GameContent& content) {
+    const std::string path = scene.empty() ? project.startScene : scenePath(scene);
+    const Result<std::string> text = readFile(project.root / path);
     EXPECT_TRUE(text.ok());
-    return makeGameSession(project, project.startScene, *text);
+    return makeGameSession(project, path, *text, content);
 }
 
 /// Pauses the game, seeks back and returns to the newest tick.
@@ -47,11 +49,11 @@ TEST_P(PlayHash, aReplayHasTheSameHashesInTheEditorAndInThePlayer) {
     constexpr std::int64_t kPauseEvery = 400;  // ticks
     const Replay replay = replayOf(GetParam());
     const Project project = projectOf(GetParam());
-    SceneGame game{project};
-    game.assets.logging = false;
+    ProjectGame player{project, GetParam().scene};
+    SceneGame& game = player.game;
     game.onCreate();
     PlayMode play;
-    play.start(sessionOf(project));
+    play.start(sessionOf(project, GetParam().scene, *player.content));
     look(play.world(), std::make_integer_sequence<int, 100>{});
 
     for (const InputFrame& frame : framesOf(replay)) {
@@ -64,11 +66,7 @@ TEST_P(PlayHash, aReplayHasTheSameHashesInTheEditorAndInThePlayer) {
     EXPECT_GT(play.ticks(), kPauseEvery);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, PlayHash, testing::ValuesIn(kProjectReplays), [](const auto& row) {
-    std::string name = row.param.project;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Each, PlayHash, testing::ValuesIn(kProjectReplays), testNameOf);
 
 }  // namespace
 }  // namespace plumb::editor

@@ -151,7 +151,7 @@ TEST_F(Tools, arrowKeyNudgesAreMergedIntoOneStep) {
 
 TEST_F(Tools, noTwoActionsThatCountAtOnceShareAShortcut) {
     // An action for entities or for tiles takes precedence over one for `Always` with the same shortcut.
-    for (const During now : {During::Entities, During::Tiles, During::Always}) {
+    for (const During now : {During::Entities, During::Tiles, During::Halted, During::Always}) {
         std::vector<std::string> seen;
         for (const Action& action : actionTable()) {
             if (action.during != now) continue;
