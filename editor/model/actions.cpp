@@ -17,7 +17,9 @@ std::vector<Action> allRows() {
 }
 
 bool counts(During during, const Workspace& w) {
-    return during == During::Always || (during == During::Tiles) == w.paintsTiles();
+    if (during == During::Always) return true;
+    if (during == During::Halted) return w.debugger.halt() != nullptr;
+    return (during == During::Tiles) == w.paintsTiles();
 }
 
 }  // namespace
@@ -51,7 +53,7 @@ bool isOn(const Action& action, const Workspace& workspace) {
 }
 
 bool runShortcut(Workspace& workspace, const Event& event) {
-    // Shortcuts for only tiles or only entities take precedence over general ones.
+    // Shortcuts for only one state take precedence over general ones.
     for (const bool special : {true, false}) {
         for (const Action& action : actionTable()) {
             if ((action.during != During::Always) != special || !counts(action.during, workspace)) continue;

@@ -9,9 +9,9 @@ namespace plumb::editor {
 
 class Workspace;
 
-/// When a shortcut is active: always, or only while the current tool edits entities or tiles, so that one key
-/// can have a different function in each case.
-enum class During : unsigned char { Always, Entities, Tiles };
+/// When a shortcut is active: always, or only while the current tool edits entities or tiles, or while the
+/// game is stopped at a line of a script, so that one key can have a different function in each case.
+enum class During : unsigned char { Always, Entities, Tiles, Halted };
 
 /// A user action: a row of the table from which menus, toolbar, tooltips and shortcuts are built.
 struct Action {

@@ -42,6 +42,7 @@ Workspace::Workspace(const TypeRegistry& types, AssetStore& store, ProjectFolder
     document.world.provide(assets);
     document.world.provide(engineEffects());
     readGrid(*this);
+    readBreakpoints(*this);
     for (const ToolRow& row : toolTable()) {
         tools_.push_back(row.make());
     }
@@ -258,6 +259,7 @@ void Workspace::keepTicked() {
 void Workspace::update(double seconds) {
     safety.update(seconds);
     profiler.update(play);
+    scripts.update(seconds);
     viewFile.keep(document.scenePath, document.view);
     updatePlayedKeys(*this);
     updateGrid(*this, seconds);

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/file.hpp"
+#include "editor/model/debug/script_debugger.hpp"
+#include "editor/model/debug/script_view.hpp"
 #include "editor/model/document/document.hpp"
 #include "editor/model/document/undo_stack.hpp"
 #include "editor/model/overlays/reach_view.hpp"
@@ -93,6 +95,8 @@ public:
     ViewCamera view;
     PhysicsTimes physicsTimes;  ///< durations of the physics stages in the running game
     PlayMode play;
+    ScriptDebugger debugger{play};
+    ScriptView scripts{*this};  ///< data of the panel Scripts
     Profiler profiler{physicsTimes};
     bool followsGame =
         true;  ///< the view follows the running game's camera; panning or zooming turns this off

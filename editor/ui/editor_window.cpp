@@ -94,6 +94,7 @@ EditorWindow::EditorWindow(Workspace& workspace, LogBook& log, SceneTexture* pic
     workspace_.tiles.rightErases = workspace_.settings.rightErases;
     workspace_.gameInput = [this] { return takeGameInput(); };
     log.tick = [this] { return workspace_.play.running() ? workspace_.play.ticks() : std::int64_t{-1}; };
+    log.game = [this] { return workspace_.play.games(); };
     if (workspace_.project.isNone) welcome_.open(ui_);
 }
 
@@ -101,6 +102,7 @@ EditorWindow::~EditorWindow() {
     keepGrid(workspace_);
     workspace_.gameInput = nullptr;
     ui_.log.tick = nullptr;
+    ui_.log.game = nullptr;
     ImGui::DestroyContext(context_);
 }
 

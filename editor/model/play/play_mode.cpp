@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/assert.hpp"
 #include "ecs/world.hpp"
 #include "scene/components/scene_entity.hpp"
+#include "script/script_state.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -18,9 +20,11 @@ constexpr double kMostTicks = 4.0;      // maximum ticks per frame, times the sp
 
 void PlayMode::start(std::unique_ptr<PlaySession> session, bool paused) {
     session_ = std::move(session);
+    ++games_;
     indexed_ = -1;
     paused_ = paused;
-    replaying_ = false;
+    replaying_ = inside_ = false;
+    beforeTick_ = {};
     ticks_ = 0;
     rest_ = 0.0;
     edits_.clear();
@@ -30,10 +34,11 @@ void PlayMode::start(std::unique_ptr<PlaySession> session, bool paused) {
 void PlayMode::stop() {
     session_.reset();
     recording_.clear();
-    paused_ = replaying_ = false;
+    paused_ = replaying_ = inside_ = false;
 }
 
 void PlayMode::contentChanged(const GameContent& content, const ContentChange& change) {
+    PLUMB_ASSERT(!inside_, "leaveTick() before the content changes: a snapshot knows only the old types");
     session_->contentChanged(content, change);
     replaying_ = false;
     edits_.clear();
@@ -74,13 +79,16 @@ float PlayMode::advance(double seconds, const InputFrame& input) {
 
 void PlayMode::step(const InputFrame& input) {
     if (!running()) return;
+    const bool goesOn = inside_;
+    leaveTick();
     if (inPast()) {
-        playRecorded();
+        if (!tryTick(recording_.inputAfter(ticks_), true, goesOn)) return;
+        finishRecorded();
         if (replaying_ && !inPast()) paused_ = true, replaying_ = false;
         return;
     }
     recording_.record(input);
-    tick(input, false);
+    if (!tryTick(input, false, goesOn)) return;
     recording_.tickDone(world());
     edits_.forgetBefore(recording_.keyframes().front().tick);
 }
@@ -90,7 +98,8 @@ void PlayMode::setPaused(bool paused) {
     paused_ = paused;
     replaying_ = false;
     rest_ = 0.0;
-    if (!paused && inPast()) branch();
+    // The input of a tick that is stopped in its middle stays: the same tick goes on.
+    if (!paused && inPast()) branch(inside_ ? ticks_ + 1 : ticks_);
 }
 
 void PlayMode::setSpeed(int power) { speed_ = std::clamp(power, kSlowest, kFastest); }
@@ -100,6 +109,7 @@ void PlayMode::seek(std::int64_t tick) {
     paused_ = true;
     replaying_ = false;
     rest_ = 0.0;
+    leaveTick();
     tick = std::clamp(tick, oldest(), newest());
     if (tick == ticks_) return;
     const PlayRecording::Keyframe& keyframe = recording_.before(tick);
@@ -122,9 +132,10 @@ void PlayMode::playReplay() {
 
 void PlayMode::edit(ObjectId object, const TypeInfo& type, const FieldInfo& field, const FieldValue& value) {
     if (!running()) return;
+    leaveTick();
     const PlayEdit edit{ticks_, object, &type, &field, value};
     if (!writePlayed(world(), *this, edit)) return;
-    branch();
+    branch(ticks_);
     edits_.add(edit);
 }
 
@@ -135,15 +146,56 @@ void PlayMode::tick(const InputFrame& input, bool again) {
     if (tickListener != nullptr) tickListener->after(world(), ticks_, again);
 }
 
+/// As tick(), but the stopper may stop it. @return false if it did
+bool PlayMode::tryTick(const InputFrame& input, bool again, bool goesOn) {
+    if (tickStopper == nullptr || !tickStopper->begins(world(), ticks_ + 1, again, goesOn))
+        return tick(input, again), true;
+    world().save(beforeTick_);
+    const std::int64_t before = ticks_;
+    tick(input, again);
+    const Snapshot* middle = tickStopper->ends();
+    if (middle == nullptr) return true;
+    ticks_ = before;
+    enterTick(*middle);
+    return false;
+}
+
+/// Shows the world in the middle of the next tick.
+void PlayMode::enterTick(const Snapshot& middle) {
+    // The Lua state in the middle of a call cannot be used, so that of the tick before is kept.
+    world().restore(beforeTick_);
+    const auto* scripts = world().findResource<ScriptState>();
+    const ScriptState before = scripts == nullptr ? ScriptState{} : *scripts;
+    world().restore(middle);
+    world().resource<ScriptState>() = before;
+    inside_ = paused_ = true;
+    replaying_ = false;
+    indexed_ = -1;
+}
+
+void PlayMode::leaveTick() {
+    if (!inside_) return;
+    inside_ = false;
+    world().restore(beforeTick_);
+    session_->restored();
+    indexed_ = -1;
+}
+
 /// Replays the next recorded tick with its input and the user's changes.
 void PlayMode::playRecorded() {
     tick(recording_.inputAfter(ticks_), true);
+    finishRecorded();
+}
+
+void PlayMode::finishRecorded() {
+    // A tick that was stopped in its middle has no keyframe yet.
+    if (!inPast()) recording_.tickDone(world());
     edits_.replay(world(), *this, ticks_);
 }
 
-/// Discards the recorded ticks after the present one.
-void PlayMode::branch() {
-    recording_.cut(ticks_);
+/// Discards the recorded input after a tick, and the changes after the present one.
+void PlayMode::branch(std::int64_t lastInput) {
+    recording_.cut(lastInput);
     edits_.cut(ticks_);
     replaying_ = false;
 }

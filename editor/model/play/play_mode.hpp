@@ -49,6 +49,21 @@ public:
     virtual void after(World& world, std::int64_t tick, bool again) = 0;
 };
 
+/// May stop a tick in its middle: the debugger of scripts. Not called for the ticks that PlayMode::seek()
+/// replays.
+class TickStopper {
+public:
+    virtual ~TickStopper() = default;
+    /// Called before a tick.
+    /// @param again   true if the tick is replayed from the recording
+    /// @param goesOn  the game was inside of this tick, which starts again now
+    /// @return false if the tick cannot be stopped
+    virtual bool begins(World& world, std::int64_t tick, bool again, bool goesOn) = 0;
+    /// Called after each tick for which begins() returned true.
+    /// @return the world at the place where the tick was stopped; null: it has run to its end
+    virtual const Snapshot* ends() = 0;
+};
+
 /// Runs the scene of the document in a second world, which is discarded on stop. The document does not
 /// change, so nothing must be restored. The game can be rewound by up to 30 s and continued from any tick.
 class PlayMode final : public ObjectNames {
@@ -59,6 +74,7 @@ public:
 
     [[nodiscard]] bool running() const { return session_ != nullptr; }
     [[nodiscard]] bool paused() const { return paused_; }
+    [[nodiscard]] std::size_t games() const { return games_; }  ///< number of games started so far
     /// The world of the running game. @pre running()
     [[nodiscard]] World& world() const { return session_->world(); }
     [[nodiscard]] AssetStore* assets() const { return session_ ? session_->assets() : nullptr; }
@@ -95,6 +111,13 @@ public:
     [[nodiscard]] const PlayRecording& recording() const { return recording_; }
 
     TickListener* tickListener = nullptr;  ///< listener of all ticks; may be null
+    TickStopper* tickStopper = nullptr;    ///< may be null
+
+    /// True while a tick is stopped in its middle: the game is paused, ticks() is the tick before, and the
+    /// world shows what has happened so far. The tick starts again when the game goes on.
+    [[nodiscard]] bool insideTick() const { return inside_; }
+    /// Restores the world after ticks(), if a tick is stopped in its middle.
+    void leaveTick();
 
     /// Converts the running game to another version of the project's code. The recording starts anew: the
     /// past was simulated by the version before. @pre running()
@@ -108,16 +131,22 @@ public:
 
 private:
     void tick(const InputFrame& input, bool again);
+    bool tryTick(const InputFrame& input, bool again, bool goesOn);
+    void enterTick(const Snapshot& middle);
     void playRecorded();
-    void branch();
+    void finishRecorded();
+    void branch(std::int64_t lastInput);
 
     std::unique_ptr<PlaySession> session_;
     PlayRecording recording_;
     PlayEdits edits_;
+    std::size_t games_ = 0;
     bool paused_ = false;
     bool replaying_ = false;
     int speed_ = 0;  // power of two
     std::int64_t ticks_ = 0;
+    bool inside_ = false;                 // a tick is stopped in its middle
+    Snapshot beforeTick_;                 // of the tick that is stopped
     double rest_ = 0.0;                   // s: elapsed time that is not simulated yet
     mutable IdTable<EntityId> entities_;  // entities by scene id, at the tick `indexed_`
     mutable std::int64_t indexed_ = -1;   // tick at which `entities_` was built; -1: not built

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kSnapNames{"grid", "half grid", "pixels"};
 constexpr const char* kGridFile = "grid.json";
+constexpr const char* kBreakpointFile = "breakpoints.json";
 constexpr const char* kRecentFile = "recent.json";
 constexpr double kPause = 1.0;           // s: minimum time between two writes, e.g. while a color is dragged
 constexpr float kLargestCell = 4096.0f;  // px: maximum cell size of the grid
@@ -114,6 +115,20 @@ void keepGrid(Workspace& workspace) {
     if (workspace.project.isNone || now == kept.text) return;
     kept.text = std::move(now);  // set before writing, so that a write error is reported only once
     write(workspace, kGridFile, kept.text);
+}
+
+void readBreakpoints(Workspace& workspace) {
+    const Json json = read(workspace, kBreakpointFile);
+    if (json.is_null()) return;
+    std::vector<Error> problems;
+    workspace.debugger.breakpoints = Breakpoints::fromJson(json, kBreakpointFile, problems);
+    for (const Error& problem : problems) logWarning("Editor", problem);
+    workspace.scripts.breakpointsKept();
+}
+
+void keepBreakpoints(const Workspace& workspace) {
+    if (workspace.project.isNone) return;
+    write(workspace, kBreakpointFile, writeJson(workspace.debugger.breakpoints.toJson()));
 }
 
 std::vector<std::string> recentChoices(const Workspace& workspace, std::size_t most) {

@@ -17,6 +17,11 @@ void updateGrid(Workspace& workspace, double seconds);
 /// Writes changed settings to `grid.json` immediately.
 void keepGrid(Workspace& workspace);
 
+/// Reads the breakpoints in scripts from `breakpoints.json`.
+void readBreakpoints(Workspace& workspace);
+/// Writes the breakpoints in scripts to `breakpoints.json`.
+void keepBreakpoints(const Workspace& workspace);
+
 /// Reads the recent choices of the command palette from `recent.json`, latest first. @param most  maximum
 /// number
 std::vector<std::string> recentChoices(const Workspace& workspace, std::size_t most);

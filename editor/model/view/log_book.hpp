@@ -13,6 +13,7 @@ namespace plumb::editor {
 struct LogEntry : LogLine {
     double seconds = 0.0;    ///< s since the LogBook was created
     std::int64_t tick = -1;  ///< tick of the running game; -1: no game was running
+    std::size_t game = 0;    ///< PlayMode::games() when it was logged
 };
 
 /// Stores the last lines of the log from its creation on, so that the console also shows lines logged before
@@ -23,7 +24,7 @@ public:
 
     LogBook() {
         before_ = setLogSink([this](const LogLine& line) {
-            lines_.push_back({line, wallSeconds() - start_, tick ? tick() : -1});
+            lines_.push_back({line, wallSeconds() - start_, tick ? tick() : -1, game ? game() : 0});
             if (lines_.size() > kLines) lines_.pop_front();
             ++count_, ++revision_;
             if (before_) before_(line);
@@ -41,6 +42,7 @@ public:
     void clear() { lines_.clear(), ++revision_; }
 
     std::function<std::int64_t()> tick;  ///< returns the tick of the running game, or -1; must not log
+    std::function<std::size_t()> game;   ///< returns PlayMode::games(); must not log
 
 private:
     std::deque<LogEntry> lines_;

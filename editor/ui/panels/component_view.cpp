@@ -283,6 +283,14 @@ void ComponentView::drawFieldMenu(const FieldRow& row, const Shown& shown) {
             workspace.notice = value.error().text();
         }
     }
+    if (workspace.play.running()) {
+        ImGui::Separator();
+        const WatchedField watched{workspace.play.find(objects.back()), &type, &field};
+        if (item(row.ui, row.path + "/lastChange", "Run back to its last change", objects.size() == 1))
+            ask([watched](Workspace& w) {
+                w.debugger.runBackToChange(watched), w.notice = w.debugger.notice();
+            });
+    }
     ImGui::EndPopup();
 }
 

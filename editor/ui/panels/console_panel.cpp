@@ -217,9 +217,12 @@ private:
         const LogView::Row& row = view_.rows()[index];
         const LogEntry& line = ui.log.lines()[row.line];
         const ObjectId object = entityIn(ui.workspace.document, line.text);
+        const auto place = line.channel == "Script" ? scriptPlaceIn(line.text) : std::nullopt;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::PushID(static_cast<int>(index));
+        allowOverlapBefore();
         const bool clicked = ImGui::InvisibleButton("line", {width, height});
+        allowOverlapAfter();
         ui.widgets.mark(format("Console/{}", index), format("{} x{}", line.text, row.times));
         const bool hovered = ImGui::IsItemHovered();
         if (ImGui::BeginPopupContextItem("menu")) {
@@ -242,23 +245,64 @@ private:
         list.PopClipRect();
         list.AddText(ui.fonts.text, ui.fonts.size, {x + ui.px(kChannelWidth), at.y}, colorOfLevel(line.level),
                      line.text.c_str(), nullptr, textWidth(ui, width));
-        drawEnd(ui, list, row, object, {at.x + width, at.y}, height);
-        if (hovered && (object || ImGui::GetIO().MousePos.x < x)) tooltip(hint(ui, line, object));
+        const std::string link = place ? linkOf(*place) : object ? ui.workspace.document.nameOf(object) : "";
+        drawEnd(ui, list, row, link, {at.x + width, at.y}, height);
+        if (hovered && (object || place || ImGui::GetIO().MousePos.x < x))
+            tooltip(hint(ui, line, object, place));
+        if (drawGoBack(ui, line, index, {at.x + width, at.y}, height)) return;
+        if (clicked && place) return ui.workspace.scripts.show(*place);
         if (!clicked || !object) return;
         ui.workspace.document.selection.set({object});
         runAction(ui.workspace, "view.frame");
     }
 
-    static std::string hint(const Ui& ui, const LogEntry& line, ObjectId object) {
+    /// "slime.lua:12" of scripts/slime.lua
+    static std::string linkOf(const ScriptPlace& place) {
+        return format("{}:{}", place.file.substr(place.file.rfind('/') + 1), place.line);
+    }
+
+    /// Draws the button of an error in a script that rewinds the game to the tick before. @return true if it
+    /// was clicked
+    static bool drawGoBack(Ui& ui, const LogEntry& line, std::size_t index, ImVec2 end, float height) {
+        ScriptDebugger& debugger = ui.workspace.debugger;
+        const bool isPossible = line.channel == "Script" && line.level == LogLevel::Error &&
+                                line.game == ui.workspace.play.games() && debugger.canGoBackTo(line.tick);
+        if (!isPossible) return false;
+        const float text = ImGui::GetTextLineHeight();
+        const ImVec2 size{ImGui::CalcTextSize("Go back").x + ui.px(12.0f), text + ui.px(2.0f)};
+        // Below the link to the line, or over it if the message has one line.
+        const float top = height >= 2.0f * text + ui.px(2.0f) ? end.y + text + ui.px(2.0f) : end.y;
+        const ImVec2 at{end.x - size.x - ui.px(6.0f), top};
+        ImGui::SetCursorScreenPos(at);
+        ImGui::PushID(static_cast<int>(index));
+        const bool clicked = ImGui::InvisibleButton("go back", size);
+        ImGui::PopID();
+        ui.widgets.mark(format("Console/{}/goBack", index));
+        tooltip("Rewinds the game to the tick before this error; F11 then steps through its lines");
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled(at, {at.x + size.x, at.y + size.y},
+                           ImGui::IsItemHovered() ? palette::kButtonHovered : palette::kButton, ui.px(4.0f));
+        list.AddText({at.x + ui.px(6.0f), at.y + ui.px(1.0f)}, palette::kText, "Go back");
+        if (!clicked) return false;
+        if (debugger.goBackTo(line.tick)) ui.workspace.notice = debugger.notice();
+        if (const auto place = scriptPlaceIn(line.text)) ui.workspace.scripts.show(*place);
+        return true;
+    }
+
+    static std::string hint(const Ui& ui, const LogEntry& line, ObjectId object,
+                            const std::optional<ScriptPlace>& place) {
         std::string text =
             format("{} s{}", fixedText(line.seconds, 2), line.tick < 0 ? "" : format(", tick {}", line.tick));
-        if (object) text += format("\nClick to select \"{}\"", ui.workspace.document.nameOf(object));
+        if (place)
+            text += format("\nClick to show {}:{}", place->file, place->line);
+        else if (object)
+            text += format("\nClick to select \"{}\"", ui.workspace.document.nameOf(object));
         return text;
     }
 
-    /// Draws the repeat count and the name of the mentioned entity at the right edge.
-    static void drawEnd(const Ui& ui, ImDrawList& list, const LogView::Row& row, ObjectId object, ImVec2 end,
-                        float height) {
+    /// Draws the repeat count and the name of the mentioned entity or line at the right edge.
+    static void drawEnd(const Ui& ui, ImDrawList& list, const LogView::Row& row, const std::string& link,
+                        ImVec2 end, float height) {
         float x = end.x - ui.px(6.0f);
         if (row.times > 1) {
             const std::string times = format("x{}", row.times);
@@ -268,12 +312,11 @@ private:
             list.AddText({x - wide - ui.px(4.0f), end.y}, palette::kText, times.c_str());
             x -= wide + ui.px(14.0f);
         }
-        if (!object) return;
-        const std::string name = ui.workspace.document.nameOf(object);
-        const float wide = ImGui::CalcTextSize(name.c_str()).x;
+        if (link.empty()) return;
+        const float wide = ImGui::CalcTextSize(link.c_str()).x;
         const float left = end.x - ui.px(kLinkWidth - 6.0f);
         list.PushClipRect({left, end.y}, {x, end.y + height}, true);
-        list.AddText({std::max(x - wide, left), end.y}, palette::kAccent, name.c_str());
+        list.AddText({std::max(x - wide, left), end.y}, palette::kAccent, link.c_str());
         list.PopClipRect();
     }
 

@@ -20,6 +20,7 @@ std::span<const PanelRow> panelTable() {
         PanelRow{"Effects", Dock::Bottom, &makeEffectsPanel, true},
         PanelRow{"Cost", Dock::Bottom, &makeCostPanel, true},
         PanelRow{"Input", Dock::Bottom, &makeInputPanel, true},
+        PanelRow{"Scripts", Dock::Bottom, &makeScriptsPanel, true},
     };
     return kPanels;
 }

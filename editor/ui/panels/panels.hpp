@@ -19,5 +19,6 @@ std::unique_ptr<Panel> makeEffectsPanel();
 std::unique_ptr<Panel> makeCostPanel();
 std::unique_ptr<Panel> makeInputPanel();
 std::unique_ptr<Panel> makeAnimationPanel();
+std::unique_ptr<Panel> makeScriptsPanel();
 
 }  // namespace plumb::editor::ui

@@ -309,8 +309,11 @@ private:
             return ui.workspace.settings.keys.shownOf(*findAction(action)).text();
         };
         const std::string words =
-            ui.workspace.play.inPast() ? format("REWOUND - {} and {} step, {} resumes from here",
-                                                keys("run.step"), keys("run.stepBack"), keys("run.pause"))
+            ui.workspace.debugger.halt() != nullptr
+                ? format("AT A SCRIPT LINE - {} and {} step, {} goes on", keys("script.over"),
+                         keys("script.back"), keys("run.pause"))
+            : ui.workspace.play.inPast() ? format("REWOUND - {} and {} step, {} resumes from here",
+                                                  keys("run.step"), keys("run.stepBack"), keys("run.pause"))
             : paused ? format("PAUSED - {} steps, {} resumes, {} stops", keys("run.step"), keys("run.pause"),
                               keys("run.play"))
                      : format("PLAYING - {} stops and asks which of your changes to keep", keys("run.play"));

@@ -2,6 +2,7 @@
 
 #include "editor/model/document/bounds.hpp"
 #include "tests/editor/keys/desk.hpp"
+#include "tests/editor/support/script_game.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -46,6 +47,29 @@ void switchesOverlay(KeyTrials& at, std::string_view overlay) {
     EXPECT_FALSE(at.workspace.shows(overlay));
     EXPECT_FALSE(at.workspace.unsaved());
 }
+
+/// A game with scripts that is stopped at line 11 of tick 1: the call of a function.
+class Stopped {
+public:
+    explicit Stopped(KeyTrials& at) : at_{at} {
+        at.workspace.makeSession = [this](const std::string&, const std::string&) { return game_.start(); };
+        at.workspace.debugger.breakpoints.toggle("scripts/counter.lua", 11);
+        at.play(3);
+        EXPECT_EQ(line(), 11);
+    }
+    ~Stopped() { at_.workspace.play.stop(); }
+    Stopped(const Stopped&) = delete;
+    Stopped& operator=(const Stopped&) = delete;
+
+    [[nodiscard]] int line() const {
+        const Halt* halt = at_.workspace.debugger.halt();
+        return halt == nullptr ? 0 : halt->line;
+    }
+
+private:
+    ScriptGame game_;
+    KeyTrials& at_;
+};
 
 constexpr std::array kTrials{
     KeyTrial{"F", "view.frame",
@@ -153,6 +177,37 @@ constexpr std::array kTrials{
                  const std::int64_t tick = at.workspace.play.ticks();
                  at.press();
                  EXPECT_EQ(at.workspace.play.ticks(), tick - 1);
+             }},
+    KeyTrial{"F11", "script.into",
+             [](KeyTrials& at) {
+                 const Stopped game{at};
+                 at.press();
+                 EXPECT_EQ(game.line(), 2) << "the function";
+             }},
+    KeyTrial{"F10", "script.over",
+             [](KeyTrials& at) {
+                 const Stopped game{at};
+                 at.press();
+                 EXPECT_EQ(game.line(), 12);
+             }},
+    KeyTrial{"Shift+F11", "script.out",
+             [](KeyTrials& at) {
+                 const Stopped game{at};
+                 at.press("F11");
+                 at.press();
+                 EXPECT_EQ(game.line(), 12);
+             }},
+    KeyTrial{"Shift+F10", "script.back",
+             [](KeyTrials& at) {
+                 const Stopped game{at};
+                 at.press();
+                 EXPECT_EQ(game.line(), 10);
+             }},
+    KeyTrial{"F9", "script.breakpoint",
+             [](KeyTrials& at) {
+                 const Stopped game{at};
+                 at.press();
+                 EXPECT_TRUE(at.workspace.debugger.breakpoints.all().empty());
              }},
     KeyTrial{"Shift+F5", "run.playPaused",
              [](KeyTrials& at) {
