@@ -12,6 +12,7 @@
 #include "gameplay/systems.hpp"
 #include "gameplay/tweens.hpp"
 #include "reflect/convert_component.hpp"
+#include "script/script_system.hpp"
 
 namespace plumb {
 namespace {
@@ -23,8 +24,8 @@ TypeInfo described(const Module::Resource& resource) {
 }
 
 /// Systems of a project's code run before this one by default: earlier systems control and simulate, this one
-/// and later ones display the result.
-constexpr std::string_view kFirstShowing = MotionDecorSystem::kName;
+/// handles the events that code emits for scripts, and later ones display the result.
+constexpr std::string_view kAfterCode = ScriptEventSystem::kName;
 
 auto rowOf(std::vector<SystemRow>& rows, std::string_view name) {
     return std::find_if(rows.begin(), rows.end(), [&](const SystemRow& row) { return row.name == name; });
@@ -58,7 +59,8 @@ Error nameIsUsed(std::string_view kind, const TypeInfo& type, std::string_view u
     const bool isScript = endsWith(where, ".lua");
     return {
         isScript ? std::string{where} : format("code: {} \"{}\"", kind, type.name),
-        format("there is a {} \"{}\" already", user, type.name),
+        isScript ? format("there is a component \"{}\" already", type.name)
+                 : format("there is a {} of this name already", user),
         isScript ? std::string{"give the file another name"} : format("choose another name in {}", where)};
 }
 
@@ -71,7 +73,7 @@ auto positionOf(std::vector<SystemRow>& rows, const Module::System& system, std:
         if (found != rows.end()) return after ? std::next(found) : found;
         problems.push_back(unknownSystem(system, name));
     }
-    return rowOf(rows, kFirstShowing);
+    return rowOf(rows, kAfterCode);
 }
 
 }  // namespace

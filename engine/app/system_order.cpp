@@ -44,8 +44,9 @@ constexpr std::array kSystems{
     row<RespawnSystem>("respawn"),
     row<ShortcutSystem>("shortcuts"),
     row<PauseSystem>("players"),
-    row<ScriptEventSystem>("scripts"),
     row<TweenSystem>("tweens"),
+    // Systems of a project's code run here unless they choose another place.
+    row<ScriptEventSystem>("scripts"),
     row<MotionDecorSystem>("decor"),
     row<CharacterAnimationSystem>("character_animation"),
     row<AnimationSystem>("animation"),

@@ -41,7 +41,7 @@ endfunction()
 # Lets a program load the code of projects while it runs: the code uses the functions of the engine that are in the
 # program, so all of them are, not only those that the program uses itself.
 function(export_engine program)
-    set(layers core math physics codec platform reflect input ecs assets audio render scene gameplay app)
+    set(layers core math physics codec platform reflect input ecs assets audio render scene gameplay script app)
     set_target_properties(${program} PROPERTIES ENABLE_EXPORTS ON)
     add_dependencies(${program} ${layers})
     if(CMAKE_SYSTEM_NAME STREQUAL "Linux")

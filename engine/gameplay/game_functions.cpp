@@ -44,8 +44,9 @@ Entity findChild(World& world, Entity parent, std::string_view name) {
 }
 
 void requestScene(World& world, std::string_view scene, bool overlay) {
+    const std::string folder = startsWith(scene, "scenes/") ? "" : "scenes/";
     const std::string path =
-        endsWith(scene, ".json") ? std::string{scene} : format("scenes/{}.scene.json", scene);
+        endsWith(scene, ".json") ? std::string{scene} : format("{}{}.scene.json", folder, scene);
     SceneRequests& requests = world.resource<SceneRequests>();
     requests.next = world.texts().add(path);
     requests.overlay = overlay;

@@ -46,7 +46,7 @@ AssetStore& assetsOf(World& world);
 
 // Requests that are performed at the end of this tick.
 
-/// Changes to another scene: "level2" or "scenes/level2.scene.json".
+/// Changes to another scene: "level2", "scenes/level2" or "scenes/level2.scene.json".
 void changeScene(World& world, std::string_view scene);
 /// Opens a scene over the current one, which is paused meanwhile.
 void showOverlay(World& world, std::string_view scene);

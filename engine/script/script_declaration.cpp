@@ -220,6 +220,10 @@ private:
     /// Adds a field for the property, or plain value, on top of the stack. @return false after pushing a
     /// message
     bool addField(std::string_view name) {
+        if (name == "entity" || name == "stopped") {
+            lua_pushliteral(state_, "every script has this name; choose another one");
+            return false;
+        }
         FieldInfo field;
         field.name = permanentText(name);
         const int value = lua_gettop(state_);
@@ -231,6 +235,7 @@ private:
         field.capacity = property->capacity;
         lua_getiuservalue(state_, value, 1);
         const int details = lua_gettop(state_);
+        if (!checkOptions(details)) return false;
         field.doc = textOption(details, "doc");
         field.was = textOption(details, "was");
         field.shownIf = textOption(details, "shownIf");
@@ -238,11 +243,30 @@ private:
         field.max = numberOption(details, "max", field.max);
         field.step = numberOption(details, "step", 0.0f);
         if (!findUnit(field, details) || !findNames(field, details)) return false;
+        if (field.min > field.max) {
+            lua_pushliteral(state_, "min is larger than max");
+            return false;
+        }
         setSize(field);
         append(field);
         lua_rawgeti(state_, details, 1);
         const bool isNameList = field.kind == FieldKind::Enum || field.kind == FieldKind::List;
         return isNameList || lua_isnil(state_, -1) != 0 || setDefault(lua_gettop(state_));
+    }
+
+    bool checkOptions(int details) {
+        constexpr std::array<std::string_view, 7> kOptions{"doc", "was",  "shownIf", "min",
+                                                           "max", "step", "unit"};
+        for (lua_pushnil(state_); lua_next(state_, details) != 0; lua_pop(state_, 1)) {
+            if (lua_type(state_, -2) != LUA_TSTRING) continue;
+            const std::string_view option = lua_tostring(state_, -2);
+            if (std::find(kOptions.begin(), kOptions.end(), option) != kOptions.end()) continue;
+            lua_pushfstring(
+                state_, "unknown option \"%s\"; the options are doc, was, shownIf, min, max, step and unit",
+                lua_tostring(state_, -2));
+            return false;
+        }
+        return true;
     }
 
     bool addPlain(FieldInfo field, int value) {

@@ -20,6 +20,7 @@ namespace {
 
 constexpr const char* kEntity = "entity";
 constexpr const char* kComponent = "component";
+constexpr const char* kTypeField = "__component";  // in the metatable of a `self`: its component type
 
 // Keys of tables in the registry of the Lua state, by address.
 constexpr char kEntities = 0;  // handle of each entity that is in use, by its id; weak
@@ -65,7 +66,11 @@ int failUnknownField(lua_State* state, const TypeInfo& type, const char* name) {
     std::vector<std::string_view> names;
     for (const FieldInfo& field : type.fields) names.push_back(field.name);
     const std::string_view near = closestName(name, names);
-    const std::string hint = near.empty() ? std::string{} : format("; did you mean \"{}\"?", near);
+    const bool isScript = type.find("stopped") != nullptr && isReloadable(type.key);
+    const std::string hint =
+        isScript       ? "; functions of a script can be called from its first tick on: wait() before"
+        : near.empty() ? std::string{}
+                       : format("; did you mean \"{}\"?", near);
     return fail(state, format("{} has no field \"{}\"{}", type.name, name, hint));
 }
 
@@ -137,15 +142,52 @@ int writeField(lua_State* state) {
 }
 
 int componentText(lua_State* state) {
-    const ComponentHandle& handle = checkComponent(state, 1);
+    const ComponentHandle handle = checkComponent(state, 1);
     lua_pushlstring(state, handle.type->name.data(), handle.type->name.size());
     return 1;
 }
 
 // ---- entities
 
+/// Pushes the table of component handles of the entity handle at an index.
+void pushComponents(lua_State* state, int handle) {
+    if (lua_getiuservalue(state, handle, 1) == LUA_TTABLE) return;
+    lua_pop(state, 1);
+    lua_newtable(state);
+    lua_pushvalue(state, -1);
+    lua_setiuservalue(state, handle, 1);
+}
+
+/// Pushes the component of the entity whose handle is at an index, above the table of its components.
+void pushComponentOf(lua_State* state, int handle, EntityId entity, const TypeInfo& type) {
+    pushComponents(state, handle);
+    if (lua_rawgetp(state, -1, &type) != LUA_TNIL) return;
+    lua_pop(state, 1);
+    *static_cast<ComponentHandle*>(lua_newuserdatauv(state, sizeof(ComponentHandle), 0)) = {entity, &type};
+    luaL_setmetatable(state, kComponent);
+    lua_pushvalue(state, -1);
+    lua_rawsetp(state, -3, &type);
+}
+
+/// Pushes the component of this type, or the script, of the entity whose handle is at an index; nil if it has
+/// none.
+void pushIfThere(lua_State* state, int handle, EntityId entity, const TypeInfo& type) {
+    Context& context = contextOf(state);
+    if (!context.world.has(type, entity)) return lua_pushnil(state);
+    const int self = isReloadable(type.key) ? context.state.selfOf(type.key, entity) : 0;
+    if (self != 0) {
+        lua_rawgeti(state, LUA_REGISTRYINDEX, self);
+    } else {
+        pushComponentOf(state, handle, entity, type);
+    }
+}
+
 int readMember(lua_State* state) {
-    pushMember(state, *static_cast<const EntityId*>(lua_touserdata(state, 1)), 2);
+    pushRegistered(state, kMembers);
+    lua_pushvalue(state, 2);
+    if (lua_rawget(state, -2) != LUA_TLIGHTUSERDATA) return 1;  // a function, or nil
+    const auto& type = *static_cast<const TypeInfo*>(lua_touserdata(state, -1));
+    pushIfThere(state, 1, *static_cast<const EntityId*>(lua_touserdata(state, 1)), type);
     return 1;
 }
 
@@ -160,59 +202,104 @@ int entityText(lua_State* state) {
     return 1;
 }
 
-// ---- self: the upvalues are the table of functions, the table of fields and the component type
+// ---- self: scripts read it more often than anything else, so all that is needed is in upvalues, and what
+// lies on the stack is left there
+
+constexpr int kNamesOfSelf = 1;  // index of the field of a property, or the type of a component, by name
+constexpr int kTypeOfSelf = 2;
+constexpr int kEntityName = 3;   // the text "entity"
+constexpr int kHandleTable = 4;  // metatable of the handles of entities
+constexpr int kFunctionsOfSelf = 5;
+constexpr int kMembersOfSelf = 6;
+constexpr int kUpvaluesOfSelf = 6;
 
 const TypeInfo& typeOfSelf(lua_State* state) {
-    return *static_cast<const TypeInfo*>(lua_touserdata(state, lua_upvalueindex(3)));
+    return *static_cast<const TypeInfo*>(lua_touserdata(state, lua_upvalueindex(kTypeOfSelf)));
 }
 
-/// Pushes the field of the component for the name at index 2. @return null for a name that is no property
-const FieldInfo* propertyOf(lua_State* state) {
+/// Pushes the handle of the entity of the self at index 1, and its metatable. That is compared here, because
+/// luaL_testudata() looks it up by its name each time.
+EntityId pushEntityOfSelf(lua_State* state) {
+    lua_pushvalue(state, lua_upvalueindex(kEntityName));
+    lua_rawget(state, 1);
+    const bool isHandle = lua_type(state, -1) == LUA_TUSERDATA && lua_getmetatable(state, -1) != 0 &&
+                          lua_rawequal(state, -1, lua_upvalueindex(kHandleTable)) != 0;
+    if (!isHandle) luaL_error(state, "self.entity was overwritten");
+    return *static_cast<const EntityId*>(lua_touserdata(state, -2));
+}
+
+/// Puts what is called like the text at index 2, and is not in the table of names, at index 3: a function,
+/// the type of a component, which is added to the names, or nil. @return its type
+int findName(lua_State* state) {
+    lua_settop(state, 2);
     lua_pushvalue(state, 2);
-    lua_rawget(state, lua_upvalueindex(2));
-    int isNumber = 0;
-    const lua_Integer code = lua_tointegerx(state, -1, &isNumber);
-    lua_pop(state, 1);
-    return isNumber == 0 ? nullptr : &typeOfSelf(state).fields[static_cast<std::size_t>(code & kIndex)];
-}
-
-EntityId entityOfSelf(lua_State* state) {
-    const EntityId entity = entityAt(state, 1);
-    if (!entity) luaL_error(state, "self.entity was overwritten");
-    return entity;
+    const int found = lua_gettable(state, lua_upvalueindex(kFunctionsOfSelf));
+    if (found != LUA_TNIL) return found;
+    lua_settop(state, 2);
+    lua_pushvalue(state, 2);
+    const int member = lua_rawget(state, lua_upvalueindex(kMembersOfSelf));
+    if (member != LUA_TLIGHTUSERDATA) return member;
+    lua_pushvalue(state, 2);
+    lua_pushvalue(state, 3);
+    lua_rawset(state, lua_upvalueindex(kNamesOfSelf));
+    return member;
 }
 
 int readSelf(lua_State* state) {
     lua_pushvalue(state, 2);
-    if (lua_gettable(state, lua_upvalueindex(1)) != LUA_TNIL) return 1;
-    lua_pop(state, 1);
-    const EntityId entity = entityOfSelf(state);
-    const FieldInfo* property = propertyOf(state);
-    if (property == nullptr) {
-        pushMember(state, entity, 2);
+    int kind = lua_rawget(state, lua_upvalueindex(kNamesOfSelf));
+    if (kind == LUA_TNIL) {
+        kind = findName(state);
+        if (kind != LUA_TLIGHTUSERDATA) return 1;
+    }
+    const EntityId entity = pushEntityOfSelf(state);
+    if (kind == LUA_TLIGHTUSERDATA) {
+        constexpr int kHandle = 4;
+        pushIfThere(state, kHandle, entity, *static_cast<const TypeInfo*>(lua_touserdata(state, 3)));
         return 1;
     }
     World& world = worldOf(state);
     const TypeInfo& type = typeOfSelf(state);
     const void* component = std::as_const(world).find(type, entity);
     if (component == nullptr) return goneComponent(state, {entity, &type});
-    pushValue(state, world, *property, property->in(component));
+    const FieldInfo& property = type.fields[static_cast<std::size_t>(lua_tointeger(state, 3))];
+    pushValue(state, world, property, property.in(component));
     return 1;
 }
 
+/// Its names are all properties, also those that readSelf() does not find because a function is called alike.
 int writeSelf(lua_State* state) {
-    const FieldInfo* property = propertyOf(state);
-    if (property == nullptr) {
+    lua_pushvalue(state, 2);
+    if (lua_rawget(state, lua_upvalueindex(kNamesOfSelf)) == LUA_TNIL) {
+        lua_settop(state, 3);
         lua_rawset(state, 1);
         return 0;
     }
-    const EntityId entity = entityOfSelf(state);
+    const EntityId entity = pushEntityOfSelf(state);
     World& world = worldOf(state);
     const TypeInfo& type = typeOfSelf(state);
     void* component = world.find(type, entity);
     if (component == nullptr) return goneComponent(state, {entity, &type});
-    if (readValue(state, 3, world, type.name, *property, property->in(component))) return 0;
+    const FieldInfo& property = type.fields[static_cast<std::size_t>(lua_tointeger(state, 4))];
+    if (readValue(state, 3, world, type.name, property, property.in(component))) return 0;
     return raiseMessage(state);
+}
+
+/// Pushes the table of the names of the properties, without those that are called like a function of the
+/// table at index `functions`, if that is not 0.
+void pushNames(lua_State* state, const TypeInfo& type, int functions) {
+    lua_createtable(state, 0, static_cast<int>(type.fields.size()));
+    const int names = lua_gettop(state);
+    for (std::size_t i = 0; i < type.fields.size(); ++i) {
+        lua_pushlstring(state, type.fields[i].name.data(), type.fields[i].name.size());
+        lua_pushvalue(state, -1);
+        if (functions == 0 || lua_gettable(state, functions) == LUA_TNIL) {
+            lua_pushvalue(state, names + 1);
+            lua_pushinteger(state, static_cast<lua_Integer>(i));
+            lua_rawset(state, names);
+        }
+        lua_settop(state, names);
+    }
 }
 
 void protect(lua_State* state) {
@@ -234,15 +321,6 @@ void addWeakTable(lua_State* state) {
     lua_setfield(state, -2, "__mode");
     lua_setmetatable(state, -2);
     lua_pop(state, 1);
-}
-
-/// Pushes the table of component handles of the entity handle at an index.
-void pushComponents(lua_State* state, int handle) {
-    if (lua_getiuservalue(state, handle, 1) == LUA_TTABLE) return;
-    lua_pop(state, 1);
-    lua_newtable(state);
-    lua_pushvalue(state, -1);
-    lua_setiuservalue(state, handle, 1);
 }
 
 }  // namespace
@@ -332,41 +410,15 @@ EntityId checkEntity(lua_State* state, int index) {
     return entity;
 }
 
-void pushMember(lua_State* state, EntityId entity, int name) {
-    const int key = lua_absindex(state, name);
-    pushRegistered(state, kMembers);
-    lua_pushvalue(state, key);
-    lua_rawget(state, -2);
-    lua_remove(state, -2);
-    if (lua_islightuserdata(state, -1) == 0) return;  // a function, or nil
-    const auto& type = *static_cast<const TypeInfo*>(lua_touserdata(state, -1));
-    lua_pop(state, 1);
-    Context& context = contextOf(state);
-    if (!context.world.has(type, entity)) return lua_pushnil(state);
-    const int self = isReloadable(type.key) ? context.state.selfOf(type.key, entity) : 0;
-    if (self != 0) {
-        lua_rawgeti(state, LUA_REGISTRYINDEX, self);
-    } else {
-        pushComponent(state, entity, type);
-    }
-}
-
 void pushComponent(lua_State* state, EntityId entity, const TypeInfo& type) {
     pushEntity(state, entity);
-    pushComponents(state, lua_gettop(state));
-    if (lua_rawgetp(state, -1, &type) == LUA_TNIL) {
-        lua_pop(state, 1);
-        *static_cast<ComponentHandle*>(lua_newuserdatauv(state, sizeof(ComponentHandle), 0)) = {entity,
-                                                                                                &type};
-        luaL_setmetatable(state, kComponent);
-        lua_pushvalue(state, -1);
-        lua_rawsetp(state, -3, &type);
-    }
+    pushComponentOf(state, lua_gettop(state), entity, type);
     lua_replace(state, -3);
     lua_pop(state, 1);
 }
 
 void defineSelf(lua_State* state, const TypeInfo& type) {
+    const int functions = lua_gettop(state);
     pushRegistered(state, kSelves);
     if (lua_rawgeti(state, -1, static_cast<lua_Integer>(type.key)) != LUA_TTABLE) {
         lua_pop(state, 1);
@@ -378,13 +430,16 @@ void defineSelf(lua_State* state, const TypeInfo& type) {
         lua_pushvalue(state, -1);
         lua_rawseti(state, -3, static_cast<lua_Integer>(type.key));
     }
+    lua_pushlightuserdata(state, const_cast<TypeInfo*>(&type));
+    lua_setfield(state, -2, kTypeField);
     for (const auto& [name, function] : {luaL_Reg{"__index", readSelf}, luaL_Reg{"__newindex", writeSelf}}) {
-        lua_pushvalue(state, -3);
-        pushRegistered(state, kFields);
-        lua_rawgetp(state, -1, &type);
-        lua_remove(state, -2);
+        pushNames(state, type, function == readSelf ? functions : 0);
         lua_pushlightuserdata(state, const_cast<TypeInfo*>(&type));
-        lua_pushcclosure(state, function, 3);
+        lua_pushliteral(state, "entity");
+        luaL_getmetatable(state, kEntity);
+        lua_pushvalue(state, functions);
+        pushRegistered(state, kMembers);
+        lua_pushcclosure(state, function, kUpvaluesOfSelf);
         lua_setfield(state, -2, name);
     }
     lua_pop(state, 3);
@@ -397,7 +452,12 @@ void becomeSelf(lua_State* state, TypeKey type) {
     lua_pop(state, 1);
 }
 
-const ComponentHandle& checkComponent(lua_State* state, int index) {
+ComponentHandle checkComponent(lua_State* state, int index) {
+    if (lua_istable(state, index) != 0 && luaL_getmetafield(state, index, kTypeField) != LUA_TNIL) {
+        const auto* type = static_cast<const TypeInfo*>(lua_touserdata(state, -1));
+        lua_pop(state, 1);
+        return {entityAt(state, index), type};
+    }
     return *static_cast<const ComponentHandle*>(luaL_checkudata(state, index, kComponent));
 }
 

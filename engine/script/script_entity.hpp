@@ -28,8 +28,6 @@ EntityId entityAt(lua_State* state, int index);
 /// more.
 EntityId checkEntity(lua_State* state, int index);
 
-/// Pushes what `entity.NAME` is: a function, a component or nil. The name is the value at index `name`.
-void pushMember(lua_State* state, EntityId entity, int name);
 /// Pushes the handle of a component. @pre the entity has it
 void pushComponent(lua_State* state, EntityId entity, const TypeInfo& type);
 
@@ -45,8 +43,9 @@ struct ComponentHandle {
     EntityId entity;
     const TypeInfo* type = nullptr;
 };
-/// Returns the component that is argument number `index`; raises an error if it is none.
-const ComponentHandle& checkComponent(lua_State* state, int index);
+/// Returns the component that is argument number `index`, of a `self` that of its script; raises an error if
+/// it is none.
+ComponentHandle checkComponent(lua_State* state, int index);
 
 /// Sets fields of a component to the values of the table at an index.
 /// @return false after pushing a message

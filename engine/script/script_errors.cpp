@@ -1,19 +1,21 @@
 #include "script/script_errors.hpp"
 
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include <lua.hpp>
 
 #include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "scene/components/name.hpp"
+#include "script/script_frames.hpp"
 
 namespace plumb::script {
 namespace {
 
-constexpr int kMaxLevels = 8;         // functions listed
-constexpr int kMaxLocals = 12;        // variables listed
-constexpr std::size_t kMaxText = 40;  // bytes of a value
+constexpr std::size_t kMaxFrames = 8;      // functions listed
+constexpr std::size_t kMaxVariables = 12;  // variables listed
 
 std::string entityName(const World& world, EntityId entity) {
     const Name* name = world.find<Name>(entity);
@@ -21,36 +23,11 @@ std::string entityName(const World& world, EntityId entity) {
     return text.empty() ? format("entity {}", entity.index) : std::string{text};
 }
 
-/// The value at the top of the stack, without calling functions of scripts.
-std::string valueText(lua_State* state) {
-    std::string text;
-    switch (lua_type(state, -1)) {
-        case LUA_TNIL: return "nil";
-        case LUA_TBOOLEAN: return lua_toboolean(state, -1) != 0 ? "true" : "false";
-        case LUA_TNUMBER:
-            return lua_isinteger(state, -1) != 0
-                       ? format("{}", static_cast<long long>(lua_tointeger(state, -1)))
-                       : shortestText(lua_tonumber(state, -1));
-        case LUA_TSTRING: text = textAt(state, -1); break;
-        case LUA_TUSERDATA:
-            text = luaL_tolstring(state, -1, nullptr);
-            lua_pop(state, 1);
-            return text;
-        default: return luaL_typename(state, -1);
-    }
-    if (text.size() > kMaxText) text.resize(kMaxText);
-    return "\"" + text + "\"";
-}
-
-/// "speed = 40, target = nil" of a function.
-std::string localsOf(lua_State* coroutine, const lua_Debug& function) {
+/// "speed = 40, target = nil"
+std::string listOf(const std::vector<ScriptVariable>& variables) {
     std::string list;
-    for (int i = 1; i <= kMaxLocals; ++i) {
-        const char* name = lua_getlocal(coroutine, &function, i);
-        if (name == nullptr) break;
-        if (name[0] != '(') list += format("{}{} = {}", list.empty() ? "" : ", ", name, valueText(coroutine));
-        lua_pop(coroutine, 1);
-    }
+    for (std::size_t i = 0; i < std::min(variables.size(), kMaxVariables); ++i)
+        list += format("{}{} = {}", list.empty() ? "" : ", ", variables[i].name, variables[i].value);
     return list;
 }
 
@@ -66,25 +43,18 @@ std::string textAt(lua_State* state, int index) {
 
 Error handlerError(lua_State* coroutine, const World& world, EntityId entity) {
     std::string message = textAt(coroutine, -1);
-    std::string where, functions, locals;
-    lua_Debug function;
-    for (int level = 0; level < kMaxLevels && lua_getstack(coroutine, level, &function) != 0; ++level) {
-        lua_getinfo(coroutine, "Sln", &function);
-        if (function.currentline < 0) continue;  // a function of the engine
-        const std::string line =
-            format("{}:{}", static_cast<const char*>(function.short_src), function.currentline);
-        if (where.empty()) {
-            where = line;
-            locals = localsOf(coroutine, function);
-        }
-        functions += format("\n  in {} at {}", function.name == nullptr ? "a handler" : function.name, line);
+    const std::vector<ScriptFrame> frames = framesOf(coroutine);
+    std::string where = "scripts", stack;
+    for (std::size_t i = 0; i < std::min(frames.size(), kMaxFrames); ++i) {
+        const std::string line = format("{}:{}", frames[i].file, frames[i].line);
+        if (i == 0) where = line;
+        stack += format("\n  in {} at {}", frames[i].function, line);
     }
-    if (startsWith(message, where + ": ")) message.erase(0, where.size() + 2);
-    std::string what = format("{} (in \"{}\")", message, entityName(world, entity));
-    what += functions;
-    if (!locals.empty()) what += "\n  with " + locals;
-    return {where.empty() ? std::string{"scripts"} : where, what,
-            "the script of this entity is stopped until its file is changed"};
+    while (startsWith(message, where + ": ")) message.erase(0, where.size() + 2);
+    std::string what = format("{} (in \"{}\")", message, entityName(world, entity)) + stack;
+    if (!frames.empty() && !frames.front().variables.empty())
+        what += "\n  with " + listOf(frames.front().variables);
+    return {where, what, "the script of this entity is stopped until its file is changed"};
 }
 
 }  // namespace plumb::script

@@ -27,6 +27,9 @@ std::span<const ScriptFunction> worldFunctions();
 /// Functions of the table `input`: input:isPressed("Jump").
 std::span<const ScriptFunction> inputFunctions();
 
+/// Implementation of entity:emit().
+int emitTo(lua_State* state);
+
 /// Adds functions to the table on top of the stack.
 void addFunctions(lua_State* state, std::span<const ScriptFunction> functions);
 /// Adds the functions of all groups but those of entities to a new state.

@@ -5,6 +5,7 @@
 #include <lua.hpp>
 
 #include "core/text.hpp"
+#include "script/library/work.hpp"
 #include "script/script_context.hpp"
 #include "script/script_declaration.hpp"
 #include "script/script_entity.hpp"
@@ -59,13 +60,7 @@ void shareBudget(lua_State* state) {
 /// Gives the function on top of the stack global variables of its own; those of all files are visible too.
 void separateGlobals(lua_State* state) {
     const int function = lua_gettop(state);
-    lua_newtable(state);
-    lua_newtable(state);
-    lua_pushglobaltable(state);
-    lua_setfield(state, -2, "__index");
-    lua_pushboolean(state, 0);
-    lua_setfield(state, -2, "__metatable");
-    lua_setmetatable(state, -2);
+    pushScriptEnvironment(state);
     for (int i = 1;; ++i) {
         const char* name = lua_getupvalue(state, function, i);
         if (name == nullptr) break;
@@ -103,6 +98,8 @@ void openScripts(lua_State* state) {
     lua_rawsetp(state, LUA_REGISTRYINDEX, &kResults);
     lua_register(state, "require", require);
     addGlobalFunctions(state);
+    makeReadOnly(state, "world");
+    makeReadOnly(state, "input");
 }
 
 bool runFile(lua_State* state, const ScriptSet& files, std::string_view name) {
@@ -143,6 +140,10 @@ bool runFile(lua_State* state, const ScriptSet& files, std::string_view name) {
     const bool ran = lua_pcall(state, 0, 1, 0) == LUA_OK;
     lua_insert(state, -2);
     endDeclaration(state, name);
+    if (ran && lua_istable(state, -1) == 0 && isDeclared(state, name)) {
+        lua_pushliteral(state, "the file must end with `return` and the table that script{} has returned");
+        return false;
+    }
     if (ran && lua_isnil(state, -1) != 0) {
         lua_pop(state, 1);
         lua_newtable(state);
@@ -162,6 +163,7 @@ void forgetFile(lua_State* state, std::string_view name) {
 }
 
 void resetBudget(lua_State* state) {
+    Work::begin();
     lua_rawgetp(state, LUA_REGISTRYINDEX, &kBudgetHolder);
     lua_pushinteger(state, kRounds);
     lua_setupvalue(state, -2, 1);

@@ -16,6 +16,7 @@
 #include "script/script_errors.hpp"
 #include "script/script_handlers.hpp"
 #include "script/script_loader.hpp"
+#include "script/script_observer.hpp"
 #include "script/script_set.hpp"
 #include "script/script_values.hpp"
 
@@ -38,12 +39,33 @@ std::uint32_t handlersOf(lua_State* state) {
     return handlers;
 }
 
+bool sameIgnoringCase(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// Warns of functions of the table on top of the stack that are named nearly like a handler.
+void warnOfNames(lua_State* state, const std::string& path) {
+    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) != LUA_TSTRING || lua_isfunction(state, -1) == 0) continue;
+        const std::string_view name = lua_tostring(state, -2);
+        for (const std::string_view handler : kScriptHandlers) {
+            const bool isNear = sameIgnoringCase(name, handler) && name != handler;
+            if (isNear || (name == "onUpdate" && handler == "onTick"))
+                logWarning("Script", Error{path, format("the engine does not call \"{}\"", name),
+                                           format("name the function {}", handler)});
+        }
+    }
+}
+
 }  // namespace
 
 ScriptRunner::ScriptRunner(World& world)
     : world_{world},
       set_{setOf(world)},
       scripts_{world.resource<ScriptState>()},
+      observer_{world.service<ScriptObserver>()},
       access_{scripts_.memory},
       state_{access_.state()},
       context_{world_, set_, scripts_},
@@ -135,6 +157,7 @@ void ScriptRunner::loadFile(std::size_t index) {
     }
     script.type = type->key;
     script.handlers = handlersOf(state_);
+    warnOfNames(state_, file.path);
     if (script.table == 0)
         script.table = luaL_ref(state_, LUA_REGISTRYINDEX);
     else
@@ -144,7 +167,7 @@ void ScriptRunner::loadFile(std::size_t index) {
 /// After a changed file was loaded: scripts that an error has stopped go on.
 void ScriptRunner::reset(Loaded& script) {
     for (Instance& instance : script.instances) {
-        const ComponentType* type = findComponentType(script.type);
+        const ComponentType* type = typeOf(script.type);
         if (void* component = type == nullptr ? nullptr : world_.find(type->info, instance.entity))
             *static_cast<bool*>(component) = false;
         if ((script.handlers & kOnReload) != 0) call(script, instance, "onReload", 0);
@@ -156,7 +179,7 @@ void ScriptRunner::reset(Loaded& script) {
 void ScriptRunner::beginInstances() {
     for (std::size_t i = 0; i < scripts_.loaded.size(); ++i) {
         Loaded& script = scripts_.loaded[i];
-        const ComponentType* type = script.table == 0 ? nullptr : findComponentType(script.type);
+        const ComponentType* type = script.table == 0 ? nullptr : typeOf(script.type);
         if (type == nullptr || script.memberships == world_.memberships(type->info)) continue;
         script.memberships = world_.memberships(type->info);
         std::vector<EntityId> fresh;
@@ -168,7 +191,7 @@ void ScriptRunner::beginInstances() {
 }
 
 void ScriptRunner::begin(Loaded& script, EntityId entity) {
-    const ComponentType* type = findComponentType(script.type);
+    const ComponentType* type = typeOf(script.type);
     if (!world_.has(type->info, entity)) return;  // removed by onCreate of another
     lua_newtable(state_);
     script::pushEntity(state_, entity);
@@ -180,7 +203,7 @@ void ScriptRunner::begin(Loaded& script, EntityId entity) {
 
 void ScriptRunner::endInstances() {
     for (Loaded& script : scripts_.loaded) {
-        const ComponentType* type = script.table == 0 ? nullptr : findComponentType(script.type);
+        const ComponentType* type = script.table == 0 ? nullptr : typeOf(script.type);
         if (type == nullptr || script.memberships == world_.memberships(type->info)) continue;
         script.removeIf([&](const Instance& instance) {
             if (world_.has(type->info, instance.entity)) return false;
@@ -193,7 +216,7 @@ void ScriptRunner::endInstances() {
 /// Ends the handlers that wait for components that are gone.
 void ScriptRunner::endWaits() {
     std::erase_if(scripts_.waits, [&](const Wait& wait) {
-        const ComponentType* type = findComponentType(wait.type);
+        const ComponentType* type = typeOf(wait.type);
         if (type != nullptr && world_.has(type->info, wait.entity)) return false;
         lua_resetthread(threadOf(wait.thread));
         scripts_.idle.push_back(wait.thread);
@@ -201,8 +224,15 @@ void ScriptRunner::endWaits() {
     });
 }
 
+/// Returns the component type with this key; null if there is none. Finding it locks and searches all types,
+/// so the last one is kept: neighboring calls are mostly for the same script.
+const ComponentType* ScriptRunner::typeOf(TypeKey key) const {
+    if (lastType_ == nullptr || lastType_->info.key != key) lastType_ = findComponentType(key);
+    return lastType_;
+}
+
 bool ScriptRunner::isStopped(TypeKey type, EntityId entity) const {
-    const ComponentType* known = findComponentType(type);
+    const ComponentType* known = typeOf(type);
     const void* component = known == nullptr ? nullptr : std::as_const(world_).find(known->info, entity);
     return component == nullptr || *static_cast<const bool*>(component);
 }
@@ -250,7 +280,8 @@ void ScriptRunner::resume(int thread, lua_State* coroutine, int values, const Wa
     context_.request = {};
     lua_State* const outer = std::exchange(context_.handler, coroutine);
     int results = 0;
-    const int status = lua_resume(coroutine, state_, values, &results);
+    const int status =
+        script::resumeHandler(observer_, coroutine, state_, values, results, wait.entity, wait.type);
     context_.handler = outer;
     if (status == LUA_YIELD) {
         lua_pop(coroutine, results);
@@ -266,14 +297,14 @@ void ScriptRunner::resume(int thread, lua_State* coroutine, int values, const Wa
     if (status == LUA_OK) {
         lua_settop(coroutine, 0);
     } else {
-        report(coroutine, wait);
+        if (status != script::kAbandoned) report(coroutine, wait);
         lua_resetthread(coroutine);
     }
     scripts_.idle.push_back(thread);
 }
 
 void ScriptRunner::report(lua_State* coroutine, const Wait& wait) {
-    const ComponentType* type = findComponentType(wait.type);
+    const ComponentType* type = typeOf(wait.type);
     logError("Script", script::handlerError(coroutine, world_, wait.entity));
     if (void* component = type == nullptr ? nullptr : world_.find(type->info, wait.entity))
         *static_cast<bool*>(component) = true;

@@ -10,6 +10,9 @@
 
 namespace plumb {
 
+struct ComponentType;
+class ScriptObserver;
+
 /// Runs the scripts of a world. Handlers run as coroutines: one that waits goes on in a later tick, or when
 /// the event comes that it waits for. A handler that fails stops its script: the Bool `stopped` of the
 /// component.
@@ -56,6 +59,7 @@ private:
     /// Starts a handler; its `values` arguments are on top of the stack.
     void call(Loaded& script, Instance& instance, std::string_view handler, int values, bool isTick = false);
     void resume(int thread, lua_State* coroutine, int values, const Wait& wait);
+    [[nodiscard]] const ComponentType* typeOf(TypeKey key) const;
     [[nodiscard]] bool isStopped(TypeKey type, EntityId entity) const;
     [[nodiscard]] bool mayRun(const Loaded& script, const Instance& instance) const;
     int takeThread();
@@ -65,11 +69,13 @@ private:
     World& world_;
     const ScriptSet& set_;
     ScriptState& scripts_;
+    ScriptObserver* observer_;  // null: scripts run without a hook
     ScriptAccess access_;
     lua_State* state_;
     script::Context context_;
     script::ContextScope contextScope_;
     ScriptHostScope hostScope_;
+    mutable const ComponentType* lastType_ = nullptr;  // found by typeOf()
 };
 
 }  // namespace plumb

@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <span>
 #include <string>
 
 #include <lua.hpp>
 
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "ecs/paused.hpp"
 #include "ecs/world.hpp"
 #include "scene/physics/contact_events.hpp"
 #include "script/script_entity.hpp"
@@ -29,7 +32,8 @@ void ScriptRunner::wakeFor(const ScriptEvent& event) {
     for (std::size_t i = 0; i < count; ++i) {
         const Wait wait = scripts_.waits[i];
         const bool isMeant = wait.event == event.name && (!event.target || event.target == wait.entity);
-        if (wait.event.empty() || !isMeant || isStopped(wait.type, wait.entity)) {
+        if (wait.event.empty() || !isMeant || isStopped(wait.type, wait.entity) ||
+            world_.has<Paused>(wait.entity)) {
             scripts_.waits[kept++] = wait;
             continue;
         }
@@ -92,6 +96,16 @@ void ScriptRunner::handleContacts(std::uint32_t handler, bool withContact) {
     }
 }
 
+namespace {
+
+template <class Event>
+bool hasOverlap(std::span<const Event> events, EntityId trigger, EntityId other) {
+    return std::any_of(events.begin(), events.end(),
+                       [&](const Event& event) { return event.trigger == trigger && event.other == other; });
+}
+
+}  // namespace
+
 template <class Event>
 void ScriptRunner::handleTriggers(std::uint32_t handler) {
     for (std::size_t s = 0; s < scripts_.loaded.size(); ++s) {
@@ -102,6 +116,8 @@ void ScriptRunner::handleTriggers(std::uint32_t handler) {
             for (const bool isTrigger : {true, false}) {
                 Instance* instance = script.find(isTrigger ? event.trigger : event.other);
                 if (instance == nullptr || !mayRun(script, *instance)) continue;
+                // Of two triggers each has an event of its own.
+                if (!isTrigger && hasOverlap(world_.events<Event>(), event.other, event.trigger)) continue;
                 script::pushEntity(state_, isTrigger ? event.other : event.trigger);
                 call(script, *instance, nameOf(handler), 1);
             }

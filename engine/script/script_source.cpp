@@ -223,8 +223,7 @@ private:
     void insertAfter(std::size_t offset, bool hasVarargs = false) {
         constexpr int kMaxVarargs = 250;
         copyTo(offset);
-        const std::string tooMany =
-            hasVarargs ? format(" or {}('#',...)>{}", kVarargCount, kMaxVarargs) : "";
+        const std::string tooMany = hasVarargs ? format(" or {}('#',...)>{}", kVarargCount, kMaxVarargs) : "";
         out_ += format(" {}={}-1 if {}<0{} then {}() end ", kBudget, kBudget, kBudget, tooMany, kOverBudget);
         needsCount_ = needsCount_ || hasVarargs;
     }

@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "math/angle.hpp"
+#include "script/library/work.hpp"
 
 namespace plumb::script {
 namespace {
@@ -72,6 +73,11 @@ int rotatedOf(lua_State* state) {
     pushVector(state, rotated(checkVector(state, 1), checkFloat(state, 2)));
     return 1;
 }
+int angleOfVector(lua_State* state) {
+    const Vec2 v = checkVector(state, 1);
+    lua_pushnumber(state, arcTangent(v.y, v.x));
+    return 1;
+}
 int lerpOf(lua_State* state) {
     pushVector(state, lerp(checkVector(state, 1), checkVector(state, 2), checkFloat(state, 3)));
     return 1;
@@ -101,7 +107,9 @@ int index(lua_State* state) {
 }
 
 int refuseChange(lua_State* state) {
-    return luaL_error(state, "a vector cannot be changed; assign a new one: vec(x, y)");
+    return luaL_error(state,
+                      "a vector cannot be changed: instead of body.velocity.x = 3 write body.velocity = "
+                      "vec(3, body.velocity.y)");
 }
 
 constexpr luaL_Reg kOperators[] = {
@@ -109,9 +117,9 @@ constexpr luaL_Reg kOperators[] = {
     {"__unm", negate}, {"__eq", equals},    {"__newindex", refuseChange}, {"__tostring", toText},
     {nullptr, nullptr}};
 
-constexpr luaL_Reg kFunctions[] = {
-    {"length", lengthOf},     {"normalized", normalizedOf}, {"dot", dotOf},   {"cross", crossOf},
-    {"distance", distanceOf}, {"rotated", rotatedOf},       {"lerp", lerpOf}, {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {{"length", lengthOf}, {"normalized", normalizedOf}, {"dot", dotOf},
+                                   {"cross", crossOf},   {"distance", distanceOf},     {"rotated", rotatedOf},
+                                   {"lerp", lerpOf},     {"angle", angleOfVector},     {nullptr, nullptr}};
 
 }  // namespace
 
@@ -129,6 +137,8 @@ void addVectors(lua_State* state) {
 }
 
 void pushVector(lua_State* state, Vec2 value) {
+    constexpr std::int64_t kVectorWork = 20;  // units of Work: 0.1 us
+    spend(state, kVectorWork);
     *static_cast<Vec2*>(lua_newuserdatauv(state, sizeof(Vec2), 0)) = value;
     luaL_setmetatable(state, kVector);
 }

@@ -8,7 +8,7 @@ namespace plumb::script {
 
 /// Adds `vec(x, y)` to a new state: vectors are values, so their x and y cannot be assigned. They have +, -,
 /// *,
-/// /, ==, and the functions length, normalized, dot, cross, distance, rotated and lerp.
+/// /, ==, and the functions length, normalized, dot, cross, distance, rotated, lerp and angle.
 void addVectors(lua_State* state);
 
 void pushVector(lua_State* state, Vec2 value);

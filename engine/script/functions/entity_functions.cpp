@@ -9,10 +9,12 @@
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
 #include "ecs/world.hpp"
+#include "gameplay/game_functions.hpp"
 #include "input/input.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/transform.hpp"
+#include "script/library/work.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_functions.hpp"
@@ -41,14 +43,21 @@ const TypeInfo& checkType(lua_State* state, int index) {
 
 // ---- entities
 
+/// The entity of has() and get(), which may be destroyed: it has no components then.
+EntityId checkFormerEntity(lua_State* state) {
+    const EntityId entity = entityAt(state, 1);
+    if (!entity) luaL_typeerror(state, 1, "entity");
+    return entity;
+}
+
 int has(lua_State* state) {
-    const EntityId entity = checkEntity(state, 1);
+    const EntityId entity = checkFormerEntity(state);
     lua_pushboolean(state, worldOf(state).has(checkType(state, 2), entity) ? 1 : 0);
     return 1;
 }
 
 int get(lua_State* state) {
-    const EntityId entity = checkEntity(state, 1);
+    const EntityId entity = checkFormerEntity(state);
     const TypeInfo& type = checkType(state, 2);
     if (!worldOf(state).has(type, entity)) return lua_pushnil(state), 1;
     pushComponent(state, entity, type);
@@ -94,6 +103,14 @@ int name(lua_State* state) {
     return 1;
 }
 
+int hasTagged(lua_State* state) {
+    const EntityId entity = checkEntity(state, 1);
+    std::size_t size = 0;
+    const char* tag = luaL_checklstring(state, 2, &size);
+    lua_pushboolean(state, hasTag(worldOf(state), entity, {tag, size}) ? 1 : 0);
+    return 1;
+}
+
 int parent(lua_State* state) {
     const EntityId entity = checkEntity(state, 1);
     pushEntity(state, parentOf(std::as_const(worldOf(state)), entity));
@@ -120,15 +137,19 @@ int children(lua_State* state) {
 }
 
 constexpr ScriptFunction kEntity[] = {
-    {"has", "(component: string): boolean", "True if the entity has a component: other:has(\"Hazard\").",
-     has},
+    {"has", "(component: string): boolean",
+     "True if the entity has a component: other:has(\"Hazard\"). A destroyed entity has none.", has},
     {"get", "(component: string): Component?", "The component of this name, or nil.", get},
     {"add", "(component: string, fields: table?): Component",
      "Adds a component, or replaces the existing one: entity:add(\"Lifetime\", { seconds = 2 }).", add},
     {"remove", "(component: string)", "Removes a component.", removeComponent},
     {"destroy", "()", "Destroys the entity and its children.", destroy},
+    {"emit", "(event: string, ...: any)",
+     "Calls onEvent_NAME(...) of this entity's scripts later in this tick.", emitTo},
     {"isAlive", "(): boolean", "False after the entity was destroyed.", isAlive},
     {"name", "(): string", "The name of the entity.", name},
+    {"hasTag", "(tag: string): boolean", "True if the component Tags of the entity contains this word.",
+     hasTagged},
     {"parent", "(): Entity?", "The parent of the entity.", parent},
     {"setParent", "(parent: Entity?)", "Makes the entity the last child of another one, or a root.",
      setParentOf},
@@ -148,6 +169,8 @@ int query(lua_State* state) {
         const TypeInfo& type = checkType(state, i);
         if (world.count(type) < world.count(*rarest)) rarest = &type;
     }
+    constexpr std::int64_t kEntityWork = 20;  // units of Work: 0.1 us
+    spend(state, static_cast<std::int64_t>(world.count(*rarest)) * kEntityWork);
     lua_newtable(state);
     lua_Integer found = 0;
     world.eachOf(*rarest, [&](EntityId entity, const void*) {
@@ -184,12 +207,43 @@ constexpr ScriptFunction kWorld[] = {
 
 // ---- input
 
-Action checkAction(lua_State* state) {
+const Input& inputOf(lua_State* state) { return worldOf(state).resource<Input>(); }
+
+/// Pushes 'there is no action "Shoot"; the actions are Jump, Attack'. @return a negative number
+template <class Bindings>
+int failUnknown(lua_State* state, const char* kind, std::string_view name,
+                const std::vector<Bindings>& known) {
+    std::string names;
+    for (const Bindings& one : known) names += (names.empty() ? "" : ", ") + one.name;
+    return fail(state,
+                format("there is no {} \"{}\"; project.json and the defaults have {}", kind, name, names));
+}
+
+std::string_view checkInputName(lua_State* state) {
     std::size_t size = 0;
     const char* text = luaL_checklstring(state, 2, &size);
-    return Action{std::string_view{text, size}};
+    return {text, size};
 }
-const Input& inputOf(lua_State* state) { return worldOf(state).resource<Input>(); }
+
+Action checkAction(lua_State* state) {
+    const std::string_view name = checkInputName(state);
+    const ActionMap& map = inputOf(state).map();
+    if (map.find(Action{name}) < 0) {
+        failUnknown(state, "action", name, map.actions);
+        lua_error(state);
+    }
+    return Action{name};
+}
+
+Axis checkAxis(lua_State* state) {
+    const std::string_view name = checkInputName(state);
+    const ActionMap& map = inputOf(state).map();
+    if (map.find(Axis{name}) < 0) {
+        failUnknown(state, "axis", name, map.axes);
+        lua_error(state);
+    }
+    return Axis{name};
+}
 
 int isPressed(lua_State* state) {
     lua_pushboolean(state, inputOf(state).isPressed(checkAction(state)) ? 1 : 0);
@@ -204,9 +258,7 @@ int isReleased(lua_State* state) {
     return 1;
 }
 int getAxis(lua_State* state) {
-    std::size_t size = 0;
-    const char* text = luaL_checklstring(state, 2, &size);
-    lua_pushnumber(state, inputOf(state).getAxis(Axis{std::string_view{text, size}}));
+    lua_pushnumber(state, inputOf(state).getAxis(checkAxis(state)));
     return 1;
 }
 int mouseInPicture(lua_State* state) {

@@ -7,9 +7,11 @@
 #include "assets/asset_store.hpp"
 #include "core/text.hpp"
 #include "ecs/world.hpp"
+#include "gameplay/touches.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/physics/physics_queries.hpp"
+#include "scene/world_transform.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_functions.hpp"
@@ -61,6 +63,17 @@ int findByName(lua_State* state) {
     return 1;
 }
 
+int findByTag(lua_State* state) {
+    const std::string_view tag = checkText(state, 1);
+    const std::vector<Entity> found = findEntities(worldOf(state), tag);
+    lua_createtable(state, static_cast<int>(found.size()), 0);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        pushEntity(state, found[i].id());
+        lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
+    }
+    return 1;
+}
+
 int playSoundFile(lua_State* state) {
     const std::string_view path = checkText(state, 1);
     const auto volume = static_cast<float>(luaL_optnumber(state, 2, 1.0));
@@ -71,6 +84,13 @@ int playSoundFile(lua_State* state) {
 
 int showTextFor(lua_State* state) {
     const std::string_view word = checkText(state, 1);
+    // 3, not 3.0: scores are often sums of properties, which are numbers with a fraction.
+    lua_Integer whole = 0;
+    if (lua_type(state, 2) == LUA_TNUMBER && lua_numbertointeger(lua_tonumber(state, 2), &whole) &&
+        static_cast<lua_Number>(whole) == lua_tonumber(state, 2)) {
+        lua_pushinteger(state, whole);
+        lua_replace(state, 2);
+    }
     std::size_t size = 0;
     const char* text = luaL_tolstring(state, 2, &size);
     showText(worldOf(state), word, {text, size});
@@ -103,6 +123,40 @@ int quit(lua_State* state) {
     return 0;
 }
 
+int playEntityClip(lua_State* state) {
+    const EntityId entity = checkEntity(state, 1);
+    playClip(worldOf(state), entity, checkText(state, 2));
+    return 0;
+}
+
+int setEntityParameter(lua_State* state) {
+    const EntityId entity = checkEntity(state, 1);
+    const std::string_view name = checkText(state, 2);
+    const bool isBool = lua_isboolean(state, 3);
+    setParameter(worldOf(state), entity, name,
+                 isBool ? static_cast<float>(lua_toboolean(state, 3))
+                        : static_cast<float>(luaL_checknumber(state, 3)));
+    return 0;
+}
+
+int applyImpulseTo(lua_State* state) {
+    const EntityId entity = checkEntity(state, 1);
+    applyImpulse(worldOf(state), entity, checkVector(state, 2));
+    return 0;
+}
+
+int shake(lua_State* state) {
+    const auto strength = static_cast<float>(luaL_checknumber(state, 1));
+    shakeCamera(worldOf(state), strength, static_cast<float>(luaL_checknumber(state, 2)));
+    return 0;
+}
+
+int worldPositionOf(lua_State* state) {
+    const EntityId entity = checkEntity(state, 1);
+    pushVector(state, worldPose(worldOf(state), entity).position);
+    return 1;
+}
+
 int teleportEntity(lua_State* state) {
     const EntityId entity = checkEntity(state, 1);
     const Vec2 position = checkVector(state, 2);
@@ -112,9 +166,24 @@ int teleportEntity(lua_State* state) {
     return 0;
 }
 
+/// An entity to ignore, or a table: { except = entity, mask = bits of layers, triggers = true }.
 QueryFilter checkFilter(lua_State* state, int index) {
     QueryFilter filter;
-    filter.except = lua_isnoneornil(state, index) ? EntityId{} : checkEntity(state, index);
+    if (lua_isnoneornil(state, index)) return filter;
+    filter.except = entityAt(state, index);
+    if (filter.except || lua_istable(state, index) == 0) {
+        filter.except = checkEntity(state, index);
+        return filter;
+    }
+    lua_getfield(state, index, "except");
+    filter.except = entityAt(state, -1);
+    lua_getfield(state, index, "mask");
+    if (lua_isnil(state, -1) == 0 && lua_isinteger(state, -1) == 0)
+        luaL_argerror(state, index, "mask must be a whole number: the sum of the bits of layers");
+    if (lua_isinteger(state, -1) != 0) filter.mask = static_cast<std::uint32_t>(lua_tointeger(state, -1));
+    lua_getfield(state, index, "triggers");
+    filter.triggers = lua_toboolean(state, -1) != 0;
+    lua_pop(state, 3);
     return filter;
 }
 
@@ -159,18 +228,32 @@ constexpr ScriptFunction kGame[] = {
      "sets "
      "fields of components of its root.",
      spawnPrefabAt},
-    {"findEntity", "(name: string): Entity?", "The first entity with this name.", findByName},
+    {"findEntity", "(name: string): Entity?",
+     "The first entity with this name; a path finds the child of a child: \"Boss/Arm/Hand\".", findByName},
+    {"findEntities", "(tag: string): Entity[]", "The entities whose component Tags contains this word.",
+     findByTag},
     {"teleport", "(entity: Entity, position: vec)",
      "Moves an entity without drawing the motion from its old position.", teleportEntity},
+    {"worldPosition", "(entity: Entity): vec",
+     "The position of an entity in the world, px; transform.position is relative to its parent.",
+     worldPositionOf},
+    {"applyImpulse", "(entity: Entity, impulse: vec)",
+     "Changes the velocity of the entity's RigidBody by impulse / mass, kg px/s.", applyImpulseTo},
+    {"playClip", "(entity: Entity, clip: string)",
+     "Plays a clip of the entity's Animator, unless it is playing already.", playEntityClip},
+    {"setParameter", "(entity: Entity, name: string, value: number|boolean)",
+     "Sets a parameter of the state machine of the entity's Animator.", setEntityParameter},
+    {"shakeCamera", "(strength: number, seconds: number)", "Shakes the camera by up to `strength` px.",
+     shake},
     {"playSound", "(path: string, volume: number?)", "Plays a sound, starting in this tick.", playSoundFile},
     {"showText", "(word: string, text: any)", "Sets the text that replaces {word} in every Label.",
      showTextFor},
     {"mouseInWorld", "(): vec", "The position of the mouse in the world, px.", mouse},
-    {"castRay", "(from: vec, way: vec, except: Entity?): table?",
+    {"castRay", "(from: vec, way: vec, filter: Entity|table?): table?",
      "The first collider that a ray from `from` to `from + way` hits: { entity, point, normal, fraction }, "
      "or nil.",
      castRayFrom},
-    {"overlapBox", "(min: vec, max: vec, except: Entity?): Entity[]",
+    {"overlapBox", "(min: vec, max: vec, filter: Entity|table?): Entity[]",
      "The entities whose colliders overlap a box.", overlapBoxBetween},
     {"changeScene", "(scene: string)", "Changes to another scene at the end of this tick.", changeToScene},
     {"showOverlay", "(scene: string)", "Opens a scene over the current one, which is paused meanwhile.",

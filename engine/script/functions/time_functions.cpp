@@ -58,34 +58,28 @@ int waitFor(lua_State* state) {
 
 // ---- events
 
-template <class T>
-ScriptValue valueOf(ScriptValue::Kind kind, const T& from) {
-    ScriptValue value{kind, 0};
-    static_assert(sizeof(T) <= sizeof value.bits);
-    std::memcpy(&value.bits, &from, sizeof from);
-    return value;
-}
-
 ScriptValue checkValue(lua_State* state, int index) {
+    World& world = worldOf(state);
     switch (lua_type(state, index)) {
         case LUA_TNIL: return {};
-        case LUA_TBOOLEAN: return {ScriptValue::Kind::Bool, lua_toboolean(state, index) != 0 ? 1u : 0u};
+        case LUA_TBOOLEAN: return scriptValue(world, lua_toboolean(state, index) != 0);
         case LUA_TNUMBER:
-            if (lua_isinteger(state, index) != 0)
-                return valueOf(ScriptValue::Kind::Integer, lua_tointeger(state, index));
-            return valueOf(ScriptValue::Kind::Number, lua_tonumber(state, index));
+            return lua_isinteger(state, index) != 0 ? scriptValue(world, lua_tointeger(state, index))
+                                                    : scriptValue(world, lua_tonumber(state, index));
         case LUA_TSTRING: {
             std::size_t size = 0;
             const char* text = lua_tolstring(state, index, &size);
-            return valueOf(ScriptValue::Kind::Text, worldOf(state).texts().add({text, size}));
+            return scriptValue(world, std::string_view{text, size});
         }
         default: break;
     }
-    if (const Vec2* vector = vectorAt(state, index)) return valueOf(ScriptValue::Kind::Vector, *vector);
+    if (const Vec2* vector = vectorAt(state, index)) return scriptValue(world, *vector);
     const EntityId entity = entityAt(state, index);
     if (!entity)
-        luaL_argerror(state, index, "events pass nil, booleans, numbers, texts, vectors and entities");
-    return valueOf(ScriptValue::Kind::Entity, entity);
+        luaL_argerror(
+            state, index,
+            "events pass nil, booleans, numbers, texts, vectors and entities; pass the parts of a table");
+    return scriptValue(world, entity);
 }
 
 /// The event whose name is at an index, followed by its values.
@@ -103,6 +97,14 @@ ScriptEvent checkEvent(lua_State* state, int index) {
 
 int emit(lua_State* state) {
     worldOf(state).emit(checkEvent(state, 1));
+    return 0;
+}
+
+int emitToTarget(lua_State* state) {
+    const EntityId target = checkEntity(state, 1);
+    ScriptEvent event = checkEvent(state, 2);
+    event.target = target;
+    worldOf(state).emit(event);
     return 0;
 }
 
@@ -147,7 +149,8 @@ bool readGoal(lua_State* state, const TypeInfo& type, const FieldInfo& field, Tw
     }
     if (field.kind != FieldKind::Float && field.kind != FieldKind::Vec2) {
         const std::string text =
-            format("{}.{}: only numbers, vectors and colors change gradually", type.name, field.name);
+            format("{}.{}: only numbers with a fraction, vectors and colors change gradually", type.name,
+                   field.name);
         lua_pushlstring(state, text.data(), text.size());
         return false;
     }
@@ -200,7 +203,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"cancel", "(timer: integer)", "Cancels an event of emitAfter(); does nothing if it was emitted.",
      cancelEvent},
     {"tween", "(component: Component, fields: table, seconds: number, ease: string?)",
-     "Changes fields of a component gradually: tween(self.sprite, { tint = \"#ffffff00\" }, 0.3, "
+     "Changes fields of a component, or properties of self, gradually: tween(self.sprite, { tint = "
+     "\"#ffffff00\" }, 0.3, "
      "\"quadOut\").",
      tweenFields},
     {"stopTweens", "(entity: Entity)", "Ends the tweens of an entity; fields keep their current values.",
@@ -210,5 +214,6 @@ constexpr ScriptFunction kFunctions[] = {
 }  // namespace
 
 std::span<const ScriptFunction> timeFunctions() { return kFunctions; }
+int emitTo(lua_State* state) { return emitToTarget(state); }
 
 }  // namespace plumb::script
