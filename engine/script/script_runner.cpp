@@ -45,11 +45,20 @@ bool sameIgnoringCase(std::string_view a, std::string_view b) {
                       [&](char x, char y) { return lower(x) == lower(y); });
 }
 
+/// Returns the names of the functions of the table on top of the stack, in the order of their bytes.
+std::vector<std::string> functionNames(lua_State* state) {
+    std::vector<std::string> names;
+    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) == LUA_TSTRING && lua_isfunction(state, -1) != 0)
+            names.emplace_back(lua_tostring(state, -2));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 /// Warns of functions of the table on top of the stack that are named nearly like a handler.
 void warnOfNames(lua_State* state, const std::string& path) {
-    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
-        if (lua_type(state, -2) != LUA_TSTRING || lua_isfunction(state, -1) == 0) continue;
-        const std::string_view name = lua_tostring(state, -2);
+    for (const std::string& name : functionNames(state)) {
         for (const std::string_view handler : kScriptHandlers) {
             const bool isNear = sameIgnoringCase(name, handler) && name != handler;
             if (isNear || (name == "onUpdate" && handler == "onTick"))
@@ -304,6 +313,7 @@ void ScriptRunner::resume(int thread, lua_State* coroutine, int values, const Wa
 }
 
 void ScriptRunner::report(lua_State* coroutine, const Wait& wait) {
+    script::resetBudget(state_);  // the handler may have used up all of it
     const ComponentType* type = typeOf(wait.type);
     logError("Script", script::handlerError(coroutine, world_, wait.entity));
     if (void* component = type == nullptr ? nullptr : world_.find(type->info, wait.entity))

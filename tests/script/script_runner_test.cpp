@@ -330,6 +330,14 @@ TEST_F(Scripts, stopWhatNeverEndsAndWhatNeedsTooMuchMemory) {
     EXPECT_TRUE(property<bool>(endless, "stopped"));
     world.destroy(endless);
     log.clear();
+    const EntityId busy =
+        thing("function Thing:onTick() while true do self.transform.position = vec(1, 2) * 0.5 end end");
+    run(2);
+    ASSERT_EQ(log.size(), 1u) << logText();
+    EXPECT_NE(log[0].find("scripts/thing.lua:2: the script does too much work"), std::string::npos) << log[0];
+    EXPECT_TRUE(property<bool>(busy, "stopped"));
+    world.destroy(busy);
+    log.clear();
     const EntityId greedy = thing(
         "function Thing:onTick() local t = {} for i = 1, 900000 do t[i] = {i, i, i, i, i, i, i, i} end end");
     run(2);
