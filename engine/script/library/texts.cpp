@@ -72,7 +72,7 @@ int repeat(lua_State* state) {
     const lua_Integer count = luaL_checkinteger(state, 2);
     luaL_optlstring(state, 3, "", &separatorLength);
     if (count <= 0 || length + separatorLength == 0) return lua_pushliteral(state, ""), 1;
-    spend(state, std::min<lua_Integer>(count, Work::kMax) / 8);
+    spend(state, std::min<lua_Integer>(count, Work::kMax) / 4);
     lua_settop(state, 3);
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_insert(state, 1);
