@@ -29,6 +29,12 @@ Context& contextOf(lua_State* state) {
     return *current;
 }
 
+std::string_view checkText(lua_State* state, int index) {
+    std::size_t size = 0;
+    const char* text = luaL_checklstring(state, index, &size);
+    return {text, size};
+}
+
 int fail(lua_State* state, const std::string& message) {
     luaL_where(state, 1);
     lua_pushlstring(state, message.data(), message.size());

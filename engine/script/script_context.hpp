@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "reflect/entity_id.hpp"
 #include "script/script_event.hpp"
@@ -50,6 +51,9 @@ Context* currentContext();
 /// loaded.
 Context& contextOf(lua_State* state);
 inline World& worldOf(lua_State* state) { return contextOf(state).world; }
+
+/// Returns the text that is argument number `index`; raises an error if it is none.
+std::string_view checkText(lua_State* state, int index);
 
 // Errors of Lua leave C++ functions by longjmp, which skips destructors. A function that has objects with
 // destructors returns fail(), and is registered as guarded<function>, which raises the error after it

@@ -29,12 +29,11 @@ int stopHandler(lua_State* state) {
 }
 
 int require(lua_State* state) {
-    std::size_t size = 0;
-    const char* name = luaL_checklstring(state, 1, &size);
+    const std::string_view name = checkText(state, 1);
     lua_rawgetp(state, LUA_REGISTRYINDEX, &kFiles);
     const auto* files = static_cast<const ScriptSet*>(lua_touserdata(state, -1));
     lua_pop(state, 1);
-    if (!runFile(state, *files, {name, size})) return lua_error(state);
+    if (!runFile(state, *files, name)) return lua_error(state);
     return 1;
 }
 

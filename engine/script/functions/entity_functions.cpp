@@ -31,11 +31,10 @@ int failUnknownType(lua_State* state, std::string_view name) {
 }
 
 const TypeInfo& checkType(lua_State* state, int index) {
-    std::size_t size = 0;
-    const char* name = luaL_checklstring(state, index, &size);
-    const TypeInfo* type = worldOf(state).types()->find(std::string_view{name, size});
+    const std::string_view name = checkText(state, index);
+    const TypeInfo* type = worldOf(state).types()->find(name);
     if (type == nullptr) {
-        failUnknownType(state, {name, size});
+        failUnknownType(state, name);
         lua_error(state);
     }
     return *type;
@@ -105,9 +104,7 @@ int name(lua_State* state) {
 
 int hasTagged(lua_State* state) {
     const EntityId entity = checkEntity(state, 1);
-    std::size_t size = 0;
-    const char* tag = luaL_checklstring(state, 2, &size);
-    lua_pushboolean(state, hasTag(worldOf(state), entity, {tag, size}) ? 1 : 0);
+    lua_pushboolean(state, hasTag(worldOf(state), entity, checkText(state, 2)) ? 1 : 0);
     return 1;
 }
 
@@ -219,14 +216,8 @@ int failUnknown(lua_State* state, const char* kind, std::string_view name,
                 format("there is no {} \"{}\"; project.json and the defaults have {}", kind, name, names));
 }
 
-std::string_view checkInputName(lua_State* state) {
-    std::size_t size = 0;
-    const char* text = luaL_checklstring(state, 2, &size);
-    return {text, size};
-}
-
 Action checkAction(lua_State* state) {
-    const std::string_view name = checkInputName(state);
+    const std::string_view name = checkText(state, 2);
     const ActionMap& map = inputOf(state).map();
     if (map.find(Action{name}) < 0) {
         failUnknown(state, "action", name, map.actions);
@@ -236,7 +227,7 @@ Action checkAction(lua_State* state) {
 }
 
 Axis checkAxis(lua_State* state) {
-    const std::string_view name = checkInputName(state);
+    const std::string_view name = checkText(state, 2);
     const ActionMap& map = inputOf(state).map();
     if (map.find(Axis{name}) < 0) {
         failUnknown(state, "axis", name, map.axes);

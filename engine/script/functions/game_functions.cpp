@@ -20,12 +20,6 @@
 namespace plumb::script {
 namespace {
 
-std::string_view checkText(lua_State* state, int index) {
-    std::size_t size = 0;
-    const char* text = luaL_checklstring(state, index, &size);
-    return {text, size};
-}
-
 /// Sets fields of components: {Sprite = {tint = "#ff0000"}}. @return false after pushing a message
 bool setComponents(lua_State* state, int table, EntityId entity) {
     World& world = worldOf(state);
@@ -57,6 +51,16 @@ int spawnPrefabAt(lua_State* state) {
     return 1;
 }
 
+/// Pushes a table of handles, of entities or their ids.
+template <class Handle>
+void pushEntities(lua_State* state, const std::vector<Handle>& entities) {
+    lua_createtable(state, static_cast<int>(entities.size()), 0);
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        pushEntity(state, entities[i]);
+        lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
+    }
+}
+
 int findByName(lua_State* state) {
     const std::string_view name = checkText(state, 1);
     pushEntity(state, findEntity(worldOf(state), name).id());
@@ -65,12 +69,7 @@ int findByName(lua_State* state) {
 
 int findByTag(lua_State* state) {
     const std::string_view tag = checkText(state, 1);
-    const std::vector<Entity> found = findEntities(worldOf(state), tag);
-    lua_createtable(state, static_cast<int>(found.size()), 0);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        pushEntity(state, found[i].id());
-        lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
-    }
+    pushEntities(state, findEntities(worldOf(state), tag));
     return 1;
 }
 
@@ -202,14 +201,6 @@ int castRayFrom(lua_State* state) {
     lua_pushnumber(state, hit->fraction);
     lua_setfield(state, -2, "fraction");
     return 1;
-}
-
-void pushEntities(lua_State* state, const std::vector<EntityId>& entities) {
-    lua_createtable(state, static_cast<int>(entities.size()), 0);
-    for (std::size_t i = 0; i < entities.size(); ++i) {
-        pushEntity(state, entities[i]);
-        lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
-    }
 }
 
 int overlapBoxBetween(lua_State* state) {

@@ -49,10 +49,9 @@ int waitUntil(lua_State* state) {
 }
 
 int waitFor(lua_State* state) {
-    std::size_t size = 0;
-    const char* name = luaL_checklstring(state, 1, &size);
+    const std::string_view name = checkText(state, 1);
     Context& context = handlerContext(state, "waitFor");
-    context.request = {0, context.world.texts().add({name, size})};
+    context.request = {0, context.world.texts().add(name)};
     return lua_yield(state, 0);
 }
 
@@ -84,13 +83,12 @@ ScriptValue checkValue(lua_State* state, int index) {
 
 /// The event whose name is at an index, followed by its values.
 ScriptEvent checkEvent(lua_State* state, int index) {
-    std::size_t size = 0;
-    const char* name = luaL_checklstring(state, index, &size);
+    const std::string_view name = checkText(state, index);
     const int count = lua_gettop(state) - index;
     if (count > static_cast<int>(ScriptEvent::kMaxValues))
         luaL_error(state, "an event has at most %d values", static_cast<int>(ScriptEvent::kMaxValues));
     ScriptEvent event;
-    event.name = worldOf(state).texts().add({name, size});
+    event.name = worldOf(state).texts().add(name);
     for (int i = 1; i <= count; ++i) event.add(checkValue(state, index + i));
     return event;
 }
