@@ -42,6 +42,4 @@ int fail(lua_State* state, const std::string& message) {
     return -1;
 }
 
-int raise(lua_State* state) { return lua_error(state); }
-
 }  // namespace plumb::script

@@ -55,19 +55,12 @@ inline World& worldOf(lua_State* state) { return contextOf(state).world; }
 /// Returns the text that is argument number `index`; raises an error if it is none.
 std::string_view checkText(lua_State* state, int index);
 
-// Errors of Lua leave C++ functions by longjmp, which skips destructors. A function that has objects with
-// destructors returns fail(), and is registered as guarded<function>, which raises the error after it
-// returned.
+// Errors of Lua leave C++ functions by longjmp, which skips destructors. So an object with a destructor must
+// not exist where an error is raised: a function that needs one for the message pushes it by fail(), and its
+// caller raises the error by lua_error() after it has returned.
 
-/// Pushes a message. @return the value that tells guarded() to raise the error
+/// Pushes a message with file and line. @return a negative number
 int fail(lua_State* state, const std::string& message);
-int raise(lua_State* state);
-
-template <int (*Function)(lua_State*)>
-int guarded(lua_State* state) {
-    const int results = Function(state);
-    return results < 0 ? raise(state) : results;
-}
 
 }  // namespace script
 }  // namespace plumb

@@ -96,6 +96,15 @@ std::string plainThings(const std::string& functions, std::size_t count, const s
                   functions, count, properties);
 }
 
+/// A row for a tick of a stage beside the function tick() of plain Lua.
+/// @param goal  of one run, ns; 0: none
+void addTicks(Table& table, const std::string& name, std::size_t n, ScriptStage& stage, PlainLua& plain,
+              double goal = 0.0) {
+    stage.tick();
+    table.add(name, n, {{}, [&] { stage.tick(); }}, {{}, [&] { plain.call("tick"); }}, goal);
+    if (stage.complaints() != 0) std::printf("    a script failed\n");
+}
+
 /// A row for entities with the same script, with the same functions in plain Lua.
 void addThings(Table& table, const std::string& name, std::size_t n, std::size_t entities,
                const std::string& functions, const std::string& properties, double goal) {
@@ -103,9 +112,7 @@ void addThings(Table& table, const std::string& name, std::size_t n, std::size_t
     ScriptStage stage{thing(functions, properties)};
     stage.add("Thing", entities);
     PlainLua plain{plainThings(functions, entities, properties)};
-    stage.tick();
-    table.add(name, n, {{}, [&] { stage.tick(); }}, {{}, [&] { plain.call("tick"); }}, goal);
-    if (stage.complaints() != 0) std::printf("    a script failed\n");
+    addTicks(table, name, n, stage, plain, goal);
 }
 
 // ---- handlers and fields
@@ -232,9 +239,7 @@ void addEvents(Table& table, std::size_t count) {
         end
     )",
                           count)};
-    stage.tick();
-    table.add(name, count, {{}, [&] { stage.tick(); }}, {{}, [&] { plain.call("tick"); }});
-    if (stage.complaints() != 0) std::printf("    a script failed\n");
+    addTicks(table, name, count, stage, plain);
 }
 
 void addQuery(Table& table, std::size_t count) {
@@ -256,9 +261,7 @@ void addQuery(Table& table, std::size_t count) {
         end
     )",
                           count)};
-    stage.tick();
-    table.add(name, count, {{}, [&] { stage.tick(); }}, {{}, [&] { plain.call("tick"); }});
-    if (stage.complaints() != 0) std::printf("    a script failed\n");
+    addTicks(table, name, count, stage, plain);
 }
 
 void addSpawn(Table& table, std::size_t count) {
