@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "import/entity_json.hpp"
 #include "import/import_objects.hpp"
+#include "import/tile_colliders.hpp"
 #include "import/tiled_json.hpp"
 #include "math/tile_grid.hpp"
 #include "scene/files/tiles_json.hpp"
@@ -175,6 +176,14 @@ private:
                 tilesJson(layer, place, index), layer, true);
             if (!layer.properties.empty()) draft_.last()["properties"] = layer.properties;
         }
+        if (!import_.map.isLattice()) return;
+        if (used.size() > 1) {
+            draft_.report.note(format(
+                "layer {}: tiles of {} tilesets are drawn one tileset after another; where they overlap, "
+                "the order may differ",
+                layer.name, used.size()));
+        }
+        addTileColliders(import_, layer, place, key_);
     }
 
     Json tilesJson(const Layer& layer, const LayerPlacement& place, std::size_t index) {
@@ -241,25 +250,6 @@ private:
 };
 
 }  // namespace
-
-Rect boundsOf(const tiled::Map& map) {
-    const auto width = static_cast<float>(map.tileWidth);
-    const auto height = static_cast<float>(map.tileHeight);
-    if (!map.infinite) {
-        return {0.0f, 0.0f, static_cast<float>(map.width) * width, static_cast<float>(map.height) * height};
-    }
-    AABB box;
-    bool first = true;
-    for (const Layer& layer : map.layers) {
-        if (layer.cells.empty()) continue;
-        const AABB own{{static_cast<float>(layer.x) * width, static_cast<float>(layer.y) * height},
-                       {static_cast<float>(layer.x + layer.width) * width,
-                        static_cast<float>(layer.y + layer.height) * height}};
-        box = first ? own : merged(box, own);
-        first = false;
-    }
-    return {box.min.x, box.min.y, box.size().x, box.size().y};
-}
 
 void importEntities(const EntityImport& import) { EntityCollector{import}.collect(); }
 

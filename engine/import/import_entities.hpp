@@ -7,7 +7,6 @@
 #include "import/scene_draft.hpp"
 #include "import/tile_animation.hpp"
 #include "import/tiled_map.hpp"
-#include "math/rect.hpp"
 
 namespace plumb {
 
@@ -25,8 +24,5 @@ struct EntityImport {
 
 /// Adds the entities of all layers, in drawing order.
 void importEntities(const EntityImport& import);
-
-/// Returns the area that the camera may show, px: the map, or for an infinite map the box around its tiles.
-Rect boundsOf(const tiled::Map& map);
 
 }  // namespace plumb

@@ -52,8 +52,8 @@ std::string ImportReport::leftOut() const {
 
 std::string ImportReport::summary() const {
     const std::pair<int, const char*> counts[] = {
-        {levels, "levels"},     {layers, "layers"}, {tiles, "tiles"}, {objects, "objects"},
-        {tilesets, "tilesets"}, {images, "images"}, {clips, "clips"}};
+        {levels, "levels"},       {layers, "layers"},     {tiles, "tiles"},   {objects, "objects"},
+        {colliders, "colliders"}, {tilesets, "tilesets"}, {images, "images"}, {clips, "clips"}};
     std::string text = scene + ":";
     for (const auto& [count, name] : counts) {
         if (count == 0) continue;

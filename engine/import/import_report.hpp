@@ -17,6 +17,7 @@ struct ImportReport {
     int layers = 0;
     int tiles = 0;  ///< number of non-empty cells plus number of tiles off the grid
     int objects = 0;
+    int colliders = 0;  ///< number of entities that are colliders of tiles
     int tilesets = 0;
     int images = 0;
     int clips = 0;                     ///< number of animation clips

@@ -87,6 +87,14 @@ const StagedImage& ImportStage::image(const Path& from, std::optional<Color> key
     return staged;
 }
 
+Result<Done> ImportStage::addImage(const Path& name, std::string_view wished, const Image& image) {
+    Result<std::string> png = encodePng(image);
+    if (!png) return png.error();
+    images_[name.lexically_normal().generic_string()] = {add(wished, ".png", std::move(*png)), image.width,
+                                                         image.height};
+    return Done{};
+}
+
 const Image& ImportStage::pixels(std::string_view path) {
     if (path == decodedPath_) return decoded_;
     decodedPath_ = path;

@@ -44,6 +44,10 @@ public:
     /// @param keyed  color key: pixels of this color become transparent; no value: none
     const StagedImage& image(const Path& from, std::optional<Color> keyed);
 
+    /// Adds an image that the import made; later calls of `image` for `name` without a color key return it.
+    /// @error  the image is empty or too large
+    Result<Done> addImage(const Path& name, std::string_view wished, const Image& image);
+
     /// Returns the pixels of an added image; empty if it cannot be decoded. Caches the last image.
     const Image& pixels(std::string_view path);
 

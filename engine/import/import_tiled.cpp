@@ -6,10 +6,12 @@
 #include "core/text.hpp"
 #include "import/import_entities.hpp"
 #include "import/import_objects.hpp"
-#include "import/isometric.hpp"
 #include "import/loaders/tmx_loader.hpp"
+#include "import/map_lattice.hpp"
+#include "import/orthogonal_form.hpp"
 #include "import/tile_shapes.hpp"
 #include "import/tiled_json.hpp"
+#include "import/turned_tiles.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_fields.hpp"
 #include "reflect/json_text.hpp"
@@ -53,11 +55,22 @@ Json layersJson(const tiled::Map& map) {
     return layers;
 }
 
+bool isStaggered(const tiled::Map& map) {
+    return map.orientation == tiled::Orientation::Staggered ||
+           map.orientation == tiled::Orientation::Hexagonal;
+}
+
 Json mapJson(const tiled::Map& map) {
     Json json = Json::object();
     json["version"] = map.version;
     if (!map.type.empty()) json["type"] = map.type;
-    if (map.orientation == tiled::Orientation::Isometric) json["orientation"] = "isometric";
+    if (map.orientation != tiled::Orientation::Orthogonal)
+        json["orientation"] = std::string{tiled::nameOf(map.orientation)};
+    if (map.orientation == tiled::Orientation::Hexagonal) json["hexSide"] = map.hexSide;
+    if (isStaggered(map)) {
+        json["staggerAxis"] = map.staggersX ? "x" : "y";
+        json["staggerIndex"] = map.staggersEven ? "even" : "odd";
+    }
     json["renderOrder"] = map.renderOrder;
     json["size"] = Json::array({map.width, map.height});
     json["tileSize"] = Json::array({map.tileWidth, map.tileHeight});
@@ -100,7 +113,8 @@ void tellChanges(const tiled::Map& map, const std::vector<ImportedTileset>& tile
     }
     if (!fonts.empty())
         report.note(format("texts are drawn in the engine's own font instead of {}", joined(fonts)));
-    if (map.renderOrder != "right-down" && hasLargeTiles(map)) {
+    const bool hasOrder = map.orientation == tiled::Orientation::Orthogonal;  // others ignore it
+    if (hasOrder && map.renderOrder != "right-down" && hasLargeTiles(map)) {
         report.note(
             format("tiles are drawn from the top left to the lower right, not {}: larger ones may "
                    "overlap in a different order",
@@ -124,16 +138,17 @@ public:
     explicit MapImporter(SceneDraft& draft) : draft_{draft} {}
 
     void add(const tiled::Map& original, const std::string& key) {
-        const bool isometric = original.orientation == tiled::Orientation::Isometric;
-        const tiled::Map flat = isometric ? isometricToOrthogonal(original, draft_.report) : tiled::Map{};
-        const tiled::Map& map = isometric ? flat : original;
+        const bool orthogonal = original.orientation == tiled::Orientation::Orthogonal;
+        tiled::Map flat = orthogonal ? tiled::Map{} : orthogonalForm(original, draft_.report);
+        const tiled::Map& map = orthogonal ? original : flat;
         std::vector<ImportedTileset> tilesets;
         for (const tiled::Tileset& tileset : map.tilesets) tilesets.push_back(tilesetOf(map, tileset));
+        if (original.orientation == tiled::Orientation::Hexagonal)
+            addTurnedTiles(flat, tilesets, draft_, key);
         TileAnimations animations;
         importEntities({map, tilesets, animations, draft_, key});
         tellChanges(original, tilesets, draft_.report);
-        const Rect own = boundsOf(map);
-        bounds_ = own;
+        bounds_ = boundsOf(original);
     }
 
     [[nodiscard]] const Rect& bounds() const { return bounds_; }
@@ -141,8 +156,8 @@ public:
 private:
     ImportedTileset tilesetOf(const tiled::Map& map, const tiled::Tileset& tileset) {
         if (tileset.file.empty()) return imported(map, tileset);
-        const std::string key =
-            format("{}|{}|{}", tileset.file.generic_string(), map.tileWidth, map.tileHeight);
+        const std::string key = format("{}|{}|{}|{}|{}", tileset.file.generic_string(), map.tileWidth,
+                                       map.tileHeight, map.wholeWidth, map.wholeHeight);
         const auto [at, isNew] = shared_.try_emplace(key);
         if (isNew) at->second = imported(map, tileset);
         ImportedTileset same = at->second;

@@ -49,13 +49,35 @@ TileRegion pictureOfCollection(const tiled::Tileset& tileset, const tiled::Tile&
     return {image.path, tile.source.value_or(Rect{0.0f, 0.0f, width, height})};
 }
 
-/// Converts the collision shapes of a tile to one outline; reports shapes that it does not cover.
-void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
-                  const tiled::Tileset& tileset) {
-    const auto tell = [&](std::string what) {
+/// The tileset that is imported, and the map whose grid it is made for.
+struct TilesetImport {
+    const tiled::Map& map;
+    const tiled::Tileset& tileset;
+    ImportStage& stage;
+    Vec2 cell;  ///< px of the tileset's image
+
+    void tell(const tiled::Tile& tile, std::string what, std::string remedy) const {
         stage.problems.push_back(
-            {format("tileset {}: tile {}", tileset.name, tile.id), std::move(what),
-             "the shapes are kept under \"tiled\"; give the tile one shape in its tileset"});
+            {format("tileset {}: tile {}", tileset.name, tile.id), std::move(what), std::move(remedy)});
+    }
+};
+
+/// Reports collision shapes of which addTileColliders will make no collider.
+void tellUnsolid(const TilesetImport& import, const tiled::Tile& tile, Vec2 tileSize) {
+    const std::size_t lines = collisionLinesOf(tile, import.tileset, tileSize.y).size();
+    if (lines == tile.collision.size()) return;
+    import.tell(tile,
+                format("{} of the {} collision shapes have no area or more than {} corners",
+                       tile.collision.size() - lines, tile.collision.size(), kMaxOutlineCorners),
+                "the shapes are kept under \"tiled\"; draw them as areas or lines of fewer corners");
+}
+
+/// Converts the collision shapes of a tile to one outline; reports shapes that it does not cover.
+void addCollision(Json& json, const TilesetImport& import, const tiled::Tile& tile, Vec2 tileSize) {
+    const Vec2 cellSize = import.cell;
+    const auto tell = [&](std::string what) {
+        import.tell(tile, std::move(what),
+                    "the shapes are kept under \"tiled\"; give the tile one shape in its tileset");
     };
     Json shapes = Json::array();
     for (const tiled::Object& object : tile.collision) {
@@ -63,6 +85,7 @@ void addCollision(Json& json, const tiled::Tile& tile, Vec2 tileSize, Vec2 cellS
         if (!object.properties.empty()) shapes.back()["properties"] = object.properties;
     }
     json["tiled"]["collision"] = std::move(shapes);
+    if (import.map.isLattice()) return tellUnsolid(import, tile, tileSize);
 
     // The tile is aligned to the lower left corner of its cell.
     const TileOutline outline = outlineOfTile(tile, cellSize, cellSize.y - tileSize.y);
@@ -92,11 +115,10 @@ void tellBeyond(const tiled::Tile& tile, int count, ImportStage& stage, const ti
          "check the tileset's image, margin and spacing in Tiled"});
 }
 
-Json tileJson(const tiled::Tile& tile, Vec2 tileSize, Vec2 cellSize, ImportStage& stage,
-              const tiled::Tileset& tileset) {
+Json tileJson(const TilesetImport& import, const tiled::Tile& tile, Vec2 tileSize) {
     Json json = Json::object();
     json["id"] = tile.id;
-    if (!tile.collision.empty()) addCollision(json, tile, tileSize, cellSize, stage, tileset);
+    if (!tile.collision.empty()) addCollision(json, import, tile, tileSize);
     for (const tiled::Frame& frame : tile.animation) {
         Json item = Json::object();
         item["tile"] = frame.tile;
@@ -167,6 +189,46 @@ void addPictures(Json& json, const tiled::Tileset& tileset, ImportedTileset& imp
     json["count"] = imported.count;
 }
 
+struct CellSize {
+    int width = 1;
+    int height = 1;
+};
+
+CellSize sizeOfTiles(const tiled::Tileset& tileset) {
+    return {std::max(tileset.tileWidth, 1), std::max(tileset.tileHeight, 1)};
+}
+
+/// Returns the size of a cell in px of the image, with which tiles are drawn as large as the map's tiles.
+CellSize cellOfStretched(const tiled::Map& map, const tiled::Tileset& tileset, ImportStage& stage) {
+    CellSize size = sizeOfTiles(tileset);
+    if (!map.isLattice()) return size;
+    const int width = size.width * map.tileWidth;
+    const int height = size.height * map.tileHeight;
+    if (width % map.wholeWidth != 0 || height % map.wholeHeight != 0) {
+        stage.problems.push_back(
+            {format("tileset {}", tileset.name),
+             format("tiles of {} x {} px cannot be stretched exactly to the map's {} x {} px", size.width,
+                    size.height, map.wholeWidth, map.wholeHeight),
+             "make the images of the tiles as large as the map's tiles"});
+    }
+    return {std::max(width / map.wholeWidth, 1), std::max(height / map.wholeHeight, 1)};
+}
+
+/// Reports tiles of a collection that Tiled stretches to the grid: only tiles of one size can be stretched.
+void tellUnstretched(const tiled::Map& map, const tiled::Tileset& tileset, const ImportedTileset& imported,
+                     ImportStage& stage) {
+    const auto width = static_cast<float>(map.isLattice() ? map.wholeWidth : map.tileWidth);
+    const auto height = static_cast<float>(map.isLattice() ? map.wholeHeight : map.tileHeight);
+    const auto differs = [&](const auto& picture) {
+        const Rect& source = picture.second.source;
+        return source.width != width || source.height != height;
+    };
+    if (std::none_of(imported.pictures.begin(), imported.pictures.end(), differs)) return;
+    stage.problems.push_back({format("tileset {}", tileset.name),
+                              "tiles that are images of their own are not stretched to the grid",
+                              "make the images as large as the map's tiles"});
+}
+
 }  // namespace
 
 TileRegion ImportedTileset::pictureOf(int id) const {
@@ -178,26 +240,45 @@ TileRegion ImportedTileset::pictureOf(int id) const {
     return {image.path, cellOfImage(*original, gridOf(*original, image), id)};
 }
 
+Vec2 ImportedTileset::sizeOf(int id) const {
+    const Rect source = pictureOf(id).source;
+    if (!source.empty()) return {source.width, source.height};
+    return {static_cast<float>(std::max(original->tileWidth, 1)),
+            static_cast<float>(std::max(original->tileHeight, 1))};
+}
+
+Vec2 ImportedTileset::scaleIn(const tiled::Map& map, int id) const {
+    if (!original->fitsGrid || original->image.empty()) return {1.0f, 1.0f};
+    const Vec2 size = sizeOf(id);
+    const int width = map.isLattice() ? map.wholeWidth : map.tileWidth;
+    const int height = map.isLattice() ? map.wholeHeight : map.tileHeight;
+    return {static_cast<float>(width) / size.x, static_cast<float>(height) / size.y};
+}
+
 ImportedTileset importTileset(const tiled::Map& map, const tiled::Tileset& tileset, ImportStage& stage) {
     ImportedTileset imported;
     imported.original = &tileset;
     const bool sameSize = tileset.tileWidth == map.tileWidth && tileset.tileHeight == map.tileHeight;
-    const bool loose = tileset.image.empty() || (!sameSize && !tileset.fitsGrid);
-    const int cellWidth = loose ? map.tileWidth : std::max(tileset.tileWidth, 1);
-    const int cellHeight = loose ? map.tileHeight : std::max(tileset.tileHeight, 1);
+    const bool stretched = tileset.fitsGrid && !tileset.image.empty();
+    const bool loose = !stretched ? tileset.image.empty() || !sameSize : map.isLattice();
+    const CellSize cellSize = stretched ? cellOfStretched(map, tileset, stage)
+                              : loose   ? CellSize{map.tileWidth, map.tileHeight}
+                                        : sizeOfTiles(tileset);
 
     Json json = Json::object();
     json["format"] = Tileset::kFormat;
-    json["tileSize"] = Json::array({cellWidth, cellHeight});
+    json["tileSize"] = Json::array({cellSize.width, cellSize.height});
     addPictures(json, tileset, imported, loose, stage);
     if (tileset.offsetX != 0 || tileset.offsetY != 0)
         json["offset"] = Json::array({tileset.offsetX, tileset.offsetY});
-    const Vec2 cell{static_cast<float>(cellWidth), static_cast<float>(cellHeight)};
+    if (tileset.fitsGrid && !stretched) tellUnstretched(map, tileset, imported, stage);
+    const Vec2 cell{static_cast<float>(cellSize.width), static_cast<float>(cellSize.height)};
+    const TilesetImport import{map, tileset, stage, cell};
     for (const tiled::Tile& tile : tileset.tiles) {
         const TileRegion picture = imported.pictureOf(tile.id);
         tellBeyond(tile, imported.count, stage, tileset);
         const Vec2 size = picture.source.empty() ? cell : Vec2{picture.source.width, picture.source.height};
-        Json item = tileJson(tile, size, cell, stage, tileset);
+        Json item = tileJson(import, tile, size);
         imported.collides = imported.collides || item.contains("collision");
         if (item.size() > 1) json["tiles"].push_back(std::move(item));
     }

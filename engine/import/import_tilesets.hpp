@@ -27,6 +27,10 @@ struct ImportedTileset {
 
     /// Returns the image and region of a tile; empty if the tileset has no such tile.
     [[nodiscard]] TileRegion pictureOf(int id) const;
+    /// Returns the size of a tile's image, px; without an image the size that the tileset declares.
+    [[nodiscard]] Vec2 sizeOf(int id) const;
+    /// Returns the factor by which a map draws a tile larger than its image.
+    [[nodiscard]] Vec2 scaleIn(const tiled::Map& map, int id) const;
 };
 
 /// Adds a tileset file and copies of its images to the stage. Tiles of another size than the map's cells keep

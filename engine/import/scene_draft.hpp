@@ -57,7 +57,8 @@ public:
     ImportTarget place;
     ImportStage stage;
     ImportReport report;
-    Json extra = Json::object();  ///< further members of the scene's JSON
+    Json extra = Json::object();      ///< further members of the scene's JSON
+    std::size_t colliderCorners = 0;  ///< of all colliders of tiles so far
 
 private:
     /// Returns the text that loading and saving the scene produces, so that saving it again changes nothing.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "import/isometric.hpp"
 #include "math/angle.hpp"
 #include "math/portable.hpp"
 
@@ -149,6 +150,13 @@ private:
     bool crossing_ = false;      // two corners of the outline touch
 };
 
+/// Moves points from an object's own coordinates to those of its tile. @param raised  px, added to y
+void place(Corners& corners, const Object& object, float raised) {
+    const Vec2 origin{static_cast<float>(object.x), static_cast<float>(object.y) + raised};
+    const float angle = radiansFromDegrees(static_cast<float>(object.rotation));
+    for (Vec2& corner : corners) corner = origin + (angle == 0.0f ? corner : rotated(corner, angle));
+}
+
 bool isBox(const Object& object) { return object.shape == Shape::Rectangle && object.rotation == 0.0; }
 
 }  // namespace
@@ -175,15 +183,35 @@ std::vector<Vec2> outlineOf(const Object& object) {
     return {};
 }
 
+std::vector<CollisionLine> collisionLinesOf(const tiled::Tile& tile, const tiled::Tileset& tileset,
+                                            float imageHeight) {
+    const bool isIsometric = tileset.isometricWidth > 0 && tileset.isometricHeight > 0;
+    const IsometricPlane plane{tileset.isometricWidth, tileset.isometricHeight,
+                               static_cast<double>(tileset.isometricWidth) * 0.5};
+    std::vector<CollisionLine> lines;
+    for (Object object : tile.collision) {
+        if (isIsometric) {
+            plane.project(object);
+            object.y += static_cast<double>(imageHeight) - tileset.isometricHeight;
+        }
+        CollisionLine line{outlineOf(object)};
+        line.closed = !line.points.empty();
+        if (!line.closed && object.shape == Shape::Polyline) line.points = object.points;
+        if (line.points.size() < (line.closed ? 3u : 2u) || line.points.size() > kMaxOutlineCorners) continue;
+        place(line.points, object, 0.0f);
+        if (line.closed && std::abs(doubleArea(line.points)) <= kSlack) continue;
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 TileOutline outlineOfTile(const tiled::Tile& tile, Vec2 cell, float raised) {
     TileOutline result;
     std::vector<Corners> shapes;
     bool boxes = true;
     for (const Object& object : tile.collision) {
         Corners corners = outlineOf(object);
-        const Vec2 origin{static_cast<float>(object.x), static_cast<float>(object.y) + raised};
-        const float angle = radiansFromDegrees(static_cast<float>(object.rotation));
-        for (Vec2& corner : corners) corner = origin + (angle == 0.0f ? corner : rotated(corner, angle));
+        place(corners, object, raised);
         if (doubleArea(corners) < 0.0f) std::reverse(corners.begin(), corners.end());
         if (!isInside(corners, cell)) {
             corners = cutToCell(std::move(corners), cell);

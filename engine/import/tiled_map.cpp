@@ -1,8 +1,24 @@
 #include "import/tiled_map.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace plumb::tiled {
+namespace {
+
+constexpr std::string_view kOrientations[] = {"orthogonal", "isometric", "staggered", "hexagonal"};
+
+}  // namespace
+
+std::string_view nameOf(Orientation orientation) {
+    return kOrientations[static_cast<std::size_t>(orientation)];
+}
+
+std::optional<Orientation> orientationNamed(std::string_view name) {
+    const auto found = std::find(std::begin(kOrientations), std::end(kOrientations), name);
+    if (found == std::end(kOrientations)) return std::nullopt;
+    return static_cast<Orientation>(found - std::begin(kOrientations));
+}
 
 const Tile* Tileset::find(int id) const {
     const auto at = std::lower_bound(tiles.begin(), tiles.end(), id,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/file.hpp"
@@ -106,6 +107,8 @@ struct Tileset {
     int columns = 0;  ///< 0 if the file has none
     int offsetX = 0;  ///< px
     int offsetY = 0;
+    int isometricWidth = 0;  ///< px: cell of the isometric grid in which collision shapes were drawn; 0: none
+    int isometricHeight = 0;
     std::string objectAlignment;       ///< empty: bottom-left
     bool fitsGrid = false;             ///< tiles are stretched to the cell
     bool keepsAspect = false;          ///< with fitsGrid: the aspect ratio is kept
@@ -123,7 +126,9 @@ struct Tileset {
 };
 
 enum class LayerKind : std::uint8_t { Tiles, Objects, Image };
-enum class Orientation : std::uint8_t { Orthogonal, Isometric };
+enum class Orientation : std::uint8_t { Orthogonal, Isometric, Staggered, Hexagonal };
+std::string_view nameOf(Orientation orientation);  ///< as in the files: "hexagonal"
+std::optional<Orientation> orientationNamed(std::string_view name);
 
 /// A layer; offset, opacity, tint, parallax and visibility include those of the groups that contain it.
 struct Layer {
@@ -169,12 +174,17 @@ struct Map {
     std::string version;
     std::string type;
     Orientation orientation = Orientation::Orthogonal;
+    int hexSide = 0;         ///< px: the edge of a hexagon along the stagger axis
+    bool staggersX = false;  ///< stagger axis of staggered and hexagonal maps: every other column is shifted
+    bool staggersEven = false;  ///< the shifted columns or rows are the even ones
     std::string renderOrder = "right-down";
     bool infinite = false;
     int width = 0;  ///< cells
     int height = 0;
-    int tileWidth = 0;  ///< px
+    int tileWidth = 0;  ///< px; in the orthogonal form of another map: its lattice's cell
     int tileHeight = 0;
+    int wholeWidth = 0;  ///< px: the tile size of the map that this is the orthogonal form of; 0: of none
+    int wholeHeight = 0;
     Vec2 parallaxOrigin;  ///< px
     std::optional<Color> background;
     Path folder;
@@ -184,6 +194,8 @@ struct Map {
     Json properties = Json::object();
     std::set<std::string> editorKeys;  ///< keys in the files that only Tiled uses; not imported
 
+    /// True for the form of an isometric, staggered or hexagonal map in which its tiles lie in a finer grid.
+    [[nodiscard]] bool isLattice() const { return wholeWidth > 0; }
     /// Returns the tile of a cell; empty for 0 and for ids that are in no tileset.
     [[nodiscard]] TileRef resolve(Gid gid) const;
 };

@@ -114,6 +114,27 @@ TEST_F(ImportLimits, aVeryLongIsometricLayerIsIgnored) {
     EXPECT_NE(said.find("half cells"), std::string::npos) << said;
 }
 
+TEST_F(ImportLimits, tilesOfALargeMapMakeALimitedNumberOfColliders) {
+    std::string cells = "1";
+    for (int i = 1; i < 200 * 200; ++i) cells += ",1";
+    const std::string said = import(
+        "map.tmx", R"(<map orientation="staggered" width="200" height="200" tilewidth="16" tileheight="8">
+ <tileset firstgid="1" name="a" tilewidth="16" tileheight="8"><image source="art.png"/><tile id="0"><objectgroup>
+  <object id="1" x="0" y="0" width="16" height="8"><ellipse/></object></objectgroup></tile></tileset>
+ <layer name="all" width="200" height="200"><data encoding="csv">)" +
+                       cells + "</data></layer></map>");
+    EXPECT_NE(said.find("34539 colliders of its tiles were left out"), std::string::npos) << said;
+}
+
+TEST_F(ImportLimits, turnedTilesOfHugeSizeMakeNoHugeImage) {
+    const std::string said =
+        import("map.tmx", R"(<map orientation="hexagonal" width="1" height="1" tilewidth="16" tileheight="16">
+ <tileset firstgid="1" name="a" tilewidth="16384" tileheight="16384" columns="1" tilecount="1">
+  <image source="art.png" width="16384" height="16384"/></tileset>
+ <layer name="one" width="1" height="1"><data encoding="csv">268435457</data></layer></map>)");
+    EXPECT_FALSE(said.empty());
+}
+
 TEST_F(ImportLimits, animatedTilesOfHugeCellsMakeNoHugeImage) {
     const std::string said = import(
         "map.tmx", R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16384" tileheight="16384">

@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "import/import_file.hpp"
 #include "import/loaders/tmx_loader.hpp"
+#include "import/map_lattice.hpp"
+#include "import/orthogonal_form.hpp"
 #include "platform/image_file.hpp"
 #include "platform/window.hpp"
 #include "reflect/json.hpp"
@@ -27,9 +30,10 @@ namespace plumb {
 namespace {
 
 constexpr Vec2 kPicture{320.0f, 180.0f};
-constexpr int kTolerance = 12;    // maximum difference per channel, 0 to 255: filters round differently
-constexpr double kEnough = 0.99;  // minimum ratio of equal pixels outside the mask
-constexpr int kAround = 3;        // px: margin of areas not compared, since Tiled's outlines are wide
+constexpr int kTolerance = 12;        // maximum difference per channel, 0 to 255: filters round differently
+constexpr double kEnough = 0.99;      // minimum ratio of equal pixels outside the mask
+constexpr double kOwnEnough = 0.999;  // of maps that the tests write
+constexpr int kAround = 3;            // px: margin of areas not compared, since Tiled's outlines are wide
 
 bool canRasterize() { return std::system("command -v tmxrasterizer > /dev/null 2>&1") == 0; }
 
@@ -133,8 +137,28 @@ protected:
         window.reset();
     }
 
-    /// Draws the scene imported from a map on black, in the size of the map.
-    Image drawn(const tiled::Map& map, const Path& project, const std::string& scene) {
+    /// Returns the area of a map that tmxrasterizer draws: in infinite maps whole chunks of 16 x 16 cells. Of
+    /// infinite isometric maps it begins farther left, since it leaves out the origin of their plane.
+    static Rect areaOf(tiled::Map map) {
+        for (tiled::Layer& layer : map.layers) {
+            if (!map.infinite) break;
+            const auto widen = [](int& first, int& count) {
+                const int end = (first + count + 15) & ~15;
+                first &= ~15;
+                count = end - first;
+            };
+            widen(layer.x, layer.width);
+            widen(layer.y, layer.height);
+        }
+        Rect area = boundsOf(map);
+        if (map.infinite && map.orientation == tiled::Orientation::Isometric)
+            area.x -= static_cast<float>(map.height * map.tileWidth) * 0.5f;
+        return area;
+    }
+
+    /// Draws an area of the scene imported from a map on black.
+    static Image drawn(const tiled::Map& map, const Rect& area, const Path& project,
+                       const std::string& scene) {
         Json json = *parseJson(*readFile(project / scene), "");
         json.erase("background");  // tmxrasterizer does not draw it
         TypeRegistry types;
@@ -147,14 +171,14 @@ protected:
         EXPECT_TRUE(loadScene(world, context, scene, writeJson(json)).ok());
         loadAssets(world, types, assets);
 
-        const int width = map.width * map.tileWidth;
-        const int height = map.height * map.tileHeight;
-        const Vec2 size{static_cast<float>(width), static_cast<float>(height)};
+        const auto width = static_cast<int>(area.width);
+        const auto height = static_cast<int>(area.height);
+        const Vec2 size{area.width, area.height};
         SceneRenderer renderer{*device, assets, TextureFilter::Nearest};
         const TargetHandle target = device->createTarget(width, height);
         const Viewport viewport{.target = target, .width = width, .height = height};
         SceneView how;
-        how.view = {size * 0.5f, size};
+        how.view = {Vec2{area.x, area.y} + size * 0.5f, size};
         // tmxrasterizer draws layers as if the view's center were at the parallax origin.
         how.parallaxOrigin = kPicture * 0.5f - map.parallaxOrigin;
         device->setViewport(viewport);
@@ -169,14 +193,16 @@ protected:
     }
 
     /// Adds a box of the map to the mask of pixels that are not compared.
-    static void mask(std::vector<bool>& masked, const tiled::Map& map, double left, double top, double right,
+    static void mask(std::vector<bool>& masked, const Rect& area, double left, double top, double right,
                      double bottom) {
-        const int width = map.width * map.tileWidth;
-        const int height = map.height * map.tileHeight;
-        for (int y = std::max(static_cast<int>(top) - kAround, 0);
-             y < std::min(static_cast<int>(bottom) + kAround, height); ++y) {
-            for (int x = std::max(static_cast<int>(left) - kAround, 0);
-                 x < std::min(static_cast<int>(right) + kAround, width); ++x) {
+        const auto width = static_cast<int>(area.width);
+        const auto height = static_cast<int>(area.height);
+        const auto areaX = static_cast<int>(area.x);
+        const auto areaY = static_cast<int>(area.y);
+        for (int y = std::max(static_cast<int>(top) - kAround - areaY, 0);
+             y < std::min(static_cast<int>(bottom) + kAround - areaY, height); ++y) {
+            for (int x = std::max(static_cast<int>(left) - kAround - areaX, 0);
+                 x < std::min(static_cast<int>(right) + kAround - areaX, width); ++x) {
                 masked[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                        static_cast<std::size_t>(x)] = true;
             }
@@ -185,10 +211,13 @@ protected:
 
     /// Returns the mask of pixels that are not compared: tmxrasterizer draws outlines and names of shapes,
     /// and markers instead of objects made from templates.
-    static std::vector<bool> maskOf(const tiled::Map& map) {
-        std::vector<bool> masked(static_cast<std::size_t>(map.width * map.tileWidth) *
-                                 static_cast<std::size_t>(map.height * map.tileHeight));
-        for (const tiled::Layer& layer : map.layers) {
+    static std::vector<bool> maskOf(const tiled::Map& map, const Rect& area) {
+        std::vector<bool> masked(static_cast<std::size_t>(area.width) *
+                                 static_cast<std::size_t>(area.height));
+        ImportReport ignored;
+        const bool orthogonal = map.orientation == tiled::Orientation::Orthogonal;
+        const tiled::Map flat = orthogonal ? map : orthogonalForm(map, ignored);
+        for (const tiled::Layer& layer : flat.layers) {
             for (const tiled::Object& object : layer.objects) {
                 const bool isTile = object.shape == tiled::Shape::Tile;
                 if (isTile && object.templateFile.empty()) continue;
@@ -203,7 +232,7 @@ protected:
                     right = std::max(right, object.x + static_cast<double>(point.x));
                     bottom = std::max(bottom, object.y + static_cast<double>(point.y));
                 }
-                mask(masked, map, left, top, std::max(right, left + 32.0), bottom);
+                mask(masked, area, left, top, std::max(right, left + 32.0), bottom);
             }
         }
         return masked;
@@ -227,13 +256,42 @@ protected:
         return all == 0 ? 1.0 : static_cast<double>(same) / static_cast<double>(all);
     }
 
+    /// Imports a map, draws it and compares it with Tiled's picture. @return the ratio of equal pixels; no
+    /// value if Tiled or the importer cannot read the map
+    static std::optional<double> compare(const Path& file, const Path& folder, const std::string& name) {
+        const Path project = folder / "game";
+        EXPECT_TRUE(writeFile(project / "project.json", "{\"resolution\": [320, 180]}").ok());
+        std::vector<Error> ignored;
+        const Result<tiled::Map> map = loadTiledMap(file, ignored);
+        if (!map) return {};
+        const Result<ImportReport> report = importFile(file, {}, project);
+        EXPECT_TRUE(report.ok());
+        if (!report) return 0.0;
+        const Rect area = areaOf(*map);
+        const Image ours = drawn(*map, area, project, report->scene);
+        cutPictures(file.parent_path().parent_path());
+        const std::optional<Image> theirs = rasterized(file, folder);
+        if (!theirs)
+            return {};  // an example can use a newer format than the installed tmxrasterizer supports
+        EXPECT_EQ(ours.width, theirs->width);
+        EXPECT_EQ(ours.height, theirs->height);
+        if (ours.width != theirs->width || ours.height != theirs->height) return 0.0;
+        const double part = alike(ours, *theirs, maskOf(*map, area));
+        std::printf("[   %6.2f%% ] %s\n", part * 100.0, name.c_str());
+        if (const char* keep = std::getenv("PLUMB_KEEP_PICTURES"); keep != nullptr && part < kOwnEnough) {
+            static_cast<void>(writeFile(Path{keep} / (name + "-ours.png"), *encodePng(ours)).ok());
+            static_cast<void>(writeFile(Path{keep} / (name + "-tiled.png"), *encodePng(*theirs)).ok());
+        }
+        return part;
+    }
+
     static std::unique_ptr<Window> window;
     static std::unique_ptr<GlDevice> device;
 };
 std::unique_ptr<Window> ImportPixelsTest::window;
 std::unique_ptr<GlDevice> ImportPixelsTest::device;
 
-TEST_F(ImportPixelsTest, orthogonalMapsLookAsTiledDrawsThem) {
+TEST_F(ImportPixelsTest, mapsOfEveryOrientationLookAsTiledDrawsThem) {
     if (!canRasterize()) GTEST_SKIP() << "tmxrasterizer is not installed (Debian: tiled)";
     const std::vector<Path> maps = test::foreignMaps({".tmx", ".tmx.gz", "title.json"});
     ASSERT_FALSE(maps.empty());
@@ -242,31 +300,81 @@ TEST_F(ImportPixelsTest, orthogonalMapsLookAsTiledDrawsThem) {
         SCOPED_TRACE(original.generic_string());
         const test::TemporaryFolder folder;
         const Path file = unpackedCopy(original, folder.path);
-        const Path project = folder.path / "game";
-        ASSERT_TRUE(writeFile(project / "project.json", "{\"resolution\": [320, 180]}").ok());
-        std::vector<Error> ignored;
-        const Result<tiled::Map> map = loadTiledMap(file, ignored);
-        // Of infinite maps tmxrasterizer draws only the painted area.
-        if (!map || map->orientation != tiled::Orientation::Orthogonal || map->infinite) continue;
-        const Result<ImportReport> report = importFile(file, {}, project);
-        ASSERT_TRUE(report.ok()) << report.error().text();
-        const Image ours = drawn(*map, project, report->scene);
-        cutPictures(folder.path / "copy");
-        const std::optional<Image> theirs = rasterized(file, folder.path);
-        if (!theirs) continue;  // an example can use a newer format than the installed tmxrasterizer supports
-        ASSERT_EQ(ours.width, theirs->width);
-        ASSERT_EQ(ours.height, theirs->height);
-        const double part = alike(ours, *theirs, maskOf(*map));
+        const std::optional<double> part = compare(file, folder.path, original.stem().string());
+        if (!part) continue;
         ++compared;
-        std::printf("[   %6.2f%% ] %s\n", part * 100.0, original.filename().string().c_str());
-        EXPECT_GE(part, kEnough);
-        if (const char* keep = std::getenv("PLUMB_KEEP_PICTURES"); keep != nullptr && part < kEnough) {
-            const std::string stem = original.stem().string();
-            static_cast<void>(writeFile(Path{keep} / (stem + "-ours.png"), *encodePng(ours)).ok());
-            static_cast<void>(writeFile(Path{keep} / (stem + "-tiled.png"), *encodePng(*theirs)).ok());
-        }
+        EXPECT_GE(*part, kEnough);
     }
     EXPECT_GT(compared, 0);
+}
+
+/// A tileset image of 2 x 2 tiles, each of 32 x 36 px, in blocks of random colors with transparent corners.
+Image blockPicture() {
+    Image image{64, 72, std::vector<std::uint8_t>(64 * 72 * 4)};
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            Random random = Random::seeded(static_cast<std::uint64_t>(y / 6 * 100 + x / 8));
+            std::uint8_t* pixel = image.rgba.data() + 4 * (y * image.width + x);
+            for (int channel = 0; channel < 3; ++channel)
+                pixel[channel] = static_cast<std::uint8_t>(random.below(256));
+            const bool isCorner = (x % 32 < 8 || x % 32 >= 24) && (y % 36 < 6 || y % 36 >= 30);
+            pixel[3] = isCorner ? 0 : 255;
+        }
+    }
+    return image;
+}
+
+std::string randomCells(int count, tiled::Gid flags, std::uint64_t seed) {
+    Random random = Random::seeded(seed);
+    std::string cells;
+    for (int i = 0; i < count; ++i) {
+        const tiled::Gid tile = random.below(5);  // 0: an empty cell
+        const tiled::Gid bits = (static_cast<tiled::Gid>(random.below(16)) << 28) & flags;
+        cells += format("{}{}", i == 0 ? "" : ",", tile == 0 ? 0 : tile | bits);
+    }
+    return cells;
+}
+
+TEST_F(ImportPixelsTest, everyAxisIndexAndFlipLooksAsTiledDrawsIt) {
+    if (!canRasterize()) GTEST_SKIP() << "tmxrasterizer is not installed (Debian: tiled)";
+    std::uint64_t seed = 0;
+    for (const char* orientation : {"isometric", "staggered", "hexagonal", "turned"}) {
+        for (const char* axis : {"x", "y"}) {
+            for (const char* index : {"odd", "even"}) {
+                for (const bool infinite : {false, true}) {
+                    const std::string name =
+                        format("{} {} {}{}", orientation, axis, index, infinite ? " infinite" : "");
+                    SCOPED_TRACE(name);
+                    const bool isTurned = std::string_view{orientation} == "turned";
+                    const bool isHexagonal = isTurned || std::string_view{orientation} == "hexagonal";
+                    const tiled::Gid flips = tiled::kFlipX | tiled::kFlipY;
+                    const tiled::Gid flags = isTurned      ? tiled::kFlags
+                                             : isHexagonal ? flips
+                                                           : flips | tiled::kFlipDiagonal;
+                    const std::string cells = randomCells(8 * 7, flags, ++seed);
+                    const std::string data =
+                        infinite ? "<chunk x=\"-3\" y=\"-5\" width=\"8\" height=\"7\">" + cells + "</chunk>"
+                                 : cells;
+                    const test::TemporaryFolder folder;
+                    const Path file = folder.path / "copy/maps/map.tmx";
+                    ASSERT_TRUE(
+                        writeFile(file.parent_path() / "blocks.png", *encodePng(blockPicture())).ok());
+                    ASSERT_TRUE(writeFile(file, format(R"(<?xml version="1.0" encoding="UTF-8"?>
+<map version="1.8" orientation="{}" width="8" height="7" tilewidth="32" tileheight="24" infinite="{}"
+ hexsidelength="12" staggeraxis="{}" staggerindex="{}">
+ <tileset firstgid="1" name="blocks" tilewidth="32" tileheight="36" tilecount="4" columns="2">
+  <tileoffset x="2" y="3"/><image source="blocks.png" width="64" height="72"/></tileset>
+ <layer id="1" name="a" width="8" height="7"><data encoding="csv">{}</data></layer></map>)",
+                                                       isHexagonal ? "hexagonal" : orientation,
+                                                       infinite ? 1 : 0, axis, index, data))
+                                    .ok());
+                    const std::optional<double> part = compare(file, folder.path, name);
+                    ASSERT_TRUE(part);
+                    EXPECT_GE(*part, kOwnEnough);
+                }
+            }
+        }
+    }
 }
 
 }  // namespace

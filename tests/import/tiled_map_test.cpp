@@ -238,10 +238,10 @@ TEST(TiledMapTest, brokenPartsAreReportedOnceAndTheRestIsRead) {
     }
 }
 
-TEST(TiledMapTest, whatIsNeitherOrthogonalNorIsometricIsRefused) {
+TEST(TiledMapTest, whatHasNoKnownOrientationOrTileSizeIsRefused) {
     FakeFiles fake;
     for (const char* text :
-         {"", "{}", "[]", "<tileset/>", "<map orientation='hexagonal' tilewidth='1' tileheight='1'/>",
+         {"", "{}", "[]", "<tileset/>", "<map orientation='oblique' tilewidth='1' tileheight='1'/>",
           "<map orientation='hexagonal'/>", "<map/>", "<map tilewidth='0' tileheight='16'/>"}) {
         const Result<tiled::Map> map = fake.load(text);
         EXPECT_FALSE(map.ok()) << text;

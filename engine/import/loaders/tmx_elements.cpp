@@ -11,8 +11,8 @@ constexpr TmxElement kElements[] = {
     {"map",
      "version class orientation renderorder width height tilewidth tileheight parallaxoriginx "
      "parallaxoriginy "
-     "backgroundcolor infinite",
-     "tiledversion compressionlevel nextlayerid nextobjectid hexsidelength staggeraxis staggerindex type"},
+     "backgroundcolor infinite hexsidelength staggeraxis staggerindex",
+     "tiledversion compressionlevel nextlayerid nextobjectid type"},
     {"editorsettings", "", "", true},
     {"export", "", "", true},
     {"tileset",

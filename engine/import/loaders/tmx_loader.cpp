@@ -19,6 +19,17 @@ using tiled::LayerKind;
 constexpr int kGroupDepth = 32;
 constexpr int kManyPixels = 1 << 20;
 
+/// Reads an attribute that has two values. @return true if it has the value `other`
+bool readChoice(const TmxFields& from, std::string_view name, std::string_view usual,
+                std::string_view other) {
+    const std::string text = from.text(name, usual);
+    if (text != usual && text != other) {
+        from.warn(format("{} is \"{}\", expected \"{}\" or \"{}\"", name, text, usual, other),
+                  format("\"{}\" was taken; set it in Tiled: Map, Map Properties", usual));
+    }
+    return text == other;
+}
+
 bool looksLikeJson(std::string_view text) { return startsWith(trimmed(text.substr(0, 64)), "{"); }
 
 }  // namespace
@@ -79,13 +90,15 @@ Result<tiled::Map> TmxReader::readMap(std::string_view text, const Path& file) {
     if (!opened) return opened.error();
     const XmlElement& root = opened->root;
     const TmxFields from = fields(root, *opened);
-    const std::string orientation = from.text("orientation", "orthogonal");
-    if (orientation != "orthogonal" && orientation != "isometric") {
-        return Error{from.where(), format("the map is {}", orientation),
-                     "only orthogonal and isometric maps can be imported; select one of them in Tiled: "
-                     "Map, Map Properties, Orientation"};
+    const std::string name = from.text("orientation", "orthogonal");
+    const std::optional<tiled::Orientation> orientation = tiled::orientationNamed(name);
+    if (!orientation) {
+        return Error{
+            from.where(), format("the map is {}", name),
+            "only orthogonal, isometric, staggered and hexagonal maps can be imported; select one of "
+            "them in Tiled: Map, Map Properties, Orientation"};
     }
-    if (orientation == "isometric") map_.orientation = tiled::Orientation::Isometric;
+    map_.orientation = *orientation;
     readMapFields(*opened);
     if (map_.tileWidth <= 0 || map_.tileHeight <= 0) {
         return Error{from.where(), "the map has no tile size", "set tilewidth and tileheight, in px"};
@@ -107,6 +120,9 @@ void TmxReader::readMapFields(const TmxFile& file) {
     map_.height = from.whole("height", 0, 0, kManyPixels);
     map_.tileWidth = from.whole("tilewidth", 0, 1, limits::kImageSide);
     map_.tileHeight = from.whole("tileheight", 0, 1, limits::kImageSide);
+    map_.hexSide = from.whole("hexsidelength", 0, 0, limits::kImageSide);
+    map_.staggersX = readChoice(from, "staggeraxis", "y", "x");
+    map_.staggersEven = readChoice(from, "staggerindex", "odd", "even");
     map_.parallaxOrigin = {static_cast<float>(from.real("parallaxoriginx", 0.0)),
                            static_cast<float>(from.real("parallaxoriginy", 0.0))};
     map_.background = from.color("backgroundcolor");

@@ -19,7 +19,7 @@ using FileReader = std::function<Result<std::string>(const Path&)>;
 ///
 /// @param file      path of the map; paths in it are relative to its folder
 /// @param readFrom  reads the referenced files
-/// @error           not a map, neither orthogonal nor isometric, or without a tile size
+/// @error           not a map, of an unknown orientation, or without a tile size
 Result<tiled::Map> parseTiledMap(std::string_view text, const Path& file, const FileReader& readFrom,
                                  std::vector<Error>& warnings);
 

@@ -133,6 +133,10 @@ void TmxReader::readTilesetFields(const XmlElement& element, const TmxFile& file
             readWangSets(child, file, tileset);
         } else if (child.name == "grid" || child.name == "transformations" || child.name == "terraintypes") {
             tileset.notes[child.name] = attributesJson(child);
+            if (child.name == "grid" && inner.text("orientation") == "isometric") {
+                tileset.isometricWidth = inner.whole("width", tileset.tileWidth, 1, limits::kImageSide);
+                tileset.isometricHeight = inner.whole("height", tileset.tileHeight, 1, limits::kImageSide);
+            }
         }
     }
     if (from.has("backgroundcolor")) tileset.notes["backgroundColor"] = from.text("backgroundcolor");
