@@ -5,6 +5,7 @@
 #include <deque>
 #include <mutex>
 
+#include "reflect/convert_component.hpp"
 #include "reflect/curve_field.hpp"
 
 namespace plumb {
@@ -42,7 +43,10 @@ void describe(ComponentType& type, const TypeInfo& info) {
 const ComponentType& componentTypeOf(const TypeInfo& info) {
     KnownTypes& known = knownTypes();
     const std::lock_guard lock{known.mutex};
-    if (const ComponentType* type = known.find(info.key)) return *type;
+    if (ComponentType* type = known.find(info.key)) {
+        if (isReloadable(info.key) && !sameLayout(type->info, info)) describe(*type, info);
+        return *type;
+    }
     ComponentType& type = known.types.emplace_back();
     describe(type, info);
     return type;

@@ -22,7 +22,8 @@ struct ComponentType {
     bool namesTiles = false;     ///< a field refers to a grid of the TileStore
 };
 
-/// Returns the description of a type, created by the first call for it. Thread-safe.
+/// Returns the description of a type, created by the first call for it; for a type of code that was loaded
+/// again, by the first call of each version that differs. Thread-safe.
 const ComponentType& componentTypeOf(const TypeInfo& info);
 /// Replaces the description of a type, e.g. after its code was loaded again; registers it if it is new.
 /// @pre worlds with components of the type convert them before they are used again: World::convert

@@ -81,6 +81,8 @@ void Storage::restore(const StorageImage& image) {
         Pool& pool = *pools_[i];
         for (std::uint32_t k = 0; k < pool.count; ++k) pool.sparse[pool.dense[k]] = {};
         pool.version += pool.count + 1;
+        pool.count = 0;
+        if (pool.stride != pool.type->info.size) renew(pool, *pool.type);  // the type was changed meanwhile
         pool.count = i < image.pools.size() ? image.pools[i].count : 0;
         pool.disorder = i < image.pools.size() ? image.pools[i].disorder : 0;
         if (pool.count == 0) continue;

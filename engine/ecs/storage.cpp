@@ -158,12 +158,18 @@ bool Storage::endAllLives() {
 }
 
 Pool& Storage::makePool(const ComponentType& type) {
-    const TypeKey key = type.info.key;
-    const auto ordinal = static_cast<std::uint32_t>(pools_.size());
-    pools_.push_back(std::make_unique<Pool>(type, ordinal, maxEntities_));
-    byKey_[key] = pools_.back().get();
+    const auto forgotten = std::find_if(
+        pools_.begin(), pools_.end(), [&](const std::unique_ptr<Pool>& pool) { return pool->type == &type; });
+    Pool* pool = forgotten == pools_.end() ? nullptr : forgotten->get();
+    if (pool != nullptr) {
+        renew(*pool, type);
+    } else {
+        const auto ordinal = static_cast<std::uint32_t>(pools_.size());
+        pool = pools_.emplace_back(std::make_unique<Pool>(type, ordinal, maxEntities_)).get();
+    }
+    byKey_[type.info.key] = pool;
     findWatched();
-    return *pools_.back();
+    return *pool;
 }
 
 void Storage::renew(Pool& pool, const ComponentType& type) {
@@ -171,6 +177,17 @@ void Storage::renew(Pool& pool, const ComponentType& type) {
     Pool renewed{type, pool.ordinal, maxEntities_};
     renewed.version = pool.version + 1;  // caches of queries are stale
     pool = std::move(renewed);
+}
+
+void Storage::forget(Pool& pool) {
+    PLUMB_ASSERT(pool.count == 0 && iterating_ == 0, "only an empty pool can be forgotten");
+    byKey_[pool.type->info.key] = &emptyPool_;  // it stays in pools_, for makePool() and for snapshots
+    findWatched();
+}
+
+void Storage::dropCaches() {
+    PLUMB_ASSERT(iterating_ == 0, "a loop over a query reads its cache");
+    for (std::unique_ptr<QueryCache>& cache : caches_) cache.reset();
 }
 
 void Storage::findWatched() {

@@ -78,6 +78,11 @@ public:
     /// Gives an empty pool the new layout of its components, after their description was changed.
     /// @pre no component is left in it, and no loop runs
     void renew(Pool& pool, const ComponentType& type);
+    /// After the type of an empty pool was removed: the type is registered anew when it is used again, maybe
+    /// with another layout. @pre as for renew()
+    void forget(Pool& pool);
+    /// Frees the cached results of all queries. @pre no loop runs
+    void dropCaches();
     [[nodiscard]] std::span<const std::unique_ptr<Pool>> pools() const { return pools_; }
 
     /// True if append() may be called: the entity is alive, has no such component, and there is room.

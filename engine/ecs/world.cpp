@@ -11,6 +11,7 @@
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
 #include "reflect/convert_component.hpp"
+#include "reflect/type_registry.hpp"
 
 namespace plumb {
 
@@ -138,6 +139,7 @@ void World::convert(const TypeInfo& before, const TypeInfo* now) {
     const std::size_t stride = pool->stride;
     for (auto owner = owners.rbegin(); owner != owners.rend(); ++owner)
         storage_.erase(*pool, *owner, pool->stride);
+    if (now == nullptr || now->key != before.key) storage_.forget(*pool);
     if (now == nullptr) return;
     if (now->key == before.key) storage_.renew(*pool, componentTypeOf(*now));
     for (std::size_t i = 0; i < owners.size(); ++i) {
@@ -149,6 +151,12 @@ void World::convert(const TypeInfo& before, const TypeInfo* now) {
 void World::dropReloadable() {
     resources_.dropReloadable();
     events_.dropReloadable();
+    for (std::size_t i = 0; i < storage_.pools().size(); ++i) {
+        const TypeInfo& type = storage_.pools()[i]->type->info;
+        const bool described = types_ != nullptr && types_->find(type.key) != nullptr;
+        if (isReloadable(type.key) && !described) convert(TypeInfo{type}, nullptr);
+    }
+    storage_.dropCaches();
 }
 
 void World::reportMissing(EntityId id, TypeKey key) const {

@@ -99,8 +99,9 @@ public:
     /// @param before  the old description
     /// @param now     the new one, already passed to updateComponentType(); null: the type was removed
     void convert(const TypeInfo& before, const TypeInfo* now);
-    /// Removes resources and events whose types belong to code that can be loaded again: their layout may be
-    /// another.
+    /// Removes resources and events whose types belong to code that can be loaded again, and its components
+    /// that are not in types(): their layout may be another. Frees the caches of queries, as those of code
+    /// that was replaced are not used again.
     void dropReloadable();
     [[nodiscard]] const TypeRegistry* types() const { return types_; }
 

@@ -34,6 +34,7 @@ std::string_view unitWords(Unit unit) {
         case Unit::Kilograms: return "kilograms";
         case Unit::Tiles: return "tiles";
         case Unit::Ticks: return "ticks";
+        case Unit::Degrees: return "degrees";
     }
     return "a number";
 }

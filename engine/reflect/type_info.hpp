@@ -38,7 +38,8 @@ enum class Unit : std::uint8_t {
     Ratio,
     Kilograms,
     Tiles,
-    Ticks
+    Ticks,
+    Degrees  ///< of properties of scripts; the engine's own angles are in rad
 };
 
 /// Kinds of files that an Asset field may refer to; the inspector offers only these.

@@ -14,8 +14,11 @@ inline constexpr TypeKey kMaxTypes = 2048;
 TypeKey nextTypeKey();
 
 /// The key of a type of a project's code, which is loaded again after a change: each version gets the same
-/// key. Types of unnamed namespaces get another key each time, because two files may use the same name.
+/// key. Types of unnamed namespaces get another key in each call for a version, because two files may use the
+/// same name; the next version gets the same keys, but maybe for other types of this name.
 TypeKey reloadableTypeKey(std::string_view name);
+/// To be called before another version of a project's code is loaded.
+void beginReloadableTypes();
 /// True if the type belongs to a project's code that is loaded again after a change.
 bool isReloadable(TypeKey key);
 

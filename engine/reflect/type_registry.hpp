@@ -24,7 +24,7 @@ public:
     }
 
     /// Replaces the description of the type of this name, or adds it. References to the TypeInfo stay valid,
-    /// those to its fields do not.
+    /// those to its fields only if there are as many fields as before.
     const TypeInfo& update(TypeInfo type);
     /// The type of this name is no longer found. References to it stay valid.
     void remove(std::string_view name);

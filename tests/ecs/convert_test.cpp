@@ -6,6 +6,7 @@
 
 #include "ecs/world.hpp"
 #include "reflect/convert_component.hpp"
+#include "reflect/type_key.hpp"
 #include "reflect/type_registry.hpp"
 #include "tests/support/random_type.hpp"
 
@@ -89,6 +90,80 @@ TEST_F(ChangedTypes, loseTheirComponentsWhenTheyAreRemoved) {
     types.remove("Made");
     EXPECT_EQ(types.find("Made"), nullptr);
     EXPECT_EQ(type.name, "Made") << "references to the description stay valid";
+}
+
+TEST_F(ChangedTypes, comeBackWithAnotherLayout) {
+    const TypeKey key = nextTypeKey();
+    TypeInfo small, large;
+    small.name = large.name = "Made";
+    small.key = large.key = key;
+    small.fields = {made_types::field("speed", FieldKind::Float)};
+    for (const std::string_view name : made_types::kNames)
+        large.fields.push_back(made_types::field(name, FieldKind::Vec2));
+    made_types::layOut(small);
+    made_types::layOut(large, std::byte{7});
+    const TypeInfo before = add(small);
+    const Entity entities[] = {world.createEntity(), world.createEntity()};
+    for (const Entity& entity : entities) world.add(before, entity.id());
+    world.convert(before, nullptr);
+    types.remove("Made");
+
+    const TypeInfo& now = add(large);
+    for (const Entity& entity : entities) world.add(now, entity.id());
+    for (const Entity& entity : entities)
+        EXPECT_EQ(std::memcmp(world.find(now, entity.id()), now.defaults.data(), now.size), 0);
+    EXPECT_EQ(world.count(now), 2u);
+}
+
+TEST_F(ChangedTypes, areRestoredInAWorldThatHadTheOldLayout) {
+    const TypeKey key = nextTypeKey();
+    TypeInfo small, large;
+    small.name = large.name = "Made";
+    small.key = large.key = key;
+    small.fields = {made_types::field("speed", FieldKind::Float)};
+    for (const std::string_view name : made_types::kNames)
+        large.fields.push_back(made_types::field(name, FieldKind::Vec2));
+    made_types::layOut(small);
+    made_types::layOut(large);
+    const TypeInfo before = add(small);
+    const Entity entities[] = {world.createEntity(), world.createEntity()};
+    for (const Entity& entity : entities) world.add(before, entity.id());
+    World copy{types};
+    copy.restore(world.save());
+
+    const TypeInfo& now = add(large);
+    world.convert(before, &now);
+    for (const Entity& entity : entities) fill(now, entity.id());
+    copy.restore(world.save());
+    for (const Entity& entity : entities)
+        EXPECT_EQ(std::memcmp(world.find(now, entity.id()), copy.find(now, entity.id()), now.size), 0);
+    EXPECT_EQ(copy.hash(), world.hash());
+}
+
+TEST_F(ChangedTypes, thatCodeUsesWithoutAListAreRemovedWhenItIsLoadedAgain) {
+    TypeInfo unlisted;
+    unlisted.name = "Unlisted";
+    unlisted.key = reloadableTypeKey("convert_test::Unlisted");
+    unlisted.size = 4;
+    unlisted.defaults.assign(4, std::byte{1});
+    TypeInfo listed = made_types::random(random, reloadableTypeKey("convert_test::Listed"), "Listed");
+    World game{types};
+    add(listed);
+    const EntityId entity = game.createEntity().id();
+    game.add(unlisted, entity);
+    game.add(listed, entity);
+    game.add<Marker>(entity).value = 3;
+    game.dropReloadable();
+    EXPECT_FALSE(game.has(unlisted, entity));
+    EXPECT_TRUE(game.has(listed, entity));
+    EXPECT_EQ(game.get<Marker>(entity).value, 3);
+
+    unlisted.size = 400;
+    unlisted.defaults.assign(400, std::byte{2});
+    const EntityId other = game.createEntity().id();
+    for (const EntityId id : {entity, other}) game.add(unlisted, id);
+    for (const EntityId id : {entity, other})
+        EXPECT_EQ(std::memcmp(game.find(unlisted, id), unlisted.defaults.data(), 400), 0);
 }
 
 TEST_F(ChangedTypes, canGetAnotherKey) {

@@ -1,12 +1,15 @@
 #include "reflect/convert_component.hpp"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "core/fixed_list.hpp"
+#include "math/curve.hpp"
 #include "math/vec2.hpp"
+#include "reflect/curve_field.hpp"
 #include "reflect/type_registry.hpp"
 #include "tests/support/random_type.hpp"
 
@@ -134,6 +137,85 @@ TEST(ConvertComponent, keepsTheItemsOfAListThatFit) {
     EXPECT_EQ(now.times.items[1], 1.5f);
 }
 
+/// A type with one field, named "value".
+template <class T>
+struct One {
+    T value{};
+
+    static void describe(TypeBuilder<One>& type) {
+        type.name("One");
+        type.template field<&One::value>("value");
+    }
+};
+
+template <class To, class From>
+To convertedTo(From value, To preset = {}) {
+    const One<From> before{value};
+    One<To> now{preset};
+    convertComponent(describe<One<From>>(), &before, describe<One<To>>(), &now);
+    return now.value;
+}
+
+TEST(ConvertComponent, keepsEveryNumberOfTheSameKind) {
+    for (const std::uint64_t bits : {~0ull, 1ull << 63, (1ull << 53) + 1, 12345678901234567ull}) {
+        EXPECT_EQ(convertedTo<std::uint64_t>(bits), bits);
+        EXPECT_EQ(convertedTo<std::int64_t>(static_cast<std::int64_t>(bits)),
+                  static_cast<std::int64_t>(bits));
+    }
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(convertedTo<float>(kInfinity), kInfinity);
+    EXPECT_EQ(convertedTo<float>(-kInfinity), -kInfinity);
+    EXPECT_TRUE(std::isnan(convertedTo<float>(std::numeric_limits<float>::quiet_NaN())));
+}
+
+TEST(ConvertComponent, leavesAFieldThatHasNotChangedBeyondItsRange) {
+    TypeInfo type = describe<One<float>>();
+    type.fields[0].max = 2.0f;
+    const One<float> before{9.0f};
+    One<float> now;
+    convertComponent(type, &before, type, &now);
+    EXPECT_EQ(now.value, 9.0f) << "the code gave it this value, and another field has changed";
+    TypeInfo limited = type;
+    limited.fields[0].max = 3.0f;
+    convertComponent(type, &before, limited, &now);
+    EXPECT_EQ(now.value, 3.0f);
+}
+
+TEST(ConvertComponent, limitsWholeNumbersToTheBytesOfTheField) {
+    EXPECT_EQ(convertedTo<std::int64_t>(~0ull), std::numeric_limits<std::int64_t>::max());
+    EXPECT_EQ(convertedTo<std::uint64_t>(std::int64_t{-5}), 0u);
+    EXPECT_EQ(convertedTo<std::uint64_t>(1e30f), std::numeric_limits<std::uint64_t>::max());
+    EXPECT_EQ(convertedTo<std::int64_t>(-1e30f), std::numeric_limits<std::int64_t>::min());
+    EXPECT_EQ(convertedTo<std::uint8_t>(300), 255);
+    EXPECT_EQ(convertedTo<std::int8_t>(-300), -128);
+    EXPECT_EQ(convertedTo<std::int16_t>(-2.5f), -3);
+    EXPECT_EQ(convertedTo<bool>(0.25f), true);
+}
+
+TEST(ConvertComponent, keepsTheShapeOfACurve) {
+    Curve line = Curve::line(3.0f, 1.0f);
+    line.shape = CurveShape::Linear;
+    EXPECT_EQ(convertedTo<Curve>(line), line);
+}
+
+TEST(ConvertComponent, clearsTheItemsOfADefaultBeyondThoseOfAList) {
+    FixedList<float, 4> one, three;
+    one.push(5.0f);
+    for (const float item : {1.0f, 2.0f, 3.0f}) three.push(item);
+    EXPECT_EQ((convertedTo<FixedList<float, 4>>(one, three)), one);
+}
+
+TEST(ConvertComponent, knowsNegativeEnums) {
+    TypeInfo before = describe<One<int>>(), now = before;
+    before.fields[0].kind = now.fields[0].kind = FieldKind::Enum;
+    before.fields[0].names = {{"under", -1}, {"over", 1}};
+    now.fields[0].names = {{"under", -7}, {"over", 7}};
+    const One<int> under{-1};
+    One<int> converted{7};
+    convertComponent(before, &under, now, &converted);
+    EXPECT_EQ(converted.value, -7);
+}
+
 TEST(ConvertComponent, knowsEqualLayouts) {
     const TypeInfo type = describe<Before>();
     EXPECT_TRUE(sameLayout(type, describe<Before>()));
@@ -141,6 +223,9 @@ TEST(ConvertComponent, knowsEqualLayouts) {
     TypeInfo other = type;
     other.fields[3].names[1].name = "furious";
     EXPECT_FALSE(sameLayout(type, other)) << "files and conversions go by the names";
+    other = type;
+    other.fields[1].max = 9.0f;
+    EXPECT_FALSE(sameLayout(type, other)) << "values are limited to the new range";
     other = type;
     std::swap(other.fields[0].offset, other.fields[1].offset);
     EXPECT_FALSE(sameLayout(type, other));

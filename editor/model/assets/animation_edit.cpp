@@ -26,6 +26,10 @@ std::string freeName(const AnimationSet& set, std::string_view wanted) {
     return name;
 }
 
+std::string stopFirst(const Workspace& workspace) {
+    return format("Stop the game to edit animations ({})", keysFor(workspace, "run.play"));
+}
+
 }  // namespace
 
 std::string AnimationEdit::open(std::string_view path) {
@@ -34,6 +38,7 @@ std::string AnimationEdit::open(std::string_view path) {
         wanted = wanted.substr(0, wanted.rfind('.')) + ".anim.json";
         std::error_code ignored;
         if (!std::filesystem::exists(workspace_.project.root / wanted, ignored)) {
+            if (!workspace_.canEdit()) return stopFirst(workspace_);
             AnimationSet set;
             set.image = path;
             workspace_.undo.endGesture();
@@ -78,7 +83,7 @@ bool AnimationEdit::change(std::string label, const std::function<void(Animation
     edit(changed);
     if (changed == set()) return false;
     if (!workspace_.canEdit()) {  // a change would make replayed ticks of the game differ
-        workspace_.notice = format("Stop the game to edit animations ({})", keysFor(workspace_, "run.play"));
+        workspace_.notice = stopFirst(workspace_);
         return false;
     }
     workspace_.undo.endGesture();

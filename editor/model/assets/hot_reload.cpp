@@ -51,28 +51,31 @@ std::size_t HotReload::poll(double now) {
     // Nothing is reloaded during a drag, which refers to the present entities.
     if (w.undo.inGesture()) return 0;
     std::size_t taken = 0;
-    bool prefabs = false;
+    std::vector<std::string> prefabs;
     for (const AssetChange& change : w.assets.pollChanges(w.assets.size())) {
         const std::string path{w.assets.pathOf(change.kind, change.path)};
         ++taken;
         const bool isOpen = path == w.document.scenePath;
-        prefabs = prefabs || (change.kind == AssetKind::Prefab && !isOpen);
+        if (change.kind == AssetKind::Prefab && !isOpen) prefabs.push_back(path);
         if (change.kind == AssetKind::Scene || change.kind == AssetKind::Prefab) {
             if (isOpen) sceneChanged();
         } else {
             w.notice = format("Reloaded the {} {}", nameOfKind(change.kind), path);
         }
     }
-    if (prefabs) prefabChanged();
+    if (!prefabs.empty()) prefabsChanged(prefabs);
     return taken;
 }
 
-void HotReload::prefabChanged() {
+void HotReload::prefabsChanged(const std::vector<std::string>& paths) {
     Workspace& w = workspace_;
     if (w.document.scenePath.empty()) return;
     // The scene's text holds only the overrides of instances; all else comes from the new prefab.
     const std::string text = w.text();
-    if (PrefabLibrary* prefabs = w.prefabs().prefabs) prefabs->forget();
+    if (PrefabLibrary* prefabs = w.prefabs().prefabs) {
+        prefabs->forget();
+        for (const std::string& path : paths) static_cast<void>(prefabs->named(path));  // logs what is wrong
+    }
     if (const Result<LoadReport> loaded = reloadDocument(w.document, contextOf(w), text); !loaded)
         logError("Editor", loaded.error());
     w.notice = "Reloaded the prefabs";

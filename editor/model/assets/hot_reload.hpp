@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "editor/model/workspace.hpp"
 
@@ -24,7 +25,7 @@ private:
     void watch();
     void loadNewlyNamed();
     void sceneChanged();
-    void prefabChanged();
+    void prefabsChanged(const std::vector<std::string>& paths);
 
     Workspace& workspace_;
     double next_ = 0.0;

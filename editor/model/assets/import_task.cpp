@@ -5,6 +5,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/commands/write_asset.hpp"
+#include "editor/model/input/key_words.hpp"
 #include "editor/model/workspace.hpp"
 
 namespace plumb::editor {
@@ -96,10 +97,17 @@ void addDroppedFile(Workspace& workspace, const std::string& file) {
         return;
     }
     const std::string name = Path{file}.filename().string();
+    if (assetKindOf(name) == AssetKind::None) {
+        workspace.notice = format("{} is not a file type that games can load", name);
+        return;
+    }
+    if (!workspace.canEdit()) {
+        workspace.notice = format("Stop the game to add {} ({})", name, keysFor(workspace, "run.play"));
+        return;
+    }
     const Result<std::string> bytes = readFile(file);
-    if (assetKindOf(name) == AssetKind::None || !bytes || !workspace.canEdit()) {
-        workspace.notice =
-            bytes ? format("{} is not a file type that games can load", name) : bytes.error().text();
+    if (!bytes) {
+        workspace.notice = bytes.error().text();
         return;
     }
     const std::string path = "assets/" + name;
