@@ -23,6 +23,7 @@ struct DelayedEvents {
         std::uint64_t tick = 0;                 ///< World::tick in which it is emitted
         std::uint64_t number = 0;               ///< orders events of the same tick; identifies the entry
         TypeKey type = 0;                       ///< type of the event
+        std::uint32_t scene = 0;                ///< LoadedScene::loading of its scene; 0: the whole game
         std::uint32_t size = 0;                 ///< size of the event, bytes
         std::array<std::byte, kBytes> bytes{};  ///< the event
     };
@@ -44,17 +45,24 @@ struct DelayedEvent {
 std::uint64_t ticksOf(float seconds);
 
 /// Implementation of emitAfter(), without the event's type.
-DelayedEvent addDelayed(World& world, TypeKey type, DelayedEvents::Emit emit, const void* event,
-                        std::size_t size, float seconds);
+/// @param entry  the event: its type, size and bytes
+DelayedEvent addDelayed(World& world, EntityId asker, float seconds, DelayedEvents::Entry entry,
+                        DelayedEvents::Emit emit);
+
+/// Ends the timers whose scenes are gone, and lets those wait whose scenes are paused.
+void followScenes(const World& world, DelayedEvents& delayed);
 
 /// Emits the event of an entry now.
 void emitDelayed(World& world, const DelayedEvents::Entry& entry);
 
 /// Emits an event at the beginning of a later tick: a timer. Entities that the event refers to may have been
-/// destroyed by then.
+/// destroyed by then. The timer belongs to the scene of `asker`: it rests while overlays pause that scene,
+/// and ends with it. After hideOverlay() the timers of an overlay belong to the scene below it; those of
+/// Persistent entities survive every change of the scene.
+/// @param asker    an entity; empty: the scene that runs, as for an entity that code creates
 /// @param seconds  s from now on, rounded to ticks
 template <class E>
-DelayedEvent emitAfter(World& world, float seconds, const E& event) {
+DelayedEvent emitAfter(World& world, EntityId asker, float seconds, const E& event) {
     static_assert(std::is_trivially_copyable_v<E>,
                   "delayed events are plain data, so that they can be rewound");
     static_assert(sizeof(E) <= DelayedEvents::kBytes, "the event exceeds DelayedEvents::kBytes bytes");
@@ -63,7 +71,15 @@ DelayedEvent emitAfter(World& world, float seconds, const E& event) {
         std::memcpy(&delayed, bytes, sizeof(E));
         target.emit(delayed);
     };
-    return addDelayed(world, typeKey<E>(), emit, &event, sizeof(E), seconds);
+    DelayedEvents::Entry entry;
+    entry.type = typeKey<E>();
+    entry.size = sizeof(E);
+    std::memcpy(entry.bytes.data(), &event, sizeof(E));
+    return addDelayed(world, asker, seconds, entry, emit);
+}
+template <class E>
+DelayedEvent emitAfter(World& world, float seconds, const E& event) {
+    return emitAfter(world, EntityId{}, seconds, event);
 }
 
 /// Cancels a delayed event; does nothing if it was emitted already.

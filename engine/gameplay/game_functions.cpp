@@ -8,6 +8,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
+#include "gameplay/components/triggers/lifetime.hpp"
 #include "gameplay/label_values.hpp"
 #include "input/input.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
@@ -15,6 +16,7 @@
 #include "scene/components/drawing/camera.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/tags.hpp"
+#include "scene/components/transform.hpp"
 #include "scene/drawing/draw_scene.hpp"
 #include "scene/files/prefab.hpp"
 #include "scene/game_random.hpp"
@@ -24,14 +26,6 @@
 
 namespace plumb {
 namespace {
-
-/// Returns the path of a prefab file, which may be in "assets/" and named without that folder.
-std::string pathOf(const AssetStore& assets, std::string_view prefab) {
-    const std::string inAssets = "assets/" + std::string{prefab};
-    const Result<Path> named = assets.resolve(prefab);
-    const Result<Path> below = assets.resolve(inAssets);
-    return named && below && *named == *below ? inAssets : std::string{prefab};
-}
 
 /// Returns the first child with this name, or the empty handle.
 Entity findChild(World& world, Entity parent, std::string_view name) {
@@ -83,13 +77,16 @@ bool hasTag(const World& world, EntityId entity, std::string_view tag) {
 Entity spawn(World& world, std::string_view prefab, Vec2 position) {
     auto* library = world.service<PrefabLibrary>();
     PLUMB_ASSERT(library != nullptr && world.types() != nullptr, "spawn() needs the world of a Game");
-    const Result<const Prefab*> found = library->find(pathOf(assetsOf(world), prefab));
-    if (!found) {
-        logError("Scene", found.error());
-        return {};
-    }
-    for (const Error& problem : (*found)->problems) logWarning("Scene", problem);
-    return spawnPrefab(world, *world.types(), **found, position);
+    const Prefab* found = library->named(prefab);
+    if (found == nullptr) return {};
+    // Watched, so that it is read again after its file has changed.
+    if (AssetStore& assets = assetsOf(world); !assets.root().empty())
+        assets.load(AssetKind::Prefab, found->path);
+    return spawnPrefab(world, *world.types(), *found, position);
+}
+
+Entity spawn(World& world, PrefabId prefab, Vec2 position) {
+    return prefab.empty() ? Entity{} : spawn(world, world.texts().find(prefab.path), position);
 }
 
 Random& randomOf(World& world) { return world.resource<GameRandom>().random; }
@@ -121,6 +118,19 @@ void shakeCamera(World& world, float strength, float seconds) {
     for (auto [entity, camera] : world.query<Camera>()) {
         if (camera.enabled) return shake(camera, strength, seconds);
     }
+}
+
+Entity burst(World& world, Vec2 position, int count, ParticleEmitter emitter) {
+    constexpr float kTicks = 2.0f / 60.0f;  // s: the particles are born in the first tick; rounding
+    emitter.playing = true;
+    emitter.rate = 0.0f;
+    emitter.burst = count;
+    emitter.loop = emitter.prewarm = false;
+    const Entity made = world.createEntity();
+    made.addComponent<Transform>(position);
+    made.addComponent<Lifetime>(emitter.lifetime * (1.0f + emitter.lifetimeSpread) + kTicks);
+    made.addComponent<ParticleEmitter>(emitter);
+    return made;
 }
 
 Vec2 mouseInWorld(World& world) {

@@ -7,6 +7,7 @@
 #include "ecs/world.hpp"
 #include "math/vec2.hpp"
 #include "reflect/field_types.hpp"
+#include "scene/components/drawing/particle_emitter.hpp"
 
 // Functions that systems of a game often need. They are part of the simulation: replays repeat their effects.
 
@@ -21,10 +22,13 @@ Entity findEntity(World& world, std::string_view name);
 std::vector<Entity> findEntities(World& world, std::string_view tag);
 /// True if the Tags of an entity contain this word.
 bool hasTag(const World& world, EntityId entity, std::string_view tag);
-/// Instantiates a prefab file, e.g. "prefabs/coin.prefab.json". Errors are logged.
+/// Instantiates a prefab file: "coin", "prefabs/coin" or "prefabs/coin.prefab.json"; a file without folder
+/// may be in "prefabs" or in "assets". Errors are logged, each once.
 /// @param position  px, of the root
 /// @return the root entity, or the empty handle
 Entity spawn(World& world, std::string_view prefab, Vec2 position);
+/// The same for a field of a component. @return the empty handle if the field is empty
+Entity spawn(World& world, PrefabId prefab, Vec2 position);
 /// Returns the random number generator of the simulation. Others, e.g. rand(), make replays diverge.
 Random& randomOf(World& world);
 /// Plays a sound, starting in this tick. @param volume  ratio, 0..1
@@ -39,6 +43,10 @@ void applyImpulse(World& world, EntityId entity, Vec2 impulse);
 /// Shakes the first enabled camera, unless it still shakes more strongly.
 /// @param strength  px, at the start @param seconds  s
 void shakeCamera(World& world, float strength, float seconds);
+/// Emits `count` particles at once, from a new entity that is destroyed after the last of them.
+/// @param position  px
+/// @param emitter   look and motion of the particles; its rate, burst and loop are not used
+Entity burst(World& world, Vec2 position, int count, ParticleEmitter emitter);
 /// Sets the text that replaces {word} in every Label.
 void showText(World& world, std::string_view word, std::string_view text);
 /// Returns the store of the game's textures, sounds and other assets.

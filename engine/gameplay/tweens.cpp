@@ -18,8 +18,31 @@ std::array<float, 4> valueAt(const Tweens::Entry& tween, const std::byte* field)
     return value;
 }
 
-bool sameField(const Tweens::Entry& a, const Tweens::Entry& b) {
-    return a.entity == b.entity && a.type == b.type && a.offset == b.offset;
+bool sameComponent(const Tweens::Entry& a, const Tweens::Entry& b) {
+    return a.entity == b.entity && a.type == b.type;
+}
+
+/// The bytes of a component that a tween changes.
+struct Range {
+    std::size_t begin = 0, end = 0;
+};
+Range rangeOf(const Tweens::Entry& tween) {
+    constexpr std::size_t kSizes[] = {sizeof(float), sizeof(Vec2), 4 * sizeof(std::uint8_t)};  // by Kind
+    return {tween.offset, tween.offset + kSizes[static_cast<std::size_t>(tween.kind)]};
+}
+
+/// Takes the bytes of a new tween from an earlier one of the same component: of a vector whose one coordinate
+/// it changes, the earlier one keeps the other. @return true if nothing is left of the earlier one
+bool giveWay(Tweens::Entry& earlier, const Tweens::Entry& later) {
+    const Range old = rangeOf(earlier), taken = rangeOf(later);
+    if (taken.begin >= old.end || taken.end <= old.begin) return false;
+    if (earlier.kind != Tweens::Kind::Vec2 || later.kind != Tweens::Kind::Float) return true;
+    const std::size_t kept = later.offset == earlier.offset ? 1 : 0;
+    earlier.kind = Tweens::Kind::Float;
+    earlier.offset += static_cast<std::uint32_t>(kept * sizeof(float));
+    earlier.from = {earlier.from[kept]};
+    earlier.to = {earlier.to[kept]};
+    return false;
 }
 
 }  // namespace
@@ -49,7 +72,11 @@ void addTween(World& world, Tweens::Entry entry, float seconds) {
     entry.start = world.tick;
     entry.ticks = ticksOf(seconds);
     Tweens& tweens = world.resource<Tweens>();
-    std::erase_if(tweens.entries, [&](const Tweens::Entry& other) { return sameField(other, entry); });
+    std::size_t kept = 0;
+    for (Tweens::Entry& other : tweens.entries) {
+        if (!sameComponent(other, entry) || !giveWay(other, entry)) tweens.entries[kept++] = other;
+    }
+    tweens.entries.resize(kept);
     tweens.entries.push_back(entry);
 }
 

@@ -59,6 +59,8 @@ struct LoadedScene {
     /// Other content of the file; shared, as it is constant and snapshots copy resources.
     std::shared_ptr<const SceneRest> rest;
     std::shared_ptr<const PhysicsState> below;  ///< physics state of the scenes it paused; else null
+    /// Number of the loading that made it, from 1: another one when the same file is loaded again.
+    std::uint32_t loading = 0;
 };
 
 /// The scene stack of a world, from bottom to top: an
@@ -66,6 +68,13 @@ struct LoadedScene {
 struct LoadedScenes {
     std::vector<LoadedScene> scenes;
     std::uint64_t resumedAt = 0;  ///< tick in which an overlay was closed; no interpolation is drawn then
+    std::uint32_t loadings = 0;   ///< number of scenes that were ever loaded
+
+    /// Adds a scene on top of the others.
+    LoadedScene& add(LoadedScene scene) {
+        scene.loading = ++loadings;
+        return scenes.emplace_back(std::move(scene));
+    }
 
     [[nodiscard]] LoadedScene* find(SceneId id) {
         for (LoadedScene& scene : scenes) {

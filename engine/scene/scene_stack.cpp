@@ -149,6 +149,12 @@ std::size_t placeOf(const World& world, EntityId entity) {
     return 0;
 }
 
+std::uint32_t loadingOf(const World& world, EntityId entity) {
+    const LoadedScenes* loaded = world.findResource<LoadedScenes>();
+    if (loaded == nullptr || loaded->scenes.empty() || persists(world, entity)) return 0;
+    return loaded->scenes[placeOf(world, entity)].loading;
+}
+
 const PhysicsState* lowestPhysics(const World& world) {
     if (const LoadedScenes* loaded = world.findResource<LoadedScenes>()) {
         for (const LoadedScene& scene : loaded->scenes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,10 @@ bool closeOverlay(World& world);
 /// Returns the index in the scene stack of an entity's scene. Entities created by code belong to the topmost
 /// overlay that pauses the scenes below it but not them; without such an overlay, to the bottom scene.
 std::size_t placeOf(const World& world, EntityId entity);
+
+/// Returns the LoadedScene::loading of an entity's scene, as placeOf(); 0 for what outlives all scenes: a
+/// persistent entity, or any without a scene.
+std::uint32_t loadingOf(const World& world, EntityId entity);
 
 /// Returns the physics of the bottom scene, running or paused by overlays, for display. May be null.
 const PhysicsState* lowestPhysics(const World& world);

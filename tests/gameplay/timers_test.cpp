@@ -160,6 +160,23 @@ TEST_F(TweenTest, aSecondTweenOfTheFieldContinuesFromThePresentValue) {
     EXPECT_EQ(ended(), 1);
 }
 
+TEST_F(TweenTest, takesOnlyItsCoordinateFromTheTweenOfAVector) {
+    tween(world, entity.id(), &Transform::position, Vec2{70.0f, 80.0f}, 1.0f, Ease::Linear);
+    run(30);
+    Tweens::Entry x = tweenOf(entity.id(), &Transform::position, Ease::Linear);  // as scripts tween `x`
+    x.to = {100.0f};
+    addTween(world, x, 0.5f);
+    EXPECT_EQ(world.resource<Tweens>().entries.size(), 2u);
+    run(15);
+    EXPECT_EQ(entity.get<Transform>().position, (Vec2{70.0f, 65.0f}));
+    run(15);
+    EXPECT_EQ(entity.get<Transform>().position, (Vec2{100.0f, 80.0f}));
+    tween(world, entity.id(), &Transform::position, Vec2{0.0f, 0.0f}, 1.0f, Ease::Linear);
+    addTween(world, x, 0.5f);
+    tween(world, entity.id(), &Transform::position, Vec2{0.0f, 0.0f}, 1.0f, Ease::Linear);
+    EXPECT_EQ(world.resource<Tweens>().entries.size(), 1u) << "the vector takes both";
+}
+
 TEST_F(TweenTest, endsWithItsComponent) {
     tween(world, entity.id(), &Sprite::tint, Color{}, 1.0f);
     tween(world, entity.id(), &Transform::rotation, 1.0f, 1.0f);

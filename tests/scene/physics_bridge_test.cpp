@@ -366,5 +366,29 @@ TEST(PhysicsBridge, queriesUsePixels) {
     EXPECT_EQ(found[0], wall.id());
 }
 
+TEST(PhysicsBridge, boxesOfEverySizeAreSearched) {
+    World world;
+    world.addSystem<PhysicsSystem>();
+    const Entity wall = ground(world, {100, -50}, 20, 100);
+    run(world, 1);
+    syncBodies(world, kTick);
+    const std::vector<EntityId> all{wall.id()}, none;
+    std::vector<EntityId> found;
+    for (const float size : {1e3f, 1e6f, 1e8f, 1e10f, 1e12f, 3e38f}) {
+        overlapBox(world, {{-size, -size}, {size, size}}, {}, found);
+        EXPECT_EQ(found, all) << size;
+        overlapBox(world, {{1000, -size}, {size + 1000, size}}, {}, found);
+        EXPECT_EQ(found, none) << size;
+    }
+    overlapBox(world, {{110, -10}, {110, -10}}, {}, found);
+    EXPECT_EQ(found, all) << "a point";
+    overlapBox(world, {{0, 0}, {200, 0}}, {}, found);
+    EXPECT_EQ(found, all) << "a line";
+    overlapBox(world, {{0, 0}, {90, 0}}, {}, found);
+    EXPECT_EQ(found, none);
+    overlapBox(world, {{200, 0}, {0, 10}}, {}, found);
+    EXPECT_EQ(found, none) << "a box without a size";
+}
+
 }  // namespace
 }  // namespace plumb

@@ -11,6 +11,7 @@ namespace plumb {
 void TimerSystem::update(World& world, float) {
     auto* delayed = world.findResource<DelayedEvents>();
     if (delayed == nullptr) return;
+    followScenes(world, *delayed);
     std::vector<DelayedEvents::Entry>& entries = delayed->entries;
     // Take one entry at a time from the front, as emitDelayed() calls code of the game.
     while (!entries.empty() && entries.front().tick <= world.tick) {

@@ -6,15 +6,18 @@
 #include "core/guarded.hpp"
 #include "core/hash.hpp"
 #include "core/limits.hpp"
+#include "core/log.hpp"
 #include "core/text.hpp"
 #include "reflect/field_json.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/files/prefab_check.hpp"
 
 namespace plumb {
 namespace {
 
+constexpr std::string_view kEnding = ".prefab.json";
 constexpr std::string_view kRemedyForPrefab =
     "write {\"format\": 1, \"entities\": [...]} with the root as the first entity";
 
@@ -71,6 +74,8 @@ public:
             addNested(*nested, part, parent, entity, where);
         }
     }
+
+    [[nodiscard]] std::uint64_t rootId() const { return rootId_; }
 
     void skip(std::string where, std::string what, std::string remedy) {
         prefab_.problems.push_back(
@@ -187,9 +192,17 @@ void addAsset(std::vector<PrefabAsset>& assets, AssetKind kind, const Json& path
     if (std::find(assets.begin(), assets.end(), asset) == assets.end()) assets.push_back(std::move(asset));
 }
 
-/// Returns the assets that the fields of the components name.
-std::vector<PrefabAsset> assetsOf(const TypeRegistry& types, const Prefab& prefab) {
+/// Returns the assets that the fields of the components name, and the files of nested prefabs.
+std::vector<PrefabAsset> assetsOf(const TypeRegistry& types, const Prefab& prefab,
+                                  const std::vector<const Prefab*>& nested) {
     std::vector<PrefabAsset> assets;
+    for (const Prefab* inner : nested) {
+        if (inner == nullptr) continue;
+        addAsset(assets, AssetKind::Prefab, inner->path);
+        for (const PrefabAsset& asset : inner->assets) {
+            if (asset.kind == AssetKind::Prefab) addAsset(assets, asset.kind, asset.path);
+        }
+    }
     for (const PrefabEntity& entity : prefab.entities) {
         for (const auto& [name, fields] : *entity.components.get_ptr<const Json::object_t*>()) {
             const TypeInfo* type = types.find(name);
@@ -206,6 +219,34 @@ std::vector<PrefabAsset> assetsOf(const TypeRegistry& types, const Prefab& prefa
     return assets;
 }
 
+/// Returns the name of a prefab file without its folder and ending.
+std::string_view stemOf(std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('/') + 1);
+    return endsWith(name, kEnding) ? name.substr(0, name.size() - kEnding.size()) : name;
+}
+
+/// Returns the file whose name is closest to that of a path; empty if none is close.
+std::string nearestFile(std::string_view path, const std::vector<std::string>& files) {
+    std::vector<std::string_view> names;
+    for (const std::string& file : files) names.push_back(stemOf(file));
+    const std::string_view near = closestName(stemOf(path), names);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!near.empty() && names[i].data() == near.data()) return files[i];
+    }
+    return {};
+}
+
+Error tooDeep(std::string where) {
+    return {std::move(where), format("prefabs are nested more than {} levels deep", limits::kPrefabDepth),
+            "reduce the nesting"};
+}
+
+/// Adds the place of the instance to the error of its prefab, unless the error names a place in a file.
+Error nestedError(const std::string& where, std::string_view path, Error error) {
+    if (error.where != path) return error;
+    return {where + ".prefab", error.where + ": " + error.what, std::move(error.remedy)};
+}
+
 }  // namespace
 
 void PrefabLibrary::add(std::string_view path, std::string text) {
@@ -216,28 +257,116 @@ void PrefabLibrary::add(std::string_view path, std::string text) {
     replacedTexts_.push_back({std::string{path}, std::move(text)});
 }
 
-void PrefabLibrary::forget() { prefabs_.clear(); }
-
-Result<const Prefab*> PrefabLibrary::find(std::string_view path) {
-    for (const Prefab& prefab : prefabs_) {
-        if (prefab.path == path) return &prefab;
-    }
-    std::vector<std::string> open;
-    Result<Prefab> read = guarded(path, [&] { return this->read(path, open); });
-    if (!read) return read.error();
-    read->assets = assetsOf(types_, *read);
-    prefabs_.push_back(std::move(*read));
-    return &prefabs_.back();
+void PrefabLibrary::forget() {
+    prefabs_.clear();
+    names_.clear();
+    missing_.clear();
+    problems_.clear();
+    reported_.clear();
 }
 
-Result<std::string> PrefabLibrary::textOf(std::string_view path) const {
+Result<const Prefab*> PrefabLibrary::find(std::string_view path) {
+    std::vector<std::string> open;
+    return guarded(path, [&] { return find(path, open); });
+}
+
+const Prefab* PrefabLibrary::named(std::string_view name) {
+    for (const Name& known : names_) {
+        if (known.name == name) return known.prefab;
+    }
+    const Result<const Prefab*> found = find(pathOf(name));
+    for (const Error& problem : takeProblems()) logWarning("Scene", problem);
+    if (!found) {
+        if (isNew(found.error())) logError("Scene", found.error());
+        return nullptr;
+    }
+    names_.push_back({std::string{name}, *found});
+    return *found;
+}
+
+std::string PrefabLibrary::pathOf(std::string_view name) const {
+    const std::string file = std::string{name}.append(endsWith(name, ".json") ? "" : kEnding);
+    if (file.find('/') != std::string::npos || has(file)) return file;
+    const std::string inAssets = "assets/" + file;
+    const std::string inPrefabs = "prefabs/" + file;
+    return !has(inPrefabs) && has(inAssets) ? inAssets : inPrefabs;
+}
+
+std::vector<const Prefab*> PrefabLibrary::readAll(std::vector<std::string> paths) {
+    std::vector<const Prefab*> prefabs;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const std::string path = pathOf(paths[i]);
+        if (!has(path)) continue;
+        const Result<const Prefab*> found = find(path);
+        if (!found) {
+            if (isNew(found.error())) problems_.push_back(found.error());
+            continue;
+        }
+        if (std::find(prefabs.begin(), prefabs.end(), *found) != prefabs.end()) continue;
+        prefabs.push_back(*found);
+        for (const PrefabAsset& asset : (*found)->assets) {
+            if (asset.kind == AssetKind::Prefab) paths.push_back(asset.path);
+        }
+    }
+    return prefabs;
+}
+
+/// True at the first call for the error of a prefab that cannot be read.
+bool PrefabLibrary::isNew(const Error& failure) {
+    std::string text = failure.text();
+    if (std::find(reported_.begin(), reported_.end(), text) != reported_.end()) return false;
+    reported_.push_back(std::move(text));
+    return true;
+}
+
+bool PrefabLibrary::has(std::string_view path) const {
+    const bool isReplaced = std::any_of(replacedTexts_.begin(), replacedTexts_.end(),
+                                        [path](const Source& source) { return source.path == path; });
+    if (isReplaced || root_.empty()) return isReplaced;
+    const Result<Path> file = pathInside(root_, path);
+    std::error_code failed;
+    return file && std::filesystem::is_regular_file(*file, failed);
+}
+
+/// The error of a file that does not exist. Kept, because looking for a file of a similar name is slow.
+Error PrefabLibrary::missing(std::string_view path) {
+    for (const Error& known : missing_) {
+        if (known.where == path) return known;
+    }
+    std::vector<std::string> files = filesBelow(root_, kEnding);
+    // Hidden folders hold backups.
+    std::erase_if(files, [](const std::string& file) {
+        return startsWith(file, ".") || file.find("/.") != std::string::npos;
+    });
+    const std::string near = nearestFile(path, files);
+    return missing_.emplace_back(
+        Error{std::string{path}, "there is no such file",
+              near.empty() ? "check the name, or put the file there" : format("did you mean \"{}\"?", near)});
+}
+
+Result<std::string> PrefabLibrary::textOf(std::string_view path) {
     for (const Source& source : replacedTexts_) {
         if (source.path == path) return source.text;
     }
     if (root_.empty()) return Error{std::string{path}, "there is no such prefab", "add its text with add()"};
-    Result<Path> file = pathInside(root_, path);
+    const Result<Path> file = pathInside(root_, path);
     if (!file) return file.error();
-    return readFile(*file);
+    std::error_code failed;
+    if (!std::filesystem::exists(*file, failed)) return missing(path);
+    Result<std::string> text = readFile(*file);
+    if (!text) return Error{std::string{path}, text.error().what, text.error().remedy};
+    return text;
+}
+
+Result<const Prefab*> PrefabLibrary::find(std::string_view path, std::vector<std::string>& open) {
+    for (const Prefab& prefab : prefabs_) {
+        if (prefab.path == path) return &prefab;
+    }
+    Result<Prefab> read = this->read(path, open);
+    if (!read) return read.error();
+    problems_.insert(problems_.end(), read->problems.begin(), read->problems.end());
+    problems_.insert(problems_.end(), read->warnings.begin(), read->warnings.end());
+    return &prefabs_.emplace_back(std::move(*read));
 }
 
 Result<Prefab> PrefabLibrary::read(std::string_view path, std::vector<std::string>& open) {
@@ -246,10 +375,7 @@ Result<Prefab> PrefabLibrary::read(std::string_view path, std::vector<std::strin
         return Error{name, "the prefab contains itself, through " + open.back(),
                      "remove it from one of the two"};
     }
-    if (open.size() >= static_cast<std::size_t>(limits::kPrefabDepth)) {
-        return Error{name, format("prefabs are nested more than {} levels deep", limits::kPrefabDepth),
-                     "reduce the nesting"};
-    }
+    if (open.size() >= static_cast<std::size_t>(limits::kPrefabDepth)) return tooDeep(name);
     Result<std::string> text = textOf(path);
     if (!text) return text.error();
     Result<Json> json = parseJson(*text, path);
@@ -266,6 +392,7 @@ Result<Prefab> PrefabLibrary::read(std::string_view path, std::vector<std::strin
     Prefab prefab;
     prefab.path = name;
     PrefabReader reader{types_, prefab};
+    std::vector<const Prefab*> nested(entities->size());
     open.push_back(name);
     for (std::size_t i = 0; i < entities->size(); ++i) {
         const Json& entity = (*entities)[i];
@@ -274,19 +401,20 @@ Result<Prefab> PrefabLibrary::read(std::string_view path, std::vector<std::strin
             reader.skip(where, "expected an object, found " + foundText(entity), "write {\"id\": ...}");
             continue;
         }
-        const std::string_view inner = textIn(entity, "prefab");
-        if (inner.empty()) {
-            reader.addEntity(entity, where, nullptr);
-            continue;
+        if (const std::string_view inner = textIn(entity, "prefab"); !inner.empty()) {
+            const Result<const Prefab*> found = find(inner, open);
+            if (!found) return nestedError(where, inner, found.error());
+            nested[i] = *found;
+            prefab.depth = std::max(prefab.depth, (*found)->depth + 1);
         }
-        Result<Prefab> nested = read(inner, open);
-        if (!nested) return nested.error();
-        prefab.problems.insert(prefab.problems.end(), nested->problems.begin(), nested->problems.end());
-        reader.addEntity(entity, where, &*nested);
+        reader.addEntity(entity, where, nested[i]);
     }
     open.pop_back();
+    if (prefab.depth > limits::kPrefabDepth) return tooDeep(name);
     if (prefab.entities.empty())
         return Error{name, "no entity of the prefab could be read", std::string{kRemedyForPrefab}};
+    prefab.assets = assetsOf(types_, prefab, nested);
+    prefab.warnings = checkPrefab(types_, prefab, *json, nested, reader.rootId());
     return prefab;
 }
 

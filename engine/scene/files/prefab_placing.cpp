@@ -15,7 +15,7 @@ namespace {
 
 void addComponents(World& world, const TypeRegistry& types, EntityId id, const Json& components,
                    FieldContext& context) {
-    std::vector<FieldProblem> ignored;  // reported once, when a scene with the prefab is loaded
+    std::vector<FieldProblem> ignored;  // reported when the file was read
     for (const auto& [name, fields] : *components.get_ptr<const Json::object_t*>()) {
         if (const TypeInfo* type = types.find(name)) {
             componentFromJson(*type, world.add(*type, id), fields, context, ignored);

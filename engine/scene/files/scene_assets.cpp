@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 
 #include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/files/prefab.hpp"
 #include "scene/loaded_scene.hpp"
 
 namespace plumb {
@@ -30,14 +32,30 @@ void sortOnce(std::vector<AssetName>& names) {
     names.erase(std::unique(names.begin(), names.end()), names.end());
 }
 
+/// Loads and adds the assets of the prefabs among the names, and of the prefabs that these name in turn.
+void addAssetsOfPrefabs(std::vector<AssetName>& names, const World& world, PrefabLibrary& prefabs,
+                        AssetStore& assets) {
+    std::vector<std::string> paths;
+    for (const AssetName& name : names) {
+        if (name.kind == AssetKind::Prefab) paths.emplace_back(world.texts().find(name.path));
+    }
+    for (const Prefab* prefab : prefabs.readAll(std::move(paths))) {
+        for (const PrefabAsset& asset : prefab->assets) {
+            assets.load(asset.kind, asset.path);
+            names.push_back({asset.kind, textId(asset.path)});
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<AssetName> namedAssets(const World& world, const TypeRegistry& types) {
+std::vector<AssetName> namedAssets(const World& world, const TypeRegistry& types, AssetKind kind) {
     std::vector<AssetName> names;
     for (const TypeInfo& type : types.all()) {
         for (const FieldInfo& field : type.fields) {
             const bool isList = field.kind == FieldKind::List && field.element == FieldKind::Asset;
             if ((field.kind != FieldKind::Asset && !isList) || field.transient) continue;
+            if (kind != AssetKind::None && field.asset != kind) continue;
             world.eachOf(type, [&](EntityId, const void* component) { addNames(names, field, component); });
         }
     }
@@ -54,8 +72,9 @@ void SceneAssets::follow(const World& world, const TypeRegistry& types) {
     if (const LoadedScenes* scenes = world.findResource<LoadedScenes>()) {
         // Scene files are held too, so that they are watched: editing one restarts the scene.
         for (const LoadedScene& scene : scenes->scenes) named.push_back({AssetKind::Scene, scene.id.path});
-        sortOnce(named);
     }
+    if (auto* prefabs = world.service<PrefabLibrary>()) addAssetsOfPrefabs(named, world, *prefabs, assets_);
+    sortOnce(named);
     std::vector<AssetName> changed;
     std::set_difference(named.begin(), named.end(), held_.begin(), held_.end(), std::back_inserter(changed));
     for (const AssetName& name : changed) {

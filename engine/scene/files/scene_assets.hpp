@@ -23,11 +23,14 @@ struct AssetName {
 };
 
 /// Returns the assets that the components of a world reference: sorted, without duplicates.
-std::vector<AssetName> namedAssets(const World& world, const TypeRegistry& types);
+/// @param kind  only assets of this kind; None: of all kinds
+std::vector<AssetName> namedAssets(const World& world, const TypeRegistry& types,
+                                   AssetKind kind = AssetKind::None);
 
 /// Keeps the assets that a world references, and the files of its scenes,
-/// acquired in the asset store. Assets that two consecutive scenes share
-/// stay loaded; those no longer referenced are released and may be unloaded.
+/// acquired in the asset store; with the world's PrefabLibrary also what the prefabs need that components
+/// name, so that spawning the first of them loads nothing. Assets that two consecutive scenes share stay
+/// loaded; those no longer referenced are released and may be unloaded.
 class SceneAssets {
 public:
     explicit SceneAssets(AssetStore& assets) : assets_{assets} {}

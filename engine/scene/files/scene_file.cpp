@@ -249,8 +249,7 @@ SceneId addScene(World& world, std::string_view path) {
     LoadedScene scene;
     scene.id = {world.texts().add(path)};
     scene.path = path;
-    scenes.scenes.push_back(std::move(scene));
-    return scenes.scenes.back().id;
+    return scenes.add(std::move(scene)).id;
 }
 
 Entity createSceneEntity(World& world, SceneId scene, Random& ids) {

@@ -6,7 +6,6 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "reflect/field_json.hpp"
-#include "reflect/import_notes.hpp"
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
@@ -14,14 +13,15 @@
 #include "scene/components/prefab_instance.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/effect_table.hpp"
+#include "scene/files/entity_keys.hpp"
+#include "scene/files/scene_assets.hpp"
 
 namespace plumb {
 namespace {
 
-/// True for keys that the engine does not read but that are valid: values of the game, and data that an
-/// importer could not express in components. They are kept like unknown keys, without a warning.
+/// True for keys that the engine does not read but that are valid.
 bool isNote(std::string_view key) {
-    return key == "properties" || key == "background" || key == kPrefabFileNote || isImportNote(key);
+    return key == "background" || key == kPrefabFileNote || isEntityNote(key);
 }
 
 /// Returns the text of an entity to keep: from the file, or written from the JSON of a binary file.
@@ -197,10 +197,6 @@ bool SceneReader::placeInstance(const Json& json, int place, std::string_view te
         return false;
     }
     const Prefab& source = **prefab;
-    if (std::find(usedPrefabs_.begin(), usedPrefabs_.end(), &source) == usedPrefabs_.end()) {
-        usedPrefabs_.push_back(&source);
-        report_.problems.insert(report_.problems.end(), source.problems.begin(), source.problems.end());
-    }
     const PlacedPrefab placed = placePrefab(world_, context_.types, source);
     entity = placed.entities.front();
     for (std::size_t i = 0; i < placed.entities.size(); ++i) {
@@ -324,19 +320,12 @@ void SceneReader::readComponents(const Json& value, EntityId entity, std::uint64
         return;
     }
     for (const auto& [name, fields] : *value.get_ptr<const Json::object_t*>()) {
-        const TypeInfo* type = context_.types.find(name);
-        const bool ownKey =
-            type != nullptr && (type->key == typeKey<SceneEntity>() || type->key == typeKey<Name>() ||
-                                type->key == typeKey<PrefabInstance>() || type->key == typeKey<PrefabPart>());
-        if (type != nullptr && !ownKey) {
+        if (const TypeInfo* type = componentOfFiles(context_.types, name)) {
             readComponent(*type, fields, entity, id, where, true);
             continue;
         }
-        const std::vector<std::string_view> names = context_.types.names();
-        const std::string_view near = closestName(name, names);
-        problem(where + name, format("there is no component \"{}\"", name),
-                "it is kept unchanged; " +
-                    (near.empty() ? "check the spelling" : format("did you mean \"{}\"?", near)));
+        const Error error = unknownComponent(context_.types, where + name, name);
+        problem(error.where, error.what, error.remedy);
         kept(id).components.emplace_back(name, fields);
     }
 }
@@ -387,6 +376,17 @@ void SceneReader::checkEffects() {
     table->checkNeeds(world_, scene_.id, scene_.path, pins, report_.problems);
 }
 
+/// Reads the prefabs that components name, so that their problems are reported now and not when the first of
+/// them is spawned.
+void SceneReader::readNamedPrefabs() {
+    if (context_.prefabs == nullptr) return;
+    std::vector<std::string> paths;
+    for (const AssetName& name : namedAssets(world_, context_.types, AssetKind::Prefab))
+        paths.emplace_back(world_.texts().find(name.path));
+    static_cast<void>(context_.prefabs->readAll(std::move(paths)));
+    for (Error& problem : context_.prefabs->takeProblems()) report_.problems.push_back(std::move(problem));
+}
+
 LoadReport SceneReader::finish() {
     for (const DeferredComponent& item : deferred_) {
         if (world_.alive(item.entity))
@@ -411,9 +411,10 @@ LoadReport SceneReader::finish() {
         transform.previousScale = transform.scale;
     }
     checkEffects();
+    readNamedPrefabs();
     LoadedScenes& scenes = world_.resource<LoadedScenes>();
     scene_.rest = std::make_shared<const SceneRest>(std::move(rest_));
-    scenes.scenes.push_back(std::move(scene_));
+    scenes.add(std::move(scene_));
     return std::move(report_);
 }
 

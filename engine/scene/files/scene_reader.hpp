@@ -71,6 +71,7 @@ private:
 
     void readBackground(const Json& json);
     void checkEffects();
+    void readNamedPrefabs();
     bool readId(const Json& json, int place, std::string_view text, std::uint64_t& id);
     bool placeInstance(const Json& json, int place, std::string_view text, std::uint64_t id,
                        EntityId& entity);
@@ -97,7 +98,6 @@ private:
     std::vector<DeferredComponent> deferred_;
     std::vector<ParentLink> parents_;
     std::vector<FieldProblem> fieldProblems_;
-    std::vector<const Prefab*> usedPrefabs_;
     std::vector<std::uint64_t> skippedIds_;
 };
 

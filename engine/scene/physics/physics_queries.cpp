@@ -6,6 +6,7 @@
 #include "physics/queries/overlap.hpp"
 #include "physics/queries/ray_cast.hpp"
 #include "physics/queries/shape_cast.hpp"
+#include "physics/ranges.hpp"
 #include "scene/components/colliders/tile_collider.hpp"
 #include "scene/physics/collider_shapes.hpp"
 #include "scene/physics/entity_bodies.hpp"
@@ -51,6 +52,15 @@ std::optional<QueryHit> firstThatStops(const PhysicsState& state, Vec2 way, bool
     return std::nullopt;
 }
 
+/// Limits a side of a box to the range of the physics, which knows neither a line nor what lies beyond
+/// kFarthest.
+void fitInRange(double& low, double& high) {
+    constexpr double kMin = 2.0 * static_cast<double>(physics::kSmallest);
+    if (low <= high && high - low < kMin) low -= 0.5 * kMin, high += 0.5 * kMin;
+    low = std::clamp(low, -physics::kFarthest, physics::kFarthest);
+    high = std::clamp(high, -physics::kFarthest, physics::kFarthest);
+}
+
 }  // namespace
 
 std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const QueryFilter& filter) {
@@ -84,8 +94,11 @@ Vec2 tickMotionOf(World& world, EntityId entity, float dt) {
 
 void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found) {
     PhysicsState& state = world.resource<PhysicsState>();
-    physics::overlapBox(state.world, positionInMetres(box.min, state.scale),
-                        positionInMetres(box.max, state.scale), filterFrom(state, filter), state.found);
+    physics::WorldPosition low = positionInMetres(box.min, state.scale);
+    physics::WorldPosition high = positionInMetres(box.max, state.scale);
+    fitInRange(low.x, high.x);
+    fitInRange(low.y, high.y);
+    physics::overlapBox(state.world, low, high, filterFrom(state, filter), state.found);
     found.clear();
     for (const physics::ShapeId shape : state.found) {
         const EntityId entity = ownerOf(state, physics::bodyOf(state.world, shape));
