@@ -25,10 +25,14 @@ public:
     /// Direct access to keys and buttons, without bindings, for tools and text games.
     [[nodiscard]] bool isPressed(Key key) const { return frame_.has(key) && !previous_.has(key); }
     [[nodiscard]] bool isHeld(Key key) const { return frame_.has(key); }
+    [[nodiscard]] bool isReleased(Key key) const { return !frame_.has(key) && previous_.has(key); }
     [[nodiscard]] bool isPressed(MouseButton button) const {
         return frame_.has(button) && !previous_.has(button);
     }
     [[nodiscard]] bool isHeld(MouseButton button) const { return frame_.has(button); }
+    [[nodiscard]] bool isReleased(MouseButton button) const {
+        return !frame_.has(button) && previous_.has(button);
+    }
     [[nodiscard]] Vec2 mouse() const { return frame_.mouse(); }  ///< px in the game's own resolution
 
     /// Begins the next tick with the input of the devices, a replay or the network.

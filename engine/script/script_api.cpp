@@ -45,6 +45,11 @@ constexpr std::array kHandlers{
     HandlerRow{"onTriggerStay", "other: Entity", "In every further tick in which they overlap."},
     HandlerRow{"onTriggerExit", "other: Entity", "When they no longer overlap."},
     HandlerRow{"onEvent_NAME", "...: any", "When the event NAME is emitted, with up to three values."},
+    HandlerRow{
+        "onDestroy", "",
+        "After the entity was destroyed or has lost the script, in the same tick or the next one. The "
+        "entity and its components are gone, `self` still has what was assigned to it. Not called when "
+        "the scene ends, and cannot wait."},
     HandlerRow{"onReload", "", "After the file of the script was changed while the game runs."},
 };
 
@@ -104,7 +109,7 @@ constexpr std::array kOtherFunctions{
 constexpr std::string_view kDefinitionsHead = R"(---@meta
 -- Definitions for the Lua language server, written by the editor of Plumb. Changes to this file are lost.
 
----@alias Unit "px"|"px/s"|"px/s2"|"s"|"rad"|"rad/s"|"ratio"|"kg"|"tiles"|"ticks"
+---@alias Unit "px"|"px/s"|"px/s2"|"s"|"deg"|"rad"|"rad/s"|"ratio"|"kg"|"tiles"|"ticks"
 
 ---Details of a property; its default value comes first, without a name.
 ---@class PropertyOptions
@@ -285,6 +290,7 @@ std::string_view nameOf(Unit unit) {
         case Unit::Kilograms: return "kg";
         case Unit::Tiles: return "tiles";
         case Unit::Ticks: return "ticks";
+        case Unit::Degrees: return "deg";
     }
     return "";
 }

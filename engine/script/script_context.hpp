@@ -20,8 +20,8 @@ namespace script {
 
 /// What a handler waits for: the request of wait() or waitFor(), read when its coroutine has yielded.
 struct WaitRequest {
-    std::uint32_t ticks = 1;  ///< ticks to wait
-    TextId event;             ///< name of the event to wait for; empty: the ticks
+    std::uint32_t ticks = 1;  ///< ticks to wait at most; 0: without end, for an event
+    TextId event;             ///< name of the event to wait for; empty: none
 };
 
 /// What the functions of scripts work on while scripts run in this thread.
@@ -30,6 +30,7 @@ struct Context {
     const ScriptSet& scripts;
     ScriptState& state;
     lua_State* handler = nullptr;  ///< coroutine of the handler that runs; null while files are loaded
+    EntityId entity;               ///< whose handler it is
     WaitRequest request;
 };
 

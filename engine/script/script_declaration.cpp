@@ -55,10 +55,11 @@ constexpr std::array kKinds{KindName{"number", FieldKind::Float},
                             KindName{"scene", FieldKind::Asset, AssetKind::Scene},
                             KindName{"prefab", FieldKind::Asset, AssetKind::Prefab}};
 
-constexpr std::array<std::pair<std::string_view, Unit>, 10> kUnits{{{"px", Unit::Pixels},
+constexpr std::array<std::pair<std::string_view, Unit>, 11> kUnits{{{"px", Unit::Pixels},
                                                                     {"px/s", Unit::PixelsPerSecond},
                                                                     {"px/s2", Unit::PixelsPerSecondSquared},
                                                                     {"s", Unit::Seconds},
+                                                                    {"deg", Unit::Degrees},
                                                                     {"rad", Unit::Radians},
                                                                     {"rad/s", Unit::RadiansPerSecond},
                                                                     {"ratio", Unit::Ratio},
@@ -293,7 +294,8 @@ private:
             if (name == unit) return field.unit = value, true;
         }
         lua_pushliteral(
-            state_, "unknown unit; the units are px, px/s, px/s2, s, rad, rad/s, ratio, kg, tiles and ticks");
+            state_,
+            "unknown unit; the units are px, px/s, px/s2, s, deg, rad, rad/s, ratio, kg, tiles and ticks");
         return false;
     }
 

@@ -12,6 +12,7 @@
 #include "reflect/type_registry.hpp"
 #include "script/script_context.hpp"
 #include "script/script_functions.hpp"
+#include "script/script_handlers.hpp"
 #include "script/script_state.hpp"
 #include "script/script_values.hpp"
 
@@ -59,19 +60,6 @@ void fillFields(lua_State* state, int table, const TypeInfo& type) {
             lua_setfield(state, table, name);
         }
     }
-}
-
-/// Pushes "Transform has no field "speed"".
-int failUnknownField(lua_State* state, const TypeInfo& type, const char* name) {
-    std::vector<std::string_view> names;
-    for (const FieldInfo& field : type.fields) names.push_back(field.name);
-    const std::string_view near = closestName(name, names);
-    const bool isScript = type.find("stopped") != nullptr && isReloadable(type.key);
-    const std::string hint =
-        isScript       ? "; functions of a script can be called from its first tick on: wait() before"
-        : near.empty() ? std::string{}
-                       : format("; did you mean \"{}\"?", near);
-    return fail(state, format("{} has no field \"{}\"{}", type.name, name, hint));
 }
 
 int goneComponent(lua_State* state, const ComponentHandle& handle) {
@@ -267,11 +255,23 @@ int readSelf(lua_State* state) {
     return 1;
 }
 
+int refuseHandler(lua_State* state) {
+    const char* name = lua_tostring(state, 2);
+    lua_pushlstring(state, typeOfSelf(state).name.data(), typeOfSelf(state).name.size());
+    return luaL_error(
+        state,
+        "self.%s would never be called: handlers are functions of the file, function %s:%s(...); "
+        "let that one ask a value of self what to do",
+        name, lua_tostring(state, -1), name);
+}
+
 /// Its names are all properties, also those that readSelf() does not find because a function is called alike.
 int writeSelf(lua_State* state) {
     lua_pushvalue(state, 2);
     if (lua_rawget(state, lua_upvalueindex(kNamesOfSelf)) == LUA_TNIL) {
         lua_settop(state, 3);
+        if (lua_type(state, 2) == LUA_TSTRING && isHandlerName(lua_tostring(state, 2)))
+            return refuseHandler(state);
         lua_rawset(state, 1);
         return 0;
     }
@@ -324,6 +324,20 @@ void addWeakTable(lua_State* state) {
 }
 
 }  // namespace
+
+int failUnknownField(lua_State* state, const TypeInfo& type, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const FieldInfo& field : type.fields) names.push_back(field.name);
+    const std::string_view near = closestName(name, names);
+    const bool isScript = type.find("stopped") != nullptr && isReloadable(type.key);
+    const bool isCoordinate = (name == "x" || name == "y") && type.find("position") != nullptr;
+    const std::string hint =
+        isScript       ? "; functions of a script can be called from its first tick on: wait() before"
+        : isCoordinate ? "; write position = vec(x, y)"
+        : near.empty() ? std::string{}
+                       : format("; did you mean \"{}\"?", near);
+    return fail(state, format("{} has no field \"{}\"{}", type.name, name, hint));
+}
 
 void addEntities(lua_State* state) {
     addWeakTable(state);

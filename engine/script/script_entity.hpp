@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "reflect/entity_id.hpp"
 #include "reflect/type_info.hpp"
 
@@ -46,6 +48,9 @@ struct ComponentHandle {
 /// Returns the component that is argument number `index`, of a `self` that of its script; raises an error if
 /// it is none.
 ComponentHandle checkComponent(lua_State* state, int index);
+
+/// Pushes "Transform has no field "positon"; did you mean "position"?". @return a negative number
+int failUnknownField(lua_State* state, const TypeInfo& type, std::string_view name);
 
 /// Sets fields of a component to the values of the table at an index.
 /// @return false after pushing a message

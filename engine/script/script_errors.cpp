@@ -6,6 +6,7 @@
 
 #include <lua.hpp>
 
+#include "core/log.hpp"
 #include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "scene/components/name.hpp"
@@ -31,6 +32,18 @@ std::string listOf(const std::vector<ScriptVariable>& variables) {
     return list;
 }
 
+/// Each function that is being called takes about 100 bytes, so one that calls itself without end may come to
+/// the end of the memory before it comes to that of the stack.
+std::string memoryText(lua_State* coroutine) {
+    constexpr int kDeep = 10'000;
+    const int depth = scriptDepth(coroutine);
+    return depth < kDeep ? std::string{"not enough memory: scripts can keep 64 MiB of values"}
+                         : format(
+                               "stack overflow: {} calls within one another; a function calls itself "
+                               "without end",
+                               depth);
+}
+
 }  // namespace
 
 std::string textAt(lua_State* state, int index) {
@@ -41,9 +54,16 @@ std::string textAt(lua_State* state, int index) {
     return {text, size};
 }
 
-Error handlerError(lua_State* coroutine, const World& world, EntityId entity) {
-    std::string message = textAt(coroutine, -1);
-    const std::vector<ScriptFrame> frames = framesOf(coroutine);
+std::string placeOf(lua_State* coroutine) {
+    const std::vector<ScriptFrame> frames = placesOf(coroutine);
+    return frames.empty() ? std::string{"scripts"} : format("{}:{}", frames[0].file, frames[0].line);
+}
+
+Error handlerError(lua_State* coroutine, int status, const World& world, EntityId entity) {
+    // Without memory not even the values of variables can be described.
+    const bool noMemory = status == LUA_ERRMEM;
+    std::string message = noMemory ? memoryText(coroutine) : textAt(coroutine, -1);
+    const std::vector<ScriptFrame> frames = noMemory ? placesOf(coroutine) : framesOf(coroutine);
     std::string where = "scripts", stack;
     for (std::size_t i = 0; i < std::min(frames.size(), kMaxFrames); ++i) {
         const std::string line = format("{}:{}", frames[i].file, frames[i].line);
@@ -55,6 +75,27 @@ Error handlerError(lua_State* coroutine, const World& world, EntityId entity) {
     if (!frames.empty() && !frames.front().variables.empty())
         what += "\n  with " + listOf(frames.front().variables);
     return {where, what, "the script of this entity is stopped until its file is changed"};
+}
+
+bool FailureLog::isFirst(const std::string& place) {
+    const auto known =
+        std::find_if(places_.begin(), places_.end(), [&](const Place& other) { return other.name == place; });
+    if (known == places_.end()) return places_.push_back({place}), true;
+    ++known->others;
+    return false;
+}
+
+void FailureLog::logOthers() {
+    for (const Place& place : places_) {
+        if (place.others == 0) continue;
+        const std::string what =
+            place.others == 1
+                ? std::string{"the same line has stopped the script of one more entity in this tick"}
+                : format("the same line has stopped the scripts of {} more entities in this tick",
+                         place.others);
+        logError("Script", Error{place.name, what, "change the file: they go on when it is saved"});
+    }
+    places_.clear();
 }
 
 }  // namespace plumb::script

@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "script/script_context.hpp"
 #include "script/script_errors.hpp"
+#include "script/script_list.hpp"
 #include "script/script_source.hpp"
 #include "script/script_state.hpp"
 
@@ -18,7 +19,7 @@ constexpr int kMaxFrames = 32;               // functions listed
 constexpr int kMaxVariables = 100;           // of a function
 constexpr std::size_t kMaxEntries = 8;       // of a table
 constexpr std::size_t kMaxText = 120;        // bytes of a value
-constexpr int kStackNeeded = 12;             // values that a description needs on the stack
+constexpr int kStackNeeded = 13;             // values that a description needs on the stack
 constexpr int kMaxInstructions = 1'000'000;  // of an expression
 
 std::string shortened(std::string text, std::size_t most) {
@@ -109,7 +110,11 @@ std::string tableText(lua_State* state, int index) {
 }
 
 std::string textOfValue(lua_State* state, int index) {
-    return lua_istable(state, index) ? tableText(state, index) : plainText(state, index);
+    if (!lua_istable(state, index)) return plainText(state, index);
+    pushItems(state, index);
+    std::string text = tableText(state, -1);
+    lua_pop(state, 1);
+    return text;
 }
 
 /// Calls `visit(name)` for each variable of a function, its value on top of the stack: local ones from the
@@ -167,12 +172,33 @@ std::string nameInScript(lua_State* coroutine) {
     return name;
 }
 
+std::string lineName(const lua_Debug& function) {
+    return format("function of line {}", function.linedefined);
+}
+
 std::string nameOf(lua_State* coroutine, lua_Debug& function) {
     lua_getinfo(coroutine, "f", &function);
     std::string name = nameInScript(coroutine);
     lua_pop(coroutine, 1);
     if (name.empty() && function.name != nullptr) name = function.name;
-    return name.empty() ? format("function of line {}", function.linedefined) : name;
+    return name.empty() ? lineName(function) : name;
+}
+
+/// Calls `visit(lua_Debug&)` for each function of scripts that is being called, innermost first.
+template <class Visit>
+void eachFrame(lua_State* coroutine, Visit visit) {
+    lua_Debug function;
+    for (int level = 0; level < kMaxFrames && lua_getstack(coroutine, level, &function) != 0; ++level) {
+        lua_getinfo(coroutine, "Sln", &function);
+        if (function.currentline >= 0) visit(function);  // otherwise a function of the engine
+    }
+}
+
+ScriptFrame placeOf(const lua_Debug& function) {
+    ScriptFrame frame;
+    frame.file = function.source[0] == '@' ? function.source + 1 : function.source;
+    frame.line = function.currentline;
+    return frame;
 }
 
 // ---- expressions
@@ -229,18 +255,22 @@ int scriptDepth(lua_State* coroutine) {
 }
 
 std::vector<ScriptFrame> framesOf(lua_State* coroutine) {
+    if (lua_checkstack(coroutine, kStackNeeded) == 0) return placesOf(coroutine);
     std::vector<ScriptFrame> frames;
-    if (lua_checkstack(coroutine, kStackNeeded) == 0) return frames;
-    lua_Debug function;
-    for (int level = 0; level < kMaxFrames && lua_getstack(coroutine, level, &function) != 0; ++level) {
-        lua_getinfo(coroutine, "Sln", &function);
-        if (function.currentline < 0) continue;  // a function of the engine
-        ScriptFrame& frame = frames.emplace_back();
-        frame.file = function.source[0] == '@' ? function.source + 1 : function.source;
-        frame.line = function.currentline;
+    eachFrame(coroutine, [&](lua_Debug& function) {
+        ScriptFrame& frame = frames.emplace_back(placeOf(function));
         frame.function = nameOf(coroutine, function);
         frame.variables = variablesOf(coroutine, function);
-    }
+    });
+    return frames;
+}
+
+std::vector<ScriptFrame> placesOf(lua_State* coroutine) {
+    std::vector<ScriptFrame> frames;
+    eachFrame(coroutine, [&](lua_Debug& function) {
+        ScriptFrame& frame = frames.emplace_back(placeOf(function));
+        frame.function = function.name != nullptr ? function.name : lineName(function);
+    });
     return frames;
 }
 

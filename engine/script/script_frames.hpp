@@ -29,6 +29,8 @@ int scriptDepth(lua_State* coroutine);
 /// Returns the functions of scripts that are being called in a coroutine, innermost first. Calls no function
 /// of a script.
 std::vector<ScriptFrame> framesOf(lua_State* coroutine);
+/// As framesOf(), without variables: needs neither memory nor stack of Lua, e.g. after these have ended.
+std::vector<ScriptFrame> placesOf(lua_State* coroutine);
 
 /// Value of an expression.
 struct Evaluation {

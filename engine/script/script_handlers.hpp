@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace plumb {
 
@@ -16,17 +18,25 @@ enum ScriptHandler : std::uint32_t {
     kOnCollisionExit = 32,
     kOnTriggerEnter = 64,
     kOnTriggerStay = 128,
-    kOnTriggerExit = 256
+    kOnTriggerExit = 256,
+    kOnDestroy = 512
 };
 /// Names of the handlers, in the order of their bits.
-inline constexpr std::array<const char*, 9> kScriptHandlers{
+inline constexpr std::array<std::string_view, 10> kScriptHandlers{
     "onCreate",        "onTick",         "onReload",      "onCollisionEnter", "onCollisionStay",
-    "onCollisionExit", "onTriggerEnter", "onTriggerStay", "onTriggerExit"};
+    "onCollisionExit", "onTriggerEnter", "onTriggerStay", "onTriggerExit",    "onDestroy"};
+/// What the names of handlers of events begin with: onEvent_NAME.
+inline constexpr std::string_view kEventHandler = "onEvent_";
 
-constexpr const char* nameOf(std::uint32_t handler) {
+constexpr std::string_view nameOf(std::uint32_t handler) {
     std::size_t index = 0;
     while ((handler >>= 1) != 0) ++index;
     return kScriptHandlers[index];
 }
+
+/// True if the engine calls a function of this name.
+bool isHandlerName(std::string_view name);
+/// Returns the handler that a function of another name was probably meant to be; empty if there is none.
+std::string handlerMeant(std::string_view name);
 
 }  // namespace plumb

@@ -12,8 +12,9 @@
 #include "ecs/world.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/game_random.hpp"
+#include "scene/loaded_scene.hpp"
+#include "scene/scene_stack.hpp"
 #include "script/script_entity.hpp"
-#include "script/script_errors.hpp"
 #include "script/script_handlers.hpp"
 #include "script/script_loader.hpp"
 #include "script/script_observer.hpp"
@@ -33,16 +34,10 @@ ScriptSet& setOf(World& world) {
 std::uint32_t handlersOf(lua_State* state) {
     std::uint32_t handlers = 0;
     for (std::size_t i = 0; i < kScriptHandlers.size(); ++i) {
-        if (lua_getfield(state, -1, kScriptHandlers[i]) == LUA_TFUNCTION) handlers |= 1u << i;
+        if (lua_getfield(state, -1, kScriptHandlers[i].data()) == LUA_TFUNCTION) handlers |= 1u << i;
         lua_pop(state, 1);
     }
     return handlers;
-}
-
-bool sameIgnoringCase(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 /// Returns the names of the functions of the table on top of the stack, in the order of their bytes.
@@ -56,15 +51,13 @@ std::vector<std::string> functionNames(lua_State* state) {
     return names;
 }
 
-/// Warns of functions of the table on top of the stack that are named nearly like a handler.
+/// Warns of functions of the table on top of the stack that seem to be handlers but are called otherwise.
 void warnOfNames(lua_State* state, const std::string& path) {
     for (const std::string& name : functionNames(state)) {
-        for (const std::string_view handler : kScriptHandlers) {
-            const bool isNear = sameIgnoringCase(name, handler) && name != handler;
-            if (isNear || (name == "onUpdate" && handler == "onTick"))
-                logWarning("Script", Error{path, format("the engine does not call \"{}\"", name),
-                                           format("name the function {}", handler)});
-        }
+        const std::string meant = handlerMeant(name);
+        if (!meant.empty())
+            logWarning("Script", Error{path, format("the engine does not call \"{}\"", name),
+                                       format("name the function {}", meant)});
     }
 }
 
@@ -104,11 +97,12 @@ void ScriptRunner::protect(const std::function<void()>& body) {
 void ScriptRunner::tick(float dt) {
     protect([&] {
         endWaits();
-        endInstances();
+        for (Loaded& script : scripts_.loaded) endInstances(script);
         resumeWaits();
         beginInstances();
         callTicks(dt);
     });
+    failures_.logOthers();
 }
 
 // ---- files
@@ -206,20 +200,43 @@ void ScriptRunner::begin(Loaded& script, EntityId entity) {
     script::pushEntity(state_, entity);
     lua_setfield(state_, -2, "entity");
     script::becomeSelf(state_, script.type);
-    script.add({entity, luaL_ref(state_, LUA_REGISTRYINDEX)});
+    Instance instance;
+    instance.entity = entity;
+    instance.self = luaL_ref(state_, LUA_REGISTRYINDEX);
+    instance.scene = loadingOf(world_, entity);
+    script.add(instance);
     if ((script.handlers & kOnCreate) != 0) call(script, script.instances.back(), "onCreate", 0);
 }
 
-void ScriptRunner::endInstances() {
-    for (Loaded& script : scripts_.loaded) {
-        const ComponentType* type = script.table == 0 ? nullptr : typeOf(script.type);
-        if (type == nullptr || script.memberships == world_.memberships(type->info)) continue;
-        script.removeIf([&](const Instance& instance) {
-            if (world_.has(type->info, instance.entity)) return false;
+void ScriptRunner::endInstances(Loaded& script) {
+    const ComponentType* type = script.table == 0 ? nullptr : typeOf(script.type);
+    if (type == nullptr || script.memberships == world_.memberships(type->info)) return;
+    std::vector<Instance> gone;
+    script.removeIf([&](const Instance& instance) {
+        if (world_.has(type->info, instance.entity)) return false;
+        if ((script.handlers & kOnDestroy) != 0 && !isOver(instance.scene)) {
+            gone.push_back(instance);
+        } else {
             luaL_unref(state_, LUA_REGISTRYINDEX, instance.self);
-            return true;
-        });
+        }
+        return true;
+    });
+    callOnDestroy(script, gone);
+}
+
+void ScriptRunner::callOnDestroy(Loaded& script, std::vector<Instance>& gone) {
+    for (Instance& instance : gone) {
+        call(script, instance, nameOf(kOnDestroy), 0);
+        luaL_unref(state_, LUA_REGISTRYINDEX, instance.self);
     }
+}
+
+/// True if a scene has ended. What is destroyed with it is no event for the next one.
+bool ScriptRunner::isOver(std::uint32_t scene) const {
+    const auto* loaded = std::as_const(world_).findResource<LoadedScenes>();
+    return scene != 0 && (loaded == nullptr ||
+                          std::none_of(loaded->scenes.begin(), loaded->scenes.end(),
+                                       [scene](const LoadedScene& other) { return other.loading == scene; }));
 }
 
 /// Ends the handlers that wait for components that are gone.
@@ -288,10 +305,12 @@ void ScriptRunner::resume(int thread, lua_State* coroutine, int values, const Wa
     script::resetBudget(state_);
     context_.request = {};
     lua_State* const outer = std::exchange(context_.handler, coroutine);
+    const EntityId outerEntity = std::exchange(context_.entity, wait.entity);
     int results = 0;
     const int status =
         script::resumeHandler(observer_, coroutine, state_, values, results, wait.entity, wait.type);
     context_.handler = outer;
+    context_.entity = outerEntity;
     if (status == LUA_YIELD) {
         lua_pop(coroutine, results);
         Wait next = wait;
@@ -306,18 +325,19 @@ void ScriptRunner::resume(int thread, lua_State* coroutine, int values, const Wa
     if (status == LUA_OK) {
         lua_settop(coroutine, 0);
     } else {
-        if (status != script::kAbandoned) report(coroutine, wait);
+        if (status != script::kAbandoned) report(coroutine, status, wait);
         lua_resetthread(coroutine);
     }
     scripts_.idle.push_back(thread);
 }
 
-void ScriptRunner::report(lua_State* coroutine, const Wait& wait) {
-    script::resetBudget(state_);  // the handler may have used up all of it
+void ScriptRunner::report(lua_State* coroutine, int status, const Wait& wait) {
     const ComponentType* type = typeOf(wait.type);
-    logError("Script", script::handlerError(coroutine, world_, wait.entity));
     if (void* component = type == nullptr ? nullptr : world_.find(type->info, wait.entity))
         *static_cast<bool*>(component) = true;
+    if (!failures_.isFirst(script::placeOf(coroutine))) return;
+    script::resetBudget(state_);  // the handler may have used up all of it
+    logError("Script", script::handlerError(coroutine, status, world_, wait.entity));
 }
 
 int ScriptRunner::takeThread() {
@@ -345,9 +365,9 @@ void ScriptRunner::resumeWaits() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Wait wait = scripts_.waits[i];
-        const bool runs =
-            wait.event.empty() && !world_.has<Paused>(wait.entity) && !isStopped(wait.type, wait.entity);
-        if (!runs || --wait.ticks > 0) {
+        const bool counts =
+            wait.ticks > 0 && !world_.has<Paused>(wait.entity) && !isStopped(wait.type, wait.entity);
+        if (!counts || --wait.ticks > 0) {
             scripts_.waits[kept++] = wait;
         } else {
             resumeWait(wait, 0);

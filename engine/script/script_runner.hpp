@@ -5,6 +5,7 @@
 
 #include "core/text_store.hpp"
 #include "script/script_context.hpp"
+#include "script/script_errors.hpp"
 #include "script/script_library.hpp"
 #include "script/script_state.hpp"
 
@@ -41,7 +42,8 @@ private:
     void loadFile(std::size_t index);
     void reset(Loaded& script);
 
-    void endInstances();
+    void endInstances(Loaded& script);
+    void callOnDestroy(Loaded& script, std::vector<Instance>& gone);
     void endWaits();
     void beginInstances();
     void begin(Loaded& script, EntityId entity);
@@ -61,10 +63,11 @@ private:
     void resume(int thread, lua_State* coroutine, int values, const Wait& wait);
     [[nodiscard]] const ComponentType* typeOf(TypeKey key) const;
     [[nodiscard]] bool isStopped(TypeKey type, EntityId entity) const;
+    [[nodiscard]] bool isOver(std::uint32_t scene) const;
     [[nodiscard]] bool mayRun(const Loaded& script, const Instance& instance) const;
     int takeThread();
     lua_State* threadOf(int ref);
-    void report(lua_State* coroutine, const Wait& wait);
+    void report(lua_State* coroutine, int status, const Wait& wait);
 
     World& world_;
     const ScriptSet& set_;
@@ -72,6 +75,7 @@ private:
     ScriptObserver* observer_;  // null: scripts run without a hook
     ScriptAccess access_;
     lua_State* state_;
+    script::FailureLog failures_;
     script::Context context_;
     script::ContextScope contextScope_;
     ScriptHostScope hostScope_;

@@ -133,6 +133,9 @@ void ScriptRunner::handleEvents() {
         handleTriggers<TriggerEntered>(kOnTriggerEnter);
         handleTriggers<TriggerStayed>(kOnTriggerStay);
         handleTriggers<TriggerLeft>(kOnTriggerExit);
+        for (Loaded& script : scripts_.loaded) {
+            if ((script.handlers & kOnDestroy) != 0) endInstances(script);
+        }
         // By index, as handlers emit events too.
         std::size_t i = 0;
         for (; i < world_.events<ScriptEvent>().size() && i < kMaxEvents; ++i) {
@@ -147,6 +150,7 @@ void ScriptRunner::handleEvents() {
                       "more than 10,000 events in a tick: handlers of events emit events without end",
                       "use emitAfter(0, ...), which emits in the next tick"});
     });
+    failures_.logOthers();
 }
 
 }  // namespace plumb

@@ -18,8 +18,9 @@ struct ScriptState {
     /// A script of an entity.
     struct Instance {
         EntityId entity;
-        int self = 0;          ///< ref of the table `self`
-        bool ticking = false;  ///< its onTick waits: it is not called again before that has ended
+        int self = 0;             ///< ref of the table `self`
+        bool ticking = false;     ///< its onTick waits: it is not called again before that has ended
+        std::uint32_t scene = 0;  ///< LoadedScene::loading of the entity's scene; 0: none
     };
 
     /// A script file that the Lua state has loaded.
@@ -46,8 +47,8 @@ struct ScriptState {
         EntityId entity;
         TypeKey type = 0;         ///< its script
         int thread = 0;           ///< ref of its coroutine
-        std::uint32_t ticks = 0;  ///< ticks left; ignored if it waits for an event
-        TextId event;             ///< name of the event that it waits for
+        std::uint32_t ticks = 0;  ///< ticks left; 0: it waits for an event without end
+        TextId event;             ///< name of the event that it waits for; empty: none
         bool isTick = false;      ///< it is onTick
     };
 

@@ -18,6 +18,7 @@
 #include "scene/files/world_field_context.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
+#include "script/script_list.hpp"
 #include "script/script_vector.hpp"
 
 namespace plumb::script {
@@ -25,7 +26,8 @@ namespace {
 
 // Rectangles, colors, enums and curves take the detour over their form in files, which has the messages too.
 
-void pushJson(lua_State* state, const Json& json) {
+/// @param field  whose value it is
+void pushJson(lua_State* state, const Json& json, std::string_view field) {
     switch (json.type()) {
         case Json::value_t::boolean: lua_pushboolean(state, json.get<bool>() ? 1 : 0); return;
         case Json::value_t::number_integer:
@@ -39,10 +41,10 @@ void pushJson(lua_State* state, const Json& json) {
         case Json::value_t::array: {
             lua_createtable(state, static_cast<int>(json.size()), 0);
             for (std::size_t i = 0; i < json.size(); ++i) {
-                pushJson(state, json[i]);
+                pushJson(state, json[i], field);
                 lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
             }
-            return;
+            return protectList(state, field);
         }
         default: lua_pushnil(state);
     }
@@ -64,12 +66,15 @@ Json jsonAt(lua_State* state, int index, int depth = 0) {
         }
         case LUA_TTABLE: {
             Json list = Json::array();
-            const auto count = static_cast<lua_Integer>(lua_rawlen(state, index));
+            pushItems(state, index);
+            const int items = lua_gettop(state);
+            const auto count = static_cast<lua_Integer>(lua_rawlen(state, items));
             for (lua_Integer i = 1; i <= count && depth < kMaxDepth; ++i) {
-                lua_rawgeti(state, index, i);
+                lua_rawgeti(state, items, i);
                 list.push_back(jsonAt(state, lua_gettop(state), depth + 1));
                 lua_pop(state, 1);
             }
+            lua_pop(state, 1);
             return list;
         }
         default: return {};
@@ -101,6 +106,7 @@ void pushList(lua_State* state, World& world, const FieldInfo& field, const void
         pushValue(state, world, item, static_cast<const std::byte*>(list) + i * field.elementSize);
         lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
     }
+    protectList(state, field.name);
 }
 
 /// Pushes "Spin.rate: expected a number, found a string". @return false
@@ -157,16 +163,19 @@ bool readList(lua_State* state, int index, World& world, std::string_view type, 
               void* list) {
     if (lua_type(state, index) != LUA_TTABLE) return refuse(state, type, field, "a table", index);
     const FieldInfo item = itemOf(field);
-    const std::size_t count = std::min<std::size_t>(lua_rawlen(state, index), field.capacity);
+    pushItems(state, index);
+    const int table = lua_gettop(state);
+    const std::size_t count = std::min<std::size_t>(lua_rawlen(state, table), field.capacity);
     std::vector<std::byte> items(field.capacity * field.elementSize);
     for (std::size_t i = 0; i < count; ++i) {
-        lua_rawgeti(state, index, static_cast<lua_Integer>(i + 1));
+        lua_rawgeti(state, table, static_cast<lua_Integer>(i + 1));
         if (!readValue(state, lua_gettop(state), world, type, item, items.data() + i * field.elementSize))
             return false;
         lua_pop(state, 1);
     }
     std::memcpy(list, items.data(), items.size());
     field.countOf(list) = static_cast<std::uint32_t>(count);
+    lua_pop(state, 1);
     return true;
 }
 
@@ -211,7 +220,8 @@ void pushValue(lua_State* state, World& world, const FieldInfo& field, const voi
             [[fallthrough]];
         case FieldKind::Rect:
         case FieldKind::Color:
-        case FieldKind::Enum: pushJson(state, valueToJson(field, value, WorldFieldContext{world}));
+        case FieldKind::Enum:
+            pushJson(state, valueToJson(field, value, WorldFieldContext{world}), field.name);
     }
 }
 

@@ -33,6 +33,21 @@ std::span<const std::uint32_t> choose(World& world, const QueryFilter& filter) {
     return found;
 }
 
+bool overlaps(const AABB& bounds, WorldPosition low, WorldPosition high) {
+    return low.x <= double{bounds.max.x} && double{bounds.min.x} <= high.x && low.y <= double{bounds.max.y} &&
+           double{bounds.min.y} <= high.y;
+}
+
+/// Finds the shapes whose bounds overlap a box that is larger than a shape may be.
+void overlapBounds(World& world, WorldPosition low, WorldPosition high, const QueryFilter& filter,
+                   std::vector<ShapeId>& found) {
+    found.clear();
+    if (!isUsable(low) || !isUsable(high) || low.x > high.x || low.y > high.y) return;
+    for (const std::uint32_t shape : candidatesIn(world, low, high, filter)) {
+        if (overlaps(world.shapes.bounds[shape], low, high)) found.push_back(idOfShape(world, shape));
+    }
+}
+
 }  // namespace
 
 bool isUsable(WorldPosition place) {
@@ -99,6 +114,7 @@ void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filt
 void overlapBox(World& world, WorldPosition low, WorldPosition high, const QueryFilter& filter,
                 std::vector<ShapeId>& found) {
     const Vec2 half = 0.5f * (high - low);
+    if (std::max(half.x, half.y) > kLargest) return overlapBounds(world, low, high, filter, found);
     overlapShape(world, {.geometry = box(half), .position = low + half, .rotation = {}}, filter, found);
 }
 

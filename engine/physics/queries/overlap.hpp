@@ -9,7 +9,8 @@ namespace plumb::physics {
 
 void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filter,
                   std::vector<ShapeId>& found);
-/// Finds the shapes that overlap an axis-aligned box between its lower and upper corner (m).
+/// Finds the shapes that overlap an axis-aligned box between its lower and upper corner (m). A box with more
+/// than twice kLargest on a side finds them by their bounds.
 void overlapBox(World& world, WorldPosition low, WorldPosition high, const QueryFilter& filter,
                 std::vector<ShapeId>& found);
 void overlapCircle(World& world, WorldPosition centre, float radius, const QueryFilter& filter,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,10 +12,13 @@
 #include "ecs/world.hpp"
 #include "gameplay/game_functions.hpp"
 #include "input/input.hpp"
+#include "platform/key.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/scene_stack.hpp"
 #include "script/library/work.hpp"
+#include "script/script_arguments.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_functions.hpp"
@@ -183,8 +187,10 @@ int query(lua_State* state) {
 
 int createEntity(lua_State* state) {
     World& world = worldOf(state);
+    const bool hasPlace = !lua_isnoneornil(state, 2);
+    const Vec2 position = hasPlace ? checkFiniteVector(state, 2) : Vec2{};
     const EntityId entity = world.createEntity().id();
-    if (!lua_isnoneornil(state, 2)) world.add<Transform>(entity, checkVector(state, 2));
+    if (hasPlace) world.add<Transform>(entity, position);
     pushEntity(state, entity);
     return 1;
 }
@@ -204,65 +210,97 @@ constexpr ScriptFunction kWorld[] = {
 
 // ---- input
 
-const Input& inputOf(lua_State* state) { return worldOf(state).resource<Input>(); }
+/// The bindings of actions and axes.
+const ActionMap& mapOf(lua_State* state) { return worldOf(state).resource<Input>().map(); }
+/// What the entity of the handler hears: nothing while an overlay takes the input.
+const Input& inputOf(lua_State* state) {
+    const Context& context = contextOf(state);
+    return inputFor(context.world, context.entity);
+}
 
 /// Pushes 'there is no action "Shoot"; the actions are Jump, Attack'. @return a negative number
 template <class Bindings>
-int failUnknown(lua_State* state, const char* kind, std::string_view name,
-                const std::vector<Bindings>& known) {
+int failUnknown(lua_State* state, const char* kind, std::string_view name, const std::vector<Bindings>& known,
+                const char* others) {
     std::string names;
     for (const Bindings& one : known) names += (names.empty() ? "" : ", ") + one.name;
-    return fail(state,
-                format("there is no {} \"{}\"; project.json and the defaults have {}", kind, name, names));
+    return fail(state, format("there is no {} \"{}\"; project.json and the defaults have {}{}", kind, name,
+                              names, others));
 }
 
-Action checkAction(lua_State* state) {
+/// What isPressed() and the like ask about: an action, else a key, else a button of the mouse.
+struct Control {
+    std::optional<Key> key;
+    std::optional<MouseButton> button;
+    Action action;
+};
+
+/// Reads "Jump", "W" or "Mouse Left": the names of bindings, of which those of actions come first.
+Control checkControl(lua_State* state) {
+    constexpr std::string_view kMouse = "Mouse ";
     const std::string_view name = checkText(state, 2);
-    const ActionMap& map = inputOf(state).map();
-    if (map.find(Action{name}) < 0) {
-        failUnknown(state, "action", name, map.actions);
+    const ActionMap& map = mapOf(state);
+    Control control{{}, {}, Action{name}};
+    if (map.find(control.action) >= 0) return control;
+    control.key = keyFromName(name);
+    if (startsWith(name, kMouse)) control.button = mouseButtonFromName(name.substr(kMouse.size()));
+    if (!control.key && !control.button) {
+        failUnknown(state, "action", name, map.actions,
+                    "; a key is named like \"W\" or \"Space\", a button of the mouse like \"Mouse Left\"");
         lua_error(state);
     }
-    return Action{name};
+    return control;
 }
 
 Axis checkAxis(lua_State* state) {
     const std::string_view name = checkText(state, 2);
-    const ActionMap& map = inputOf(state).map();
+    const ActionMap& map = mapOf(state);
     if (map.find(Axis{name}) < 0) {
-        failUnknown(state, "axis", name, map.axes);
+        failUnknown(state, "axis", name, map.axes, "");
         lua_error(state);
     }
     return Axis{name};
 }
 
-int isPressed(lua_State* state) {
-    lua_pushboolean(state, inputOf(state).isPressed(checkAction(state)) ? 1 : 0);
+/// Pushes the answer to a question about the control that argument number 2 names.
+template <class Ask>
+int answer(lua_State* state, Ask ask) {
+    const Control control = checkControl(state);
+    const Input& input = inputOf(state);
+    const bool is = control.key      ? ask(input, *control.key)
+                    : control.button ? ask(input, *control.button)
+                                     : ask(input, control.action);
+    lua_pushboolean(state, is ? 1 : 0);
     return 1;
+}
+
+int isPressed(lua_State* state) {
+    return answer(state, [](const Input& input, auto control) { return input.isPressed(control); });
 }
 int isHeld(lua_State* state) {
-    lua_pushboolean(state, inputOf(state).isHeld(checkAction(state)) ? 1 : 0);
-    return 1;
+    return answer(state, [](const Input& input, auto control) { return input.isHeld(control); });
 }
 int isReleased(lua_State* state) {
-    lua_pushboolean(state, inputOf(state).isReleased(checkAction(state)) ? 1 : 0);
-    return 1;
+    return answer(state, [](const Input& input, auto control) { return input.isReleased(control); });
 }
 int getAxis(lua_State* state) {
     lua_pushnumber(state, inputOf(state).getAxis(checkAxis(state)));
     return 1;
 }
 int mouseInPicture(lua_State* state) {
-    pushVector(state, inputOf(state).mouse());
+    pushVector(state, worldOf(state).resource<Input>().mouse());
     return 1;
 }
 
 constexpr ScriptFunction kInput[] = {
-    {"isPressed", "(self, action: string): boolean", "True in the tick in which the action begins.",
+    {"isPressed", "(self, control: string): boolean",
+     "True in the tick in which it begins: an action (\"Jump\"), a key (\"W\", \"Space\", \"Left\") or a "
+     "button "
+     "of the mouse (\"Mouse Left\").",
      isPressed},
-    {"isHeld", "(self, action: string): boolean", "True while the action lasts.", isHeld},
-    {"isReleased", "(self, action: string): boolean", "True in the tick in which the action ends.",
-     isReleased},
+    {"isHeld", "(self, control: string): boolean", "True while the action, key or button is held.", isHeld},
+    {"isReleased", "(self, control: string): boolean",
+     "True in the tick in which the action, key or button is released.", isReleased},
     {"getAxis", "(self, axis: string): number",
      "-1 to 1: \"Horizontal\" (right is 1) or \"Vertical\" (down is 1).", getAxis},
     {"mouse", "(self): vec",

@@ -5,13 +5,13 @@
 #include <lua.hpp>
 
 #include "assets/asset_store.hpp"
-#include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/touches.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/physics/physics_queries.hpp"
 #include "scene/world_transform.hpp"
+#include "script/script_arguments.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_functions.hpp"
@@ -35,16 +35,11 @@ bool setComponents(lua_State* state, int table, EntityId entity) {
     return true;
 }
 
-/// "prefabs/coin" may stand for "prefabs/coin.prefab.json".
-std::string prefabPath(std::string_view name) {
-    return endsWith(name, ".json") ? std::string{name} : format("{}.prefab.json", name);
-}
-
 int spawnPrefabAt(lua_State* state) {
     const std::string_view prefab = checkText(state, 1);
-    const Vec2 position = checkVector(state, 2);
+    const Vec2 position = checkFiniteVector(state, 2);
     if (!lua_isnoneornil(state, 3)) luaL_checktype(state, 3, LUA_TTABLE);
-    const EntityId entity = spawn(worldOf(state), prefabPath(prefab), position).id();
+    const EntityId entity = spawn(worldOf(state), prefab, position).id();
     if (!entity) return luaL_error(state, "the prefab cannot be spawned; see the log");
     if (lua_istable(state, 3) && !setComponents(state, 3, entity)) return lua_error(state);
     pushEntity(state, entity);
@@ -74,8 +69,13 @@ int findByTag(lua_State* state) {
 }
 
 int playSoundFile(lua_State* state) {
+    if (lua_isnoneornil(state, 1))
+        return luaL_argerror(
+            state, 1,
+            "path of a sound expected, got nil; a property of the kind sound is nil while no "
+            "file is chosen: if self.noise then playSound(self.noise) end");
     const std::string_view path = checkText(state, 1);
-    const auto volume = static_cast<float>(luaL_optnumber(state, 2, 1.0));
+    const float volume = optionalFinite(state, 2, 1.0f);
     World& world = worldOf(state);
     playSound(world, assetsOf(world).loadSound(path), volume);
     return 0;
@@ -133,20 +133,19 @@ int setEntityParameter(lua_State* state) {
     const std::string_view name = checkText(state, 2);
     const bool isBool = lua_isboolean(state, 3);
     setParameter(worldOf(state), entity, name,
-                 isBool ? static_cast<float>(lua_toboolean(state, 3))
-                        : static_cast<float>(luaL_checknumber(state, 3)));
+                 isBool ? static_cast<float>(lua_toboolean(state, 3)) : checkFinite(state, 3));
     return 0;
 }
 
 int applyImpulseTo(lua_State* state) {
     const EntityId entity = checkEntity(state, 1);
-    applyImpulse(worldOf(state), entity, checkVector(state, 2));
+    applyImpulse(worldOf(state), entity, checkFiniteVector(state, 2));
     return 0;
 }
 
 int shake(lua_State* state) {
-    const auto strength = static_cast<float>(luaL_checknumber(state, 1));
-    shakeCamera(worldOf(state), strength, static_cast<float>(luaL_checknumber(state, 2)));
+    const float strength = checkFinite(state, 1);
+    shakeCamera(worldOf(state), strength, checkFinite(state, 2));
     return 0;
 }
 
@@ -158,7 +157,7 @@ int worldPositionOf(lua_State* state) {
 
 int teleportEntity(lua_State* state) {
     const EntityId entity = checkEntity(state, 1);
-    const Vec2 position = checkVector(state, 2);
+    const Vec2 position = checkFiniteVector(state, 2);
     auto* transform = worldOf(state).find<Transform>(entity);
     if (transform == nullptr) return luaL_argerror(state, 1, "the entity has no Transform");
     teleport(*transform, position);
@@ -187,8 +186,8 @@ QueryFilter checkFilter(lua_State* state, int index) {
 }
 
 int castRayFrom(lua_State* state) {
-    const Vec2 from = checkVector(state, 1);
-    const Vec2 way = checkVector(state, 2);
+    const Vec2 from = checkFiniteVector(state, 1);
+    const Vec2 way = checkFiniteVector(state, 2);
     const std::optional<QueryHit> hit = castRay(worldOf(state), from, way, checkFilter(state, 3));
     if (!hit) return lua_pushnil(state), 1;
     lua_createtable(state, 0, 4);
@@ -204,8 +203,8 @@ int castRayFrom(lua_State* state) {
 }
 
 int overlapBoxBetween(lua_State* state) {
-    const Vec2 a = checkVector(state, 1);
-    const Vec2 b = checkVector(state, 2);
+    const Vec2 a = checkFiniteVector(state, 1);
+    const Vec2 b = checkFiniteVector(state, 2);
     const QueryFilter filter = checkFilter(state, 3);
     std::vector<EntityId> found;
     overlapBox(worldOf(state), {min(a, b), max(a, b)}, filter, found);
@@ -215,9 +214,9 @@ int overlapBoxBetween(lua_State* state) {
 
 constexpr ScriptFunction kGame[] = {
     {"spawn", "(prefab: string, position: vec, fields: table?): Entity",
-     "Instantiates a prefab: spawn(\"prefabs/coin\", vec(10, 20), { Coin = { value = 5 } }). The third value "
-     "sets "
-     "fields of components of its root.",
+     "Instantiates a prefab: spawn(\"coin\", vec(10, 20), { Coin = { value = 5 } }). The third value sets "
+     "fields "
+     "of components of its root.",
      spawnPrefabAt},
     {"findEntity", "(name: string): Entity?",
      "The first entity with this name; a path finds the child of a child: \"Boss/Arm/Hand\".", findByName},

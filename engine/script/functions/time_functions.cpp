@@ -1,4 +1,5 @@
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <iterator>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "ecs/world.hpp"
 #include "gameplay/delayed_events.hpp"
 #include "gameplay/tweens.hpp"
+#include "script/script_arguments.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_functions.hpp"
@@ -24,13 +26,17 @@ Context& handlerContext(lua_State* state, const char* function) {
     Context& context = contextOf(state);
     if (context.handler != state)
         luaL_error(state, "%s() works in handlers, not in coroutines of your own", function);
+    if (lua_isyieldable(state) == 0)
+        luaL_error(state,
+                   "%s() cannot wait inside of a function that the engine calls for an answer, e.g. that of "
+                   "waitUntil() or table.sort(); return from it first",
+                   function);
     return context;
 }
 
 int wait(lua_State* state) {
     Context& context = handlerContext(state, "wait");
-    context.request = {static_cast<std::uint32_t>(ticksOf(static_cast<float>(luaL_optnumber(state, 1, 0.0)))),
-                       {}};
+    context.request = {static_cast<std::uint32_t>(ticksOf(optionalFinite(state, 1, 0.0f))), {}};
     return lua_yield(state, 0);
 }
 
@@ -50,8 +56,10 @@ int waitUntil(lua_State* state) {
 
 int waitFor(lua_State* state) {
     const std::string_view name = checkText(state, 1);
+    const bool isLimited = !lua_isnoneornil(state, 2);
+    const auto most = isLimited ? static_cast<std::uint32_t>(ticksOf(checkFinite(state, 2))) : 0u;
     Context& context = handlerContext(state, "waitFor");
-    context.request = {0, context.world.texts().add(name)};
+    context.request = {most, context.world.texts().add(name)};
     return lua_yield(state, 0);
 }
 
@@ -107,9 +115,11 @@ int emitToTarget(lua_State* state) {
 }
 
 int emitAfterSeconds(lua_State* state) {
-    const auto seconds = static_cast<float>(luaL_checknumber(state, 1));
+    const float seconds = checkFinite(state, 1);
     const ScriptEvent event = checkEvent(state, 2);
-    lua_pushinteger(state, static_cast<lua_Integer>(emitAfter(worldOf(state), seconds, event).number));
+    const Context& context = contextOf(state);
+    const DelayedEvent timer = emitAfter(context.world, context.entity, seconds, event);
+    lua_pushinteger(state, static_cast<lua_Integer>(timer.number));
     return 1;
 }
 
@@ -146,9 +156,10 @@ bool readGoal(lua_State* state, const TypeInfo& type, const FieldInfo& field, Tw
         return true;
     }
     if (field.kind != FieldKind::Float && field.kind != FieldKind::Vec2) {
-        const std::string text =
-            format("{}.{}: only numbers with a fraction, vectors and colors change gradually", type.name,
-                   field.name);
+        const char* problem = field.kind == FieldKind::Int
+                                  ? "a whole number cannot change gradually; declare it as number {...}"
+                                  : "only numbers, vectors and colors change gradually; assign it";
+        const std::string text = format("{}.{}: {}", type.name, field.name, problem);
         lua_pushlstring(state, text.data(), text.size());
         return false;
     }
@@ -156,20 +167,55 @@ bool readGoal(lua_State* state, const TypeInfo& type, const FieldInfo& field, Tw
     return readValue(state, value, world, type.name, field, tween.to.data());
 }
 
+/// The field `position` if a coordinate of it is called like this: scripts write transform.x too. Or null.
+const FieldInfo* fieldOfCoordinate(const TypeInfo& type, std::string_view name) {
+    const FieldInfo* position = type.find("position");
+    const bool has = position != nullptr && position->kind == FieldKind::Vec2 && type.find("x") == nullptr;
+    return has && (name == "x" || name == "y") ? position : nullptr;
+}
+
+/// Raises an error if a key of the table of goals is no field.
+void checkGoals(lua_State* state, int goals, const TypeInfo& type) {
+    for (lua_pushnil(state); lua_next(state, goals) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) != LUA_TSTRING)
+            luaL_argerror(state, goals, "the names of fields expected, as in { position = vec(10, 20) }");
+        const std::string_view name = lua_tostring(state, -2);
+        if (type.find(name) != nullptr || fieldOfCoordinate(type, name) != nullptr) continue;
+        failUnknownField(state, type, name);
+        lua_error(state);
+    }
+}
+
+/// Starts the tween of a coordinate, if the table at index 2 has a goal for it. @return false after pushing a
+/// message
+bool tweenCoordinate(lua_State* state, const TypeInfo& type, const char* name, Tweens::Entry tween,
+                     float seconds) {
+    lua_pushstring(state, name);
+    const bool hasGoal = lua_rawget(state, 2) != LUA_TNIL;
+    const FieldInfo* position = fieldOfCoordinate(type, name);
+    if (hasGoal && position != nullptr) {
+        FieldInfo coordinate = *position;
+        coordinate.name = name;
+        coordinate.kind = FieldKind::Float;
+        const std::size_t place = name[0] == 'x' ? offsetof(Vec2, x) : offsetof(Vec2, y);
+        tween.offset = static_cast<std::uint32_t>(position->offset + place);
+        if (!readGoal(state, type, coordinate, tween)) return false;
+        addTween(worldOf(state), tween, seconds);
+    }
+    lua_pop(state, 1);
+    return true;
+}
+
 /// tween(component, {field = value}, seconds, ease)
 int tweenFields(lua_State* state) {
     const ComponentHandle component = checkComponent(state, 1);
     luaL_checktype(state, 2, LUA_TTABLE);
-    const auto seconds = static_cast<float>(luaL_checknumber(state, 3));
+    const float seconds = checkFinite(state, 3);
     Tweens::Entry tween;
     tween.ease = checkEase(state, 4);
     tween.entity = component.entity;
     tween.type = component.type->key;
-    for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
-        const char* name = lua_type(state, -2) == LUA_TSTRING ? lua_tostring(state, -2) : "?";
-        if (component.type->find(name) == nullptr)
-            return luaL_error(state, "the component has no field \"%s\"", name);
-    }
+    checkGoals(state, 2, *component.type);
     for (const FieldInfo& field : component.type->fields) {
         lua_pushlstring(state, field.name.data(), field.name.size());
         lua_rawget(state, 2);
@@ -179,6 +225,9 @@ int tweenFields(lua_State* state) {
             addTween(worldOf(state), tween, seconds);
         }
         lua_pop(state, 1);
+    }
+    for (const char* name : {"x", "y"}) {
+        if (!tweenCoordinate(state, *component.type, name, tween, seconds)) return lua_error(state);
     }
     return 0;
 }
@@ -193,11 +242,14 @@ constexpr ScriptFunction kFunctions[] = {
      "Waits; without a time until the next tick. The handler goes on afterwards.", wait},
     {"waitUntil", "(condition: fun(): boolean)",
      "Waits until the function returns true; it is called in every tick.", waitUntil},
-    {"waitFor", "(event: string): any, any, any", "Waits for an event and returns its values.", waitFor},
+    {"waitFor", "(event: string, timeout: number?): any, any, any",
+     "Waits for an event and returns its values; nil if it does not come within `timeout` seconds.", waitFor},
     {"emit", "(event: string, ...: any)",
      "Calls onEvent_NAME(...) of all scripts later in this tick. An event has up to three values.", emit},
     {"emitAfter", "(seconds: number, event: string, ...: any): integer",
-     "Emits an event later. Returns a number for cancel().", emitAfterSeconds},
+     "Emits an event later, unless the scene ends before; rests while the scene is paused. Returns a number "
+     "for cancel().",
+     emitAfterSeconds},
     {"cancel", "(timer: integer)", "Cancels an event of emitAfter(); does nothing if it was emitted.",
      cancelEvent},
     {"tween", "(component: Component, fields: table, seconds: number, ease: string?)",

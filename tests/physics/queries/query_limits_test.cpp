@@ -78,6 +78,26 @@ TEST(QueryLimits, touchingCountsAsOverlapAndRangesIncludeTheirEnd) {
     EXPECT_FALSE(castRay(world, {}, {2.0f, 2.001f}).has_value());
 }
 
+TEST(QueryLimits, boxesLargerThanAnyShapeAreSearched) {
+    const double far = 3.0 * static_cast<double>(kLargest);
+    for (int kind = 0; kind < static_cast<int>(BroadPhaseKind::Count); ++kind) {
+        World world;
+        world.settings.broadPhase = static_cast<BroadPhaseKind>(kind);
+        const auto discs = addDiscs(world, {{0.0, 0.0}, {far, 0.0}, {0.0, -far}, {5.0, 5.0}}, 1.0f);
+        std::vector<ShapeId> found;
+        overlapBox(world, {-kFarthest, -kFarthest}, {kFarthest, kFarthest}, {}, found);
+        EXPECT_EQ(found, discs) << kind;
+        overlapBox(world, {-0.5 * far, -10.0}, {far, 10.0}, {}, found);
+        EXPECT_EQ(found, (std::vector{discs[0], discs[1], discs[3]})) << kind;
+        overlapBox(world, {-far, 100.0}, {far, 200.0}, {}, found);
+        EXPECT_TRUE(found.empty()) << kind;
+        overlapBox(world, {-far, 10.0}, {far, -10.0}, {}, found);
+        EXPECT_TRUE(found.empty()) << "no box";
+        overlapBox(world, {-2.0 * kFarthest, -1.0}, {far, 1.0}, {}, found);
+        EXPECT_TRUE(found.empty()) << "out of range";
+    }
+}
+
 TEST(QueryLimits, layersAreMatchedBothWaysAndAStaleBodyExcludesNothing) {
     World world;
     const auto seen = addDiscs(world, {{3.0, 0.0}}, 1.0f, {.layers = 2, .mask = 4});
