@@ -18,7 +18,7 @@ namespace {
 constexpr float kWidth = 980.0f;  // width of the whole content
 constexpr float kHeight = 672.0f;
 constexpr float kLeft = 0.42f;  // ratio of the width for the part "New project"
-constexpr float kTemplateHeight = 66.0f;
+constexpr float kTemplateHeight = 44.0f;
 constexpr float kRowHeight = 64.0f;  // height of a row of the recent projects
 constexpr float kLabels = 66.0f;     // width of the labels
 
@@ -209,13 +209,14 @@ void WelcomeScreen::drawTemplate(Ui& ui, std::size_t index) {
     if (chosen) outline(list, at, to, palette::kAccent, ui.px(5.0f), ui.px(1.5f));
     const float inset = ui.px(12.0f);
     list.PushClipRect(at, to, true);
-    list.AddText(ui.fonts.strong, ui.fonts.size, {at.x + inset, at.y + ui.px(9.0f)},
+    list.AddText(ui.fonts.strong, ui.fonts.size, {at.x + inset, at.y + ui.px(5.0f)},
                  there ? palette::kText : palette::kTextDim, row.name.data(),
                  row.name.data() + row.name.size());
-    const std::string what =
-        there ? std::string{row.what} : std::string{"This template is not installed with the program."};
-    list.AddText(ui.fonts.text, ui.fonts.size, {at.x + inset, at.y + ui.px(11.0f) + ui.fonts.size * 1.25f},
-                 palette::kTextDim, what.c_str(), nullptr, size.x - 2.0f * inset);
+    const std::string what = there ? std::string{row.what} : std::string{"Not installed with this program."};
+    const ImVec2 line{at.x + inset, at.y + ui.px(4.0f) + ui.fonts.size * 1.25f};
+    const ImVec2 room = ImGui::CalcTextSize(what.c_str());
+    list.AddText(ui.fonts.text, ui.fonts.size, line, palette::kTextDim, what.c_str());
+    ui.widgets.mark("Welcome/what/" + id, {{line.x, line.y}, {line.x + room.x, line.y + room.y}}, what);
     list.PopClipRect();
 }
 

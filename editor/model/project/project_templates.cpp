@@ -12,20 +12,27 @@
 namespace plumb::editor {
 namespace {
 
+// Parts of the platformer's and of the physics playground's assets.
+constexpr std::array<std::string_view, 19> kTopDownAssets{
+    "CREDITS.md",   "cave.png",       "cave.tileset.json",  "player.png",    "player.anim.json",
+    "gloomcap.png", "bob.png",        "gloomcap.anim.json", "bob.anim.json", "lamp.png",
+    "gate.png",     "gate.anim.json", "lamp_lit.anim.json", "light.png",     "light_big.png",
+    "coin.wav",     "hurt.wav",       "checkpoint.wav",     "goal.wav"};
+constexpr std::array<std::string_view, 8> kSandboxAssets{"CREDITS.md", "ball.png", "box.png",   "capsule.png",
+                                                         "disc.png",   "ring.png", "blast.wav", "step.wav"};
+
 constexpr std::array kTemplates{
-    ProjectTemplate{"empty", "Empty", "One scene with a camera. Start here to make your own game.", "", ""},
-    ProjectTemplate{"cpp", "Game with C++ code",
-                    "A level, and components and systems of its own that are rebuilt while you play.", "",
-                    "cpp"},
-    ProjectTemplate{"lua", "Game with Lua scripts",
-                    "A player, coins and a score in Lua; scripts are loaded again when you save them.", "",
-                    "lua"},
-    ProjectTemplate{"kit", "Platformer kit",
-                    "Tiles, creatures, sounds and an empty level to paint. The tutorial starts with it.",
-                    "platformer", "platformer-kit"},
-    ProjectTemplate{"platformer", "Platformer",
-                    "A copy of the game that comes with Plumb, to modify: four levels, enemies, music.",
-                    "platformer", ""}};
+    ProjectTemplate{"empty", "Empty", "One scene with a camera.", "", ""},
+    ProjectTemplate{"cpp", "Game with C++ code", "Components in C++, rebuilt while you play.", "", "cpp"},
+    ProjectTemplate{"lua", "Game with Lua scripts", "A player, coins and a score in Lua.", "", "lua"},
+    ProjectTemplate{"topdown", "Top-down game", "A crypt seen from above: coins, enemies.", "platformer",
+                    "topdown", kTopDownAssets},
+    ProjectTemplate{"physics", "Physics sandbox", "A car, a seesaw, a stack; the mouse drags.",
+                    "physics-playground", "physics", kSandboxAssets},
+    ProjectTemplate{"kit", "Platformer kit", "The tutorial's parts and an empty level.", "platformer",
+                    "platformer-kit"},
+    ProjectTemplate{"platformer", "Platformer", "A copy of Wickwood: four levels to modify.", "platformer",
+                    ""}};
 
 constexpr std::string_view kFirstScene = R"({
   "format": 1,
@@ -82,16 +89,30 @@ Result<Done> rename(const Path& folder, std::string_view name) {
     return writeFile(folder / "project.json", writeJson(*json));
 }
 
+/// Copies the listed assets of a project. @param names  files in its folder `assets`
+Result<Done> copyAssets(const Path& project, const Path& folder, std::span<const std::string_view> names) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder / "assets", failed);
+    for (const std::string_view name : names) {
+        const Path to = folder / "assets" / name;
+        std::filesystem::copy_file(project / "assets" / name, to, failed);
+        if (failed) return Error{to.string(), failed.message(), "choose another folder, or reinstall Plumb"};
+    }
+    return Done{};
+}
+
 /// Copies a project that comes with the engine; its scenes are replaced if the template has its own.
 Result<Done> copyProject(const ProjectTemplate& from, const Path& folder) {
     // Editor data, and the scripts that generated the images. The last two are replaced by the template.
     static constexpr std::array<std::string_view, 4> kLeftOut{".plumb", "art", "project.json", "scenes"};
-    if (from.copyOf.empty()) return copyFolder(engineAssets() / "templates" / from.start, folder, {});
     const std::span<const std::string_view> leftOut{kLeftOut};
     const Path source = engineProjects() / from.copyOf;
+    const Path start = engineAssets() / "templates" / from.start;
+    if (from.copyOf.empty()) return copyFolder(start, folder, {});
     if (from.start.empty()) return copyFolder(source, folder, leftOut.first(2));
-    const Result<Done> copied = copyFolder(source, folder, leftOut);
-    return copied ? copyFolder(engineAssets() / "templates" / from.start, folder, {}) : copied;
+    const Result<Done> copied =
+        from.assets.empty() ? copyFolder(source, folder, leftOut) : copyAssets(source, folder, from.assets);
+    return copied ? copyFolder(start, folder, {}) : copied;
 }
 
 Result<Done> makeEmpty(const Path& folder, std::string_view name) {

@@ -12,10 +12,12 @@ namespace plumb::editor {
 struct ProjectTemplate {
     std::string_view id;
     std::string_view name;
-    std::string_view what;    ///< description, one line
+    std::string_view what;    ///< description, one line of the welcome screen
     std::string_view copyOf;  ///< folder of the project to copy, below `engineProjects`; empty: none
     std::string_view start;   ///< folder below assets/templates whose project file and scenes replace
                               ///< those of the copied project; empty: those are kept
+    std::span<const std::string_view> assets = {};  ///< files that are copied from the folder `assets` of
+                                                    ///< the project; empty: the whole project is
 };
 
 /// All templates.

@@ -55,6 +55,26 @@ TEST_F(Welcome, withoutAProjectOnlyTheWelcomeScreenIsShown) {
     EXPECT_NE(window->widgets().find("Welcome/Create"), nullptr);
 }
 
+TEST_F(Welcome, allTemplatesFitIntoASmallWindow) {
+    const auto boxOf = [&](const std::string& widget) {
+        const WidgetMap::Widget* found = window->widgets().find(widget);
+        EXPECT_NE(found, nullptr) << widget;
+        return found == nullptr ? AABB{} : found->box;
+    };
+    float above = 0.0f;
+    for (const ProjectTemplate& row : projectTemplates()) {
+        const AABB card = boxOf("Welcome/template/" + std::string{row.id});
+        const AABB what = boxOf("Welcome/what/" + std::string{row.id});
+        EXPECT_GE(card.min.y, above) << row.id;
+        EXPECT_GE(what.min.x, card.min.x) << row.id;
+        EXPECT_LE(what.max.x, card.max.x - 12.0f) << row.what;
+        EXPECT_LE(what.max.y, card.max.y - 2.0f) << row.what;
+        above = card.max.y;
+    }
+    // The panel ends at 682 px of 720; below the button it has a message of two lines.
+    EXPECT_LE(boxOf("Welcome/Create").max.y, 682.0f - 14.0f - 2 * 18.0f);
+}
+
 TEST_F(Welcome, anEmptyProjectIsCreatedAndOpened) {
     write("Welcome/name", "The Tower!");
     EXPECT_EQ(valueOf("Welcome/folder"), "~/Plumb/the-tower");
