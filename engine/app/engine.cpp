@@ -43,9 +43,11 @@ Path programOf(std::span<const std::string> words) {
 Engine::Engine() : game_{std::make_unique<Game>()} {}
 
 Engine::Engine(std::string title, int width, int height, int count, const char* const* words)
-    : title_{std::move(title)},
-      width_{width},
-      height_{height},
+    : settings_{std::move(title),
+                width,
+                height,
+                false,
+                {static_cast<float>(width), static_cast<float>(height)}},
       words_(words, words + count),
       game_{std::make_unique<Game>()} {}
 
@@ -62,7 +64,7 @@ void Engine::fixedUpdate([[maybe_unused]] float dt) {
 std::optional<int> Engine::open() {
     Result<PlayerOptions> options = readGameOptions(words_);
     if (!options) {
-        std::fprintf(stderr, "%s: %s\n", title_.c_str(), options.error().text().c_str());
+        std::fprintf(stderr, "%s: %s\n", settings_.title.c_str(), options.error().text().c_str());
         return 2;
     }
     options_ = begunAsRecorded(*options);
@@ -71,17 +73,7 @@ std::optional<int> Engine::open() {
         return 0;
     }
     if (options_.headless) return std::nullopt;
-    ScreenSettings settings;
-    settings.title = title_;
-    PixelSize window{width_, height_};
-    if (options_.scale > 0) window = {width_ * options_.scale, height_ * options_.scale};
-    if (options_.window != PixelSize{}) window = options_.window;
-    settings.windowWidth = window.width;
-    settings.windowHeight = window.height;
-    settings.fullscreen = options_.fullscreen;
-    settings.picture = {static_cast<float>(width_), static_cast<float>(height_)};
-    settings.scaling = WindowScale::Fit;
-    Result<std::unique_ptr<Screen>> screen = Screen::open(settings);
+    Result<std::unique_ptr<Screen>> screen = Screen::open(withOptions(settings_, options_));
     if (!screen) {
         logError("Engine", screen.error());
         return 1;
@@ -93,13 +85,13 @@ std::optional<int> Engine::open() {
 int Engine::loop() {
     game_->assets = AssetStore{codeGameFolder(programOf(words_)), engineAssets()};
     game_->world.resource<GameRandom>().random = Random::seeded(options_.seed);
-    game_->world.resource<PictureSize>().size = {static_cast<float>(width_), static_cast<float>(height_)};
+    game_->world.resource<PictureSize>().size = settings_.picture;
     game_->content.useSystemOrder(game_->world);
     game_->onCreate();
     if (game_->world.systemNames().empty()) game_->content.addSystems(game_->world);
     game_->effects.setProgramPin("pads",
                                  Pin::On);  // game code may read gamepads, which no component requests
-    const int code = GameLoop{*game_, screen_.get(), options_, title_}.run();
+    const int code = GameLoop{*game_, screen_.get(), options_, settings_.title}.run();
     screen_.reset();  // before the assets that its textures refer to
     return code;
 }

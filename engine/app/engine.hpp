@@ -9,6 +9,7 @@
 
 #include "app/game.hpp"
 #include "app/player_options.hpp"
+#include "app/screen_settings.hpp"
 
 namespace plumb {
 
@@ -37,6 +38,10 @@ public:
         });
     }
 
+    /// Window and game image, for changes before run(): a smaller image that is scaled, its scaling,
+    /// fullscreen.
+    ScreenSettings& settings() { return settings_; }
+
     World& getWorld() { return game_->world; }
     AssetStore& getAssets() { return game_->assets; }
     Input& getInput() { return game_->input; }
@@ -55,9 +60,7 @@ private:
     std::optional<int> open();
     int loop();
 
-    std::string title_ = "Plumb";
-    int width_ = 1280;
-    int height_ = 720;
+    ScreenSettings settings_;
     std::vector<std::string> words_;  ///< argv, including the program's path
     PlayerOptions options_;
     std::unique_ptr<Screen> screen_;

@@ -1,12 +1,17 @@
 #include "app/game.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/game_content.hpp"
 #include "app/step_clock.hpp"
 #include "gameplay/game_functions.hpp"
+#include "scene/components/drawing/camera.hpp"
+#include "scene/components/transform.hpp"
 #include "scene/drawing/draw_scene.hpp"
 #include "scene/files/prefab.hpp"
+#include "scene/physics/physics_state.hpp"
+#include "scene/scene_requests.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
 
@@ -28,18 +33,65 @@ Game::Game(const GameContent& gameContent)
 
 Game::~Game() = default;
 
+bool Game::quitRequested() const {
+    const auto* requests = world.findResource<SceneRequests>();
+    return requests != nullptr && requests->quit;
+}
+
+void Game::setGravity(Vec2 gravity) { world.resource<PhysicsSettings>().gravity = gravity; }
 Random& Game::random() { return randomOf(world); }
 void Game::play(SoundId sound, float volume) { playSound(world, sound, volume); }
 Entity Game::find(std::string_view name) { return findEntity(world, name); }
 Vec2 Game::mouseInWorld() { return plumb::mouseInWorld(world); }
 void Game::show(std::string_view word, std::string_view text) { showText(world, word, text); }
 
+void Game::provideLibrary() {
+    if (world.service<PrefabLibrary>() != nullptr) return;
+    spawned_ = std::make_unique<PrefabLibrary>(types, assets.root());
+    world.provide(*spawned_);
+}
+
 Entity Game::spawn(std::string_view prefab, Vec2 place) {
-    if (world.service<PrefabLibrary>() == nullptr) {
-        spawned_ = std::make_unique<PrefabLibrary>(types, assets.root());
-        world.provide(*spawned_);
-    }
+    provideLibrary();
     return plumb::spawn(world, prefab, place);
+}
+
+Entity Game::spawn(PrefabId prefab, Vec2 place) {
+    provideLibrary();
+    return plumb::spawn(world, prefab, place);
+}
+
+void Game::followChanges(std::span<const AssetChange> changes) {
+    auto* prefabs = world.service<PrefabLibrary>();
+    const auto isPrefab = [](const AssetChange& change) { return change.kind == AssetKind::Prefab; };
+    if (prefabs != nullptr && std::any_of(changes.begin(), changes.end(), isPrefab)) {
+        prefabs->forget();
+        for (const AssetChange& change : changes) {
+            if (isPrefab(change)) static_cast<void>(prefabs->named(assets.pathOf(change.kind, change.path)));
+        }
+    }
+    onAssetsChanged(changes);
+}
+
+Entity Game::camera() {
+    for (auto [entity, camera, transform] : world.query<const Camera, const Transform>()) {
+        if (camera.enabled) return entity;
+    }
+    const Entity made = world.createEntity();
+    made.addComponent<Transform>(world.resource<PictureSize>().size / 2.0f);
+    made.addComponent<Camera>();
+    return made;
+}
+
+Entity Game::addText(std::string_view text, Vec2 place, float size, LabelAlign align) {
+    const Entity made = world.createEntity();
+    made.addComponent<Transform>(place);
+    Label& label = made.addComponent<Label>();
+    label.text = world.texts().add(text);
+    label.size = size;
+    label.align = align;
+    label.screen = true;
+    return made;
 }
 
 Sprite Game::wholePicture(TextureId texture, int width, int height) {

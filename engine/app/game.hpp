@@ -9,6 +9,7 @@
 #include "ecs/world.hpp"
 #include "input/input.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/components/drawing/label.hpp"
 #include "scene/components/drawing/sprite.hpp"
 #include "scene/drawing/background.hpp"
 #include "scene/effects.hpp"
@@ -44,8 +45,8 @@ public:
     /// Called between ticks after changed files of the project were reloaded.
     virtual void onAssetsChanged([[maybe_unused]] std::span<const AssetChange> changes) {}
 
-    /// True if the game requests to quit.
-    [[nodiscard]] virtual bool quitRequested() const { return false; }
+    /// True if the game ends after this tick: quitGame() was called.
+    [[nodiscard]] virtual bool quitRequested() const;
 
     // For game code. All of these functions are part of the simulation and are repeated by replays.
 
@@ -54,12 +55,23 @@ public:
     /// Plays a sound, starting in this tick.
     /// @param volume  ratio, 0..1
     void play(SoundId sound, float volume = 1.0f);
+    /// The same for a file, which is loaded at the first call.
+    void play(std::string_view file, float volume = 1.0f) { play(assets.loadSound(file), volume); }
     /// Returns the first entity with this Name, or the empty handle.
     [[nodiscard]] Entity find(std::string_view name);
-    /// Instantiates a prefab file. Errors are logged.
+    /// Instantiates a prefab file: "coin", "prefabs/coin" or "prefabs/coin.prefab.json"; a file without
+    /// folder may be in "prefabs" or in "assets". Errors are logged, each once.
     /// @param place  px, position of the root
     /// @return the root entity, or the empty handle
     Entity spawn(std::string_view prefab, Vec2 place);
+    /// The same for a field of a component. @return the empty handle if the field is empty
+    Entity spawn(PrefabId prefab, Vec2 place);
+    /// Returns the first enabled camera. A game without one gets one that shows what was visible without it.
+    Entity camera();
+    /// Adds a Label that is fixed on the screen; for texts that change write {word} and call show().
+    /// @param place  px, from the top-left corner of the screen
+    /// @param size   px, height of a line
+    Entity addText(std::string_view text, Vec2 place, float size = 8.0f, LabelAlign align = LabelAlign::Left);
     /// Returns the world position of the mouse (px) in the view of the first enabled camera.
     [[nodiscard]] Vec2 mouseInWorld();
     /// Returns a sprite that shows the whole texture, scaled to
@@ -68,9 +80,15 @@ public:
     [[nodiscard]] Sprite wholePicture(TextureId texture, int width, int height);
     /// Sets the background color of a game without scenes; black by default. Scene files define their own.
     void setBackground(Color color) { world.resource<Background>().color = color; }
+    /// Sets the gravity of a game without scenes, px/s²; {0, 980} by default.
+    void setGravity(Vec2 gravity);
     /// Sets the text that replaces {word} in every Label. Use it for changing texts, as the world keeps every
     /// text that was ever added to texts().
     void show(std::string_view word, std::string_view text);
+
+    /// For the loop, after changed files were reloaded: reads changed prefabs again, for what is spawned from
+    /// now on, logs their problems, and calls onAssetsChanged().
+    void followChanges(std::span<const AssetChange> changes);
 
     const GameContent& content;
     const TypeRegistry& types;
@@ -81,6 +99,8 @@ public:
     PhysicsThreads threads;  ///< thread pool of the physics
 
 private:
+    void provideLibrary();
+
     std::unique_ptr<PrefabLibrary> spawned_;  ///< prefabs of spawn(), created at the first call
 };
 

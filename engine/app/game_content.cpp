@@ -137,8 +137,9 @@ void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problem
         }
         projectTypes_.emplace_back(type.name);
         if (known != nullptr && !sameLayout(*known, type)) change.types.push_back({*known, known});
-        change.newTypes = change.newTypes || known == nullptr;
-        updateComponentType(types_.update(type));
+        const TypeInfo& now = types_.update(type);
+        if (known == nullptr) change.added.push_back(&now);
+        updateComponentType(now);
     }
     for (const std::string& name : former) {
         if (contains(projectTypes_, name)) continue;
@@ -215,6 +216,16 @@ std::vector<KeptResource> keepResources(const World& world, const Module& code) 
 
 namespace {
 
+/// Removes the tweens of components whose layout may be another now.
+void dropTweens(World& world, const GameContent& content, const ContentChange& change) {
+    auto* tweens = world.findResource<Tweens>();
+    if (tweens == nullptr) return;
+    for (const ContentChange::Type& type : change.types) tweens->drop(type.before.key);
+    std::erase_if(tweens->entries, [&](const Tweens::Entry& tween) {
+        return isReloadable(tween.type) && content.types().find(tween.type) == nullptr;
+    });
+}
+
 /// Replaces systems, resources and events of the code by those of its new version.
 void convertCode(World& world, const GameContent& content, const ContentChange& change) {
     const std::vector<KeptResource> kept = keepResources(world, change.before);
@@ -235,10 +246,10 @@ void convertCode(World& world, const GameContent& content, const ContentChange& 
 }  // namespace
 
 void convertWorld(World& world, const GameContent& content, const ContentChange& change) {
-    if (auto* tweens = world.findResource<Tweens>()) {
-        for (const ContentChange::Type& type : change.types) tweens->drop(type.before.key);
-    }
+    dropTweens(world, content, change);
     for (const ContentChange::Type& type : change.types) world.convert(type.before, type.now);
+    // The code may have used them before it listed them.
+    for (const TypeInfo* type : change.added) world.convert(*type, nullptr);
     content.scripts().addTexts(world);
     if (change.newCode) convertCode(world, content, change);
 }

@@ -18,11 +18,11 @@ struct ContentChange {
         TypeInfo before;                ///< the type in the previous version
         const TypeInfo* now = nullptr;  ///< the type in the new version; null: removed
     };
-    std::vector<Type> types;       ///< component types whose layout changed or that were removed
-    bool newTypes = false;         ///< component types were added: files may contain them
-    bool newCode = false;          ///< the code is another version, not only the scripts
-    std::vector<TypeKey> systems;  ///< systems of the previous version of the code
-    Module before;                 ///< the previous version of the code
+    std::vector<Type> types;             ///< component types whose layout changed or that were removed
+    std::vector<const TypeInfo*> added;  ///< component types that are new: files may contain them
+    bool newCode = false;                ///< the code is another version, not only the scripts
+    std::vector<TypeKey> systems;        ///< systems of the previous version of the code
+    Module before;                       ///< the previous version of the code
 };
 
 /// Component types, systems and effects of the engine, of a project's code and of its scripts: what scenes
@@ -78,7 +78,7 @@ private:
 
 /// Converts a world that uses `content` to the new version of the code after GameContent::update().
 /// Components, and resources declared with Module::resources(), keep the fields that both versions have;
-/// systems are replaced; all other resources of the code are removed.
+/// systems are replaced; all other resources of the code are removed, and components that it does not list.
 void convertWorld(World& world, const GameContent& content, const ContentChange& change);
 
 /// Returns the content of the engine alone, without a project's code.

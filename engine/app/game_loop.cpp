@@ -155,7 +155,7 @@ void GameLoop::handleEvents() {
 void GameLoop::reloadEdited() {
     if (replayPlayer_ || !options_.record.empty()) return;
     const std::vector<AssetChange> changes = game_.assets.pollChanges();
-    if (!changes.empty()) game_.onAssetsChanged(changes);
+    if (!changes.empty()) game_.followChanges(changes);
 }
 
 bool GameLoop::nextInput(InputFrame& frame) {

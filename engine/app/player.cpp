@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "app/benchmark.hpp"
 #include "app/effect_list.hpp"
@@ -20,16 +21,13 @@ namespace {
 ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
     ScreenSettings settings;
     settings.title = project.name;
-    PixelSize window{project.windowWidth, project.windowHeight};
-    if (options.scale > 0) window = {project.width * options.scale, project.height * options.scale};
-    if (options.window != PixelSize{}) window = options.window;
-    settings.windowWidth = window.width;
-    settings.windowHeight = window.height;
-    settings.fullscreen = options.fullscreen || project.fullscreen;
+    settings.windowWidth = project.windowWidth;
+    settings.windowHeight = project.windowHeight;
+    settings.fullscreen = project.fullscreen;
     settings.picture = {static_cast<float>(project.width), static_cast<float>(project.height)};
     settings.scaling = project.scaling;
     settings.smooth = project.smooth;
-    return settings;
+    return withOptions(std::move(settings), options);
 }
 
 /// Prints the components of the scene, the effects they request, and their cost.

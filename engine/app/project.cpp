@@ -1,5 +1,6 @@
 #include "app/project.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -80,6 +81,17 @@ public:
     }
     const Json* object(std::string_view key) { return find(key, "an object", "{}", &Json::is_object); }
 
+    /// Warns of the keys that were never read.
+    void warnUnknown() {
+        for (const auto& [key, value] : *json_.get_ptr<const Json::object_t*>()) {
+            if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
+            const std::string_view near = closestName(key, asked_);
+            warn(key, "a project has no such key",
+                 near.empty() ? "it is ignored; check the spelling or remove it"
+                              : format("it is ignored; did you mean \"{}\"?", near));
+        }
+    }
+
     void warn(std::string_view key, std::string what, std::string remedy) {
         warnings_.push_back({where_ + std::string{key}, std::move(what), std::move(remedy)});
     }
@@ -87,6 +99,7 @@ public:
 private:
     const Json* find(std::string_view key, std::string_view expected, std::string_view example,
                      bool (Json::*is)() const noexcept) {
+        asked_.push_back(key);
         const Json* at = findMember(json_, key);
         if (at == nullptr) return nullptr;
         if ((at->*is)()) return at;
@@ -98,6 +111,7 @@ private:
     const Json& json_;
     std::string where_;
     std::vector<Error>& warnings_;
+    std::vector<std::string_view> asked_;  // keys that were read
 };
 
 void readWindow(const Json& json, const std::string& where, Project& project) {
@@ -105,6 +119,7 @@ void readWindow(const Json& json, const std::string& where, Project& project) {
     window.size("width", project.windowWidth);
     window.size("height", project.windowHeight);
     window.flag("fullscreen", project.fullscreen);
+    window.warnUnknown();
 }
 
 void readPhysics(const Json& json, const std::string& where, Project& project) {
@@ -115,6 +130,7 @@ void readPhysics(const Json& json, const std::string& where, Project& project) {
     physics.number("quality", quality, 0.0f, 6.0f);
     project.physicsQuality = static_cast<int>(quality);
     physics.names("layers", project.layers, 32);
+    physics.warnUnknown();
 }
 
 void readScaling(Reader& reader, Project& project) {
@@ -180,6 +196,7 @@ Result<Project> readProject(std::string_view text, const Path& root, const std::
     if (const Json* input = reader.object("input")) {
         project.actions = actionMapFromJson(*input, where + ": input", project.warnings);
     }
+    reader.warnUnknown();
     return project;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "app/screen_settings.hpp"
 #include "assets/asset_store.hpp"
 #include "core/result.hpp"
 #include "input/input_frame.hpp"
@@ -12,16 +12,6 @@
 #include "scene/drawing/draw_scene.hpp"
 
 namespace plumb {
-
-struct ScreenSettings {
-    std::string title = "Plumb";
-    int windowWidth = 1280;  ///< px
-    int windowHeight = 720;  ///< px
-    bool fullscreen = false;
-    Vec2 picture{1280.0f, 720.0f};  ///< px, size of the game image
-    WindowScale scaling = WindowScale::Fit;
-    bool smooth = false;  ///< linear texture filter and antialiasing
-};
 
 /// The window of a game and its renderer.
 class Screen {

@@ -9,8 +9,8 @@
 #include "platform/image_file.hpp"
 #include "tests/support/places.hpp"
 
-// The game of docs/code-games.md, verbatim, which needs only plumb.hpp, and tests of the document's
-// statements about code games.
+// The second game of docs/code-games.md, verbatim, which needs only plumb.hpp, and tests of the document's
+// statements about code games. The first one is projects/hello-code.
 
 namespace plumb {
 namespace {
@@ -87,9 +87,25 @@ class Shooter : public Game {
 // clang-format on
 // guide end
 
-std::string between(const std::string& text, std::string_view begin, std::string_view end) {
-    const std::size_t from = text.find(begin) + begin.size();
-    return text.substr(from, text.find(end, from) - from);
+/// Returns a text without the indentation of its lines.
+std::string unindented(std::string_view text) {
+    std::string result;
+    for (const std::string_view line : split(text, '\n')) {
+        result += trimmed(line);
+        result += '\n';
+    }
+    return result;
+}
+
+/// Returns the C++ code of a document, block by block.
+std::vector<std::string> codeOf(const std::string& document) {
+    constexpr std::string_view kBegin = "```cpp\n";
+    std::vector<std::string> blocks;
+    for (std::size_t at = document.find(kBegin); at != std::string::npos; at = document.find(kBegin, at)) {
+        at += kBegin.size();
+        blocks.push_back(document.substr(at, document.find("\n```", at) - at));
+    }
+    return blocks;
 }
 
 /// The game of the guide with an open door, and its files.
@@ -130,12 +146,16 @@ protected:
     Shooter game_;
 };
 
-TEST(CodeGameGuide, theGameInTheGuideEqualsThisOne) {
+TEST(CodeGameGuide, everyBlockIsPartOfAGameThatIsCompiled) {
     const auto guide = readFile(test::sourceFolder() / "docs/code-games.md");
+    const auto game = readFile(test::sourceFolder() / "projects/hello-code/main.cpp");
     const auto self = readFile(test::sourceFolder() / "tests/app/code_game_guide_test.cpp");
-    ASSERT_TRUE(guide && self);
-    EXPECT_EQ(between(*guide, "```cpp\n", "```"),
-              between(*self, "// clang-format off\n", "// clang-format on"));
+    ASSERT_TRUE(guide && game && self);
+    const std::string code = unindented(*game) + unindented(*self);
+    const std::vector<std::string> blocks = codeOf(*guide);
+    EXPECT_GE(blocks.size(), 10u);
+    for (const std::string& block : blocks)
+        EXPECT_NE(code.find("\n" + unindented(block)), std::string::npos) << block;
 }
 
 TEST_F(ShownShooter, itShootsAtTheMousePositionAndCounts) {

@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.22)
 #
 #   cmake -D PROGRAM=seed_sample -P check_log.cmake
 
-set(ENV{PLUMB_OPTIONS} "--frames 150 --replay hello.replay")
+set(ENV{PLUMB_OPTIONS} "--frames 150 --replay sample.replay")
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE output RESULT_VARIABLE code TIMEOUT 60)
 if(NOT code EQUAL 0)
     message(FATAL_ERROR "the sample ended with ${code}:\n${output}")

@@ -7,17 +7,17 @@
 Shapes are white with a glow: each sprite's tint gives them their color, and a white tint makes them flash.
 """
 
-import io
 import math
-import struct
 import sys
-import wave
-import zlib
 from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "assets/tools"))
+
+from art_files import RATE, late, mix, noise, png, tone, wav, write_or_check  # noqa: E402
 
 ASSETS = Path(__file__).resolve().parent.parent / "assets"
 FINE = 3  # samples a side for each pixel
-RATE = 22050
 
 # ---- pictures: a shape is a function of x and y that returns the distance to its border, px, negative inside ----
 
@@ -77,75 +77,21 @@ def pips(x, y):
     return 1.0 if capsule(10, 4)(y, (x + 96) % 24 - 12) <= 0 else 0.0
 
 
-def png(width, height, opacity):
+def white(width, height, opacity):
     """White, with an opacity that depends on the distance from the middle."""
-    rows = bytearray()
+    rgba = bytearray()
     for y in range(height):
-        rows.append(0)
         for x in range(width):
             total = sum(opacity(x + (i + 0.5) / FINE - width / 2, y + (j + 0.5) / FINE - height / 2)
                         for j in range(FINE) for i in range(FINE))
             # The glow ends in the picture: its last pixels fade out.
             border = min(x, y, width - 1 - x, height - 1 - y)
             fade = min(1.0, border / 8) if opacity not in (grid, pips) else 1.0
-            rows += bytes((255, 255, 255, round(255 * fade * total / FINE ** 2)))
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    head = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(bytes(rows), 9)) +
-            chunk(b"IEND", b""))
+            rgba += bytes((255, 255, 255, round(255 * fade * total / FINE ** 2)))
+    return png(width, height, rgba)
 
 
 # ---- sounds ---------------------------------------------------------------------------------------------------
-
-
-def wav(samples, wide=True):
-    """Samples in -1..1 as the bytes of a .wav file, 16 bits wide or 8."""
-    out = io.BytesIO()
-    with wave.open(out, "wb") as file:
-        file.setnchannels(1)
-        file.setsampwidth(2 if wide else 1)
-        file.setframerate(RATE)
-        clipped = [min(max(s, -1.0), 1.0) for s in samples]
-        if wide:
-            file.writeframes(b"".join(round(s * 32000).to_bytes(2, "little", signed=True) for s in clipped))
-        else:
-            file.writeframes(bytes(round(s * 126) + 128 for s in clipped))
-    return out.getvalue()
-
-
-def tone(seconds, start, end, loudness, hardness=0.0):
-    """A sine that glides from one pitch to another (Hz) and fades; `hardness` 0..1 turns it into a square."""
-    count, phase, samples = int(seconds * RATE), 0.0, []
-    for i in range(count):
-        t = i / count
-        phase += (start * (end / start) ** t) / RATE
-        sine = math.sin(2 * math.pi * phase)
-        square = 1.0 if sine >= 0 else -1.0
-        attack = min(1.0, i / 60)
-        samples.append(loudness * attack * (sine + (square - sine) * hardness) * (1 - t) ** 2)
-    return samples
-
-
-def noise(seconds, bright, loudness):
-    """Noise from a shift register that gets duller and fades. `bright`: 0..1, at its start."""
-    register, low, samples, count = 0x7FFF, 0.0, [], int(seconds * RATE)
-    for i in range(count):
-        register = register >> 1 | ((register ^ register >> 1) & 1) << 14
-        t = i / count
-        low += (bright * (1 - t) ** 3 + 0.01) * ((1.0 if register & 1 else -1.0) - low)
-        samples.append(loudness * low * (1 - t) ** 2)
-    return samples
-
-
-def mix(*parts):
-    return [sum(part[i] for part in parts if i < len(part)) for i in range(max(map(len, parts)))]
-
-
-def late(seconds, part):
-    return [0.0] * int(seconds * RATE) + part
 
 
 def music():
@@ -172,16 +118,16 @@ def music():
 
 
 FILES = {
-    "ship.png": lambda: png(72, 72, both(neon(circle(20)), neon(circle(7), line=7, glow=4))),
-    "barrel.png": lambda: png(64, 32, neon(capsule(24, 5), line=5, glow=4)),
-    "bullet.png": lambda: png(48, 32, neon(capsule(14, 4), line=4, glow=5)),
-    "drone.png": lambda: png(72, 72, both(neon(polygon(4, 23)), neon(polygon(4, 7), line=7, glow=3))),
-    "dart.png": lambda: png(64, 64, neon(polygon(6, (21, 8)), fill=0.4)),
-    "brute.png": lambda: png(112, 112, both(neon(polygon(6, 42), line=4), neon(polygon(6, 22), line=3, glow=4))),
-    "ring.png": lambda: png(128, 128, neon(circle(54), line=4, fill=0.0)),
-    "spark.png": lambda: png(32, 32, spark),
-    "grid.png": lambda: png(80, 80, grid),
-    "pips.png": lambda: png(192, 24, pips),
+    "ship.png": lambda: white(72, 72, both(neon(circle(20)), neon(circle(7), line=7, glow=4))),
+    "barrel.png": lambda: white(64, 32, neon(capsule(24, 5), line=5, glow=4)),
+    "bullet.png": lambda: white(48, 32, neon(capsule(14, 4), line=4, glow=5)),
+    "drone.png": lambda: white(72, 72, both(neon(polygon(4, 23)), neon(polygon(4, 7), line=7, glow=3))),
+    "dart.png": lambda: white(64, 64, neon(polygon(6, (21, 8)), fill=0.4)),
+    "brute.png": lambda: white(112, 112, both(neon(polygon(6, 42), line=4), neon(polygon(6, 22), line=3, glow=4))),
+    "ring.png": lambda: white(128, 128, neon(circle(54), line=4, fill=0.0)),
+    "spark.png": lambda: white(32, 32, spark),
+    "grid.png": lambda: white(80, 80, grid),
+    "pips.png": lambda: white(192, 24, pips),
     "shot.wav": lambda: wav(tone(0.1, 880, 260, 0.16, 0.5)),
     "hit.wav": lambda: wav(mix(tone(0.07, 420, 180, 0.2, 0.4), noise(0.05, 0.8, 0.25))),
     "blast.wav": lambda: wav(mix(noise(0.45, 0.5, 0.7), tone(0.3, 160, 40, 0.4))),
@@ -193,24 +139,5 @@ FILES = {
 }
 
 
-def content(data, name):
-    """Of a picture the pixels, since another make of zlib may pack them otherwise."""
-    if not name.endswith(".png"):
-        return data
-    return data[:33] + zlib.decompressobj().decompress(data[data.index(b"IDAT") + 4:])
-
-
-def main():
-    different = []
-    for name, make in FILES.items():
-        data, path = make(), ASSETS / name
-        if "--check" not in sys.argv:
-            path.write_bytes(data)
-        elif not path.exists() or content(path.read_bytes(), name) != content(data, name):
-            different.append(name)
-    print("\n".join(f"{name} differs: run make_art.py" for name in different) or "assets are up to date")
-    return 1 if different else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(write_or_check(FILES.items(), ASSETS))

@@ -10,11 +10,6 @@ inline Vec2 movedTowards(Vec2 from, Vec2 to, float step) {
     return length(way) <= step ? to : from + normalized(way) * step;
 }
 
-/// Instantiates the prefab that a field of a component names.
-inline Entity spawn(World& world, PrefabId prefab, Vec2 at) {
-    return spawn(world, world.texts().find(prefab.path), at);
-}
-
 /// Takes points off a hull, unless it was hit a moment ago.
 inline void damage(World& world, EntityId entity, int points) {
     Hull* hull = world.find<Hull>(entity);

@@ -7,37 +7,30 @@
 Pictures are white with a darker rim: each sprite's tint gives them their color.
 """
 
-import io
 import math
-import struct
 import sys
-import wave
-import zlib
 from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "assets/tools"))
+
+from art_files import RATE, noise, png, wav, write_or_check  # noqa: E402
 
 ASSETS = Path(__file__).resolve().parent.parent / "assets"
 RIM = 0.78  # brightness of the rim
 FINE = 4    # samples a side for each pixel
-RATE = 22050
 
 
-def png(width, height, shade):
+def shaded(width, height, shade):
     """`shade(x, y)` gives the brightness there in 0..1, or None outside of the shape."""
-    rows = bytearray()
+    rgba = bytearray()
     for y in range(height):
-        rows.append(0)
         for x in range(width):
             samples = [shade(x + (i + 0.5) / FINE, y + (j + 0.5) / FINE) for j in range(FINE) for i in range(FINE)]
             inside = [s for s in samples if s is not None]
             light = round(255 * sum(inside) / len(inside)) if inside else 255
-            rows += bytes((light, light, light, round(255 * len(inside) / len(samples))))
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    head = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(bytes(rows), 9)) +
-            chunk(b"IEND", b""))
+            rgba += bytes((light, light, light, round(255 * len(inside) / len(samples))))
+    return png(width, height, rgba)
 
 
 def rounded(depth, rim):
@@ -75,17 +68,6 @@ def capsule(x, y):
     return rounded(24 - math.hypot(x - 24, y - min(max(y, 24), 120)), 4)
 
 
-def wav(samples):
-    out = io.BytesIO()
-    with wave.open(out, "wb") as file:
-        file.setnchannels(1)
-        file.setsampwidth(2)
-        file.setframerate(RATE)
-        clipped = (min(max(s, -1.0), 1.0) for s in samples)
-        file.writeframes(b"".join(int(round(s * 32000)).to_bytes(2, "little", signed=True) for s in clipped))
-    return out.getvalue()
-
-
 def tone(seconds, start, end, loudness):
     """A sine that glides from one pitch to another (Hz) and fades."""
     count, phase, samples = int(seconds * RATE), 0.0, []
@@ -96,50 +78,20 @@ def tone(seconds, start, end, loudness):
     return samples
 
 
-def blast():
-    """Noise from a shift register that gets duller and fades."""
-    register, low, samples, count = 0x7FFF, 0.0, [], int(0.9 * RATE)
-    for i in range(count):
-        register = register >> 1 | ((register ^ register >> 1) & 1) << 14
-        t = i / count
-        low += (0.35 * (1 - t) ** 3 + 0.01) * ((1.0 if register & 1 else -1.0) - low)
-        samples.append(1.4 * low * (1 - t) ** 2)
-    return samples
-
-
 FILES = {
-    "disc.png": lambda: png(128, 128, disc),
-    "ball.png": lambda: png(128, 128, plain_disc),
-    "dot.png": lambda: png(128, 128, dot),
-    "rail.png": lambda: png(24, 192, rail),
-    "box.png": lambda: png(64, 64, box),
-    "ring.png": lambda: png(64, 64, ring),
-    "capsule.png": lambda: png(48, 144, capsule),
+    "disc.png": lambda: shaded(128, 128, disc),
+    "ball.png": lambda: shaded(128, 128, plain_disc),
+    "dot.png": lambda: shaded(128, 128, dot),
+    "rail.png": lambda: shaded(24, 192, rail),
+    "box.png": lambda: shaded(64, 64, box),
+    "ring.png": lambda: shaded(64, 64, ring),
+    "capsule.png": lambda: shaded(48, 144, capsule),
     "jump.wav": lambda: wav(tone(0.18, 280, 560, 0.4)),
     "step.wav": lambda: wav(tone(0.06, 520, 500, 0.35)),
     "choose.wav": lambda: wav(tone(0.16, 520, 780, 0.4)),
-    "blast.wav": lambda: wav(blast()),
+    "blast.wav": lambda: wav(noise(0.9, 0.35, 1.4)),
 }
 
 
-def content(data, name):
-    """Of a picture the pixels, since another make of zlib may pack them otherwise."""
-    if not name.endswith(".png"):
-        return data
-    return data[:33] + zlib.decompressobj().decompress(data[data.index(b"IDAT") + 4:])
-
-
-def main():
-    different = []
-    for name, make in FILES.items():
-        data, path = make(), ASSETS / name
-        if "--check" not in sys.argv:
-            path.write_bytes(data)
-        elif not path.exists() or content(path.read_bytes(), name) != content(data, name):
-            different.append(name)
-    print("\n".join(f"{name} differs: run make_art.py" for name in different) or "assets are up to date")
-    return 1 if different else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(write_or_check(FILES.items(), ASSETS))

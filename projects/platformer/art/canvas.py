@@ -1,8 +1,6 @@
 """A small canvas of 0xRRGGBBAA pixels, and the few drawing functions that pixel art needs."""
 
-import struct
-import zlib
-
+from art_files import png
 from palette import CLEAR, RGBA, color
 
 # The 8x8 ordered-dither matrix of Bayer, as thresholds in 0..1.
@@ -100,19 +98,8 @@ class Canvas:
         self.pixels = [values.get(p, p) for p in self.pixels]
         return self
 
-    def save(self, path):
-        raw = bytearray()
-        for y in range(self.height):
-            raw.append(0)
-            raw += struct.pack(f">{self.width}I", *self.pixels[y * self.width:(y + 1) * self.width])
-
-        def chunk(kind, content):
-            body = kind + content
-            return struct.pack(">I", len(content)) + body + struct.pack(">I", zlib.crc32(body))
-
-        header = struct.pack(">IIBBBBB", self.width, self.height, 8, 6, 0, 0, 0)
-        path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header)
-                         + chunk(b"IDAT", zlib.compress(bytes(raw), 9)) + chunk(b"IEND", b""))
+    def png(self):
+        return png(self.width, self.height, b"".join(pixel.to_bytes(4, "big") for pixel in self.pixels))
 
 
 def rows(art):

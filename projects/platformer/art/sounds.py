@@ -1,25 +1,8 @@
 """Every sound of the game, made from square waves, triangles and noise. Mono, 22050 Hz."""
 
-import io
 import math
-import wave
 
-RATE = 22050
-
-
-def wav(samples, wide=True):
-    """Samples in -1..1 as the bytes of a .wav file, 16 bits wide or 8."""
-    out = io.BytesIO()
-    with wave.open(out, "wb") as file:
-        file.setnchannels(1)
-        file.setsampwidth(2 if wide else 1)
-        file.setframerate(RATE)
-        clipped = (min(max(s, -1.0), 1.0) for s in samples)
-        if wide:
-            file.writeframes(b"".join(int(round(s * 32000)).to_bytes(2, "little", signed=True) for s in clipped))
-        else:
-            file.writeframes(bytes(int(round(s * 126)) + 128 for s in clipped))
-    return out.getvalue()
+from art_files import RATE, late, mix, wav
 
 
 class Hiss:
@@ -70,14 +53,6 @@ def steps(kind, pitches, each, last, volume=0.4, decay=1.0):
         result += tone(kind, [pitch], last if k == len(pitches) - 1 else each, volume, decay=3 if k == len(pitches) - 1
                        else decay)
     return result
-
-
-def mix(*parts):
-    return [sum(part[n] for part in parts if n < len(part)) for n in range(max(map(len, parts)))]
-
-
-def late(seconds, part):
-    return [0.0] * int(seconds * RATE) + part
 
 
 def softened(samples, amount=0.5):

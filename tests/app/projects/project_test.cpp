@@ -1,6 +1,13 @@
 #include "app/project.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
+
+#include "core/file.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -38,6 +45,41 @@ TEST(Project, everyWrongValueIsOneWarningWithWhereWhatAndRemedyAndTheDefaultStay
         EXPECT_FALSE(warning.what.empty());
         EXPECT_FALSE(warning.remedy.empty());
         EXPECT_EQ(project->width, 1280);
+    }
+}
+
+TEST(Project, anUnknownKeyIsAWarningWithTheNearestKnownOne) {
+    const std::pair<const char*, const char*> cases[] = {
+        {R"({"startScen": "scenes/a.scene.json"})",
+         "project.json: startScen: a project has no such key; it is ignored; did you mean \"startScene\"?"},
+        {R"({"window": {"heigth": 3}})",
+         "project.json: window.heigth: a project has no such key; it is ignored; did you mean \"height\"?"},
+        {R"({"physics": {"gravty": [0, 1]}})",
+         "project.json: physics.gravty: a project has no such key; it is ignored; did you mean \"gravity\"?"},
+        {R"({"somethingElse": 1})",
+         "project.json: somethingElse: a project has no such key; it is ignored; check the spelling or "
+         "remove it"}};
+    for (const auto& [text, expected] : cases) {
+        const auto project = projectFromText(text, ".", "project.json");
+        ASSERT_TRUE(project.ok());
+        ASSERT_EQ(project->warnings.size(), 1u) << text;
+        EXPECT_EQ(project->warnings.front().text(), expected);
+    }
+}
+
+/// Also guards the list of known keys: a key that a project of ours uses is read.
+TEST(Project, theProjectsAndTemplatesHaveOnlyKnownKeys) {
+    const std::vector<std::string> files = filesBelow(test::sourceFolder() / "projects", "project.json");
+    ASSERT_GE(files.size(), 4u);
+    for (const std::string& file : files) {
+        const auto project = loadProject(test::sourceFolder() / "projects" / file);
+        ASSERT_TRUE(project.ok()) << file;
+        for (const Error& warning : project->warnings) ADD_FAILURE() << file << ": " << warning.text();
+    }
+    for (const std::string& file : filesBelow(test::sourceFolder() / "assets/templates", "project.json")) {
+        const auto project = loadProject(test::sourceFolder() / "assets/templates" / file);
+        ASSERT_TRUE(project.ok()) << file;
+        for (const Error& warning : project->warnings) ADD_FAILURE() << file << ": " << warning.text();
     }
 }
 
