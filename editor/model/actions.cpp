@@ -30,6 +30,7 @@ std::span<const Action> actionTable() {
 }
 
 const Action* findAction(std::string_view id) {
+    if (id.empty()) return nullptr;  // separator lines have no id
     for (const Action& action : actionTable()) {
         if (action.id == id) return &action;
     }
@@ -37,7 +38,7 @@ const Action* findAction(std::string_view id) {
 }
 
 bool runAction(Workspace& workspace, std::string_view id) {
-    const Action* action = id.empty() ? nullptr : findAction(id);
+    const Action* action = findAction(id);
     if (action == nullptr || !action->enabled(workspace)) return false;
     if (action->run == nullptr) {
         workspace.useTool(action->id);

@@ -27,6 +27,7 @@ struct Action {
 };
 
 std::span<const Action> actionTable();
+/// Returns the action of this id; null if there is none.
 const Action* findAction(std::string_view id);
 
 /// True if the action is a toggle that is on, or activates the tool that is active now.

@@ -133,6 +133,22 @@ Result<Done> Workspace::save() {
     return saved;
 }
 
+Result<Done> Workspace::saveAs(std::string_view name) {
+    if (document.scenePath.empty() || isPrefabFile(document.scenePath))
+        return Error{"save as", "no scene is open", "open a scene first"};
+    const Result<Path> file = newSceneFile(project.root, name);
+    if (!file) return file.error();
+    undo.endGesture();
+    if (const Result<Done> written = writeFile(*file, text()); !written) return written;
+    document.scenePath = format("scenes/{}.scene.json", name);
+    undo.markSaved();
+    safety.saved();
+    viewFile = ViewFile{project.root};  // writes what is hidden and locked for the new scene, too
+    notice = format("Saved {}", document.scenePath);
+    logNote("Editor", "{}", notice);
+    return Done{};
+}
+
 Result<Done> Workspace::write() {
     if (document.scenePath.empty()) {
         return Error{"save", "no scene is open", "open a scene first"};

@@ -43,6 +43,7 @@ enum class WindowRequest : unsigned char {
     None,
     ChooseScene,
     NameNewScene,
+    NameSceneCopy,
     ChoosePrefab,
     ChooseBackup,
     Quit,
@@ -50,6 +51,7 @@ enum class WindowRequest : unsigned char {
     SmallerText,
     RenameSelected,
     Import,
+    Export,
     FindFile,
     FindCommand,
     NamePrefab,
@@ -118,6 +120,7 @@ public:
     std::function<std::unique_ptr<PlaySession>(const std::string& path, const std::string& text)> makeSession;
     /// Called in every frame, if set: rebuilds and reloads changed project code. @param now  s, of any clock
     std::function<void(double now)> followCode;
+    Path program;                           ///< the program plumb-editor, which exports the project
     std::function<InputFrame()> gameInput;  ///< returns the current input for the game
 
     // Scene file.
@@ -130,6 +133,11 @@ public:
     /// @error       the name is not valid, or a scene of that name exists
     Result<Done> createScene(std::string_view name);
     Result<Done> save();
+    /// Writes the open scene to a new file, which then is the open scene; the old file stays as it is. The
+    /// undo history is kept.
+    /// @param name  file name in scenes/, without extension
+    /// @error       the name is not valid, a scene of that name exists, or no scene is open
+    Result<Done> saveAs(std::string_view name);
     /// Frames the area that the scene's camera shows, at the largest pixel-perfect zoom; without a camera,
     /// all entities.
     void showStart();

@@ -119,10 +119,12 @@ private:
 
     /// Saves an image of the scene view as the preview of the project in the list of recent ones.
     void keepPicture() {
-        const WidgetMap::Widget* scene = editor().widgets().find("Viewport");
-        if (workspace().project.isNone || workspace().document.scenePath.empty() || scene == nullptr) return;
-        const AABB box = scene->box;
+        if (workspace().project.isNone || workspace().document.scenePath.empty()) return;
+        editor().showScene();
         frame({}, 1.0f / 60.0f);  // draws again, as a framebuffer is undefined after its swap
+        const WidgetMap::Widget* scene = editor().widgets().find("Viewport");
+        if (scene == nullptr) return;
+        const AABB box = scene->box;
         const float pixels = static_cast<float>(window_->drawableSize().width) /
                              static_cast<float>(std::max(window_->size().width, 1));
         const Image small = thumbnailOf(device_->readPixels({}), {box.min * pixels, box.max * pixels},

@@ -109,12 +109,6 @@ void EditorWindow::openScene(const std::string& path) {
 
 void EditorWindow::drawDialogs() {
     switch (workspace_.request) {
-        case WindowRequest::NameNewScene:
-            ImGui::OpenPopup("New scene");
-            newScene_.fill('\0');
-            newSceneError_.clear();
-            workspace_.request = WindowRequest::None;
-            break;
         case WindowRequest::ChooseBackup:
             safety_.chooseBackup(ui_);
             workspace_.request = WindowRequest::None;
@@ -150,6 +144,9 @@ void EditorWindow::drawDialogs() {
             break;
         case WindowRequest::None:
         case WindowRequest::ChooseScene:
+        case WindowRequest::NameNewScene:
+        case WindowRequest::NameSceneCopy:
+        case WindowRequest::Export:
         case WindowRequest::ChoosePrefab:
         case WindowRequest::Import:
         case WindowRequest::FindFile:
@@ -159,13 +156,14 @@ void EditorWindow::drawDialogs() {
         case WindowRequest::RenameSelected: break;
     }
     if (const auto visit = takePrefabVisit(workspace_)) leaveFor([this, visit] { go(workspace_, *visit); });
-    drawNewScene();
+    drawSceneName();
     if (std::exchange(askUnsaved_, false)) ImGui::OpenPopup("Unsaved changes");
     drawUnsaved();
     keep_.draw(ui_);
     prefabDialogs_.draw(ui_);
     safety_.draw(ui_);
     import_.draw(ui_);
+    export_.draw(ui_);
     if (const std::string scene = finder_.draw(ui_); !scene.empty())
         leaveFor([=, this] { openScene(scene); });
     layoutMenu_.drawQuestion(ui_);
@@ -179,37 +177,17 @@ void EditorWindow::leaveFor(std::function<void()> next) {
     askUnsaved_ = true;
 }
 
-void EditorWindow::drawNewScene() {
-    if (!beginDialog(ui_, "New scene", {400.0f, 150.0f})) return;
-    ImGui::TextDisabled("Name of the new scene, in the folder scenes/");
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1.0f);
-    bool done = ImGui::InputTextWithHint("##name", "for example cave", newScene_.data(), newScene_.size(),
-                                         ImGuiInputTextFlags_EnterReturnsTrue);
-    widgets_.mark("New/name", newScene_.data());
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
-    ImGui::TextWrapped("%s", newSceneError_.c_str());
-    ImGui::PopStyleColor();
-    widgets_.mark("New/problem", newSceneError_);
-    dialogFoot(ui_);
-    done |= defaultButton(ui_, "Create", 110.0f, "New/Create");
-    ImGui::SameLine();
-    if (footButton(ui_, "Cancel", 110.0f, "New/Cancel")) ImGui::CloseCurrentPopup();
-    if (done) {
-        const std::string name = newScene_.data();
-        // The name is checked now, while the user can correct it, and before asking about unsaved changes.
-        const Result<Path> free = newSceneFile(workspace_.project.root, name);
-        newSceneError_ = free ? std::string{} : format("{}; {}", free.error().what, free.error().remedy);
-        if (free) {
-            ImGui::CloseCurrentPopup();
-            leaveFor([this, name] {
-                if (const Result<Done> made = workspace_.createScene(name); !made)
-                    workspace_.notice = made.error().text();
-                ui_.viewReady = false;
-            });
-        }
-    }
-    ImGui::EndPopup();
+void EditorWindow::drawSceneName() {
+    const std::optional<SceneNameDialog::Answer> answer = sceneName_.draw(ui_);
+    if (!answer) return;
+    const auto report = [this](const Result<Done>& done) {
+        if (!done) workspace_.notice = done.error().text();
+    };
+    if (answer->copy) return report(workspace_.saveAs(answer->name));
+    leaveFor([this, report, name = answer->name] {
+        report(workspace_.createScene(name));
+        ui_.viewReady = false;
+    });
 }
 
 void EditorWindow::drawUnsaved() {

@@ -131,7 +131,7 @@ void EditorWindow::frame(const FrameInput& input) {
     }
     workspace_.settings.rightErases = workspace_.tiles.rightErases;
     const std::span<const Event> events = feed_->beginFrame(input);
-    ImGui::NewFrame();
+    newFrame(dialogOpen() && !preferences_.listening());
     widgets_.beginFrame();
     if (welcome_.shown()) {
         handleWelcomeKeys(events);
@@ -186,8 +186,12 @@ void EditorWindow::handleKeys(std::span<const Event> events) {
         if (event.kind == EventKind::FileDropped) addDroppedFile(workspace_, event.text);
         if (running && isForGame(event, typing)) devices_.handle(event);
         if (preferences_.take(workspace_.settings.keys, event)) continue;
-        if (event.kind != EventKind::KeyDown || typing) continue;
-        if (event.key == Key::Escape && ui_.takesEscape) continue;
+        if (event.kind != EventKind::KeyDown) continue;
+        if (event.key == Key::Escape && dialogOpen() && !ui_.takesEscape) {
+            closePopups();  // from a text field, too
+            continue;
+        }
+        if (typing || (event.key == Key::Escape && ui_.takesEscape)) continue;
         if (anyPopupOpen()) {  // the popup gets all keys; Esc closes it
             if (event.key == Key::Escape) closePopups();
             continue;

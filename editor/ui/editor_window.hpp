@@ -1,17 +1,18 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "editor/model/assets/hot_reload.hpp"
+#include "editor/ui/dialogs/export_dialog.hpp"
 #include "editor/ui/dialogs/finder_dialog.hpp"
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/dialogs/keep_dialog.hpp"
 #include "editor/ui/dialogs/prefab_dialogs.hpp"
 #include "editor/ui/dialogs/preferences_dialog.hpp"
 #include "editor/ui/dialogs/safety_dialogs.hpp"
+#include "editor/ui/dialogs/scene_name_dialog.hpp"
 #include "editor/ui/layout_menu.hpp"
 #include "editor/ui/panes.hpp"
 #include "editor/ui/platform_feed.hpp"
@@ -44,6 +45,8 @@ public:
     std::string takeProject() { return std::exchange(project_, {}); }
     /// Shows the welcome screen, to create a project in this folder.
     void welcome(const std::string& folder) { welcome_.open(ui_, folder); }
+    /// Closes the welcome screen of an open project, so that the next frame shows the scene.
+    void showScene() { welcome_.close(ui_); }
     [[nodiscard]] MouseShape mouseShape() const;
     /// Returns true once after the fonts have changed: the font texture must then be uploaded again.
     bool takeFontsChanged() { return std::exchange(fontsChanged_, false); }
@@ -69,7 +72,7 @@ private:
     [[nodiscard]] std::string stateInWords(float width) const;
     [[nodiscard]] std::string noticeInWords() const;
     void drawDialogs();
-    void drawNewScene();
+    void drawSceneName();
     /// Calls `next`, which closes the open scene. If it has unsaved changes, first asks the user about them.
     void leaveFor(std::function<void()> next);
     void drawUnsaved();
@@ -90,15 +93,15 @@ private:
     KeepDialog keep_;
     PrefabDialogs prefabDialogs_;
     SafetyDialogs safety_;
+    SceneNameDialog sceneName_;
     ImportDialog import_;
+    ExportDialog export_;
     FinderDialog finder_;
     PreferencesDialog preferences_;
     WelcomeScreen welcome_;
     std::string project_;  ///< folder of the project to open; empty: none
     HotReload hotReload_{workspace_};
     std::function<void()> next_;  ///< called after the user decided about unsaved changes
-    std::array<char, 64> newScene_{};
-    std::string newSceneError_;
     std::string unsavedProblem_;  ///< error of saving in the dialog about unsaved changes
     Theme theme_ = Theme::Dark;   ///< applied theme
     float textSize_ = 0.0f;       ///< applied text size, px at scale 1

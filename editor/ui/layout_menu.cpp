@@ -85,13 +85,10 @@ void LayoutMenu::drawQuestion(Ui& ui) {
     bool done = ImGui::InputTextWithHint("##name", "My layout", name_.data(), name_.size(),
                                          ImGuiInputTextFlags_EnterReturnsTrue);
     ui.widgets.mark("Layout/name", name_.data());
-    ImGui::Dummy({0.0f, ui.px(2.0f)});
-    const ImVec2 button{ui.px(100.0f), 0.0f};
-    done |= ImGui::Button("Save", button);
-    ui.widgets.mark("Layout/Save");
+    dialogFoot(ui);
+    done |= defaultButton(ui, "Save", 100.0f, "Layout/Save");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", button)) ImGui::CloseCurrentPopup();
-    ui.widgets.mark("Layout/Cancel");
+    if (footButton(ui, "Cancel", 100.0f, "Layout/Cancel")) ImGui::CloseCurrentPopup();
     const std::string name{trimmed(name_.data())};
     if (done && !name.empty()) {
         ui.workspace.settings.keepLayout(name);

@@ -35,7 +35,7 @@ std::string OpenProject::title() {
 Result<Done> OpenProject::change(const std::string& folder, const std::function<void()>& leaving) {
     // Clears the log: its lines and their links refer to the files and entities of the old project.
     if (isProject(folder)) log_.clear();
-    Result<std::unique_ptr<ProjectSession>> next = ProjectSession::open(folder);
+    Result<Project> next = loadProject(folder);
     if (!next) {
         workspace().notice = next.error().text();
         logError("Project", next.error());
@@ -44,10 +44,11 @@ Result<Done> OpenProject::change(const std::string& folder, const std::function<
     workspace().stopPlaying();
     if (leaving) leaving();
     Settings settings = workspace().settings;
-    closeProject();
-    (*next)->workspace().settings = std::move(settings);
-    (*next)->openFirst({});
-    use(std::move(*next));
+    closeProject();  // first, as components of both projects may have equal names: those share descriptions
+    std::unique_ptr<ProjectSession> session = ProjectSession::open(*std::move(next));
+    session->workspace().settings = std::move(settings);
+    session->openFirst({});
+    use(std::move(session));
     workspace().safety.begin();
     remember();
     return Done{};

@@ -122,8 +122,8 @@ void PlatformFeed::feed(const Event& event) {
 
 void PlatformFeed::feedKey(Key key, bool down) {
     keys_[static_cast<std::size_t>(key)] = down;
-    // Outside of text fields Tab hides the panels, so that ImGui must not move the focus to a field.
-    if (key == Key::Tab && down && !ImGui::GetIO().WantTextInput) return;
+    // Outside of text fields and dialogs Tab hides the panels, so that ImGui must not move the focus.
+    if (key == Key::Tab && down && !ImGui::GetIO().WantTextInput && !dialogOpen()) return;
 #if IMGUI_VERSION_NUM >= 18700
     const auto theirs = static_cast<ImGuiKey>(imguiKey(key));
     if (theirs != ImGuiKey_None) ImGui::GetIO().AddKeyEvent(theirs, down);

@@ -47,9 +47,80 @@ constexpr std::array kKeys{
     KeyPair{Key::Z, ImGuiKey_Z},
 };
 
+#if IMGUI_VERSION_NUM < 18940
+/// Before 1.89.4, Tab stops only at fields for input, and Enter presses no button.
+void walkThroughAll() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    const bool shown = g.NavId != 0 && !g.NavDisableHighlight;
+    const bool tabbed = g.NavMoveSubmitted && (g.NavMoveFlags & ImGuiNavMoveFlags_Tabbing) != 0;
+    // These flags make the request stop at items of all kinds. Those that cannot be pressed, and the cross in
+    // the title bar, are left again.
+    constexpr ImGuiNavMoveFlags kAll = ImGuiNavMoveFlags_Tabbing | ImGuiNavMoveFlags_FocusApi;
+    constexpr ImGuiItemFlags kLeft = ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNavDefaultFocus;
+    const bool back = g.NavTabbingDir < 0;
+    if (tabbed) {
+        g.NavMoveFlags |= kAll;
+        if (g.NavTabbingDir == 0 && shown) g.NavTabbingDir = 1;
+    } else if (g.NavJustMovedToId != 0) {
+        const ImGuiNavItemData& reached =
+            g.NavTabbingResultFirst.ID == g.NavJustMovedToId ? g.NavTabbingResultFirst : g.NavMoveResultLocal;
+        if ((reached.InFlags & kLeft) != 0) {
+            ImGui::NavMoveRequestSubmit(
+                ImGuiDir_None, back ? ImGuiDir_Up : ImGuiDir_Down, kAll,
+                ImGuiScrollFlags_KeepVisibleEdgeX | ImGuiScrollFlags_KeepVisibleEdgeY);
+            g.NavTabbingDir = back ? -1 : 1;
+            g.NavTabbingResultFirst.Clear();
+            g.NavTabbingCounter = -1;
+        }
+    }
+    const bool entered = pressed(Key::Enter) || pressed(Key::PadEnter);
+    if (entered && shown && g.ActiveId == 0) ImGui::ActivateItem(g.NavId);
+}
+#endif
+
 }  // namespace
 
+bool beginChild(const char* id, ImVec2 size, bool border, ImGuiWindowFlags flags) {
+#if IMGUI_VERSION_NUM >= 19110
+    const bool seen =
+        ImGui::BeginChild(id, size, border ? ImGuiChildFlags_Borders : ImGuiChildFlags_None, flags);
+#elif IMGUI_VERSION_NUM >= 19000
+    const bool seen =
+        ImGui::BeginChild(id, size, border ? ImGuiChildFlags_Border : ImGuiChildFlags_None, flags);
+#else
+    const bool seen = ImGui::BeginChild(id, size, border, flags);
+#endif
+    if (dialogOpen()) joinFocusOrder();
+    return seen;
+}
+
+void newFrame(bool walks) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (walks) {
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    } else {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    }
+    ImGui::NewFrame();
+#if IMGUI_VERSION_NUM < 18940
+    if (walks) walkThroughAll();
+#endif
+}
+
+void joinFocusOrder() {
+    ImGuiWindow* child = ImGui::GetCurrentWindow();
+#if IMGUI_VERSION_NUM >= 19090
+    child->ChildFlags |= ImGuiChildFlags_NavFlattened;
+#else
+    child->Flags |= ImGuiWindowFlags_NavFlattened;
+#endif
+    child->RootWindowForNav = child->ParentWindow->RootWindowForNav;
+}
+
+bool itemWasActive() { return ImGui::GetCurrentContext()->ActiveIdPreviousFrame != 0; }
+
 bool anyPopupOpen() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
+bool dialogOpen() { return ImGui::GetTopMostPopupModal() != nullptr; }
 void closePopups() {
     if (anyPopupOpen()) ImGui::ClosePopupToLevel(0, true);
 }

@@ -21,15 +21,8 @@ inline ImTextureID textureId(std::uintptr_t native) {
 #endif
 }
 
-inline bool beginChild(const char* id, ImVec2 size, bool border, ImGuiWindowFlags flags = 0) {
-#if IMGUI_VERSION_NUM >= 19110
-    return ImGui::BeginChild(id, size, border ? ImGuiChildFlags_Borders : ImGuiChildFlags_None, flags);
-#elif IMGUI_VERSION_NUM >= 19000
-    return ImGui::BeginChild(id, size, border ? ImGuiChildFlags_Border : ImGuiChildFlags_None, flags);
-#else
-    return ImGui::BeginChild(id, size, border, flags);
-#endif
-}
+/// Begins a scrolling part of a window; Tab walks through the parts of a dialog as through one window.
+bool beginChild(const char* id, ImVec2 size, bool border, ImGuiWindowFlags flags = 0);
 
 /// Lets later items overlap the next item; to be called before it, together with `allowOverlapAfter`.
 inline void allowOverlapBefore() {
@@ -109,8 +102,20 @@ inline void buildFonts() {
 
 /// True if a menu, a list or a dialog is open.
 bool anyPopupOpen();
+/// True if a modal dialog is open.
+bool dialogOpen();
 /// Closes all menus, lists and dialogs.
 void closePopups();
+
+/// Begins a frame. @param walks  Tab and the arrow keys move the focus between all widgets, Space and Enter
+/// press the focused one; for dialogs, as these keys are shortcuts elsewhere
+void newFrame(bool walks);
+/// Lets Tab walk from the widgets of the surrounding window into those of the current child window or
+/// scrolling table, and out of it.
+void joinFocusOrder();
+/// True if an item, e.g. a text field, was active at the start of this frame. Enter ends the item of the
+/// field before the frame is over.
+bool itemWasActive();
 
 /// Draws a check box. @param mixed  the box represents several values, of which only some are on
 bool checkbox(const char* label, bool& on, bool mixed);

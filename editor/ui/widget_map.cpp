@@ -7,6 +7,7 @@ namespace plumb::editor::ui {
 void WidgetMap::mark(std::string_view path, std::string_view value) {
     const ImVec2 from = ImGui::GetItemRectMin();
     const ImVec2 to = ImGui::GetItemRectMax();
+    if (ImGui::IsItemFocused()) focused_ = path;
     mark(path, {{from.x, from.y}, {to.x, to.y}}, value);
 }
 

@@ -17,16 +17,19 @@ public:
         std::string value;
     };
 
-    void beginFrame() { widgets_.clear(); }
+    void beginFrame() { widgets_.clear(), focused_.clear(); }
     /// Stores the last ImGui item under a path.
     void mark(std::string_view path, std::string_view value = {});
     void mark(std::string_view path, const AABB& box, std::string_view value = {});
 
     [[nodiscard]] const Widget* find(std::string_view path) const;
+    /// Path of the widget that has the keyboard focus; empty: none of the marked ones.
+    [[nodiscard]] const std::string& focused() const { return focused_; }
     [[nodiscard]] const std::map<std::string, Widget, std::less<>>& all() const { return widgets_; }
 
 private:
     std::map<std::string, Widget, std::less<>> widgets_;
+    std::string focused_;
 };
 
 }  // namespace plumb::editor::ui

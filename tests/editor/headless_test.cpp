@@ -88,6 +88,53 @@ TEST_F(HeadlessTest, aMissingFileIsReportedWithTheEntityAndFieldThatReferenceIt)
         EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
 }
 
+TEST_F(HeadlessTest, theContentOfEveryPrefabIsCheckedAlsoOfThoseThatNoSceneUses) {
+    putFile("prefabs/lamp.prefab.json", R"({"format": 1, "entities": [{"id": "0000000000000001",
+        "components": {"Sprite": {"widht": 3}, "Sprit": {}}}]})");
+    putFile("prefabs/post.prefab.json", R"({"format": 1, "entities": [{"id": "0000000000000001"},
+        {"id": "0000000000000002", "prefab": "prefabs/lamp.prefab.json", "components": {"Sprite": {"width": "w"}}}]})");
+    putFile("assets/shots/ping.prefab.json", R"({"format": 1, "entities": [{"id": "0000000000000001"},
+        {"id": "0000000000000002", "prefab": "assets/shots/pong.prefab.json"}]})");
+    putFile("assets/shots/pong.prefab.json", R"({"format": 1, "entities": [{"id": "0000000000000001"},
+        {"id": "0000000000000002", "prefab": "assets/shots/ping.prefab.json"}]})");
+    putFile("prefabs/bag.prefab.json", R"({"format": 1, "entities": [{"id": "0000000000000001"},
+        {"id": "0000000000000002", "prefab": "prefabs/lamb.prefab.json"}]})");
+    putFile("scenes/post.scene.json", R"({"format": 1, "effects": {}, "layers": [], "entities": [
+        {"id": "0000000000000001", "prefab": "prefabs/post.prefab.json"}]})");
+    const ProjectCheck found = check();
+    const std::string text = found.text();
+    for (const char* line :
+         {"prefabs/lamp.prefab.json: entities[0].Sprite.widht: ",
+          "prefabs/lamp.prefab.json: entities[0].Sprit: ",
+          "prefabs/post.prefab.json: entities[1].Sprite.width: expected a whole number, found \"w\"",
+          "assets/shots/pong.prefab.json: entities[1].prefab: assets/shots/ping.prefab.json: the prefab "
+          "contains "
+          "itself, through assets/shots/pong.prefab.json",
+          "assets/shots/ping.prefab.json: entities[1].prefab: assets/shots/pong.prefab.json: the prefab "
+          "contains "
+          "itself, through assets/shots/ping.prefab.json",
+          "prefabs/bag.prefab.json: entities[1].prefab: prefabs/lamb.prefab.json: there is no such file; did "
+          "you "
+          "mean \"prefabs/lamp.prefab.json\"?"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
+    EXPECT_EQ(found.problems.size(), 6u) << "each once, also those of a prefab in a prefab in a scene:\n"
+                                         << text;
+}
+
+TEST_F(HeadlessTest, unknownKeysOfAnimationsTilesetsAndTheProjectAreReportedOnce) {
+    putFile("assets/run.anim.json", R"({"format": 1, "imag": "assets/none.png"})");
+    putFile("assets/set.tileset.json", R"({"format": 1, "colums": 3})");
+    putFile("project.json",
+            R"({"name": "Test", "startScene": "scenes/level.scene.json", "scalling": "fit"})");
+    const std::string text = check().text();
+    for (const char* part : {"imag: unknown property; did you mean", "colums: unknown property; did you mean",
+                             "project.json: scalling: a project has no such key"}) {
+        const std::size_t at = text.find(part);
+        ASSERT_NE(at, std::string::npos) << part << " in\n" << text;
+        EXPECT_EQ(text.find(part, at + 1), std::string::npos) << part << " twice in\n" << text;
+    }
+}
+
 /// Only the beginning of each file is valid, so that the damage is found only by decoding the whole file.
 TEST_F(HeadlessTest, damagedSoundsFontsAndImagesAreReported) {
     const Path sources = test::sourceFolder();

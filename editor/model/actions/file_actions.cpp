@@ -1,6 +1,7 @@
 #include <array>
 
 #include "editor/model/actions/action_rows.hpp"
+#include "editor/model/document/prefab_file.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -18,6 +19,9 @@ const std::array kRows{
     Action{"file.open", "File", "Open scene...", control(Key::O), always, ask<WindowRequest::ChooseScene>},
     Action{"file.save", "File", "Save", control(Key::S), hasScene,
            [](Workspace& w) { static_cast<void>(w.save().ok()); }},
+    Action{"file.saveAs", "File", "Save as...", control(Key::S, true),
+           [](const Workspace& w) { return editable(w) && !isPrefabFile(w.document.scenePath); },
+           ask<WindowRequest::NameSceneCopy>},
     Action{"file.backups",
            "File",
            "Backups of this scene...",
@@ -26,6 +30,7 @@ const std::array kRows{
            ask<WindowRequest::ChooseBackup>},
     line("File"),
     Action{"file.import", "File", "Import...", control(Key::I, true), always, ask<WindowRequest::Import>},
+    Action{"file.export", "File", "Export...", {}, always, ask<WindowRequest::Export>},
     line("File"),
     Action{"file.welcome", "File", "Projects...", control(Key::O, true), always, ask<WindowRequest::Welcome>},
     line("File"),

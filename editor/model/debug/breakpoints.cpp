@@ -55,6 +55,23 @@ void Breakpoints::remove(std::string_view file, int line) {
     ++revision_;
 }
 
+void Breakpoints::follow(std::string_view file, const std::vector<int>& numbers) {
+    const auto first = placeOf(all_, file, 0);
+    const auto last =
+        std::find_if(first, all_.end(), [file](const Breakpoint& one) { return one.file != file; });
+    std::vector<Breakpoint> moved{first, last};
+    bool anyMoved = false;
+    for (Breakpoint& one : moved) {
+        const auto index = static_cast<std::size_t>(one.line - 1);
+        if (index >= numbers.size() || numbers[index] == one.line) continue;
+        one.line = numbers[index];
+        anyMoved = true;
+    }
+    if (!anyMoved) return;
+    all_.erase(first, last);
+    for (Breakpoint& one : moved) set(std::move(one));
+}
+
 Json Breakpoints::toJson() const {
     Json list = Json::array();
     for (const Breakpoint& breakpoint : all_) {

@@ -31,6 +31,9 @@ public:
     /// Changes the breakpoint of the same line, or adds it.
     void set(Breakpoint breakpoint);
     void remove(std::string_view file, int line);
+    /// Moves the breakpoints of a file whose text has changed.
+    /// @param numbers  present number of each former line (linesAfterEdit)
+    void follow(std::string_view file, const std::vector<int>& numbers);
     void clear() { all_.clear(), ++revision_; }
     [[nodiscard]] std::size_t revision() const { return revision_; }  ///< grows with every change
 

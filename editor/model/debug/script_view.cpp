@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "ecs/world.hpp"
+#include "editor/model/debug/line_match.hpp"
 #include "editor/model/field_text.hpp"
 #include "editor/model/project/project_habits.hpp"
 #include "editor/model/workspace.hpp"
@@ -48,10 +49,21 @@ void ScriptView::readFiles() {
     const std::uint64_t stamp = stampOfScripts(workspace_.project.root);
     if (stamp_ == stamp) return;
     stamp_ = stamp;
-    files_.clear();
+    const std::vector<ScriptText> before = std::exchange(files_, {});
     std::vector<Error> problems;  // reported by the code that loads the scripts
     for (const auto& [name, text] : readScriptFiles(workspace_.project.root, problems))
         files_.push_back({format("scripts/{}.lua", name), linesOf(text)});
+    for (const ScriptText& old : before) {
+        const ScriptText* now = find(old.file);
+        if (now != nullptr && now->lines != old.lines)
+            workspace_.debugger.breakpoints.follow(old.file, linesAfterEdit(old.lines, now->lines));
+    }
+}
+
+const ScriptText* ScriptView::find(std::string_view file) const {
+    const auto found = std::find_if(files_.begin(), files_.end(),
+                                    [file](const ScriptText& text) { return text.file == file; });
+    return found == files_.end() ? nullptr : &*found;
 }
 
 void ScriptView::followHalt() {
@@ -67,9 +79,7 @@ void ScriptView::followHalt() {
 }
 
 const ScriptText* ScriptView::shown() const {
-    const auto found = std::find_if(files_.begin(), files_.end(),
-                                    [&](const ScriptText& text) { return text.file == chosen_; });
-    if (found != files_.end()) return &*found;
+    if (const ScriptText* chosen = find(chosen_)) return chosen;
     return files_.empty() ? nullptr : &files_.front();
 }
 

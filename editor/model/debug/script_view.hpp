@@ -25,8 +25,9 @@ class ScriptView {
 public:
     explicit ScriptView(Workspace& workspace);
 
-    /// Reads changed files, shows the line at which the game has stopped, and stores changed breakpoints; to
-    /// be called once per frame. @param seconds  since the last call
+    /// Reads changed files, moves their breakpoints with their lines, shows the line at which the game has
+    /// stopped, and stores changed breakpoints; to be called once per frame. @param seconds  since the last
+    /// call
     void update(double seconds);
 
     [[nodiscard]] const std::vector<ScriptText>& files() const { return files_; }
@@ -59,6 +60,7 @@ public:
 private:
     void readFiles();
     void followHalt();
+    [[nodiscard]] const ScriptText* find(std::string_view file) const;
 
     Workspace& workspace_;
     std::vector<ScriptText> files_;

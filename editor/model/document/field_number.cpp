@@ -116,6 +116,7 @@ double numberStep(const FieldInfo& field) {
         case Unit::Seconds: return 0.01;
         case Unit::Radians:
         case Unit::RadiansPerSecond:
+        case Unit::Degrees:
         case Unit::Pixels:
         case Unit::PixelsPerSecond: return 1.0;
         case Unit::PixelsPerSecondSquared: return 5.0;

@@ -71,6 +71,7 @@ void checkAssets(const Path& root, Workspace& workspace, ProjectCheck& check, Pr
         if (file.kind != AssetKind::Prefab && file.kind != AssetKind::Scene) continue;
         if (const Result<std::string> text = readFile(root / file.path)) names.read(file.path, *text);
     }
+    problems.add(prefabs.takeProblems());
     // Includes assets referenced by prefabs that no scene uses.
     for (const auto& [path, named] : names.all()) workspace.assets.load(named.kind, path);
     std::set<std::string> reported;

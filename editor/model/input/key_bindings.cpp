@@ -130,7 +130,7 @@ KeyBindings KeyBindings::fromJson(const Json& json, const std::string& where, st
     }
     for (const auto& [id, texts] : json.items()) {
         const Action* action = findAction(id);
-        if (id.empty() || action == nullptr || !texts.is_array()) {
+        if (action == nullptr || !texts.is_array()) {
             problems.push_back(
                 {where + "." + id,
                  action == nullptr ? "unknown action" : "expected a list of keys, e.g. [\"Ctrl+Shift+Z\"]",

@@ -6,9 +6,10 @@
 namespace plumb::editor {
 
 std::string keysFor(const Workspace& workspace, std::string_view action) {
-    const Action& row = *findAction(action);
-    std::string keys = workspace.settings.keys.shownOf(row).text();
-    return keys.empty() ? std::string{row.label} : keys;
+    const Action* row = findAction(action);
+    if (row == nullptr) return std::string{action};
+    std::string keys = workspace.settings.keys.shownOf(*row).text();
+    return keys.empty() ? std::string{row->label} : keys;
 }
 
 std::string withKeys(const Workspace& workspace, std::string_view sentence) {

@@ -1,17 +1,14 @@
 #include "editor/model/project/project_code.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 
 #include "core/hash.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "editor/model/project/module_library.hpp"
 #include "editor/model/project/project_templates.hpp"
 #include "platform/paths.hpp"
-#include "platform/shared_library.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -21,38 +18,10 @@ namespace fs = std::filesystem;
 #if defined(_WIN32)
 constexpr std::string_view kLibraryEnding = ".dll";
 constexpr std::string_view kProgramEnding = ".exe";
-std::FILE* openPipe(const std::string& command) { return _popen(command.c_str(), "r"); }
-int closePipe(std::FILE* pipe) { return _pclose(pipe); }
-std::string shellWord(std::string_view text) { return format("\"{}\"", text); }
 #else
 constexpr std::string_view kLibraryEnding = ".so";
 constexpr std::string_view kProgramEnding = "";
-std::FILE* openPipe(const std::string& command) { return popen(command.c_str(), "r"); }
-int closePipe(std::FILE* pipe) { return pclose(pipe); }
-/// Returns a text as one word of a shell's command.
-std::string shellWord(std::string_view text) {
-    std::string word = "'";
-    for (const char letter : text) word += letter == '\'' ? std::string{"'\\''"} : std::string{letter};
-    return word + "'";
-}
 #endif
-
-/// What a command printed, and whether it ended with 0.
-struct Output {
-    bool succeeded = false;
-    std::string text;
-};
-
-Output run(const std::string& command) {
-    Output output;
-    std::FILE* pipe = openPipe(command);
-    if (pipe == nullptr) return output;
-    std::array<char, 4096> part{};
-    while (std::fgets(part.data(), static_cast<int>(part.size()), pipe) != nullptr)
-        output.text += part.data();
-    output.succeeded = closePipe(pipe) == 0;
-    return output;
-}
 
 /// The build folder in which this editor was built, or an empty path.
 Path findBuildFolder() {
@@ -100,9 +69,9 @@ void logDiagnostics(const Path& project, std::string_view output) {
 
 Result<std::string> codeTarget(const Path& project, const Path& buildFolder) {
     const Path script = engineProjects().parent_path() / "engine/cmake/code_target.cmake";
-    const Output found =
-        run(format("cmake -D {} -D {} -P {}", shellWord("PROJECT=" + project.generic_string()),
-                   shellWord("BUILD=" + buildFolder.generic_string()), shellWord(script.generic_string())));
+    const ProgramEnd found =
+        runProgram({"cmake", "-D", "PROJECT=" + project.generic_string(), "-D",
+                    "BUILD=" + buildFolder.generic_string(), "-P", script.generic_string()});
     const std::string_view name = trimmed(found.text);
     if (found.succeeded && !name.empty()) return std::string{name};
     return Error{(project / "code").generic_string(), "cmake names no target for it",
@@ -149,23 +118,8 @@ bool ProjectCode::isBuilt() const {
 }
 
 Result<Module> ProjectCode::load() {
-    // A copy, because a library of the same name is not loaded twice, and the next build overwrites the file.
-    std::error_code failed;
     libraryStamp_ = fileStamp(library());
-    const Path copy = buildFolder_ / "loaded" / format("{}-{}{}", target_, loaded_++, kLibraryEnding);
-    fs::create_directories(copy.parent_path(), failed);
-    fs::copy_file(library(), copy, fs::copy_options::overwrite_existing, failed);
-    if (failed)
-        return Error{library().generic_string(), failed.message(), "build the code: ./plumb edit PROJECT"};
-    const Result<SharedLibrary> loaded = SharedLibrary::load(copy);
-    if (!loaded) return loaded.error();
-    auto* const describe = loaded->find<void(Module&)>("plumbDescribeModule");
-    if (describe == nullptr)
-        return Error{(project_ / "code").generic_string(), "it contains no PLUMB_MODULE",
-                     "write PLUMB_MODULE(module) { module.components<...>(); } in one of its files"};
-    Module module;
-    describe(module);
-    return module;
+    return loadModule(library(), buildFolder_ / "loaded");
 }
 
 std::uint64_t ProjectCode::stampOfFiles() const {
@@ -179,18 +133,15 @@ std::uint64_t ProjectCode::stampOfFiles() const {
 
 void ProjectCode::start(bool withPlayer) {
     stamp_ = stampOfFiles();
-    const std::string player = withPlayer ? format(" {}-player", target_) : std::string{};
-    const std::string command = format("cmake --build {} --target {}-code{} 2>&1",
-                                       shellWord(buildFolder_.generic_string()), target_, player);
-    build_ = std::async(std::launch::async, [command] {
-        Output output = run(command);
-        return Build{output.succeeded, std::move(output.text)};
-    });
+    std::vector<std::string> words{"cmake", "--build", buildFolder_.generic_string(), "--target",
+                                   target_ + "-code"};
+    if (withPlayer) words.push_back(target_ + "-player");
+    build_ = std::async(std::launch::async, [words = std::move(words)] { return runProgram(words); });
 }
 
 bool ProjectCode::finish() {
-    const Build build = build_.get();
-    if (!build.succeeded) logDiagnostics(project_, build.output);
+    const ProgramEnd build = build_.get();
+    if (!build.succeeded) logDiagnostics(project_, build.text);
     return build.succeeded;
 }
 

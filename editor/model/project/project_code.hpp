@@ -8,6 +8,7 @@
 #include "app/module.hpp"
 #include "core/file.hpp"
 #include "core/result.hpp"
+#include "editor/model/project/program.hpp"
 
 namespace plumb::editor {
 
@@ -39,11 +40,6 @@ public:
     static constexpr double kInterval = 0.05;  ///< s
 
 private:
-    struct Build {
-        bool succeeded = false;
-        std::string output;
-    };
-
     void start(bool withPlayer);
     bool finish();
     [[nodiscard]] std::uint64_t stampOfFiles() const;
@@ -56,8 +52,7 @@ private:
     double next_ = 0.0;
     std::uint64_t stamp_ = 0;         // hash of names and times of the code files when the last build began
     std::uint64_t libraryStamp_ = 0;  // stamp of the library's file when it was loaded
-    int loaded_ = 0;                  // number of versions that were loaded
-    std::future<Build> build_;
+    std::future<ProgramEnd> build_;
 };
 
 /// Returns NAME of the CMake targets NAME-code and NAME-player of a project with code, as the file

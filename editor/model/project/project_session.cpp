@@ -6,6 +6,7 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/assets/converted_values.hpp"
 #include "editor/model/assets/reload_document.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
@@ -16,6 +17,15 @@
 #include "platform/paths.hpp"
 
 namespace plumb::editor {
+namespace {
+
+#if defined(_WIN32)
+constexpr const char* kEditorProgram = "plumb-editor.exe";
+#else
+constexpr const char* kEditorProgram = "plumb-editor";
+#endif
+
+}  // namespace
 
 ProjectSession::ProjectSession(Project project)
     : project_{std::move(project)},
@@ -31,6 +41,7 @@ ProjectSession::ProjectSession(Project project)
                          project_.smooth,
                          project_.layers};
     workspace_ = std::make_unique<Workspace>(content_.types(), assets_, std::move(folder), &prefabs_);
+    workspace_->program = executableFolder() / kEditorProgram;
     workspace_->makeSession = [this](const std::string& path, const std::string& text) {
         if (const Result<Project> now = loadProject(project_.root)) project_.actions = now->actions;
         return makeGameSession(project_, path, text, content_);
@@ -89,30 +100,40 @@ void ProjectSession::change(const std::function<ContentChange()>& update) {
     const bool unsaved = w.unsaved();
     const std::string text = isOpen ? w.text() : std::string{};
     w.play.leaveTick();  // before the types of its snapshot change
+    w.safety.finish();   // it writes a copy of the scene in its own thread
+    // Copies of the game whose worlds are not converted.
+    w.reach.clear();
+    w.trajectories.clear();
     const ContentChange change = update();
     writeScriptDefinitions(project_.root, content_);
     prefabs_.forget();
     convertWorld(w.document.world, content_, change);
     if (w.play.running()) w.play.contentChanged(content_, change);
     // The scene's text also contains components of types that the old or the new version does not know.
-    const bool reread = isOpen && (change.newTypes || !change.types.empty());
+    const bool reread = isOpen && (!change.added.empty() || !change.types.empty());
+    const ConvertedValues converted{w.document, change};
     if (reread) {
         const SceneContext context{content_.types(), &prefabs_, project_.root};
         if (const Result<LoadReport> loaded = reloadDocument(w.document, context, text); !loaded)
             logError("Editor", loaded.error());
     }
+    const bool differs = converted.restore(w.document);
     if (change.types.empty()) return;
     w.undo.clear();
-    if (unsaved) w.undo.markUnsaved();
+    if (unsaved || differs) w.undo.markUnsaved();
 }
 
 Result<std::unique_ptr<ProjectSession>> ProjectSession::open(const std::string& folder) {
     Result<Project> project = loadProject(folder);
     if (!project) return project.error();
-    for (const Error& warning : project->warnings) {
+    return open(*std::move(project));
+}
+
+std::unique_ptr<ProjectSession> ProjectSession::open(Project project) {
+    for (const Error& warning : project.warnings) {
         logWarning("Project", warning);
     }
-    return std::unique_ptr<ProjectSession>{new ProjectSession{*std::move(project)}};
+    return std::unique_ptr<ProjectSession>{new ProjectSession{std::move(project)}};
 }
 
 std::unique_ptr<ProjectSession> ProjectSession::none() {

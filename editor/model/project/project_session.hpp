@@ -24,6 +24,9 @@ public:
     /// @param folder  the project's folder
     /// @error         the folder has no valid project.json
     static Result<std::unique_ptr<ProjectSession>> open(const std::string& folder);
+    /// Opens a project whose file was read. Only one session may be open if their components have equal
+    /// names.
+    static std::unique_ptr<ProjectSession> open(Project project);
     /// Creates an empty session without a project, for the welcome screen.
     static std::unique_ptr<ProjectSession> none();
 

@@ -58,6 +58,7 @@ Result<Settings> readSettings(std::string_view text, std::vector<Error>& problem
     settings.textSize = fields.number("textSize", 14.0f, 10.0f, 24.0f);
     settings.rightErases = fields.flag("rightErases", false);
     settings.welcome = fields.flag("welcome", true);
+    settings.textEditor = fields.text("textEditor");
     readRecent(fields, settings);
     if (const Json* keys = fields.find("keys"))
         settings.keys = KeyBindings::fromJson(*keys, "settings.json: keys", problems);
@@ -96,6 +97,7 @@ std::string Settings::toText() const {
     json["textSize"] = textSize;
     json["rightErases"] = rightErases;
     json["welcome"] = welcome;
+    json["textEditor"] = textEditor;
     json["recent"] = recent;
     json["keys"] = keys.toJson();
     json["layout"] = layout.toJson();

@@ -26,9 +26,12 @@ struct Settings {
     static constexpr std::size_t kMaxRecent = 12;  ///< maximum number of `recent` projects
 
     Theme theme = Theme::Dark;
-    float scale = 1.0f;                ///< scale of the user interface
-    float textSize = 14.0f;            ///< px at scale 1: size of the text
-    bool rightErases = false;          ///< right mouse button on tiles: true erases, false picks a pattern
+    float scale = 1.0f;        ///< scale of the user interface
+    float textSize = 14.0f;    ///< px at scale 1: size of the text
+    bool rightErases = false;  ///< right mouse button on tiles: true erases, false picks a pattern
+    /// Command that opens a line of a source (wordsOf); empty: the program that the system assigns to the
+    /// file.
+    std::string textEditor;
     bool welcome = true;               ///< show the welcome screen if the editor starts without a project
     PaneLayout layout;                 ///< the current layout
     std::vector<NamedLayout> layouts;  ///< layouts saved by the user

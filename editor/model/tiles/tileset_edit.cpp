@@ -150,24 +150,25 @@ void assignMasks(Terrain& terrain, const Tileset& tileset, std::span<const int> 
     }
 }
 
-void setMask(Terrain& terrain, std::span<const int> tiles, int mask) {
+void setMask(Terrain& terrain, std::span<const int> tiles, std::optional<std::uint8_t> mask) {
     for (const int id : tiles) {
         const auto known = std::find_if(terrain.tiles.begin(), terrain.tiles.end(),
                                         [&](const TerrainTile& tile) { return tile.tile == id; });
-        if (mask < 0) {
+        if (!mask) {
             if (known != terrain.tiles.end()) terrain.tiles.erase(known);
         } else if (known != terrain.tiles.end()) {
-            known->mask = static_cast<std::uint8_t>(mask);
+            known->mask = *mask;
         } else {
-            terrain.tiles.push_back({id, static_cast<std::uint8_t>(mask)});
+            terrain.tiles.push_back({id, *mask});
         }
     }
 }
 
-int maskOf(const Terrain& terrain, int tile) {
+std::optional<std::uint8_t> maskOf(const Terrain& terrain, int tile) {
     const auto known = std::find_if(terrain.tiles.begin(), terrain.tiles.end(),
                                     [&](const TerrainTile& other) { return other.tile == tile; });
-    return known == terrain.tiles.end() ? -1 : known->mask;
+    if (known == terrain.tiles.end()) return std::nullopt;
+    return known->mask;
 }
 
 bool changeTileset(Workspace& workspace, std::string label, const std::function<void(Tileset&)>& change) {

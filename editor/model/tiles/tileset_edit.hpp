@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,10 +52,10 @@ std::span<const std::string_view> terrainLayoutNames();
 /// Replaces the terrain's tiles, with masks by their position in the layout relative to the first tile.
 /// @param chosen  ids of the tiles, row by row as in the palette
 void assignMasks(Terrain& terrain, const Tileset& tileset, std::span<const int> chosen, TerrainLayout layout);
-/// Sets the mask (bits of equal neighbors) of tiles in the terrain. @param mask  negative: removes the tiles
-void setMask(Terrain& terrain, std::span<const int> tiles, int mask);
-/// Returns the mask of a tile in the terrain; -1 if the tile is not part of it.
-int maskOf(const Terrain& terrain, int tile);
+/// Sets the mask (bits of equal neighbors) of tiles in the terrain. @param mask  none: removes the tiles
+void setMask(Terrain& terrain, std::span<const int> tiles, std::optional<std::uint8_t> mask);
+/// Returns the mask of a tile in the terrain; none if the tile is not part of it.
+std::optional<std::uint8_t> maskOf(const Terrain& terrain, int tile);
 
 /// Applies `change` to the active layer's tileset and writes its file, as one undo step.
 /// @return false if nothing changed, or, with a notice to the user, if the tileset has no file in the project

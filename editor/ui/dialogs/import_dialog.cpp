@@ -13,17 +13,6 @@
 namespace plumb::editor::ui {
 namespace {
 
-bool button(Ui& ui, const char* label, const std::string& path) {
-    const bool pressed = ImGui::Button(label, {ui.px(110.0f), 0.0f});
-    ui.widgets.mark(path);
-    ImGui::SameLine();
-    return pressed;
-}
-
-void beginButtons(Ui& ui) {
-    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetFrameHeight() - ui.px(12.0f));
-}
-
 void line(ImU32 color, const std::string& where, const std::string& what, const std::string& remedy) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::Bullet();
@@ -86,11 +75,14 @@ void ImportDialog::drawChooser(Ui& ui) {
     ui.widgets.mark("Import/place", place_);
     drawList(ui);
     drawTarget(ui);
-    beginButtons(ui);
-    ImGui::BeginDisabled(task_->kind().empty());
-    if (button(ui, "Import", "Import/Import")) import(ui);
+    dialogFoot(ui);
+    const bool possible = !task_->kind().empty();
+    ImGui::BeginDisabled(!possible);
+    const bool wanted = defaultButton(ui, "Import", 110.0f, "Import/Import");
     ImGui::EndDisabled();
-    if (button(ui, "Cancel", "Import/Cancel")) ImGui::CloseCurrentPopup();
+    ImGui::SameLine();
+    if (footButton(ui, "Cancel", 110.0f, "Import/Cancel")) ImGui::CloseCurrentPopup();
+    if (wanted && possible) import(ui);
 }
 
 void ImportDialog::drawList(Ui& ui) {
@@ -163,15 +155,21 @@ void ImportDialog::drawReport(Ui& ui, const ImportReport& report) {
         tooltip(all);
     }
     ImGui::EndChild();
-    beginButtons(ui);
-    if (endsWith(report.scene, ".scene.json") && button(ui, "Open scene", "Import/Open")) {
-        ImGui::CloseCurrentPopup();
-        openSceneOrSay(ui, report.scene);
+    dialogFoot(ui);
+    if (endsWith(report.scene, ".scene.json")) {
+        if (footButton(ui, "Open scene", 110.0f, "Import/Open")) {
+            ImGui::CloseCurrentPopup();
+            openSceneOrSay(ui, report.scene);
+        }
+        ImGui::SameLine();
     }
-    if (button(ui, "Copy report", "Import/Copy")) ui.workspace.clipboard = report.text();
+    if (footButton(ui, "Copy report", 110.0f, "Import/Copy")) ui.workspace.clipboard = report.text();
     tooltip("Copies the report to the clipboard as text");
-    if (button(ui, "Import more", "Import/Again")) task_->again();
-    if (button(ui, "Close", "Import/Close")) ImGui::CloseCurrentPopup();
+    ImGui::SameLine();
+    const bool again = footButton(ui, "Import more", 110.0f, "Import/Again");
+    ImGui::SameLine();
+    if (defaultButton(ui, "Close", 110.0f, "Import/Close")) ImGui::CloseCurrentPopup();
+    if (again) task_->again();
 }
 
 }  // namespace plumb::editor::ui

@@ -40,13 +40,14 @@ void drawRows(Ui& ui, std::vector<KeepRow>& rows) {
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                        ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
     if (!ImGui::BeginTable("rows", 5, kFlags, {0.0f, -ui.px(44.0f)})) return;
+    joinFocusOrder();
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(26.0f));
     ImGui::TableSetupColumn("Entity", 0, 1.0f);
     ImGui::TableSetupColumn("Field", 0, 1.4f);
     ImGui::TableSetupColumn("In the scene", 0, 1.0f);
     ImGui::TableSetupColumn("Your change", 0, 1.0f);
-    ImGui::TableHeadersRow();
+    tableTitles();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         drawRow(ui, rows[i], i);
     }

@@ -70,12 +70,9 @@ void PrefabDialogs::drawName(Ui& ui) {
     ImGui::TextWrapped("%s", problem_.c_str());
     ImGui::PopStyleColor();
     dialogFoot(ui);
-    const ImVec2 button{ui.px(110.0f), 0.0f};
-    done |= ImGui::Button("Make", button);
-    ui.widgets.mark("MakePrefab/Make");
+    done |= defaultButton(ui, "Make", 110.0f, "MakePrefab/Make");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", button)) ImGui::CloseCurrentPopup();
-    ui.widgets.mark("MakePrefab/Cancel");
+    if (footButton(ui, "Cancel", 110.0f, "MakePrefab/Cancel")) ImGui::CloseCurrentPopup();
     if (done) {
         Workspace& workspace = ui.workspace;
         const Result<ObjectId> made =
@@ -103,28 +100,25 @@ void PrefabDialogs::drawOverrides(Ui& ui) {
     if (rows_.empty()) {
         ImGui::TextUnformatted("The instance does not differ from its prefab.");
     } else if (ImGui::BeginTable("rows", 5, kFlags, {0.0f, -ui.px(44.0f)})) {
+        joinFocusOrder();
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("Entity", 0, 0.8f);
         ImGui::TableSetupColumn("Field", 0, 1.3f);
         ImGui::TableSetupColumn("In the prefab", 0, 1.0f);
         ImGui::TableSetupColumn("In the instance", 0, 1.0f);
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ui.px(118.0f));
-        ImGui::TableHeadersRow();
+        tableTitles();
         for (std::size_t i = 0; i < rows_.size(); ++i) drawRow(ui, rows_[i], i);
         ImGui::EndTable();
     }
     dialogFoot(ui);
-    const ImVec2 button{ui.px(110.0f), 0.0f};
     ImGui::BeginDisabled(rows_.empty());
-    if (ImGui::Button("Revert all", button)) runAction(workspace, "entity.revert");
-    ui.widgets.mark("Overrides/revert all");
+    if (footButton(ui, "Revert all", 110.0f, "Overrides/revert all")) runAction(workspace, "entity.revert");
     ImGui::SameLine();
-    if (ImGui::Button("Apply all", button)) runAction(workspace, "entity.apply");
-    ui.widgets.mark("Overrides/apply all");
+    if (footButton(ui, "Apply all", 110.0f, "Overrides/apply all")) runAction(workspace, "entity.apply");
     ImGui::EndDisabled();
     ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(118.0f));
-    if (ImGui::Button("Close", button)) ImGui::CloseCurrentPopup();
-    ui.widgets.mark("Overrides/Close");
+    if (defaultButton(ui, "Close", 110.0f, "Overrides/Close")) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

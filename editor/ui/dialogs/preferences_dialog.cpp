@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/dialog.hpp"
+#include "editor/ui/widgets/text_field.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -71,8 +72,11 @@ void PreferencesDialog::draw(Ui& ui) {
     ImGui::TextDisabled("%s", (configFolder() / "settings.json").string().c_str());
     tooltip("The file that stores the preferences");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ui.px(100.0f));
-    if (ImGui::Button("Close", {ui.px(100.0f), 0.0f})) ImGui::CloseCurrentPopup();
-    ui.widgets.mark("Preferences/Close");
+    // A key that the page "Keys" has just taken, perhaps Enter, is a new shortcut and nothing else.
+    const bool closes = std::exchange(tookKey_, false)
+                            ? footButton(ui, "Close", 100.0f, "Preferences/Close", palette::kAccentSoft)
+                            : defaultButton(ui, "Close", 100.0f, "Preferences/Close");
+    if (closes) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
@@ -142,6 +146,14 @@ void PreferencesDialog::drawEditing(Ui& ui) {
     ui.widgets.mark("Preferences/welcome", workspace.settings.welcome ? "on" : "off");
     tooltip(
         "If off, the editor opens the last project. A project given on the command line is always opened.");
+    ImGui::Spacing();
+    label(ui, "Text editor");
+    ImGui::SetNextItemWidth(-1.0f);
+    textField("##text editor", workspace.settings.textEditor, 0, "code -g {file}:{line}");
+    ui.widgets.mark("Preferences/textEditor", workspace.settings.textEditor);
+    tooltip(
+        "Command that opens an error of the Console: {file} and {line} are replaced. If empty, the system "
+        "opens the file.");
     ImGui::Spacing();
     label(ui, "Recent projects");
     ImGui::BeginDisabled(workspace.settings.recent.empty());

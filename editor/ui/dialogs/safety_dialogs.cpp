@@ -112,7 +112,7 @@ void SafetyDialogs::drawBackups(Ui& ui) {
         ui.viewReady = false;
     }
     ImGui::EndChild();
-    if (footButton(ui, "Cancel", 110.0f, "Backups/cancel")) ImGui::CloseCurrentPopup();
+    if (defaultButton(ui, "Cancel", 110.0f, "Backups/cancel")) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
@@ -171,7 +171,7 @@ void SafetyDialogs::drawRecovery(Ui& ui) {
     }
     ImGui::EndChild();
     drawDifferences(ui, "Recovery/differences");
-    if (footButton(ui, "Later", 110.0f, "Recovery/later")) {
+    if (defaultButton(ui, "Later", 110.0f, "Recovery/later")) {
         later_ = true;
         ui.workspace.notice = kAsksAgain;
     }

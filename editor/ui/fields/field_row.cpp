@@ -22,7 +22,8 @@ const char* shownUnit(Unit unit) {
         case Unit::PixelsPerSecond: return "px/s";
         case Unit::PixelsPerSecondSquared: return "px/s\xc2\xb2";
         case Unit::Seconds: return "s";
-        case Unit::Radians: return "deg";
+        case Unit::Radians:
+        case Unit::Degrees: return "deg";
         case Unit::RadiansPerSecond: return "deg/s";
         case Unit::Kilograms: return "kg";
         case Unit::Tiles: return "tiles";

@@ -71,8 +71,8 @@ private:
 
     void drawNothing(Ui& ui) {
         emptyState(ui, "Animation", "No animation is open.",
-                   "Double-click an animation or an image in the Assets panel, or drop one here. An image "
-                   "becomes a sprite sheet of equal cells; clips are made of its cells.");
+                   "Double-click an animation in the Assets panel, or drop an animation or an image here. An "
+                   "image becomes a sprite sheet of equal cells; clips are made of its cells.");
         ImGui::InvisibleButton("drop", ImGui::GetContentRegionAvail());
         ui.widgets.mark("Animation/drop");
         if (const std::string dropped = acceptAsset(hovering_); !dropped.empty()) take(ui, dropped);

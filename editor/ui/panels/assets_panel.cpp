@@ -5,15 +5,16 @@
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
 #include "editor/model/assets/asset_browser.hpp"
-#include "editor/model/assets/make_tileset.hpp"
 #include "editor/model/assets/place_asset.hpp"
 #include "editor/model/input/key_words.hpp"
 #include "editor/model/prefabs/prefab_visit.hpp"
+#include "editor/ui/dialogs/image_dialog.hpp"
 #include "editor/ui/dialogs/import_dialog.hpp"
 #include "editor/ui/panels/panels.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/asset_mark.hpp"
 #include "editor/ui/widgets/asset_picture.hpp"
+#include "editor/ui/widgets/dialog.hpp"
 #include "editor/ui/widgets/empty_state.hpp"
 #include "editor/ui/widgets/text_field.hpp"
 
@@ -80,6 +81,7 @@ public:
         ImGui::EndChild();
         drawRename(ui, browser);
         drawDelete(ui, browser);
+        image_.draw(ui, browser);
     }
 
 private:
@@ -250,14 +252,9 @@ private:
               [&] { open(ui, browser, item); });
         entry("Add to the scene", canBePlaced(item.kind) && ui.workspace.canEdit(),
               [&] { browser.place(item.path, ui.workspace.view.view().center); });
-        entry("Make tileset", item.kind == AssetKind::Texture && ui.workspace.canEdit(), [&] {
-            const Result<std::string> made = makeTileset(ui.workspace, item.path);
-            if (made) browser.selected = *made;
-            ui.workspace.notice =
-                made ? format("{} created: drag it into the scene, or select it as the tileset of a layer",
-                              *made)
-                     : made.error().text();
-        });
+        const bool isSheet = item.kind == AssetKind::Texture && ui.workspace.canEdit();
+        entry("Make animation", isSheet, [&] { ui.workspace.assetToEdit = item.path; });
+        entry("Make tileset", isSheet, [&] { makeTilesetOf(ui, browser, item.path); });
         ImGui::Separator();
         entry("Rename...", true, [&] { rename_ = item.path; });
         entry("Delete...", true, [&] { delete_ = item.path; });
@@ -265,12 +262,14 @@ private:
         ImGui::EndPopup();
     }
 
-    static void open(Ui& ui, AssetBrowser& browser, const AssetItem& item) {
+    void open(Ui& ui, AssetBrowser& browser, const AssetItem& item) {
         if (item.folder) return browser.enter(item.path);
         if (item.kind == AssetKind::Scene) return openSceneOrSay(ui, item.path);
         if (item.kind == AssetKind::Prefab) {
             askToEditPrefab(ui.workspace, item.path);
-        } else if (item.kind == AssetKind::Animation || item.kind == AssetKind::Texture) {
+        } else if (item.kind == AssetKind::Texture) {
+            image_.open(item.path);
+        } else if (item.kind == AssetKind::Animation) {
             ui.workspace.assetToEdit = item.path;
         } else {
             ui.workspace.notice = format("Drag {} into the scene", item.name());
@@ -317,9 +316,9 @@ private:
         ui.widgets.mark("Delete/question", question);
         drawUses("No file references it.", "These files reference the file and would show a placeholder:");
         drawError();
-        if (ImGui::Button("Delete", {ui.px(110.0f), 0.0f}) && (error_ = browser.remove(subject_)).empty())
-            ImGui::CloseCurrentPopup();
+        const bool confirmed = ImGui::Button("Delete", {ui.px(110.0f), 0.0f}) || entersDialog();
         ui.widgets.mark("Delete/Delete");
+        if (confirmed && (error_ = browser.remove(subject_)).empty()) ImGui::CloseCurrentPopup();
         ImGui::SameLine();
         if (ImGui::Button("Keep", {ui.px(110.0f), 0.0f})) ImGui::CloseCurrentPopup();
         ui.widgets.mark("Delete/Keep");
@@ -346,6 +345,7 @@ private:
     }
 
     std::unique_ptr<AssetBrowser> browser_;
+    ImageDialog image_;
     double nextLook_ = 0.0;
     std::string hoveredPath_;
     double hoveredSince_ = 0.0;

@@ -2,6 +2,7 @@
 
 #include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/debug/text_editor.hpp"
 #include "editor/model/view/log_view.hpp"
 #include "editor/ui/panels/log_counts.hpp"
 #include "editor/ui/panels/panels.hpp"
@@ -218,6 +219,7 @@ private:
         const LogEntry& line = ui.log.lines()[row.line];
         const ObjectId object = entityIn(ui.workspace.document, line.text);
         const auto place = line.channel == "Script" ? scriptPlaceIn(line.text) : std::nullopt;
+        const auto source = place || line.channel == "Code" ? sourcePlaceIn(line.text) : std::nullopt;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::PushID(static_cast<int>(index));
         allowOverlapBefore();
@@ -245,15 +247,37 @@ private:
         list.PopClipRect();
         list.AddText(ui.fonts.text, ui.fonts.size, {x + ui.px(kChannelWidth), at.y}, colorOfLevel(line.level),
                      line.text.c_str(), nullptr, textWidth(ui, width));
-        const std::string link = place ? linkOf(*place) : object ? ui.workspace.document.nameOf(object) : "";
-        drawEnd(ui, list, row, link, {at.x + width, at.y}, height);
+        const std::string link = source   ? linkOf(*source)
+                                 : object ? ui.workspace.document.nameOf(object)
+                                          : "";
+        const AABB linked = drawEnd(ui, list, row, link, {at.x + width, at.y}, height);
         if (hovered && (object || place || ImGui::GetIO().MousePos.x < x))
             tooltip(hint(ui, line, object, place));
         if (drawGoBack(ui, line, index, {at.x + width, at.y}, height)) return;
+        if (source && (drawLink(ui, *source, index, linked) || (clicked && !place)))
+            return openSource(ui.workspace, *source);
         if (clicked && place) return ui.workspace.scripts.show(*place);
         if (!clicked || !object) return;
         ui.workspace.document.selection.set({object});
         runAction(ui.workspace, "view.frame");
+    }
+
+    /// Makes the drawn link to a source a button. @return true if it was clicked
+    static bool drawLink(Ui& ui, const ScriptPlace& source, std::size_t index, const AABB& box) {
+        if (box.size().x <= 0.0f) return false;
+        ImGui::SetCursorScreenPos({box.min.x, box.min.y});
+        ImGui::PushID(static_cast<int>(index));
+        const bool clicked = ImGui::InvisibleButton("source", {box.size().x, box.size().y});
+        ImGui::PopID();
+        ui.widgets.mark(format("Console/{}/source", index), linkOf(source));
+        tooltip(format("Opens {}:{} in the text editor of Preferences > Editing", source.file, source.line));
+        return clicked;
+    }
+
+    static void openSource(Workspace& workspace, const ScriptPlace& source) {
+        const Result<Done> opened =
+            openInTextEditor(workspace.settings.textEditor, workspace.project.root, source);
+        workspace.notice = opened ? format("Opened {}:{}", source.file, source.line) : opened.error().text();
     }
 
     /// "slime.lua:12" of scripts/slime.lua
@@ -300,8 +324,9 @@ private:
         return text;
     }
 
-    /// Draws the repeat count and the name of the mentioned entity or line at the right edge.
-    static void drawEnd(const Ui& ui, ImDrawList& list, const LogView::Row& row, const std::string& link,
+    /// Draws the repeat count and the name of the mentioned entity or line at the right edge. @return the box
+    /// of the name, px on screen
+    static AABB drawEnd(const Ui& ui, ImDrawList& list, const LogView::Row& row, const std::string& link,
                         ImVec2 end, float height) {
         float x = end.x - ui.px(6.0f);
         if (row.times > 1) {
@@ -312,12 +337,13 @@ private:
             list.AddText({x - wide - ui.px(4.0f), end.y}, palette::kText, times.c_str());
             x -= wide + ui.px(14.0f);
         }
-        if (link.empty()) return;
+        if (link.empty()) return {};
         const float wide = ImGui::CalcTextSize(link.c_str()).x;
         const float left = end.x - ui.px(kLinkWidth - 6.0f);
         list.PushClipRect({left, end.y}, {x, end.y + height}, true);
         list.AddText({std::max(x - wide, left), end.y}, palette::kAccent, link.c_str());
         list.PopClipRect();
+        return {{std::max(x - wide, left), end.y}, {x, end.y + ImGui::GetTextLineHeight()}};
     }
 
     LogView view_;

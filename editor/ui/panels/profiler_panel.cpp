@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/text.hpp"
 #include "editor/model/profiler/profiler.hpp"
@@ -71,12 +72,12 @@ private:
     /// Returns the index of the clicked sample while the profiler stores it, else of the last sample.
     std::size_t chosenSample(const Profiler& profiler) {
         const auto& samples = profiler.samples();
-        if (pinned_ >= 0) {
+        if (pinned_) {
             const auto found =
                 std::find_if(samples.begin(), samples.end(),
                              [&](const Profiler::Sample& sample) { return sample.tick == pinned_; });
             if (found != samples.end()) return static_cast<std::size_t>(found - samples.begin());
-            pinned_ = -1;
+            pinned_.reset();
         }
         return samples.size() - 1;
     }
@@ -90,7 +91,7 @@ private:
         ImGui::PushStyleColor(ImGuiCol_Button, profiler.held ? palette::kAccentSoft : palette::kNothing);
         if (ImGui::Button("Hold")) {
             profiler.held = !profiler.held;
-            if (!profiler.held) pinned_ = -1;
+            if (!profiler.held) pinned_.reset();
         }
         ImGui::PopStyleColor();
         ui.widgets.mark("Profiler/hold", profiler.held ? "on" : "off");
@@ -323,8 +324,8 @@ private:
         }
     }
 
-    std::size_t chosen_ = 0;    ///< index of the shown sample, in this frame
-    std::int64_t pinned_ = -1;  ///< the clicked tick; -1: none
+    std::size_t chosen_ = 0;              ///< index of the shown sample, in this frame
+    std::optional<std::int64_t> pinned_;  ///< the clicked tick
 };
 
 }  // namespace

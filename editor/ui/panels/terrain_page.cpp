@@ -99,7 +99,7 @@ void drawLayouts(Ui& ui, const Terrain& terrain, std::span<const int> chosen) {
 
 /// Draws a 3 x 3 grid; a click toggles whether the terrain continues in that direction.
 void drawMask(Ui& ui, const Terrain& terrain, const Tileset& tileset, std::span<const int> chosen) {
-    const int now = maskOf(terrain, chosen.front());
+    const std::optional<std::uint8_t> now = maskOf(terrain, chosen.front());
     const std::vector<int> tiles{chosen.begin(), chosen.end()};
     const float cell = ui.px(30.0f);
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -115,20 +115,21 @@ void drawMask(Ui& ui, const Terrain& terrain, const Tileset& tileset, std::span<
         ImGui::PushID(i);
         const bool clicked = ImGui::InvisibleButton("bit", {cell, cell});
         ImGui::PopID();
-        const bool on = now >= 0 && (i == 4 || (now & bit) != 0);
+        const bool on = now && (i == 4 || (*now & bit) != 0);
         ui.widgets.mark(format("Tileset/mask/{}", i), on ? "on" : "off");
         if (on)
             list.AddRectFilled(at, {at.x + cell, at.y + cell},
                                IM_COL32(terrain.color.r, terrain.color.g, terrain.color.b, 130));
         if (i == 4 || (all & bit) != 0) outline(list, at, {at.x + cell, at.y + cell}, palette::kCellLine);
         if (!clicked || (i != 4 && (all & bit) == 0)) continue;
-        const int next = i == 4 ? (now >= 0 ? -1 : 0) : (std::max(now, 0) ^ bit);
+        std::optional<std::uint8_t> next;  // a click on the middle takes a tile out, or adds it alone
+        if (i != 4 || !now) next = static_cast<std::uint8_t>(i == 4 ? 0 : now.value_or(0) ^ bit);
         changeTerrain(ui, "set terrain mask", terrain.id,
                       [&](Terrain& changed, Tileset&) { setMask(changed, tiles, next); });
     }
     ImGui::SetCursorScreenPos({from.x, from.y + 3.0f * cell + ui.px(4.0f)});
-    ImGui::TextDisabled("%s", now < 0 ? "Not part of this terrain; click a cell to add the tile."
-                                      : "Click the center to remove the tile from the terrain.");
+    ImGui::TextDisabled("%s", !now ? "Not part of this terrain; click a cell to add the tile."
+                                   : "Click the center to remove the tile from the terrain.");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "editor/model/tiles/tileset_edit.hpp"
 #include "editor/ui/panels/tileset_panel.hpp"
 #include "editor/ui/ui_compat.hpp"
@@ -87,7 +89,7 @@ public:
 
 private:
     std::vector<TileFrame> frames_;  // with unfinished typing
-    int edited_ = -1;                // tile whose frames are edited
+    std::optional<int> edited_;      // tile whose frames are edited
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "editor/model/tiles/tileset_edit.hpp"
 #include "editor/ui/panels/tileset_panel.hpp"
@@ -114,7 +115,7 @@ public:
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled(at, {at.x + size.x * zoom, at.y + size.y * zoom}, palette::kCanvas);
         drawTile(ui, list, tileset, cellOf(chosen.front()), {from_, from_ + size * zoom});
-        if (grabbed_ < 0) points_ = outlineOf(firstOf(tileset, chosen), size);
+        if (!grabbed_) points_ = outlineOf(firstOf(tileset, chosen), size);
         const bool changed = edit(size);
         drawPoints(list);
         if (!changed) return;
@@ -130,26 +131,28 @@ private:
         const Vec2 point = (Vec2{at.x, at.y} - from_) / zoom_;
         return {std::clamp(std::round(point.x), 0.0f, size.x), std::clamp(std::round(point.y), 0.0f, size.y)};
     }
-    [[nodiscard]] int nearest(Vec2 point) const {
+    /// Returns the index of the corner at a point.
+    [[nodiscard]] std::optional<std::size_t> nearest(Vec2 point) const {
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            if (lengthSquared(points_[i] - point) <= 2.5f) return static_cast<int>(i);
+            if (lengthSquared(points_[i] - point) <= 2.5f) return i;
         }
-        return -1;
+        return std::nullopt;
     }
     /// Applies mouse input. @return true if a change of the shape is complete
     bool edit(Vec2 size) {
         const Vec2 point = mouse(size);
-        if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && nearest(point) < 0)
-            return insert(point);
+        if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && !nearest(point)) return insert(point);
         if (ImGui::IsItemActivated()) grabbed_ = nearest(point);
-        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && nearest(point) >= 0) {
-            points_.erase(points_.begin() + nearest(point));
+        if (const auto corner = nearest(point);
+            corner && ImGui::IsItemHovered() && ImGui::IsMouseClicked(1)) {
+            points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(*corner));
+            grabbed_.reset();  // its index may be that of another corner now, or of none
             return true;
         }
-        if (grabbed_ < 0) return false;
-        points_[static_cast<std::size_t>(grabbed_)] = point;
+        if (!grabbed_) return false;
+        points_[*grabbed_] = point;
         if (ImGui::IsItemActive()) return false;
-        grabbed_ = -1;
+        grabbed_.reset();
         return true;
     }
     /// Inserts a corner into the nearest side; without a shape, creates a triangle.
@@ -183,7 +186,7 @@ private:
     std::vector<Vec2> points_;
     Vec2 from_;
     float zoom_ = 1.0f;
-    int grabbed_ = -1;
+    std::optional<std::size_t> grabbed_;  // index of the corner that is dragged
 };
 
 void labelBefore(const Ui& ui, const char* label) {

@@ -137,6 +137,15 @@ void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, 
     drawSheet(list, ui, box, palette::kTextDim, "File");
 }
 
+void drawImage(Ui& ui, ImDrawList& list, std::string_view path, const AABB& box) {
+    const TextureId id = ui.workspace.assets.loadTexture(path);
+    const Texture* texture = ui.workspace.assets.find(id);
+    if (texture == nullptr) return;
+    drawChecks(ui, list, box);
+    drawPart(ui, list, id,
+             {0.0f, 0.0f, static_cast<float>(texture->width), static_cast<float>(texture->height)}, box);
+}
+
 std::string acceptAsset(std::string& hovering) {
     hovering.clear();
     std::string dropped;

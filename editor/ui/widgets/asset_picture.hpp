@@ -18,6 +18,9 @@ namespace plumb::editor::ui {
 void drawAsset(Ui& ui, ImDrawList& list, AssetKind kind, std::string_view path, const AABB& box,
                double playing);
 
+/// Draws a whole image over a checkerboard, however long it is. @param box  target rectangle, px on screen
+void drawImage(Ui& ui, ImDrawList& list, std::string_view path, const AABB& box);
+
 inline constexpr const char* kAssetPayload = "asset";  ///< type of a drag payload: a null-terminated path
 
 /// Makes the last item a drop target for assets. @return the dropped path; empty: none

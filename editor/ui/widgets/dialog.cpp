@@ -44,10 +44,24 @@ bool footButton(Ui& ui, const char* label, float width, const std::string& path,
 
 bool defaultButton(Ui& ui, const char* label, float width, const std::string& path) {
     const bool clicked = footButton(ui, label, width, path, palette::kAccentSoft);
-    // Enter in an active text field finishes that field only.
+    return clicked || entersDialog();
+}
+
+bool entersDialog() {
     const bool entered = pressed(Key::Enter) || pressed(Key::PadEnter);
-    return clicked ||
-           (entered && !ImGui::IsWindowAppearing() && ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive());
+    if (!entered || ImGui::IsWindowAppearing()) return false;
+    // Enter in a text field finishes that field only; a widget to which Tab has led takes Enter itself.
+    const bool taken = itemWasActive() || ImGui::GetIO().NavVisible;
+    constexpr ImGuiFocusedFlags kOwn = ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy;
+    return !taken && ImGui::IsWindowFocused(kOwn);
+}
+
+void tableTitles() {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int i = 0; i < ImGui::TableGetColumnCount(); ++i) {
+        ImGui::TableSetColumnIndex(i);
+        ImGui::TextUnformatted(ImGui::TableGetColumnName(i));
+    }
 }
 
 bool LastingQuestion::ask(bool wanted) {

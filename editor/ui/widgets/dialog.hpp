@@ -17,6 +17,11 @@ bool footButton(Ui& ui, const char* label, float width, const std::string& path,
 /// Draws the highlighted default button, which Enter also
 /// presses. Never use it for an action that discards data.
 bool defaultButton(Ui& ui, const char* label, float width, const std::string& path);
+/// True if Enter was pressed and means the default button of the dialog, not its focused widget.
+bool entersDialog();
+
+/// Draws the names of a table's columns as a row of plain text, at which Tab does not stop.
+void tableTitles();
 
 /// A dialog that opens as soon as no other dialog is open, and reopens after another dialog has displaced it.
 class LastingQuestion {

@@ -40,6 +40,27 @@ TEST_F(Documents, aNewSceneIsWrittenOpenedAndSavedUnchanged) {
     EXPECT_EQ(fileText(), kSceneText);
 }
 
+TEST_F(Documents, aSceneSavedUnderAnotherNameIsTheOpenOneAndTheOldFileStays) {
+    workspace.undo.push(createEntity(workspace.document, "new", {}));
+    const std::string text = workspace.text();
+    for (const char* wrong : {"", "level", "../cave", "a/b"})
+        EXPECT_FALSE(workspace.saveAs(wrong).ok()) << wrong;
+    EXPECT_EQ(workspace.document.scenePath, kScene) << "nothing has changed";
+    EXPECT_TRUE(workspace.unsaved());
+
+    ASSERT_TRUE(workspace.saveAs("cave").ok());
+    EXPECT_EQ(workspace.document.scenePath, "scenes/cave.scene.json");
+    EXPECT_FALSE(workspace.unsaved());
+    EXPECT_EQ(fileText("scenes/cave.scene.json"), text);
+    EXPECT_EQ(fileText(), kSceneText);
+
+    workspace.undo.undo();
+    EXPECT_TRUE(workspace.unsaved()) << "the history is kept";
+    ASSERT_TRUE(workspace.save().ok());
+    EXPECT_EQ(fileText("scenes/cave.scene.json"), kSceneText);
+    EXPECT_EQ(fileText(), kSceneText);
+}
+
 TEST(LogBooks, keepAndForwardAllMessagesSinceTheirCreation) {
     std::vector<std::string> heard;
     const LogSink before = setLogSink([&](const LogLine& line) { heard.push_back(line.text); });

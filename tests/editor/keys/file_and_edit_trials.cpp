@@ -62,6 +62,11 @@ constexpr std::array kTrials{
                  EXPECT_NE(at.fileText(), kSceneText);
                  EXPECT_FALSE(at.workspace.unsaved());
              }},
+    KeyTrial{"Ctrl+Shift+S", "file.saveAs",
+             [](KeyTrials& at) {
+                 at.press();
+                 EXPECT_TRUE(at.shown("SaveAs/name"));
+             }},
     KeyTrial{"Ctrl+Alt+B", "file.backups",
              [](KeyTrials& at) {
                  at.press();

@@ -43,6 +43,22 @@ protected:
     Hands hands;
 };
 
+TEST_F(Playing, aFileThatIsDroppedOntoTheWindowIsRefusedWithTheTrueReason) {
+    putFile("outside/step.wav", "RIFF");
+    putFile("outside/notes.txt", "");
+    play(5);
+    const auto drop = [&](std::string_view name) {
+        const std::string file = (workspace.project.root / "outside" / name).string();
+        window.frame({std::vector<Event>{{.kind = EventKind::FileDropped, .text = file}}});
+        return workspace.notice;
+    };
+    EXPECT_EQ(drop("step.wav"), "Stop the game to add step.wav (F5)");
+    EXPECT_EQ(drop("notes.txt"), "notes.txt is not a file type that games can load");
+    EXPECT_FALSE(std::filesystem::exists(workspace.project.root / "assets/step.wav"));
+    hands.key(Key::F5);
+    EXPECT_EQ(drop("step.wav"), "Added assets/step.wav");
+}
+
 TEST_F(Playing, theTimelineShowsThePastWithEveryValueInTheInspector) {
     EXPECT_EQ(widget("Timeline/track"), nullptr) << "the game does not run";
     workspace.document.selection.set({named("player")});

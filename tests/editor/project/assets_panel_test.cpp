@@ -193,8 +193,28 @@ TEST_F(AssetsPanelTest, aFileDroppedOntoTheWindowIsOfferedForImport) {
     EXPECT_EQ(valueOf("Import/target"), "scenes/cave.scene.json");
 }
 
-TEST_F(AssetsPanelTest, aPictureIsCutIntoCellsAndClipsAndUndone) {
+TEST_F(AssetsPanelTest, aDoubleClickOnAnImageShowsItAndWritesNoFile) {
     doubleClick("Assets/assets/hero.png");
+    hands.rest(3);
+    EXPECT_EQ(valueOf("Image/picture"), "assets/hero.png");
+    EXPECT_FALSE(std::filesystem::exists(workspace.project.root / "assets/hero.anim.json"));
+    EXPECT_EQ(workspace.undo.size(), 0u);
+    hands.key(Key::Escape);
+    hands.rest(2);
+    EXPECT_EQ(window.widgets().find("Image/picture"), nullptr);
+    hands.rest(30);  // so that the next click is not counted as a third click
+    doubleClick("Assets/assets/hero.png");
+    hands.rest(3);
+    hands.click("Image/animation");
+    hands.rest(3);
+    EXPECT_EQ(valueOf("Animation/file"), "assets/hero.anim.json") << "only when it is asked for";
+    EXPECT_TRUE(std::filesystem::exists(workspace.project.root / "assets/hero.anim.json"));
+}
+
+TEST_F(AssetsPanelTest, aPictureIsCutIntoCellsAndClipsAndUndone) {
+    hands.clickAt(hands.middleOf("Assets/assets/hero.png"), MouseButton::Right);
+    hands.rest(2);
+    hands.click("Assets/menu/Make animation");
     hands.rest(3);
     EXPECT_EQ(valueOf("Animation/file"), "assets/hero.anim.json");
     EXPECT_EQ(valueOf("Animation/cells"), "8 x 8") << "found by what is drawn";

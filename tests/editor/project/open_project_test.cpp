@@ -2,6 +2,8 @@
 
 #include "editor/ui/open_project.hpp"
 
+#include <cstring>
+
 #include "core/log.hpp"
 #include "editor/model/actions.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
@@ -67,6 +69,15 @@ protected:
     std::unique_ptr<OpenProject> open;
     std::unique_ptr<Hands> hands;
 };
+
+TEST_F(ProjectChange, theSceneCanBeShownOnceMoreForThePictureOfAProjectThatIsLeft) {
+    runAction(w(), "file.welcome");
+    hands->rest(3);
+    ASSERT_FALSE(shows("Viewport")) << "the screen on which another project is chosen covers it";
+    open->window().showScene();
+    hands->rest();
+    EXPECT_TRUE(shows("Viewport")) << "in the very next frame";
+}
 
 TEST_F(ProjectChange, nothingOfTheFirstProjectIsVisibleInTheSecond) {
     nudge();
@@ -150,6 +161,36 @@ TEST_F(ProjectChange, aRunningGameEndsAndTheNextProjectPlaysItsOwn) {
     EXPECT_TRUE(w().play.world().alive(w().play.find(named("villain"))));
     go("first");
     EXPECT_FALSE(w().play.running());
+}
+
+TEST_F(ProjectChange, componentsOfBothMayHaveTheSameName) {
+    const auto declare = [&](std::string_view project, const std::string& properties) {
+        const std::string script = "return script { " + properties + " }";
+        EXPECT_TRUE(writeFile(root(project) / "scripts/thing.lua", script).ok());
+    };
+    declare("first", "amount = number { 3 }");
+    declare("second", "name = text { 'new' }, amount = vector { vec(7, 8) }, left = integer { 9 }");
+    hands.reset();
+    open.reset();
+    start("first");
+    const auto thing = [&] { return w().document.types().find("Thing"); };
+    const auto add = [&](std::string_view entity) {
+        return w().document.world.add(*thing(), w().document.find(named(entity)));
+    };
+    ASSERT_NE(thing(), nullptr);
+    add("hero");
+    const std::uint64_t before = w().document.world.hash();
+    std::uint64_t whileLeaving = 0;
+    hands.reset();
+    const auto leaving = [&] { whileLeaving = w().document.world.hash(); };
+    ASSERT_TRUE(open->change(folder("second"), leaving).ok());
+    EXPECT_EQ(whileLeaving, before) << "the first project is complete until it is closed";
+
+    ASSERT_NE(thing(), nullptr);
+    const void* added = add("villain");
+    Vec2 amount;
+    std::memcpy(&amount, thing()->find("amount")->in(added), sizeof amount);
+    EXPECT_EQ(amount, (Vec2{7.0f, 8.0f}));
 }
 
 TEST_F(ProjectChange, filesOfTheOtherProjectAreNoLongerWatched) {

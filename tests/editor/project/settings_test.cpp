@@ -15,6 +15,7 @@ Settings someSettings() {
     settings.scale = 1.25f;
     settings.textSize = 16.0f;
     settings.rightErases = true;
+    settings.textEditor = "code -g {file}:{line}";
     settings.remember("/games/first");
     settings.remember("/games/second");
     settings.layout.resize(Edge::Left, 0.3f);
@@ -31,6 +32,18 @@ TEST(SettingsTest, allSettingsAreReadBackAsWritten) {
     ASSERT_TRUE(read);
     EXPECT_TRUE(problems.empty()) << problems.front().text();
     EXPECT_EQ(*read, settings);
+}
+
+TEST(SettingsTest, keysOfActionsThatDoNotExistAreReportedAndIgnored) {
+    for (const char* id : {"", "edit.gone"}) {
+        std::vector<Error> problems;
+        const std::string text = std::string{R"({"format": 1, "keys": {")"} + id + R"(": ["Ctrl+K"]}})";
+        const auto read = Settings::fromText(text, problems);
+        ASSERT_TRUE(read);
+        ASSERT_EQ(problems.size(), 1u) << id;
+        EXPECT_EQ(problems[0].what, "unknown action");
+        EXPECT_FALSE(read->keys.anyChanged());
+    }
 }
 
 TEST(SettingsTest, theFileIsWrittenOnceShortlyAfterAChangeAndReadAtTheNextStart) {

@@ -17,7 +17,7 @@ constexpr std::array kOpening{"file.open",     "file.new",       "file.backups",
                               "edit.find",     "edit.commands",  "edit.preferences",  "edit.keys",
                               "layout.save",   "entity.prefab",  "entity.makePrefab", "entity.overrides",
                               "run.play",      "run.playPaused", "file.quit",         "file.welcome",
-                              "entity.create", "entity.rename"};
+                              "entity.create", "entity.rename",  "file.saveAs"};
 
 class DialogMonkey : public DialogFixture {
 protected:
@@ -46,7 +46,7 @@ protected:
         std::vector<std::string> fronts;
         for (const std::string& name : names) {
             for (const char* dialog :
-                 {"Recovery/", "Changed/", "Backups/", "Unsaved/", "Keep/", "New/", "MakePrefab/",
+                 {"Recovery/", "Changed/", "Backups/", "Unsaved/", "Keep/", "New/", "SaveAs/", "MakePrefab/",
                   "Overrides/", "Import/", "Finder/", "Preferences/", "Layout/"}) {
                 if (name.find(dialog) == 0) fronts.push_back(name);
             }

@@ -35,6 +35,12 @@ TEST_F(KeyWords, areTheKeysOfTheActionOrElseItsName) {
     EXPECT_EQ(keysFor(workspace, "edit.undo"), "Ctrl+Z");
 }
 
+TEST_F(KeyWords, ofAnActionThatDoesNotExistAreItsName) {
+    EXPECT_EQ(keysFor(workspace, "edit.gone"), "edit.gone");
+    EXPECT_EQ(keysFor(workspace, ""), "");
+    EXPECT_EQ(withKeys(workspace, "press {edit.gone} or {edit.undo}"), "press edit.gone or Ctrl+U");
+}
+
 TEST_F(KeyWords, areInTheNoticeOfANewPrefab) {
     workspace.document.selection.set({named("crate")});
     runAction(workspace, "entity.makePrefab");

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "editor/model/debug/text_editor.hpp"
 #include "editor/model/view/log_view.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
@@ -121,6 +122,54 @@ TEST_F(ConsoleTest, aClickSelectsTheEntityOfTheLine) {
     hands.click("Console/0");
     EXPECT_EQ(workspace.document.selection.all(), std::vector{named("lamp")});
     EXPECT_FALSE(workspace.view.view().center == center);
+}
+
+#if !defined(_WIN32)
+TEST_F(ConsoleTest, aClickOnTheFileAndLineOfAnErrorOpensTheTextEditor) {
+    putFile("editor", "#!/bin/sh\nprintf '%s\\n' \"$@\" > \"$0.part\"\nmv \"$0.part\" \"$0.words\"\n");
+    const Path root = workspace.project.root;
+    std::filesystem::permissions(root / "editor", std::filesystem::perms::owner_all);
+    workspace.settings.textEditor = format("\"{}\" --at {file}:{line} {line}", (root / "editor").string());
+    putFile("code/hero.cpp", "");
+    putFile("scripts/slime.lua", "");
+    const auto expectOpened = [&](const char* file, int line) {
+        for (int i = 0; i < 100000 && !std::filesystem::exists(root / "editor.words"); ++i) hands.rest();
+        const std::string path = std::filesystem::absolute(root / file).string();
+        EXPECT_EQ(fileText("editor.words"), format("--at\n{}:{}\n{}\n", path, line, line));
+        std::filesystem::remove(root / "editor.words");
+    };
+    log.clear();
+    logError("Code", Error{"code/hero.cpp:12:5", "error: expected ';'", ""});
+    logError("Script", Error{"scripts/slime.lua:3", "attempt to call a nil value", ""});
+    hands.rest(2);
+    hands.click("Console/0");
+    expectOpened("code/hero.cpp", 12);
+    EXPECT_EQ(valueOf("Console/1/source"), "slime.lua:3");
+    hands.click("Console/1/source");
+    expectOpened("scripts/slime.lua", 3);
+    workspace.settings.textEditor = "/no/such/editor";
+    hands.click("Console/0");
+    EXPECT_NE(workspace.notice.find("/no/such/editor"), std::string::npos) << workspace.notice;
+    EXPECT_NE(workspace.notice.find("Preferences"), std::string::npos) << "where it is set";
+}
+#endif
+
+TEST(TextEditors, aCommandIsSplitIntoWordsBeforeTheFileIsFilledIn) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(wordsOf("code -g {file}:{line}", "/a b/c.lua", 7), (Words{"code", "-g", "/a b/c.lua:7"}));
+    EXPECT_EQ(wordsOf("  \"my editor\"  +{line} \"\" ", "x", 7), (Words{"my editor", "+7", "", "x"}));
+    EXPECT_EQ(wordsOf("", "x", 7), Words{});
+    EXPECT_EQ(wordsOf("vi {file}", "{line}", 7), (Words{"vi", "{line}"})) << "a name is not a command";
+}
+
+TEST(TextEditors, thePlaceOfAMessageIsFound) {
+    using Place = ScriptPlace;
+    EXPECT_EQ(sourcePlaceIn("code/a.cpp:12:5: error: no"), (Place{"code/a.cpp", 12}));
+    EXPECT_EQ(sourcePlaceIn("In file included from /x/b.hpp:3,"), (Place{"/x/b.hpp", 3}));
+    EXPECT_EQ(sourcePlaceIn("slime @1: scripts/slime.lua:4: no"), (Place{"scripts/slime.lua", 4}));
+    EXPECT_FALSE(sourcePlaceIn("a.cpp: no line"));
+    EXPECT_FALSE(sourcePlaceIn("a.cpp:0: no line"));
+    EXPECT_FALSE(sourcePlaceIn("12:30 o'clock"));
 }
 
 TEST_F(ConsoleTest, buttonsHideLevelsAndChannelsAndSearchFinds) {
