@@ -96,7 +96,7 @@ TEST_F(CodeGame, theSizeOfTheWindowIsThatOfTheCodeUnlessAnOptionNamesAnother) {
 }
 
 TEST_F(CodeGame, whatARunRecordsIsReplayed) {
-    ASSERT_EQ(run("--frames 200 --record mine.replay --seed 5 --hash"), 0) << output_;
+    ASSERT_EQ(run("--frames 40 --record mine.replay --seed 5 --hash"), 0) << output_;
     const std::string recorded = output_.substr(output_.find("hash: "));
     EXPECT_EQ(run("--headless --replay mine.replay --hash"), 0) << output_;
     EXPECT_EQ(output_.substr(output_.find("hash: ")), recorded);

@@ -3,8 +3,8 @@
 
     record_hello.py PROGRAM     PROGRAM: build/release/bin/hello-code
 
-The input is scripted: the ship flies to and fro and fires. Space is let go now and then, so that a new game begins after
-an early end; at last nobody flies, until the game is over.
+The input is scripted: the ship flies to and fro and fires. Space is let go now and then, so that a new game begins
+after an early end; at last nobody flies, until the game is over.
 """
 
 import random

@@ -142,7 +142,9 @@ def meteor(x, y):
 
 def shot(x, y):
     across, along = abs(x - 2), min(y, 9 - y)
-    return (255, 255, 255, 255) if across == 0 and along > 0 else (110, 232, 250, 230 if across < 2 and along > 1 else 60)
+    if across == 0 and along > 0:
+        return (255, 255, 255, 255)
+    return (110, 232, 250, 230 if across < 2 and along > 1 else 60)
 
 
 def notes(*pitches):
