@@ -2,31 +2,14 @@
 
 #include <lua.hpp>
 
-#include "script/library/work.hpp"
-
 namespace plumb::script {
-namespace {
 
-thread_local Context* current = nullptr;
+ContextScope::ContextScope(Context& context) : before_{current_} { current_ = &context; }
+ContextScope::~ContextScope() { current_ = before_; }
 
-/// Units of Work of an access to the world, which the budget of loops counts as little as an addition: 0.2
-/// us.
-constexpr std::int64_t kCallWork = 40;
-
-}  // namespace
-
-ContextScope::ContextScope(Context& context) : before_{current} { current = &context; }
-ContextScope::~ContextScope() { current = before_; }
-
-Context* currentContext() { return current; }
-
-Context& contextOf(lua_State* state) {
-    if (current == nullptr)
-        luaL_error(
-            state,
-            "the world is not available while a file is loaded; call this in a handler, e.g. onCreate");
-    spend(state, kCallWork);
-    return *current;
+void failWithoutWorld(lua_State* state) {
+    luaL_error(state,
+               "the world is not available while a file is loaded; call this in a handler, e.g. onCreate");
 }
 
 std::string_view checkText(lua_State* state, int index) {

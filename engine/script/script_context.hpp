@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "reflect/entity_id.hpp"
+#include "script/library/work.hpp"
 #include "script/script_event.hpp"
 
 struct lua_State;
@@ -42,15 +43,24 @@ public:
     ContextScope(const ContextScope&) = delete;
     ContextScope& operator=(const ContextScope&) = delete;
 
+    /// The current context; null while no script of a world runs.
+    static Context* current() { return current_; }
+
 private:
+    static inline constinit thread_local Context* current_ = nullptr;
     Context* before_;
 };
 
-/// Returns the current context; null while no script of a world runs.
-Context* currentContext();
-/// Returns the current context. Raises an error of Lua if there is none: the file of a script is being
-/// loaded.
-Context& contextOf(lua_State* state);
+inline Context* currentContext() { return ContextScope::current(); }
+/// Raises an error of Lua: the file of a script is being loaded.
+void failWithoutWorld(lua_State* state);
+/// Returns the current context, for an access to the world. Raises an error of Lua if there is none.
+inline Context& contextOf(lua_State* state) {
+    constexpr std::int64_t kCallWork = 40;  // units of Work: 0.2 us, which a round of a loop does not count
+    if (currentContext() == nullptr) failWithoutWorld(state);
+    spend(state, kCallWork);
+    return *currentContext();
+}
 inline World& worldOf(lua_State* state) { return contextOf(state).world; }
 
 /// Returns the text that is argument number `index`; raises an error if it is none.

@@ -15,6 +15,7 @@
 #include "reflect/type_key.hpp"
 #include "script/script_values.hpp"
 #include "script/script_vector.hpp"
+#include "script/values/userdata.hpp"
 
 namespace plumb::script {
 namespace {
@@ -27,6 +28,8 @@ constexpr char kAllDeclared = 0;
 
 /// A property of a script, as declared by number{...} and the like. Its user value is the table of details.
 struct Property {
+    static constexpr BlockKind kKind = BlockKind::Property;
+    BlockKind blockKind = kKind;
     FieldKind kind = FieldKind::Float;
     FieldKind element = FieldKind::Float;
     AssetKind asset = AssetKind::None;

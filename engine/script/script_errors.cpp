@@ -10,6 +10,8 @@
 #include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "scene/components/name.hpp"
+#include "script/library/work.hpp"
+#include "script/script_arena.hpp"
 #include "script/script_frames.hpp"
 
 namespace plumb::script {
@@ -36,12 +38,14 @@ std::string listOf(const std::vector<ScriptVariable>& variables) {
 /// the end of the memory before it comes to that of the stack.
 std::string memoryText(lua_State* coroutine) {
     constexpr int kDeep = 10'000;
+    constexpr int kMuch = static_cast<int>(ScriptArena::kBytes / 1024 / 2);  // KiB
     const int depth = scriptDepth(coroutine);
-    return depth < kDeep ? std::string{"not enough memory: scripts can keep 64 MiB of values"}
-                         : format(
-                               "stack overflow: {} calls within one another; a function calls itself "
-                               "without end",
-                               depth);
+    if (depth >= kDeep)
+        return format("stack overflow: {} calls within one another; a function calls itself without end",
+                      depth);
+    if (Work::isSpent() && lua_gc(coroutine, LUA_GCCOUNT) < kMuch)
+        return "it makes too many tables and texts, which takes too long; use wait() in long loops";
+    return "not enough memory: scripts can keep 64 MiB of values";
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "script/script_observer.hpp"
 #include "script/script_set.hpp"
 #include "script/script_values.hpp"
+#include "script/values/self.hpp"
 
 namespace plumb {
 namespace {
@@ -217,7 +218,7 @@ void ScriptRunner::endInstances(Loaded& script) {
         if ((script.handlers & kOnDestroy) != 0 && !isOver(instance.scene)) {
             gone.push_back(instance);
         } else {
-            luaL_unref(state_, LUA_REGISTRYINDEX, instance.self);
+            script::endSelf(state_, instance.self);
         }
         return true;
     });
@@ -227,7 +228,7 @@ void ScriptRunner::endInstances(Loaded& script) {
 void ScriptRunner::callOnDestroy(Loaded& script, std::vector<Instance>& gone) {
     for (Instance& instance : gone) {
         call(script, instance, nameOf(kOnDestroy), 0);
-        luaL_unref(state_, LUA_REGISTRYINDEX, instance.self);
+        script::endSelf(state_, instance.self);
     }
 }
 
@@ -336,7 +337,9 @@ void ScriptRunner::report(lua_State* coroutine, int status, const Wait& wait) {
     if (void* component = type == nullptr ? nullptr : world_.find(type->info, wait.entity))
         *static_cast<bool*>(component) = true;
     if (!failures_.isFirst(script::placeOf(coroutine))) return;
-    script::resetBudget(state_);  // the handler may have used up all of it
+    // To describe variables takes work, and the handler may have used up all of it. After the end of the
+    // memory none are described, but that there is no work left is part of the message.
+    if (status != LUA_ERRMEM) script::resetBudget(state_);
     logError("Script", script::handlerError(coroutine, status, world_, wait.entity));
 }
 

@@ -144,10 +144,12 @@ public:
                 const Token exponent = lexer_.next();
                 if (exponent.kind != Token::Kind::Number || exponent.text != "2")
                     return powerError(token.end);
+                before_ = exponent;
                 continue;
             }
             if (std::optional<Error> error = problemOf(token)) return std::move(*error);
             visit(token);
+            before_ = token;
         }
         copyTo(text_.size());
         if (needsCount_) out_.insert(0, format("local {}=select ", kVarargCount));
@@ -155,7 +157,7 @@ public:
     }
 
 private:
-    enum class Block : unsigned char { Plain, LoopHead };
+    enum class Block : unsigned char { Plain, LoopHead, Table };
 
     /// What would lead out of the function around the script or past its budget.
     [[nodiscard]] std::optional<Error> problemOf(const Token& token) const {
@@ -163,22 +165,37 @@ private:
             return errorAt(token.end, format("the name {} is reserved", token.text), "use another name");
         if ((token.is("end") || token.is("until")) && open_.empty())
             return errorAt(token.end, format("'{}' closes nothing", token.text), "remove it");
-        if (token.text == "__mode" || (token.kind == Token::Kind::String && isModeText(token.text)))
+        if (token.text == "__mode" || (token.kind == Token::Kind::String && isText(token.text, "__mode")))
             return errorAt(token.end, "__mode is not available: when it acts would differ between runs",
                            "set entries to nil");
+        if (isCallOfMetatable(token) && !mayNameCall(token))
+            return errorAt(token.end, "__call can be assigned by its function or in a constructor only",
+                           "write function NAME.__call(...), or { __call = NAME } before setmetatable()");
         return std::nullopt;
     }
-    /// True for "__mode" in quotes or long brackets: weak tables that get their mode after setmetatable().
-    [[nodiscard]] static bool isModeText(std::string_view text) {
-        constexpr std::string_view kMode = "__mode";
-        const std::size_t at = text.find(kMode);
-        const std::string_view after = at == std::string_view::npos ? text : text.substr(at + kMode.size());
-        return at != std::string_view::npos && text.find_first_not_of("'\"[=\r\n") == at &&
+    [[nodiscard]] static bool isCallOfMetatable(const Token& token) {
+        return token.is("__call") || (token.kind == Token::Kind::String && isText(token.text, "__call"));
+    }
+    /// A metatable whose __call is a table can make Lua hang. setmetatable() looks at it, so this is about
+    /// what comes after: assignments other than of a function.
+    [[nodiscard]] bool mayNameCall(const Token& token) const {
+        if (!open_.empty() && open_.back() == Block::Table) return true;
+        if (token.kind == Token::Kind::String) return !before_.is("[");
+        Lexer ahead = lexer_;
+        return ahead.next().is("(");
+    }
+    /// True for this text in quotes or long brackets: weak tables that get their mode after setmetatable().
+    [[nodiscard]] static bool isText(std::string_view token, std::string_view text) {
+        const std::size_t at = token.find(text);
+        const std::string_view after = at == std::string_view::npos ? token : token.substr(at + text.size());
+        return at != std::string_view::npos && token.find_first_not_of("'\"[=\r\n") == at &&
                after.find_first_not_of("'\"]=") == std::string_view::npos;
     }
 
     void visit(const Token& token) {
         if (inHead_) return visitHead(token);
+        if (token.is("{")) open_.push_back(Block::Table);
+        if (token.is("}") && !open_.empty() && open_.back() == Block::Table) open_.pop_back();
         if (token.kind != Token::Kind::Word) return;
         if (token.text == "while" || token.text == "for") {
             open_.push_back(Block::LoopHead);
@@ -244,6 +261,7 @@ private:
     bool inHead_ = false;      // in the name or the parameters of a function
     int dots_ = 0;             // of these
     bool needsCount_ = false;
+    Token before_;  // the token before the one that is looked at
 };
 
 }  // namespace

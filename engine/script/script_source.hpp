@@ -22,7 +22,8 @@ inline constexpr std::string_view kVarargCount = "__count";
 /// @param name  of the file, for errors
 /// @error text that is not UTF-8; a power `x^y` whose exponent is not 2: pow() of the C library differs
 /// between
-///        machines; the two names above, "__count" or "__mode"; an "end" or "until" that closes nothing,
+///        machines; the two names above, "__count" or "__mode"; "__call", unless it is in a
+///        constructor of a table or names a function that is defined or called; an "end" or "until" that closes nothing,
 ///        which would end the function around the script
 Result<std::string> prepareScript(std::string_view text, std::string_view name);
 

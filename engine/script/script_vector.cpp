@@ -1,15 +1,50 @@
 #include "script/script_vector.hpp"
 
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
 #include <lua.hpp>
 
 #include "core/text.hpp"
 #include "math/angle.hpp"
 #include "script/library/work.hpp"
+#include "script/values/userdata.hpp"
 
 namespace plumb::script {
 namespace {
 
-constexpr const char* kVector = "vec";
+// Keys in the registry of the Lua state, by address.
+constexpr char kRecent = 0;  // see Recent
+
+/// The block of a vector.
+struct VectorBlock {
+    static constexpr BlockKind kKind = BlockKind::Vector;
+    BlockKind kind = kKind;
+    Vec2 value;
+};
+
+/// Vectors that were pushed last. They cannot be changed, so one with the same value is pushed again instead
+/// of a new one: fields are often read many times between two changes. The user values of this userdata are
+/// the vectors, and behind them their metatable.
+struct Recent {
+    static constexpr std::size_t kCount = 64;
+    std::array<std::uint64_t, kCount> bits;  // of their values
+
+    static constexpr int kMetatable = kCount + 1;  // user value
+
+    Recent() { bits.fill(std::bit_cast<std::uint64_t>(kNoVector)); }
+    static constexpr Vec2 kNoVector{std::numeric_limits<float>::quiet_NaN(), 0.0f};
+    /// The place of a value: a hash of its bits.
+    [[nodiscard]] static std::size_t placeOf(std::uint64_t bits) {
+        constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;
+        constexpr int kShift = 64 - 6;
+        return bits * kGolden >> kShift;
+    }
+};
 
 float checkFloat(lua_State* state, int index) { return static_cast<float>(luaL_checknumber(state, index)); }
 
@@ -94,7 +129,7 @@ int toText(lua_State* state) {
 
 /// The upvalue is the table of functions.
 int index(lua_State* state) {
-    const auto* vector = static_cast<const Vec2*>(lua_touserdata(state, 1));
+    const Vec2* vector = vectorAt(state, 1);
     std::size_t size = 0;
     const char* name = lua_type(state, 2) == LUA_TSTRING ? lua_tolstring(state, 2, &size) : nullptr;
     if (size == 1 && (name[0] == 'x' || name[0] == 'y')) {
@@ -124,14 +159,17 @@ constexpr luaL_Reg kFunctions[] = {{"length", lengthOf}, {"normalized", normaliz
 }  // namespace
 
 void addVectors(lua_State* state) {
-    luaL_newmetatable(state, kVector);
-    luaL_setfuncs(state, kOperators, 0);
+    std::construct_at(static_cast<Recent*>(lua_newuserdatauv(state, sizeof(Recent), Recent::kMetatable)));
+    luaL_newlib(state, kOperators);
     luaL_newlib(state, kFunctions);
     lua_pushcclosure(state, index, 1);
     lua_setfield(state, -2, "__index");
+    lua_pushliteral(state, "vec");
+    lua_setfield(state, -2, "__name");
     lua_pushboolean(state, 0);
     lua_setfield(state, -2, "__metatable");
-    lua_pop(state, 1);
+    lua_setiuservalue(state, -2, Recent::kMetatable);
+    lua_rawsetp(state, LUA_REGISTRYINDEX, &kRecent);
     lua_pushcfunction(state, makeVector);
     lua_setglobal(state, "vec");
 }
@@ -139,16 +177,35 @@ void addVectors(lua_State* state) {
 void pushVector(lua_State* state, Vec2 value) {
     constexpr std::int64_t kVectorWork = 20;  // units of Work: 0.1 us
     spend(state, kVectorWork);
-    *static_cast<Vec2*>(lua_newuserdatauv(state, sizeof(Vec2), 0)) = value;
-    luaL_setmetatable(state, kVector);
+    lua_rawgetp(state, LUA_REGISTRYINDEX, &kRecent);
+    auto& recent = *static_cast<Recent*>(lua_touserdata(state, -1));
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const std::size_t place = Recent::placeOf(bits);
+    const int userValue = static_cast<int>(place) + 1;
+    const bool isNumber = value == value;  // a vector with NaN is equal to no other one
+    if (recent.bits[place] == bits && isNumber) {
+        lua_getiuservalue(state, -1, userValue);
+    } else {
+        auto* block = static_cast<VectorBlock*>(lua_newuserdatauv(state, sizeof(VectorBlock), 0));
+        *block = {VectorBlock::kKind, value};
+        lua_getiuservalue(state, -2, Recent::kMetatable);
+        lua_setmetatable(state, -2);
+        lua_pushvalue(state, -1);
+        lua_setiuservalue(state, -3, userValue);
+        recent.bits[place] = bits;
+    }
+    lua_replace(state, -2);
 }
 
 const Vec2* vectorAt(lua_State* state, int index) {
-    return static_cast<const Vec2*>(luaL_testudata(state, index, kVector));
+    const auto* block = blockAt<VectorBlock>(state, index);
+    return block == nullptr ? nullptr : &block->value;
 }
 
 Vec2 checkVector(lua_State* state, int index) {
-    return *static_cast<const Vec2*>(luaL_checkudata(state, index, kVector));
+    const Vec2* vector = vectorAt(state, index);
+    if (vector == nullptr) luaL_typeerror(state, index, "vec");
+    return *vector;
 }
 
 }  // namespace plumb::script

@@ -21,6 +21,7 @@ set(denied
 set(allowed
     "engine/scene/files/scene_reader.hpp"  # its table is only looked up, never walked
     "engine/scene/files/scene_reader.cpp"
+    "engine/script/values/name_table.hpp"  # the same: rows are found by the address of a text, in no order
 )
 
 set(broken 0)

@@ -149,5 +149,23 @@ TEST_F(ScriptLibrary, reachesNothingOutside) {
         "cannot change a protected metatable");
 }
 
+TEST_F(ScriptLibrary, repRepeatsATextWithWhatIsBetween) {
+    EXPECT_EQ(run(R"(
+        for _, text in ipairs({'', 'x', 'ab', 'a\0b', ('0123456789'):sub(1, 7)}) do
+            for _, between in ipairs({'', '-', ', '}) do
+                for count = -1, 70 do
+                    local parts = {}
+                    for i = 1, count do parts[i] = text end
+                    local expected = table.concat(parts, between)
+                    assert(text:rep(count, between) == expected, count .. text .. between)
+                    if between == '' then assert(text:rep(count) == expected) end
+                end
+            end
+        end
+        return #('abc'):rep(100000, ';')
+    )"),
+              "399999");
+}
+
 }  // namespace
 }  // namespace plumb

@@ -16,6 +16,7 @@
 #include "script/script_entity.hpp"
 #include "script/script_functions.hpp"
 #include "script/script_vector.hpp"
+#include "script/values/component.hpp"
 
 namespace plumb::script {
 namespace {

@@ -24,6 +24,9 @@ void addLists(lua_State* state);
 /// rawset().
 void addProtection(lua_State* state);
 
+/// Raises an error if the value at an index cannot be the `__call` of a metatable.
+void checkCall(lua_State* state, int index);
+
 /// Replaces the table on top of the stack by one that shows it and cannot be changed.
 void pushReadOnly(lua_State* state);
 

@@ -82,7 +82,8 @@ void merge(lua_State* state, int list, InOrder inOrder, const lua_Integer* from,
 /// itself, even if `inOrder` is no order.
 void pushSorted(lua_State* state, int list, lua_Integer count, InOrder inOrder) {
     constexpr std::int64_t kWorkPerComparison = 30;
-    spend(state, kWorkPerComparison * count * std::bit_width(static_cast<std::uint64_t>(count)));
+    const auto rounds = static_cast<std::int64_t>(std::bit_width(static_cast<std::uint64_t>(count)));
+    spend(state, kWorkPerComparison * count * rounds);
     // Memory of the state, so that an error of the comparison loses nothing.
     auto* from = static_cast<lua_Integer*>(
         lua_newuserdatauv(state, static_cast<std::size_t>(count + 1) * 2 * sizeof(lua_Integer), 0));
@@ -207,7 +208,8 @@ int next(lua_State* state) {
     return 2;
 }
 
-/// Without finalizers and weak tables: when they act depends on the collector.
+/// Without finalizers and weak tables: when they act depends on the collector. `__call` must be a function: a
+/// call of a table whose __call is a table takes Lua minutes if that leads back to it.
 int setMetatable(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     luaL_argexpected(state, lua_isnil(state, 2) || lua_istable(state, 2), 2, "nil or table");
@@ -220,6 +222,9 @@ int setMetatable(lua_State* state) {
                 return luaL_error(state, "%s is not available: when it acts would differ between runs", name);
             lua_pop(state, 1);
         }
+        lua_pushliteral(state, "__call");
+        lua_rawget(state, 2);
+        checkCall(state, lua_gettop(state));
     }
     lua_settop(state, 2);
     lua_setmetatable(state, 1);

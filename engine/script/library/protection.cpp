@@ -1,3 +1,5 @@
+#include <cstring>
+
 #include <lua.hpp>
 
 #include "script/library/library_parts.hpp"
@@ -39,12 +41,19 @@ int rawSet(lua_State* state) {
     luaL_checkany(state, 2);
     luaL_checkany(state, 3);
     if (isReadOnly(state, 1)) return refuseWrite(state);
+    if (lua_type(state, 2) == LUA_TSTRING && std::strcmp(lua_tostring(state, 2), "__call") == 0)
+        checkCall(state, 3);
     lua_settop(state, 3);
     lua_rawset(state, 1);
     return 1;
 }
 
 }  // namespace
+
+void checkCall(lua_State* state, int index) {
+    if (lua_isnil(state, index) != 0 || lua_isfunction(state, index) != 0) return;
+    luaL_error(state, "__call must be a function, found a %s", luaL_typename(state, index));
+}
 
 void addProtection(lua_State* state) {
     lua_pushcfunction(state, rawSet);

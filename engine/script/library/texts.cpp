@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include <lua.hpp>
 
 #include "script/library/library_parts.hpp"
 #include "script/library/work.hpp"
+#include "script/script_arena.hpp"
 
 namespace plumb::script {
 namespace {
@@ -64,19 +66,41 @@ int formatText(lua_State* state) {
     return 1;
 }
 
-/// string.rep, without the endless loop of Lua's own function (the upvalue) for texts of length 0.
+/// Fills memory with repetitions of its first `part` bytes.
+void repeatBytes(char* memory, std::size_t part, std::size_t bytes) {
+    for (std::size_t done = part; done < bytes;) {
+        const std::size_t more = std::min(done, bytes - done);
+        std::memcpy(memory + done, memory, more);
+        done += more;
+    }
+}
+
+/// string.rep, in few copies. Lua's own function, the upvalue, makes one for each time, without end for a
+/// text of length 0; it has the errors for what is too long.
 int repeat(lua_State* state) {
     std::size_t length = 0;
     std::size_t separatorLength = 0;
-    luaL_checklstring(state, 1, &length);
+    const char* text = luaL_checklstring(state, 1, &length);
     const lua_Integer count = luaL_checkinteger(state, 2);
-    luaL_optlstring(state, 3, "", &separatorLength);
-    if (count <= 0 || length + separatorLength == 0) return lua_pushliteral(state, ""), 1;
-    spend(state, std::min<lua_Integer>(count, Work::kMax) / 4);
-    lua_settop(state, 3);
-    lua_pushvalue(state, lua_upvalueindex(1));
-    lua_insert(state, 1);
-    lua_call(state, 3, 1);
+    const char* separator = luaL_optlstring(state, 3, "", &separatorLength);
+    const std::size_t part = length + separatorLength;
+    if (count <= 0 || part == 0) return lua_pushliteral(state, ""), 1;
+    if (static_cast<std::uint64_t>(count) > ScriptArena::kBytes / part) {
+        lua_settop(state, 3);
+        lua_pushvalue(state, lua_upvalueindex(1));
+        lua_insert(state, 1);
+        lua_call(state, 3, 1);
+        return 1;
+    }
+    const std::size_t bytes = part * static_cast<std::size_t>(count) - separatorLength;
+    luaL_Buffer buffer;
+    char* memory = luaL_buffinitsize(state, &buffer, bytes);
+    std::memcpy(memory, text, length);
+    if (count > 1) {
+        std::memcpy(memory + length, separator, separatorLength);
+        repeatBytes(memory, part, bytes);
+    }
+    luaL_pushresultsize(&buffer, bytes);
     return 1;
 }
 

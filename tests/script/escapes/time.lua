@@ -154,7 +154,7 @@ local a = 0x1p-1 local b = 3e+1 while true do end
 while true do (tostring)(1) end
 --# headWithFunction | error: takes too long
 while (function() for i = 1, 2 do end return true end)() do end
---# headWithTable | error: takes too long
+--# headWithTable | error: not enough memory
 for _ in (function() return function() return {function() end} end end)() do end
 --# untilWithFunction | error: takes too long
 repeat local x = 1 until (function() repeat until true return false end)()
@@ -222,10 +222,59 @@ local a, b = {}, {}
 setmetatable(a, {__newindex = b})
 setmetatable(b, {__newindex = a})
 a.x = 1
---# callChain | error: 
+--# callChain | error: __call must be a function, found a table
 local t = {}
 for i = 1, 1000 do t = setmetatable({}, {__call = t}) end
 t()
+--# callOfItself | error: __call can be assigned
+local t = setmetatable({}, {})
+getmetatable(t).__call = t
+t()
+--# callOfItselfInBrackets | error: __call can be assigned
+local t = setmetatable({}, {})
+getmetatable(t)["__call"] = t
+t()
+--# callOfItselfInLongBrackets | error: __call can be assigned
+local t = setmetatable({}, {})
+getmetatable(t)[ [=[__call]=] ] = t
+t()
+--# callOfItselfAfterAFunction | error: __call can be assigned
+local t = setmetatable({}, {})
+local x
+x, getmetatable(t).__call = function() end, t
+t()
+--# callOfItselfAsAGlobal | error: __call can be assigned
+local t = setmetatable({}, {})
+local _ENV = getmetatable(t)
+__call = t
+t()
+--# callOfItselfInAFunctionInATable | error: __call can be assigned
+local t = setmetatable({}, {})
+local f = {function() getmetatable(t).__call = t end}
+f[1]()
+t()
+--# callOfItselfByRawset | error: __call must be a function, found a table
+local t = setmetatable({}, {})
+rawset(getmetatable(t), '__call', t)
+t()
+--# callOfItselfFromTheStart | error: __call must be a function, found a table
+local t = {}
+setmetatable(t, {__call = t})
+t()
+--# callOfItselfFromAMadeKey | error: __call must be a function, found a table
+local t = {}
+setmetatable(t, {['__' .. 'call'] = t})
+t()
+--# callByFunctions | result: 7 12 3 4
+local mt = {__call = function(self, a) return a + 1 end}
+local t = setmetatable({}, mt)
+local a = t(6)
+function mt.__call(self, b) return b * 2 end
+local b = t(6)
+rawset(mt, '__call', function() return 3 end)
+local c = t()
+local function four() return 4 end
+return a .. ' ' .. b .. ' ' .. c .. ' ' .. setmetatable({}, {["__call"] = four; x = {1}})()
 --# closeThatNeverEnds | error: takes too long
 local c <close> = setmetatable({}, {__close = function() while true do end end})
 --# closeThatFails | error: again
