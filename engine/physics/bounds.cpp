@@ -13,9 +13,7 @@ namespace {
 
 /// Returns a margin (m) for the rounding of float coordinates far from the origin.
 float roundingAt(const AABB& box) {
-    const float far = std::max(std::max(std::fabs(box.min.x), std::fabs(box.max.x)),
-                               std::max(std::fabs(box.min.y), std::fabs(box.max.y)));
-    return 0.5f * far * kRounding;
+    return 0.5f * std::max(largestOf(box.min), largestOf(box.max)) * kRounding;
 }
 
 float marginOf(const AABB& tight, const Settings& settings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "math/rect.hpp"
@@ -18,6 +19,9 @@ constexpr Double2 operator-(Double2 a, Double2 b) { return {a.x - b.x, a.y - b.y
 constexpr Double2 operator*(Double2 a, double s) { return {a.x * s, a.y * s}; }
 constexpr double dot(Double2 a, Double2 b) { return a.x * b.x + a.y * b.y; }
 constexpr double cross(Double2 a, Double2 b) { return a.x * b.y - a.y * b.x; }
+
+/// The larger of the magnitudes of two coordinates.
+inline float largestOf(Vec2 v) { return std::max(std::fabs(v.x), std::fabs(v.y)); }
 
 /// A coordinate frame. apply(frame, point) maps a point from the frame to its parent space.
 struct Frame {

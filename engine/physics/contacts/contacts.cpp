@@ -41,8 +41,6 @@ float separationOf(const Encounter& now, const ContactAnchors& anchors, Vec2 nor
     return dot(normalInA, now.between + rotate(now.relativeRotation, anchors.b) - anchors.a);
 }
 
-float longest(Vec2 a) { return std::max(std::fabs(a.x), std::fabs(a.y)); }
-
 /// True if the bodies have hardly moved relative to each other since the points were computed.
 /// @param normal  the contact's normal, in A's current frame
 bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, float tolerance) {
@@ -50,7 +48,7 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
     const float turned = contact.relativeRotation.cos * now.relativeRotation.sin -
                          contact.relativeRotation.sin * now.relativeRotation.cos;
     const float arm =
-        longest(contact.anchors[0].b) + longest(contact.anchors[1].b) + longest(contact.anchors[0].a);
+        largestOf(contact.anchors[0].b) + largestOf(contact.anchors[1].b) + largestOf(contact.anchors[0].a);
     if (std::fabs(turned) * arm > tolerance) return false;
     const Vec2 apart =
         now.between + rotate(now.relativeRotation, contact.anchors[0].b) - contact.anchors[0].a;
@@ -66,7 +64,7 @@ bool recycle(Contact& contact, const Encounter& now, const Settings& settings) {
     if ((contact.flags & (kTouching | kRound | kTriggered | kPassing | kDisabled)) != kTouching) return false;
     const int all = (contact.flags & kUnturned) != 0 ? 1 : 2;
     if (contact.count > all) return false;
-    const float size = std::min(longest(contact.anchors[0].a), longest(contact.anchors[0].b));
+    const float size = std::min(largestOf(contact.anchors[0].a), largestOf(contact.anchors[0].b));
     const float maximum = std::min(settings.recycleDistance, kMaxOfSize * size);  // smaller for small bodies
     // With one point out of two, the second may be about to touch: use a smaller tolerance.
     const float tolerance = contact.count == all ? maximum : kOnePointPart * maximum;
@@ -454,8 +452,7 @@ void findTouch(const World& world, Contact& contact, float distance) {
 
 Vec2 pointOf(const World& world, const Contact& contact, int point) {
     if ((contact.flags & kAlongAxes) != 0) {
-        const AxisAlignedPair pair = uprightPairOf(world, contact);
-        const Manifold manifold = manifoldOf(world, pair);
+        const Manifold manifold = manifoldOf(world, uprightPairOf(world, contact));
         const ManifoldPoint& found = manifold.points[0];
         if (manifold.count > 0)
             return found.point - (0.5f * found.separation) * manifold.normal -

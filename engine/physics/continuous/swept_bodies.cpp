@@ -17,8 +17,7 @@ Rot turnOf(const Float4& deltaPosition) { return normalized(Rot{1.0f + deltaPosi
 
 /// Returns half the side (m) of a square that contains the body at any angle, with a margin.
 float reachOf(const StepContext& step, const SweptBody& swept) {
-    const Vec2 from = toVec2(swept.sweep.start);
-    const float rounding = kRounding * std::max(std::fabs(from.x), std::fabs(from.y));
+    const float rounding = kRounding * largestOf(toVec2(swept.sweep.start));
     return step.world.bodies.info[swept.body].reach + rounding + step.world.settings.speculativeDistance;
 }
 Vec2 beginOf(const Sweep& sweep) { return toVec2(sweep.start + sweep.displacement * sweep.begin); }

@@ -49,8 +49,6 @@ struct DisplacementBetween {
 /// Limit against endless loops due to rounding; larger than necessary for any outlines with kMaxCorners.
 constexpr int kMaxIterations = 2 * kMaxCorners;
 
-float largestOf(Vec2 v) { return std::max(std::fabs(v.x), std::fabs(v.y)); }
-
 template <int kCapacity>
 struct Points {
     Way displacements[kCapacity];

@@ -14,7 +14,7 @@ namespace plumb::physics {
 namespace {
 
 /// Returns the maximum rounding error (m) of float positions and bounds at this position.
-float roundingAt(Vec2 place) { return std::max(std::fabs(place.x), std::fabs(place.y)) * kRounding; }
+float roundingAt(Vec2 place) { return largestOf(place) * kRounding; }
 
 bool passes(const World& world, std::uint32_t shape, const QueryFilter& filter) {
     const Shapes& shapes = world.shapes;
@@ -90,8 +90,7 @@ AABB boundsOf(const World& world, const QueryShape& shape) {
 }
 
 bool isUsable(const World& world, const QueryShape& shape) {
-    const float squaredLength =
-        shape.rotation.cos * shape.rotation.cos + shape.rotation.sin * shape.rotation.sin;
+    const float squaredLength = lengthSquared({shape.rotation.cos, shape.rotation.sin});
     return isUsable(shape.position) && squaredLength > 0.999f && squaredLength < 1.001f &&
            checkGeometry(shape.geometry, cornersOf(world, shape)).ok();
 }

@@ -136,10 +136,7 @@ Result<Done> checkSize(const char* where, float found, float minimum) {
 /// True if normals are of unit length and perpendicular to their faces, and all corners are behind all faces.
 bool isConvex(Corners corners) {
     float size = 0.0f;
-    for (const Corner& corner : corners) {
-        const Vec2 displacement = corner.point - corners[0].point;
-        size = std::max(size, std::max(std::fabs(displacement.x), std::fabs(displacement.y)));
-    }
+    for (const Corner& corner : corners) size = std::max(size, largestOf(corner.point - corners[0].point));
     const float slack = 1.0e-3f * size;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Corner& face = corners[i];
@@ -238,8 +235,7 @@ float reachOf(const Geometry& geometry, Corners corners, Vec2 from) {
 }
 
 float coreOf(const Geometry& geometry, Corners corners, Vec2 at) {
-    const float depth = -closestPoint(geometry, corners, at).distance;
-    return depth > 0.0f ? depth : 0.0f;
+    return std::max(0.0f, -closestPoint(geometry, corners, at).distance);
 }
 
 bool containsPoint(const Geometry& geometry, Corners corners, Vec2 point) {
@@ -276,10 +272,9 @@ std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const R
     if (isChain && !(dot(ray.displacement, normalOfChain(geometry)) < 0.0f)) return std::nullopt;
     const Convex convex = convexOf(geometry, corners);
     const ClosestPoint start = closestPointOf(convex, ray.from);
-    if (convex.radius > 0.0f || convex.count > 2) {
-        if (start.distance <= 0.0f) return RayHit{0.0f, start.normal};
-    }
-    if (convex.radius > 0.0f || convex.count < 3) return castAtRounded(convex, ray);
+    const bool isRounded = convex.radius > 0.0f;
+    if (start.distance <= 0.0f && (isRounded || convex.count > 2)) return RayHit{0.0f, start.normal};
+    if (isRounded || convex.count < 3) return castAtRounded(convex, ray);
     return castAtSharp(convex.corners(), ray);
 }
 
