@@ -54,8 +54,7 @@ struct Settings {
     float speculativeDistance = 0.02f;
     /// m: touching bodies keep their contact points and normals until they have slid along each other by this
     /// distance (or by a tenth of the smaller body's half size, if that is less). Smaller values compute
-    /// points more often, which costs time and makes card houses fall; larger ones add energy to rocking
-    /// bodies.
+    /// points more often, which costs time and makes card houses fall; larger ones make rocking gain energy.
     float recycleDistance = 0.01f;
     /// m: bounds are enlarged by this (at most an eighth of the shape's size), so that shapes seldom leave
     /// them. A larger value gives fewer searches and more pairs.

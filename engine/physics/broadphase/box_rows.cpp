@@ -48,8 +48,7 @@ BoxStatistics statisticsOf(const Proxies& proxies, std::span<const std::uint32_t
         const double mean = sum[axis] / count;
         return std::sqrt(std::max(squares[axis] / count - mean * mean, 1e-12));
     };
-    const double spacing =
-        3.5 * std::sqrt(deviation(0) * deviation(1) / count);  // even spread: side = sqrt(12) deviations
+    const double spacing = 3.5 * std::sqrt(deviation(0) * deviation(1) / count);  // side: sqrt(12) deviations
     return {usualExtent(proxies, ids), static_cast<float>(spacing),
             static_cast<float>(deviation(0) / deviation(1))};
 }

@@ -24,8 +24,7 @@ struct BoxStatistics {
 /// TreeBoxes. Free slots overlap nothing, nor do the eight slots of padding at the end.
 ///
 /// Boxes that were added since the last sort, or that moved too far from their sorted position, are stored
-/// after the sorted ones, where every search tests all of them, until sorting again costs less than these
-/// tests.
+/// after the sorted ones, where every search tests all of them, until sorting again costs less than that.
 class BoxRows {
 public:
     static constexpr std::uint8_t kFree = 0;   ///< an empty slot

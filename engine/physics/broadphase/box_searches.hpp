@@ -37,8 +37,7 @@ struct BoxSearches {
     void (*findPairsOfLeaf)(const TreeSearch& search, std::vector<PairKey>& pairs);
     void (*findPairsInRows)(const RowSearch& search, std::span<const SlotRange> ranges,
                             std::vector<PairKey>& pairs);
-    /// Appends the ids of the proxies that the box overlaps and, unless `sweep` is null, that the sweep may
-    /// hit.
+    /// Appends the ids of the proxies that the box overlaps and, unless `sweep` is null, the sweep may hit.
     /// @param box  the bounds of `sweep`, if there is one
     void (*findInTree)(const Bvh8& tree, const AABB& box, const LineSweep* sweep, std::uint32_t mask,
                        std::vector<std::uint32_t>& found);

@@ -169,8 +169,8 @@ CharacterMotion CharacterController::walk(CharacterMover& mover, float dx) const
     CharacterMotion motion = mover.walkOnGround(dx, ground_.normal);
     if (motion.ground) return motion;
     const WorldPosition place = mover.position();
-    motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap))
-                        .ground;  // it may stand in a pit between two slopes
+    // It may stand in a pit between two slopes.
+    motion.ground = mover.fly(definition_.up * (-4.0f * definition_.gap)).ground;
     if (!motion.ground) mover.setPosition(place);
     return motion;
 }
@@ -186,8 +186,7 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     position_ = mover.position();
     placed_ = false;
 
-    // Adds the displacement that the ground and other moving bodies cause in this tick to the character's
-    // own.
+    // Adds the displacement by the ground and other moving bodies in this tick to the character's own.
     const bool stood = grounded();
     const bool walks = stood && !(rise(velocity_) > kTakeOff);
     const Vec2 gravity = world.settings.gravity * definition_.gravityScale;

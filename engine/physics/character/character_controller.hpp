@@ -31,9 +31,7 @@ public:
     Result<Done> setVelocity(Vec2 velocity);
     [[nodiscard]] bool grounded() const { return static_cast<bool>(ground_); }
     [[nodiscard]] const CharacterTouch& ground() const { return ground_; }
-    [[nodiscard]] Vec2 groundVelocity() const {
-        return groundVelocity_;
-    }  ///< m/s, of its ground in the last tick
+    [[nodiscard]] Vec2 groundVelocity() const { return groundVelocity_; }  ///< m/s, in the last tick
     [[nodiscard]] const CharacterDefinition& definition() const { return definition_; }
     /// @error the same errors as create()
     Result<Done> setDefinition(const CharacterDefinition& definition);

@@ -51,8 +51,7 @@ public:
 
     /// Returns the pose of a kinematic body after the next step; for other bodies the current pose.
     [[nodiscard]] BodyPose poseOf(std::uint32_t body) const;
-    [[nodiscard]] bool isCarried(
-        std::uint32_t body) const;  ///< true if kinematic and moving in the next step
+    [[nodiscard]] bool isCarried(std::uint32_t body) const;  ///< kinematic and moving in the next step
 
     [[nodiscard]] const CharacterDefinition& definition() const { return definition_; }
     [[nodiscard]] World& world() const { return world_; }

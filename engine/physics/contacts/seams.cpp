@@ -38,8 +38,7 @@ EdgesAt edgesAt(const Convex& outline, Vec2 point, float tolerance) {
         if (!is && before) edges.last = corners[i > 0 ? i - 1 : corners.size() - 1].normal;
         before = is;
     }
-    edges.isAt =
-        edges.isInside || edges.first != Vec2{};  // false if the outline is smaller than the tolerance
+    edges.isAt = edges.isInside || edges.first != Vec2{};  // false: outline smaller than the tolerance
     return edges;
 }
 
@@ -257,8 +256,8 @@ void correct(const BodyContacts& all, Contact& contact) {
         clearPoints(contact);
     }
     const bool overlaps = std::min(before.separation0, before.separation1) <= 0.0f;
-    if (contact.count == 0 && overlaps && !verdict.touch)
-        contact = before;  // otherwise no contact would support B
+    // Otherwise no contact would support B.
+    if (contact.count == 0 && overlaps && !verdict.touch) contact = before;
 }
 
 /// True if all contacts of a body have equal normals. Then none of them is of an interior edge.

@@ -96,8 +96,7 @@ void wakeIsland(World& world, std::uint32_t island) {
     sleepers.freeIslands.push_back(island);
 }
 
-/// Removes object `index` from a list. @param members  all objects, which store their index in the list as
-/// `awakeIndex`
+/// Removes object `index` from a list. @param members  all objects; `awakeIndex` is their index in the list
 template <class Member>
 void takeOut(std::vector<std::uint32_t>& list, std::vector<Member>& members, std::uint32_t index) {
     const std::uint32_t awakeIndex = members[index].awakeIndex;

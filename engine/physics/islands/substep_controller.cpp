@@ -79,8 +79,8 @@ SubstepController strained(const SubstepController& controller, const Terms& ter
 /// Next state while the error is within the tolerance.
 SubstepController whileCalm(SubstepController controller, float error, const Terms& terms) {
     controller.error = std::max(controller.error, error);
-    if (controller.patience > 0 &&
-        error < kVanished * controller.first) {  // earlier failures were with another load
+    // Then earlier failures were with another load.
+    if (controller.patience > 0 && error < kVanished * controller.first) {
         controller.patience = 0;
         controller.wait = std::min(controller.wait, terms.stepsIn(kWatch));
     }

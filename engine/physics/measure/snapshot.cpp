@@ -20,8 +20,7 @@ void append(Bytes& to, const void* from, std::size_t count) {
 }
 
 /// Passes the whole state to an archive, in the order of the hash. The bindings name every member, so that a
-/// new member causes a compile error. Hashes skip later members with default values, so that old worlds keep
-/// their hashes.
+/// new member causes a compile error. Hashes skip later members with default values: old hashes remain.
 template <class Archive, class AnyWorld>
 void visit(Archive& archive, AnyWorld& world) {
     auto& [settings, bodies, shapes, joints, fields, softBodies, awake, moved, altered, contacts, sleepers,

@@ -28,8 +28,7 @@ MassProperties sumOfShapes(const World& world, std::uint32_t body) {
     return sum;
 }
 
-constexpr float kMinInertia =
-    1.0e-20f;  // kg m2: the inverse of a smaller inertia would be too large for the solver
+constexpr float kMinInertia = 1.0e-20f;  // kg m2: the inverse of a smaller one is too large for the solver
 
 void setMassOf(BodyMass& mass, const MassProperties& sum, const BodyInfo& info) {
     const float ofShapes = sum.mass > 0.0f ? sum.mass : 1.0f;
@@ -84,8 +83,7 @@ void moveCentre(World& world, std::uint32_t body, Vec2 centre) {
     BodyPose& pose = world.bodies.pose[body];
     BodyMotion& motion = world.bodies.motion[body];
     const BodyInfo& info = world.bodies.info[body];
-    const bool mayTouch =
-        info.reach > 0.0f && info.firstShape != kNone;  // it had shapes before and has shapes now
+    const bool mayTouch = info.reach > 0.0f && info.firstShape != kNone;  // it had shapes, and has some now
     if (mayTouch) moveAnchors(world, body, centre - pose.localCentre);
     const Vec2 displacement = rotate(pose.rotation, centre - pose.localCentre);
     pose.centre = pose.centre + displacement;

@@ -13,8 +13,7 @@ Result<ShapeId> createShape(World& world, BodyId body, const Geometry& geometry,
 Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> points, float radius = 0.0f,
                               const ShapeDefinition& definition = {});
 /// Adds a chain of segments, solid on one side (see normalOfChain); bodies slide over its vertices without
-/// catching. The first and last point of an open chain are ghost vertices: they define its direction at the
-/// ends.
+/// catching. The first and last point of an open chain are ghost vertices: they define where its ends point.
 /// @error fewer than 3 points (closed) or 4 (open), coincident points, a number that is not finite
 /// @return its first segment, whose id identifies the chain
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
@@ -49,8 +48,7 @@ Result<Done> setPolygon(World& world, ShapeId shape, std::span<const Vec2> point
 /// Replaces material, filter and all other members except `surface`, which cannot change. See also change().
 Result<Done> setDefinition(World& world, ShapeId shape, const ShapeDefinition& definition);
 
-/// Changes members of the definition of a shape or joint: change(world, shape, [](auto& d) { d.density = 2;
-/// }).
+/// Changes the definition of a shape or joint: change(world, shape, [](auto& d) { d.density = 2; }).
 template <class Thing, class Change>
 Result<Done> change(World& world, Id<Thing> id, Change&& change) {
     if (!alive(world, id)) return setDefinition(world, id, {});  // returns the error

@@ -40,8 +40,8 @@ Chain chainIn(const Geometry& geometry, const Frame& frame) {
     const Vec2 normal = normalBetween(start, end);
     const bool starts = beforeOf(geometry) == geometry.a;
     const bool ends = geometry.after == geometry.b;
-    const Vec2 from =
-        starts ? -perpendicular(normal) : normalBetween(before, start);  // at a free end: the perpendicular
+    // At a free end: the perpendicular.
+    const Vec2 from = starts ? -perpendicular(normal) : normalBetween(before, start);
     const Vec2 to = ends ? perpendicular(normal) : normalBetween(end, after);
     return {{{start, normal}, {end, -normal}},
             {{start, from, normal, before, isSharp(from, normal), true},
@@ -197,8 +197,7 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     if (beside.gap > (byFace ? gap + tie : joint.gap)) {
         return touchBeside(chain, other, beside.end, speculative);
     }
-    if (!inFront && (byFace ? gap : joint.gap) < -speculative)
-        return {};  // it comes from the back, which is not solid
+    if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // from the back: not solid
     if (byFace) return touchFace(chain, other, gap, speculative);
     return touchFaceOnJoint(chain, other, joint, speculative);
 }

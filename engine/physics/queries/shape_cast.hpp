@@ -7,8 +7,7 @@ namespace plumb::physics {
 
 // Shape casts: an outline moves in a straight line without rotating. Shapes that it overlaps at the start are
 // hit at fraction 0. A shape that it only touches at the start is not hit if the displacement leads away or
-// along the surface. A chain segment is only hit from its solid side. Values that are not finite or out of
-// range hit nothing.
+// along the surface. A chain segment is only hit from its solid side. Invalid numbers hit nothing.
 
 /// Finds the first shape hit; at equal distances the one with the lowest index.
 std::optional<CastHit> castShape(World& world, const QueryShape& shape, Vec2 displacement,

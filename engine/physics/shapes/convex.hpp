@@ -8,8 +8,7 @@
 namespace plumb::physics {
 
 /// Any outline in a common form: the convex hull of its corners, enlarged by a radius. One corner is a disc;
-/// two are a segment or a capsule, with a face on either side; more are a polygon. Valid until the pool
-/// changes.
+/// two are a segment or a capsule, with two faces; more are a polygon. Valid until the pool changes.
 struct Convex {
     float radius = 0.0f;           ///< m
     Vec2 centre;                   ///< m, a point inside

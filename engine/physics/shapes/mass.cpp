@@ -27,8 +27,7 @@ struct Moments {
     void addSector(Double2 corner, Double2 from, Double2 to, double angle, double radius) {
         const double part = 0.5 * angle * radius * radius;
         const double cube = radius * radius * radius / 3.0;
-        const Double2 moment{cube * (to.y - from.y),
-                             cube * (from.x - to.x)};  // first moment about the corner
+        const Double2 moment{cube * (to.y - from.y), cube * (from.x - to.x)};  // about the corner
         area += part;
         first = first + moment + corner * part;
         second += 0.5 * part * radius * radius + 2.0 * dot(corner, moment) + part * dot(corner, corner);

@@ -60,8 +60,7 @@ struct RayHit {
     Vec2 normal;            ///< unit length, outward
 };
 
-/// Finds the point at which a ray enters; fraction 0 if it starts inside. Chain segments: only from the
-/// front.
+/// Finds the point at which a ray enters; fraction 0 if it starts inside. Chains: only from the front.
 std::optional<RayHit> castRay(const Geometry& geometry, std::span<const Corner> corners, const Ray& ray);
 
 }  // namespace plumb::physics

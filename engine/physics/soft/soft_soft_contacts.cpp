@@ -179,8 +179,8 @@ bool aim(const SoftSoftContact& which, Meeting& meeting) {
     meeting.t = std::clamp(dot(meeting.p.place - meeting.a.place, edge) / square, 0.0f, 1.0f);
     meeting.normal = (which.side / std::sqrt(square)) * perpendicular(edge);
     if (which.inside || (meeting.t > 0.0f && meeting.t < 1.0f)) return true;
-    const Vec2 displacement =
-        meeting.between(&SoftParticle::place);  // at an end of the edge the normal depends on the position
+    // At an end of the edge the normal depends on the position.
+    const Vec2 displacement = meeting.between(&SoftParticle::place);
     const float size = length(displacement);
     if (!(size > 0.0f)) return false;
     meeting.normal = displacement / size;

@@ -155,8 +155,7 @@ struct SoftPush8 {
           impulseScale{all(pass.softness.impulseScale)} {}
 
     /// Returns the change of the normal impulse for a relative velocity `speed` along the normal, and adds it
-    /// to `impulse`. Separated bodies may close their gap in the substep; a spring separates overlapping
-    /// ones.
+    /// to `impulse`. Separated bodies may close their gap in the substep; a spring removes overlaps.
     Float8 operator()(Float8 speed, Float8 gap, Float8 mass, Float8& impulse) const {
         const Mask8 apart = gap > all(0.0f);
         const Float8 bias = select(apart, gap * substepRate, max(gap * biasRate, gap * deepRate - pushSpeed));

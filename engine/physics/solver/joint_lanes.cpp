@@ -159,8 +159,8 @@ void setBodies(const Preparation& all, const Joint& joint, JointBodies& bodies, 
 void balance(JointParts& parts, const JointBodies& bodies, int lane) {
     const float ofA = bodies.inverseInertiaA[lane], ofB = bodies.inverseInertiaB[lane];
     if (!parts.holdsAngle || !(ofA + ofB > 0.0f)) return;
-    const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) *
-                                       parts.axis;  // including the displacement of B on the axis
+    // Includes the displacement of B on the axis.
+    const Vec2 armA = parts.armA + dot(parts.apart, parts.axis) * parts.axis;
     const Vec2 shift = (-1.0f / (ofA + ofB)) * (ofA * armA + ofB * parts.armB);
     const Vec2 shiftA = rotate(rotFromAngle(-parts.angle), shift);
     parts.armA += shiftA;

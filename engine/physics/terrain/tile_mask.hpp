@@ -38,8 +38,7 @@ constexpr std::int64_t cross(GridPoint a, GridPoint b) {
 constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }  // top left
 
 /// Converts units to meters. @param cellSize  size of a cell, m
-/// @param origin  the point that maps to {0, 0}; the origin of a chunk keeps the numbers small, so that
-/// floats stay accurate
+/// @param origin  the point that maps to {0, 0}; that of a chunk keeps the numbers small and floats accurate
 constexpr Vec2 toMetres(GridPoint point, Vec2 cellSize, GridPoint origin = {}) {
     const GridPoint from = point - origin;
     return {static_cast<float>(static_cast<double>(from.x) / kCellUnits * static_cast<double>(cellSize.x)),
