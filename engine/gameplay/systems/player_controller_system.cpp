@@ -219,14 +219,13 @@ private:
 
     Motion walk(float dx) {
         Motion motion = mover_.walk(dx, player_.groundNormal);
-        motion.ground = mover_.snapDown(std::abs(dx) * 1.2f + metres(kSnap)).ground;
+        motion.ground = mover_.snapDown(std::abs(dx) * 1.2f + metres(kSnap));
         return motion;
     }
 
     Motion fly(Vec2 way) {
         Motion motion = mover_.fly(way);
-        if (!motion.ground && body_.velocity.y >= 0.0f)
-            motion.ground = mover_.snapDown(metres(kAirGround)).ground;
+        if (!motion.ground && body_.velocity.y >= 0.0f) motion.ground = mover_.snapDown(metres(kAirGround));
         return motion;
     }
 

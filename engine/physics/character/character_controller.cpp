@@ -59,7 +59,7 @@ CharacterTouch caughtBy(CharacterMover& mover, const CharacterProbe::Pushes& pus
     const WorldPosition place = mover.position();
     for (const CharacterProbe::Push& push : pushes) {
         if (!(dot(push.displacement, definition.up) > 0.0f)) continue;
-        const CharacterTouch ground = mover.snapDown(4.0f * definition.gap).ground;
+        const CharacterTouch ground = mover.snapDown(4.0f * definition.gap);
         if (ground.body == push.body) return ground;
         mover.setPosition(place);
     }

@@ -180,7 +180,7 @@ CharacterMotion CharacterMover::fly(Vec2 displacement) {
         if (ground) {
             const CharacterMotion walked = walk(along(displacement), *ground);
             motion.wall = walked.wall ? walked.wall : motion.wall;
-            motion.ground = touchOf(*hit, *ground);
+            motion.ground = touchOf(*hit, ground);
             break;
         }
         if (rise(normal) < -kSolidSide && rise(displacement) > 0.0f && passCorner(displacement)) continue;
@@ -217,8 +217,7 @@ bool CharacterMover::passCorner(Vec2 displacement) {
     return false;
 }
 
-CharacterMotion CharacterMover::snapDown(float reach) {
-    CharacterMotion motion;
+CharacterTouch CharacterMover::snapDown(float reach) {
     auto hit = cast(definition_.up * -reach);
     auto normal = hit ? groundNormalOf(*hit) : std::nullopt;
     if (hit && !normal) {
@@ -229,12 +228,11 @@ CharacterMotion CharacterMover::snapDown(float reach) {
         normal = hit ? groundNormalOf(*hit) : std::nullopt;
         if (normal) position_ = place;
     }
-    if (!normal) return motion;
+    if (!normal) return {};
     const float drop = reach * hit->fraction;
     // Ignores small drops, or a character at rest would creep.
     if (drop > 0.0625f * definition_.gap) shift(definition_.up * -drop);
-    motion.ground = touchOf(*hit, *normal);
-    return motion;
+    return touchOf(*hit, normal);
 }
 
 CharacterMotion CharacterMover::walkOnGround(float dx, Vec2 groundNormal) {
@@ -249,7 +247,7 @@ CharacterMotion CharacterMover::walkOnGround(float dx, Vec2 groundNormal) {
         motion = walk(piece, normal);
         const bool stopped = motion.wall || motion.slope || motion.ceiling;
         const float climbed = std::max(rise(position_ - before), 0.0f);
-        motion.ground = snapDown(drop + climbed + 2.0f * definition_.gap).ground;
+        motion.ground = snapDown(drop + climbed + 2.0f * definition_.gap);
         if (!motion.ground && !stopped) {
             return fly(right_ * (piece * static_cast<float>(count - 1 - i)));
         }

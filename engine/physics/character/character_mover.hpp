@@ -37,8 +37,8 @@ public:
     CharacterMotion walk(float dx, Vec2 groundNormal);
     /// Flies by a displacement (m); slides along surfaces that it hits.
     CharacterMotion fly(Vec2 displacement);
-    /// Finds ground within `reach` (m) below it and moves down to it.
-    CharacterMotion snapDown(float reach);
+    /// Finds ground within `reach` (m) below it, moves down to it and returns it.
+    CharacterTouch snapDown(float reach);
     /// Walks like walk(), but stays on the ground: over crests, down slopes and down steps up to `snap`.
     /// Moves in pieces that are short enough to distinguish a slope from a ledge.
     CharacterMotion walkOnGround(float dx, Vec2 groundNormal);

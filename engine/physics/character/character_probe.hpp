@@ -6,12 +6,9 @@
 
 namespace plumb::physics {
 
-[[nodiscard]] inline CharacterTouch touchOf(const CastHit& hit) {
-    return {hit.shape, hit.body, hit.normal, hit.point};
-}
-/// @param normal  normal of the ground, which replaces that of the hit
-[[nodiscard]] inline CharacterTouch touchOf(const CastHit& hit, Vec2 normal) {
-    return {hit.shape, hit.body, normal, hit.point};
+/// @param ground  normal of the ground, which replaces that of the hit
+[[nodiscard]] inline CharacterTouch touchOf(const CastHit& hit, std::optional<Vec2> ground = {}) {
+    return {hit.shape, hit.body, ground.value_or(hit.normal), hit.point};
 }
 
 /// Collision queries of a character. Kinematic bodies up to 60 m/s are tested at their poses after the next
