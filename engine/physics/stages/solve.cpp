@@ -32,7 +32,8 @@ void prepareLocks(StepContext& step) {
     }
 }
 
-/// State of a group while its substeps are solved.
+/// State of a group while its substeps are solved. Groups without rotation have no joints, soft bodies or
+/// restitution.
 template <class Bodies>
 struct Solver {
     StepContext& step;
@@ -44,106 +45,94 @@ struct Solver {
     float h;         // s
     int iterations;  // per substep
     bool hasTrees;
-};
 
-/// Calls act(soft group) for the soft groups that push bodies of the solver's group.
-template <class Solver, class Act>
-void forSoft(const Solver& solver, Act&& act) {
-    if (!solver.step.runs(Effect::SoftBodies)) return;
-    for (const SoftGroup& soft : solver.step.work.softSurroundings.groups) {
-        const std::int32_t slot = soft.body == kNone ? -1 : solver.step.work.slots[soft.body];
-        if (slot >= solver.group.begin && slot < solver.group.end) act(soft);
-    }
-}
+    [[nodiscard]] bool has(std::int32_t slot) const { return slot >= group.begin && slot < group.end; }
 
-/// Performs one pass over all constraints of a group, color by color: joints, then contacts.
-template <class Bodies>
-void forConstraints(Solver<Bodies>& solver, PassKind kind) {
-    forColours(solver.group.contactColours | solver.group.jointColours, [&](int colour, int grain) {
-        if constexpr (Bodies::kRotate)
-            solveJoints(solver.step, solver.bodies, solver.joints, solver.group, colour, kind);
-        if ((solver.group.contactColours >> colour & 1) == 0) return;
-        const ContactRanges& ranges = solver.group.colours[colour].contacts;
-        solver.contacts.two.run(solver.step, solver.bodies, ranges.two, grain, kind);
-        solver.contacts.fixed.run(solver.step, solver.bodies, ranges.fixed, grain, kind);
-    });
-}
-
-template <class Bodies>
-void lock(Solver<Bodies>& solver) {
-    if (!solver.step.runs(Effect::Locks)) return;
-    for (const AxisLock& held : solver.step.work.locks) {
-        const auto slot = static_cast<std::int32_t>(held.slot);
-        if (slot >= solver.group.begin && slot < solver.group.end)
-            lock(solver.bodies.velocity[slot], held.flags);
-    }
-}
-
-/// Computes velocities that satisfy the constraints; the biased pass also corrects position errors.
-template <PassKind kKind, class Bodies>
-void iterate(Solver<Bodies>& solver, int substep) {
-    constexpr bool kRelaxes = kKind == PassKind::Relax;
-    for (int iteration = 0; iteration < solver.iterations; ++iteration) {
-        solver.joints.first = iteration == 0;
-        if constexpr (Bodies::kRotate) {
-            forSoft(solver, [&](const SoftGroup& soft) {
-                solveSoft(solver.step, soft, solver.contacts.two.pass, kRelaxes);
-            });
+    /// Calls act(soft group) for the soft groups that push bodies of this group.
+    template <class Act>
+    void forSoft(Act&& act) const {
+        if (!Bodies::kRotate || !step.runs(Effect::SoftBodies)) return;
+        for (const SoftGroup& soft : step.work.softSurroundings.groups) {
+            if (soft.body != kNone && has(step.work.slots[soft.body])) act(soft);
         }
-        if (solver.hasTrees) solveTrees(solver.step, solver.group, kKind, solver.h, substep, iteration > 0);
-        forConstraints(solver, kKind);
-        if constexpr (Bodies::kRotate && kRelaxes) relaxRolling(solver.step, solver.group);
-        lock(solver);
     }
-}
 
-/// Substepped soft constraints (TGS soft): many small steps converge better than many iterations, and the
-/// relax pass removes the velocity that only corrected overlap. Normals and arms of contacts are constant in
-/// a step, so the same impulses change a body's velocity equally in each substep: from the second substep on,
-/// warm starting is a single sum per body (accelerate). Groups without rotation have no joints, soft bodies
-/// or restitution. Sources: M. Macklin et al., "Small Steps in Physics Simulation", SCA 2019; E. Catto,
-/// "Solver2D", 2024.
-template <class Bodies>
-void solveGroup(Solver<Bodies>& solver) {
-    auto move = solver.kernels.move;
-    // Kinematic bodies may rotate even if no dynamic body can.
-    if constexpr (Bodies::kRotate) {
-        if (!solver.step.runs(Effect::Rotation) && !solver.step.runs(Effect::Kinematics))
-            move = solverKernels().moveWithoutRotation;
-    }
-    const bool isDriven = !solver.step.work.smooth.driven.empty();
-    for (int i = 0; i < solver.group.substeps; ++i) {
-        if (isDriven) driveBodies(solver.step, solver.group, solver.h, solver.h * static_cast<float>(i));
-        forBodies(solver.step, solver.group, [&](int begin, int end) {
-            solver.kernels.accelerate(solver.bodies, solver.h, i == 0, begin, end);
+    /// Performs one pass over all constraints, color by color: joints, then contacts.
+    void forConstraints(PassKind kind) {
+        forColours(group.contactColours | group.jointColours, [&](int colour, int grain) {
+            if constexpr (Bodies::kRotate) solveJoints(step, bodies, joints, group, colour, kind);
+            if ((group.contactColours >> colour & 1) == 0) return;
+            const ContactRanges& ranges = group.colours[colour].contacts;
+            contacts.two.run(step, bodies, ranges.two, grain, kind);
+            contacts.fixed.run(step, bodies, ranges.fixed, grain, kind);
         });
-        if (i == 0) forConstraints(solver, PassKind::WarmStart);
-        if constexpr (Bodies::kRotate) {
-            if (i == 0) warmStartRolling(solver.step, solver.group);
-            forSoft(solver, [&](const SoftGroup& soft) { springSoft(solver.step, soft, solver.h, i); });
-        }
-        lock(solver);
-        solver.contacts.fixed.pass.elapsed = solver.h * static_cast<float>(i);
-        iterate<PassKind::Push>(solver, i);
-        forBodies(solver.step, solver.group,
-                  [&](int begin, int end) { move(solver.bodies, solver.h, begin, end); });
-        if constexpr (Bodies::kRotate)
-            forSoft(solver, [&](const SoftGroup& soft) { closeSoft(solver.step, soft, solver.h); });
-        iterate<PassKind::Relax>(solver, i);
-        if constexpr (Bodies::kRotate) {
-            noteLargestImpulses(solver.step, solver.group);
-            noteJointForces(solver.step, solver.group, 1.0f / solver.h);
-        }
-        addImpulses(solver.step.work);
     }
-    if (isDriven) finishDriving(solver.step, solver.group);
-    if constexpr (Bodies::kRotate) {
-        forSoft(solver, [&](const SoftGroup& soft) { finishSoft(solver.step, soft, solver.h); });
-        applyRestitution(solver.step, solver.group);
-        finishImpulseSums(solver.step.work);
-        lock(solver);
+
+    void resetLocked() {
+        if (!step.runs(Effect::Locks)) return;
+        for (const AxisLock& held : step.work.locks) {
+            const auto slot = static_cast<std::int32_t>(held.slot);
+            if (has(slot)) lock(bodies.velocity[slot], held.flags);
+        }
     }
-}
+
+    /// Computes velocities that satisfy the constraints; the biased pass also corrects position errors.
+    template <PassKind kKind>
+    void iterate(int substep) {
+        constexpr bool kRelaxes = kKind == PassKind::Relax;
+        for (int iteration = 0; iteration < iterations; ++iteration) {
+            joints.first = iteration == 0;
+            forSoft([&](const SoftGroup& soft) { solveSoft(step, soft, contacts.two.pass, kRelaxes); });
+            if (hasTrees) solveTrees(step, group, kKind, h, substep, iteration > 0);
+            forConstraints(kKind);
+            if constexpr (Bodies::kRotate && kRelaxes) relaxRolling(step, group);
+            resetLocked();
+        }
+    }
+
+    /// Substepped soft constraints (TGS soft): many small steps converge better than many iterations, and the
+    /// relax pass removes the velocity that only corrected overlap. Normals and arms of contacts are constant
+    /// in a step, so the same impulses change a body's velocity equally in each substep: from the second
+    /// substep on, warm starting is a single sum per body (accelerate). Sources: M. Macklin et al., "Small
+    /// Steps in Physics Simulation", SCA 2019; E. Catto, "Solver2D", 2024.
+    void run() {
+        auto move = kernels.move;
+        // Kinematic bodies may rotate even if no dynamic body can.
+        if constexpr (Bodies::kRotate) {
+            if (!step.runs(Effect::Rotation) && !step.runs(Effect::Kinematics))
+                move = solverKernels().moveWithoutRotation;
+        }
+        const bool isDriven = !step.work.smooth.driven.empty();
+        for (int i = 0; i < group.substeps; ++i) {
+            const float elapsed = h * static_cast<float>(i);
+            if (isDriven) driveBodies(step, group, h, elapsed);
+            forBodies(step, group,
+                      [&](int begin, int end) { kernels.accelerate(bodies, h, i == 0, begin, end); });
+            if (i == 0) forConstraints(PassKind::WarmStart);
+            if constexpr (Bodies::kRotate)
+                if (i == 0) warmStartRolling(step, group);
+            forSoft([&](const SoftGroup& soft) { springSoft(step, soft, h, i); });
+            resetLocked();
+            contacts.fixed.pass.elapsed = elapsed;
+            iterate<PassKind::Push>(i);
+            forBodies(step, group, [&](int begin, int end) { move(bodies, h, begin, end); });
+            forSoft([&](const SoftGroup& soft) { closeSoft(step, soft, h); });
+            iterate<PassKind::Relax>(i);
+            if constexpr (Bodies::kRotate) {
+                noteLargestImpulses(step, group);
+                noteJointForces(step, group, 1.0f / h);
+            }
+            addImpulses(step.work);
+        }
+        if (isDriven) finishDriving(step, group);
+        if constexpr (Bodies::kRotate) {
+            forSoft([&](const SoftGroup& soft) { finishSoft(step, soft, h); });
+            applyRestitution(step, group);
+            finishImpulseSums(step.work);
+            resetLocked();
+        }
+    }
+};
 
 /// Solves the groups with rotation (SolverBodies), or those without (BodiesWithoutRotation).
 template <class Bodies>
@@ -160,7 +149,7 @@ void solveGroups(StepContext& step, const GroupKernels<Bodies>& kernels, const B
             solver.joints = jointPass(settings, h);
             solver.hasTrees = solvesTrees(step.world, step.work);
         }
-        solveGroup(solver);
+        solver.run();
     }
     contacts.two.store(step);
     contacts.fixed.store(step);
