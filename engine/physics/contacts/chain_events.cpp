@@ -60,29 +60,23 @@ bool isReported(const World& world, const Contact& contact) {
             (world.manifest.pinnedOff & Manifest::bit(Effect::ContactEvents)) == 0);
 }
 
-ContactEvent eventOf(const World& world, const Contact& contact, ContactPhase phase) {
-    const BodyPose& a = world.bodies.pose[contact.bodyA];
-    return {.a = idOfBody(world, contact.bodyA),
-            .b = idOfBody(world, contact.bodyB),
-            .shapeA = idOfShape(world, contact.shapeA),
-            .shapeB = idOfShape(world, contact.shapeB),
-            .phase = phase,
-            .isTrigger = (contact.flags & kTriggered) != 0,
-            .normal = contact.normal,
-            .point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0)))};
-}
-
 }  // namespace
 
 void report(World& world, Workspace& work, const Contact& contact, ContactPhase phase, float impulse) {
     if (!isReported(world, contact)) return;
-    ContactEvent event = eventOf(world, contact, phase);
-    event.impulse = impulse;
-    if (phase == ContactPhase::Began) event.approachSpeed = approachOf(work, contact);
-    if (!isOfSurface(world, contact)) {
-        world.events.push_back(event);
-        return;
-    }
+    const BodyPose& a = world.bodies.pose[contact.bodyA];
+    const ContactEvent event{
+        .a = idOfBody(world, contact.bodyA),
+        .b = idOfBody(world, contact.bodyB),
+        .shapeA = idOfShape(world, contact.shapeA),
+        .shapeB = idOfShape(world, contact.shapeB),
+        .phase = phase,
+        .isTrigger = (contact.flags & kTriggered) != 0,
+        .normal = contact.normal,
+        .point = toVec2(a.centre + rotate(a.rotation, pointOf(world, contact, 0))),
+        .impulse = impulse,
+        .approachSpeed = phase == ContactPhase::Began ? approachOf(work, contact) : 0.0f};
+    if (!isOfSurface(world, contact)) return world.events.push_back(event);
     const auto order = static_cast<std::uint32_t>(work.chainChanges.size());
     work.chainChanges.push_back({keyOf(world, contact), order, event});
 }
