@@ -397,6 +397,9 @@ template <class List, class Thing>
 [[nodiscard]] inline ShapeId idOfShape(const World& world, std::uint32_t shape) {
     return {shape, world.shapes.info[shape].generation};
 }
+[[nodiscard]] inline JointId idOfJoint(const World& world, std::uint32_t joint) {
+    return {joint, world.joints.hot[joint].generation};
+}
 
 /// Returns the object's element of a list, or a default value for a stale id. All getters use it.
 template <class T, class Thing>

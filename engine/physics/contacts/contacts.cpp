@@ -351,7 +351,7 @@ void copyMaterials(const World& world, Contact& contact) {
     contact.surfaceSpeed = moreA.surfaceSpeed + moreB.surfaceSpeed;
     const bool triggered = ((a.flags | b.flags) & kTrigger) != 0;
     const bool reports = ((a.flags | b.flags) & kReportsContacts) != 0;
-    const bool fixed = world.bodies.info[contact.bodyA].kind != BodyKind::Dynamic;
+    const bool fixed = !isDynamic(world, contact.bodyA);
     const bool unturned = !canRotate(world, contact.bodyA) && !canRotate(world, contact.bodyB);
     const bool upright = unturned && staysUpright(world, contact.bodyA, outlineA) &&
                          staysUpright(world, contact.bodyB, outlineB);
@@ -386,7 +386,7 @@ bool needsContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     Contact contact;
     const std::uint32_t bodyA = world.shapes.info[shapeA].body, bodyB = world.shapes.info[shapeB].body;
-    const bool fixedB = world.bodies.info[bodyB].kind != BodyKind::Dynamic;
+    const bool fixedB = !isDynamic(world, bodyB);
     contact.shapeA = fixedB ? shapeB : shapeA;
     contact.shapeB = fixedB ? shapeA : shapeB;
     contact.bodyA = fixedB ? bodyB : bodyA;

@@ -302,8 +302,8 @@ const std::vector<std::uint32_t>& fixedNear(StepContext& step, const Contact& co
     step.work.broadPhase->query({place - half, place + half}, 0xffffffffu, found);
     std::erase_if(found, [&](std::uint32_t shape) {
         const ShapeInfo& info = shapes.info[shape];
-        return world.bodies.info[info.body].kind == BodyKind::Dynamic ||
-               !needsContact(world, shape, contact.shapeB) || (info.flags & (kTrigger | kOneWay)) != 0 ||
+        return isDynamic(world, info.body) || !needsContact(world, shape, contact.shapeB) ||
+               (info.flags & (kTrigger | kOneWay)) != 0 ||
                !mayCollide(shapes.filter[shape], shapes.filter[contact.shapeB]);
     });
     std::sort(found.begin(), found.end());

@@ -108,8 +108,7 @@ void drawOutline(DebugCanvas& canvas, const Convex& convex, const Frame& frame, 
 }
 
 void DebugCanvas::box(const AABB& box, DebugInk ink) {
-    const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
-                                      Vec2{box.min.x, box.max.y}};
+    const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
     polygon(corners, ink);
 }
 

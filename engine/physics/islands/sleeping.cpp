@@ -149,7 +149,7 @@ void wakeAll(World& world) {
 
 void wakeTouching(World& world, std::uint32_t body) {
     wake(world, body);
-    if (world.bodies.info[body].kind == BodyKind::Dynamic) return;
+    if (isDynamic(world, body)) return;
     forJointsOf(world, body, [&](std::uint32_t j) {
         const Joint& joint = world.joints.hot[j];
         wake(world, joint.bodyA == body ? joint.bodyB : joint.bodyA);

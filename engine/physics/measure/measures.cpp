@@ -17,24 +17,23 @@ double square(double x, double y) { return x * x + y * y; }
 double energyOfMotion(const World& world, std::uint32_t body) {
     const BodyMass& mass = world.bodies.mass[body];
     const BodyMotion& motion = world.bodies.motion[body];
-    const auto spin = static_cast<double>(motion.angularVelocity);
-    return 0.5 * static_cast<double>(mass.mass) *
-               square(static_cast<double>(motion.velocity.x), static_cast<double>(motion.velocity.y)) +
-           0.5 * static_cast<double>(mass.inertia) * spin * spin;
+    const Double2 velocity = wide(motion.velocity);
+    const double spin{motion.angularVelocity};
+    return 0.5 * double{mass.mass} * dot(velocity, velocity) + 0.5 * double{mass.inertia} * spin * spin;
 }
 
 double energyInGravity(const World& world, std::uint32_t body) {
     const WorldPosition& place = world.bodies.pose[body].centre;
     const Vec2 gravity = world.settings.gravity * world.bodies.driveOf(body).gravityScale;
-    return -static_cast<double>(world.bodies.mass[body].mass) *
-           (static_cast<double>(gravity.x) * place.x + static_cast<double>(gravity.y) * place.y);
+    return -double{world.bodies.mass[body].mass} *
+           (double{gravity.x} * place.x + double{gravity.y} * place.y);
 }
 
 double energyOfSpring(const World& world, const FieldDefinition& spring) {
     const WorldPosition a = worldPoint(world, spring.a, spring.anchorA);
     const WorldPosition b = spring.b ? worldPoint(world, spring.b, spring.anchorB) : spring.place;
-    const double stretch = std::sqrt(square(b.x - a.x, b.y - a.y)) - static_cast<double>(spring.length);
-    return 0.5 * static_cast<double>(spring.strength) * stretch * stretch;
+    const double stretch = std::sqrt(square(b.x - a.x, b.y - a.y)) - double{spring.length};
+    return 0.5 * double{spring.strength} * stretch * stretch;
 }
 
 double energyOfAttractor(const World& world, const FieldDefinition& field) {
@@ -44,7 +43,7 @@ double energyOfAttractor(const World& world, const FieldDefinition& field) {
         const bool isCentre = field.a && field.a.index == i;
         if (!isDynamic(world, i) || isCentre || !isOnLayers(world, field.layers, i)) continue;
         const WorldPosition& place = world.bodies.pose[i].centre;
-        sum += 0.5 * static_cast<double>(world.bodies.mass[i].mass * field.strength) *
+        sum += 0.5 * double{world.bodies.mass[i].mass * field.strength} *
                square(place.x - centre.x, place.y - centre.y);
     }
     return sum;

@@ -37,13 +37,6 @@ std::uint8_t flagsOf(const BodyDefinition& definition) {
                                      (definition.lockX ? kLockX : 0) | (definition.lockY ? kLockY : 0));
 }
 
-BodyDrive driveOf(const BodyDefinition& definition) {
-    return {.acceleration = definition.acceleration,
-            .gravityScale = definition.gravityScale,
-            .linearDrag = definition.linearDrag,
-            .angularDrag = definition.angularDrag};
-}
-
 /// Changes a property on which the effects of a body depend, and updates the manifest.
 template <class Change>
 void change(World& world, BodyId body, Change&& change) {
@@ -130,7 +123,10 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     bodies.motion[index] = {definition.velocity, definition.angularVelocity, 0.0f};
     if (index < bodies.substepControllers.size()) bodies.substepControllers[index] = {};
     if (index < bodies.energies.size()) bodies.energies[index] = {};
-    const BodyDrive drive = driveOf(definition);
+    const BodyDrive drive{.acceleration = definition.acceleration,
+                          .gravityScale = definition.gravityScale,
+                          .linearDrag = definition.linearDrag,
+                          .angularDrag = definition.angularDrag};
     if (!(drive == BodyDrive{})) bodies.ownDriveOf(index) = drive;
     if (definition.kind == BodyKind::Static) bodies.motion[index] = {};
     if (isHeldUpright(info)) bodies.motion[index].angularVelocity = 0.0f;
@@ -145,9 +141,7 @@ void destroyBody(World& world, BodyId body) {
     if (!mayChange(world, body)) return;
     wake(world, body.index);
     BodyInfo& info = world.bodies.info[body.index];
-    while (info.firstJoint != kNone) {
-        destroyJoint(world, {info.firstJoint, world.joints.hot[info.firstJoint].generation});
-    }
+    while (info.firstJoint != kNone) destroyJoint(world, idOfJoint(world, info.firstJoint));
     destroyShapes(world, body);
     countEffectsOfBody(world, body.index, -1);
     removeAwake(world, body.index);

@@ -51,10 +51,8 @@ Result<Done> check(const World& world, const FieldDefinition& d) {
 void wakeThoseIn(World& world, const FieldDefinition& definition) {
     if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;  // no body is asleep
     for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
-        const BodyInfo& info = world.bodies.info[body];
-        if (info.kind == BodyKind::Dynamic && info.awakeIndex == kNone && actsOn(world, definition, body)) {
+        if (isDynamic(world, body) && !isUp(world, body) && actsOn(world, definition, body))
             wake(world, body);
-        }
     }
 }
 

@@ -139,7 +139,7 @@ void destroyGearsOf(World& world, JointId joint) {
     for (std::uint32_t j = 0; j < world.joints.size(); ++j) {
         const JointDefinition& gear = world.joints.definition[j];
         if (world.joints.hot[j].kind == JointKind::Gear && (gear.jointA == joint || gear.jointB == joint))
-            destroyJoint(world, {j, world.joints.hot[j].generation});
+            destroyJoint(world, idOfJoint(world, j));
     }
 }
 

@@ -135,8 +135,7 @@ void countEffectsOfShape(World& world, std::uint32_t shape, int times) {
     const bool trigger = (info.flags & kTrigger) != 0;
     Manifest& manifest = world.manifest;
     manifest.call(Effect::Triggers, trigger, times);
-    manifest.call(Effect::Contacts, !trigger && world.bodies.info[info.body].kind == BodyKind::Dynamic,
-                  times);
+    manifest.call(Effect::Contacts, !trigger && isDynamic(world, info.body), times);
     manifest.call(Effect::Friction, !trigger && info.friction > 0.0f, times);
     manifest.call(Effect::Restitution, !trigger && info.bounciness > 0.0f, times);
     manifest.call(Effect::Rolling, !trigger && extras.rollingResistance > 0.0f, times);

@@ -25,9 +25,7 @@ void shapesOf(const World& world, BodyId body, std::vector<ShapeId>& found) {
 void jointsOf(const World& world, BodyId body, std::vector<JointId>& found) {
     found.clear();
     if (!alive(world, body)) return;
-    forJointsOf(world, body.index, [&](std::uint32_t j) {
-        found.push_back({j, world.joints.hot[j].generation});
-    });
+    forJointsOf(world, body.index, [&](std::uint32_t j) { found.push_back(idOfJoint(world, j)); });
     std::reverse(found.begin(), found.end());
 }
 

@@ -68,7 +68,7 @@ void forParticlesNear(const StepContext& step, SoftBody& soft, std::uint32_t sha
 
 void rouse(const StepContext& step, SoftBody& soft, std::uint32_t shape) {
     const std::uint32_t body = step.world.shapes.info[shape].body;
-    if (step.world.bodies.info[body].kind != BodyKind::Dynamic || isUp(step.world, body)) return;
+    if (!isDynamic(step.world, body) || isUp(step.world, body)) return;
     bool hit = false;
     forParticlesNear(step, soft, shape, [&](const SoftContact& contact, Vec2 velocity) {
         hit = hit || dot(velocity, contact.normal) < -kRousing;

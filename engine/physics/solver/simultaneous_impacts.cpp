@@ -162,10 +162,8 @@ void runImpactsOn(StepContext& step, const SolveGroup& group) {
     if (!anyHits(work, slowest)) return;
     takeBack(work);
     endAtImpact(work, slowest, step.dt);
-    for (int i = 0; i < kMaxRounds && collideInTurn(work, slowest); ++i) {
-    }
-    for (int i = 0; i < kMaxRounds && partInTurn(work, step.dt); ++i) {
-    }
+    for (int i = 0; i < kMaxRounds && collideInTurn(work, slowest); ++i) continue;
+    for (int i = 0; i < kMaxRounds && partInTurn(work, step.dt); ++i) continue;
     markBlows(work);
 }
 

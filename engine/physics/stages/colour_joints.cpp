@@ -9,8 +9,7 @@ namespace plumb::physics {
 namespace {
 
 void note(const World& world, Workspace& work, std::uint32_t body, std::uint8_t colour) {
-    if (colour < kColours && world.bodies.info[body].kind == BodyKind::Dynamic)
-        work.colourMasks[body] |= 1u << colour;
+    if (colour < kColours && isDynamic(world, body)) work.colourMasks[body] |= 1u << colour;
 }
 void note(const World& world, Workspace& work, const Contact& contact) {
     // Reads kFixedA, not the body's kind, which setKind() may have changed after the color was assigned.

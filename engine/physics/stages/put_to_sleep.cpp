@@ -65,7 +65,7 @@ void keepClosingAwake(StepContext& step) {
     for (const std::uint32_t j : world.joints.awake) {
         const std::uint32_t a = world.joints.hot[j].bodyA, b = world.joints.hot[j].bodyB;
         if ((!maySleep(step, a) && !maySleep(step, b)) || (!moved(a) && !moved(b))) continue;
-        const float open = readingOf(world, {j, world.joints.hot[j].generation}).separation;
+        const float open = readingOf(world, idOfJoint(world, j)).separation;
         if (open > world.settings.slop) keepAwake(step, isDynamic(world, a) ? a : b);
     }
 }
