@@ -13,17 +13,6 @@ namespace plumb::physics {
 
 namespace {
 
-/// Parameters of the decisions about an island.
-struct Terms {
-    float tolerance = 0.0f;  ///< m
-    float dt = 0.0f;         ///< s
-    Quality minimum = 0;
-
-    [[nodiscard]] std::uint32_t stepsIn(float seconds) const {
-        return static_cast<std::uint32_t>(std::min(seconds / dt + 0.5f, 1.0e6f));
-    }
-};
-
 /// Returns the number of additional quality levels with which an error falls below the tolerance.
 int levelsFor(float error, float tolerance) {
     int levels = 0;
@@ -32,96 +21,106 @@ int levelsFor(float error, float tolerance) {
     return levels;
 }
 
-std::uint8_t oneMore(std::uint8_t patience) {
-    return static_cast<std::uint8_t>(std::min<int>(patience + 1, kMaxPatience));
-}
+/// The decision about the next state of an island's controller.
+struct Decision {
+    SubstepController now;
+    float error = 0.0f;      ///< m: of the island after the last step
+    float tolerance = 0.0f;  ///< m
+    Quality minimum = 0;
+    float dt = 0.0f;  ///< s
 
-SubstepController changed(SubstepController controller, SubstepPhase phase, std::uint32_t wait, float error) {
-    controller.phase = phase;
-    controller.wait = wait;
-    controller.error = error;
-    return controller;
-}
-
-SubstepController watching(const SubstepController& controller, SubstepPhase phase, const Terms& terms) {
-    return changed(controller, phase, terms.stepsIn(kWatch) << controller.patience, 0.0f);
-}
-
-SubstepController resigned(SubstepController controller, float error, const Terms& terms) {
-    controller.patience = oneMore(controller.patience);
-    const std::uint32_t wait = terms.stepsIn(kResignation) << controller.patience;
-    return changed(controller, SubstepPhase::Resigned, wait, error);
-}
-
-/// Returns the quality up to which a rise continues.
-Quality goalOf(const SubstepController& controller, const Terms& terms) {
-    const int levels = std::max(1, levelsFor(controller.first, terms.tolerance));
-    return static_cast<Quality>(std::min(controller.before + levels, int{kMaxQuality}));
-}
-
-SubstepController oneHigher(SubstepController controller, float error, const Terms& terms) {
-    ++controller.quality;
-    const float time = controller.quality < goalOf(controller, terms) ? kClimb : kSettling;
-    return changed(controller, SubstepPhase::Rising, terms.stepsIn(time), error);
-}
-
-SubstepController risen(SubstepController controller, float error, const Terms& terms) {
-    if (controller.quality == kMaxQuality) return resigned(controller, error, terms);
-    controller.before = controller.quality;
-    controller.first = error;
-    return oneHigher(controller, error, terms);
-}
-
-SubstepController strained(const SubstepController& controller, const Terms& terms) {
-    return changed(controller, SubstepPhase::Strained, terms.stepsIn(kBlow), controller.error);
-}
-
-/// Next state while the error is within the tolerance.
-SubstepController whileCalm(SubstepController controller, float error, const Terms& terms) {
-    controller.error = std::max(controller.error, error);
-    // Then earlier failures were with another load.
-    if (controller.patience > 0 && error < kVanished * controller.first) {
-        controller.patience = 0;
-        controller.wait = std::min(controller.wait, terms.stepsIn(kWatch));
+    [[nodiscard]] std::uint32_t stepsIn(float seconds) const {
+        return static_cast<std::uint32_t>(std::min(seconds / dt + 0.5f, 1.0e6f));
     }
-    if (controller.wait > 0) return controller;
-    if (controller.phase == SubstepPhase::Trying) {
-        controller.before = controller.quality;
-        if (controller.patience > 0) --controller.patience;
+    [[nodiscard]] std::uint8_t morePatience() const {
+        return static_cast<std::uint8_t>(std::min<int>(now.patience + 1, kMaxPatience));
     }
-    if (controller.quality <= terms.minimum || controller.error * kMaxGain > kRoom * terms.tolerance)
-        return watching(controller, SubstepPhase::Calm, terms);
-    controller.before = controller.quality--;
-    return watching(controller, SubstepPhase::Trying, terms);
-}
+    /// Returns the quality up to which a rise continues.
+    [[nodiscard]] Quality goal() const {
+        return static_cast<Quality>(
+            std::min(now.before + std::max(1, levelsFor(now.first, tolerance)), int{kMaxQuality}));
+    }
 
-SubstepController whileTrying(SubstepController controller, float error, const Terms& terms) {
-    if (error <= kRoom * terms.tolerance) return whileCalm(controller, error, terms);
-    // Perhaps an impact caused the error, which cannot be detected here: tries the lower quality again later.
-    const std::uint8_t patience = oneMore(controller.patience);
-    controller = risen(controller, error, terms);
-    controller.patience = patience;
-    return controller;
-}
+    void enter(SubstepPhase phase, std::uint32_t wait, float noted) {
+        now.phase = phase;
+        now.wait = wait;
+        now.error = noted;
+    }
+    void watch(SubstepPhase phase) { enter(phase, stepsIn(kWatch) << now.patience, 0.0f); }
+    void strain() { enter(SubstepPhase::Strained, stepsIn(kBlow), now.error); }
+    void resign() {
+        now.patience = morePatience();
+        enter(SubstepPhase::Resigned, stepsIn(kResignation) << now.patience, error);
+    }
+    void climb() {
+        ++now.quality;
+        enter(SubstepPhase::Rising, stepsIn(now.quality < goal() ? kClimb : kSettling), error);
+    }
+    void rise() {
+        if (now.quality == kMaxQuality) return resign();
+        now.before = now.quality;
+        now.first = error;
+        climb();
+    }
 
-SubstepController whileRising(SubstepController controller, float error, const Terms& terms) {
-    if (error <= terms.tolerance) return watching(controller, SubstepPhase::Calm, terms);
-    if (error > kGrew * controller.first) controller.first = error;  // the load has grown
-    if (controller.wait > 0) return controller;
-    if (controller.quality < goalOf(controller, terms)) return oneHigher(controller, error, terms);
-    if (error < kStillFalls * controller.error)
-        return changed(controller, SubstepPhase::Rising, terms.stepsIn(kSettling), error);
-    if (error < kHelped * controller.first) return risen(controller, error, terms);
-    controller.quality = controller.before;
-    return resigned(controller, error, terms);
-}
-
-SubstepController whileResigned(SubstepController controller, float error, const Terms& terms) {
-    if (error <= terms.tolerance) return watching(controller, SubstepPhase::Calm, terms);
-    const bool isOver = controller.wait == 0 && controller.quality < kMaxQuality;
-    const bool isAnother = error > kGrew * controller.error || error < kHelped * controller.error;
-    return isOver || isAnother ? strained(controller, terms) : controller;
-}
+    /// While the error is within the tolerance.
+    void whileCalm() {
+        now.error = std::max(now.error, error);
+        if (now.patience > 0 && error < kVanished * now.first) {  // earlier failures were with another load
+            now.patience = 0;
+            now.wait = std::min(now.wait, stepsIn(kWatch));
+        }
+        if (now.wait > 0) return;
+        if (now.phase == SubstepPhase::Trying) {
+            now.before = now.quality;
+            if (now.patience > 0) --now.patience;
+        }
+        if (now.quality <= minimum || now.error * kMaxGain > kRoom * tolerance)
+            return watch(SubstepPhase::Calm);
+        now.before = now.quality--;
+        watch(SubstepPhase::Trying);
+    }
+    void whileTrying() {
+        if (error <= kRoom * tolerance) return whileCalm();
+        // Perhaps an impact caused the error, which cannot be detected here: tries the lower quality again.
+        const std::uint8_t patience = morePatience();
+        rise();
+        now.patience = patience;
+    }
+    void whileRising() {
+        if (error <= tolerance) return watch(SubstepPhase::Calm);
+        if (error > kGrew * now.first) now.first = error;  // the load has grown
+        if (now.wait > 0) return;
+        if (now.quality < goal()) return climb();
+        if (error < kStillFalls * now.error) return enter(SubstepPhase::Rising, stepsIn(kSettling), error);
+        if (error < kHelped * now.first) return rise();
+        now.quality = now.before;
+        resign();
+    }
+    void whileResigned() {
+        if (error <= tolerance) return watch(SubstepPhase::Calm);
+        const bool isOver = now.wait == 0 && now.quality < kMaxQuality;
+        const bool isAnother = error > kGrew * now.error || error < kHelped * now.error;
+        if (isOver || isAnother) strain();
+    }
+    void decide() {
+        if (now.wait > 0) --now.wait;
+        if (now.quality < minimum) {
+            now.quality = minimum;
+            return watch(SubstepPhase::Calm);
+        }
+        switch (now.phase) {
+            case SubstepPhase::Calm: return error > tolerance ? strain() : whileCalm();
+            case SubstepPhase::Trying: return whileTrying();
+            case SubstepPhase::Strained:
+                if (error <= tolerance) return watch(SubstepPhase::Calm);
+                if (now.wait == 0) rise();
+                return;
+            case SubstepPhase::Rising: return whileRising();
+            case SubstepPhase::Resigned: return whileResigned();
+        }
+    }
+};
 
 bool isRoot(const World& world, std::uint32_t body) {
     return isDynamic(world, body) && world.bodies.info[body].island == body;
@@ -255,30 +254,16 @@ SubstepController merged(const SubstepController& a, const SubstepController& b)
 }
 
 SubstepController begun(Quality quality, float dt) {
-    SubstepController controller;
-    controller.quality = quality;
-    return watching(controller, SubstepPhase::Calm, {.dt = dt});
+    Decision decision{.now = {.quality = quality}, .dt = dt};
+    decision.watch(SubstepPhase::Calm);
+    return decision.now;
 }
 
 SubstepController judged(SubstepController controller, float error, float tolerance, Quality minimum,
                          float dt) {
-    const Terms terms{tolerance, dt, minimum};
-    if (controller.wait > 0) --controller.wait;
-    if (controller.quality < minimum) {
-        controller.quality = minimum;
-        return watching(controller, SubstepPhase::Calm, terms);
-    }
-    switch (controller.phase) {
-        case SubstepPhase::Calm:
-            return error > tolerance ? strained(controller, terms) : whileCalm(controller, error, terms);
-        case SubstepPhase::Trying: return whileTrying(controller, error, terms);
-        case SubstepPhase::Strained:
-            if (error <= tolerance) return watching(controller, SubstepPhase::Calm, terms);
-            return controller.wait > 0 ? controller : risen(controller, error, terms);
-        case SubstepPhase::Rising: return whileRising(controller, error, terms);
-        case SubstepPhase::Resigned: return whileResigned(controller, error, terms);
-    }
-    return controller;
+    Decision decision{controller, error, tolerance, minimum, dt};
+    decision.decide();
+    return decision.now;
 }
 
 Quality requestedQualityOf(const World& world, std::uint32_t body) {
