@@ -26,8 +26,6 @@ constexpr Part kDrawnParts[] = {
 
 }  // namespace
 
-const Workspace* lastStepOf(const World& world) { return world.work.lastStep(); }
-
 void debugDraw(const World& world, DebugCanvas& canvas, const DebugOptions& choice) {
     const Picture picture{world, canvas, choice};
     for (const Part& part : kDrawnParts) {

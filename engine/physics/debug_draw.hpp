@@ -91,7 +91,7 @@ struct DebugOptions {
 };
 
 /// Workspace of the last step of a world; null if the world was copied or loaded since.
-[[nodiscard]] const Workspace* lastStepOf(const World& world);
+[[nodiscard]] inline const Workspace* lastStepOf(const World& world) { return world.work.lastStep(); }
 
 /// Draws the current state of a world, objects in the order of their indices. Allocates nothing.
 void debugDraw(const World& world, DebugCanvas& canvas, const DebugOptions& choice);

@@ -16,13 +16,6 @@ void put(std::vector<std::unique_ptr<T>>& list, std::uint32_t index, std::unique
 
 }  // namespace
 
-Physics::Physics() { world_.settings.stayEvents = true; }
-Physics::~Physics() = default;
-
-Result<RigidBody*> Physics::createBody(WorldPosition position, float angle) {
-    return createBody(BodyDefinition{.position = position, .angle = angle});
-}
-
 Result<RigidBody*> Physics::createBody(const BodyDefinition& definition) {
     const Result<BodyId> made = physics::createBody(world_, definition);
     if (!made) return made.error();
@@ -85,11 +78,6 @@ Collider* Physics::find(ShapeId shape) const {
     return gone != gone_.end() ? gone->get() : nullptr;
 }
 
-/// False for colliders that are destroyed, were never added, or belong to another Physics.
-bool Physics::has(const Collider& collider) const {
-    return !collider.destroyed_ && find(collider.shape_) == &collider;
-}
-
 void Physics::tell(Collider& to, Collider& other, ContactPhase phase) {
     if (to.destroyed_) return;
     switch (phase) {
@@ -129,11 +117,6 @@ void Physics::update(float dt, const StepOptions& options) {
     for (const Call& now : calls_) call(now);
     gone_.clear();
     isUpdating_ = false;
-}
-
-bool Physics::isTouching(const Collider& a, const Collider& b) const {
-    if (!has(a) || !has(b)) return false;
-    return touching_.has(pairKey(a.shape_.index, b.shape_.index));
 }
 
 }  // namespace plumb::physics

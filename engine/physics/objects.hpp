@@ -123,13 +123,14 @@ public:
 /// A world of bodies and colliders.
 class Physics {
 public:
-    Physics();
-    ~Physics();
+    Physics() { world_.settings.stayEvents = true; }
     Physics(const Physics&) = delete;
     Physics& operator=(const Physics&) = delete;
 
     /// @error a number that is not finite
-    Result<RigidBody*> createBody(WorldPosition position, float angle = 0.0f);
+    Result<RigidBody*> createBody(WorldPosition position, float angle = 0.0f) {
+        return createBody(BodyDefinition{.position = position, .angle = angle});
+    }
     /// Creates a body of any kind, e.g. a kinematic body, which moves only by its velocity.
     Result<RigidBody*> createBody(const BodyDefinition& definition);
 
@@ -164,7 +165,9 @@ public:
     void update(float dt, const StepOptions& options = {});
 
     /// True if the two colliders touched in the last update. Takes constant time.
-    [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const;
+    [[nodiscard]] bool isTouching(const Collider& a, const Collider& b) const {
+        return has(a) && has(b) && touching_.has(pairKey(a.shape_.index, b.shape_.index));
+    }
 
     /// Returns the collider of a shape, e.g. of a query's hit; null if it no longer exists.
     [[nodiscard]] Collider* colliderOf(ShapeId shape) const {
@@ -182,7 +185,10 @@ private:
 
     Result<Done> add(std::unique_ptr<Collider> collider, RigidBody* body);
     [[nodiscard]] Collider* find(ShapeId shape) const;
-    [[nodiscard]] bool has(const Collider& collider) const;
+    /// False for colliders that are destroyed, were never added, or belong to another Physics.
+    [[nodiscard]] bool has(const Collider& collider) const {
+        return !collider.destroyed_ && find(collider.shape_) == &collider;
+    }
     void call(const Call& now);
     static void tell(Collider& to, Collider& other, ContactPhase phase);
 

@@ -136,10 +136,6 @@ std::uint64_t runsOf(World& world, Effect effect) {
     return world.work.get().effectRuns[static_cast<std::size_t>(effect)];
 }
 
-bool isWorthThreads(const World& world, const StepOptions& options) {
-    return world.awake.size() + world.contacts.size() + world.joints.awake.size() >= options.minimumWork;
-}
-
 void step(World& world, float dt, const StepOptions& options) {
     if (world.work.isInCallback) return;  // called by a callback
     world.events.clear();

@@ -25,7 +25,9 @@ struct StepOptions {
 };
 
 /// True if a step of this world has enough work for several threads: StepOptions::minimumWork.
-[[nodiscard]] bool isWorthThreads(const World& world, const StepOptions& options = {});
+[[nodiscard]] inline bool isWorthThreads(const World& world, const StepOptions& options = {}) {
+    return world.awake.size() + world.contacts.size() + world.joints.awake.size() >= options.minimumWork;
+}
 
 /// Advances the world by dt (s). The result has the same bits on every machine, for any number of threads and
 /// any instruction set. If dt is not finite or not above 0, only the events are cleared.

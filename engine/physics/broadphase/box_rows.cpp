@@ -7,9 +7,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::uint32_t kBehind = 8;  // slots of padding at the end
-constexpr float kEmpty = std::numeric_limits<float>::infinity();
-constexpr std::uint64_t kTestsPerSort = 8;     // cost of sorting one box, in tests of eight boxes
+constexpr std::uint32_t kBehind = 8;           // slots of padding at the end
 constexpr std::uint32_t kSortsPerChoice = 32;  // the distribution of boxes changes slowly
 
 float usualExtent(const Proxies& proxies, std::span<const std::uint32_t> ids) {
@@ -74,11 +72,6 @@ void BoxRows::reset(std::uint32_t places, std::size_t boxes) {
     lost_ = 0;
 }
 
-std::uint32_t BoxRows::addPlace() {
-    resize(count_ + 1);
-    return count_ - 1;
-}
-
 void BoxRows::write(const Proxies& proxies, std::uint32_t place, std::uint32_t id, const AABB& box) {
     low[0][place] = box.min.x;
     low[1][place] = box.min.y;
@@ -91,12 +84,6 @@ void BoxRows::write(const Proxies& proxies, std::uint32_t place, std::uint32_t i
     all.add(filters[place]);
 }
 
-void BoxRows::erase(std::uint32_t place) {
-    for (auto& side : low) side[place] = kEmpty;
-    states[place] = kFree;
-    ++free_;
-}
-
 std::optional<BoxStatistics> BoxRows::newStatistics(const Proxies& proxies,
                                                     std::span<const std::uint32_t> order) {
     const std::size_t before = chosenFor_;
@@ -106,12 +93,6 @@ std::optional<BoxStatistics> BoxRows::newStatistics(const Proxies& proxies,
     chosenFor_ = now;
     sortsSince_ = 0;
     return statisticsOf(proxies, order);
-}
-
-bool BoxRows::isDue(std::size_t arrivals, std::uint32_t moving) const {
-    const std::size_t behind = count_ - sorted_ + arrivals;
-    return mostMove(moving) || lost_ > kTestsPerSort * size() || behind > sorted_ / 2 + kFew ||
-           size() < sortedSize_ / 4;
 }
 
 void BoxRows::settle(std::size_t searches) {

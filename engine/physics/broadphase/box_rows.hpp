@@ -42,9 +42,17 @@ public:
     }
 
     // Interface for PartitionedBroadPhase.
-    void erase(std::uint32_t place);
+    void erase(std::uint32_t place) {
+        for (auto& side : low) side[place] = kEmpty;
+        states[place] = kFree;
+        ++free_;
+    }
     void settle(std::size_t searches);
-    [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t moving) const;
+    [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t moving) const {
+        const std::size_t behind = count_ - sorted_ + arrivals;
+        return mostMove(moving) || lost_ > kTestsPerSort * size() || behind > sorted_ / 2 + kFew ||
+               size() < sortedSize_ / 4;
+    }
     [[nodiscard]] std::uint32_t places() const { return count_; }
     [[nodiscard]] bool isFree(std::uint32_t place) const { return states[place] == kFree; }
     [[nodiscard]] std::uint32_t idAt(std::uint32_t place) const { return ids[place]; }
@@ -56,7 +64,10 @@ protected:
 
     /// Clears the list and creates `places` free slots for a sorted list of `boxes` boxes.
     void reset(std::uint32_t places, std::size_t boxes);
-    std::uint32_t addPlace();
+    std::uint32_t addPlace() {
+        resize(count_ + 1);
+        return count_ - 1;
+    }
     /// @param box  the bounds after usable()
     void write(const Proxies& proxies, std::uint32_t place, std::uint32_t id, const AABB& box);
     /// True if so many boxes move that they will be sorted in each step.
@@ -70,7 +81,9 @@ protected:
     std::uint32_t sorted_ = 0;  ///< slots that are sorted
 
 private:
-    static constexpr std::uint32_t kFew = 32;  ///< so few boxes are not worth sorting
+    static constexpr std::uint32_t kFew = 32;          ///< so few boxes are not worth sorting
+    static constexpr std::uint64_t kTestsPerSort = 8;  ///< cost of sorting one box, in tests of eight boxes
+    static constexpr float kEmpty = std::numeric_limits<float>::infinity();
 
     void resize(std::uint32_t places);
 

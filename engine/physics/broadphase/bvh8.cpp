@@ -8,8 +8,7 @@ namespace plumb::physics {
 
 namespace {
 
-constexpr std::uint64_t kStretchUnit = 16;  // fixed-point value of a leaf whose area has doubled
-constexpr float kMaxStretch = 1e6f;         // maximum ratio of sizes
+constexpr float kMaxStretch = 1e6f;  // maximum ratio of sizes
 
 constexpr TreeBoxes emptyBoxes() {
     TreeBoxes boxes{};
@@ -205,11 +204,6 @@ void Bvh8::settle(std::size_t searches) {
     }
     stale_[height_][0] = 0;
     lost_ += searches * stretch_ / leaves_.size();
-}
-
-bool Bvh8::isDue(std::size_t arrivals, std::uint32_t) const {
-    if (used_ + arrivals - sorted_ > sorted_ / 8 + (sorted_ > 0 ? 32 : 0)) return true;
-    return holes_ > size() + 64 || lost_ > kStretchUnit * used_;
 }
 
 std::unique_ptr<BroadPhase> makeTree() { return std::make_unique<TreeBroadPhase>(); }

@@ -53,7 +53,10 @@ public:
     void erase(std::uint32_t lane);
     std::uint32_t move(const Proxies& proxies, std::uint32_t lane);
     void settle(std::size_t searches);
-    [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t moving) const;
+    [[nodiscard]] bool isDue(std::size_t arrivals, std::uint32_t) const {
+        if (used_ + arrivals - sorted_ > sorted_ / 8 + (sorted_ > 0 ? 32 : 0)) return true;
+        return holes_ > size() + 64 || lost_ > kStretchUnit * used_;
+    }
     [[nodiscard]] std::uint32_t places() const { return used_; }
     [[nodiscard]] std::uint32_t size() const { return used_ - holes_; }
     [[nodiscard]] bool isFree(std::uint32_t lane) const {
@@ -72,7 +75,8 @@ public:
     [[nodiscard]] const TreeLeaf* leaves() const { return leaves_.data(); }
 
 private:
-    static constexpr std::size_t kMaxLevels = 11;  // 8^12 lanes: more than there can be ids
+    static constexpr std::size_t kMaxLevels = 11;      // 8^12 lanes: more than there can be ids
+    static constexpr std::uint64_t kStretchUnit = 16;  // fixed-point value of a leaf whose area has doubled
 
     void makeRoom(std::uint32_t lanes);
     void write(const Proxies& proxies, std::uint32_t lane, std::uint32_t id);

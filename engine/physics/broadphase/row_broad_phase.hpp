@@ -66,11 +66,6 @@ private:
                search.own->boxAt(place) != kNowhere;
     }
 
-    static bool mayJoin(const RowSearch& search, const Part& own, std::uint32_t looker) {
-        return search.count < RowSearch::kMaxLookers && search.searchers[search.count - 1] < looker &&
-               own.areNear(search.searchers[0], looker);
-    }
-
     void findPairsAmong(RowSearch& search, std::uint32_t part, std::uint32_t other,
                         std::span<const std::uint32_t> moved, std::vector<PairKey>& pairs) const {
         const Part& own = parts_[part];
@@ -81,7 +76,10 @@ private:
             if (place == kNoLocation || partOfLocation(place) != part || !looks(search, inPart(place)))
                 continue;
             const std::uint32_t looker = inPart(place);
-            if (search.count > 0 && !mayJoin(search, own, looker)) {
+            const bool joins = search.count > 0 && search.count < RowSearch::kMaxLookers &&
+                               search.searchers[search.count - 1] < looker &&
+                               own.areNear(search.searchers[0], looker);
+            if (search.count > 0 && !joins) {
                 findPairsNear(search, others, box, pairs);
                 search.count = 0;
                 box = kNowhere;

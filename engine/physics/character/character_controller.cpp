@@ -101,12 +101,6 @@ Result<Done> CharacterController::jump(float speed) {
     return checked ? setVelocity(velocity_ + definition_.up * speed) : checked;
 }
 
-void CharacterController::leaveGround() {
-    if (ground_) velocity_ += groundVelocity_;
-    ground_ = {};
-    groundVelocity_ = {};
-}
-
 bool CharacterController::dropThrough(World& world) {
     if (!ground_ || !alive(world, ground_.shape)) return false;
     CharacterMover mover{world, definition_, position_, 0.0f};

@@ -48,7 +48,11 @@ private:
     bool ride(CharacterMover& mover, WorldPosition held);
     CharacterMotion walk(CharacterMover& mover, float dx) const;
     void stopAt(World& world, const CharacterTouch& touch, float dt);
-    void leaveGround();
+    void leaveGround() {
+        if (ground_) velocity_ += groundVelocity_;
+        ground_ = {};
+        groundVelocity_ = {};
+    }
     void holdOn(const CharacterProbe& probe);
 
     CharacterDefinition definition_;

@@ -27,17 +27,6 @@ CharacterMover::CharacterMover(World& world, const CharacterDefinition& definiti
       steepest_{cosine(definition.steepest) - kSlopeSlack},
       feet_{reachAlong(convexOf(definition.outline, {}), -definition.up)} {}
 
-bool CharacterMover::isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
-
-float CharacterMover::steepestSlope() const {
-    return std::sqrt(std::max(1.0f - steepest_ * steepest_, 0.0f)) / std::max(steepest_, 0.01f);
-}
-
-Vec2 CharacterMover::onGround(float dx, Vec2 normal) const {
-    if (definition_.evenSpeed) return right_ * dx + definition_.up * (dx * slopeOf(normal));
-    return perpendicular(normal) * dx;
-}
-
 /// On a corner of a floor, a round outline has a normal between those of two faces; uses that of the floor.
 std::optional<Vec2> CharacterMover::groundNormalOf(const CastHit& hit) const {
     const Vec2 normal = hit.normal;
@@ -54,13 +43,6 @@ std::optional<Vec2> CharacterMover::groundNormalOf(const CastHit& hit) const {
 void CharacterMover::note(CharacterMotion& motion, const CharacterTouch& touch) const {
     const float up = rise(touch.normal);
     (up > kAxisAligned ? motion.slope : up < -kSolidSide ? motion.ceiling : motion.wall) = touch;
-}
-
-/// Moves by a displacement, but only up to the first hit, and returns the hit.
-std::optional<CastHit> CharacterMover::advance(Vec2 displacement) {
-    const auto hit = cast(displacement);
-    shift(displacement * (hit ? hit->fraction : 1.0f));
-    return hit;
 }
 
 CharacterTouch CharacterMover::pushOut() {
@@ -255,11 +237,6 @@ CharacterMotion CharacterMover::walkOnGround(float dx, Vec2 groundNormal) {
         normal = motion.ground.normal;
     }
     return motion;
-}
-
-bool CharacterMover::standsOn(float reach) const {
-    const auto hit = cast(definition_.up * -reach);
-    return hit && groundNormalOf(*hit);
 }
 
 }  // namespace plumb::physics

@@ -18,7 +18,8 @@ public:
     void setPosition(WorldPosition position) { position_ = position; }
     /// The collision queries of this character.
     [[nodiscard]] CharacterProbe& probe() { return probe_; }
-    [[nodiscard]] bool isGround(Vec2 normal) const;  ///< true if the surface can be stood on
+    /// True if the surface can be stood on.
+    [[nodiscard]] bool isGround(Vec2 normal) const { return rise(normal) >= steepest_; }
 
     /// Moves the outline out of all overlaps.
     /// @return a shape that still overlaps it, in which case it has not moved; without a shape on success
@@ -43,7 +44,10 @@ public:
     /// Moves in pieces that are short enough to distinguish a slope from a ledge.
     CharacterMotion walkOnGround(float dx, Vec2 groundNormal);
     /// True if there is ground within `reach` (m) below. Does not change the position.
-    [[nodiscard]] bool standsOn(float reach) const;
+    [[nodiscard]] bool standsOn(float reach) const {
+        const auto hit = cast(definition_.up * -reach);
+        return hit && groundNormalOf(*hit);
+    }
     /// Adjusts the height to ground that rotates below the character, without a horizontal displacement.
     void settle(float reach);
 
@@ -55,11 +59,21 @@ private:
     [[nodiscard]] float rise(Vec2 displacement) const { return dot(displacement, definition_.up); }
     [[nodiscard]] float along(Vec2 displacement) const { return dot(displacement, right_); }
     [[nodiscard]] float slopeOf(Vec2 normal) const { return -along(normal) / rise(normal); }
-    [[nodiscard]] Vec2 onGround(float dx, Vec2 normal) const;
+    [[nodiscard]] Vec2 onGround(float dx, Vec2 normal) const {
+        if (definition_.evenSpeed) return right_ * dx + definition_.up * (dx * slopeOf(normal));
+        return perpendicular(normal) * dx;
+    }
     void note(CharacterMotion& motion, const CharacterTouch& touch) const;
     void shift(Vec2 displacement) { position_ = position_ + displacement; }
-    std::optional<CastHit> advance(Vec2 displacement);
-    [[nodiscard]] float steepestSlope() const;
+    /// Moves by a displacement, but only up to the first hit, and returns the hit.
+    std::optional<CastHit> advance(Vec2 displacement) {
+        const auto hit = cast(displacement);
+        shift(displacement * (hit ? hit->fraction : 1.0f));
+        return hit;
+    }
+    [[nodiscard]] float steepestSlope() const {
+        return std::sqrt(std::max(1.0f - steepest_ * steepest_, 0.0f)) / std::max(steepest_, 0.01f);
+    }
     bool stepUp(float dx);
     bool passCorner(Vec2 displacement);
 

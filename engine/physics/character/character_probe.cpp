@@ -26,9 +26,6 @@ AABB boxAlong(const AABB& bounds, WorldPosition from, Vec2 displacement, float g
 
 }  // namespace
 
-CharacterProbe::CharacterProbe(World& world, const CharacterDefinition& definition, float dt)
-    : filter{definition.filter}, world_{world}, definition_{definition}, dt_{dt} {}
-
 bool CharacterProbe::isCarried(std::uint32_t body) const {
     const BodyMotion& motion = world_.bodies.motion[body];
     return world_.bodies.info[body].kind == BodyKind::Kinematic && dt_ > 0.0f &&

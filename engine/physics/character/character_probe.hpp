@@ -16,7 +16,8 @@ namespace plumb::physics {
 class CharacterProbe {
 public:
     /// @param dt  s, length of the next step
-    CharacterProbe(World& world, const CharacterDefinition& definition, float dt);
+    CharacterProbe(World& world, const CharacterDefinition& definition, float dt)
+        : filter{definition.filter}, world_{world}, definition_{definition}, dt_{dt} {}
 
     QueryFilter filter;
     bool oneWay = true;  ///< whether the character collides with one-way shapes

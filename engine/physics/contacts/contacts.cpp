@@ -326,17 +326,6 @@ constexpr std::size_t kAhead = 4;  // contacts: prefetch distance
 
 }  // namespace
 
-void clearPoints(Contact& contact) {
-    contact.count = 0;
-    contact.impulse0 = contact.impulse1 = 0.0f;
-    contact.frictionImpulse = contact.rollingImpulse = 0.0f;
-}
-
-bool canRotate(const World& world, std::uint32_t body) {
-    const BodyInfo& info = world.bodies.info[body];
-    return info.kind == BodyKind::Dynamic && (info.flags & kFixedRotation) == 0;
-}
-
 void copyMaterials(const World& world, Contact& contact) {
     const ShapeInfo& a = world.shapes.info[contact.shapeA];
     const ShapeInfo& b = world.shapes.info[contact.shapeB];

@@ -31,7 +31,9 @@ Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shap
 }
 
 /// True if an impulse can rotate the body.
-[[nodiscard]] bool canRotate(const World& world, std::uint32_t body);
+[[nodiscard]] inline bool canRotate(const World& world, std::uint32_t body) {
+    return isDynamic(world, body) && (world.bodies.info[body].flags & kFixedRotation) == 0;
+}
 
 /// Computes friction and other material properties of the contact from its two shapes, and derives its flags.
 void copyMaterials(const World& world, Contact& contact);
@@ -54,7 +56,10 @@ struct OnlyFace {
 /// Recomputes the points of a contact with the given face only.
 void touchFaceOnly(const World& world, Contact& contact, const OnlyFace& face);
 
-void clearPoints(Contact& contact);
+inline void clearPoints(Contact& contact) {
+    contact.count = 0;
+    contact.impulse0 = contact.impulse1 = contact.frictionImpulse = contact.rollingImpulse = 0.0f;
+}
 
 /// Ends the contacts of the shapes in World::altered; the broad phase finds them again.
 void endAltered(StepContext& step);

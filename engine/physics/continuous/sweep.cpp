@@ -73,17 +73,6 @@ bool staysBeyondFace(const Convex& core, const Sweep& path, const Convex& theirs
 
 }  // namespace
 
-BodyPose Sweep::at(float part) const {
-    const Rot turned = angle == 0.0f ? rotation : rotFromAngle(angle * part) * rotation;
-    return {start + displacement * part, normalized(turned), localCentre};
-}
-
-Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float angle) {
-    const Rot before =
-        angle == 0.0f ? pose.rotation : normalized(rotFromAngle(-angle * part) * pose.rotation);
-    return {pose.centre + displacement * -part, displacement, before, angle, pose.localCentre, part};
-}
-
 Frame relativeFrame(const BodyPose& a, const BodyPose& b) {
     const auto originOf = [](const BodyPose& pose) {
         return pose.centre + -rotate(pose.rotation, pose.localCentre);

@@ -15,12 +15,18 @@ struct Sweep {
     Vec2 localCentre;     ///< m: the centre of mass in the frame of the shapes
     float begin = 0.0f;   ///< fraction of the step at which the path begins
 
-    [[nodiscard]] BodyPose at(float part) const;
+    [[nodiscard]] BodyPose at(float part) const {
+        const Rot turned = angle == 0.0f ? rotation : rotFromAngle(angle * part) * rotation;
+        return {start + displacement * part, normalized(turned), localCentre};
+    }
 };
 
 /// Returns the path on which the body has the given pose at a fraction of the step.
 /// @param displacement, angle  m and rad in a whole step
-Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float angle);
+inline Sweep sweepThrough(const BodyPose& pose, float part, Vec2 displacement, float angle) {
+    const Rot back = angle == 0.0f ? pose.rotation : normalized(rotFromAngle(-angle * part) * pose.rotation);
+    return {pose.centre + displacement * -part, displacement, back, angle, pose.localCentre, part};
+}
 inline Sweep resting(const BodyPose& pose, float part = 0.0f) { return sweepThrough(pose, part, {}, 0.0f); }
 
 /// True if a body with this displacement (m) and rotation (rad) in a step may tunnel through a thin shape: a

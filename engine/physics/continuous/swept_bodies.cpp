@@ -95,11 +95,6 @@ void limitMotion(World& world, std::uint32_t body) {
         motion.angularVelocity = std::copysign(std::min(maximum / reach, kFastest), motion.angularVelocity);
 }
 
-std::uint32_t layerOf(const World& world, std::uint32_t body) {
-    if (!isDynamic(world, body)) return kKinematicLayer;
-    return isBullet(world, body) ? kBulletLayer : kFastLayer;
-}
-
 AABB pathBounds(const StepContext& step, const SweptBody& swept) {
     const float reach = reachOf(step, swept);
     const Vec2 from = beginOf(swept.sweep), to = from + displacementLeft(swept.sweep), half{reach, reach};

@@ -34,7 +34,10 @@ SweptBody sweptBodyOf(const StepContext& step, std::uint32_t body);
 /// the arms of joints are many times longer than the body.
 void limitMotion(World& world, std::uint32_t body);
 
-std::uint32_t layerOf(const World& world, std::uint32_t body);  // one of the layers above
+inline std::uint32_t layerOf(const World& world, std::uint32_t body) {
+    if (!isDynamic(world, body)) return kKinematicLayer;
+    return isBullet(world, body) ? kBulletLayer : kFastLayer;
+}
 /// Returns the bounds of the remaining path of a body.
 AABB pathBounds(const StepContext& step, const SweptBody& swept);
 /// Finds the next hit of work.swept[place] and stores it in SweptBody::next. Of two hits at the same time it

@@ -148,11 +148,6 @@ bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body) {
     return false;
 }
 
-WorldPosition centreOf(const World& world, const FieldDefinition& field) {
-    const bool follows = field.kind == FieldKind::Attractor && field.a;
-    return follows ? world.bodies.pose[field.a.index].centre : field.place;
-}
-
 bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body) {
     if (field.kind == FieldKind::Spring) return field.a.index == body || (field.b && field.b.index == body);
     if (field.kind == FieldKind::Attractor && field.a && field.a.index == body) return false;
@@ -173,10 +168,6 @@ float springStiffness(const World& world, const FieldDefinition& field, std::uin
     const BodyMass& mass = world.bodies.mass[body];
     const float lever = lengthSquared(anchor - world.bodies.pose[body].localCentre);
     return (mass.inverseMass + mass.inverseInertia * lever) * h * (field.damping + 0.5f * h * field.strength);
-}
-
-bool isConstant(const FieldDefinition& field) {
-    return field.kind == FieldKind::AreaGravity && field.strength == 0.0f;
 }
 
 Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t> fields, std::uint32_t body,

@@ -65,7 +65,10 @@ const FieldType& fieldTypeOf(FieldKind kind);
 /// True if a field acts on a body at its current position.
 [[nodiscard]] bool actsOn(const World& world, const FieldDefinition& field, std::uint32_t body);
 /// Returns the center (m) of the region of a field. The center of an Attractor moves with its body.
-[[nodiscard]] WorldPosition centreOf(const World& world, const FieldDefinition& field);
+[[nodiscard]] inline WorldPosition centreOf(const World& world, const FieldDefinition& field) {
+    const bool follows = field.kind == FieldKind::Attractor && field.a;
+    return follows ? world.bodies.pose[field.a.index].centre : field.place;
+}
 /// Returns the kind of region of a field; explosions always have a circle.
 constexpr RegionKind regionOf(const FieldDefinition& field) {
     return field.kind == FieldKind::Explosion ? RegionKind::Circle : field.region;
@@ -74,7 +77,9 @@ constexpr RegionKind regionOf(const FieldDefinition& field) {
 /// Returns the velocity (m/s) of the air of a Wind in a given step, gusts included.
 [[nodiscard]] Vec2 airOf(const FieldDefinition& field, std::uint64_t step);
 /// True if the acceleration depends on neither position nor velocity: trajectories have a closed form.
-[[nodiscard]] bool isConstant(const FieldDefinition& field);
+[[nodiscard]] constexpr bool isConstant(const FieldDefinition& field) {
+    return field.kind == FieldKind::AreaGravity && field.strength == 0.0f;
+}
 
 /// True if a body has a shape on one of these layers, or if `layers` has all bits.
 [[nodiscard]] bool isOnLayers(const World& world, std::uint32_t layers, std::uint32_t body);

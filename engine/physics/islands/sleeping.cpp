@@ -213,14 +213,6 @@ void sleepNow(World& world, std::uint32_t body) {
     sleepIslands(world, roots);
 }
 
-std::uint32_t islandOf(World& world, std::uint32_t body) {
-    return rootOf([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, body);
-}
-
-void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
-    joinTrees([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, a, b);
-}
-
 void rebuildIslands(World& world, TaskPool* pool) {
     std::vector<BodyInfo>& info = world.bodies.info;
     const auto forAll = [&](const auto& all, auto&& act) {

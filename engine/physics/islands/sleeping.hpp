@@ -67,8 +67,12 @@ void joinTrees(Parent&& parent, std::uint32_t a, std::uint32_t b) {
     }
 }
 
-std::uint32_t islandOf(World& world, std::uint32_t body);
-void joinIslands(World& world, std::uint32_t a, std::uint32_t b);
+inline std::uint32_t islandOf(World& world, std::uint32_t body) {
+    return rootOf([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, body);
+}
+inline void joinIslands(World& world, std::uint32_t a, std::uint32_t b) {
+    joinTrees([&](std::uint32_t i) -> std::uint32_t& { return world.bodies.info[i].island; }, a, b);
+}
 /// Rebuilds the forest from the current contacts and joints.
 /// @param pool  threads that share the work
 void rebuildIslands(World& world, TaskPool* pool = nullptr);

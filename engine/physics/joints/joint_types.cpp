@@ -22,11 +22,6 @@ JointParts anchorsOf(const JointView& view) {
     return parts;
 }
 
-float angleOf(const JointView& view) {
-    const float angle = angleOf(between(view.rotationA, view.rotationB)) - view.definition.referenceAngle;
-    return angle - kTau * std::floor((angle + kPi) / kTau);
-}
-
 namespace {
 
 // Constraints that several kinds of joints use.

@@ -99,6 +99,9 @@ JointView viewOf(const World& world, std::uint32_t joint, const JointTiming& tim
 /// Returns the arms and the separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
 /// Returns the rotation of B relative to A, minus the reference angle (rad, -pi..pi).
-float angleOf(const JointView& view);
+inline float angleOf(const JointView& view) {
+    const float angle = angleOf(between(view.rotationA, view.rotationB)) - view.definition.referenceAngle;
+    return angle - kTau * std::floor((angle + kPi) / kTau);
+}
 
 }  // namespace plumb::physics

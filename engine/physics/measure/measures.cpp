@@ -116,11 +116,6 @@ double largestDistanceOf(const World& world, const World& other) {
     return std::sqrt(largest);
 }
 
-float overlapOf(const Contact& contact) {
-    if ((contact.flags & (kTouching | kTriggered | kDisabled)) != kTouching) return 0.0f;
-    return std::max(0.0f, -std::min(contact.separation0, contact.separation1));
-}
-
 float openingOf(const World& world, std::uint32_t index) {
     const Joint& joint = world.joints.hot[index];
     const JointType& type = jointType(joint.kind);

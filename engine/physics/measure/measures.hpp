@@ -21,7 +21,10 @@ namespace plumb::physics {
 
 /// Returns the overlap of the two shapes of a contact at the start of the last step, without overlap hidden
 /// by initial_overlaps.cpp. 0 for contacts that exert no forces.
-[[nodiscard]] float overlapOf(const Contact& contact);
+[[nodiscard]] inline float overlapOf(const Contact& contact) {
+    if ((contact.flags & (kTouching | kTriggered | kDisabled)) != kTouching) return 0.0f;
+    return std::max(0.0f, -std::min(contact.separation0, contact.separation1));
+}
 
 /// Returns the current error of a joint: distance of its anchors, deviation from its length or excess over a
 /// limit; for angles, the displacement that they cause. 0 for springs, gears and pulleys.

@@ -100,10 +100,6 @@ void countEffectsOfBody(World& world, std::uint32_t body, int times) {
     manifest.call(Effect::Locks, dynamic && (info.flags & (kLockX | kLockY)) != 0, times);
 }
 
-std::size_t bodyCount(const World& world) {
-    return world.bodies.size() - world.bodies.free.size() - world.bodies.dying.size();
-}
-
 Result<BodyId> createBody(World& world, const BodyDefinition& definition) {
     if (const auto checked = firstOf(checkOutside("createBody", world), check(definition)); !checked)
         return checked.error();

@@ -11,7 +11,9 @@ Result<BodyId> createBody(World& world, const BodyDefinition& definition);
 /// Destroys a body with its shapes and joints; its contacts end in the next step. A stale id does nothing.
 void destroyBody(World& world, BodyId body);
 
-[[nodiscard]] std::size_t bodyCount(const World& world);
+[[nodiscard]] inline std::size_t bodyCount(const World& world) {
+    return world.bodies.size() - world.bodies.free.size() - world.bodies.dying.size();
+}
 
 // Getters. For a stale id they return defaults: at the origin, at rest, mass 0, neither awake nor enabled.
 

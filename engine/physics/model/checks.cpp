@@ -6,10 +6,6 @@
 
 namespace plumb::physics {
 
-Error usageError(const char* where, const std::string& what, const char* remedy) {
-    return {where, what, remedy};
-}
-
 namespace {
 
 constexpr float kMaxSetting = 1.0e9f;  // upper limit of every setting except gravity, in its unit
@@ -33,24 +29,10 @@ Result<Done> checkNumber(const char* where, double value, double low, double hig
         "check the computation of this value");
 }
 
-Result<Done> checkVector(const char* where, Vec2 value, float maximum) {
-    return firstOf(checkNumber(where, value.x, -maximum, maximum),
-                   checkNumber(where, value.y, -maximum, maximum));
-}
-
-Result<Done> checkPosition(const char* where, WorldPosition value) {
-    return firstOf(checkNumber(where, value.x, -kFarthest, kFarthest),
-                   checkNumber(where, value.y, -kFarthest, kFarthest));
-}
-
 Result<Done> checkKind(const char* where, BodyKind kind) {
     if (kind != BodyKind::None && kind <= BodyKind::Dynamic) return Done{};
     return usageError(where, "expected Static, Kinematic or Dynamic, found another kind",
                       "pass one of these");
-}
-
-Result<Done> checkQuality(const char* where, int quality) {
-    return checkNumber(where, quality, kQualityOfWorld, kMaxQuality);
 }
 
 Result<Done> checkOutside(const char* where, const World& world) {

@@ -10,14 +10,32 @@ namespace plumb::physics {
 // Range checks of the setters. Each returns the Error to report, or Done. `where`: Error::where.
 
 /// Makes the error that a function of the library returns for a wrong argument or a call at a wrong time.
-Error usageError(const char* where, const std::string& what, const char* remedy);
+inline Error usageError(const char* where, const std::string& what, const char* remedy) {
+    return {where, what, remedy};
+}
+
+/// Returns the first Error of several checks, or Done.
+template <class... Checks>
+Result<Done> firstOf(Checks... checks) {
+    Result<Done> result = Done{};
+    static_cast<void>(((checks.ok() || (result = checks, false)) && ...));
+    return result;
+}
 
 /// Checks that a number is within a range and not NaN.
 Result<Done> checkNumber(const char* where, double value, double low, double high);
-Result<Done> checkVector(const char* where, Vec2 value, float maximum);
-Result<Done> checkPosition(const char* where, WorldPosition value);
+inline Result<Done> checkVector(const char* where, Vec2 value, double maximum) {
+    return firstOf(checkNumber(where, value.x, -maximum, maximum),
+                   checkNumber(where, value.y, -maximum, maximum));
+}
+inline Result<Done> checkPosition(const char* where, WorldPosition value) {
+    return firstOf(checkNumber(where, value.x, -kFarthest, kFarthest),
+                   checkNumber(where, value.y, -kFarthest, kFarthest));
+}
 Result<Done> checkKind(const char* where, BodyKind kind);
-Result<Done> checkQuality(const char* where, int quality);
+inline Result<Done> checkQuality(const char* where, int quality) {
+    return checkNumber(where, quality, kQualityOfWorld, kMaxQuality);
+}
 
 /// @error called from a callback of StepOptions::hooks, which must not change the world
 Result<Done> checkOutside(const char* where, const World& world);
@@ -37,14 +55,6 @@ Result<Done> checkAlive(const char* where, const World& world, Id<Thing> id) {
 template <class Thing>
 [[nodiscard]] bool mayChange(const World& world, Id<Thing> id) {
     return !world.work.isInCallback && alive(world, id);
-}
-
-/// Returns the first Error of several checks, or Done.
-template <class... Checks>
-Result<Done> firstOf(Checks... checks) {
-    Result<Done> result = Done{};
-    static_cast<void>(((checks.ok() || (result = checks, false)) && ...));
-    return result;
 }
 
 }  // namespace plumb::physics

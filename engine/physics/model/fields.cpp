@@ -58,12 +58,6 @@ void wakeThoseIn(World& world, const FieldDefinition& definition) {
 
 }  // namespace
 
-const FieldDefinition& definitionOf(const World& world, FieldId field) {
-    return readOf(world, world.fields.all, field).definition;
-}
-
-std::size_t fieldCount(const World& world) { return world.fields.all.size() - world.fields.free.size(); }
-
 Result<FieldId> createField(World& world, const FieldDefinition& definition) {
     if (const auto checked = check(world, definition); !checked) return checked.error();
     const std::uint32_t index = takeIndex(world.fields.free, world.fields.all);

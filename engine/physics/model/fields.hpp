@@ -14,7 +14,11 @@ void destroyField(World& world, FieldId field);
 Result<Done> setField(World& world, FieldId field, const FieldDefinition& definition);
 
 /// Returns the definition of a field, or the default if it was destroyed.
-[[nodiscard]] const FieldDefinition& definitionOf(const World& world, FieldId field);
-[[nodiscard]] std::size_t fieldCount(const World& world);
+[[nodiscard]] inline const FieldDefinition& definitionOf(const World& world, FieldId field) {
+    return readOf(world, world.fields.all, field).definition;
+}
+[[nodiscard]] inline std::size_t fieldCount(const World& world) {
+    return world.fields.all.size() - world.fields.free.size();
+}
 
 }  // namespace plumb::physics

@@ -144,11 +144,6 @@ void countEffectsOfShape(World& world, std::uint32_t shape, int times) {
     manifest.call(Effect::ContactEvents, (info.flags & kReportsContacts) != 0, times);
 }
 
-BodyId bodyOf(const World& world, ShapeId shape) {
-    const std::uint32_t body = readOf(world, world.shapes.info, shape).body;
-    return body == kNone ? BodyId{} : idOfBody(world, body);
-}
-
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found) {
     found.clear();
     if (!alive(world, chain)) return;
@@ -180,11 +175,6 @@ Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> p
     const ShapeId shape = add(world, body, storePolygon(world.shapes, *hull, radius), definition);
     updateMass(world, body.index);
     return shape;
-}
-
-Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
-                            const ShapeDefinition& definition) {
-    return createChain(world, body, points, closed, std::span{&definition, 1});
 }
 
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,

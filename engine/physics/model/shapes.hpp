@@ -15,12 +15,14 @@ Result<ShapeId> createPolygon(World& world, BodyId body, std::span<const Vec2> p
 /// Adds a chain of segments, solid on one side (see normalOfChain); bodies slide over its vertices without
 /// catching. The first and last point of an open chain are ghost vertices: they define where its ends point.
 /// @error fewer than 3 points (closed) or 4 (open), coincident points, a number that is not finite
+/// @param definitions  one for each segment, or one for all
 /// @return its first segment, whose id identifies the chain
 Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
-                            const ShapeDefinition& definition = {});
-/// Adds a chain with one definition for each segment.
-Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
                             std::span<const ShapeDefinition> definitions);
+inline Result<ShapeId> createChain(World& world, BodyId body, std::span<const Vec2> points, bool closed,
+                                   const ShapeDefinition& definition = {}) {
+    return createChain(world, body, points, closed, std::span{&definition, 1});
+}
 /// Replaces `found` by the segments of a chain, in order, from the id of any segment; empty for a stale id.
 void segmentsOf(const World& world, ShapeId chain, std::vector<ShapeId>& found);
 /// Destroys all segments of a chain; `chain` is the id of any segment.
@@ -34,7 +36,10 @@ void destroyShapes(World& world, BodyId body);
 void destroyShape(World& world, ShapeId shape);
 
 /// Returns the body of a shape, or the null id if the shape was destroyed.
-[[nodiscard]] BodyId bodyOf(const World& world, ShapeId shape);
+[[nodiscard]] inline BodyId bodyOf(const World& world, ShapeId shape) {
+    const std::uint32_t body = readOf(world, world.shapes.info, shape).body;
+    return body == kNone ? BodyId{} : idOfBody(world, body);
+}
 
 // Edits of an existing shape. The result is as if the shape had been created with the new values: masses are
 // updated, and bodies that rest on it wake. Contacts affected by a new outline, trigger flag or one-way

@@ -62,10 +62,6 @@ FaceGap widestGap(std::span<const Corner> faces, std::span<const Corner> other) 
     return widest;
 }
 
-std::size_t faceAgainst(std::span<const Corner> faces, Vec2 direction) {
-    return largestOf(faces, [&](const Corner& face) { return -dot(face.normal, direction); }).index;
-}
-
 EdgeOnEdge edgeOnEdge(const Side& reference, std::size_t face, const Side& other) {
     const Corner& corner = reference.corners[face];
     EdgeOnEdge edges{

@@ -36,7 +36,9 @@ struct FaceGap {
 
 FaceGap widestGap(std::span<const Corner> faces, std::span<const Corner> other);
 /// Returns the face whose normal is most opposed to a direction.
-std::size_t faceAgainst(std::span<const Corner> faces, Vec2 direction);
+inline std::size_t faceAgainst(std::span<const Corner> faces, Vec2 direction) {
+    return largestOf(faces, [&](const Corner& face) { return -dot(face.normal, direction); }).index;
+}
 
 /// A face of the second outline becomes the reference face only if its separation is larger by this (m).
 inline float faceTieOf(float halfSize) { return std::min(kMaxFaceTie, kFaceTie * halfSize); }

@@ -4,8 +4,6 @@
 #include "physics/model/shapes.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/queries/overlap.hpp"
-#include "physics/ranges.hpp"
-#include "physics/shapes/shape_types.hpp"
 #include "physics/tuning.hpp"
 #include "physics/workspace.hpp"
 
@@ -50,10 +48,6 @@ void overlapBounds(World& world, WorldPosition low, WorldPosition high, const Qu
 
 }  // namespace
 
-bool isUsable(WorldPosition place) {
-    return std::fabs(place.x) <= kFarthest && std::fabs(place.y) <= kFarthest;
-}
-
 std::span<const std::uint32_t> candidatesIn(World& world, WorldPosition low, WorldPosition high,
                                             const QueryFilter& filter) {
     Workspace& work = world.work.get();
@@ -75,18 +69,6 @@ std::span<const std::uint32_t> candidatesAlong(World& world, WorldPosition from,
     work.broadPhase->cast(start, displacement, half + Vec2{margin, margin}, filter.mask, work.candidates,
                           Among::All);
     return choose(world, filter);
-}
-
-Frame relativeFrame(const BodyPose& body, WorldPosition position, Rot rotation) {
-    return {localPoint(body, position), between(body.rotation, rotation)};
-}
-
-std::span<const Corner> cornersOf(const World& world, const QueryShape& shape) {
-    return shape.corners.empty() ? std::span<const Corner>{world.shapes.corners} : shape.corners;
-}
-
-AABB boundsOf(const World& world, const QueryShape& shape) {
-    return boundsOf(shape.geometry, cornersOf(world, shape), {{}, shape.rotation});
 }
 
 bool isUsable(const World& world, const QueryShape& shape) {
@@ -115,11 +97,6 @@ void overlapBox(World& world, WorldPosition low, WorldPosition high, const Query
     const Vec2 half = 0.5f * (high - low);
     if (std::max(half.x, half.y) > kLargest) return overlapBounds(world, low, high, filter, found);
     overlapShape(world, {.geometry = box(half), .position = low + half, .rotation = {}}, filter, found);
-}
-
-void overlapCircle(World& world, WorldPosition centre, float radius, const QueryFilter& filter,
-                   std::vector<ShapeId>& found) {
-    overlapShape(world, {.geometry = circle(radius), .position = centre, .rotation = {}}, filter, found);
 }
 
 void overlapPoint(World& world, WorldPosition point, const QueryFilter& filter, std::vector<ShapeId>& found) {

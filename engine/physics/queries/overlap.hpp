@@ -13,8 +13,10 @@ void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filt
 /// than twice kLargest on a side finds them by their bounds.
 void overlapBox(World& world, WorldPosition low, WorldPosition high, const QueryFilter& filter,
                 std::vector<ShapeId>& found);
-void overlapCircle(World& world, WorldPosition centre, float radius, const QueryFilter& filter,
-                   std::vector<ShapeId>& found);
+inline void overlapCircle(World& world, WorldPosition centre, float radius, const QueryFilter& filter,
+                          std::vector<ShapeId>& found) {
+    overlapShape(world, {.geometry = circle(radius), .position = centre, .rotation = {}}, filter, found);
+}
 /// Finds the shapes that contain a point. A segment has no inside.
 void overlapPoint(World& world, WorldPosition point, const QueryFilter& filter, std::vector<ShapeId>& found);
 

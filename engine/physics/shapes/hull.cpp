@@ -247,15 +247,6 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     return hull;
 }
 
-Geometry polygon(const Hull& hull, std::uint32_t first, float radius) {
-    return {.kind = ShapeKind::Polygon,
-            .count = static_cast<std::uint8_t>(hull.corners.size()),
-            .first = first,
-            .radius = radius,
-            .a = hull.centroid,
-            .b = {}};
-}
-
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline) {
     if (outline.size() > kMaxOutline) {
         return Error{"decompose", format("found {} points, expected at most {}", outline.size(), kMaxOutline),

@@ -33,6 +33,13 @@ inline constexpr std::size_t kMaxOutline = 2048;  ///< maximum number of points 
 Result<std::vector<Hull>> decompose(std::span<const Vec2> outline);
 
 /// Returns the geometry of a hull whose corners are in Shapes::corners from `first` on.
-Geometry polygon(const Hull& hull, std::uint32_t first, float radius = 0.0f);
+inline Geometry polygon(const Hull& hull, std::uint32_t first, float radius = 0.0f) {
+    return {.kind = ShapeKind::Polygon,
+            .count = static_cast<std::uint8_t>(hull.corners.size()),
+            .first = first,
+            .radius = radius,
+            .a = hull.centroid,
+            .b = {}};
+}
 
 }  // namespace plumb::physics

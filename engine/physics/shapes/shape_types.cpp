@@ -224,22 +224,10 @@ static_assert(std::size(kShapeTypes) == static_cast<std::size_t>(ShapeKind::Coun
 
 const ShapeType& shapeTypeOf(ShapeKind kind) { return kShapeTypes[static_cast<std::size_t>(kind)]; }
 
-AABB boundsOf(const Geometry& geometry, Corners corners, const Frame& frame) {
-    return shapeTypeOf(geometry.kind).bounds(geometry, corners, frame);
-}
-
 float reachOf(const Geometry& geometry, Corners corners, Vec2 from) {
     const Convex convex = convexOf(geometry, corners);
     const auto squareOf = [&](const Corner& corner) { return lengthSquared(corner.point - from); };
     return std::sqrt(largestOf(convex.corners(), squareOf).value) + convex.radius;
-}
-
-float coreOf(const Geometry& geometry, Corners corners, Vec2 at) {
-    return std::max(0.0f, -closestPoint(geometry, corners, at).distance);
-}
-
-bool containsPoint(const Geometry& geometry, Corners corners, Vec2 point) {
-    return shapeTypeOf(geometry.kind).solid && closestPoint(geometry, corners, point).distance <= 0.0f;
 }
 
 ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
@@ -261,10 +249,6 @@ ClosestPoint closestPointOf(const Convex& convex, Vec2 place) {
     const Vec2 normal = gap > kNoGap ? (place - nearest) / gap : corner.normal;
     return {nearest + normal * convex.radius, normal, gap - convex.radius, along == 0.0f || along == 1.0f,
             along < 1.0f ? face.index : after};
-}
-
-ClosestPoint closestPoint(const Geometry& geometry, Corners corners, Vec2 place) {
-    return closestPointOf(convexOf(geometry, corners), place);
 }
 
 std::optional<RayHit> castRay(const Geometry& geometry, Corners corners, const Ray& ray) {

@@ -26,16 +26,12 @@ Result<Done> checkGeometry(const Geometry& geometry, std::span<const Corner> cor
 MassProperties massProperties(const Geometry& geometry, std::span<const Corner> corners, float density);
 
 /// Returns the bounding box (m) of the outline in the parent space of `frame`.
-AABB boundsOf(const Geometry& geometry, std::span<const Corner> corners, const Frame& frame);
+inline AABB boundsOf(const Geometry& geometry, std::span<const Corner> corners, const Frame& frame) {
+    return shapeTypeOf(geometry.kind).bounds(geometry, corners, frame);
+}
 
 /// Returns the maximum distance (m) of a point of the outline from `from`.
 float reachOf(const Geometry& geometry, std::span<const Corner> corners, Vec2 from);
-
-/// Returns the radius (m) of the largest disc around `at` inside the outline; 0 if `at` is outside.
-float coreOf(const Geometry& geometry, std::span<const Corner> corners, Vec2 at);
-
-/// True if the outline contains the point. The boundary counts as inside; a segment has no inside.
-bool containsPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 point);
 
 /// The point on the boundary of an outline that is nearest to a given point.
 struct ClosestPoint {
@@ -47,7 +43,18 @@ struct ClosestPoint {
 };
 
 ClosestPoint closestPointOf(const Convex& convex, Vec2 place);
-ClosestPoint closestPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 place);
+inline ClosestPoint closestPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 place) {
+    return closestPointOf(convexOf(geometry, corners), place);
+}
+
+/// Returns the radius (m) of the largest disc around `at` inside the outline; 0 if `at` is outside.
+inline float coreOf(const Geometry& geometry, std::span<const Corner> corners, Vec2 at) {
+    return std::max(0.0f, -closestPoint(geometry, corners, at).distance);
+}
+/// True if the outline contains the point. The boundary counts as inside; a segment has no inside.
+inline bool containsPoint(const Geometry& geometry, std::span<const Corner> corners, Vec2 point) {
+    return shapeTypeOf(geometry.kind).solid && closestPoint(geometry, corners, point).distance <= 0.0f;
+}
 
 /// A line segment from `from` to `from + displacement`.
 struct Ray {

@@ -281,11 +281,6 @@ void prepareJoints(StepContext& step) {
     });
 }
 
-JointPass jointPass(const Settings& settings, float h) {
-    const Softness soft = softness(settings.jointStiffness / h, settings.jointDampingRatio, h);
-    return {gripOf(soft), 1.0f / h, kJointPushing * settings.pushSpeed};
-}
-
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,
                  const SolveGroup& group, int colour, PassKind kind) {
     if ((group.jointColours >> colour & 1) == 0) return;

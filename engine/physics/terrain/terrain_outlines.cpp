@@ -36,17 +36,6 @@ void appendBorder(const TilePalette& palette, const CellWindow& window, CellRect
 
 }  // namespace
 
-Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin) {
-    const auto metres = [&](GridPoint point) { return toMetres(point, cellSize, origin); };
-    return chainSegment(metres(segment.before), metres(segment.a), metres(segment.b), metres(segment.after));
-}
-
-/// True if the next edge belongs to the same chain.
-bool OutlineBuilder::joinsNext(std::uint32_t edge) const {
-    const std::uint32_t next = places_[edge].after.outline;
-    return next < own_ && edges_[next].kind == edges_[edge].kind && places_[next].before.outline == edge;
-}
-
 /// True if the next edge belongs to the same segment.
 bool OutlineBuilder::isStraightAfter(std::uint32_t edge) const {
     if (!joinsNext(edge)) return false;
@@ -114,12 +103,6 @@ TerrainOutlines::TerrainOutlines(TileMask mask, int chunkCells)
     isDirty_.assign(chunks_.size(), 1);
     dirty_.resize(chunks_.size());
     std::iota(dirty_.begin(), dirty_.end(), 0u);
-}
-
-CellRect TerrainOutlines::cellsOf(std::uint32_t chunk) const {
-    const int x = static_cast<int>(chunk) % columns_ * chunkCells_;
-    const int y = static_cast<int>(chunk) / columns_ * chunkCells_;
-    return {x, y, std::min(x + chunkCells_, mask_.width()), std::min(y + chunkCells_, mask_.height())};
 }
 
 void TerrainOutlines::set(int x, int y, MaskCell cell) {

@@ -43,7 +43,13 @@ struct TileEdge {
 /// A copy of the cells that the outlines of one chunk depend on.
 class CellWindow {
 public:
-    void read(const TileMask& mask, CellRect rect);
+    void read(const TileMask& mask, CellRect rect) {
+        rect_ = rect;
+        const auto width = static_cast<std::size_t>(rect.width());
+        cells_.resize(width * static_cast<std::size_t>(rect.height()));
+        TileCell* row = cells_.data();
+        for (int y = rect.y0; y < rect.y1; ++y, row += width) mask.cells().copyRow(rect.x0, y, width, row);
+    }
     /// Returns a pointer to a cell (see MaskCell); the cell below is `width()` elements further.
     [[nodiscard]] const TileCell* cell(int x, int y) const {
         return cells_.data() + std::ptrdiff_t{y - rect_.y0} * rect_.width() + (x - rect_.x0);
@@ -90,7 +96,11 @@ private:
     /// @param end  0: the edges before its start, 1: the edges after its end
     [[nodiscard]] EdgeLink find(std::uint32_t edge, std::size_t end) const;
     [[nodiscard]] bool hasOneLayer(GridPoint point) const;  // true if all plain edges there have equal layers
-    [[nodiscard]] std::size_t bucketOf(GridPoint point) const;
+    [[nodiscard]] std::size_t bucketOf(GridPoint point) const {
+        const GridPoint from = point - cornerOfCell(cells_.x0, cells_.y0);
+        const auto row = static_cast<std::size_t>(from.y / kCellUnits);
+        return row * rowLength_ + static_cast<std::size_t>(from.x / kCellUnits);
+    }
     /// Calls visit(index, edge) for the edges that start (end = 0) or end (end = 1) at a point.
     template <class Visit>
     void forEdgesAt(GridPoint point, std::size_t end, const Visit& visit) const;
@@ -123,7 +133,10 @@ using TerrainOutline = std::vector<TerrainSegment>;
 
 /// Returns the segment as a chain segment in meters. @param cellSize  size of a cell, m
 /// @param origin  the point of the terrain that is the origin of the body's frame
-Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin = {});
+inline Geometry geometryOf(const TerrainSegment& segment, Vec2 cellSize, GridPoint origin = {}) {
+    const auto metres = [&](GridPoint point) { return toMetres(point, cellSize, origin); };
+    return chainSegment(metres(segment.before), metres(segment.a), metres(segment.b), metres(segment.after));
+}
 
 /// Builds the outlines of chunks, and reuses its memory for the next chunk. Not thread-safe.
 class OutlineBuilder {
@@ -138,7 +151,11 @@ private:
         std::uint32_t segment = kNone;  // index of the segment that contains the edge; kNone: not built yet
     };
 
-    [[nodiscard]] bool joinsNext(std::uint32_t edge) const;
+    /// True if the next edge belongs to the same chain.
+    [[nodiscard]] bool joinsNext(std::uint32_t edge) const {
+        const std::uint32_t next = places_[edge].after.outline;
+        return next < own_ && edges_[next].kind == edges_[edge].kind && places_[next].before.outline == edge;
+    }
     [[nodiscard]] bool isStraightAfter(std::uint32_t edge) const;
     void walk(std::uint32_t start, TerrainOutline& outline);
     void setGhosts(TerrainOutline& outline) const;
@@ -176,7 +193,11 @@ public:
 
     /// The outlines of all chunks, row by row.
     [[nodiscard]] const std::vector<TerrainOutline>& chunks() const { return chunks_; }
-    [[nodiscard]] CellRect cellsOf(std::uint32_t chunk) const;
+    [[nodiscard]] CellRect cellsOf(std::uint32_t chunk) const {
+        const int x = static_cast<int>(chunk) % columns_ * chunkCells_;
+        const int y = static_cast<int>(chunk) / columns_ * chunkCells_;
+        return {x, y, std::min(x + chunkCells_, mask_.width()), std::min(y + chunkCells_, mask_.height())};
+    }
 
 private:
     struct Maker {

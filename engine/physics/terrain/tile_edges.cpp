@@ -160,14 +160,6 @@ EdgeLink linkOfInner(const Vertex& vertex, std::uint8_t layers) {
 
 }  // namespace
 
-void CellWindow::read(const TileMask& mask, CellRect rect) {
-    rect_ = rect;
-    const auto width = static_cast<std::size_t>(rect.width());
-    cells_.resize(width * static_cast<std::size_t>(rect.height()));
-    TileCell* row = cells_.data();
-    for (int y = rect.y0; y < rect.y1; ++y, row += width) mask.cells().copyRow(rect.x0, y, width, row);
-}
-
 bool CellWindow::isUniform() const {
     if (cells_.empty()) return true;
     const TileForm form = maskCellOf(cells_.front()).form;
@@ -184,12 +176,6 @@ void appendEdges(const TilePalette& palette, const CellWindow& window, CellRect 
             if (maskCellOf(*number).form != TileForm::Empty) cells.append(number, cornerOfCell(x, y));
         }
     }
-}
-
-std::size_t EdgeLinks::bucketOf(GridPoint point) const {
-    const GridPoint from = point - cornerOfCell(cells_.x0, cells_.y0);
-    const auto row = static_cast<std::size_t>(from.y / kCellUnits);
-    return row * rowLength_ + static_cast<std::size_t>(from.x / kCellUnits);
 }
 
 template <class Visit>

@@ -247,10 +247,4 @@ Result<std::uint8_t> TilePalette::addLayers(const TileLayers& layers) {
     return indexIn<std::uint8_t>(layers_, layers, kMaxLayers, "layers");
 }
 
-bool TilePalette::covers(std::uint8_t cover, std::uint8_t covered) const {
-    const TileLayers& over = layers_[cover];
-    const TileLayers& under = layers_[covered];
-    return (under.layers & ~over.layers) == 0 && (under.mask & ~over.mask) == 0;
-}
-
 }  // namespace plumb::physics

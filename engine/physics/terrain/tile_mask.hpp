@@ -169,7 +169,10 @@ public:
     }
 
     /// True if all bodies that collide with layers() `covered` also collide with layers() `cover`.
-    [[nodiscard]] bool covers(std::uint8_t cover, std::uint8_t covered) const;
+    [[nodiscard]] bool covers(std::uint8_t cover, std::uint8_t covered) const {
+        const TileLayers &over = layers_[cover], &under = layers_[covered];
+        return (under.layers & ~over.layers) == 0 && (under.mask & ~over.mask) == 0;
+    }
 
 private:
     Result<TileForm> add(const TileOutline& outline);
