@@ -129,9 +129,8 @@ std::optional<CastHit> CharacterProbe::apart(std::uint32_t shape, WorldPosition 
 std::optional<CastHit> CharacterProbe::nearest(WorldPosition at, float within) const {
     std::optional<CastHit> best;
     for (const std::uint32_t shape : around(boundsOf(definition_.outline, {}, {}), at, {})) {
-        const ShapeInfo& info = world_.shapes.info[shape];
         if (ignores(shape) || contains(passed_, shape)) continue;
-        if ((info.flags & kOneWay) != 0 && idOfShape(world_, shape) != floor) continue;
+        if ((world_.shapes.info[shape].flags & kOneWay) != 0 && idOfShape(world_, shape) != floor) continue;
         const auto hit = apart(shape, at, within);
         if (hit && hit->separation < within && (!best || hit->separation < best->separation)) best = hit;
     }

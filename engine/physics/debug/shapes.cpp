@@ -209,14 +209,13 @@ void drawCentres(const Picture& picture) {
 }
 
 void drawSweeps(const Picture& picture) {
-    const World& world = picture.world;
     const Workspace* work = picture.choice.lastStep;
-    if (work == nullptr || world.awake.empty()) return;
+    if (work == nullptr || picture.world.awake.empty()) return;
     for (const SweptBody& swept : work->swept) {
         const std::uint32_t body = swept.body;
-        if (!isDynamic(world, body) || !picture.shows(body)) continue;
+        if (!isDynamic(picture.world, body) || !picture.shows(body)) continue;
         const BodyPose from = swept.sweep.at(swept.sweep.begin);
-        forShapesOf(world, body, [&](std::uint32_t s) {
+        forShapesOf(picture.world, body, [&](std::uint32_t s) {
             drawOutline(picture.canvas, picture.outline(s), picture.frame(from), DebugRole::Sweep);
         });
         const Vec2 start = picture.seen(from.centre);

@@ -117,15 +117,14 @@ float impulseOf(const ImpulseSum& sum) {
 template <class Block>
 void startBlocks(StepContext& step, const std::vector<Block>& blocks, const std::vector<BlockLanes>& lanes,
                  BlockRange range) {
-    Workspace& work = step.work;
     for (auto n = static_cast<std::size_t>(range.begin); n < static_cast<std::size_t>(range.end); ++n) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(lanes[n].count); ++i) {
             const std::int32_t contact = lanes[n].index[i];
-            const std::uint16_t key = work.contactKeys[static_cast<std::size_t>(contact)];
+            const std::uint16_t key = step.work.contactKeys[static_cast<std::size_t>(contact)];
             if (!step.world.settings.stayEvents && (key & kKeyBegan) == 0) continue;
             const float* second =
                 Block::kPoints == 2 ? &blocks[n].points[Block::kPoints - 1].impulse[i] : nullptr;
-            work.impulseSums.push_back({{&blocks[n].points[0].impulse[i], second}, 0.0f, contact});
+            step.work.impulseSums.push_back({{&blocks[n].points[0].impulse[i], second}, 0.0f, contact});
         }
     }
 }
@@ -199,10 +198,9 @@ void clearImpulseSums(StepContext& step) {
 }
 
 void startImpulseSums(StepContext& step, const SolveGroup& group) {
-    Workspace& work = step.work;
-    work.impulseSums.clear();
-    if (work.stepImpulses.empty()) return;
-    forStores(work, group.contacts(), [&](const auto& store, BlockRange range) {
+    step.work.impulseSums.clear();
+    if (step.work.stepImpulses.empty()) return;
+    forStores(step.work, group.contacts(), [&](const auto& store, BlockRange range) {
         group.withoutRotation ? startBlocks(step, store.blocksWithoutRotation, store.lanes, range)
                               : startBlocks(step, store.blocks, store.lanes, range);
     });
@@ -224,10 +222,9 @@ void finishImpulseSums(Workspace& work) {
 }
 
 void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a, std::uint32_t b)>& isBad) {
-    World& world = step.world;
     Workspace& work = step.work;
-    for (const std::uint32_t j : world.joints.awake) {
-        Joint& joint = world.joints.hot[j];
+    for (const std::uint32_t j : step.world.joints.awake) {
+        Joint& joint = step.world.joints.hot[j];
         // Gears and pulleys may spread non-finite impulses to the joints of other bodies.
         if (std::isfinite(joint.rows[0] + joint.rows[1]) && !isBad(joint.bodyA, joint.bodyB)) continue;
         joint.force = {};
@@ -236,7 +233,7 @@ void forgetImpulses(StepContext& step, const std::function<bool(std::uint32_t a,
     }
     for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
         if (!pushes(work.contactKeys[i])) continue;
-        Contact& contact = world.contacts[i];
+        Contact& contact = step.world.contacts[i];
         if (!isBad(contact.bodyA, contact.bodyB)) continue;
         contact.impulse0 = contact.impulse1 = contact.frictionImpulse = contact.rollingImpulse = 0.0f;
         if (i < work.stepImpulses.size()) work.stepImpulses[i] = 0.0f;

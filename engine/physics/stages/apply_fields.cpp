@@ -271,13 +271,12 @@ void prepareFields(StepContext& step) {
 
 void applyFields(StepContext& step) {
     World& world = step.world;
-    Workspace& work = step.work;
-    SmoothForces& smooth = work.smooth;
+    SmoothForces& smooth = step.work.smooth;
     smooth.flyers.clear();
     smooth.flyerOf.assign(world.bodies.size(), -1);
-    findPulls(world, work);
+    findPulls(world, step.work);
     if (smooth.pulls.empty()) return;
-    sortPulls(work, world.manifest.runs(Effect::Springs));
+    sortPulls(step.work, world.manifest.runs(Effect::Springs));
     chooseMotions(step);
     if (world.manifest.runs(Effect::Springs)) softenSprings(step);
     forPulledSlots(step, [&](std::size_t slot, std::uint32_t body, float h) {

@@ -55,13 +55,12 @@ bool passesThrough(const World& world, const Contact& contact, float dt) {
 
 /// Decides when a contact begins whether a one-way shape stops the other, so that none stops it halfway.
 void decideOneWay(StepContext& step, Contact& contact) {
-    World& world = step.world;
     if ((contact.flags & (kOneWayA | kOneWayB)) == 0) return;
     if ((contact.flags & kBegan) != 0) {
         contact.flags &= static_cast<std::uint16_t>(~kPassing);
-        if (passesThrough(world, contact, step.dt)) contact.flags |= kPassing;
-    } else if ((contact.flags & kPassing) == 0 && dropsThrough(world, contact)) {
-        report(world, step.work, contact, ContactPhase::Ended);
+        if (passesThrough(step.world, contact, step.dt)) contact.flags |= kPassing;
+    } else if ((contact.flags & kPassing) == 0 && dropsThrough(step.world, contact)) {
+        report(step.world, step.work, contact, ContactPhase::Ended);
         contact.flags |= kPassing;
     }
     if ((contact.flags & kPassing) != 0) contact.flags |= kDisabled;

@@ -133,19 +133,17 @@ bool hasDrivers(const StepContext& step) {
 /// Sets isDriven for contacts with moving kinematic bodies and conveyors, which do work on the island, and
 /// isRooted for all contacts with static or kinematic bodies, which exchange momentum.
 void noteHolders(StepContext& step) {
-    const World& world = step.world;
-    Workspace& work = step.work;
     const auto drives = [&](const Contact& contact) {
-        return hasDrivers(step) && (contact.surfaceSpeed != 0.0f || moves(world, contact.bodyA));
+        return hasDrivers(step) && (contact.surfaceSpeed != 0.0f || moves(step.world, contact.bodyA));
     };
-    forStores(work, blocksOf(work, false), [&](const auto& store, BlockRange range) {
+    forStores(step.work, blocksOf(step.work, false), [&](const auto& store, BlockRange range) {
         constexpr bool kFixed = decltype(store.blocks[0].a)::kFixed;
         if (!kFixed && !step.runs(Effect::Conveyor)) return;
         const auto contactAt = [&](std::size_t i) -> const Contact& {
-            return world.contacts[static_cast<std::size_t>(store.lanes[i / kLanes].index[i % kLanes])];
+            return step.world.contacts[static_cast<std::size_t>(store.lanes[i / kLanes].index[i % kLanes])];
         };
         const auto accountAt = [&](std::size_t i) -> EnergyAccount& {
-            return accountOf(world, work, contactAt(i).bodyA, contactAt(i).bodyB);
+            return accountOf(step.world, step.work, contactAt(i).bodyA, contactAt(i).bodyB);
         };
         const auto matters = [&](std::size_t i) {
             if (static_cast<std::int32_t>(i % kLanes) >= store.lanes[i / kLanes].count) return false;
@@ -170,12 +168,11 @@ void noteSoft(const StepContext& step) {
 void noteBounces(StepContext& step) {
     if (!step.runs(Effect::Restitution)) return;
     const World& world = step.world;
-    Workspace& work = step.work;
     const auto bounces = [&](std::size_t i) {
-        return pushes(work.contactKeys[i]) && world.contacts[i].bounciness != 0.0f;
+        return pushes(step.work.contactKeys[i]) && world.contacts[i].bounciness != 0.0f;
     };
-    forEachIf(step, work.contactKeys.size(), bounces, [&](std::uint32_t i) {
-        accountOf(world, work, world.contacts[i].bodyA, world.contacts[i].bodyB).isLively = true;
+    forEachIf(step, step.work.contactKeys.size(), bounces, [&](std::uint32_t i) {
+        accountOf(world, step.work, world.contacts[i].bodyA, world.contacts[i].bodyB).isLively = true;
     });
 }
 
@@ -306,11 +303,10 @@ void hold(const World& world, Workspace& work, std::uint32_t body) {
 
 /// Scales a body's motion and stores its share of the account, by mass, because islands split and merge.
 void share(StepContext& step, std::uint32_t body, const EnergyAccount& account) {
-    World& world = step.world;
     Workspace& work = step.work;
-    if (account.isWild) return hold(world, work, body);
-    const float part = world.bodies.mass[body].mass / account.mass;
-    if (account.isJointed) world.bodies.energies[body] = {account.credit * part, account.peak * part};
+    if (account.isWild) return hold(step.world, work, body);
+    const float part = step.world.bodies.mass[body].mass / account.mass;
+    if (account.isJointed) step.world.bodies.energies[body] = {account.credit * part, account.peak * part};
     const auto slot = static_cast<std::size_t>(work.slots[body]);
     if (account.keep < 1.0f) {
         Float4& velocity = work.velocity[slot];
@@ -349,17 +345,16 @@ void findBooked(StepContext& step) {
 
 /// Computes the sums of the accounts, in the order of bodies. Threads only compute the summands.
 void bookAll(StepContext& step) {
-    const World& world = step.world;
     Workspace& work = step.work;
     const auto all = work.bookedBodies.size();
     work.bookings.resize(step.isShared(static_cast<int>(all), kEnergyGrain) ? all : 0);
     forEach(step.pool, work.bookings.size(), kEnergyGrain,
-            [&](std::size_t i) { work.bookings[i] = sumsOf(world, work, work.bookedBodies[i]); });
+            [&](std::size_t i) { work.bookings[i] = sumsOf(step.world, work, work.bookedBodies[i]); });
     for (std::size_t i = 0; i < all; ++i) {
         const std::uint32_t body = work.bookedBodies[i];
         EnergyAccount& account = work.accounts[work.roots[body]];
-        const EnergySums sums = work.bookings.empty() ? sumsOf(world, work, body) : work.bookings[i];
-        add(sums, account.isJointed ? world.bodies.energies[body] : EnergyShare{}, account);
+        const EnergySums sums = work.bookings.empty() ? sumsOf(step.world, work, body) : work.bookings[i];
+        add(sums, account.isJointed ? step.world.bodies.energies[body] : EnergyShare{}, account);
     }
 }
 

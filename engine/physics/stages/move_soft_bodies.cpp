@@ -14,13 +14,12 @@ struct SoftStep {
 
 /// Returns a particle's velocity, limited to the maximum speed; 0 if it is not finite.
 Vec2 allowed(const SoftStep& soft, Vec2 velocity) {
-    World& world = soft.step.world;
-    const float maximum = world.settings.maxSpeed, speed = length(velocity);
+    const float maximum = soft.step.world.settings.maxSpeed, speed = length(velocity);
     if (speed <= maximum) return velocity;
     if (std::isfinite(speed)) return (maximum / speed) * velocity;
-    const auto index = static_cast<std::uint32_t>(&soft.body - world.softBodies.all.data());
+    const auto index = static_cast<std::uint32_t>(&soft.body - soft.step.world.softBodies.all.data());
     const SoftBodyId id{index, soft.body.generation};
-    std::vector<SoftBodyId>& all = world.quarantinedSoft;
+    std::vector<SoftBodyId>& all = soft.step.world.quarantinedSoft;
     if (std::find(all.begin(), all.end(), id) == all.end()) all.push_back(id);
     return {};
 }

@@ -127,10 +127,9 @@ void keepLayout(Workspace& work) {
 }
 
 ContactSource sourceOf(const StepContext& step) {
-    const World& world = step.world;
-    return {.contacts = reinterpret_cast<const Float4*>(world.contacts.data()),
-            .masses = reinterpret_cast<const Float4*>(world.bodies.mass.data()),
-            .motions = reinterpret_cast<const Float4*>(world.bodies.motion.data()),
+    return {.contacts = reinterpret_cast<const Float4*>(step.world.contacts.data()),
+            .masses = reinterpret_cast<const Float4*>(step.world.bodies.mass.data()),
+            .motions = reinterpret_cast<const Float4*>(step.world.bodies.motion.data()),
             .slots = step.work.slots.data(),
             .idleSlot = static_cast<std::int32_t>(step.work.bodyOf.size()),
             .turning = step.starts(Effect::Rotation),
@@ -149,13 +148,12 @@ void prepareContacts(const StepContext& step, const ContactSource& source,
 }  // namespace
 
 void prepareConstraints(StepContext& step) {
-    Workspace& work = step.work;
     if (!step.runs(Effect::Contacts)) {
-        for (std::uint16_t& key : work.contactKeys) key |= kKeyIdle;
+        for (std::uint16_t& key : step.work.contactKeys) key |= kKeyIdle;
     }
-    if (!takeLayout(work)) {
+    if (!takeLayout(step.work)) {
         fillLanes(step);
-        keepLayout(work);
+        keepLayout(step.work);
     }
     const ContactSource source = sourceOf(step);
     prepareContacts(step, source, solverKernels().rotating);

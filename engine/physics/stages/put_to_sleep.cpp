@@ -72,10 +72,9 @@ void keepClosingAwake(StepContext& step) {
 
 /// Keeps islands awake whose quality is being raised, because asleep they would keep their overlap.
 void keepStrainedAwake(StepContext& step) {
-    const World& world = step.world;
-    if (world.bodies.substepControllers.empty()) return;
-    for (const std::uint32_t body : world.awake) {
-        if (isAtWork(world.bodies.substepControllers[body])) keepAwake(step, body);
+    if (step.world.bodies.substepControllers.empty()) return;
+    for (const std::uint32_t body : step.world.awake) {
+        if (isAtWork(step.world.bodies.substepControllers[body])) keepAwake(step, body);
     }
 }
 

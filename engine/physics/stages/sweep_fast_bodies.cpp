@@ -81,10 +81,9 @@ float timeLeft(const SweptBody& swept, Vec2 velocity, Vec2 normal, float left, f
 
 /// Returns the state of a body at a hit, `left` seconds before the end of the step.
 ImpactBody bodyAt(const StepContext& step, std::uint32_t body, const Sweep& sweep, float part, float left) {
-    const World& world = step.world;
-    if (!isDynamic(world, body))
+    if (!isDynamic(step.world, body))
         return {sweep.at(part), {(1.0f / step.dt) * sweep.displacement, sweep.angle / step.dt}, {}};
-    ImpactBody found{sweep.at(part), world.bodies.motion[body], world.bodies.mass[body]};
+    ImpactBody found{sweep.at(part), step.world.bodies.motion[body], step.world.bodies.mass[body]};
     found.motion.velocity -= left * step.work.swept[step.work.bodyScratch[body]].pull;
     return found;
 }
