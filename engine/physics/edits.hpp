@@ -8,8 +8,7 @@ namespace plumb::physics {
 
 template <class Act>
 void forShapesOf(const World& world, std::uint32_t body, Act&& act) {
-    for (std::uint32_t s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next)
-        act(s);
+    for (auto s = world.bodies.info[body].firstShape; s != kNone; s = world.shapes.info[s].next) act(s);
 }
 
 /// Calls act(contact) for all contacts of the world, sleeping ones last.

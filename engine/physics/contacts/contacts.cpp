@@ -47,11 +47,10 @@ bool hardlyMoved(const Contact& contact, const Encounter& now, Vec2 normal, floa
     if (std::fabs(cross(contact.normalInA, normal)) > kMaxTurn) return false;
     const float turned = contact.relativeRotation.cos * now.relativeRotation.sin -
                          contact.relativeRotation.sin * now.relativeRotation.cos;
-    const float arm =
-        largestOf(contact.anchors[0].b) + largestOf(contact.anchors[1].b) + largestOf(contact.anchors[0].a);
+    const ContactAnchors& first = contact.anchors[0];
+    const float arm = largestOf(first.b) + largestOf(contact.anchors[1].b) + largestOf(first.a);
     if (std::fabs(turned) * arm > tolerance) return false;
-    const Vec2 apart =
-        now.between + rotate(now.relativeRotation, contact.anchors[0].b) - contact.anchors[0].a;
+    const Vec2 apart = now.between + rotate(now.relativeRotation, first.b) - first.a;
     return std::fabs(cross(normal, apart)) <= tolerance;
 }
 

@@ -57,8 +57,7 @@ void fadeInitialOverlaps(World& world, float dt) {
         const float root = std::max(std::sqrt(overlap.hidden) - shown, 0.0f);
         overlap.hidden = root * root;
     }
-    std::erase_if(world.initialOverlaps,
-                  [](const InitialOverlap& overlap) { return overlap.hidden == 0.0f; });
+    std::erase_if(world.initialOverlaps, [](const InitialOverlap& old) { return old.hidden == 0.0f; });
 }
 
 void hideInitialOverlap(const World& world, Contact& contact) {

@@ -16,8 +16,7 @@ namespace {
 /// Returns the number of additional quality levels with which an error falls below the tolerance.
 int levelsFor(float error, float tolerance) {
     int levels = 0;
-    for (float left = error; levels < kMaxQuality && left > kRoom * tolerance; left *= 1.0f / kMinGain)
-        ++levels;
+    for (; levels < kMaxQuality && error > kRoom * tolerance; error *= 1.0f / kMinGain) ++levels;
     return levels;
 }
 
@@ -46,7 +45,9 @@ struct Decision {
         now.wait = wait;
         now.error = noted;
     }
-    void watch(SubstepPhase phase) { enter(phase, stepsIn(kWatch) << now.patience, 0.0f); }
+    void watch(SubstepPhase phase = SubstepPhase::Calm) {
+        enter(phase, stepsIn(kWatch) << now.patience, 0.0f);
+    }
     void strain() { enter(SubstepPhase::Strained, stepsIn(kBlow), now.error); }
     void resign() {
         now.patience = morePatience();
@@ -75,8 +76,7 @@ struct Decision {
             now.before = now.quality;
             if (now.patience > 0) --now.patience;
         }
-        if (now.quality <= minimum || now.error * kMaxGain > kRoom * tolerance)
-            return watch(SubstepPhase::Calm);
+        if (now.quality <= minimum || now.error * kMaxGain > kRoom * tolerance) return watch();
         now.before = now.quality--;
         watch(SubstepPhase::Trying);
     }
@@ -88,7 +88,7 @@ struct Decision {
         now.patience = patience;
     }
     void whileRising() {
-        if (error <= tolerance) return watch(SubstepPhase::Calm);
+        if (error <= tolerance) return watch();
         if (error > kGrew * now.first) now.first = error;  // the load has grown
         if (now.wait > 0) return;
         if (now.quality < goal()) return climb();
@@ -98,7 +98,7 @@ struct Decision {
         resign();
     }
     void whileResigned() {
-        if (error <= tolerance) return watch(SubstepPhase::Calm);
+        if (error <= tolerance) return watch();
         const bool isOver = now.wait == 0 && now.quality < kMaxQuality;
         const bool isAnother = error > kGrew * now.error || error < kHelped * now.error;
         if (isOver || isAnother) strain();
@@ -107,13 +107,13 @@ struct Decision {
         if (now.wait > 0) --now.wait;
         if (now.quality < minimum) {
             now.quality = minimum;
-            return watch(SubstepPhase::Calm);
+            return watch();
         }
         switch (now.phase) {
             case SubstepPhase::Calm: return error > tolerance ? strain() : whileCalm();
             case SubstepPhase::Trying: return whileTrying();
             case SubstepPhase::Strained:
-                if (error <= tolerance) return watch(SubstepPhase::Calm);
+                if (error <= tolerance) return watch();
                 if (now.wait == 0) rise();
                 return;
             case SubstepPhase::Rising: return whileRising();
@@ -255,7 +255,7 @@ SubstepController merged(const SubstepController& a, const SubstepController& b)
 
 SubstepController begun(Quality quality, float dt) {
     Decision decision{.now = {.quality = quality}, .dt = dt};
-    decision.watch(SubstepPhase::Calm);
+    decision.watch();
     return decision.now;
 }
 

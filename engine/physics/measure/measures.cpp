@@ -23,10 +23,9 @@ double energyOfMotion(const World& world, std::uint32_t body) {
 }
 
 double energyInGravity(const World& world, std::uint32_t body) {
-    const WorldPosition& place = world.bodies.pose[body].centre;
+    const WorldPosition& at = world.bodies.pose[body].centre;
     const Vec2 gravity = world.settings.gravity * world.bodies.driveOf(body).gravityScale;
-    return -double{world.bodies.mass[body].mass} *
-           (double{gravity.x} * place.x + double{gravity.y} * place.y);
+    return -double{world.bodies.mass[body].mass} * (double{gravity.x} * at.x + double{gravity.y} * at.y);
 }
 
 double energyOfSpring(const World& world, const FieldDefinition& spring) {

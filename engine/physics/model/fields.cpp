@@ -48,11 +48,10 @@ Result<Done> check(const World& world, const FieldDefinition& d) {
                    checkVector("FieldDefinition.anchorB", d.anchorB, kLargest), checkEnds(world, d));
 }
 
-void wakeThoseIn(World& world, const FieldDefinition& definition) {
+void wakeThoseIn(World& world, const FieldDefinition& field) {
     if (world.sleepers.islands.size() == world.sleepers.freeIslands.size()) return;  // no body is asleep
     for (std::uint32_t body = 0; body < world.bodies.size(); ++body) {
-        if (isDynamic(world, body) && !isUp(world, body) && actsOn(world, definition, body))
-            wake(world, body);
+        if (isDynamic(world, body) && !isUp(world, body) && actsOn(world, field, body)) wake(world, body);
     }
 }
 

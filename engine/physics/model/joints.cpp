@@ -231,8 +231,7 @@ Result<Done> setDefinition(World& world, JointId id, const JointDefinition& defi
     take(world, id.index, definition, axis);
     if (joint.colour != kNoColour) joint.flags |= kEdited;  // the joint has been solved in a step
     // An enabled limit, motor or spring starts without an old impulse. A gear stores its error in rows.
-    if (rearms && joint.kind != JointKind::Gear)
-        std::fill(std::begin(joint.rows), std::end(joint.rows), 0.0f);
+    if (rearms && joint.kind != JointKind::Gear) std::fill_n(joint.rows, std::size(joint.rows), 0.0f);
     return Done{};
 }
 

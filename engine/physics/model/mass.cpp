@@ -16,11 +16,10 @@ MassProperties sumOfShapes(const World& world, std::uint32_t body) {
     float aboutOrigin = 0.0f;
     forShapesOf(world, body, [&](std::uint32_t s) {
         if (shapes.info[s].density == 0.0f) return;
-        const MassProperties part =
-            massProperties(shapes.geometry[s], shapes.corners, shapes.info[s].density);
-        sum.mass += part.mass;
-        moment += part.mass * part.centre;
-        aboutOrigin += part.inertia + part.mass * lengthSquared(part.centre);
+        const MassProperties own = massProperties(shapes.geometry[s], shapes.corners, shapes.info[s].density);
+        sum.mass += own.mass;
+        moment += own.mass * own.centre;
+        aboutOrigin += own.inertia + own.mass * lengthSquared(own.centre);
     });
     if (sum.mass == 0.0f) return {};
     sum.centre = moment / sum.mass;

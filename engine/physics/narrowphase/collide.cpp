@@ -40,9 +40,8 @@ constexpr float kNoDistance = 1.0e-9f;
 /// Returns a manifold with a single point.
 /// @param normal  unit length, from the circle to the other outline
 /// @param feature  id of the touching feature of the other outline
-Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float roundB,
-                  std::uint16_t feature) {
-    Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = roundB};
+Manifold onePoint(const Geometry& circle, Vec2 normal, float separation, float round, std::uint16_t feature) {
+    Manifold manifold{.normal = normal, .count = 1, .roundA = circle.radius, .roundB = round};
     manifold.points[0] = {circle.a + normal * (circle.radius + 0.5f * separation), separation, feature};
     return manifold;
 }

@@ -133,8 +133,7 @@ DisplacementBetween nearestOf(const Simplex& simplex) {
     DisplacementBetween nearest{simplex.displacements[0], simplex.displacements[0]};
     if (simplex.count == 1) {
         nearest.distance = length(simplex.displacements[0].displacement);
-        if (nearest.distance > 0.0f)
-            nearest.normal = simplex.displacements[0].displacement / nearest.distance;
+        if (nearest.distance > 0.0f) nearest.normal = nearest.first.displacement / nearest.distance;
         return nearest;
     }
     nearest.second = simplex.displacements[1];

@@ -81,14 +81,13 @@ void overlapShape(World& world, const QueryShape& shape, const QueryFilter& filt
                   std::vector<ShapeId>& found) {
     found.clear();
     if (!isUsable(world, shape)) return;
-    const Convex outline = convexOf(shape.geometry, cornersOf(world, shape));
+    const Convex own = convexOf(shape.geometry, cornersOf(world, shape));
     const AABB box = boundsOf(world, shape);
     for (const std::uint32_t other :
          candidatesIn(world, shape.position + box.min, shape.position + box.max, filter)) {
         const Convex theirs = convexOf(world.shapes.geometry[other], world.shapes.corners);
         const Frame frame = relativeFrame(poseOf(world, other), shape.position, shape.rotation);
-        if (distanceBetween(theirs, outline, frame).distance <= 0.0f)
-            found.push_back(idOfShape(world, other));
+        if (distanceBetween(theirs, own, frame).distance <= 0.0f) found.push_back(idOfShape(world, other));
     }
 }
 
@@ -111,8 +110,7 @@ void overlapPoint(World& world, WorldPosition point, const QueryFilter& filter, 
 
 std::optional<ClosestHit> closestPoint(World& world, WorldPosition place, float within,
                                        const QueryFilter& filter) {
-    if (!isUsable(place) || !(within >= 0.0f) || !(within <= static_cast<float>(kFarthest)))
-        return std::nullopt;
+    if (!isUsable(place) || !(within >= 0.0f) || !(double{within} <= kFarthest)) return std::nullopt;
     const Vec2 reach{within, within};
     std::optional<ClosestHit> best;
     for (const std::uint32_t shape : candidatesIn(world, place + -reach, place + reach, filter)) {

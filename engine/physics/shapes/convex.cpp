@@ -27,10 +27,9 @@ float reachAlong(const Convex& outline, Vec2 direction) {
 
 ScaledConvex::ScaledConvex(const Convex& outline, Vec2 about, float part) : convex_{outline} {
     const auto scaled = [&](Vec2 point) { return about + part * (point - about); };
-    std::transform(outline.corners().begin(), outline.corners().end(), room_.corners,
-                   [&](const Corner& corner) {
-                       return Corner{scaled(corner.point), corner.normal};
-                   });
+    std::size_t count = 0;
+    for (const Corner& corner : outline.corners())
+        room_.corners[count++] = {scaled(corner.point), corner.normal};
     convex_.pool = room_.corners;
     convex_.centre = scaled(outline.centre);
     convex_.radius *= part;

@@ -68,7 +68,7 @@ public:
         : dt_{dt},
           own_{world.softBodies.all[body]},
           other_{world.softBodies.all[other]},
-          reach_{static_cast<double>(own_.radius + other_.radius + kSoftSlack)},
+          reach_{double{own_.radius + other_.radius + kSoftSlack}},
           ids_{.body = body, .other = other},
           meetings_{meetings} {}
 
@@ -206,8 +206,7 @@ void groupSoftBodies(const World& world, float dt, const SoftSurroundings& aroun
     meetings.boxes.resize(all.size());
     meetings.leaders.resize(all.size());
     for (const std::uint32_t body : meetings.order) {
-        meetings.boxes[body] =
-            grown(boxOf(all[body], dt), static_cast<double>(all[body].radius + kSoftSlack));
+        meetings.boxes[body] = grown(boxOf(all[body], dt), double{all[body].radius + kSoftSlack});
         meetings.leaders[body] = body;
     }
     const auto leader = [&](std::uint32_t body) -> std::uint32_t& { return meetings.leaders[body]; };

@@ -117,9 +117,8 @@ private:
 
 }  // namespace
 
-void exchangeImpulses(Contact& contact, ImpactBody& a, ImpactBody& b, float timeLeft,
-                      const Settings& settings) {
-    Exchange impact{contact, a, b, timeLeft, settings.slop};
+void exchangeImpulses(Contact& contact, ImpactBody& a, ImpactBody& b, float left, const Settings& settings) {
+    Exchange impact{contact, a, b, left, settings.slop};
     impact.stop();
     const float before = impact.gain();
     impact.bounce(settings.bounceSpeed);

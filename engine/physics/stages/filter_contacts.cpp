@@ -69,10 +69,9 @@ void decideOneWay(StepContext& step, Contact& contact) {
 }  // namespace
 
 void askForMaterial(const StepContext& step, Contact& contact) {
-    const auto answer = [&](auto* callback, float known, float maximum) {
-        if (callback == nullptr) return known;
-        const float wanted =
-            ask(step.world, [&] { return callback(step.hooks.context, step.world, contact); });
+    const auto answer = [&](auto* hook, float known, float maximum) {
+        if (hook == nullptr) return known;
+        const float wanted = ask(step.world, [&] { return hook(step.hooks.context, step.world, contact); });
         return wanted > 0.0f ? std::min(wanted, maximum) : 0.0f;
     };
     contact.friction = answer(step.hooks.friction, contact.friction, kRoughest);

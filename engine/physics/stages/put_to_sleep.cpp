@@ -90,12 +90,11 @@ void putToSleep(StepContext& step) {
     verdict.assign(world.bodies.size(), kIslandToBe);
     step.work.rootsKnown = false;  // hits may have joined islands since findRoots()
     findRoots(step, false);
-    const auto isRestless = [&](std::size_t i) {
+    const auto restless = [&](std::size_t i) {
         return isDynamic(world, world.awake[i]) &&
                world.bodies.motion[world.awake[i]].restTime < world.settings.sleepTime;
     };
-    forEachIf(step, world.awake.size(), isRestless,
-              [&](std::uint32_t i) { keepAwake(step, world.awake[i]); });
+    forEachIf(step, world.awake.size(), restless, [&](std::uint32_t i) { keepAwake(step, world.awake[i]); });
     if (world.manifest.runs(Effect::Kinematics)) keepCarriedAwake(step);
     keepOverlappingAwake(step);
     keepClosingAwake(step);

@@ -166,8 +166,7 @@ void solveWithRotation(StepContext& step) {
     prepareRestitution(step);
     prepareRolling(step);
     if (step.runs(Effect::SoftBodies)) {
-        for (SoftObstacle& obstacle : work.softSurroundings.obstacles)
-            obstacle.slot = work.slots[obstacle.body];
+        for (SoftObstacle& near : work.softSurroundings.obstacles) near.slot = work.slots[near.body];
         work.softSurroundings.obstacleOf.clear();
     }
     solveGroups(step, solverKernels().rotating, bodiesOf(work));
