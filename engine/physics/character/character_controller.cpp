@@ -214,9 +214,8 @@ CharacterMotion CharacterController::update(World& world, float dt) {
     motion.leftGround = lostGround;
     const BodyId before = ground_.body;
     position_ = mover.position();
-    for (const CharacterTouch* touch : {&motion.slope, &motion.wall, &motion.ceiling}) {
+    for (const CharacterTouch* touch : {&motion.slope, &motion.wall, &motion.ceiling})
         stopAt(world, *touch, dt);
-    }
     if (!walks) leaveGround();
     if (motion.ground) {
         motion.landed = !walks;

@@ -230,9 +230,7 @@ CharacterMotion CharacterMover::walkOnGround(float dx, Vec2 groundNormal) {
         const bool stopped = motion.wall || motion.slope || motion.ceiling;
         const float climbed = std::max(rise(position_ - before), 0.0f);
         motion.ground = snapDown(drop + climbed + 2.0f * definition_.gap);
-        if (!motion.ground && !stopped) {
-            return fly(right_ * (piece * static_cast<float>(count - 1 - i)));
-        }
+        if (!motion.ground && !stopped) return fly(right_ * (piece * static_cast<float>(count - 1 - i)));
         if (!motion.ground || stopped) return motion;
         normal = motion.ground.normal;
     }

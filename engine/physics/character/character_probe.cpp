@@ -37,9 +37,8 @@ BodyPose CharacterProbe::poseOf(std::uint32_t body) const {
     if (!isCarried(body)) return pose;
     const BodyMotion& motion = world_.bodies.motion[body];
     pose.centre = pose.centre + motion.velocity * dt_;
-    if (motion.angularVelocity != 0.0f) {
+    if (motion.angularVelocity != 0.0f)
         pose.rotation = normalized(rotFromAngle(motion.angularVelocity * dt_) * pose.rotation);
-    }
     return pose;
 }
 

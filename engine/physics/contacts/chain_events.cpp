@@ -39,9 +39,8 @@ void publish(World& world, std::int32_t before, const Outcome& now) {
     };
     if (before == 0 && now.count > 0) return add(*now.first, ContactPhase::Began);
     if (before > 0 && now.count == 0) return add(*now.last, ContactPhase::Ended);
-    if (before > 0 && world.settings.stayEvents && now.first->phase != ContactPhase::Ended) {
+    if (before > 0 && world.settings.stayEvents && now.first->phase != ContactPhase::Ended)
         add(*now.first, ContactPhase::Stayed);
-    }
 }
 
 /// Returns the maximum approach speed (m/s) of a pair, which may have begun to touch several times.

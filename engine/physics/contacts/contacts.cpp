@@ -234,9 +234,8 @@ bool endsByBounds(const World& world, Contact& contact, DetectionCounts& counts)
 /// Performs the narrow phase for two boxes that stay axis-aligned.
 void touchUpright(const World& world, Contact& contact, DetectionCounts& counts) {
     const AxisAlignedPair pair = uprightPairOf(world, contact);
-    if (slideUpright(contact, pair, world.settings.speculativeDistance)) {
+    if (slideUpright(contact, pair, world.settings.speculativeDistance))
         return noteRecycled(world, contact, counts);
-    }
     const Manifold manifold = manifoldOf(world, pair);
     if (manifold.count == 0 && endsByBounds(world, contact, counts)) return;
     take(world, contact, {{}, {}, pair.between}, manifold, counts);

@@ -176,9 +176,8 @@ Acceleration accelerationAt(const FieldView& view, std::span<const std::uint32_t
     for (const std::uint32_t f : fields) {
         const FieldDefinition& field = fieldOf(view, f);
         if (isConstant(field)) continue;
-        if (const auto force = fieldTypeOf(field.kind).force; force != nullptr) {
+        if (const auto force = fieldTypeOf(field.kind).force; force != nullptr)
             sum += force(view, f, body, state);
-        }
     }
     Acceleration result = sum.acceleration;
     if (sum.stiffness > 1.0f) {

@@ -126,9 +126,8 @@ Manifold touchBeside(const Chain& chain, const Side& other, std::size_t end, flo
 Manifold touchFace(const Chain& chain, const Side& other, float gap, float speculative) {
     const EdgeOnEdge edges = edgeOnEdge(chain.side(), 0, other);
     if (gap > 0.0f) {
-        if (const auto pair = nearestCorners(edges, chain.side(), other)) {
+        if (const auto pair = nearestCorners(edges, chain.side(), other))
             return touchCorner(chain, other, pair->reference, pair->other, pair->displacement, speculative);
-        }
     }
     // Beyond an end the contact belongs to the neighbour, unless the shared vertex is nearest.
     const bool before = edges.high.x < 0.0f;
@@ -194,9 +193,8 @@ Manifold collideChain(const Geometry& a, const Geometry& b, std::span<const Corn
     if (joint.gap > reach || beside.gap > reach) return {};
     const float tie = faceTieOf(distance(chain.corners[0].point, chain.corners[1].point));
     const bool byFace = gap + tie >= joint.gap;
-    if (beside.gap > (byFace ? gap + tie : joint.gap)) {
+    if (beside.gap > (byFace ? gap + tie : joint.gap))
         return touchBeside(chain, other, beside.end, speculative);
-    }
     if (!inFront && (byFace ? gap : joint.gap) < -speculative) return {};  // from the back: not solid
     if (byFace) return touchFace(chain, other, gap, speculative);
     return touchFaceOnJoint(chain, other, joint, speculative);

@@ -42,9 +42,8 @@ Manifold collideSides(const Side& a, const Side& b, float speculative) {
     const EdgeOnEdge edges = edgeOnEdge(reference, isB ? gapB.face : gapA.face, other);
     const float gap = isB ? gapB.gap : gapA.gap;
     if (gap > -kBlur * edges.length) {
-        if (const auto pair = nearestCorners(edges, reference, other)) {
+        if (const auto pair = nearestCorners(edges, reference, other))
             return touchAtCorners(*pair, reference, other, isB, speculative);
-        }
     }
     return touchEdge(edges, reference, other, isB, speculative);
 }
@@ -127,9 +126,7 @@ Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& o
         const float separation = place.y - radii;
         const float middle = reference.radius + 0.5f * separation;
         const Vec2 point = edges.origin + edges.tangent * place.x + edges.normal * middle;
-        if (maker.add(point, separation, isB ? facing : corner, isB ? corner : facing)) {
-            isCorner = !cut;
-        }
+        if (maker.add(point, separation, isB ? facing : corner, isB ? corner : facing)) isCorner = !cut;
     };
     const Vec2 displacement = edges.high - edges.low;
     const auto clipped = [&](float along) {
@@ -149,9 +146,7 @@ Manifold touchEdge(const EdgeOnEdge& edges, const Side& reference, const Side& o
     }
     Manifold& manifold = maker.manifold;
     manifold.normal = isB ? -edges.normal : edges.normal;
-    if (manifold.count == 1 && isCorner) {
-        (isB ? manifold.roundA : manifold.roundB) = other.radius;
-    }
+    if (manifold.count == 1 && isCorner) (isB ? manifold.roundA : manifold.roundB) = other.radius;
     return manifold;
 }
 

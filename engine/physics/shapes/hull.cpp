@@ -129,9 +129,8 @@ std::optional<Error> findCrossing(const Loop& loop) {
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 a = loop[i], b = at(loop, i + 1);
-        if (areaOf(a, b, at(loop, i + 2)) == 0.0) {
+        if (areaOf(a, b, at(loop, i + 2)) == 0.0)
             return Error{"decompose", format("the outline turns back at {}", text(b)), "remove the spike"};
-        }
         for (std::size_t k = i + 2; k < n; ++k) {
             if (i == 0 && k == n - 1) continue;  // neighbours
             if (!meet(a, b, loop[k], at(loop, k + 1))) continue;
@@ -229,9 +228,8 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
     AABB box{loop[0], loop[0]};
     for (const Vec2 point : loop) box = merged(box, {point, point});
     const float size = std::max(box.size().x, box.size().y);
-    if (!(size >= kSmallest)) {
+    if (!(size >= kSmallest))
         return Error{"hull", format("the hull is only {} m large", size), "make it at least 0.1 mm large"};
-    }
     if (loop.size() <= kAbsurd) dropFlat(loop, static_cast<double>(kBlur * size));
     if (loop.size() < 3)
         return Error{"hull", "the hull is too thin to have an area", "use a segment or a capsule"};
@@ -240,9 +238,8 @@ Result<Hull> makeHull(std::span<const Vec2> points) {
                      "remove points, use a circle, or decompose()"};
     }
     Hull hull;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
+    for (std::size_t i = 0; i < loop.size(); ++i)
         hull.corners.push({loop[i], normalOfFace(loop[i], at(loop, i + 1))});
-    }
     measure(hull);
     return hull;
 }

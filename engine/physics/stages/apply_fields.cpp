@@ -51,9 +51,8 @@ void sortPulls(Workspace& work, bool hasSprings) {
     // In reverse, so that the pulls of a slot keep their order.
     std::vector<std::uint32_t>& ends = work.bodyScratch;
     ends.assign(smooth.begins.begin() + 1, smooth.begins.end());
-    for (std::size_t i = smooth.pulls.size(); i-- > 0;) {
+    for (std::size_t i = smooth.pulls.size(); i-- > 0;)
         smooth.fields[--ends[smooth.pulls[i].slot]] = smooth.pulls[i].field;
-    }
     if (!hasSprings) return;  // springs were appended last
     for (std::size_t slot = 0; slot + 1 < smooth.begins.size(); ++slot) {
         const auto begin = smooth.fields.begin();

@@ -27,9 +27,8 @@ float heightBefore(const World& world, const Contact& contact, bool platformIsA,
     const Vec2 out = platformIsA ? contact.normal : -contact.normal;
     const float closing = -dot(open, otherMotion.velocity - platformMotion.velocity);
     const float before = std::max(closing * dt, 0.0f);
-    if (dot(out, open) > kSolidSide) {
+    if (dot(out, open) > kSolidSide)
         return std::min(contact.separation0, contact.count == 2 ? contact.separation1 : kFarAway) + before;
-    }
     const WorldPosition origin = world.bodies.pose[world.shapes.info[platform].body].centre;
     return -farEnd(world, other, -open, origin) - farEnd(world, platform, open, origin) + before;
 }

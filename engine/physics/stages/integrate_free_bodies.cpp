@@ -20,9 +20,8 @@ BodyState stateInFlight(const FieldView& view, std::uint32_t body) {
     const std::int32_t number = flight.forces.flyerOf[body];
     if (number >= 0) {
         const FreeBody* flyer = &flight.forces.flyers[static_cast<std::size_t>(number)];
-        if (flyer >= flight.flyers.data() && flyer < flight.flyers.data() + flight.flyers.size()) {
+        if (flyer >= flight.flyers.data() && flyer < flight.flyers.data() + flight.flyers.size())
             return flyer->trial;
-        }
     }
     return stateAfter(view.world, body, view.elapsed);
 }

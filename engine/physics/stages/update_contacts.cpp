@@ -176,9 +176,8 @@ void updateContacts(StepContext& step) {
         work.contactKeys[i] = keyOf(world.contacts[i]);
     }
     // Contacts of islands woken in this stage were appended.
-    for (std::size_t i = work.contactKeys.size(); i < world.contacts.size(); ++i) {
+    for (std::size_t i = work.contactKeys.size(); i < world.contacts.size(); ++i)
         work.contactKeys.push_back(keyOf(world.contacts[i]));
-    }
     removeGone(world, work);
 }
 

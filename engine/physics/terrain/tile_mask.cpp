@@ -41,9 +41,8 @@ TileOutline completed(TileOutline outline) {
         if (stops) outline.stops = static_cast<std::uint8_t>(outline.stops | 1u << i);
         outline.sides[static_cast<std::size_t>(i)] = sideOf(a, b);
     }
-    for (const CellSide side : {kTop, kRight, kBottom, kLeft}) {
+    for (const CellSide side : {kTop, kRight, kBottom, kLeft})
         outline.spans[static_cast<std::size_t>(side)] = spanOf(outline, side);
-    }
     return outline;
 }
 
@@ -85,12 +84,8 @@ TileOutline outlineFrom(std::vector<GridPoint> points, OneWay oneWay) {
     if (doubleAreaOf(points) < 0) std::reverse(points.begin(), points.end());
     const bool good = points.size() >= 3 && points.size() <= TileOutline::kMaxCorners && isConvex(points);
     if (!good || doubleAreaOf(points) == 0) return {};
-    std::rotate(points.begin(),
-                std::min_element(points.begin(), points.end(),
-                                 [](GridPoint a, GridPoint b) {
-                                     return std::pair{a.y, a.x} < std::pair{b.y, b.x};
-                                 }),
-                points.end());
+    const auto isFirst = [](GridPoint a, GridPoint b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+    std::rotate(points.begin(), std::min_element(points.begin(), points.end(), isFirst), points.end());
     TileOutline outline;
     outline.count = static_cast<std::uint8_t>(points.size());
     outline.oneWay = oneWay;
