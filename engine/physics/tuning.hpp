@@ -65,6 +65,10 @@ PLUMB_TUNING(kSteering, 1.0e-3f, "1/s", "rate at which the position error of a v
              "changes it by less than 2e-5 of itself");
 PLUMB_TUNING(kTreeSoftness, 1.0e-6, "ratio to what the bodies yield", "compliance of joints in trees, so that redundant joints share the "
              "load");
+PLUMB_TUNING(kDriveSoftness, 1.0e-9, "ratio to what the bodies yield", "compliance of motors and limits in trees: a motor has no position "
+             "to which it returns, so with kTreeSoftness a brake creeps by 6 mrad/s under 1,000 kg on an arm of 10 m");
+PLUMB_TUNING(kDriveTolerance, 1.0e-6, "m/s or rad/s", "velocity by which a motor or limit of a tree may miss its condition: above rounding, and "
+             "0.1 mm in 100 s");
 PLUMB_TUNING(kCalm, 0.5, "ratio", "minimum inertia of a light body under tension, to its rotational stiffness * h^2: twice the 1/4 below "
              "which its oscillation grows (Stoermer-Verlet)");
 PLUMB_TUNING(kSoftRate, 0.28, "ratio", "fraction closed in a substep of a joint gap that no smooth motion explains");

@@ -39,12 +39,25 @@ bool isBallistic(const Workspace& work, std::size_t slot) {
     return work.ballisticDrift[slot].x != 0.0f || work.ballisticDrift[slot].y != 0.0f;
 }
 
-/// Returns the speed (m/s) below which a body is at rest. A body that only fields push, such as a bubble, may
-/// move at any speed for ever, so it must move by less than the slop per sleepTime. 0 for falling bodies.
+/// True if a motor moves the body.
+bool isMotored(const StepContext& step, std::uint32_t body) {
+    const World& world = step.world;
+    bool motored = false;
+    if (!step.runs(Effect::Motors)) return false;
+    forJointsOf(world, body, [&](std::uint32_t j) {
+        const bool driven = (world.joints.hot[j].flags & kDriven) != 0;
+        motored = motored || (driven && world.joints.definition[j].motor.speed != 0.0f);
+    });
+    return motored;
+}
+
+/// Returns the speed (m/s) below which a body is at rest. A body that only fields push, such as a bubble, or
+/// a motor, may move at any speed for ever, so it must move by less than the slop per sleepTime. 0 for
+/// falling bodies.
 float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
     const BodyInfo& info = step.world.bodies.info[body];
     const Settings& settings = step.world.settings;
-    if (fieldMotionOf(step, slot) == FieldMotion::Free)
+    if (fieldMotionOf(step, slot) == FieldMotion::Free || isMotored(step, body))
         return std::min(info.sleepSpeed, settings.slop / std::max(settings.sleepTime, step.dt));
     return info.firstJoint == kNone && isBallistic(step.work, slot) ? 0.0f : info.sleepSpeed;
 }

@@ -7,10 +7,10 @@ namespace plumb::physics {
 
 namespace {
 
-/// True if a joint can be solved directly: no limit, motor, spring, softness or locked axis of its bodies.
+/// True if a joint can be solved directly: no spring, softness, limited length or locked axis of its bodies.
 bool canBeInTree(const World& world, const Joint& joint) {
-    if (joint.awakeIndex == kNone || (joint.flags & (kSoft | kLimited | kDriven | kSprung)) != 0)
-        return false;
+    if (joint.awakeIndex == kNone || (joint.flags & (kSoft | kSprung)) != 0) return false;
+    if (joint.kind == JointKind::Distance && (joint.flags & (kLimited | kDriven)) != 0) return false;
     for (const std::uint32_t body : {joint.bodyA, joint.bodyB}) {
         if (isDynamic(world, body) && (world.bodies.info[body].flags & (kLockX | kLockY)) != 0) return false;
     }
@@ -52,9 +52,8 @@ private:
     }
 
     /// Adds the bodies that joints connect to an already reached body.
-    /// @return false if a joint closes a loop, or cannot be solved in a tree. A motor, limit or spring in
-    ///         SIMD lanes would use the inertia of its two bodies only, not of the rigid tree: linkages would
-    ///         tear, and arms shake.
+    /// @return false if a joint closes a loop, or cannot be solved in a tree: a spring in SIMD lanes would
+    ///         use the inertia of its two bodies only, not of the rigid tree, and arms would shake
     bool reachFrom(std::uint32_t place) {
         const ReachedBody from = reached_[place];
         bool isTree = true;

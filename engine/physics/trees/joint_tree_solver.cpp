@@ -1,8 +1,10 @@
 #include "physics/trees/joint_tree_solver.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "physics/joints/joint_types.hpp"
+#include "physics/trees/tree_drives.hpp"
 #include "physics/trees/tree_joints.hpp"
 
 namespace plumb::physics {
@@ -48,26 +50,32 @@ double offered(const TreeBody& treeBody, const Triple& row) {
 void soften(const TreeBody& treeBody, Link& link, const TreeBody* parent) {
     const auto softness = [&](int r, Triple onTreeBody, Triple onParent) {
         // Unused rows, and angle rows of two bodies that cannot rotate, must get no impulse.
-        if (r >= rowsOf(link.kind)) return 1.0;
+        if (r >= (link.drive.on ? 3 : rowsOf(link.kind))) return 1.0;
         const double all =
             offered(treeBody, onTreeBody) + (parent != nullptr ? offered(*parent, onParent) : 0.0);
         return all > 0.0 ? kTreeSoftness * all : kNoAnswer;
     };
     if (link.byArms()) {
         link.softness = {softness(0, {1.0, 0.0, link.limb.y}, {1.0, 0.0, link.parentLimb.y}),
-                         softness(1, {0.0, 1.0, link.limb.x}, {0.0, 1.0, link.parentLimb.x}), 1.0};
+                         softness(1, {0.0, 1.0, link.limb.x}, {0.0, 1.0, link.parentLimb.x}),
+                         softness(2, link.onTreeBody[2], link.onParent[2])};
     } else {
         link.softness = {softness(0, link.onTreeBody[0], link.onParent[0]),
                          softness(1, link.onTreeBody[1], link.onParent[1]),
                          softness(2, link.onTreeBody[2], link.onParent[2])};
     }
+    link.drive.softness = kDriveSoftness / kTreeSoftness * link.softness.turn;
 }
 
 void setLink(const Trees& trees, Link& link) {
     TreeBody* const parent = trees.parentOf(link);
     TreeBody& treeBody = trees.treeBodyOf(link);
-    link.gap = setRows(link, treeBody.poseChange, parentPoseChange(link, parent, trees.elapsed));
+    const PoseChange parentPose = parentPoseChange(link, parent, trees.elapsed);
+    link.gap = setRows(link, treeBody.poseChange, parentPose);
     if (trees.elapsed == 0.0) soften(treeBody, link, parent);
+    // The velocity of a hinge needs no angle, so this is needed for limits only.
+    if (link.drive.on && (link.drive.limited || link.kind != JointKind::Revolute))
+        link.drive.value = valueOf(link, treeBody.poseChange, parentPose);
     // Only joints that fix a point have these arms.
     if (link.kind != JointKind::Revolute && link.kind != JointKind::Weld) return;
     treeBody.straining += link.force.x * link.limb.x + link.force.y * link.limb.y;
@@ -84,20 +92,17 @@ void takeMotion(const Trees& trees, TreeBody& treeBody) {
     treeBody.impulse = {};
 }
 
-/// Updates motions, rows and gaps to the current poses, and factors the system.
-void setTree(const Trees& trees, const JointTree& tree) {
-    for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
-        takeMotion(trees, treeBody);
-        treeBody.straining = 0.0;
-    }
-    forLinks(trees.all, tree, [&](Link& link) { setLink(trees, link); });
+/// Factors the system of masses and rows.
+void factorTree(const Trees& trees, const JointTree& tree) {
+    forDrives(trees.all, tree,
+              [](Link& link) { link.softness.turn = link.drive.exerts ? kNoAnswer : link.drive.softness; });
     for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         const double inertia = std::max(treeBody.inertia, kCalm * trees.h * trees.h * treeBody.straining);
         treeBody.own = {treeBody.mass, 0.0, treeBody.mass, 0.0, 0.0, inertia};
     }
     for (Link& hold : trees.all.holdsOf(tree)) {
-        hold.stiffness = {1.0 / hold.softness.x,   0.0, 1.0 / hold.softness.y, 0.0, 0.0,
-                          1.0 / hold.softness.turn};
+        const double turning = hold.hasTwoRows() ? 0.0 : 1.0 / hold.softness.turn;
+        hold.stiffness = {1.0 / hold.softness.x, 0.0, 1.0 / hold.softness.y, 0.0, 0.0, turning};
         Symmetric& own = trees.treeBodyOf(hold).own;
         hold.byArms() ? addPoint(hold.limb.x, hold.limb.y, hold.stiffness, own)
                       : addRows(hold.onTreeBody, hold.stiffness, own);
@@ -109,6 +114,16 @@ void setTree(const Trees& trees, const JointTree& tree) {
     }
 }
 
+/// Updates motions, rows and gaps to the current poses, and factors the system.
+void setTree(const Trees& trees, const JointTree& tree) {
+    for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
+        takeMotion(trees, treeBody);
+        treeBody.straining = 0.0;
+    }
+    forLinks(trees.all, tree, [&](Link& link) { setLink(trees, link); });
+    factorTree(trees, tree);
+}
+
 /// Predicts the pose of a tree body at the end of the substep, without joint impulses.
 void lookAhead(const Trees& trees, TreeBody& treeBody) {
     const Float4& ballisticDrift = trees.work.ballisticDrift[static_cast<std::size_t>(treeBody.slot)];
@@ -118,23 +133,50 @@ void lookAhead(const Trees& trees, TreeBody& treeBody) {
     treeBody.poseChange.y += treeBody.velocity.y * time + static_cast<double>(ballisticDrift.y);
 }
 
+/// Returns the part of a gap that is closed within a substep.
+double closedOf(const Trees& trees, const Link& link, double size) {
+    return std::min(std::max(kSoftRate * size, std::min(size, static_cast<double>(link.reach))),
+                    trees.farthest);
+}
+
+/// Computes the velocities of a drive for a pass, from the velocity of its value without impulses.
+void aimDrive(const Trees& trees, Link& link, double velocity, bool closes) {
+    Drive& drive = link.drive;
+    const auto approach = [&](double room) {
+        if (!drive.limited) return -std::numeric_limits<double>::infinity();
+        return trees.rate * (room > 0.0 ? -room : closes ? closedOf(trees, link, -room) : 0.0);
+    };
+    drive.velocity = velocity;
+    drive.slowest = approach(drive.value - drive.lower);
+    drive.fastest = -approach(drive.upper - drive.value);
+}
+
+/// Returns the relative velocities of a link's rows.
+Triple speedsOf(const Trees& trees, const Link& link) {
+    const TreeBody* const parent = trees.parentOf(link);
+    return seenFromLimb(link, trees.treeBodyOf(link).velocity) +
+           seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
+}
+
 /// Computes the velocities to remove so that the gaps are closed at the predicted poses.
 void aimAtGaps(const Trees& trees, Link& link) {
     const PoseChange parent = parentPoseChange(link, trees.parentOf(link), trees.elapsed + trees.h);
-    const Triple ahead = gapsOf(link, trees.treeBodyOf(link).poseChange, parent);
-    const auto reach = static_cast<double>(link.reach);
+    const PoseChange& treeBody = trees.treeBodyOf(link).poseChange;
+    const Triple ahead = gapsOf(link, treeBody, parent);
     const auto aim = [&](double gap, double then) {
-        const double size = std::fabs(gap);
-        const double closed = std::min(std::max(kSoftRate * size, std::min(size, reach)), trees.farthest);
+        const double closed = closedOf(trees, link, std::fabs(gap));
         return ((then - gap) + (gap < 0.0 ? -closed : closed)) * trees.rate;
     };
     link.error = {aim(link.gap.x, ahead.x), aim(link.gap.y, ahead.y), aim(link.gap.turn, ahead.turn)};
+    if (!link.drive.on) return;
+    const double velocity = link.byArms() ? speedsOf(trees, link).turn
+                                          : (valueOf(link, treeBody, parent) - link.drive.value) * trees.rate;
+    aimDrive(trees, link, velocity, true);
 }
 
 void findSpeeds(const Trees& trees, Link& link) {
-    const TreeBody* const parent = trees.parentOf(link);
-    link.error = seenFromLimb(link, trees.treeBodyOf(link).velocity);
-    link.error += seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
+    link.error = speedsOf(trees, link);
+    if (link.drive.on) aimDrive(trees, link, link.error.turn, false);
 }
 
 /// Adds a change of velocity also to velocityBeforeImpulses, so that warm starting does not repeat it.
@@ -154,8 +196,23 @@ double gainOf(const TreeBody& treeBody, const Triple& change) {
            treeBody.inertia * (treeBody.velocity.turn + 0.5 * change.turn) * change.turn;
 }
 
+/// Elimination, from the leaves to the root.
+void answerTree(const Trees& trees, const JointTree& tree) {
+    for (Link& hold : trees.all.holdsOf(tree)) {
+        TreeBody& treeBody = trees.treeBodyOf(hold);
+        exertDrive(treeBody, hold, nullptr);
+        hold.answer = -1.0 * (hold.stiffness * hold.error);
+        treeBody.impulse += onTreeBody(hold, hold.answer);
+    }
+    for (std::uint32_t i = tree.begin; i < tree.end; ++i) {
+        if (!hasLink(tree, i)) continue;
+        Link& link = trees.all.links[i];
+        answer(trees.all.treeBodies[i], link, trees.parentOf(link));
+    }
+}
+
 /// Back substitution, from the root to the leaves: computes velocity changes and impulses of links.
-void giveTree(const Trees& trees, JointTree& tree) {
+void giveTree(const Trees& trees, const JointTree& tree) {
     for (std::uint32_t i = tree.end; i-- > tree.begin;) {
         TreeBody& treeBody = trees.all.treeBodies[i];
         if (hasLink(tree, i)) {
@@ -163,23 +220,27 @@ void giveTree(const Trees& trees, JointTree& tree) {
         } else {
             treeBody.impulse = treeBody.own * treeBody.impulse;
         }
+    }
+    for (Link& hold : trees.all.holdsOf(tree))
+        hold.answer += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBodyOf(hold).impulse));
+}
+
+/// Applies the computed velocity changes and impulses.
+void applyTree(const Trees& trees, JointTree& tree) {
+    for (std::uint32_t i = tree.end; i-- > tree.begin;) {
+        const TreeBody& treeBody = trees.all.treeBodies[i];
+        if (hasLink(tree, i)) trees.all.links[i].given += trees.all.links[i].answer;
         addChange(trees, treeBody, treeBody.impulse);
         tree.gain += gainOf(treeBody, treeBody.impulse);
     }
-    for (Link& hold : trees.all.holdsOf(tree)) {
-        hold.given += hold.answer;
-        hold.given += -1.0 * (hold.stiffness * seenFromLimb(hold, trees.treeBodyOf(hold).impulse));
-    }
-}
-
-/// True if a kinematic body on which the tree hangs moves, which does work.
-bool isDriven(const Trees& trees, const JointTree& tree) {
-    bool driven = false;
-    forLinks(trees.all, tree, [&](const Link& link) {
-        const Triple& v = link.groundVelocity;
-        driven = driven || (link.parent == kNone && (v.x != 0.0 || v.y != 0.0 || v.turn != 0.0));
+    for (Link& hold : trees.all.holdsOf(tree)) hold.given += hold.answer;
+    forDrives(trees.all, tree, [&](Link& link) {
+        const Drive& drive = link.drive;
+        const double impulse = drive.exerts ? drive.impulse - link.given.turn : link.answer.turn;
+        // The work of a motor is no gain.
+        tree.gain -= impulse * (drive.velocity + 0.5 * velocityChangeOf(trees.all, link));
+        if (drive.exerts) link.given.turn = drive.impulse;
     });
-    return driven;
 }
 
 /// Removes energy from a tree that gained too much, by scaling all velocities equally, which opens no joint.
@@ -194,7 +255,7 @@ void calmTree(const Trees& trees, JointTree& tree) {
         mass += treeBody.mass;
     }
     const double excess = tree.gain - kTreeGain * energy;
-    if (excess <= 0.0 || tree.powered || isDriven(trees, tree)) return;
+    if (excess <= 0.0 || tree.powered) return;
     middle = tree.rooted ? Triple{} : 1.0 / mass * middle;
     const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
     const double less = own > excess ? 1.0 - std::sqrt(1.0 - excess / own) : 1.0;
@@ -207,24 +268,47 @@ void calmTree(const Trees& trees, JointTree& tree) {
 /// Solves a tree: removes the errors of all links, which `find` stores in Link::error.
 template <class Find>
 void solveTree(const Trees& trees, JointTree& tree, Find&& find) {
-    for (Link& hold : trees.all.holdsOf(tree)) {
-        find(trees, hold);
-        hold.answer = -1.0 * (hold.stiffness * hold.error);
-        trees.treeBodyOf(hold).impulse += onTreeBody(hold, hold.answer);
+    forLinks(trees.all, tree, [&](Link& link) { find(trees, link); });
+    bool released = false;
+    for (int round = 0;; ++round) {
+        if (round > 0) {
+            for (TreeBody& treeBody : trees.all.bodiesOf(tree)) treeBody.impulse = {};
+            factorTree(trees, tree);
+        }
+        forDrives(trees.all, tree, [](Link& link) {
+            const Drive& drive = link.drive;
+            link.error.turn = drive.exerts ? 0.0 : drive.velocity - targetOf(drive, drive.range);
+        });
+        answerTree(trees, tree);
+        giveTree(trees, tree);
+        if (!tree.drives || round == kMaxRounds) break;
+        if (stopAtEnds(trees.all, tree)) continue;
+        if (!releaseDrives(trees.all, tree, !released)) break;
+        released = true;
     }
-    for (std::uint32_t i = tree.begin; i < tree.end; ++i) {
-        if (!hasLink(tree, i)) continue;
-        Link& link = trees.all.links[i];
-        find(trees, link);
-        answer(trees.all.treeBodies[i], link, trees.parentOf(link));
+    applyTree(trees, tree);
+}
+
+/// Returns the part of the energy gained in a biased pass that external accelerations lose: impulses act on
+/// velocities that already contain these, but joints keep the velocities before them too.
+double workAgainstFields(const Trees& trees, const JointTree& tree) {
+    double work = 0.0;
+    for (const TreeBody& treeBody : trees.all.bodiesOf(tree)) {
+        const Triple acceleration = tripleOf(trees.work.drive[static_cast<std::size_t>(treeBody.slot)]);
+        const Triple& change = treeBody.impulse;
+        work += treeBody.mass * (acceleration.x * change.x + acceleration.y * change.y) +
+                treeBody.inertia * acceleration.turn * change.turn;
     }
-    giveTree(trees, tree);
+    return 0.5 * trees.h * work;
 }
 
 void pushTree(const Trees& trees, JointTree& tree, bool again) {
     if (!again) {
         tree.gain = 0.0;
-        if (trees.elapsed == 0.0) setTree(trees, tree);  // later substeps reuse the factors of the relax pass
+        if (trees.elapsed == 0.0) {  // later substeps reuse the factors of the relax pass
+            forDrives(trees.all, tree, [&](Link& link) { startDrive(link.drive, trees.h); });
+            setTree(trees, tree);
+        }
         forLinks(trees.all, tree, [](Link& link) { link.given = {}; });
     }
     for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
@@ -232,6 +316,7 @@ void pushTree(const Trees& trees, JointTree& tree, bool again) {
         lookAhead(trees, treeBody);
     }
     solveTree(trees, tree, aimAtGaps);
+    if (tree.drives && !again) tree.gain -= std::max(0.0, workAgainstFields(trees, tree));
 }
 
 void relaxTree(const Trees& trees, JointTree& tree, bool again) {
@@ -244,10 +329,28 @@ void relaxTree(const Trees& trees, JointTree& tree, bool again) {
     if (tree.gain > 0.0) calmTree(trees, tree);
     forLinks(trees.all, tree, [&](Link& link) {
         link.force = trees.rate * onTreeBody(link, link.given);
-        if (link.kind != JointKind::Weld && link.kind != JointKind::Prismatic) link.force.turn = 0.0;
-        if (link.kind == JointKind::Weld) link.force.turn = trees.rate * link.given.turn;
-        if (link.kind == JointKind::Prismatic) link.force.turn = trees.rate * link.given.y;
+        const bool turns = link.kind == JointKind::Weld || link.drive.on;
+        const double impulse = turns ? link.given.turn : 0.0;
+        link.force.turn = trees.rate * (link.kind == JointKind::Prismatic ? link.given.y : impulse);
     });
+}
+
+/// Sets motor and limits of a link, and their force in the last step.
+void prepareDrive(const JointView& view, Link& link) {
+    const Joint& joint = view.joint;
+    const bool canDrive = link.kind == JointKind::Revolute || link.kind == JointKind::Prismatic;
+    link.drive = {.on = canDrive && (joint.flags & (kLimited | kDriven)) != 0};
+    if (!link.drive.on) return;
+    Drive& drive = link.drive;
+    const JointLimit& limit = view.definition.limit;
+    const JointMotor& motor = view.definition.motor;
+    const double sign = link.treeBodyIsB ? 1.0 : -1.0;
+    drive.limited = limit.on;
+    drive.lower = static_cast<double>(link.treeBodyIsB ? limit.lower : -limit.upper);
+    drive.upper = static_cast<double>(link.treeBodyIsB ? limit.upper : -limit.lower);
+    drive.speed = motor.on ? sign * static_cast<double>(motor.speed) : 0.0;
+    drive.maxForce = motor.on ? static_cast<double>(std::min(motor.maxForce, kNoLimit)) : 0.0;
+    drive.force = sign * static_cast<double>(joint.rows[1] + (joint.rows[2] - joint.rows[3]));
 }
 
 void prepareArms(const World& world, Link& link) {
@@ -263,7 +366,9 @@ void prepareArms(const World& world, Link& link) {
         link.rest = view.definition.length;
         link.reach += 0.25f * view.definition.length;
     }
-    if (link.kind == JointKind::Weld || link.kind == JointKind::Prismatic) link.angle = sign * angleOf(view);
+    prepareDrive(view, link);
+    if (link.kind == JointKind::Weld || link.kind == JointKind::Prismatic || link.drive.on)
+        link.angle = sign * angleOf(view);
     if (link.kind == JointKind::Prismatic) link.axis = rotate(view.rotationA, view.definition.axis);
     const Vec2 force = sign * view.joint.force;
     link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
@@ -292,13 +397,15 @@ void prepareTrees(StepContext& step) {
     for (JointTree& tree : all.trees) {
         if (!tree.direct) continue;
         for (TreeBody& treeBody : all.bodiesOf(tree)) prepareLimb(world, step.work, treeBody);
-        tree.powered = false;
+        tree.powered = tree.drives = false;
         forLinks(all, tree, [&](Link& link) {
             prepareArms(world, link);
+            tree.drives |= link.drive.on;
             const std::int32_t slot = link.parent == kNone ? step.work.slots[link.ground] : -1;
             link.groundVelocity =
                 slot >= 0 ? tripleOf(step.work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
-            tree.powered |= (world.joints.hot[link.joint].flags & kEdited) != 0;
+            const Triple& v = link.groundVelocity;
+            tree.powered |= (world.joints.hot[link.joint].flags & kEdited) != 0 || dot(v, v) > 0.0;
         });
         const std::int32_t slot = all.bodiesOf(tree).front().slot;
         tree.group = 0;
@@ -342,6 +449,11 @@ void storeTrees(StepContext& step) {
             if (link.kind == JointKind::Distance) joint.rows[0] = rate * static_cast<float>(link.given.x);
             if (link.kind == JointKind::Prismatic)
                 joint.rows[4] = row(link.given.x), joint.rows[5] = row(link.given.y);
+            if (!link.drive.on) return;
+            const float total = row(link.given.turn);
+            joint.rows[1] = row(motorImpulseOf(link.drive));
+            joint.rows[2] = std::max(total - joint.rows[1], 0.0f);
+            joint.rows[3] = std::max(joint.rows[1] - total, 0.0f);
         });
     }
 }

@@ -6,8 +6,9 @@ namespace plumb::physics {
 
 // Direct solver for joints that form trees (chains, pendulums, bridges): in each substep it solves all joints
 // of a tree at once, in linear time. The system of masses and joints is factored (block L D L^T) from the
-// leaves to the root, without fill-in. So joints hold for any chain length and load. The SIMD solver handles
-// limits, motors, springs, trees with contacts and trees with loops of dynamic bodies
+// leaves to the root, without fill-in. So joints hold for any chain length and load. Motors and limits are
+// rows of the same system (Drive), so motors hold their speed within their force under any load. The SIMD
+// solver handles springs, trees with contacts and trees with loops of dynamic bodies
 // (joint_tree_builder.cpp). Source: D. Baraff, "Linear-Time Dynamics using Lagrange Multipliers", SIGGRAPH
 // 1996. The biased pass closes gaps at the predicted poses, and the relax pass makes velocities consistent
 // there: H. Andersen, "RATTLE", Journal of Computational Physics 52, 1983, which neither gains nor loses

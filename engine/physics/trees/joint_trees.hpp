@@ -82,6 +82,31 @@ struct TreeBody {
     Triple impulse;  ///< impulse of its subtree on it; later the change of its velocity
 };
 
+/// Motor and limits of a link's value, which is the angle of a hinge or the displacement of a slider, as row
+/// 2 of the link. Its impulse determines its velocity: that of the motor while the impulse is below the
+/// motor's maximum, and above that the velocity with which the value reaches a limit.
+struct Drive {
+    /// Impulses below, within and above those that the motor can give.
+    enum class Range : std::uint8_t { Below, Within, Above };
+    bool on = false;
+    bool limited = false;
+    bool exerts =
+        false;  ///< the impulse is an end of a range, so the velocity is between those of two ranges
+    Range range = Range::Within;
+    double speed = 0.0;     ///< m/s or rad/s: target velocity of the motor
+    double maxForce = 0.0;  ///< N or N m: of the motor; 0 without one
+    double force = 0.0;     ///< N or N m: in the last step
+    double lower = 0.0;     ///< m or rad: limits
+    double upper = 0.0;
+    double value = 0.0;     ///< m or rad, at the current poses
+    double velocity = 0.0;  ///< m/s or rad/s, without the impulses that this pass computes
+    double slowest = 0.0;   ///< m/s or rad/s: velocities with which the value reaches a limit
+    double fastest = 0.0;
+    double most = 0.0;      ///< N s or N m s: maximum impulse of the motor in a substep
+    double impulse = 0.0;   ///< N s or N m s: total in this substep
+    double softness = 0.0;  ///< compliance of the row
+};
+
 /// A joint between a tree body and its parent or a static or kinematic body. Signs: a gap grows with the
 /// velocity of the tree body, and impulses act on the tree body.
 struct Link {
@@ -111,11 +136,15 @@ struct Link {
     Triple given;         ///< N s: total impulse in this substep
     Triple force;         ///< N, N, N m: force in the last substep
     Triple groundVelocity;
+    Drive drive;
     Triple onTreeBody[3];  ///< indexed by row: Jacobian of the tree body; below, that of its parent
     Triple onParent[3];
 
-    /// True for a point constraint, which is computed from its arms instead of rows.
+    /// True for a hinge, which is computed from its arms instead of rows.
     [[nodiscard]] bool byArms() const { return kind == JointKind::Revolute; }
+    /// True if the drive gives the value a velocity.
+    [[nodiscard]] bool turns() const { return drive.on && !drive.exerts; }
+    [[nodiscard]] bool hasTwoRows() const { return byArms() && !turns(); }
 };
 
 /// A tree of joints; its bodies are ordered from the leaves to the root.
@@ -127,7 +156,8 @@ struct JointTree {
     bool direct = true;      ///< solved directly in this step; false while its bodies have contacts
     bool rooted = false;     ///< the last body has a link, to a static or kinematic body
     std::uint8_t group = 0;  ///< index in Workspace::groups
-    bool powered = false;    ///< the definition of a joint was changed, which may do work
+    bool powered = false;    ///< a change of a joint or a moving kinematic body may do work
+    bool drives = false;     ///< a joint has a motor or limits
     double gain = 0.0;       ///< J: energy added by its joints in this substep
 };
 
@@ -188,5 +218,7 @@ PoseChange turnedBy(const PoseChange& pose, double angle);
 /// @return the gaps of its rows, m or rad
 Triple setRows(Link& link, const PoseChange& treeBody, const PoseChange& parent);
 Triple gapsOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent);
+/// Returns the angle (rad) of a hinge or the displacement (m) of a slider.
+double valueOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent);
 
 }  // namespace plumb::physics

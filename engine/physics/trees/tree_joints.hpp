@@ -4,8 +4,9 @@
 
 namespace plumb::physics {
 
-// Equations of a link between a tree body and its parent. Point constraints, the most frequent ones, are
-// computed from their arms; other joints from three Jacobian rows, of which unused ones are 0.
+// Equations of a link between a tree body and its parent. Hinges, the most frequent ones, are computed from
+// their arms, with a third row while their drive gives a velocity; other joints from three Jacobian rows, of
+// which unused ones are 0.
 
 /// Computes the effective mass of a point link, as seen from the parent. @pre TreeBody::own is inverted
 inline void stiffenPoint(const TreeBody& treeBody, Link& link) {
@@ -16,10 +17,14 @@ inline void stiffenPoint(const TreeBody& treeBody, Link& link) {
     const double xx = (link.across[0].x - y * link.across[0].turn) + link.softness.x;
     const double xy = link.across[0].y + x * link.across[0].turn;
     const double yy = (link.across[1].y + x * link.across[1].turn) + link.softness.y;
+    if (link.turns()) {
+        link.across[2] = {own.xt, own.yt, own.tt};
+        link.stiffness =
+            inverse({xx, xy, yy, own.xt - y * own.tt, own.yt + x * own.tt, own.tt + link.softness.turn});
+        return;
+    }
     const double scale = 1.0 / (xx * yy - xy * xy);
-    link.stiffness.xx = yy * scale;
-    link.stiffness.xy = -xy * scale;
-    link.stiffness.yy = xx * scale;
+    link.stiffness = {yy * scale, -xy * scale, xx * scale, 0.0, 0.0, 0.0};
 }
 
 inline void stiffenRows(const TreeBody& treeBody, Link& link) {
@@ -29,15 +34,15 @@ inline void stiffenRows(const TreeBody& treeBody, Link& link) {
                               give(0, 2), give(1, 2), give(2, 2) + link.softness.turn});
 }
 
-/// Adds J^T K J of a point constraint at (x, y) to a mass matrix.
+/// Adds J^T K J of a hinge at (x, y) to a mass matrix.
 inline void addPoint(double x, double y, const Symmetric& k, Symmetric& own) {
-    const double xt = x * k.xy - y * k.xx, yt = x * k.yy - y * k.xy;
+    const double xt = x * k.xy - y * k.xx + k.xt, yt = x * k.yy - y * k.xy + k.yt;
     own.xx += k.xx;
     own.xy += k.xy;
     own.yy += k.yy;
     own.xt += xt;
     own.yt += yt;
-    own.tt += x * yt - y * xt;
+    own.tt += x * yt - y * xt + (x * k.yt - y * k.xt + k.tt);
 }
 
 inline void addRows(const Triple (&rows)[3], const Symmetric& k, Symmetric& own) {
@@ -68,11 +73,12 @@ inline Triple seenBy(const Triple (&rows)[3], const Triple& v) {
     return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 inline Triple seenFromLimb(const Link& link, const Triple& v) {
-    if (link.byArms()) return {v.x - link.limb.y * v.turn, v.y + link.limb.x * v.turn, 0.0};
+    if (link.byArms()) return {v.x - link.limb.y * v.turn, v.y + link.limb.x * v.turn, v.turn};
     return seenBy(link.onTreeBody, v);
 }
 inline Triple seenFromParent(const Link& link, const Triple& v) {
-    if (link.byArms()) return {link.parentLimb.y * v.turn - v.x, -(v.y + link.parentLimb.x * v.turn), 0.0};
+    if (link.byArms())
+        return {link.parentLimb.y * v.turn - v.x, -(v.y + link.parentLimb.x * v.turn), -v.turn};
     return seenBy(link.onParent, v);
 }
 
@@ -82,19 +88,30 @@ inline Triple sumOf(const Triple (&rows)[3], const Triple& impulse) {
 }
 inline Triple onParent(const Link& link, const Triple& impulse) {
     if (link.byArms())
-        return {-impulse.x, -impulse.y, link.parentLimb.y * impulse.x - link.parentLimb.x * impulse.y};
+        return {-impulse.x, -impulse.y,
+                link.parentLimb.y * impulse.x - link.parentLimb.x * impulse.y - impulse.turn};
     return sumOf(link.onParent, impulse);
 }
 inline Triple onTreeBody(const Link& link, const Triple& impulse) {
-    if (link.byArms()) return {impulse.x, impulse.y, link.limb.x * impulse.y - link.limb.y * impulse.x};
+    if (link.byArms())
+        return {impulse.x, impulse.y, link.limb.x * impulse.y - link.limb.y * impulse.x + impulse.turn};
     return sumOf(link.onTreeBody, impulse);
 }
 
+/// Applies the impulse of a drive that exerts one to both bodies, except what was applied before.
+inline void exertDrive(TreeBody& treeBody, const Link& link, TreeBody* parent) {
+    if (!link.drive.on || !link.drive.exerts) return;
+    const double impulse = link.drive.impulse - link.given.turn;
+    treeBody.impulse += impulse * link.onTreeBody[2];
+    if (parent != nullptr) parent->impulse += impulse * link.onParent[2];
+}
+
 /// Computes the impulse that removes Link::error if the parent is fixed, and its reaction on the parent.
-inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
+inline void answer(TreeBody& treeBody, Link& link, TreeBody* parent) {
+    exertDrive(treeBody, link, parent);
     Triple wanted{-link.error.x - dot(link.across[0], treeBody.impulse),
                   -link.error.y - dot(link.across[1], treeBody.impulse), 0.0};
-    if (link.byArms()) {
+    if (link.hasTwoRows()) {
         const Symmetric& k = link.stiffness;
         link.answer = {k.xx * wanted.x + k.xy * wanted.y, k.xy * wanted.x + k.yy * wanted.y, 0.0};
     } else {
@@ -104,23 +121,24 @@ inline void answer(const TreeBody& treeBody, Link& link, TreeBody* parent) {
     if (parent != nullptr) parent->impulse += onParent(link, link.answer);
 }
 
-/// From the velocity change of the parent (its `impulse`), computes the impulse of the link and the body's.
+/// From the velocity change of the parent (its `impulse`), computes the impulse of the link (its `answer`)
+/// and the velocity change of the body.
 inline void give(TreeBody& treeBody, Link& link, const TreeBody* parent) {
     Triple impulse = link.answer;
     if (parent != nullptr) {
         const Triple seen = seenFromParent(link, parent->impulse);
         const Symmetric& k = link.stiffness;
-        if (link.byArms()) {
+        if (link.hasTwoRows()) {
             impulse.x -= k.xx * seen.x + k.xy * seen.y;
             impulse.y -= k.xy * seen.x + k.yy * seen.y;
         } else {
             impulse = impulse - k * seen;
         }
     }
-    link.given += impulse;
+    link.answer = impulse;
     treeBody.impulse =
         treeBody.own * treeBody.impulse + impulse.x * link.across[0] + impulse.y * link.across[1];
-    if (!link.byArms()) treeBody.impulse += impulse.turn * link.across[2];
+    if (!link.hasTwoRows()) treeBody.impulse += impulse.turn * link.across[2];
 }
 
 }  // namespace plumb::physics

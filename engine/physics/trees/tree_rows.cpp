@@ -27,11 +27,12 @@ Anchors anchorsAt(const Link& link, const PoseChange& treeBody, const PoseChange
             wide(link.apart) + (moved + (changeOfLimb - changeOfParent))};
 }
 
-/// Returns the direction across the axis of a slider, which rotates with body A.
-Double2 acrossOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
-    const Double2 axis = wide(link.axis) + changeOf(link.axis, link.treeBodyIsB ? parent : treeBody);
-    return {-axis.y, axis.x};
+/// Returns the axis of a slider, which rotates with body A.
+Double2 axisOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
+    return wide(link.axis) + changeOf(link.axis, link.treeBodyIsB ? parent : treeBody);
 }
+
+Double2 acrossOf(Double2 axis) { return {-axis.y, axis.x}; }
 
 double angleAt(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     const double sine =
@@ -57,6 +58,7 @@ void setAngle(Link& link, int row) {
 void setPoint(Link& link, const Anchors& at) {
     link.limb = at.treeBodyArm;
     link.parentLimb = at.parentArm;
+    setAngle(link, 2);
     if (link.byArms()) return;
     setLine(link, 0, {1.0, 0.0}, at.treeBodyArm, at.parentArm);
     setLine(link, 1, {0.0, 1.0}, at.treeBodyArm, at.parentArm);
@@ -69,14 +71,13 @@ void setRod(Link& link, const Anchors& at) {
     setLine(link, 0, direction, at.treeBodyArm, at.parentArm);
 }
 
-void setSlider(Link& link, const Anchors& at, Double2 across) {
+void setSlider(Link& link, const Anchors& at, Double2 axis) {
     // The force acts at B's anchor at any displacement along the axis.
-    if (link.treeBodyIsB) {
-        setLine(link, 0, across, at.treeBodyArm, at.parentArm + at.apart);
-    } else {
-        setLine(link, 0, across, at.treeBodyArm - at.apart, at.parentArm);
-    }
+    const Double2 treeBodyArm = link.treeBodyIsB ? at.treeBodyArm : at.treeBodyArm - at.apart;
+    const Double2 parentArm = link.treeBodyIsB ? at.parentArm + at.apart : at.parentArm;
+    setLine(link, 0, acrossOf(axis), treeBodyArm, parentArm);
     setAngle(link, 1);
+    if (link.drive.on) setLine(link, 2, axis, treeBodyArm, parentArm);
 }
 
 Triple gapsAt(const Link& link, const Anchors& at, const PoseChange& treeBody, const PoseChange& parent) {
@@ -86,7 +87,7 @@ Triple gapsAt(const Link& link, const Anchors& at, const PoseChange& treeBody, c
         case JointKind::Distance:
             return {std::sqrt(dot(at.apart, at.apart)) - static_cast<double>(link.rest)};
         case JointKind::Prismatic:
-            return {dot(at.apart, acrossOf(link, treeBody, parent)), angleAt(link, treeBody, parent)};
+            return {dot(at.apart, acrossOf(axisOf(link, treeBody, parent))), angleAt(link, treeBody, parent)};
         default: return {};  // not in trees
     }
 }
@@ -111,10 +112,10 @@ PoseChange turnedBy(const PoseChange& pose, double angle) {
 Triple setRows(Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     const Anchors at = anchorsAt(link, treeBody, parent);
     switch (link.kind) {
-        case JointKind::Weld: setAngle(link, 2); [[fallthrough]];
+        case JointKind::Weld:
         case JointKind::Revolute: setPoint(link, at); break;
         case JointKind::Distance: setRod(link, at); break;
-        case JointKind::Prismatic: setSlider(link, at, acrossOf(link, treeBody, parent)); break;
+        case JointKind::Prismatic: setSlider(link, at, axisOf(link, treeBody, parent)); break;
         default: break;  // not in trees
     }
     return gapsAt(link, at, treeBody, parent);
@@ -122,6 +123,11 @@ Triple setRows(Link& link, const PoseChange& treeBody, const PoseChange& parent)
 
 Triple gapsOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
     return gapsAt(link, anchorsAt(link, treeBody, parent), treeBody, parent);
+}
+
+double valueOf(const Link& link, const PoseChange& treeBody, const PoseChange& parent) {
+    if (link.kind == JointKind::Revolute) return angleAt(link, treeBody, parent);
+    return dot(anchorsAt(link, treeBody, parent).apart, axisOf(link, treeBody, parent));
 }
 
 }  // namespace plumb::physics

@@ -258,6 +258,43 @@ World makeUpright() {
     return world;
 }
 
+/// Four arms with motors and limits, of which the last link is a boom, that sweep crates off a table, and
+/// four-bar linkages that a motor drives.
+World makeMachines() {
+    World world = makeGround();
+    for (int i = 0; i < 4; ++i) {
+        const double x = 8.0 * i - 12.0;
+        const float side = i % 2 == 0 ? 1.0f : -1.0f, torque = 60.0f * static_cast<float>(i + 1);
+        BodyId last = wall(world, {x, 3.0}, {0.2f, 0.2f});
+        for (int link = 0; link < 4; ++link) {
+            const BodyId next = crate(world, {x, 3.5 + link}, {0.08f, 0.5f});
+            JointDefinition joint{
+                .kind = link < 3 ? JointKind::Revolute : JointKind::Prismatic, .a = last, .b = next};
+            joint.anchorA = link == 0 ? Vec2{} : Vec2{0.0f, 0.5f};
+            joint.anchorB = {0.0f, -0.5f};
+            joint.axis = {0.0f, 1.0f};
+            joint.motor = {true, link < 3 ? -side : 0.5f, torque};
+            joint.limit = {link > 0, -0.7f, 0.7f};
+            static_cast<void>(createJoint(world, joint));
+            last = next;
+        }
+        for (int k = 0; k < 3; ++k)
+            crate(world, {x + 2.5 * static_cast<double>(side), 0.3 + 0.6 * k}, {0.3f, 0.3f});
+        const BodyId base = wall(world, {x, 12.0}, {0.1f, 0.1f});
+        const BodyId crank = crate(world, {x, 12.3}, {0.05f, 0.3f}),
+                     rod = crate(world, {x + 1.0, 12.6}, {1.0f, 0.05f});
+        const BodyId rocker = crate(world, {x + 2.0, 12.0}, {0.05f, 0.6f});
+        static_cast<void>(createJoint(world, {.a = base,
+                                              .b = crank,
+                                              .anchorB = {0.0f, -0.3f},
+                                              .motor = {true, 3.0f * static_cast<float>(i + 1), 400.0f}}));
+        tie(world, crank, {0.0f, 0.3f}, rod, {-1.0f, 0.0f});
+        tie(world, rod, {1.0f, 0.0f}, rocker, {0.0f, 0.6f});
+        tie(world, rocker, {0.0f, -0.6f}, base, {2.0f, -0.6f});
+    }
+    return world;
+}
+
 }  // namespace
 
 const std::vector<GoldenScene>& goldenScenes() {
@@ -276,6 +313,7 @@ const std::vector<GoldenScene>& goldenScenes() {
         {"conveyor", makeConveyor, 180},
         {"explosion", makeExplosion, 150, false, true, explodeOnce},
         {"upright", makeUpright, 180},
+        {"machines", makeMachines, 240, true},
     };
     return kScenes;
 }
