@@ -143,20 +143,20 @@ int Tileset::shownTile(int tile, double seconds) const {
     return special->animation.front().tile;
 }
 
-std::vector<Vec2> outlineOf(const Tile& tile, Vec2 size) {
+std::vector<std::vector<Vec2>> outlinesOf(const Tile& tile, Vec2 size) {
     switch (tile.shape) {
         case TileShape::None: return {};
         case TileShape::Full:
-        case TileShape::OneWay: return box(size, 0.0f, 1.0f);
-        case TileShape::SlopeUp: return slope(size, 1.0f, 0.0f);
-        case TileShape::SlopeDown: return slope(size, 0.0f, 1.0f);
-        case TileShape::SlopeUpLow: return slope(size, 1.0f, 0.5f);
-        case TileShape::SlopeUpHigh: return slope(size, 0.5f, 0.0f);
-        case TileShape::SlopeDownHigh: return slope(size, 0.0f, 0.5f);
-        case TileShape::SlopeDownLow: return slope(size, 0.5f, 1.0f);
-        case TileShape::HalfTop: return box(size, 0.0f, 0.5f);
-        case TileShape::HalfBottom: return box(size, 0.5f, 1.0f);
-        case TileShape::Polygon: return tile.polygon;
+        case TileShape::OneWay: return {box(size, 0.0f, 1.0f)};
+        case TileShape::SlopeUp: return {slope(size, 1.0f, 0.0f)};
+        case TileShape::SlopeDown: return {slope(size, 0.0f, 1.0f)};
+        case TileShape::SlopeUpLow: return {slope(size, 1.0f, 0.5f)};
+        case TileShape::SlopeUpHigh: return {slope(size, 0.5f, 0.0f)};
+        case TileShape::SlopeDownHigh: return {slope(size, 0.0f, 0.5f)};
+        case TileShape::SlopeDownLow: return {slope(size, 0.5f, 1.0f)};
+        case TileShape::HalfTop: return {box(size, 0.0f, 0.5f)};
+        case TileShape::HalfBottom: return {box(size, 0.5f, 1.0f)};
+        case TileShape::Polygon: return tile.polygons;
     }
     return {};
 }

@@ -49,9 +49,13 @@ using TileProperty = KeptProperty;
 
 /// Data of one tile; tiles without such data are not stored.
 struct Tile {
+    static constexpr std::size_t kMaxCorners = 256;  ///< of all polygons
+
     int id = 0;
     TileShape shape = TileShape::None;
-    std::vector<Vec2> polygon;         ///< corners, px in the tile; only for TileShape::Polygon
+    /// Corners, px in the tile; only for TileShape::Polygon. The tile is solid where one of the polygons is;
+    /// they may be concave and overlap.
+    std::vector<std::vector<Vec2>> polygons;
     bool oneWay = false;               ///< solid only from above, with any shape
     float friction = -1.0f;            ///< negative: the TileCollider's friction
     float bounciness = -1.0f;          ///< negative: the TileCollider's bounciness
@@ -139,9 +143,10 @@ struct Tileset {
     friend bool operator==(const Tileset&, const Tileset&) = default;
 };
 
-/// Returns the outline of a tile's shape, clockwise on screen, convex except for Polygon; empty for None.
+/// Returns the outlines of a tile's shape: its polygons, or one that is convex and clockwise on screen; none
+/// for None.
 /// @param size  size of the tile, px
-std::vector<Vec2> outlineOf(const Tile& tile, Vec2 size);
+std::vector<std::vector<Vec2>> outlinesOf(const Tile& tile, Vec2 size);
 
 /// Reads the text of a `*.tileset.json` file. Invalid parts are reported in `problems` and ignored.
 /// @param where  the file's path, for errors

@@ -12,7 +12,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMaxCorners = 64;
 constexpr int kMaxSide = 4096;  // maximum side of a tile, px
 constexpr float kMaxPixels = 16384.0f;
 /// Reads a pair of integers; reports values out of range and returns the fallback for both.
@@ -28,9 +27,9 @@ std::pair<int, int> readPair(JsonFields& fields, std::string_view key, int min, 
     return {fallback, fallback};
 }
 
-std::vector<Vec2> readPolygon(JsonFields& fields, const Json& json) {
+std::optional<std::vector<Vec2>> readPolygon(const Json& json) {
     std::vector<Vec2> points;
-    bool good = json.size() >= 3 && json.size() <= kMaxCorners;
+    bool good = json.is_array() && json.size() >= 3;
     for (const Json& point : json) {
         good = good && point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number();
         if (!good) break;
@@ -39,17 +38,33 @@ std::vector<Vec2> readPolygon(JsonFields& fields, const Json& json) {
         good = x >= -kMaxSide && x <= kMaxSide && y >= -kMaxSide && y <= kMaxSide;
         if (good) points.push_back({static_cast<float>(x), static_cast<float>(y)});
     }
-    if (good) return points;
-    fields.warn("collision", format("expected 3 to {} points", kMaxCorners),
-                "write [[x, y], [x, y], [x, y]] in px of the tile");
+    return good ? std::optional{points} : std::nullopt;
+}
+
+/// Reads a polygon, or a list of polygons.
+std::vector<std::vector<Vec2>> readPolygons(JsonFields& fields, const Json& json) {
+    const bool isList = !json.empty() && json[0].is_array() && !json[0].empty() && json[0][0].is_array();
+    std::vector<std::vector<Vec2>> polygons;
+    std::size_t corners = 0;
+    bool good = true;
+    for (std::size_t i = 0; good && i < (isList ? json.size() : 1); ++i) {
+        std::optional<std::vector<Vec2>> polygon = readPolygon(isList ? json[i] : json);
+        corners += polygon ? polygon->size() : 0;
+        good = polygon && corners <= Tile::kMaxCorners;
+        if (good) polygons.push_back(std::move(*polygon));
+    }
+    if (good) return polygons;
+    fields.warn("collision",
+                format("expected polygons of 3 or more points, at most {} in all", Tile::kMaxCorners),
+                "write [[x, y], [x, y], [x, y]] in px of the tile, or a list of such polygons");
     return {};
 }
 
 void readCollision(JsonFields& fields, Tile& tile) {
     const Json* json = fields.find("collision");
     if (json != nullptr && json->is_array()) {
-        tile.polygon = readPolygon(fields, *json);
-        tile.shape = tile.polygon.empty() ? TileShape::None : TileShape::Polygon;
+        tile.polygons = readPolygons(fields, *json);
+        tile.shape = tile.polygons.empty() ? TileShape::None : TileShape::Polygon;
     } else {
         tile.shape = static_cast<TileShape>(fields.choice("collision", 0, tileShapeNames()));
     }
@@ -199,8 +214,12 @@ Json tileJson(const Tile& tile) {
     Json json = Json::object();
     json["id"] = tile.id;
     if (tile.shape == TileShape::Polygon) {
-        Json& points = json["collision"] = Json::array();
-        for (const Vec2 point : tile.polygon) points.push_back(pointJson(point));
+        Json all = Json::array();
+        for (const std::vector<Vec2>& polygon : tile.polygons) {
+            Json& points = all.emplace_back(Json::array());
+            for (const Vec2 point : polygon) points.push_back(pointJson(point));
+        }
+        json["collision"] = all.size() == 1 ? all.front() : all;
     } else if (tile.shape != TileShape::None) {
         json["collision"] = std::string{tileShapeNames()[static_cast<std::size_t>(tile.shape)]};
     }

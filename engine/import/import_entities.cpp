@@ -82,6 +82,7 @@ public:
             }
         }
         if (beyond_ > 0) tellBeyond();
+        if (deleted_ > 0) tellDeleted();
         return std::move(grid_);
     }
 
@@ -115,10 +116,13 @@ private:
         const tiled::TileRef tile = import_.map.resolve(gid);
         if (tile.tileset != static_cast<int>(tileset_)) return 0;
         // Without its image a tileset's tile count is unknown (0): all tile numbers are kept.
-        const int count = import_.tilesets[tileset_].count;
-        if (count == 0 || tile.id < count) return cellOf(tile.id, tile.flags & kTileFlips);
-        ++beyond_;
-        return 0;
+        const ImportedTileset& tileset = import_.tilesets[tileset_];
+        if (tileset.count > 0 && tile.id >= tileset.count) {
+            ++beyond_;
+            return 0;
+        }
+        if (tileset.isDeleted(tile.id)) ++deleted_;
+        return cellOf(tile.id, tile.flags & kTileFlips);
     }
 
     void tellBeyond() {
@@ -130,12 +134,21 @@ private:
              "check the tileset's image, margin and spacing in Tiled"});
     }
 
+    void tellDeleted() {
+        import_.draft.report.problems.push_back(
+            {format("layer {}", layer_.name),
+             format("{} cells contain tiles that tileset {} no longer has; they are kept, without a picture",
+                    deleted_, import_.tilesets[tileset_].original->name),
+             "add the tiles to the tileset in Tiled, or erase the cells"});
+    }
+
     const EntityImport& import_;
     const Layer& layer_;
     std::size_t tileset_;
     TileGrid grid_;
     std::shared_ptr<TileGrid::Chunk> last_;
     int beyond_ = 0;
+    int deleted_ = 0;  // number of cells with tiles that were deleted from a collection of images
 };
 
 /// Adds the entities of a map, layer by layer.

@@ -66,6 +66,12 @@ void addSprite(Json& components, const EntityImport& import, const tiled::Layer&
                     original.name),
              "select another tile in Tiled; the imported sprite has no image"});
     }
+    if (tileset.isDeleted(object.tile.id)) {
+        import.draft.report.problems.push_back(
+            {format("layer {}: object {}", layer.name, object.id),
+             format("tileset {} no longer has the object's tile {}", original.name, object.tile.id),
+             "select another tile in Tiled; the imported sprite has no image"});
+    }
     const Vec2 source = known ? Vec2{picture.source.width, picture.source.height}
                               : Vec2{static_cast<float>(std::max(original.tileWidth, 1)),
                                      static_cast<float>(std::max(original.tileHeight, 1))};

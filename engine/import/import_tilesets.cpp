@@ -7,6 +7,7 @@
 #include "import/import_terrains.hpp"
 #include "import/tile_shapes.hpp"
 #include "import/tiled_json.hpp"
+#include "physics/terrain/tile_mask.hpp"
 #include "reflect/json_text.hpp"
 
 namespace plumb {
@@ -56,29 +57,37 @@ struct TilesetImport {
     ImportStage& stage;
     Vec2 cell;  ///< px of the tileset's image
 
-    void tell(const tiled::Tile& tile, std::string what, std::string remedy) const {
+    void tell(const tiled::Tile& tile, std::string what) const {
         stage.problems.push_back(
-            {format("tileset {}: tile {}", tileset.name, tile.id), std::move(what), std::move(remedy)});
+            {format("tileset {}: tile {}", tileset.name, tile.id), std::move(what),
+             "the shapes are kept under \"tiled\"; draw fewer or simpler ones in Tiled"});
+    }
+    void tell(const tiled::Tile& tile, const ShapeRefusal& refusal) const {
+        stage.problems.push_back(
+            {format("tileset {}: tile {}: {} {}", tileset.name, tile.id, nameOf(refusal.shape->shape),
+                    refusal.shape->id),
+             "the collision shape is not as in Tiled: " + refusal.what,
+             "the shape is kept under \"tiled\"; draw an area or a line inside the tile"});
     }
 };
 
 /// Reports collision shapes of which addTileColliders will make no collider.
 void tellUnsolid(const TilesetImport& import, const tiled::Tile& tile, Vec2 tileSize) {
-    const std::size_t lines = collisionLinesOf(tile, import.tileset, tileSize.y).size();
-    if (lines == tile.collision.size()) return;
-    import.tell(tile,
-                format("{} of the {} collision shapes have no area or more than {} corners",
-                       tile.collision.size() - lines, tile.collision.size(), kMaxOutlineCorners),
-                "the shapes are kept under \"tiled\"; draw them as areas or lines of fewer corners");
+    std::vector<ShapeRefusal> refusals;
+    static_cast<void>(collisionLinesOf(tile, import.tileset, tileSize.y, &refusals));
+    for (const ShapeRefusal& refusal : refusals) import.tell(tile, refusal);
 }
 
-/// Converts the collision shapes of a tile to one outline; reports shapes that it does not cover.
+/// Returns the form that a tile has in a terrain. @error it cannot be made
+Result<physics::TileForm> formOf(std::vector<std::vector<Vec2>> polygons, Vec2 cell) {
+    for (std::vector<Vec2>& polygon : polygons) {
+        for (Vec2& corner : polygon) corner = {corner.x / cell.x, corner.y / cell.y};
+    }
+    return physics::TilePalette{}.addPolygons(polygons);
+}
+
+/// Converts the collision shapes of a tile to polygons; reports shapes that they do not cover.
 void addCollision(Json& json, const TilesetImport& import, const tiled::Tile& tile, Vec2 tileSize) {
-    const Vec2 cellSize = import.cell;
-    const auto tell = [&](std::string what) {
-        import.tell(tile, std::move(what),
-                    "the shapes are kept under \"tiled\"; give the tile one shape in its tileset");
-    };
     Json shapes = Json::array();
     for (const tiled::Object& object : tile.collision) {
         shapes.push_back(objectJson(object));
@@ -88,16 +97,23 @@ void addCollision(Json& json, const TilesetImport& import, const tiled::Tile& ti
     if (import.map.isLattice()) return tellUnsolid(import, tile, tileSize);
 
     // The tile is aligned to the lower left corner of its cell.
-    const TileOutline outline = outlineOfTile(tile, cellSize, cellSize.y - tileSize.y);
-    if (outline.corners.empty()) return tell("the collision shape has no area inside the cell");
-    if (outline.partial) tell("the tile has several collision shapes; only the largest one collides");
-    if (outline.cut) tell("the collision shape reaches out of the cell; it was clipped");
-    const std::vector<Vec2> full{{0, 0}, {cellSize.x, 0}, cellSize, {0, cellSize.y}};
-    if (outline.corners == full) {
+    const TileArea area = areaOfTile(tile, import.cell, import.cell.y - tileSize.y);
+    for (const ShapeRefusal& refusal : area.refusals) import.tell(tile, refusal);
+    if (area.polygons.empty()) return;
+    const Result<physics::TileForm> form = formOf(area.polygons, import.cell);
+    if (!form) {
+        import.tell(tile, form.error().what + "; the tile collides as a full cell");
+    }
+    if (!form || *form == physics::TileForm::Full) {
         json["collision"] = "full";
         return;
     }
-    for (const Vec2 corner : outline.corners) json["collision"].push_back(vec2Json(corner));
+    Json polygons = Json::array();
+    for (const std::vector<Vec2>& polygon : area.polygons) {
+        Json& corners = polygons.emplace_back(Json::array());
+        for (const Vec2 corner : polygon) corners.push_back(vec2Json(corner));
+    }
+    json["collision"] = polygons.size() == 1 ? polygons.front() : polygons;
 }
 
 /// Reports a tile id or animation frames beyond the end of the tileset.
@@ -238,6 +254,10 @@ TileRegion ImportedTileset::pictureOf(int id) const {
         return found == pictures.end() ? TileRegion{} : found->second;
     }
     return {image.path, cellOfImage(*original, gridOf(*original, image), id)};
+}
+
+bool ImportedTileset::isDeleted(int id) const {
+    return original->image.empty() && id >= 0 && id < count && !pictures.contains(id);
 }
 
 Vec2 ImportedTileset::sizeOf(int id) const {

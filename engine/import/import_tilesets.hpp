@@ -27,6 +27,8 @@ struct ImportedTileset {
 
     /// Returns the image and region of a tile; empty if the tileset has no such tile.
     [[nodiscard]] TileRegion pictureOf(int id) const;
+    /// True for a tile that was deleted from a collection of images, or never was in it.
+    [[nodiscard]] bool isDeleted(int id) const;
     /// Returns the size of a tile's image, px; without an image the size that the tileset declares.
     [[nodiscard]] Vec2 sizeOf(int id) const;
     /// Returns the factor by which a map draws a tile larger than its image.

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
+#include "core/text.hpp"
 #include "import/isometric.hpp"
 #include "math/angle.hpp"
 #include "math/portable.hpp"
@@ -15,9 +16,9 @@ using tiled::Object;
 using tiled::Shape;
 using Corners = std::vector<Vec2>;
 
-constexpr int kRoundCorners = 24;  // corners of an ellipse or capsule
-constexpr float kSlack = 0.01f;    // tolerance of coordinates, px, and of areas, px^2
-constexpr std::size_t kMaxBoxes = 32;
+constexpr int kRoundCorners = 24;          // corners of an ellipse or capsule
+constexpr float kSlack = 0.01f;            // tolerance of coordinates, px, and of areas, px^2
+constexpr float kLinePart = 1.0f / 64.0f;  // half of the thickness of a line, of the side of a cell
 
 float doubleArea(const Corners& corners) {
     float area = 0.0f;
@@ -71,85 +72,6 @@ Corners cutToCell(Corners corners, Vec2 cell) {
     return halfOf(corners, &Vec2::y, cell.y, 1.0f);
 }
 
-/// Computes the outline of the union of boxes, on a grid of lines through all their edges.
-class BoxOutline {
-public:
-    explicit BoxOutline(const std::vector<Corners>& boxes) {
-        for (const Corners& box : boxes) {
-            for (const Vec2 corner : box) xs_.push_back(corner.x), ys_.push_back(corner.y);
-        }
-        for (auto* lines : {&xs_, &ys_}) {
-            std::sort(lines->begin(), lines->end());
-            lines->erase(std::unique(lines->begin(), lines->end()), lines->end());
-        }
-        filled_.resize(xs_.size() * ys_.size());
-        for (const Corners& box : boxes) fill(box);
-    }
-
-    /// @return the outline; empty if the boxes do not form one area, or it has a hole
-    std::optional<Corners> trace() {
-        collectEdges();
-        if (next_.empty()) return {};
-        Corners outline;
-        const Node start = next_.begin()->first;
-        std::size_t steps = 0;
-        for (Node at = start; steps == 0 || at != start; ++steps) {
-            const auto found = next_.find(at);
-            if (found == next_.end() || steps > next_.size()) return {};
-            outline.push_back({xs_[at.first], ys_[at.second]});
-            at = found->second;
-        }
-        const bool all = steps == next_.size() && !crossing_;
-        return all ? std::optional{withoutStraight(outline)} : std::nullopt;
-    }
-
-private:
-    using Node = std::pair<std::size_t, std::size_t>;  // grid point: index in xs_ and in ys_
-
-    static std::size_t lineOf(const std::vector<float>& lines, float value) {
-        return static_cast<std::size_t>(std::lower_bound(lines.begin(), lines.end(), value) - lines.begin());
-    }
-    void fill(const Corners& box) {
-        for (std::size_t y = lineOf(ys_, box[0].y); y < lineOf(ys_, box[2].y); ++y) {
-            for (std::size_t x = lineOf(xs_, box[0].x); x < lineOf(xs_, box[2].x); ++x)
-                filled_[y * xs_.size() + x] = true;
-        }
-    }
-    /// True if a grid cell is in a box; false outside of the grid (index -1 wraps around to a large number).
-    [[nodiscard]] bool isFilled(std::size_t x, std::size_t y) const {
-        return x < xs_.size() && y < ys_.size() && filled_[y * xs_.size() + x];
-    }
-    /// Collects the edges between filled and empty cells, clockwise on screen.
-    void collectEdges() {
-        const auto add = [this](Node from, Node to) { crossing_ |= !next_.emplace(from, to).second; };
-        for (std::size_t y = 0; y < ys_.size(); ++y) {
-            for (std::size_t x = 0; x < xs_.size(); ++x) {
-                if (!isFilled(x, y)) continue;
-                if (!isFilled(x, y - 1)) add({x, y}, {x + 1, y});
-                if (!isFilled(x + 1, y)) add({x + 1, y}, {x + 1, y + 1});
-                if (!isFilled(x, y + 1)) add({x + 1, y + 1}, {x, y + 1});
-                if (!isFilled(x - 1, y)) add({x, y + 1}, {x, y});
-            }
-        }
-    }
-    static Corners withoutStraight(const Corners& outline) {
-        Corners corners;
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const Vec2 before = outline[(i + outline.size() - 1) % outline.size()];
-            const Vec2 after = outline[(i + 1) % outline.size()];
-            const bool straight = before.x == after.x || before.y == after.y;
-            if (!straight) corners.push_back(outline[i]);
-        }
-        return corners;
-    }
-
-    std::vector<float> xs_;
-    std::vector<float> ys_;
-    std::vector<bool> filled_;   // grid cells, row by row
-    std::map<Node, Node> next_;  // edges of the outline: start to end
-    bool crossing_ = false;      // two corners of the outline touch
-};
-
 /// Moves points from an object's own coordinates to those of its tile. @param raised  px, added to y
 void place(Corners& corners, const Object& object, float raised) {
     const Vec2 origin{static_cast<float>(object.x), static_cast<float>(object.y) + raised};
@@ -157,7 +79,61 @@ void place(Corners& corners, const Object& object, float raised) {
     for (Vec2& corner : corners) corner = origin + (angle == 0.0f ? corner : rotated(corner, angle));
 }
 
-bool isBox(const Object& object) { return object.shape == Shape::Rectangle && object.rotation == 0.0; }
+/// Returns a polyline as a thin area: a box around each of its lines.
+/// @param half  half of the thickness, px
+std::vector<Corners> thickened(const Corners& points, float half) {
+    std::vector<Corners> boxes;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const Vec2 way = points[i + 1] - points[i];
+        if (lengthSquared(way) <= kSlack * kSlack) continue;
+        const Vec2 along = way * (half / length(way));  // boxes overlap at the joints
+        const Vec2 across{-along.y, along.x};
+        const Vec2 from = points[i] - along, to = points[i + 1] + along;
+        boxes.push_back({from - across, to - across, to + across, from + across});
+    }
+    return boxes;
+}
+
+/// Collects the area of the collision shapes of a tile.
+class AreaCollector {
+public:
+    AreaCollector(Vec2 cell, float raised) : cell_{cell}, raised_{raised} {}
+
+    void add(const Object& object) {
+        Corners points = outlineOf(object);
+        const bool isLine = points.empty() && object.shape == Shape::Polyline;
+        if (isLine) points = object.points;
+        place(points, object, raised_);
+        const std::size_t before = area_.polygons.size();
+        const float half = std::max(cell_.x, cell_.y) * kLinePart;
+        if (!isLine) {
+            addInside(points);
+        } else {
+            for (const Corners& box : thickened(points, half)) addInside(box);
+        }
+        if (area_.polygons.size() == before) {
+            area_.refusals.push_back({&object, "it has neither area nor length in the cell"});
+        } else if (!isInside(points, cell_)) {
+            area_.refusals.push_back({&object, "it reaches out of the cell; it was clipped"});
+        }
+    }
+    [[nodiscard]] TileArea take() { return std::move(area_); }
+
+private:
+    void addInside(Corners corners) {
+        if (!isInside(corners, cell_)) corners = cutToCell(std::move(corners), cell_);
+        const auto [low, high] = std::minmax_element(corners.begin(), corners.end(),
+                                                     [](Vec2 one, Vec2 two) { return one.x < two.x; });
+        const auto [top, bottom] = std::minmax_element(corners.begin(), corners.end(),
+                                                       [](Vec2 one, Vec2 two) { return one.y < two.y; });
+        if (corners.size() < 3 || high->x - low->x <= kSlack || bottom->y - top->y <= kSlack) return;
+        area_.polygons.push_back(std::move(corners));
+    }
+
+    Vec2 cell_;
+    float raised_;
+    TileArea area_;
+};
 
 }  // namespace
 
@@ -183,13 +159,23 @@ std::vector<Vec2> outlineOf(const Object& object) {
     return {};
 }
 
+std::string_view nameOf(Shape shape) {
+    constexpr std::string_view kNames[] = {"rectangle", "ellipse",  "point", "capsule",
+                                           "polygon",   "polyline", "text",  "tile"};
+    return kNames[static_cast<std::size_t>(shape)];
+}
+
 std::vector<CollisionLine> collisionLinesOf(const tiled::Tile& tile, const tiled::Tileset& tileset,
-                                            float imageHeight) {
+                                            float imageHeight, std::vector<ShapeRefusal>* refusals) {
     const bool isIsometric = tileset.isometricWidth > 0 && tileset.isometricHeight > 0;
     const IsometricPlane plane{tileset.isometricWidth, tileset.isometricHeight,
                                static_cast<double>(tileset.isometricWidth) * 0.5};
     std::vector<CollisionLine> lines;
-    for (Object object : tile.collision) {
+    for (const Object& original : tile.collision) {
+        const auto refuse = [&](std::string what) {
+            if (refusals != nullptr) refusals->push_back({&original, std::move(what)});
+        };
+        Object object = original;
         if (isIsometric) {
             plane.project(object);
             object.y += static_cast<double>(imageHeight) - tileset.isometricHeight;
@@ -197,44 +183,26 @@ std::vector<CollisionLine> collisionLinesOf(const tiled::Tile& tile, const tiled
         CollisionLine line{outlineOf(object)};
         line.closed = !line.points.empty();
         if (!line.closed && object.shape == Shape::Polyline) line.points = object.points;
-        if (line.points.size() < (line.closed ? 3u : 2u) || line.points.size() > kMaxOutlineCorners) continue;
+        if (line.points.size() > kMaxOutlineCorners) {
+            refuse(format("it has more than {} corners", kMaxOutlineCorners));
+            continue;
+        }
         place(line.points, object, 0.0f);
-        if (line.closed && std::abs(doubleArea(line.points)) <= kSlack) continue;
-        lines.push_back(std::move(line));
+        const bool isEmpty = line.points.size() < (line.closed ? 3u : 2u) ||
+                             (line.closed && std::abs(doubleArea(line.points)) <= kSlack);
+        if (isEmpty) {
+            refuse("it has neither area nor length");
+        } else {
+            lines.push_back(std::move(line));
+        }
     }
     return lines;
 }
 
-TileOutline outlineOfTile(const tiled::Tile& tile, Vec2 cell, float raised) {
-    TileOutline result;
-    std::vector<Corners> shapes;
-    bool boxes = true;
-    for (const Object& object : tile.collision) {
-        Corners corners = outlineOf(object);
-        place(corners, object, raised);
-        if (doubleArea(corners) < 0.0f) std::reverse(corners.begin(), corners.end());
-        if (!isInside(corners, cell)) {
-            corners = cutToCell(std::move(corners), cell);
-            result.cut = true;
-        }
-        if (corners.size() < 3 || corners.size() > kMaxOutlineCorners || doubleArea(corners) <= kSlack)
-            continue;
-        boxes = boxes && isBox(object);
-        shapes.push_back(std::move(corners));
-    }
-    if (shapes.empty()) return result;
-    if (shapes.size() > 1 && boxes && shapes.size() <= kMaxBoxes) {
-        if (std::optional<Corners> all = BoxOutline{shapes}.trace();
-            all && all->size() <= kMaxOutlineCorners) {
-            result.corners = std::move(*all);
-            return result;
-        }
-    }
-    result.partial = shapes.size() > 1;
-    result.corners = *std::max_element(shapes.begin(), shapes.end(), [](const Corners& a, const Corners& b) {
-        return doubleArea(a) < doubleArea(b);
-    });
-    return result;
+TileArea areaOfTile(const tiled::Tile& tile, Vec2 cell, float raised) {
+    AreaCollector area{cell, raised};
+    for (const Object& object : tile.collision) area.add(object);
+    return area.take();
 }
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "import/tiled_map.hpp"
@@ -20,22 +21,30 @@ struct CollisionLine {
     bool closed = true;  ///< the outline of an area; otherwise a line that is solid from both sides
 };
 
+/// A collision shape that is left out or changed, and why.
+struct ShapeRefusal {
+    const tiled::Object* shape = nullptr;
+    std::string what;
+};
+
 /// Returns the collision shapes of a tile, without those that have neither area nor length or more than
 /// kMaxOutlineCorners corners.
 /// @param imageHeight  of the tile, px; shapes in an isometric grid are drawn from its lower edge
+/// @param refusals     if not null, the shapes that are left out are added to it
 std::vector<CollisionLine> collisionLinesOf(const tiled::Tile& tile, const tiled::Tileset& tileset,
-                                            float imageHeight);
+                                            float imageHeight, std::vector<ShapeRefusal>* refusals = nullptr);
 
-/// Collision outline made from the collision shapes of a tile.
-struct TileOutline {
-    std::vector<Vec2> corners;  ///< px in the cell, clockwise on screen; empty if no shape has an area in it
-    bool cut = false;           ///< at least one shape was clipped to the cell
-    bool partial = false;       ///< the outline is only the largest of several shapes
+/// The part of a cell that the collision shapes of a tile fill.
+struct TileArea {
+    std::vector<std::vector<Vec2>> polygons;  ///< px in the cell; they may be concave and overlap
+    std::vector<ShapeRefusal> refusals;       ///< shapes that were left out or clipped to the cell
 };
 
-/// Combines the collision shapes of a tile to one outline: the union of boxes if it is one area without
-/// holes, otherwise the largest shape.
+/// Converts the collision shapes of a tile to polygons. Lines become thin areas, 1/32 of a cell thick.
 /// @param raised  px from the cell's top down to the top of the tile's image; negative if the image is higher
-TileOutline outlineOfTile(const tiled::Tile& tile, Vec2 cell, float raised);
+TileArea areaOfTile(const tiled::Tile& tile, Vec2 cell, float raised);
+
+/// Returns the name of a kind of shapes, for reports.
+std::string_view nameOf(tiled::Shape shape);
 
 }  // namespace plumb

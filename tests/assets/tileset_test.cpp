@@ -29,6 +29,7 @@ constexpr std::string_view kFull = R"({
       "material": "ice",
       "properties": {"hazard": true, "damage": 2, "sound": "assets/ouch.wav"}
     },
+    {"id": 2, "collision": [[[0, 0], [4, 0], [4, 8]], [[8, 0], [16, 0], [10, 2], [8, 8]]]},
     {
       "id": 3,
       "collision": [[0, 0], [16, 0], [8, 8]],
@@ -55,7 +56,9 @@ TEST(Tileset, everyPropertyIsReadAndWrittenBackByteForByte) {
     EXPECT_TRUE(problems.empty());
     EXPECT_EQ(writeTileset(tileset), kFull);
     EXPECT_EQ(tileset.shapeOf(1), TileShape::Full);
-    EXPECT_EQ(tileset.shapeOf(2), TileShape::None);
+    EXPECT_EQ(tileset.shapeOf(2), TileShape::Polygon);
+    EXPECT_EQ(tileset.find(2)->polygons.size(), 2u);
+    EXPECT_EQ(tileset.shapeOf(4), TileShape::None);
     EXPECT_EQ(tileset.shapeOf(3), TileShape::Polygon);
     EXPECT_TRUE(tileset.find(1)->hasFlag("hazard"));
     EXPECT_EQ(tileset.find(1)->property("damage"), "2");
@@ -88,7 +91,9 @@ TEST(Tileset, outlinesAreClockwiseAndSlopesMeetAtTheirEdges) {
     for (std::size_t i = 1; i < tileShapeNames().size(); ++i) {
         Tile tile;
         tile.shape = static_cast<TileShape>(i);
-        const std::vector<Vec2> points = outlineOf(tile, size);
+        const std::vector<std::vector<Vec2>> outlines = outlinesOf(tile, size);
+        ASSERT_EQ(outlines.size(), 1u);
+        const std::vector<Vec2>& points = outlines.front();
         ASSERT_GE(points.size(), 3u);
         float area = 0.0f;
         for (std::size_t k = 0; k < points.size(); ++k)
@@ -99,9 +104,9 @@ TEST(Tileset, outlinesAreClockwiseAndSlopesMeetAtTheirEdges) {
     low.shape = TileShape::SlopeUpLow;
     Tile high;
     high.shape = TileShape::SlopeUpHigh;
-    EXPECT_EQ(outlineOf(low, size).front(), (Vec2{16, 8}));
-    EXPECT_EQ(outlineOf(high, size).front(), (Vec2{0, 8}));
-    EXPECT_EQ(outlineOf(high, size)[1], (Vec2{16, 0}));
+    EXPECT_EQ(outlinesOf(low, size)[0].front(), (Vec2{16, 8}));
+    EXPECT_EQ(outlinesOf(high, size)[0].front(), (Vec2{0, 8}));
+    EXPECT_EQ(outlinesOf(high, size)[0][1], (Vec2{16, 0}));
 }
 
 TEST(Tileset, unknownPropertiesAreReportedAndWrittenBack) {

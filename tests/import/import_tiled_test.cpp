@@ -363,33 +363,6 @@ TEST_F(ImportTiledTest, defaultPropertiesOfClassesAreReadFromTheTiledProject) {
     EXPECT_EQ(report->problems.size(), 1u) << report->text();
 }
 
-TEST_F(ImportTiledTest, theShapesOfATileBecomeOneOutline) {
-    ASSERT_TRUE(
-        writeFile(folder_.path / "art/level.tmx",
-                  R"(<map orientation="orthogonal" width="1" height="1" tilewidth="16" tileheight="16">
- <tileset firstgid="1" name="land" tilewidth="16" tileheight="16"><image source="sheet.png"/>
-  <tile id="0"><objectgroup><object id="1" x="0" y="8" width="16" height="8"/>
-   <object id="2" x="8" y="0" width="8" height="8"/></objectgroup></tile>
-  <tile id="1"><objectgroup><object id="1" x="0" y="0" width="16" height="6"/>
-   <object id="2" x="0" y="6" width="16" height="10"/></objectgroup></tile>
-  <tile id="2"><objectgroup><object id="1" x="0" y="0" width="4" height="4"/>
-   <object id="2" x="8" y="8"><polygon points="0,0 8,0 8,8"/></object></objectgroup></tile>
-  <tile id="3"><objectgroup><object id="1" x="-4" y="8" width="24" height="12"/></objectgroup></tile>
- </tileset><layer name="ground" width="1" height="1"><data encoding="csv">1</data></layer></map>)")
-            .ok());
-    const Result<ImportReport> report = import();
-    ASSERT_TRUE(report.ok()) << report.error().text();
-    const Json tiles = read(project_ / "assets/level/land.tileset.json")["tiles"];
-    EXPECT_EQ(tiles[0]["collision"].dump(), "[[0,8],[8,8],[8,0],[16,0],[16,16],[0,16]]");
-    EXPECT_EQ(tiles[1]["collision"], "full");
-    EXPECT_EQ(tiles[2]["collision"].dump(), "[[8,8],[16,8],[16,16]]");
-    EXPECT_EQ(tiles[3]["collision"].dump(), "[[0,8],[16,8],[16,16],[0,16]]");
-    const std::string text = report->text();
-    EXPECT_EQ(report->problems.size(), 2u) << text;
-    EXPECT_NE(text.find("tile 2: the tile has several collision shapes"), std::string::npos) << text;
-    EXPECT_NE(text.find("tile 3: the collision shape reaches out"), std::string::npos) << text;
-}
-
 TEST_F(ImportTiledTest, whatIsSaidOfManyPlacesIsOneLine) {
     ImportReport report;
     for (int i = 0; i < 9; ++i) report.problems.push_back({format("tile {}", i), "it is odd", "mend it"});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "assets/asset_store.hpp"
 #include "core/log.hpp"
 #include "core/random.hpp"
 #include "ecs/hierarchy.hpp"
@@ -304,6 +305,52 @@ TEST(PhysicsBridge, tileLayersAreSolidAndFollowChanges) {
     for (int x = 0; x < 20; ++x) edited.set(x, 3, 0);
     run(world, 30);
     EXPECT_GT(ball.get<Transform>().position.y, 60.0f);
+}
+
+TEST(PhysicsBridge, concaveTilesAndTilesOfSeveralPolygonsHoldWhatFallsIntoThem) {
+    World world;
+    AssetStore assets{"."};
+    world.provide(assets);
+    world.addSystem<PhysicsSystem>();
+    Tileset tileset;
+    tileset.count = 3;
+    const std::vector<std::vector<Vec2>> cup{
+        {{0, 0}, {3, 0}, {3, 12}, {13, 12}, {13, 0}, {16, 0}, {16, 16}, {0, 16}}};
+    const std::vector<std::vector<Vec2>> parts{{{0, 0}, {3, 0}, {3, 14}, {0, 14}},
+                                               {{13, 0}, {16, 0}, {16, 14}, {13, 14}},
+                                               {{0, 12}, {16, 12}, {16, 16}, {0, 16}}};
+    const std::vector<std::vector<Vec2>> outside{{{0, 0}, {40, 0}, {0, 16}}};
+    for (const auto& polygons : {cup, parts, outside}) {
+        Tile tile;
+        tile.id = static_cast<int>(tileset.tiles.size());
+        tile.shape = TileShape::Polygon;
+        tile.polygons = polygons;
+        tileset.tiles.push_back(tile);
+    }
+    TileGrid grid{20, 4};
+    grid.set(2, 3, cellOf(0));
+    grid.set(5, 3, cellOf(1));
+    grid.set(8, 3, cellOf(0, kTileFlipY));
+    Entity level = world.createEntity();
+    level.addComponent<Transform>(0.0f, 0.0f);
+    TileLayer& layer = level.addComponent<TileLayer>();
+    layer.tileset = assets.addTileset("test", tileset);
+    layer.cells = world.tiles().add(grid);
+    const TilesId cells = layer.cells;
+    level.addComponent<TileCollider>();
+    const Entity inCup = falling(world, {40, 30}, 4);
+    const Entity inParts = falling(world, {88, 30}, 4);
+    const Entity onTop = falling(world, {136, 30}, 4);
+    run(world, 60);
+    EXPECT_NEAR(inCup.get<Transform>().position.y, 56.0f, 0.1f);
+    EXPECT_NEAR(inParts.get<Transform>().position.y, 56.0f, 0.1f);
+    EXPECT_NEAR(onTop.get<Transform>().position.y, 44.0f, 0.1f);
+    EXPECT_TRUE(world.resource<PhysicsState>().refused.empty());
+
+    world.tiles().edit(cells)->set(11, 3, cellOf(2));
+    run(world, 1);
+    EXPECT_EQ(world.resource<PhysicsState>().refused.size(), 1u)
+        << "a tile whose polygon leaves the cell is reported";
 }
 
 TEST(PhysicsBridge, aSnapshotReplaysEqually) {

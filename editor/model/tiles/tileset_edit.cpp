@@ -59,15 +59,16 @@ void setShape(Tileset& tileset, std::span<const int> tiles, TileShape shape) {
     for (const int id : tiles) {
         Tile& tile = tileIn(tileset, id);
         tile.shape = shape;
-        tile.polygon.clear();
+        tile.polygons.clear();
     }
 }
 
-void setPolygon(Tileset& tileset, std::span<const int> tiles, const std::vector<Vec2>& points) {
+void setPolygons(Tileset& tileset, std::span<const int> tiles, std::vector<std::vector<Vec2>> polygons) {
+    std::erase_if(polygons, [](const std::vector<Vec2>& polygon) { return polygon.size() < 3; });
     for (const int id : tiles) {
         Tile& tile = tileIn(tileset, id);
-        tile.shape = points.size() < 3 ? TileShape::None : TileShape::Polygon;
-        tile.polygon = points.size() < 3 ? std::vector<Vec2>{} : points;
+        tile.shape = polygons.empty() ? TileShape::None : TileShape::Polygon;
+        tile.polygons = polygons;
     }
 }
 

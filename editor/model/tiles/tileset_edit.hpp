@@ -23,9 +23,9 @@ void tidy(Tileset& tileset);
 
 /// Sets the collision shape of tiles, and removes their polygons.
 void setShape(Tileset& tileset, std::span<const int> tiles, TileShape shape);
-/// Sets a polygon as the collision shape of tiles; fewer than 3 points: no shape. @param points  px in the
-/// tile
-void setPolygon(Tileset& tileset, std::span<const int> tiles, const std::vector<Vec2>& points);
+/// Sets polygons as the collision shape of tiles; those of fewer than 3 points are left out, and without any
+/// the tiles have no shape. @param polygons  px in the tile
+void setPolygons(Tileset& tileset, std::span<const int> tiles, std::vector<std::vector<Vec2>> polygons);
 /// Sets a property of tiles. @param json  the value as JSON text; empty removes the property
 void setProperty(Tileset& tileset, std::span<const int> tiles, std::string_view name, std::string_view json);
 

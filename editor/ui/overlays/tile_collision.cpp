@@ -31,9 +31,10 @@ void drawCell(const Tileset& tileset, TileCell cell, const AABB& box, Overlay& o
     const auto placed = [&](Vec2 point) {
         return box.min + scaled(flipped({point.x / size.x, point.y / size.y}, cell), box.size());
     };
-    const std::vector<Vec2> outline = outlineOf(*tile, size);
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        overlay.line(placed(outline[i]), placed(outline[(i + 1) % outline.size()]), color);
+    for (const std::vector<Vec2>& outline : outlinesOf(*tile, size)) {
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            overlay.line(placed(outline[i]), placed(outline[(i + 1) % outline.size()]), color);
+    }
     if (!oneWay) return;
     const Vec2 middle = box.center();
     overlay.arrow({middle.x, box.max.y - box.size().y * 0.25f}, {middle.x, box.min.y}, color);

@@ -63,9 +63,10 @@ bool shapeButton(Ui& ui, TileShape shape, bool on) {
     const float room = side - 2.0f * inset;
     Tile tile;
     tile.shape = shape;
-    const std::vector<Vec2> points = outlineOf(tile, {room, room});
     std::vector<ImVec2> corners;
-    for (const Vec2 point : points) corners.push_back({at.x + inset + point.x, at.y + inset + point.y});
+    for (const std::vector<Vec2>& points : outlinesOf(tile, {room, room})) {
+        for (const Vec2 point : points) corners.push_back({at.x + inset + point.x, at.y + inset + point.y});
+    }
     const ImU32 color = on ? palette::kAccent : palette::kTextDim;
     if (shape == TileShape::OneWay) {
         list.AddLine({at.x + inset, at.y + inset + 1.0f}, {at.x + side - inset, at.y + inset + 1.0f}, color,
@@ -98,7 +99,7 @@ void drawShapes(Ui& ui, const Tileset& tileset, std::span<const int> chosen) {
     }
 }
 
-/// Edits the collision polygon of the first selected tile: drag
+/// Edits the collision polygons of the first selected tile: drag
 /// moves a corner, double-click adds one, right-click removes one.
 class PolygonEditor {
 public:
@@ -110,31 +111,38 @@ public:
         zoom_ = zoom;
         const bool clicked = ImGui::InvisibleButton("polygon", {size.x * zoom, size.y * zoom});
         static_cast<void>(clicked);
-        ui.widgets.mark("Tileset/polygon", format("{}", points_.size()));
+        ui.widgets.mark("Tileset/polygon", format("{}", polygons_.empty() ? 0 : polygons_.front().size()));
         tooltip("Drag a corner to move it; double-click adds one, right-click removes one.");
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled(at, {at.x + size.x * zoom, at.y + size.y * zoom}, palette::kCanvas);
         drawTile(ui, list, tileset, cellOf(chosen.front()), {from_, from_ + size * zoom});
-        if (!grabbed_) points_ = outlineOf(firstOf(tileset, chosen), size);
+        if (!grabbed_) polygons_ = outlinesOf(firstOf(tileset, chosen), size);
         const bool changed = edit(size);
         drawPoints(list);
         if (!changed) return;
         const std::vector<int> tiles{chosen.begin(), chosen.end()};
         changeTileset(ui.workspace, "edit collision shape",
-                      [&](Tileset& set) { setPolygon(set, tiles, points_); });
+                      [&](Tileset& set) { setPolygons(set, tiles, polygons_); });
         ui.workspace.undo.endGesture();
     }
 
 private:
+    struct Corner {
+        std::size_t polygon = 0;
+        std::size_t index = 0;  // in the polygon
+    };
+
     [[nodiscard]] Vec2 mouse(Vec2 size) const {
         const ImVec2 at = ImGui::GetIO().MousePos;
         const Vec2 point = (Vec2{at.x, at.y} - from_) / zoom_;
         return {std::clamp(std::round(point.x), 0.0f, size.x), std::clamp(std::round(point.y), 0.0f, size.y)};
     }
-    /// Returns the index of the corner at a point.
-    [[nodiscard]] std::optional<std::size_t> nearest(Vec2 point) const {
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            if (lengthSquared(points_[i] - point) <= 2.5f) return i;
+    /// Returns the corner at a point.
+    [[nodiscard]] std::optional<Corner> nearest(Vec2 point) const {
+        for (std::size_t p = 0; p < polygons_.size(); ++p) {
+            for (std::size_t i = 0; i < polygons_[p].size(); ++i) {
+                if (lengthSquared(polygons_[p][i] - point) <= 2.5f) return Corner{p, i};
+            }
         }
         return std::nullopt;
     }
@@ -145,48 +153,56 @@ private:
         if (ImGui::IsItemActivated()) grabbed_ = nearest(point);
         if (const auto corner = nearest(point);
             corner && ImGui::IsItemHovered() && ImGui::IsMouseClicked(1)) {
-            points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(*corner));
+            std::vector<Vec2>& points = polygons_[corner->polygon];
+            points.erase(points.begin() + static_cast<std::ptrdiff_t>(corner->index));
             grabbed_.reset();  // its index may be that of another corner now, or of none
             return true;
         }
         if (!grabbed_) return false;
-        points_[*grabbed_] = point;
+        polygons_[grabbed_->polygon][grabbed_->index] = point;
         if (ImGui::IsItemActive()) return false;
         grabbed_.reset();
         return true;
     }
     /// Inserts a corner into the nearest side; without a shape, creates a triangle.
     bool insert(Vec2 point) {
-        if (points_.size() < 3) {
-            points_ = {point, point + Vec2{6.0f, 0.0f}, point + Vec2{0.0f, 6.0f}};
+        if (polygons_.empty()) {
+            polygons_ = {{point, point + Vec2{6.0f, 0.0f}, point + Vec2{0.0f, 6.0f}}};
             return true;
         }
-        std::size_t best = 0;
+        Corner best;
         float least = 1e30f;
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            const Vec2 a = points_[i];
-            const Vec2 along = points_[(i + 1) % points_.size()] - a;
-            const float t =
-                std::clamp(dot(point - a, along) / std::max(lengthSquared(along), 1e-6f), 0.0f, 1.0f);
-            const float away = lengthSquared(a + along * t - point);
-            if (away < least) least = away, best = i;
+        for (std::size_t p = 0; p < polygons_.size(); ++p) {
+            const std::vector<Vec2>& points = polygons_[p];
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const Vec2 along = points[(i + 1) % points.size()] - points[i];
+                const float t = std::clamp(
+                    dot(point - points[i], along) / std::max(lengthSquared(along), 1e-6f), 0.0f, 1.0f);
+                const float away = lengthSquared(points[i] + along * t - point);
+                if (away < least) least = away, best = {p, i};
+            }
         }
-        points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(best) + 1, point);
+        std::vector<Vec2>& points = polygons_[best.polygon];
+        points.insert(points.begin() + static_cast<std::ptrdiff_t>(best.index) + 1, point);
         return true;
     }
     void drawPoints(ImDrawList& list) const {
-        const auto at = [&](std::size_t i) {
-            const Vec2 point = from_ + points_[i % points_.size()] * zoom_;
+        const auto placed = [&](Vec2 corner) {
+            const Vec2 point = from_ + corner * zoom_;
             return ImVec2{point.x, point.y};
         };
-        for (std::size_t i = 0; i < points_.size(); ++i) list.AddLine(at(i), at(i + 1), palette::kPlay, 2.0f);
-        for (std::size_t i = 0; i < points_.size(); ++i) list.AddCircleFilled(at(i), 4.0f, palette::kText);
+        for (const std::vector<Vec2>& points : polygons_) {
+            for (std::size_t i = 0; i < points.size(); ++i)
+                list.AddLine(placed(points[i]), placed(points[(i + 1) % points.size()]), palette::kPlay,
+                             2.0f);
+            for (const Vec2 point : points) list.AddCircleFilled(placed(point), 4.0f, palette::kText);
+        }
     }
 
-    std::vector<Vec2> points_;
+    std::vector<std::vector<Vec2>> polygons_;
     Vec2 from_;
     float zoom_ = 1.0f;
-    std::optional<std::size_t> grabbed_;  // index of the corner that is dragged
+    std::optional<Corner> grabbed_;  // the corner that is dragged
 };
 
 void labelBefore(const Ui& ui, const char* label) {

@@ -148,18 +148,19 @@ private:
 
     static void drawOutline(const Tileset& tileset, const Tile& tile, const AABB& box) {
         const Vec2 size{static_cast<float>(tileset.tileWidth), static_cast<float>(tileset.tileHeight)};
-        const std::vector<Vec2> points = outlineOf(tile, size);
         const bool oneWay = tile.oneWay || tile.shape == TileShape::OneWay;
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        const auto at = [&](std::size_t i) {
-            const Vec2 point = points[i % points.size()];
+        const auto at = [&](Vec2 point) {
             const Vec2 inner = box.size() - Vec2{2.0f, 2.0f};
             return ImVec2{box.min.x + 1.0f + inner.x * point.x / size.x,
                           box.min.y + 1.0f + inner.y * point.y / size.y};
         };
-        const std::size_t lines = oneWay && tile.shape == TileShape::OneWay ? 1 : points.size();
-        for (std::size_t i = 0; i < lines; ++i)
-            list.AddLine(at(i), at(i + 1), oneWay ? palette::kOneWay : palette::kSolid, 1.5f);
+        for (const std::vector<Vec2>& points : outlinesOf(tile, size)) {
+            const std::size_t lines = tile.shape == TileShape::OneWay ? 1 : points.size();
+            for (std::size_t i = 0; i < lines; ++i)
+                list.AddLine(at(points[i]), at(points[(i + 1) % points.size()]),
+                             oneWay ? palette::kOneWay : palette::kSolid, 1.5f);
+        }
     }
 
     /// Fills the center, and the side of each neighbour in the mask, in the color of the terrain.

@@ -1,5 +1,6 @@
 #include "import/loaders/tmx_fields.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -79,6 +80,12 @@ bool TmxFields::has(std::string_view name) const { return element_->find(name) !
 std::string TmxFields::text(std::string_view name, std::string_view fallback) const {
     const std::string* found = value(name);
     return found ? *found : std::string{fallback};
+}
+
+std::string TmxFields::path(std::string_view name) const {
+    std::string found = text(name);
+    std::replace(found.begin(), found.end(), '\\', '/');
+    return found;
 }
 
 int TmxFields::whole(std::string_view name, int fallback, int min, int max) const {

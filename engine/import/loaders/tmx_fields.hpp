@@ -21,6 +21,8 @@ public:
 
     [[nodiscard]] bool has(std::string_view name) const;
     [[nodiscard]] std::string text(std::string_view name, std::string_view fallback = {}) const;
+    /// Reads the path of a file. Windows programs may write it with '\\', which becomes '/'.
+    [[nodiscard]] std::string path(std::string_view name) const;
     [[nodiscard]] int whole(std::string_view name, int fallback, int min, int max) const;
     [[nodiscard]] double real(std::string_view name, double fallback) const;
     [[nodiscard]] bool flag(std::string_view name, bool fallback) const;

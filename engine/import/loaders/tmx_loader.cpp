@@ -226,7 +226,7 @@ void TmxReader::readImage(const XmlElement& element, const TmxFile& file, Layer&
     layer.repeatY = from.flag("repeaty", false);
     const XmlElement* image = element.child("image");
     if (image) {
-        layer.image = fields(*image, file).text("source");
+        layer.image = fields(*image, file).path("source");
         if (image->child("data"))
             from.warn("the image is embedded in the file", "save it as a separate file in Tiled");
         layer.transparent = fields(*image, file).color("trans");

@@ -47,7 +47,7 @@ bool TmxReader::readObject(const XmlElement& element, const TmxFile& file, Objec
     }
     --objectsLeft_;
     // A template supplies all fields that the object does not set. Templates cannot use templates.
-    if (const std::string name = from.text("template"); !name.empty() && templateTileset == kGlobalId) {
+    if (const std::string name = from.path("template"); !name.empty() && templateTileset == kGlobalId) {
         object = templateOf(name, file).object;
         object.templateFile = name;
     }

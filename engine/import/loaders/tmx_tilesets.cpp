@@ -79,7 +79,7 @@ void TmxReader::readTileset(const XmlElement& element, const TmxFile& file) {
 }
 
 int TmxReader::tilesetOf(const XmlElement& reference, const TmxFile& file) {
-    const std::string source = fields(reference, file).text("source");
+    const std::string source = fields(reference, file).path("source");
     const Path path = (file.folder / source).lexically_normal();
     for (std::size_t i = 0; i < map_.tilesets.size(); ++i) {
         if (map_.tilesets[i].file == path) return static_cast<int>(i);
@@ -122,7 +122,7 @@ void TmxReader::readTilesetFields(const XmlElement& element, const TmxFile& file
             tileset.offsetX = inner.whole("x", 0, -kMaxOffset, kMaxOffset);
             tileset.offsetY = inner.whole("y", 0, -kMaxOffset, kMaxOffset);
         } else if (child.name == "image") {
-            tileset.image = inner.text("source");
+            tileset.image = inner.path("source");
             tellPicture(child, inner);
             tileset.transparent = inner.color("trans");
             tileset.imageWidth = inner.whole("width", 0, 0, limits::kImageSide);
@@ -164,7 +164,7 @@ void TmxReader::readTile(const XmlElement& element, const TmxFile& file, tiled::
     }
     if (const XmlElement* image = element.child("image")) {
         const TmxFields inner = fields(*image, file);
-        tile.image = inner.text("source");
+        tile.image = inner.path("source");
         tellPicture(*image, inner);
         tile.transparent = inner.color("trans");
         tile.width = inner.whole("width", 0, 0, limits::kImageSide);

@@ -25,17 +25,15 @@ public:
         if (cell.form == TileForm::Full && isInside(number)) return;
         const TileOutline& outline = palette_.outline(cell.form);
         const EdgeKind kind{cell.material, cell.layers, outline.oneWay, 0};
-        for (int i = 0; i < outline.count; ++i) {
-            if ((outline.stops >> i & 1) == 0) continue;
-            const CellSide side = outline.sides[static_cast<std::size_t>(i)];
-            const GridPoint a = corner + outline.corner(i);
-            const GridPoint b = corner + outline.cornerAfter(i);
-            if (side == kInside) {
-                edges_.push_back({a, b, kind});
+        for (const TileOutline::Edge& edge : outline.edges) {
+            if (!edge.stops) continue;
+            if (edge.side == kInside) {
+                edges_.push_back({corner + edge.a, corner + edge.b, kind});
             } else {
-                const std::int32_t from = alongFirst(side, a - corner).x, to = alongFirst(side, b - corner).x;
-                appendSide(corner, side, {std::min(from, to), std::max(from, to)}, kind,
-                           maskCellOf(number[toNeighbour_[side]]));
+                const std::int32_t from = alongFirst(edge.side, edge.a).x;
+                const std::int32_t to = alongFirst(edge.side, edge.b).x;
+                appendSide(corner, edge.side, {std::min(from, to), std::max(from, to)}, kind,
+                           maskCellOf(number[toNeighbour_[edge.side]]));
             }
         }
     }
@@ -51,23 +49,28 @@ private:
     }
 
     void appendSide(GridPoint corner, CellSide side, FaceSpan own, EdgeKind kind, MaskCell neighbour) {
-        const FaceSpan other =
+        const std::vector<FaceSpan>& others =
             palette_.outline(neighbour.form).spans[static_cast<std::size_t>((side + 2) % 4)];
-        const FaceSpan both{std::max(own.from, other.from), std::min(own.to, other.to)};
-        if (both.from > both.to) {
-            edges_.push_back(alongSide(corner, side, own, kind));
-            return;
+        FaceSpan open = own;  // the part that no span of the neighbour has covered yet
+        for (const FaceSpan other : others) {
+            const FaceSpan both = sharedPart(own, other);
+            if (both.from > both.to) continue;
+            // If the neighbour touches the side in one point, `both` is that point and splits the side.
+            open.to = both.from;
+            if (!open.empty()) edges_.push_back(alongSide(corner, side, open, kind));
+            open = {both.to, own.to};
         }
-        // If the neighbour touches the side in one point, `both` is that point and splits the side.
-        const FaceSpan first{own.from, both.from};
-        const FaceSpan last{both.to, own.to};
-        if (!first.empty()) edges_.push_back(alongSide(corner, side, first, kind));
-        if (!last.empty()) edges_.push_back(alongSide(corner, side, last, kind));
-        if (!both.empty() && neighbour.layers != kind.layers &&
-            !palette_.covers(neighbour.layers, kind.layers)) {
-            kind.behind = static_cast<std::uint8_t>(neighbour.layers + 1);
-            edges_.push_back(alongSide(corner, side, both, kind));
+        if (!open.empty()) edges_.push_back(alongSide(corner, side, open, kind));
+        if (neighbour.layers == kind.layers || palette_.covers(neighbour.layers, kind.layers)) return;
+        kind.behind = static_cast<std::uint8_t>(neighbour.layers + 1);
+        for (const FaceSpan other : others) {
+            const FaceSpan both = sharedPart(own, other);
+            if (!both.empty()) edges_.push_back(alongSide(corner, side, both, kind));
         }
+    }
+
+    static FaceSpan sharedPart(FaceSpan a, FaceSpan b) {
+        return {std::max(a.from, b.from), std::min(a.to, b.to)};
     }
 
     const TilePalette& palette_;
@@ -97,7 +100,8 @@ public:
 
     explicit Vertex(GridPoint back) : back_{back} {}
 
-    /// There are at most four: each cell at a grid point has at most one edge that starts (or ends) there.
+    /// Each of at most four cells at a point has at most TilePalette::kMaxTouching edges that start (or end)
+    /// there.
     void add(const Candidate& candidate) {
         if (!candidates_.full()) candidates_.push(candidate);
     }
@@ -129,7 +133,7 @@ public:
 
 private:
     GridPoint back_;  // the edge reversed: from its end to its start
-    FixedList<Candidate, 4> candidates_;
+    FixedList<Candidate, 4 * TilePalette::kMaxTouching> candidates_;
 };
 
 bool isPlain(EdgeKind kind) { return kind.isPlain(); }

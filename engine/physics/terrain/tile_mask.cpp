@@ -10,7 +10,7 @@ namespace plumb::physics {
 namespace {
 
 constexpr std::int32_t kSnap = kCellUnits / 256;  // units: corners this near to a border move onto it
-constexpr std::size_t kMaxPoints = 256;           // maximum number of input points; at most 8 of them remain
+constexpr std::size_t kMaxConvexCorners = 8;      // of addPolygon()
 
 CellSide sideOf(GridPoint a, GridPoint b) {
     for (const CellSide side : {kTop, kRight, kBottom, kLeft}) {
@@ -20,29 +20,34 @@ CellSide sideOf(GridPoint a, GridPoint b) {
     return kInside;
 }
 
-/// Returns the part of a side that a solid outline fills, or the point at which it touches the side.
-FaceSpan spanOf(const TileOutline& outline, CellSide side) {
-    FaceSpan span{kCellUnits, 0};
-    for (int i = 0; i < outline.count && outline.isSolid(); ++i) {
-        const auto [along, across] = alongFirst(side, outline.corner(i));
-        if (across == lineOf(side)) span = {std::min(span.from, along), std::max(span.to, along)};
+/// Returns the parts of a side that a solid outline fills, and the points at which it touches the side.
+std::vector<FaceSpan> spansOf(const TileOutline& outline, CellSide side) {
+    std::vector<FaceSpan> spans;
+    if (!outline.isSolid()) return spans;
+    for (const TileOutline::Edge& edge : outline.edges) {
+        if (edge.side != side) continue;
+        const std::int32_t from = alongFirst(side, edge.a).x, to = alongFirst(side, edge.b).x;
+        spans.push_back({std::min(from, to), std::max(from, to)});
     }
-    return span.from <= span.to ? span : FaceSpan{};
+    for (const TileOutline::Edge& edge : outline.edges) {
+        const auto [along, across] = alongFirst(side, edge.a);
+        const auto holds = [place = along](FaceSpan span) { return span.from <= place && place <= span.to; };
+        if (across == lineOf(side) && std::none_of(spans.begin(), spans.end(), holds))
+            spans.push_back({along, along});
+    }
+    std::sort(spans.begin(), spans.end(), [](FaceSpan a, FaceSpan b) { return a.from < b.from; });
+    return spans;
 }
 
-/// Computes the members that follow from the corners and `oneWay`.
+/// Computes the members that follow from the ends of the edges and `oneWay`.
 TileOutline completed(TileOutline outline) {
-    outline.stops = 0;
-    for (int i = 0; i < outline.count; ++i) {
-        const GridPoint a = outline.corner(i);
-        const GridPoint b = outline.cornerAfter(i);
-        const GridPoint outward{b.y - a.y, a.x - b.x};
-        const bool stops = outline.isSolid() || dot(outward, directionOf(outline.oneWay)) > 0;
-        if (stops) outline.stops = static_cast<std::uint8_t>(outline.stops | 1u << i);
-        outline.sides[static_cast<std::size_t>(i)] = sideOf(a, b);
+    for (TileOutline::Edge& edge : outline.edges) {
+        const GridPoint outward{edge.b.y - edge.a.y, edge.a.x - edge.b.x};
+        edge.stops = outline.isSolid() || dot(outward, directionOf(outline.oneWay)) > 0;
+        edge.side = sideOf(edge.a, edge.b);
     }
     for (const CellSide side : {kTop, kRight, kBottom, kLeft})
-        outline.spans[static_cast<std::size_t>(side)] = spanOf(outline, side);
+        outline.spans[static_cast<std::size_t>(side)] = spansOf(outline, side);
     return outline;
 }
 
@@ -77,20 +82,29 @@ bool isConvex(std::span<const GridPoint> points) {
     return true;
 }
 
-/// Returns the outline of corners in units, with count 0 if it is not convex. It starts at the topmost
+/// Returns the outline of corners in units, without edges if it is not convex. It starts at the topmost
 /// corner (of several, the leftmost), so that forms of equal shape are equal.
 TileOutline outlineFrom(std::vector<GridPoint> points, OneWay oneWay) {
     dropNeedless(points);
     if (doubleAreaOf(points) < 0) std::reverse(points.begin(), points.end());
-    const bool good = points.size() >= 3 && points.size() <= TileOutline::kMaxCorners && isConvex(points);
+    const bool good = points.size() >= 3 && points.size() <= kMaxConvexCorners && isConvex(points);
     if (!good || doubleAreaOf(points) == 0) return {};
     const auto isFirst = [](GridPoint a, GridPoint b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
     std::rotate(points.begin(), std::min_element(points.begin(), points.end(), isFirst), points.end());
     TileOutline outline;
-    outline.count = static_cast<std::uint8_t>(points.size());
     outline.oneWay = oneWay;
-    std::copy(points.begin(), points.end(), outline.corners.begin());
-    return completed(outline);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        outline.edges.push_back({points[i], points[(i + 1) % points.size()]});
+    return completed(std::move(outline));
+}
+
+/// Returns the outline of edges that boundaryOf() returned.
+TileOutline outlineFrom(std::span<const GridEdge> edges, OneWay oneWay) {
+    if (TileOutline convex = outlineFrom(ringOf(edges), oneWay); !convex.edges.empty()) return convex;
+    TileOutline outline;
+    for (const GridEdge& edge : edges) outline.edges.push_back({edge.a, edge.b});
+    outline.oneWay = oneWay;
+    return completed(std::move(outline));
 }
 
 /// Converts a fraction of the cell to units. @return -1 for a position outside the cell, or NaN
@@ -100,6 +114,20 @@ std::int32_t toUnits(float part) {
     if (units < -kSnap || units > kCellUnits + kSnap) return -1;
     if (units <= kSnap) return 0;
     return units >= kCellUnits - kSnap ? kCellUnits : units;
+}
+
+/// Converts corners to units. @error a corner is outside the cell or not a number
+Result<std::vector<GridPoint>> toUnits(std::span<const Vec2> points) {
+    std::vector<GridPoint> corners;
+    corners.reserve(points.size());
+    for (const Vec2 point : points) {
+        const GridPoint corner{toUnits(point.x), toUnits(point.y)};
+        if (corner.x < 0 || corner.y < 0)
+            return Error{"TilePalette", "a corner is outside the cell or not a number",
+                         "pass corners as fractions of the cell, 0 to 1"};
+        corners.push_back(corner);
+    }
+    return corners;
 }
 
 /// Returns the index of a value in a list; appends it if it is new. @error the list has `maximum` values
@@ -193,32 +221,59 @@ Result<TileForm> TilePalette::add(const TileOutline& outline) {
 }
 
 Result<TileForm> TilePalette::addPolygon(std::span<const Vec2> points, OneWay oneWay) {
-    std::vector<GridPoint> corners;
-    corners.reserve(kMaxPoints);
-    for (const Vec2 point : points.first(std::min(points.size(), kMaxPoints))) {
-        const GridPoint corner{toUnits(point.x), toUnits(point.y)};
-        if (corner.x < 0 || corner.y < 0) {
-            return Error{"TilePalette::addPolygon", "a corner is outside the cell or not a number",
-                         "pass corners as fractions of the cell, 0 to 1"};
-        }
-        corners.push_back(corner);
-    }
-    const TileOutline outline = outlineFrom(std::move(corners), oneWay);
-    if (outline.count == 0 || points.size() > kMaxPoints) {
+    const Result<std::vector<GridPoint>> corners =
+        toUnits(points.first(std::min(points.size(), kMaxCorners)));
+    if (!corners) return corners.error();
+    const TileOutline outline = outlineFrom(*corners, oneWay);
+    if (outline.edges.empty() || points.size() > kMaxCorners) {
         return Error{"TilePalette::addPolygon", "the points do not form a convex polygon of 3 to 8 corners",
                      "list the corners in order, without concave corners"};
     }
     return add(outline);
 }
 
+Result<TileForm> TilePalette::addPolygons(std::span<const std::vector<Vec2>> polygons, OneWay oneWay) {
+    std::vector<std::vector<GridPoint>> all;
+    std::size_t count = 0;
+    for (const std::vector<Vec2>& polygon : polygons) {
+        count += polygon.size();
+        if (count > kMaxCorners)
+            return Error{"TilePalette", format("a tile form has more than {} corners", kMaxCorners),
+                         "draw its shapes with fewer corners"};
+        Result<std::vector<GridPoint>> corners = toUnits(polygon);
+        if (!corners) return corners.error();
+        all.push_back(std::move(*corners));
+    }
+    if (all.size() == 1) {
+        if (const TileOutline convex = outlineFrom(all.front(), oneWay); !convex.edges.empty())
+            return add(convex);
+    }
+    const auto edges = boundaryOf(all);
+    if (!edges)
+        return Error{"TilePalette", "the outlines of a tile form cross each other in too many places",
+                     "draw fewer shapes that do not cross"};
+    if (edges->empty())
+        return Error{"TilePalette", "the shapes of a tile form have no area", "draw them as areas"};
+    if (mostFromOnePoint(*edges) > kMaxTouching)
+        return Error{"TilePalette",
+                     format("more than {} outlines of a tile form meet in one point", kMaxTouching),
+                     "move the shapes of the tile apart"};
+    return add(outlineFrom(*edges, oneWay));
+}
+
 Result<TileForm> TilePalette::flipped(TileForm form, TileCell flips) {
     PLUMB_ASSERT(hasForm(form), "the form is not in this palette");
     if (!hasForm(form) || form == TileForm::Empty || (flips & kTileFlips) == 0) return form;
     const TileOutline& outline = forms_[static_cast<std::size_t>(form)];
-    std::vector<GridPoint> corners;
-    corners.reserve(outline.count);
-    for (int i = 0; i < outline.count; ++i) corners.push_back(flippedPoint(outline.corner(i), flips));
-    return add(outlineFrom(std::move(corners), outline.oneWay));
+    const bool isMirrored = std::popcount(flips & kTileFlips) % 2 == 1;
+    std::vector<GridEdge> edges;
+    edges.reserve(outline.edges.size());
+    for (const TileOutline::Edge& edge : outline.edges) {
+        const GridPoint a = flippedPoint(edge.a, flips), b = flippedPoint(edge.b, flips);
+        edges.push_back(isMirrored ? GridEdge{b, a} : GridEdge{a, b});
+    }
+    sortEdges(edges);
+    return add(outlineFrom(edges, outline.oneWay));
 }
 
 Result<TileForm> TilePalette::withOneWay(TileForm form, OneWay oneWay) {

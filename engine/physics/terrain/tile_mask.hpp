@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "math/polygon_union.hpp"
 #include "math/tile_grid.hpp"
 #include "math/vec2.hpp"
 
@@ -17,23 +18,6 @@ namespace plumb::physics {
 /// exactly, areas are exact sums and a rebuild gives the same bits. All common tile sizes (16, 18, 20, 24,
 /// 32, 48, 64 px …) divide the value, 2^8 * 45, so that their pixels are whole numbers of units too.
 inline constexpr std::int32_t kCellUnits = 11520;
-
-/// A position in a terrain (units from its top-left corner, y down).
-struct GridPoint {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-
-    friend constexpr bool operator==(GridPoint, GridPoint) = default;
-};
-
-constexpr GridPoint operator+(GridPoint a, GridPoint b) { return {a.x + b.x, a.y + b.y}; }
-constexpr GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
-constexpr std::int64_t dot(GridPoint a, GridPoint b) {
-    return std::int64_t{a.x} * b.x + std::int64_t{a.y} * b.y;
-}
-constexpr std::int64_t cross(GridPoint a, GridPoint b) {
-    return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-}
 
 constexpr GridPoint cornerOfCell(int x, int y) { return {x * kCellUnits, y * kCellUnits}; }  // top left
 
@@ -90,7 +74,7 @@ struct TileLayers {
 };
 
 /// The part of a side of a cell that a solid form fills (units, from left to right or from top to bottom).
-/// Empty if only a corner touches the side (both numbers are its position), or nothing does (both are 0).
+/// Empty if only a corner touches the side (both numbers are its position).
 struct FaceSpan {
     std::int32_t from = 0;
     std::int32_t to = 0;
@@ -109,20 +93,25 @@ constexpr GridPoint alongFirst(CellSide side, GridPoint point) {
     return side == kTop || side == kBottom ? point : GridPoint{point.y, point.x};
 }
 
-/// The geometry of a form: convex corners, clockwise on screen, within the cell.
+/// The geometry of a form within the cell: closed outlines that do not cross. Forms that are one convex
+/// polygon begin at its topmost corner (of several, the leftmost) and go around it, clockwise on screen.
 struct TileOutline {
-    static constexpr int kMaxCorners = 8;
+    /// Seen from a to b on screen (y down), the solid is on the right.
+    struct Edge {
+        GridPoint a;
+        GridPoint b;
+        CellSide side = kInside;  ///< the cell side on which the edge lies
+        bool stops = true;        ///< the edge stops bodies; true for all edges of a solid form
 
-    std::array<GridPoint, kMaxCorners> corners{};
-    std::array<CellSide, kMaxCorners> sides{};  ///< per corner: the cell side of the edge that starts there
-    std::array<FaceSpan, 4> spans{};  ///< the part of each side that the form fills; empty for one-way forms
-    std::uint8_t count = 0;
-    std::uint8_t stops = 0;  ///< bit i: the edge from corner i stops bodies; all set if solid
+        friend constexpr bool operator==(const Edge&, const Edge&) = default;
+    };
+
+    std::vector<Edge> edges;
+    /// The parts of each side that a solid form fills or touches, in order; empty for one-way forms.
+    std::array<std::vector<FaceSpan>, 4> spans;
     OneWay oneWay = OneWay::No;
 
-    [[nodiscard]] bool isSolid() const { return count > 0 && oneWay == OneWay::No; }
-    [[nodiscard]] GridPoint corner(int i) const { return corners[static_cast<std::size_t>(i)]; }
-    [[nodiscard]] GridPoint cornerAfter(int i) const { return corner(i + 1 < count ? i + 1 : 0); }
+    [[nodiscard]] bool isSolid() const { return !edges.empty() && oneWay == OneWay::No; }
 
     friend bool operator==(const TileOutline&, const TileOutline&) = default;
 };
@@ -133,6 +122,8 @@ struct TileOutline {
 class TilePalette {
 public:
     static constexpr std::size_t kMaxForms = 16384;
+    static constexpr std::ptrdiff_t kMaxTouching = 2;  ///< outlines of a form that meet in a point
+    static constexpr std::size_t kMaxCorners = 256;    ///< of all polygons of a form, before they are joined
     static constexpr std::size_t kMaxMaterials = 256;
     static constexpr std::size_t kMaxLayers = 255;
 
@@ -142,6 +133,12 @@ public:
     /// counter-clockwise. Corners within 1/256 of a border are moved onto it, so that tiles leave no gaps.
     /// @error not a convex polygon of 3 to 8 corners inside the cell, or too many forms
     Result<TileForm> addPolygon(std::span<const Vec2> points, OneWay oneWay = OneWay::No);
+
+    /// Adds a form that fills the union of polygons, which may be concave and overlap; corners are given and
+    /// moved like those of addPolygon(). A polygon that crosses itself has holes.
+    /// @error a corner is outside the cell, more than kMaxCorners corners, no area, outlines that cross in
+    /// too many places or of which more than two meet in a point, or too many forms
+    Result<TileForm> addPolygons(std::span<const std::vector<Vec2>> polygons, OneWay oneWay = OneWay::No);
 
     /// Returns the form flipped like a cell of a TileGrid. A one-way form stays solid on the same side.
     /// @param flips  bits of kTileFlips

@@ -8,6 +8,7 @@
 
 #include "assets/asset_store.hpp"
 #include "core/task_pool.hpp"
+#include "core/text.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/physics/entity_bodies.hpp"
 
@@ -53,6 +54,9 @@ public:
         return (last_ = *known).second;
     }
 
+    /// The first tile whose polygons were not accepted.
+    [[nodiscard]] const std::optional<Error>& refusal() const { return refusal_; }
+
 private:
     MaskCell make(TileCell cell) {
         const Tile* tile = tileset_ != nullptr ? tileset_->find(tileOf(cell)) : nullptr;
@@ -73,9 +77,15 @@ private:
         if (tile.shape == TileShape::Polygon) {
             const Vec2 size{static_cast<float>(tileset_->tileWidth),
                             static_cast<float>(tileset_->tileHeight)};
-            std::vector<Vec2> points;
-            for (const Vec2 point : tile.polygon) points.push_back({point.x / size.x, point.y / size.y});
-            form = valueOr(palette_.addPolygon(points), TileForm::Full);
+            std::vector<std::vector<Vec2>> polygons = tile.polygons;
+            for (std::vector<Vec2>& polygon : polygons) {
+                for (Vec2& point : polygon) point = {point.x / size.x, point.y / size.y};
+            }
+            const Result<TileForm> added = palette_.addPolygons(polygons);
+            if (!added && !refusal_)
+                refusal_ = Error{format("tile {}", tile.id),
+                                 added.error().what + "; it collides as a full cell", added.error().remedy};
+            form = valueOr(added, TileForm::Full);
         } else {
             form = plumb::formOf(tile.shape);
         }
@@ -91,6 +101,7 @@ private:
     std::uint8_t layers_ = 0;
     std::vector<std::pair<TileCell, MaskCell>> known_;  // sorted by cell
     std::pair<TileCell, MaskCell> last_;
+    std::optional<Error> refusal_;
 };
 
 std::uint64_t madeFrom(const World& world, const TileLayer& layer, const TileCollider& collider,
@@ -199,6 +210,11 @@ private:
                 mask.putChunk(column, row, read);
             }
         }
+        tellRefused(cells);
+    }
+
+    void tellRefused(const CellReader& cells) {
+        if (cells.refusal()) logRefusal(reader_, state_, entity_, *cells.refusal());
     }
 
     /// Updates the terrain from changed cells. Visits only chunks that differ.
@@ -218,6 +234,7 @@ private:
                 known.adopt(grid, column, row);
             }
         }
+        tellRefused(cells);
         update(terrain);
     }
 

@@ -59,7 +59,7 @@ TEST_F(TilesetEditing, framesProbabilitiesPropertiesAndTerrainsAreReadBackFromTh
         const std::array tiles{7, 8};
         setProperty(set, tiles, "hazard", propertyJson("true"));
         setProperty(set, tiles, "sound", propertyJson("splash"));
-        setPolygon(set, tiles, {{0.0f, 0.0f}, {16.0f, 8.0f}, {0.0f, 16.0f}});
+        setPolygons(set, tiles, {{{0.0f, 0.0f}, {16.0f, 8.0f}, {0.0f, 16.0f}}});
         addTerrain(set, TerrainMode::Edges).tiles = {{1, Neighbour::kUp}};
     });
     std::vector<Error> problems;

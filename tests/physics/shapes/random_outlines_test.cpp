@@ -31,8 +31,8 @@ void appendSteps(GridPoint a, GridPoint b, EdgeKind kind, std::vector<std::uint6
 }
 
 bool isInside(const TileOutline& outline, GridPoint point) {
-    for (int i = 0; i < outline.count; ++i) {
-        if (cross(outline.cornerAfter(i) - outline.corner(i), point - outline.corner(i)) <= 0) return false;
+    for (const TileOutline::Edge& edge : outline.edges) {
+        if (cross(edge.b - edge.a, point - edge.a) <= 0) return false;
     }
     return outline.isSolid();
 }
@@ -69,10 +69,10 @@ std::vector<std::uint64_t> stepsOfTiles(const TileMask& mask) {
     for (int y = 0; y < mask.height(); ++y) {
         for (int x = 0; x < mask.width(); ++x) {
             const TileOutline& outline = mask.palette.outline(mask.at(x, y).form);
-            for (int i = 0; i < outline.count; ++i) {
-                const GridPoint way = outline.cornerAfter(i) - outline.corner(i);
+            for (const TileOutline::Edge& edge : outline.edges) {
+                const GridPoint way = edge.b - edge.a;
                 if (!outline.isSolid() && dot({way.y, -way.x}, directionOf(outline.oneWay)) <= 0) continue;
-                const GridPoint a = cornerOfCell(x, y) + outline.corner(i);
+                const GridPoint a = cornerOfCell(x, y) + edge.a;
                 appendOpenSteps(mask, mask.at(x, y), a, a + way, steps);
             }
         }

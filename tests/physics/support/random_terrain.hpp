@@ -93,7 +93,7 @@ inline TileMask randomMask(int width, int height, Random& random) {
 /// Twice the signed area of an outline, units^2.
 inline std::int64_t doubleAreaOf(const TileOutline& outline) {
     std::int64_t sum = 0;
-    for (int i = 0; i < outline.count; ++i) sum += cross(outline.corner(i), outline.cornerAfter(i));
+    for (const TileOutline::Edge& edge : outline.edges) sum += cross(edge.a, edge.b);
     return sum;
 }
 

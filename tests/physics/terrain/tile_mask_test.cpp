@@ -101,11 +101,11 @@ TEST(TilePalette, keepsOnlyTheEdgesThatFaceTheOneWaySide) {
     TilePalette palette;
     const TileOutline& slope = palette.outline(*palette.withOneWay(TileForm::SlopeUp, OneWay::Up));
     int stops = 0;
-    for (int i = 0; i < slope.count; ++i) {
-        if ((slope.stops >> i & 1) == 0) continue;
+    for (const TileOutline::Edge& edge : slope.edges) {
+        if (!edge.stops) continue;
         ++stops;
-        EXPECT_EQ(slope.corner(i), (GridPoint{0, kCellUnits}));
-        EXPECT_EQ(slope.cornerAfter(i), (GridPoint{kCellUnits, 0}));
+        EXPECT_EQ(edge.a, (GridPoint{0, kCellUnits}));
+        EXPECT_EQ(edge.b, (GridPoint{kCellUnits, 0}));
     }
     EXPECT_EQ(stops, 1);
     EXPECT_FALSE(slope.isSolid());
