@@ -98,10 +98,14 @@ JointView viewOf(const World& world, std::uint32_t joint, const JointTiming& tim
 
 /// Returns the arms and the separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
-/// Returns the rotation of B relative to A, minus the reference angle (rad, -pi..pi).
+/// Returns the rotation of B relative to A, minus the reference angle (rad): within pi of 0, or of the middle
+/// of a hinge's limits, so that beyond them the nearer one counts.
 inline float angleOf(const JointView& view) {
+    const JointLimit& limit = view.definition.limit;
+    const bool isLimited = limit.on && view.joint.kind == JointKind::Revolute;
+    const float lowest = isLimited ? 0.5f * (limit.lower + limit.upper) - kPi : -kPi;
     const float angle = angleOf(between(view.rotationA, view.rotationB)) - view.definition.referenceAngle;
-    return angle - kTau * std::floor((angle + kPi) / kTau);
+    return angle - kTau * std::floor((angle - lowest) / kTau);
 }
 
 }  // namespace plumb::physics

@@ -26,14 +26,14 @@ Result<Done> setDefinition(World& world, JointId joint, const JointDefinition& d
 struct JointReading {
     float value = 0.0f;       ///< rad: angle; m: length of Distance, translation of Prismatic and Wheel
     float speed = 0.0f;       ///< rad/s or m/s: rate of change of `value`
-    float motorForce = 0.0f;  ///< N m or N, in the last step
+    float motorForce = 0.0f;  ///< N m or N, in the last substep of the last step
     float separation = 0.0f;  ///< m: error of its constraints and limits; Mouse: distance to the target
     float angularSeparation = 0.0f;  ///< rad: error of its angle
 };
 /// Returns the current state of a joint; all 0 for a Filter and for a destroyed joint.
 [[nodiscard]] JointReading readingOf(const World& world, JointId joint);
 
-/// Return the constraint force (N, on B) and torque (N m) of a joint in the last step.
+/// Return the constraint force (N, on B) and torque (N m) of a joint in the last substep.
 [[nodiscard]] inline Vec2 jointForce(const World& world, JointId joint) {
     return readOf(world, world.joints.hot, joint).force;
 }

@@ -170,11 +170,12 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
 }
 
 /// Returns the maximum speed of a value towards a limit: within the substep it may reach but not pass the
-/// limit; beyond the limit it returns at the speed of the limit's error correction.
+/// limit; beyond the limit it returns at the speed of the limit's error correction, which is limited as that
+/// of contacts: fast corrections of chains would leave them kinetic energy.
 template <bool kPush>
 inline Float8 speedTo(const JointPass& pass, Float8 gap) {
     const float back = kPush ? pass.rigid.errorRate / pass.rigid.speedScale : 0.0f;
-    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.pushSpeed));
+    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.limitSpeed));
 }
 
 /// Motor, which stops at a limit. If it acted against the limit, both impulses would grow to the maximum, and
@@ -202,8 +203,7 @@ inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 ma
     const Mask8 apart = gap > all(0.0f);
     const Grip grip = kPush ? pass.rigid : kRelaxed;
     const Float8 before = load(total);
-    const Float8 back = max(all(grip.errorRate) * gap, all(-grip.speedScale * pass.pushSpeed));
-    const Float8 wanted = select(apart, speed + gap * all(pass.substepRate), all(grip.speedScale) * speed + back);
+    const Float8 wanted = select(apart, all(1.0f), all(grip.speedScale)) * (speed + speedTo<kPush>(pass, gap));
     const Float8 give = select(apart, all(0.0f), all(grip.impulseScale));
     const Float8 after = max(before - (mass * wanted + give * before), all(0.0f));
     store(total, after);

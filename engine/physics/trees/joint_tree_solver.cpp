@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "physics/joints/joint_types.hpp"
 #include "physics/trees/tree_drives.hpp"
@@ -19,10 +20,10 @@ constexpr double kNoAnswer = 1.0e30;
 struct Trees {
     Workspace& work;
     JointTrees& all;
-    double h;         // s
-    double rate;      // 1/h
-    double elapsed;   // s: time in the step at which rows are evaluated
-    double farthest;  // m or rad: maximum reduction of a gap in a substep
+    double h;          // s
+    double rate;       // 1/h
+    double elapsed;    // s: time in the step at which rows are evaluated
+    double pushSpeed;  // m/s or rad/s: maximum speed of values beyond limits towards them
 
     [[nodiscard]] TreeBody& treeBodyOf(const Link& link) const { return all.treeBodies[link.treeBody]; }
     [[nodiscard]] TreeBody* parentOf(const Link& link) const {
@@ -136,7 +137,7 @@ void lookAhead(const Trees& trees, TreeBody& treeBody) {
 /// Returns the part of a gap that is closed within a substep.
 double closedOf(const Trees& trees, const Link& link, double size) {
     return std::min(std::max(kSoftRate * size, std::min(size, static_cast<double>(link.reach))),
-                    trees.farthest);
+                    trees.h * static_cast<double>(kJointPushing) * trees.pushSpeed);
 }
 
 /// Computes the velocities of a drive for a pass, from the velocity of its value without impulses.
@@ -144,7 +145,8 @@ void aimDrive(const Trees& trees, Link& link, double velocity, bool closes) {
     Drive& drive = link.drive;
     const auto approach = [&](double room) {
         if (!drive.limited) return -std::numeric_limits<double>::infinity();
-        return trees.rate * (room > 0.0 ? -room : closes ? closedOf(trees, link, -room) : 0.0);
+        const double maximum = room > 0.0 || closes ? trees.pushSpeed : 0.0;
+        return std::min(-room * trees.rate, maximum);
     };
     drive.velocity = velocity;
     drive.slowest = approach(drive.value - drive.lower);
@@ -235,11 +237,11 @@ void applyTree(const Trees& trees, JointTree& tree) {
     }
     for (Link& hold : trees.all.holdsOf(tree)) hold.given += hold.answer;
     forDrives(trees.all, tree, [&](Link& link) {
-        const Drive& drive = link.drive;
-        const double impulse = drive.exerts ? drive.impulse - link.given.turn : link.answer.turn;
         // The work of a motor is no gain.
-        tree.gain -= impulse * (drive.velocity + 0.5 * velocityChangeOf(trees.all, link));
-        if (drive.exerts) link.given.turn = drive.impulse;
+        const double before = std::exchange(link.drive.ofMotor, motorImpulseOf(link.drive));
+        const double velocity = link.drive.velocity + 0.5 * velocityChangeOf(trees.all, link);
+        tree.gain -= (link.drive.ofMotor - before) * velocity;
+        if (link.drive.exerts) link.given.turn = link.drive.impulse;
     });
 }
 
@@ -309,7 +311,7 @@ void pushTree(const Trees& trees, JointTree& tree, bool again) {
             forDrives(trees.all, tree, [&](Link& link) { startDrive(link.drive, trees.h); });
             setTree(trees, tree);
         }
-        forLinks(trees.all, tree, [](Link& link) { link.given = {}; });
+        forLinks(trees.all, tree, [](Link& link) { link.given = {}, link.drive.ofMotor = 0.0; });
     }
     for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         takeMotion(trees, treeBody);
@@ -405,7 +407,9 @@ void prepareTrees(StepContext& step) {
             link.groundVelocity =
                 slot >= 0 ? tripleOf(step.work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
             const Triple& v = link.groundVelocity;
-            tree.powered |= (world.joints.hot[link.joint].flags & kEdited) != 0 || dot(v, v) > 0.0;
+            // A shorter rope does work on what swings on it; limits do none, whatever they are changed to.
+            const bool isEdited = !link.drive.on && (world.joints.hot[link.joint].flags & kEdited) != 0;
+            tree.powered |= isEdited || dot(v, v) > 0.0;
         });
         const std::int32_t slot = all.bodiesOf(tree).front().slot;
         tree.group = 0;
@@ -417,8 +421,8 @@ void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float
     JointTrees& all = step.work.joints.trees;
     const auto dt = static_cast<double>(h);
     const bool relaxes = kind == PassKind::Relax;
-    const double farthest = dt * static_cast<double>(kJointPushing * step.world.settings.pushSpeed);
-    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep), farthest};
+    const auto pushSpeed = static_cast<double>(step.world.settings.pushSpeed);
+    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep), pushSpeed};
     forEach(step.pool, all.trees.size(), kTreeGrain, [&](std::size_t t) {
         JointTree& tree = all.trees[t];
         if (!tree.direct || &step.work.groups[tree.group] != &group) return;

@@ -104,6 +104,7 @@ struct Drive {
     double fastest = 0.0;
     double most = 0.0;      ///< N s or N m s: maximum impulse of the motor in a substep
     double impulse = 0.0;   ///< N s or N m s: total in this substep
+    double ofMotor = 0.0;   ///< N s or N m s: the motor's part of it
     double softness = 0.0;  ///< compliance of the row
 };
 

@@ -241,5 +241,84 @@ TEST(JointDrives, loseEnergyAtLimitsOnly) {
     }
 }
 
+/// Creates a random tree of hinged discs at rest without gravity.
+std::vector<JointId> growHinges(JointWorld& scene, Random& random) {
+    scene.world.settings.gravity = {};
+    std::vector<JointId> joints;
+    std::vector<BodyId> bodies = {scene.disc({0.0, 0.0})};
+    const int count = 2 + static_cast<int>(random.below(8));
+    for (int i = 0; i < count; ++i) {
+        const BodyId above = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
+        const Vec2 arm{random.between(-0.5f, 0.5f), random.between(-0.5f, 0.5f)};
+        const WorldPosition pivot = positionOf(scene.world, above) + arm;
+        bodies.push_back(scene.disc(pivot + arm, std::pow(10.0f, random.between(-1.0f, 1.0f))));
+        joints.push_back(scene.join(scene.define(JointKind::Revolute, above, bodies.back(), pivot)));
+    }
+    return joints;
+}
+
+/// Changes all limits of a tree. @return the largest kinetic energy in the next 2 s, J
+double energyAfterLimits(JointWorld& scene, const std::vector<JointId>& joints, Random& random) {
+    for (const JointId joint : joints) {
+        JointDefinition definition = definitionOf(scene.world, joint);
+        const float lower = random.between(-1.5f, 1.5f);
+        definition.limit = {true, lower, lower + random.between(0.0f, 1.0f)};
+        EXPECT_TRUE(setDefinition(scene.world, joint, definition));
+    }
+    double most = 0.0;
+    for (int i = 0; i < 120; ++i) {
+        scene.run(JointWorld::kDt);
+        double energy = 0.0;
+        for (std::uint32_t body = 1; body < scene.world.bodies.size(); ++body)
+            energy += scene.energyOf({body, scene.world.bodies.info[body].generation});
+        most = std::max(most, energy);
+    }
+    return most;
+}
+
+TEST(JointDrives, addNoEnergyByChangedLimits) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        JointWorld scene;
+        const auto joints = growHinges(scene, random);
+        scene.run(JointWorld::kDt);
+        EXPECT_LT(energyAfterLimits(scene, joints, random), 0.01);
+        EXPECT_TRUE(solvesTrees(scene));
+        for (const JointId joint : joints) {
+            const JointLimit limit = definitionOf(scene.world, joint).limit;
+            const float value = readingOf(scene.world, joint).value;
+            EXPECT_EQ(std::clamp(value, limit.lower - 0.001f, limit.upper + 0.001f), value);
+        }
+    }
+}
+
+TEST(JointDrives, returnToTheNearerLimitOfAHinge) {
+    int beyond = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        JointWorld scene;
+        scene.world.settings.gravity = {};
+        scene.world.settings.directJoints = seed % 2 == 0;
+        const BodyId disc = scene.disc({0.0, 0.0});
+        JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, disc, {0.0, 0.0});
+        const float lower = random.between(-kPi, 2.5f), upper = random.between(lower, kPi);
+        definition.limit = {true, lower, upper};
+        definition.referenceAngle = random.between(-kPi, kPi);
+        // Beyond one of the limits, not near the middle of the angles that they exclude.
+        const float excess = random.between(0.0f, 0.45f * (kTau - (upper - lower)));
+        const bool above = random.below(2) == 0;
+        const float angle = (above ? upper + excess : lower - excess) + definition.referenceAngle;
+        ASSERT_TRUE(setPosition(scene.world, disc, {}, angle));
+        const JointId joint = scene.join(definition);
+        EXPECT_NEAR(readingOf(scene.world, joint).value, above ? upper + excess : lower - excess, 1.0e-5f);
+        scene.run(2.0f);
+        EXPECT_NEAR(readingOf(scene.world, joint).value, above ? upper : lower, 0.002f);
+        beyond += excess > 0.1f ? 1 : 0;
+    }
+    EXPECT_GT(beyond, 150);
+}
+
 }  // namespace
 }  // namespace plumb::physics
