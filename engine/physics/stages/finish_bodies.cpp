@@ -93,8 +93,13 @@ AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) 
 void updateShapes(World& world, std::uint32_t body, std::vector<std::uint32_t>& left) {
     const Frame frame = frameOf(world.bodies.pose[body]);
     Shapes& shapes = world.shapes;
+    // The contacts of these are computed before they touch.
+    const Vec2 path = isFastAndJointed(world, body, world.stepLength)
+                          ? world.stepLength * world.bodies.motion[body].velocity
+                          : Vec2{};
     forShapesOf(world, body, [&](std::uint32_t s) {
-        const AABB tight = tightBounds(shapes, s, frame);
+        AABB tight = tightBounds(shapes, s, frame);
+        tight = {tight.min + min(path, Vec2{}), tight.max + max(path, Vec2{})};
         if (contains(shapes.bounds[s], tight)) return;
         shapes.bounds[s] = grown(tight, shapes.info[s].margin);
         left.push_back(s);
