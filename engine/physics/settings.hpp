@@ -43,9 +43,9 @@ struct Settings {
     /// stacks with mass ratios of 1000 collapse.
     float contactDampingRatio = 4.0f;
     float jointDampingRatio = 2.0f;
-    /// m/s: maximum speed at which overlapping bodies are separated; deepPushRate (1/s) adds to it for each
-    /// metre of overlap. Larger values make deep overlaps explode; without deepPushRate the bodies of a crowd
-    /// in too small a box sink into each other, because a deeper overlap is not corrected faster.
+    /// m/s: maximum speed at which overlapping bodies are separated and values return to the limits of joints
+    /// (rad/s for angles); deepPushRate (1/s) adds to it for each metre of overlap. Larger values make deep
+    /// overlaps explode; without deepPushRate the bodies of a crowd in too small a box sink into each other.
     float pushSpeed = 3.0f;
     float deepPushRate = 6.0f;
     /// m: overlap that is not corrected, so that resting contacts do not repeatedly begin and end.
