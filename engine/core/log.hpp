@@ -1,9 +1,11 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "core/result.hpp"
 #include "core/text.hpp"
@@ -29,13 +31,29 @@ void setLogLevel(LogLevel level);
 
 void writeLog(LogLevel level, std::string_view channel, std::string text);
 
+/// A text that is known only at run time. Literals are patterns: see format().
+template <class Text>
+concept RuntimeText = std::convertible_to<const Text&, std::string_view> && !std::is_array_v<Text>;
+
+/// Writes a line to the log; each `{}` of the pattern is replaced by the next argument, as by format().
 template <class... Arguments>
-void logNote(std::string_view channel, std::string_view pattern, const Arguments&... arguments) {
-    writeLog(LogLevel::Note, channel, format(pattern, arguments...));
+void logNote(std::string_view channel, FormatPattern<sizeof...(Arguments)> pattern,
+             const Arguments&... arguments) {
+    writeLog(LogLevel::Note, channel, format(runtimePattern(pattern.text), arguments...));
+}
+/// Writes a text as it is.
+template <RuntimeText Text>
+void logNote(std::string_view channel, const Text& text) {
+    writeLog(LogLevel::Note, channel, std::string{std::string_view{text}});
 }
 template <class... Arguments>
-void logWarning(std::string_view channel, std::string_view pattern, const Arguments&... arguments) {
-    writeLog(LogLevel::Warning, channel, format(pattern, arguments...));
+void logWarning(std::string_view channel, FormatPattern<sizeof...(Arguments)> pattern,
+                const Arguments&... arguments) {
+    writeLog(LogLevel::Warning, channel, format(runtimePattern(pattern.text), arguments...));
+}
+template <RuntimeText Text>
+void logWarning(std::string_view channel, const Text& text) {
+    writeLog(LogLevel::Warning, channel, std::string{std::string_view{text}});
 }
 inline void logWarning(std::string_view channel, const Error& error) {
     writeLog(LogLevel::Warning, channel, error.text());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,7 +15,7 @@ namespace plumb {
 struct FormatArgument {
     FormatArgument(std::string_view value) : text{value} {}
     FormatArgument(const std::string& value) : text{value} {}
-    FormatArgument(const char* value) : text{value} {}
+    FormatArgument(const char* value) : text{value != nullptr ? value : "(null)"} {}
     FormatArgument(char value) : text(1, value) {}
     FormatArgument(bool value) : text{value ? "true" : "false"} {}
     FormatArgument(int value);
@@ -28,16 +30,52 @@ struct FormatArgument {
     std::string text;
 };
 
+/// Replaces each `{}` of the pattern by the next argument. Where there are fewer
+/// arguments the rest of the pattern stays as it is; where there are more, the rest of them is not used.
 std::string formatArguments(std::string_view pattern, std::span<const FormatArgument> arguments);
 
-/// Replaces each `{}` of the pattern by the next argument.
+/// A pattern of format() that is known only at run time, e.g. from a file. Its `{}` are not counted: see
+/// formatArguments().
+struct RuntimePattern {
+    std::string_view text;
+};
+[[nodiscard]] constexpr RuntimePattern runtimePattern(std::string_view text) { return {text}; }
+
+/// Number of `{}` in a pattern.
+constexpr std::size_t placeholdersIn(std::string_view pattern) {
+    std::size_t count = 0;
+    for (std::size_t at = pattern.find("{}"); at != std::string_view::npos; at = pattern.find("{}", at + 2))
+        ++count;
+    return count;
+}
+
+/// Not constexpr, and never defined: a compiler that reports a call of it reports a pattern of format(),
+/// logNote() or logWarning() with more or fewer `{}` than arguments follow. `{}` has no options:
+/// fixedText(value, 2) writes two decimals.
+void theNumberOfPlaceholdersDiffersFromTheNumberOfArguments();
+
+/// A pattern with one `{}` for each of kArguments arguments, which is checked while compiling. A pattern
+/// that is not a constant is given as runtimePattern(text).
+template <std::size_t kArguments>
+struct FormatPattern {
+    template <class Text>
+    requires std::convertible_to<const Text&, std::string_view>
+    consteval FormatPattern(const Text& pattern) : text{pattern} {
+        if (placeholdersIn(text) != kArguments) theNumberOfPlaceholdersDiffersFromTheNumberOfArguments();
+    }
+    constexpr FormatPattern(RuntimePattern pattern) : text{pattern.text} {}
+
+    std::string_view text;
+};
+
+/// Replaces each `{}` of the pattern by the next argument: texts, numbers and bools.
 template <class... Arguments>
-std::string format(std::string_view pattern, const Arguments&... arguments) {
+std::string format(FormatPattern<sizeof...(Arguments)> pattern, const Arguments&... arguments) {
     if constexpr (sizeof...(Arguments) == 0) {
-        return formatArguments(pattern, {});
+        return formatArguments(pattern.text, {});
     } else {
         const FormatArgument list[] = {FormatArgument{arguments}...};
-        return formatArguments(pattern, list);
+        return formatArguments(pattern.text, list);
     }
 }
 

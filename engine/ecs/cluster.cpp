@@ -145,8 +145,7 @@ void reorder(Pool& pool, const std::vector<std::uint32_t>& order, std::vector<st
 }  // namespace
 
 void Storage::cluster() {
-    PLUMB_ASSERT(iterating_ == 0, "cluster() was called inside a loop over a query, but it moves components");
-    if (iterating_ != 0) return;
+    if (refusedInLoop("cluster()")) return;
     const std::vector<std::uint32_t> order = Grouping{*this}.order();
     for (const std::unique_ptr<Pool>& pool : pools_) {
         pool->disorder = 0;

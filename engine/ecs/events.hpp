@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,9 +18,10 @@ class Events {
 public:
     template <class E>
     void emit(E event) {
-        listOf<E>().events.push_back(std::move(event));
+        listOf<E>().add(std::move(event));
     }
-    /// The events of a type in the order of emission. Valid until the next event of this type is emitted.
+    /// The events of a type in the order of emission: those emitted so far, also if more are emitted while a
+    /// loop reads them. Valid until clear().
     template <class E>
     [[nodiscard]] std::span<const E> of() const {
         const TypeKey key = typeKey<E>();
@@ -43,8 +47,27 @@ private:
     };
     template <class E>
     struct ListOf final : List {
+        static_assert(std::is_copy_constructible_v<E>, "an event is copied when its list grows");
+
         std::vector<E> events;
-        void clear() override { events.clear(); }
+        std::vector<std::vector<E>> outgrown;  ///< smaller arrays of this tick, which loops may be reading
+
+        /// Copies a full array instead of letting it grow, so that spans and references stay valid. After
+        /// clear() the largest array is used again, so ticks with as many events allocate nothing.
+        void add(E event) {
+            if (events.size() == events.capacity()) {
+                std::vector<E> larger;
+                larger.reserve(std::max<std::size_t>(2 * events.size(), 8));
+                for (const E& old : events) larger.push_back(old);
+                if (!events.empty()) outgrown.push_back(std::move(events));
+                events = std::move(larger);
+            }
+            events.push_back(std::move(event));
+        }
+        void clear() override {
+            events.clear();
+            outgrown.clear();
+        }
     };
 
     template <class E>

@@ -19,7 +19,9 @@ void unlink(World& world, const Parent& link) {
 
 bool setParent(World& world, EntityId child, EntityId parent) {
     if (!world.alive(child) || (parent && !world.alive(parent))) return false;
-    if (child == parent || (parent && isAncestor(world, child, parent))) return false;
+    // A chain is built in linear time: an entity without children is an ancestor of none.
+    const bool mayBeAbove = parent && world.has<Children>(child);
+    if (child == parent || (mayBeAbove && isAncestor(world, child, parent))) return false;
     if (const Parent* link = world.find<const Parent>(child)) {
         if (link->entity == parent) return true;
         unlink(world, Parent{*link});
@@ -63,10 +65,7 @@ ChildList::Iterator& ChildList::Iterator::operator++() {
     return *this;
 }
 
-ChildList::Iterator ChildList::begin() const {
-    const Children* family = world_->find<const Children>(parent_);
-    return {*world_, family != nullptr ? family->first : EntityId{}};
-}
+ChildList::Iterator ChildList::begin() const { return {*world_, firstChildOf(*world_, parent_)}; }
 
 std::size_t ChildList::size() const {
     const Children* family = world_->find<const Children>(parent_);
@@ -74,13 +73,47 @@ std::size_t ChildList::size() const {
 }
 
 void leaveFamily(World& world, EntityId id) {
-    while (const Children* family = world.find<const Children>(id)) {
-        world.destroy(family->first);  // its leaveFamily() removes it from the list
+    // Without recursion, as a chain of entities may be of any length: destroys the first entity
+    // below `id` that has no children, until there is none.
+    EntityId at = id;
+    while (true) {
+        if (const Children* family = world.find<const Children>(at)) {
+            const Parent* link = world.find<const Parent>(family->first);
+            if (link != nullptr && link->entity == at) {
+                at = family->first;
+            } else {
+                world.remove<Children>(at);  // not written by setParent()
+            }
+            continue;
+        }
+        const Parent* link = world.find<const Parent>(at);
+        const EntityId above = link != nullptr ? link->entity : EntityId{};
+        if (link != nullptr) {
+            unlink(world, Parent{*link});
+            world.remove<Parent>(at);
+        }
+        if (at == id) return;
+        world.destroy(at);
+        at = above;
     }
-    if (const Parent* link = world.find<const Parent>(id)) {
-        unlink(world, Parent{*link});
-        world.remove<Parent>(id);
+}
+
+EntityId firstChildOf(const World& world, EntityId parent) {
+    const Children* family = world.find<Children>(parent);
+    return family != nullptr ? family->first : EntityId{};
+}
+
+EntityId nextBelow(const World& world, EntityId root, EntityId at, bool down) {
+    if (down) {
+        if (const EntityId child = firstChildOf(world, at)) return child;
     }
+    while (at && at != root) {
+        const Parent* link = world.find<Parent>(at);
+        if (link == nullptr) return {};
+        if (link->next) return link->next;
+        at = link->entity;
+    }
+    return {};
 }
 
 }  // namespace plumb

@@ -77,6 +77,23 @@ private:
 
 [[nodiscard]] inline ChildList childrenOf(World& world, EntityId parent) { return {world, parent}; }
 
+/// The first child; the empty id if there is none.
+[[nodiscard]] EntityId firstChildOf(const World& world, EntityId parent);
+
+/// The entity after `at` in the order parent, first child, its children, next child, …; the empty id after
+/// the last one below `root`. For forEachBelow().
+/// @param down  false: skips the children of `at`
+[[nodiscard]] EntityId nextBelow(const World& world, EntityId root, EntityId at, bool down);
+
+/// Calls `visit(EntityId)` for the descendants of an entity, parents before their children, at any depth
+/// without recursion. `visit` returns false to skip the descendants of an entity, and must not
+/// change the hierarchy.
+template <class Visit>
+void forEachBelow(const World& world, EntityId root, Visit&& visit) {
+    EntityId at = nextBelow(world, root, root, true);
+    while (at) at = nextBelow(world, root, at, visit(at));
+}
+
 /// First part of World::destroy: destroys the children and detaches the entity from its parent.
 void leaveFamily(World& world, EntityId id);
 

@@ -24,6 +24,19 @@ struct Without {};
 template <class... T>
 inline constexpr Without<T...> without{};
 
+/// True if no two of the types are the same.
+template <class... T>
+inline constexpr bool kAreDistinct = true;
+template <class T, class... Others>
+inline constexpr bool kAreDistinct<T, Others...> =
+    (!std::is_same_v<T, Others> && ...) && kAreDistinct<Others...>;
+
+/// True if a filter excludes all entities that have a T.
+template <class Filter, class T>
+inline constexpr bool kExcludes = false;
+template <class... U, class T>
+inline constexpr bool kExcludes<Without<U...>, T> = (std::is_same_v<U, T> || ...);
+
 std::uint32_t nextQueryKey();
 template <class... T>
 inline const std::uint32_t kQueryKey = nextQueryKey();
@@ -161,10 +174,16 @@ private:
 ///
 ///     for (auto [entity, body, transform] : world.query<const RigidBody, Transform>(without<Asleep>)) …
 ///
-/// Entities may be created and destroyed and components added and removed inside the loop.
+/// Entities may be created and destroyed and components added and removed inside the loop. A component that
+/// was removed, or whose entity was destroyed, must not be used any more: its memory holds old values until
+/// the loop ends. Not inside a loop: save(), restore() and cluster() of the world, which report an error.
 template <class... T>
 class Query {
     static_assert(sizeof...(T) > 0, "a query names at least one component");
+    static_assert(
+        ((std::is_object_v<T> && !std::is_pointer_v<T>)&&...),
+        "a query names component types without & and *: query<Transform>, or query<const Transform>");
+    static_assert(kAreDistinct<std::remove_const_t<T>...>, "a query names each component type once");
 
 public:
     Query(World& world, Storage& storage, QueryCache& cache)
@@ -194,6 +213,8 @@ public:
     /// without the entity it is a plain loop over arrays that the compiler can vectorize.
     template <class F>
     void each(F&& f) const {
+        static_assert(std::is_invocable_v<F&, T&...> || std::is_invocable_v<F&, Entity, T&...>,
+                      "each() calls f(T&...) or f(Entity, T&...), in the order of the query's types");
         Loop loop{*this};
         for (const std::uint32_t* run = loop.begin; run != loop.end; run += loop.step) {
             const std::uint32_t length = loop.length(run);
@@ -333,6 +354,9 @@ inline constexpr bool kNamesPaused<Without<T...>> = (kNamesPaused<T> || ...);
 /// The cache of a query in a storage, created on first use.
 template <class... T, class... Filters>
 QueryCache& queryCache(Storage& storage, Filters... filters) {
+    constexpr auto kIsExcluded = []<class C>(C*) { return (kExcludes<Filters, C> || ...); };
+    static_assert(!(kIsExcluded(static_cast<std::remove_const_t<T>*>(nullptr)) || ...),
+                  "a query that excludes one of its own types by `without` has no results");
     QueryCache& cache = storage.cache(kQueryKey<With<std::remove_const_t<T>...>, Filters...>);
     if (!cache.prepared) [[unlikely]] {
         addTerms(With<std::remove_const_t<T>...>{}, storage, cache);

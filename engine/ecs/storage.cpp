@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/assert.hpp"
+#include "core/log.hpp"
 
 namespace plumb {
 
@@ -32,8 +33,7 @@ Storage::Storage()
     if (!recordMemory_.ok()) failAssertion("not enough address space for a world", __FILE__, __LINE__);
     records_ = reinterpret_cast<EntityRecord*>(recordMemory_.start());
     free_ = reinterpret_cast<std::uint32_t*>(recordMemory_.start() + maxEntities_ * sizeof(EntityRecord));
-    growRecords(1);
-    records_[0].generation = ~0u;  // so that the empty handle matches no entity
+    growRecords(1);  // the generation of index 0 stays 0, so that the empty handle matches no entity
 }
 
 void Storage::growRecords(std::uint32_t count) {
@@ -157,6 +157,15 @@ bool Storage::endAllLives() {
     return bits >> 31 != 0;
 }
 
+bool Storage::refusedInLoop(const char* function) const {
+    if (iterating_ == 0) return false;
+    const Error error{"World", format("{} was called inside a loop over a query; nothing was done", function),
+                      "call it after the loop"};
+    PLUMB_ASSERT(false, error.text().c_str());
+    logError("World", error);
+    return true;
+}
+
 Pool& Storage::makePool(const ComponentType& type) {
     const auto forgotten = std::find_if(
         pools_.begin(), pools_.end(), [&](const std::unique_ptr<Pool>& pool) { return pool->type == &type; });
@@ -186,7 +195,6 @@ void Storage::forget(Pool& pool) {
 }
 
 void Storage::dropCaches() {
-    PLUMB_ASSERT(iterating_ == 0, "a loop over a query reads its cache");
     for (std::unique_ptr<QueryCache>& cache : caches_) cache.reset();
 }
 

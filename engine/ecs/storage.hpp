@@ -39,10 +39,7 @@ public:
     }
     /// Creates an entity for each of `ids`, with consecutive indices that were never used before.
     void createFresh(std::span<EntityId> ids, std::uint64_t mask);
-    [[nodiscard]] bool alive(EntityId id) const {
-        // The generations of living entities are odd, those of destroyed ones even.
-        return id.index <= used_ && records_[id.index].generation == id.generation;
-    }
+    [[nodiscard]] bool alive(EntityId id) const { return id.index <= used_ && isCurrent(id); }
     /// @pre alive(id)
     void destroy(EntityId id);
     void clear();
@@ -88,8 +85,8 @@ public:
     /// True if append() may be called: the entity is alive, has no such component, and there is room.
     [[nodiscard]] bool canAppend(const Pool& pool, EntityId id) const {
         // Records are committed in the same steps as the sparse arrays, so one check covers both.
-        return pool.count != pool.capacity && id.index < pool.indexCapacity &&
-               records_[id.index].generation == id.generation && pool.sparse[id.index].check == 0;
+        return pool.count != pool.capacity && id.index < pool.indexCapacity && isCurrent(id) &&
+               pool.sparse[id.index].check == 0;
     }
     /// Appends a position for a new component and returns it. @pre canAppend(pool, id)
     [[gnu::always_inline]] std::uint32_t append(Pool& pool, EntityId id) {
@@ -131,6 +128,9 @@ public:
         if (--iterating_ == 0 && holes_) compact();
     }
     [[nodiscard]] bool iterating() const { return iterating_ != 0; }
+    /// True inside a loop over a query, where a function that moves or copies all components must not run:
+    /// reports that as an error. @param function  "save()"
+    [[nodiscard]] bool refusedInLoop(const char* function) const;
     /// Number of components added or removed during iteration, for loops that must detect such changes.
     [[nodiscard]] const std::uint64_t& structure() const { return structure_; }
 
@@ -160,6 +160,12 @@ public:
     void restore(const StorageImage& image);
 
 private:
+    /// @pre the record of id.index exists
+    [[nodiscard]] bool isCurrent(EntityId id) const {
+        // The generations of living entities are odd; those of destroyed and of future ones even, and may
+        // equal that of an id which no entity ever had.
+        return records_[id.index].generation == id.generation && (id.generation & 1u) != 0;
+    }
     Pool& makePool(const ComponentType& type);
     QueryCache& renewed(QueryCache& wanted);
     bool endAllLives();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
 #include "reflect/convert_component.hpp"
+#include "reflect/type_key.hpp"
 #include "reflect/type_registry.hpp"
 
 namespace plumb {
@@ -40,7 +42,8 @@ void World::beginTick() {
     ++tick;
     events_.clear();
     if (missed_.count > 0) {
-        reportMissing({static_cast<std::uint32_t>(missed_.id), static_cast<std::uint32_t>(missed_.id >> 32)},
+        reportMissing(this,
+                      {static_cast<std::uint32_t>(missed_.id), static_cast<std::uint32_t>(missed_.id >> 32)},
                       static_cast<TypeKey>(missed_.key));
         missed_ = {};
     }
@@ -111,7 +114,7 @@ std::size_t World::count(const TypeInfo& type) const {
 void* World::add(const TypeInfo& type, EntityId id) {
     Pool& pool = storage_.pool(type);
     if (!storage_.alive(id)) {
-        reportMissing(id, type.key);
+        reportMissing(this, id, type.key);
         return nullptr;
     }
     pool.makeRoom(id.index);
@@ -129,6 +132,7 @@ void World::remove(const TypeInfo& type, EntityId id) {
 }
 
 void World::convert(const TypeInfo& before, const TypeInfo* now) {
+    if (storage_.refusedInLoop("convert()")) return;
     Pool* const pool = storage_.findPool(before.key);
     if (pool == nullptr) return;
     std::vector<EntityId> owners;
@@ -149,6 +153,7 @@ void World::convert(const TypeInfo& before, const TypeInfo* now) {
 }
 
 void World::dropReloadable() {
+    if (storage_.refusedInLoop("dropReloadable()")) return;
     resources_.dropReloadable();
     events_.dropReloadable();
     for (std::size_t i = 0; i < storage_.pools().size(); ++i) {
@@ -159,18 +164,28 @@ void World::dropReloadable() {
     storage_.dropCaches();
 }
 
-void World::reportMissing(EntityId id, TypeKey key) const {
+void reportMissing(const World* world, EntityId id, TypeKey key) {
     const ComponentType* const type = findComponentType(key);
-    const char* const reason = id.index == 0 ? "the empty handle"
-                               : !storage_.alive(id)
-                                   ? "a stale handle of a destroyed entity: check alive() or use find()"
-                                   : "an entity that has none: check hasComponent() or use find()";
-    const std::string text =
-        format("{} was requested from entity {} (generation {}), {}",
-               type != nullptr ? type->name : std::string{"a component type without instances"}, id.index,
-               id.generation, reason);
-    PLUMB_ASSERT(false, text.c_str());
-    logError("World", Error{"entity handle", text, ""});
+    const std::string name{type != nullptr ? std::string_view{type->name} : typeNameOf(key)};
+    const bool isEmpty = world == nullptr || id.index == 0;
+    const std::string entity = isEmpty ? "the empty handle"
+                                       : format("entity {} (generation {}), {}", id.index, id.generation,
+                                                world->alive(id) ? "an entity that has none"
+                                                                 : "a stale handle of a destroyed entity");
+    const Error error{"entity handle", format("{} was requested from {}", name, entity),
+                      format("{}, or use find<{}>(), which returns nullptr",
+                             isEmpty ? "check that what was searched or spawned exists: if (entity)"
+                             : world->alive(id) ? format("check hasComponent<{}>()", name)
+                                                : "check alive()",
+                             name)};
+    PLUMB_ASSERT(false, error.text().c_str());
+    logError("World", error);
+}
+
+void failWithoutWorld() {
+    failAssertion("world() was called of the empty handle, which belongs to no world; check it: if (entity)",
+                  __FILE__, __LINE__);
+    std::abort();
 }
 
 // services
@@ -201,6 +216,7 @@ Snapshot World::save() const {
 }
 
 void World::save(Snapshot& snapshot) const {
+    if (storage_.refusedInLoop("save()")) return;
     storage_.save(snapshot.storage_);
     snapshot.resources_.assign(resources_);
     snapshot.tiles_ = tiles_;
@@ -211,6 +227,14 @@ void World::save(Snapshot& snapshot) const {
 }
 
 void World::restore(const Snapshot& snapshot) {
+    if (storage_.refusedInLoop("restore()")) return;
+    if (snapshot.byteCount() == 0) {
+        const Error error{"World",
+                          "restore() was called with a snapshot that holds no world; nothing was done",
+                          "fill it by save() first, outside loops over queries"};
+        PLUMB_ASSERT(false, error.text().c_str());
+        return logError("World", error);
+    }
     storage_.restore(snapshot.storage_);
     resources_.assign(snapshot.resources_);
     tiles_ = snapshot.tiles_;

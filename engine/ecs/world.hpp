@@ -38,6 +38,7 @@ public:
 
     // entities
 
+    /// Creates an entity without components.
     Entity createEntity() { return {*this, storage_.create()}; }
     /// Creates one entity per id, each with a copy of the components; much faster than single calls.
     template <class... T>
@@ -64,7 +65,7 @@ public:
     [[nodiscard]] T* find(EntityId id);
     template <class T>
     [[nodiscard]] const T* find(EntityId id) const;
-    /// @pre has<T>(id)
+    /// @pre has<T>(id): see Entity about what happens otherwise
     template <class T>
     T& get(EntityId id);
     template <class T>
@@ -160,7 +161,8 @@ public:
     /// The position of the entity's T in the order in which queries visit T. @pre has<T>(id)
     template <class T>
     [[nodiscard]] std::uint32_t positionOf(EntityId id) const {
-        return storage_.knownPool(typeKey<T>()).sparse[id.index].position;
+        const Pool& pool = storage_.knownPool(typeKey<T>());
+        return pool.has(id) ? pool.sparse[id.index].position : (missing<const T>(id), 0u);
     }
     /// Increases whenever an entity gains or loses one of these components.
     template <class... T>
@@ -174,10 +176,12 @@ public:
 
     // resources and services
 
+    /// The value of a type that exists once in the world, created with its defaults at the first use.
     template <class T>
     T& resource() {
         return resources_.get<T>();
     }
+    /// The same without creating it; nullptr if there is none.
     template <class T>
     [[nodiscard]] T* findResource() const {
         return resources_.find<T>();
@@ -201,11 +205,13 @@ public:
 
     // events
 
+    /// Emits an event, a struct, for systems that read events() and handlers that run in this tick.
     template <class E>
     void emit(E event) {
         events_.emit(std::move(event));
     }
-    /// The events emitted since the last beginTick(), in order.
+    /// The events emitted since the last beginTick(), in order. The span stays valid until the next one;
+    /// events emitted later, e.g. by a loop over it, are in the next call's.
     template <class E>
     [[nodiscard]] std::span<const E> events() const {
         return events_.of<E>();
@@ -242,8 +248,10 @@ public:
 
     // copies
 
+    // Not inside a loop over a query: save() and restore() do nothing there, and report an error.
     [[nodiscard]] Snapshot save() const;
     void save(Snapshot& snapshot) const;
+    /// @pre the snapshot was filled by save()
     void restore(const Snapshot& snapshot);
     /// Hash of the whole state: entities, components, tiles, resources with
     /// `addTo`, and the tick. Depends only on the state, not on its history.
@@ -271,7 +279,6 @@ private:
     T& append(Pool& pool, EntityId id, Arguments&&... arguments);
     template <class T, class... Arguments>
     T& addSlowly(EntityId id, Arguments... arguments);
-    void reportMissing(EntityId id, TypeKey key) const;
 
     Storage storage_;
     Resources resources_;

@@ -33,6 +33,12 @@ inline constexpr bool kReportAtOnce = true;
 inline constexpr bool kReportAtOnce = false;
 #endif
 
+/// Reports that a component was requested which an entity does not have, with the remedy.
+/// @param world  the entity's; nullptr for an empty handle
+void reportMissing(const World* world, EntityId id, TypeKey type);
+/// Stops the program, as an empty handle belongs to no world.
+[[noreturn]] void failWithoutWorld();
+
 /// The zeroed component that get() returns if the component is missing; it belongs to no entity.
 template <class T>
 struct Blank {
@@ -40,15 +46,27 @@ struct Blank {
 };
 
 template <class T>
+T& blank() {
+    return *reinterpret_cast<T*>(Blank<std::remove_const_t<T>>::bytes);
+}
+
+template <class T>
 T& World::missing(EntityId id) const {
     if constexpr (kReportAtOnce) {
-        reportMissing(id, componentType<std::remove_const_t<T>>().info.key);
+        reportMissing(this, id, typeKey<T>());
     } else {
         missed_.id = std::uint64_t{id.generation} << 32 | id.index;
         missed_.key = typeKey<T>();
         ++missed_.count;
     }
-    return *reinterpret_cast<T*>(Blank<std::remove_const_t<T>>::bytes);
+    return blank<T>();
+}
+
+/// What the functions of an empty handle return that must return a component.
+template <class T>
+[[gnu::noinline]] T& missingWithoutWorld() {
+    reportMissing(nullptr, {}, typeKey<T>());
+    return blank<T>();
 }
 
 /// The type of an argument of the rare path: small plain types by value, because a reference
@@ -103,6 +121,7 @@ template <class T, class... Arguments>
 
 template <class... T>
 void World::createEntities(std::span<EntityId> ids, const T&... components) {
+    static_assert(kAreDistinct<T...>, "an entity has at most one component of a type");
     if (ids.empty()) return;
     storage_.createFresh(ids, (std::uint64_t{0} | ... | storage_.pool<T>().bit));
     const auto fill = [&]<class C>(const C& component) {
@@ -212,6 +231,8 @@ void World::eachChangedSince(std::uint64_t mark, F&& f) const {
 
 template <class T, class... Arguments>
 [[gnu::always_inline]] inline T& Entity::addComponent(Arguments&&... arguments) const {
+    if (world_ == nullptr) [[unlikely]]
+        return missingWithoutWorld<T>();
     return world_->add<T>(id_, std::forward<Arguments>(arguments)...);
 }
 
@@ -227,6 +248,8 @@ bool Entity::hasComponent() const {
 
 template <class T>
 T& Entity::get() const {
+    if (world_ == nullptr) [[unlikely]]
+        return missingWithoutWorld<T>();
     return world_->get<T>(id_);
 }
 
@@ -237,6 +260,12 @@ T* Entity::find() const {
 
 inline void Entity::destroy() const {
     if (world_ != nullptr) world_->destroy(id_);
+}
+
+inline World& Entity::world() const {
+    if (world_ == nullptr) [[unlikely]]
+        failWithoutWorld();
+    return *world_;
 }
 
 inline bool Entity::alive() const { return world_ != nullptr && world_->alive(id_); }

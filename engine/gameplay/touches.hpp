@@ -10,9 +10,7 @@ namespace plumb {
 template <class Event, class T, class U, class Visit>
 void forEachTouch(World& world, Visit visit) {
     if (world.count<T>() == 0) return;
-    // By index, as a visit may emit events of this type, which reallocates the list.
-    for (std::size_t i = 0; i < world.events<Event>().size(); ++i) {
-        const Event touch = world.events<Event>()[i];
+    for (const Event& touch : world.events<Event>()) {
         if (world.has<T>(touch.trigger) && world.has<U>(touch.other)) visit(touch.trigger, touch.other);
     }
 }

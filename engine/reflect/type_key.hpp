@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <type_traits>
 
@@ -11,7 +12,10 @@ namespace plumb {
 /// Upper limit of keys, so that tables indexed by key need no bounds check.
 inline constexpr TypeKey kMaxTypes = 2048;
 
-TypeKey nextTypeKey();
+/// A key for another type. @param name  for messages about it; copied
+TypeKey nextTypeKey(std::string_view name = {});
+/// The name that a key was created with, as the compiler writes it; empty if it has none.
+std::string_view typeNameOf(TypeKey key);
 
 /// The key of a type of a project's code, which is loaded again after a change: each version gets the same
 /// key. Types of unnamed namespaces get another key in each call for a version, because two files may use the
@@ -19,6 +23,8 @@ TypeKey nextTypeKey();
 TypeKey reloadableTypeKey(std::string_view name);
 /// To be called before another version of a project's code is loaded.
 void beginReloadableTypes();
+/// Number of the version of a project's code that was loaded last: of calls of beginReloadableTypes().
+std::uint32_t reloadableVersion();
 /// True if the type belongs to a project's code that is loaded again after a change.
 bool isReloadable(TypeKey key);
 
@@ -26,7 +32,7 @@ template <class T>
 #if defined(PLUMB_RELOADABLE)
 inline const TypeKey kTypeKey = reloadableTypeKey(compilerTypeName<T>());
 #else
-inline const TypeKey kTypeKey = nextTypeKey();
+inline const TypeKey kTypeKey = nextTypeKey(compilerTypeName<T>());
 #endif
 
 /// The key of a type in this program, const or not.

@@ -1,6 +1,8 @@
 #include "scene/world_transform.hpp"
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
@@ -28,11 +30,47 @@ Pose relativeTo(const Pose& parent, const Pose& child) {
             child.rotation - parent.rotation, divided(child.scale, parent.scale)};
 }
 
-Pose worldPose(const World& world, EntityId entity, float alpha) {
+namespace {
+
+Pose ownPose(const World& world, EntityId entity, float alpha) {
     const auto* transform = world.find<Transform>(entity);
-    const Pose own = transform != nullptr ? interpolated(*transform, alpha) : Pose{};
-    const EntityId parent = parentOf(world, entity);
-    return parent ? composed(worldPose(world, parent, alpha), own) : own;
+    return transform != nullptr ? interpolated(*transform, alpha) : Pose{};
+}
+
+}  // namespace
+
+Pose worldPose(const World& world, EntityId entity, float alpha) {
+    EntityId parent = parentOf(world, entity);
+    if (!parent) return ownPose(world, entity, alpha);
+    // From the root down, as rounding makes the order of the compositions visible. Scratch memory, as a
+    // chain of entities may be too long for the stack.
+    thread_local std::vector<EntityId> path;
+    path.assign(1, entity);
+    for (; parent; parent = parentOf(world, parent)) path.push_back(parent);
+    Pose pose = ownPose(world, path.back(), alpha);
+    for (std::size_t i = path.size() - 1; i-- > 0;) pose = composed(pose, ownPose(world, path[i], alpha));
+    return pose;
+}
+
+Pose WorldPoses::of(const World& world, EntityId entity, float alpha) {
+    if (!parentOf(world, entity)) return ownPose(world, entity, alpha);
+    if (alpha != alpha_) clear();
+    alpha_ = alpha;
+    const auto isKnown = [this](EntityId id) {
+        return id.index < known_.size() && known_[id.index].pass == pass_;
+    };
+    path_.clear();
+    EntityId at = entity;
+    for (; at && !isKnown(at); at = parentOf(world, at)) path_.push_back(at);
+    Pose pose = at ? known_[at.index].pose : Pose{};
+    for (std::size_t i = path_.size(); i-- > 0;) {
+        const Pose own = ownPose(world, path_[i], alpha);
+        pose = !at && i + 1 == path_.size() ? own : composed(pose, own);
+        if (!world.alive(path_[i])) continue;
+        if (path_[i].index >= known_.size()) known_.resize(path_[i].index + 1);
+        known_[path_[i].index] = {pass_, pose};
+    }
+    return pose;
 }
 
 namespace {

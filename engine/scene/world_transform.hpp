@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "ecs/world.hpp"
 #include "math/angle.hpp"
 #include "math/vec2.hpp"
@@ -36,6 +39,40 @@ Pose relativeTo(const Pose& parent, const Pose& child);
 /// Returns the world pose of an entity: its Transform combined with those of its ancestors.
 /// An entity without a Transform has the pose of its parent.
 Pose worldPose(const World& world, EntityId entity, float alpha = 1.0f);
+
+/// World poses of many entities, as worldPose() with the same bits: the pose of a common ancestor is computed
+/// once, so that the poses of a chain of n entities cost O(n), not O(n²).
+class WorldPoses {
+public:
+    WorldPoses() = default;
+    /// A copy is empty: what is remembered is not part of a state.
+    WorldPoses(const WorldPoses&) : WorldPoses{} {}
+    WorldPoses& operator=(const WorldPoses&) { return clear(), *this; }
+
+    /// @pre since clear(), the world has not changed, or forget() was called for each change
+    Pose of(const World& world, EntityId entity, float alpha = 1.0f);
+    /// Returns the pose of an entity with this parent and this pose relative to it.
+    Pose of(const World& world, const Pose& own, EntityId parent, float alpha = 1.0f) {
+        return parent ? composed(of(world, parent, alpha), own) : own;
+    }
+    /// To be called when the Transform of an entity was written.
+    void forget(EntityId entity) {
+        if (entity.index < known_.size() && known_[entity.index].pass == pass_) clear();
+    }
+    /// To be called when the world may have changed.
+    void clear() { ++pass_; }
+
+private:
+    struct Known {
+        std::uint64_t pass = 0;  // the pose is valid if this is the current one
+        Pose pose;
+    };
+
+    std::vector<Known> known_;    // indexed by EntityId::index
+    std::vector<EntityId> path_;  // of(): the ancestors whose pose is not known; a member to reuse its memory
+    std::uint64_t pass_ = 1;
+    float alpha_ = 1.0f;
+};
 
 /// Copies the current pose of every Transform and the zoom of every Camera to their `previous` fields. Call
 /// at the start of a tick; drawing interpolates from there.

@@ -2,10 +2,13 @@
 
 #include <bit>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/faults.hpp"
 
 namespace plumb {
 namespace {
@@ -55,7 +58,30 @@ TEST(Text, theClosestNameIsFoundForAMistypedOne) {
 
 TEST(Text, formatReplacesPlaceholdersInOrder) {
     EXPECT_EQ(format("{}x{} {}", 800, 600, 0.1f), "800x600 0.1");
-    EXPECT_EQ(format("{} of {}", 1), "1 of {}");
+}
+
+// format() compiles only if these numbers agree: tests/rules/wrong_uses.cpp tries it.
+static_assert(placeholdersIn("{}x{} {}") == 3);
+static_assert(placeholdersIn("{ } {0} {:.2f}") == 0);
+static_assert(placeholdersIn("{{}} {}}{") == 2);
+static_assert(placeholdersIn("{") == 0);
+
+TEST(Text, aPatternOfRunTimeMayHaveAnyNumberOfPlaceholders) {
+    EXPECT_EQ(format(runtimePattern("{} of {}"), 1), "1 of {}");
+    EXPECT_EQ(format(runtimePattern("{}"), 1, 2), "1");
+    EXPECT_EQ(format(runtimePattern("{ {} {"), "{}"), "{ {} {") << "arguments are not patterns";
+    EXPECT_EQ(format(runtimePattern("{}")), "{}");
+    const char* none = nullptr;
+    EXPECT_EQ(format("{}", none), "(null)");
+}
+
+TEST(LogText, aTextOfRunTimeIsWrittenAsItIs) {
+    const test::Faults log;
+    const std::string text = "{} and {";
+    logNote("Game", text);
+    logWarning("Game", text.c_str());
+    logNote("Game", "{} coins", 3);
+    EXPECT_EQ(log.lines(), (std::vector<std::string>{text, text, "3 coins"}));
 }
 
 }  // namespace

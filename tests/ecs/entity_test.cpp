@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdlib>
+#include <initializer_list>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,7 +16,9 @@
 #endif
 
 #include "core/assert.hpp"
+#include "ecs/hierarchy.hpp"
 #include "tests/ecs/parts.hpp"
+#include "tests/support/faults.hpp"
 
 namespace plumb {
 namespace {
@@ -139,6 +143,115 @@ TEST(EntityTest, accessingAMissingComponentFailsWithAClearMessage) {
     EXPECT_NE(lastSentence.find("an entity that has none"), std::string::npos) << lastSentence;
 #endif
     EXPECT_FALSE(e.hasComponent<Velocity>());
+}
+
+/// Calls all functions of a handle and of its world that take an id, for an entity that does not exist.
+void useInVain(World& world, Entity entity) {
+    const EntityId id = entity;
+    const TypeInfo& type = componentType<Position>().info;
+    EXPECT_FALSE(entity);
+    EXPECT_FALSE(entity.hasComponent<Position>());
+    EXPECT_FALSE(entity.hasComponent<Frozen>());
+    EXPECT_EQ(entity.find<Position>(), nullptr);
+    EXPECT_EQ(entity.find<const Position>(), nullptr);
+    entity.get<Position>().x = 5.0f;
+    entity.get<const Position>();
+    entity.get<Frozen>();
+    entity.addComponent<Position>(1.0f, 2.0f).y = 3.0f;
+    entity.addComponent<Frozen>();
+    entity.removeComponent<Position>();
+    entity.destroy();
+    EXPECT_FALSE(world.alive(id));
+    EXPECT_EQ(world.find<Position>(id), nullptr);
+    EXPECT_EQ(world.find(type, id), nullptr);
+    EXPECT_EQ(std::as_const(world).find(type, id), nullptr);
+    EXPECT_FALSE(world.has<Position>(id));
+    EXPECT_FALSE(world.has(type, id));
+    EXPECT_EQ(world.add(type, id), nullptr);
+    world.add<Position>(id, 1.0f, 2.0f);
+    world.get<Position>(id).x = 6.0f;
+    std::as_const(world).get<Position>(id);
+    world.remove<Position>(id);
+    world.remove(type, id);
+    world.destroy(id);
+    EXPECT_FALSE(world.changedSince<Position>(id, 0));
+    EXPECT_EQ(world.positionOf<Position>(id), 0u);
+    EXPECT_EQ(world.positionOf<Numbered<7>>(id), 0u) << "of a type that the world has not met";
+    EXPECT_FALSE(setParent(world, id, {}));
+    EXPECT_FALSE(setParent(world, world.first<Position>(), id) && id.index != 0);
+    EXPECT_FALSE(parentOf(world, id));
+    EXPECT_TRUE(childrenOf(world, id).empty());
+    for (Entity child : childrenOf(world, id)) ADD_FAILURE() << child.id().index;
+    EXPECT_FALSE(isAncestor(world, id, id));
+    world.commands().add(id, Position{1.0f, 2.0f});
+    world.commands().remove<Position>(id);
+    world.commands().destroy(id);
+    world.commands().flush(world);
+}
+
+TEST(EntityProperty, noFunctionChangesAWorldThroughAHandleOfNoEntity) {
+    const test::Faults faults;
+    World world;
+    World other;
+    fillWithMovers(world, 5);
+    fillWithMovers(other, 60);
+    world.destroy(EntityId{3, 1});
+    const auto stateOf = [&world] {
+        std::vector<float> state;
+        for (auto [entity, position] : std::as_const(world).query<const Position>())
+            state.insert(state.end(), {static_cast<float>(entity.id().index), position.x, position.y});
+        return std::pair{state, world.hash()};
+    };
+    const auto before = stateOf();
+
+    useInVain(world, Entity{});
+    for (std::uint32_t index = 0; index < 60; ++index) {
+        for (const std::uint32_t generation : {0u, 1u, 2u, 3u, 4u, 0xfffffffeu}) {
+            SCOPED_TRACE(testing::Message() << index << ", generation " << generation);
+            const EntityId id{index, generation};
+            if (!world.alive(id)) useInVain(world, world.entity(id));
+        }
+    }
+    useInVain(world, world.entity({4000000000u, 1}));
+    for (auto [entity, position] : other.query<Position>()) {
+        if (!world.alive(entity)) useInVain(world, world.entity(entity));
+    }
+
+    EXPECT_EQ(stateOf(), before);
+    EXPECT_EQ(world.entityCount(), 4u);
+    EXPECT_EQ(world.count<Frozen>(), 0u);
+    for (int i = 0; i < 100; ++i) EXPECT_FALSE(world.createEntity().hasComponent<Position>());
+}
+
+TEST(EntityTest, aMissingComponentIsReportedWithItsNameTheEntityAndTheRemedy) {
+    test::Faults faults;
+    World world;
+    Entity e = world.createEntity();
+    const auto expect = [&](std::initializer_list<std::string_view> texts) {
+        world.beginTick();  // builds without assertions report then
+        for (const std::string_view text : texts)
+            EXPECT_TRUE(faults.mention(text))
+                << text << " is not in: " << testing::PrintToString(faults.lines());
+        EXPECT_EQ(faults.lines().size(), 1u);
+        faults.clear();
+    };
+    e.get<Numbered<8>>();
+    expect({"Numbered<8> was requested from entity 1 (generation 1)", "an entity that has none",
+            "hasComponent<Numbered<8>>()", "find<Numbered<8>>()"});
+    Entity{}.get<Position>();
+    expect({"Position was requested from the empty handle", "if (entity)", "find<Position>()"});
+    Entity{}.addComponent<Frozen>();
+    expect({"Frozen was requested from the empty handle"});
+    world.get<Position>(EntityId{});
+    expect({"Position was requested from the empty handle"});
+    e.destroy();
+    e.get<Position>();
+    expect({"entity 1 (generation 1)", "a stale handle", "check alive()", "find<Position>()"});
+}
+
+TEST(EntityTest, theWorldOfTheEmptyHandleStopsTheProgramWithAMessage) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_DEATH(static_cast<void>(Entity{}.world()), "belongs to no world; check it: if \\(entity\\)");
 }
 
 TEST(EntityTest, handlesCompareByIndexAndGeneration) {

@@ -1,5 +1,9 @@
 #include "ecs/hierarchy.hpp"
 
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -84,6 +88,95 @@ TEST(HierarchyTest, childrenMayBeDestroyedDuringIteration) {
     }
     EXPECT_EQ(at, 10);
     EXPECT_EQ(childrenOf(world, parent).size(), 5u);
+}
+
+/// A chain of entities, each the child of the one before; built from its top or from its end.
+std::vector<Entity> chainOf(World& world, std::size_t count, bool fromTop) {
+    std::vector<Entity> chain(count);
+    for (Entity& entity : chain) {
+        entity = world.createEntity();
+        entity.addComponent<Position>();
+    }
+    for (std::size_t i = 1; i < count; ++i) {
+        const std::size_t child = fromTop ? i : count - i;
+        EXPECT_TRUE(setParent(world, chain[child], chain[child - 1]));
+    }
+    return chain;
+}
+
+// A function that recurses along the chain exhausts the stack; one that walks along
+// it for each entity takes 5 * 10^9 steps, more than 10 s.
+TEST(HierarchyTest, aChainOf100000EntitiesIsBuiltMovedAndDestroyedInTimeAndWithoutRecursion) {
+    constexpr std::size_t kCount = 100'000;
+    constexpr double kMostSeconds = 5.0;
+    const std::clock_t start = std::clock();
+    for (const bool fromTop : {true, false}) {
+        World world;
+        const std::vector<Entity> chain = chainOf(world, kCount, fromTop);
+        EXPECT_TRUE(isAncestor(world, chain.front(), chain.back()));
+        EXPECT_FALSE(setParent(world, chain.front(), chain.back())) << "a cycle";
+
+        Entity other = world.createEntity();
+        EXPECT_TRUE(setParent(world, chain[kCount / 2], other));
+        std::size_t below = 0;
+        forEachBelow(world, other, [&](EntityId) { return ++below, true; });
+        EXPECT_EQ(below, kCount / 2);
+
+        other.destroy();
+        EXPECT_EQ(world.entityCount(), kCount / 2);
+        int visited = 0;
+        for (auto [entity, position] : world.query<Position>()) {
+            ++visited;
+            chain[1].destroy();  // all others, inside a loop
+        }
+        EXPECT_EQ(visited, 1);
+        EXPECT_EQ(world.entityCount(), 1u);
+        EXPECT_EQ(world.count<Parent>() + world.count<Children>(), 0u);
+    }
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, kMostSeconds);
+}
+
+TEST(HierarchyProperty, destroyingFreesIndicesChildrenBeforeTheirParentsInOrder) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        World world;
+        std::vector<Entity> all;
+        for (std::uint32_t i = 0; i < 40; ++i) {
+            all.push_back(world.createEntity());
+            if (i > 0) setParent(world, all.back(), all[random.below(i)]);
+        }
+        std::vector<EntityId> expected;  // by a recursive walk
+        const std::function<void(EntityId)> walk = [&](EntityId parent) {
+            for (Entity child : childrenOf(world, parent)) walk(child);
+            expected.push_back(parent);
+        };
+        walk(all[0]);
+        std::vector<EntityId> visited{all[0]};
+        forEachBelow(world, all[0], [&](EntityId id) {
+            EXPECT_EQ(std::count(visited.begin(), visited.end(), parentOf(std::as_const(world), id)), 1)
+                << "parents before their children";
+            visited.push_back(id);
+            return true;
+        });
+        EXPECT_EQ(visited.size(), 40u);
+
+        all[0].destroy();
+
+        ASSERT_EQ(expected.size(), 40u);
+        for (auto freed = expected.rbegin(); freed != expected.rend(); ++freed)
+            ASSERT_EQ(world.createEntity().id().index, freed->index) << "the index freed last is used first";
+    }
+}
+
+TEST(HierarchyTest, aListOfChildrenThatSetParentDidNotWriteEndsTheDestruction) {
+    World world;
+    Entity parent = world.createEntity();
+    Entity stranger = world.createEntity();
+    parent.addComponent<Children>(Children{stranger, stranger, 1});
+    parent.destroy();
+    EXPECT_FALSE(parent.alive());
+    EXPECT_TRUE(stranger.alive());
 }
 
 TEST(HierarchyTest, hierarchiesMayBeDestroyedInALoop) {

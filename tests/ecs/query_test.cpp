@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
+#include "ecs/hierarchy.hpp"
 #include "tests/ecs/parts.hpp"
+#include "tests/support/faults.hpp"
 
 namespace plumb {
 namespace {
@@ -197,6 +200,91 @@ TEST(QueryTest, nestedLoopsSeeTheCurrentWorld) {
     EXPECT_EQ(pairs, 20);
     EXPECT_EQ(world.count<Position>(), 1u);
     EXPECT_EQ(world.query<Position>().count(), 1u);
+}
+
+TEST(QueryTest, savingRestoringAndClusteringInALoopIsRefusedWithTheRemedy) {
+    World world;
+    fillWithMovers(world, 10);
+    const Snapshot before = world.save();
+    Snapshot inside;
+    int visited = 0;
+    for (auto [entity, position] : world.query<Position>()) {
+        entity.destroy();
+        test::Faults faults;
+        world.save(inside);
+        EXPECT_TRUE(faults.mention("save() was called inside a loop")) << visited;
+        world.restore(before);
+        EXPECT_TRUE(faults.mention("restore() was called inside a loop"));
+        world.cluster();
+        EXPECT_TRUE(faults.mention("cluster() was called inside a loop"));
+        EXPECT_TRUE(faults.mention("call it after the loop"));
+        ++visited;
+    }
+    EXPECT_EQ(visited, 10);
+    EXPECT_EQ(world.entityCount(), 0u);
+    const test::Faults faults;
+    world.restore(inside);
+    EXPECT_TRUE(faults.mention("a snapshot that holds no world"));
+    EXPECT_EQ(world.entityCount(), 0u);
+    world.restore(before);
+    EXPECT_EQ((world.query<Position, Velocity>().count()), 10u);
+}
+
+/// Changes the world at random, also by loops within the loop.
+void change(World& world, Random& random, int depth) {
+    const auto any = [&] { return world.entity({random.below(40) + 1, random.below(6) + 1}); };
+    for (int i = 0; i < 3; ++i) {
+        const Entity entity = any();
+        switch (random.below(10)) {
+            case 0: world.createEntity().addComponent<Position>(1.0f, 1.0f); break;
+            case 1:
+            case 2: entity.destroy(); break;
+            case 3: entity.removeComponent<Position>(); break;
+            case 4: entity.removeComponent<Velocity>(); break;
+            case 5: entity.removeComponent<Frozen>(); break;
+            case 6:
+                if (entity) entity.addComponent<Frozen>();
+                break;
+            case 7:
+                if (entity) entity.addComponent<Velocity>(2.0f, 2.0f);
+                break;
+            case 8: static_cast<void>(setParent(world, entity, any())); break;
+            default:
+                if (random.below(20) == 0) world.clear();
+        }
+    }
+    if (depth > 0 && random.below(4) == 0) {
+        for (auto [entity, velocity] : world.query<Velocity>(without<Frozen>))
+            change(world, random, depth - 1);
+    }
+}
+
+TEST(QueryProperty, anyChangeInsideALoopLeavesItWithLivingEntitiesThatMatch) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        World world;
+        fillWithMovers(world, 30);
+        const auto check = [&](Entity entity, Position& position) {
+            ASSERT_TRUE(entity.alive());
+            ASSERT_EQ(entity.find<Position>(), &position);
+            ASSERT_TRUE(entity.hasComponent<Velocity>());
+            ASSERT_FALSE(entity.hasComponent<Frozen>());
+            position.x += 1.0f;
+            change(world, random, 2);
+        };
+        for (auto [entity, position, velocity] : world.query<Position, Velocity>(without<Frozen>))
+            check(entity, position);
+        fillWithMovers(world, 10);
+        world.query<Position, const Velocity>(without<Frozen>)
+            .each([&](Entity entity, Position& position, const Velocity&) { check(entity, position); });
+        std::size_t alive = 0;
+        for (auto [entity, position] : world.query<Position>()) {
+            ASSERT_EQ(entity.find<Position>(), &position);
+            ++alive;
+        }
+        ASSERT_EQ(alive, world.count<Position>());
+    }
 }
 
 TEST(QueryTest, leavingALoopEarlyAppliesItsChanges) {

@@ -218,9 +218,7 @@ template <class Outline>
 bool takeCorner(ComponentState& state, int part) {
     auto& outline = valueOf<Outline>(state);
     if (part < 0 || outline.points.size() <= fewestCorners(outline)) return false;
-    std::rotate(outline.points.begin() + part, outline.points.begin() + part + 1, outline.points.end());
-    outline.points.items[--outline.points.count] = {};
-    return true;
+    return outline.points.erase(static_cast<std::size_t>(part));
 }
 
 /// Functions for one type of collider. Positions are in turned coordinates, px.

@@ -188,7 +188,8 @@ int drawWorkPrecision(Ui& ui, const WhatIfResult& result, ImVec2 size) {
         if (!hovered || !over) continue;
         tooltip(format("{}{}: {} per tick, largest error {}, momentary peak {}",
                        automatic ? "Automatic, from quality " : "Quality ", point->quality,
-                       costWords(point->microseconds), lengthWords(point->error(), result.scale)));
+                       costWords(point->microseconds), lengthWords(point->error(), result.scale),
+                       lengthWords(point->peak, result.scale)));
         if (pressed && !automatic) clicked = point->quality;
     }
     return clicked;

@@ -119,29 +119,6 @@ struct Sight {
     }
 };
 
-/// World poses of entities, with a cache of the last parent's pose, as consecutive entities often have the
-/// same parent. Bit-identical to worldPose().
-class FamilyPoses {
-public:
-    explicit FamilyPoses(const World& world) : world_{world} {}
-
-    /// @param own  pose relative to the parent
-    Pose of(const Pose& own, EntityId parent, float alpha) {
-        if (!parent) return own;
-        if (parent != parent_ || alpha != alpha_) {
-            pose_ = worldPose(world_, parent, alpha);
-            parent_ = parent, alpha_ = alpha;
-        }
-        return composed(pose_, own);
-    }
-
-private:
-    const World& world_;
-    EntityId parent_;
-    float alpha_ = 0.0f;
-    Pose pose_;
-};
-
 }  // namespace
 
 bool isSeen(const World& world, EntityId entity, const SceneView& how) {
@@ -242,6 +219,7 @@ void SceneRenderer::drawPhysics(const World& world, const PhysicsShown& shown, c
 
 void SceneRenderer::collect(const World& world, const SceneView& how, DrawList& list) {
     textures_.refresh();
+    poses_.clear();
     if (how.place <= 0) tiles_.beginFrame(static_cast<double>(world.tick) * kSecondsPerTick + how.ahead);
     anyPaused_ = world.count<Paused>() > 0;
     readLayers(world, how);
@@ -330,15 +308,14 @@ void SceneRenderer::collectSprites(const World& world, const SceneView& how, Dra
             world, how, [&](float alpha, const Sprite& sprite, const Transform& transform) {
                 collect(sprite, interpolated(transform, alpha));
             });
-    FamilyPoses poses{world};
     forSeen(
         world.query<const Sprite, const Transform, const Parent>(without<Hidden, ParallaxLayer>, withPaused),
         world, how, [&](float alpha, const Sprite& sprite, const Transform& transform, const Parent& parent) {
-            collect(sprite, poses.of(interpolated(transform, alpha), parent.entity, alpha));
+            collect(sprite, poses_.of(world, interpolated(transform, alpha), parent.entity, alpha));
         });
     forSeen(world.query<const Sprite, const Parent>(without<Hidden, ParallaxLayer, Transform>, withPaused),
             world, how, [&](float alpha, const Sprite& sprite, const Parent& parent) {
-                collect(sprite, poses.of({}, parent.entity, alpha));
+                collect(sprite, poses_.of(world, Pose{}, parent.entity, alpha));
             });
 }
 
@@ -348,7 +325,7 @@ void SceneRenderer::collectBackdrops(const World& world, const SceneView& how, D
     for (auto [entity, sprite, backdrop] :
          world.query<const Sprite, const ParallaxLayer>(without<Hidden>, withPaused)) {
         if (!isSeen(world, entity, how)) continue;
-        const Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
+        const Pose pose = poses_.of(world, entity, alphaOf(world, entity, how));
         SpriteQuad quad = quadOf(sprite, pose, textures_.regionOf(sprite.texture));
         if (!isPlain(pose)) lowestFrontLayer_ = std::min(lowestFrontLayer_, quad.layer);
         if (how.parallax)
@@ -378,7 +355,7 @@ void SceneRenderer::collectTiles(const World& world, const SceneView& how, DrawL
     const Vec2 moved = topLeftOf(how.view) - how.parallaxOrigin;
     for (auto [entity, layer] : world.query<const TileLayer>(without<Hidden>, withPaused)) {
         if (!isSeen(world, entity, how)) continue;
-        Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
+        Pose pose = poses_.of(world, entity, alphaOf(world, entity, how));
         if (const auto* backdrop = world.find<ParallaxLayer>(entity); backdrop != nullptr && how.parallax) {
             pose.position += {moved.x * (1.0f - backdrop->factor.x), moved.y * (1.0f - backdrop->factor.y)};
         }
@@ -404,7 +381,7 @@ void SceneRenderer::collectParticles(const World& world, const SceneView& how, D
         const float alpha = alphaOf(world, stream.emitter, how);
         ParticleLook look;
         look.picture = textures_.regionOf(emitter->texture);
-        look.pose = worldPose(world, stream.emitter, alpha);
+        look.pose = poses_.of(world, stream.emitter, alpha);
         look.back = how.particles != nullptr ? how.particleBack
                                              : (1.0f - alpha) * static_cast<float>(kSecondsPerTick);
         look.gravity = gravity;
@@ -422,7 +399,7 @@ void SceneRenderer::collectLabels(const World& world, const SceneView& how, Draw
     const Vec2 corner = how.parallax ? topLeftOf(how.view) : Vec2{};
     for (auto [entity, label] : world.query<const Label>(without<Hidden>, withPaused)) {
         if (!isSeen(world, entity, how)) continue;
-        Pose pose = worldPose(world, entity, alphaOf(world, entity, how));
+        Pose pose = poses_.of(world, entity, alphaOf(world, entity, how));
         if (label.screen) pose.position += corner;
         if (const SceneLayer* look = layerOf(label.layer); look != nullptr && !look->visible) continue;
         labels_.draw(world, label, pose, how.labelText, list);

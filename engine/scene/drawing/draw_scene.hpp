@@ -102,6 +102,7 @@ private:
     LabelDrawing labels_;
     ParticleDrawing particles_;
     PhysicsDrawing physics_;
+    WorldPoses poses_;  ///< within a collect()
     DrawList list_;
     std::vector<SceneLayer> layers_;  ///< layer settings of the drawn scenes, bottom scene first
     int lowestFrontLayer_ = 0;        ///< lowest layer of the last collect() that is not only backdrops

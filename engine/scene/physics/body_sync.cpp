@@ -83,6 +83,8 @@ public:
     bool follow(std::uint64_t mark, bool membersChanged) {
         state_.arrived.clear();
         state_.departed.clear();
+        state_.poses.clear();
+        ++state_.follows;
         noteWrites(mark);
         if (membersChanged) noteMembers(mark);
         const bool cameOrWent = arriveAndDepart();
@@ -105,13 +107,16 @@ private:
     }
     /// Marks the bodies of an entity's descendants, as they move with it.
     void noteBelow(EntityId entity) {
-        const Children* family = reader_.find<Children>(entity);
-        EntityId child = family == nullptr ? EntityId{} : family->first;
-        for (const Parent* link = nullptr; child; child = link->next) {
-            note(child, kPose);
-            noteBelow(child);
-            link = reader_.find<Parent>(child);
-        }
+        if (!firstChildOf(reader_, entity) || !isFirstVisit(entity)) return;
+        forEachBelow(reader_, entity, [this](EntityId below) {
+            note(below, kPose);
+            return isFirstVisit(below);
+        });
+    }
+    /// False if the descendants of an entity are marked already in this sync.
+    bool isFirstVisit(EntityId entity) {
+        if (state_.below.size() <= entity.index) state_.below.resize(entity.index + 1);
+        return std::exchange(state_.below[entity.index], state_.follows) != state_.follows;
     }
 
     void noteWrites(std::uint64_t mark) {
@@ -205,6 +210,9 @@ private:
             if (const BodyId ofOtherKind = bodyOf(state_, arrival.entity)) forget(ofOtherKind);
             create(arrival.entity, kindOf(reader_, arrival.entity));
         }
+        // From the back of the lists, where erasing moves the least.
+        for (auto body = state_.departed.rbegin(); body != state_.departed.rend(); ++body)
+            unlist(idAt(*body));
         for (const std::uint32_t body : state_.departed) forget(idAt(body));
         return !state_.arrived.empty() || !state_.departed.empty();
     }
@@ -220,7 +228,7 @@ private:
     }
 
     void create(EntityId entity, BodyKind kind) {
-        const Pose pose = worldPose(reader_, entity);
+        const Pose pose = state_.poses.of(reader_, entity);
         BodyDefinition definition;
         definition.kind = kind;
         definition.position = positionInMetres(pose.position, state_.scale);
@@ -250,11 +258,15 @@ private:
         state_.bodyOf[entity.index] = body.index + 1;
     }
 
+    void unlist(BodyId body) {
+        setParented(body, false);
+        setListed(state_.driven, body.index, false);
+    }
+
     void forget(BodyId body) {
         BodyLink& link = linkOf(body);
         if (state_.bodyOf[link.entity.index] == body.index + 1) state_.bodyOf[link.entity.index] = 0;
-        setParented(body, false);
-        setListed(state_.driven, body.index, false);
+        unlist(body);
         if (body.index < state_.stale.size()) state_.stale[body.index] = 0;
         physics::destroyBody(bodies_, body);
         link = {};
@@ -264,7 +276,7 @@ private:
     /// moved. Kinematic bodies are moved in driveKinematics().
     void followPose(BodyId body) {
         BodyLink& link = linkOf(body);
-        const Pose pose = worldPose(reader_, link.entity);
+        const Pose pose = state_.poses.of(reader_, link.entity);
         if (!(pose.scale == link.pose.scale)) {
             link.pose.scale = pose.scale;
             followColliders(body);
@@ -277,7 +289,7 @@ private:
             link.pose = pose;
             link.rotation = rotationOf(bodies_, body);
         } else {
-            placeEntity(world_, link.entity, link.pose);
+            placeEntity(world_, state_.poses, link.entity, link.pose);
         }
     }
 

@@ -24,9 +24,9 @@ struct Course {
     float angularVelocity = 0.0f;  // rad/s, of the KinematicBody; used if not driven
 };
 
-Course courseOf(const World& world, const BodyLink& link) {
+Course courseOf(const World& world, WorldPoses& poses, const BodyLink& link) {
     Course course;
-    course.pose = worldPose(world, link.entity);
+    course.pose = poses.of(world, link.entity);
     course.driven = course.pose.position != link.pose.position || course.pose.rotation != link.pose.rotation;
     const Transform& transform = world.get<Transform>(link.entity);
     // teleport() sets the previous position too.
@@ -48,14 +48,14 @@ physics::BodyId idAt(const PhysicsState& state, std::uint32_t body) {
 /// are pushed by the character's controller, not by the velocity of this body.
 void follow(World& world, PhysicsState& state, std::uint32_t index) {
     BodyLink& link = state.links[index];
-    const Pose pose = worldPose(std::as_const(world), link.entity);
+    const Pose pose = state.poses.of(world, link.entity);
     if (pose.position == link.pose.position && pose.rotation == link.pose.rotation) return;
     const physics::WorldPosition place = positionInMetres(pose.position, state.scale);
     if (!(std::abs(place.x) < physics::kFarthest && std::abs(place.y) < physics::kFarthest &&
           std::abs(pose.rotation) < 1e5f)) {
         logRefusal(world, state, link.entity,
                    {"Transform", "expected a finite position and rotation", "move it back into the scene"});
-        placeEntity(world, link.entity, link.pose);
+        placeEntity(world, state.poses, link.entity, link.pose);
         return;
     }
     link.pose.position = pose.position;
@@ -73,7 +73,7 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
         return follow(world, state, index);
     }
     const physics::BodyId body = idAt(state, index);
-    const Course course = courseOf(std::as_const(world), link);
+    const Course course = courseOf(std::as_const(world), state.poses, link);
     // syncBodies() has already called moveTo() in this tick, for queries: keep that target.
     const bool sent = (state.world.bodies.info[index].flags & physics::kHasTarget) != 0;
     link.driven = course.driven || sent;
@@ -89,7 +89,7 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
             link.pose.rotation = course.pose.rotation;
             link.rotation = rotFromAngle(angle);
         } else {
-            placeEntity(world, link.entity, link.pose);
+            placeEntity(world, state.poses, link.entity, link.pose);
         }
     }
     if (!course.driven || course.jumps) {
@@ -111,6 +111,7 @@ void drive(World& world, PhysicsState& state, std::uint32_t index, float dt) {
 }  // namespace
 
 void driveKinematics(World& world, PhysicsState& state, float dt) {
+    state.poses.clear();
     for (const std::uint32_t body : state.driven) drive(world, state, body, dt);
 }
 

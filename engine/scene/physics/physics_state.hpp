@@ -123,6 +123,9 @@ struct PhysicsState {
     std::vector<BodyLink> links;         ///< indexed by body; entity is empty for bodies without an entity
     std::vector<std::uint32_t> bodyOf;   ///< indexed by EntityId::index: body index + 1, 0 for none
     std::vector<std::uint32_t> carried;  ///< indices of bodies whose entities have a parent, sorted
+    std::vector<std::uint64_t> below;    ///< indexed by entity: `follows` when its descendants were marked
+    std::uint64_t follows = 0;           ///< number of syncs
+    WorldPoses poses;                    ///< within a sync or a publication
     std::vector<std::uint8_t> stale;     ///< indexed by body, during a sync: bits of the changed components
     std::vector<std::uint32_t> driven;   ///< indices of kinematic bodies, sorted
     std::vector<std::uint32_t> stepped;  ///< indices of bodies that were awake before the step

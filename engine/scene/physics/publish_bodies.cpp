@@ -56,7 +56,7 @@ void publishRigid(World& world, const PhysicsState& state, std::uint32_t index, 
     body.grounded = grounded;
 }
 
-void publishPose(World& world, const PhysicsState& state, physics::BodyId body, BodyLink& link) {
+void publishPose(World& world, PhysicsState& state, physics::BodyId body, BodyLink& link) {
     if (link.driven || (state.world.bodies.info[body.index].flags & physics::kMoved) == 0) return;
     const Vec2 place = positionInPixels(positionOf(state.world, body), state.scale);
     const Rot rotation = rotationOf(state.world, body);
@@ -66,13 +66,14 @@ void publishPose(World& world, const PhysicsState& state, physics::BodyId body, 
     link.pose.position = place;
     if (turned) link.pose.rotation = angleOf(rotation);
     link.rotation = rotation;
-    placeEntity(world, link.entity, link.pose);
+    placeEntity(world, state.poses, link.entity, link.pose);
 }
 
 }  // namespace
 
 void publishBodies(World& world, PhysicsState& state) {
     findGrounded(state, state.grounded);
+    state.poses.clear();
     const auto publish = [&](std::uint32_t index, bool asleep) {
         const physics::BodyInfo& info = state.world.bodies.info[index];
         if (index >= state.links.size() || !state.links[index].entity) return;
