@@ -8,6 +8,7 @@
 #include "app/game_loop.hpp"
 #include "app/screen.hpp"
 #include "app/step_clock.hpp"
+#include "core/crash.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "platform/paths.hpp"
@@ -62,16 +63,22 @@ void Engine::fixedUpdate([[maybe_unused]] float dt) {
 }
 
 std::optional<int> Engine::open() {
+    reportCrashes("to find the line of the code, run it in a debugger: ./plumb play PROJECT --debug");
     Result<PlayerOptions> options = readGameOptions(words_);
     if (!options) {
         std::fprintf(stderr, "%s: %s\n", settings_.title.c_str(), options.error().text().c_str());
         return 2;
     }
-    options_ = begunAsRecorded(*options);
-    if (options_.help) {
+    if (options->help) {
         std::fputs(gameUsage(programOf(words_).string()).c_str(), stdout);
         return 0;
     }
+    options = begunAsRecorded(std::move(*options), settings_.title);
+    if (!options) {
+        logError("Input", options.error());
+        return 1;
+    }
+    options_ = std::move(*options);
     if (options_.headless) return std::nullopt;
     Result<std::unique_ptr<Screen>> screen = Screen::open(withOptions(settings_, options_));
     if (!screen) {

@@ -18,6 +18,7 @@ constexpr std::int64_t kCheckTicks = 600;       ///< ticks between two hashes of
 constexpr std::int64_t kSaveTicks = 300;        ///< ticks between two saves of a recording
 constexpr std::size_t kLongRecording = 50'000;  ///< input runs, about 1 MB; longer ones are saved less often
 constexpr std::int64_t kHeadlessTicks = 600;    ///< default number of ticks of a headless run
+constexpr const char* kEngineVersion = "0.1.0";
 
 void sleepSeconds(double seconds) {
     if (seconds > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>{seconds});
@@ -35,10 +36,16 @@ Result<Done> saveScreenshot(Screen& screen, const Path& path) {
     return png ? writeFile(path, *png) : png.error();
 }
 
-PlayerOptions begunAsRecorded(PlayerOptions options) {
+Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName) {
     if (options.replay.empty()) return options;
     const Result<Replay> replay = loadReplay(options.replay);
-    if (!replay) return options;  // GameLoop reports the error
+    if (!replay) return replay.error();
+    if (!replay->project.empty() && replay->project != projectName) {
+        return Error{
+            options.replay,
+            format("it was recorded by the project \"{}\", and this is \"{}\"", replay->project, projectName),
+            "play it with that project; if this one was renamed, change the second line of the file"};
+    }
     options.seed = replay->seed;
     if (options.scene.empty()) options.scene = replay->scene;
     return options;
@@ -75,7 +82,7 @@ bool GameLoop::prepare() {
     }
     game_.threads.setThreads(options_.threads);
     recorder_.replay.project = projectName_;
-    recorder_.replay.engine = "0.1.0";
+    recorder_.replay.engine = kEngineVersion;
     recorder_.replay.scene = options_.scene;
     recorder_.replay.seed = options_.seed;
     if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 &&
@@ -184,9 +191,13 @@ void GameLoop::tick() {
     if (sounds_) sounds_->listen(game_.world);
     if (const HashCheck* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
         expected != nullptr && expected->hash != game_.world.hash()) {
-        logError("Input", Error{options_.replay,
-                                format("the simulation differs from the recorded one at tick {}", ticks_),
-                                "record again if the game was changed on purpose"});
+        logError("Input",
+                 Error{options_.replay,
+                       format("the simulation differs from the recorded one at tick {}: the scenes or the "
+                              "code of \"{}\" have changed since, or the engine, then {}, now {}",
+                              ticks_, projectName_, replay_->engine, kEngineVersion),
+                       "play it with the version that recorded it; record again if the game was changed "
+                       "on purpose"});
         failed_ = true;
         quit();
     }

@@ -68,7 +68,9 @@ private:
 };
 
 /// Returns `options` with the seed of the replay file, and with its scene if the options name no scene.
-PlayerOptions begunAsRecorded(PlayerOptions options);
+/// @param projectName  the project to play; recordings of another one are refused
+/// @error the replay cannot be read, or belongs to another project
+Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName);
 
 /// Saves the current image as PNG, atomically.
 Result<Done> saveScreenshot(Screen& screen, const Path& path);

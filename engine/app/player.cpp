@@ -89,12 +89,17 @@ void warnOfMissingCode(const Project& project, const Module& code) {
 
 int playProject(const PlayerOptions& asked, const Module& code) {
     if (asked.benchmark) return benchmark(asked);
-    const PlayerOptions options = begunAsRecorded(asked);
-    Result<Project> project = loadProject(options.project);
+    Result<Project> project = loadProject(asked.project);
     if (!project) {
         logError("Engine", project.error());
         return 1;
     }
+    const Result<PlayerOptions> begun = begunAsRecorded(asked, project->name);
+    if (!begun) {
+        logError("Input", begun.error());
+        return 1;
+    }
+    const PlayerOptions& options = *begun;
     for (const Error& warning : project->warnings) {
         logWarning("Engine", warning);
     }

@@ -30,6 +30,8 @@ if(PLUMB_SANITIZE)
 endif()
 add_compile_definitions($<$<CONFIG:RelWithDebInfo>:PLUMB_ASSERTS>)
 
+option(PLUMB_DEBUG_CODE "compile the code of projects for a debugger: ./plumb play PROJECT --debug" OFF)
+
 option(PLUMB_FUZZ "build the fuzzers of tests/fuzz; requires clang" OFF)
 if(PLUMB_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)

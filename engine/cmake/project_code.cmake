@@ -3,8 +3,25 @@
 #   NAME-code    a library that the editor loads, and loads again after a change
 #   NAME-player  the player with the code linked in; an export contains it
 include(${CMAKE_CURRENT_LIST_DIR}/code_target.cmake)
+
+# Compiles the code of a game for a debugger, if asked to.
+function(debug_code target)
+    if(PLUMB_DEBUG_CODE)
+        target_compile_options(${target} PRIVATE $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-O0 -g>)
+    endif()
+endfunction()
+
+# Lets reports of crashes (core/crash.hpp) name the functions of a game's code. Exported functions of the engine would
+# stay in the program even if they are not used. The libraries of sanitizers must be exported.
+function(name_functions program)
+    set_target_properties(${program} PROPERTIES ENABLE_EXPORTS ON)
+    if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT PLUMB_SANITIZE)
+        target_link_options(${program} PRIVATE -Wl,--exclude-libs,ALL)
+    endif()
+endfunction()
+
 function(add_project_code name folder)
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/code/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/code/*.cpp")
     if(NOT sources)
         return()
     endif()
@@ -12,7 +29,7 @@ function(add_project_code name folder)
     set(check ${PROJECT_SOURCE_DIR}/engine/cmake/check_module.cmake)
     set(checked ${CMAKE_CURRENT_BINARY_DIR}/${name}-module.txt)
     add_custom_command(OUTPUT ${checked} COMMENT "Checking PLUMB_MODULE in ${folder}/code"
-        COMMAND ${CMAKE_COMMAND} -D FOLDER=${folder}/code -D "FILES=${sources}" -D STAMP=${checked} -P ${check}
+        COMMAND ${CMAKE_COMMAND} -D "FOLDER=${folder}/code" -D "FILES=${sources}" -D STAMP=${checked} -P ${check}
         DEPENDS ${sources} ${check} VERBATIM)
     # Compiled once for both. The header of all that games use is compiled once, too: a change is built in some 4 s.
     add_library(${name}-objects OBJECT ${sources} ${checked})
@@ -23,8 +40,11 @@ function(add_project_code name folder)
     # Each version of a library that is loaded again has its own types; gcc makes inline variables unique in the program.
     target_compile_options(${name}-objects PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
 
+    debug_code(${name}-objects)
+
     add_executable(${name}-player ${PROJECT_SOURCE_DIR}/player/main.cpp)
     target_link_libraries(${name}-player PRIVATE ${name}-objects plumb::engine)
+    name_functions(${name}-player)
 
     if(NOT PLUMB_EDITOR)
         return()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/crash.hpp"
 #include "core/profile.hpp"
 #include "ecs/system_gates.hpp"
 #include "ecs/world.hpp"
@@ -52,6 +53,7 @@ void Schedule::run(World& world, float dt, Profile* profile) const {
     // By index, because a system may add another one, which then runs if it comes later in the order.
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         if (gates != nullptr && !gates->shouldRun(world, i, boxes_[i]->key)) continue;
+        const Running running{boxes_[i]->name};
         const ProfileScope scope{profile, boxes_[i]->name};
         boxes_[i]->update(world, dt);
         world.commands().flush(world);

@@ -9,15 +9,31 @@
 namespace plumb {
 namespace {
 
-/// Returns the functions that emit events, indexed by event type. Not part of a world, as they are code.
-std::array<DelayedEvents::Emit, kMaxTypes>& emitters() {
-    static std::array<DelayedEvents::Emit, kMaxTypes> functions{};
-    return functions;
+/// The types that code delays, by key. Not part of a world, as they are code.
+std::array<DelayedType, kMaxTypes>& delayedTypes() {
+    static std::array<DelayedType, kMaxTypes> types{};
+    return types;
 }
 
-/// The order of entries; no two are equal.
-bool isBefore(const DelayedEvents::Entry& a, const DelayedEvents::Entry& b) {
-    return a.tick != b.tick ? a.tick < b.tick : a.number < b.number;
+/// The types that code has listed since followCode(), some before their keys were initialized.
+std::vector<DelayedType>& listedTypes() {
+    static std::vector<DelayedType> types;
+    return types;
+}
+
+/// The order of the heap: true if `a` is emitted after `b`. No two entries are equal, so the order in which
+/// they are taken from the heap does not depend on how it is arranged.
+bool isAfter(const DelayedEvents::Entry& a, const DelayedEvents::Entry& b) {
+    return a.tick != b.tick ? a.tick > b.tick : a.number > b.number;
+}
+
+void arrange(std::vector<DelayedEvents::Entry>& entries) {
+    std::make_heap(entries.begin(), entries.end(), isAfter);
+}
+
+template <class Condition>
+void removeIf(std::vector<DelayedEvents::Entry>& entries, const Condition& condition) {
+    if (std::erase_if(entries, condition) > 0) arrange(entries);
 }
 
 /// The scene that a timer belongs to, see emitAfter(). @return its LoadedScene::loading; 0: the whole game
@@ -44,19 +60,55 @@ Fate fateOf(const LoadedScenes& loaded, std::uint32_t scene) {
     return isPaused ? Fate::Rests : Fate::Runs;
 }
 
+void endTimersOfClosedScenes(DelayedEvents& delayed, const LoadedScenes& loaded) {
+    if (delayed.loadings == loaded.loadings && delayed.openScenes == loaded.scenes.size()) return;
+    delayed.loadings = loaded.loadings;
+    delayed.openScenes = static_cast<std::uint32_t>(loaded.scenes.size());
+    removeIf(delayed.entries,
+             [&](const DelayedEvents::Entry& entry) { return fateOf(loaded, entry.scene) == Fate::Ends; });
+}
+
+void delayTimersOfPausedScenes(DelayedEvents& delayed, const LoadedScenes& loaded) {
+    const auto pauses = [](const LoadedScene& scene) { return scene.pauses; };
+    if (std::none_of(loaded.scenes.begin(), loaded.scenes.end(), pauses)) return;
+    for (DelayedEvents::Entry& entry : delayed.entries) {
+        if (fateOf(loaded, entry.scene) == Fate::Rests) ++entry.tick;
+    }
+    arrange(delayed.entries);
+}
+
 }  // namespace
 
 void DelayedEvents::addTo(Hasher& hasher) const {
     // Without the bytes of the event: those between its members differ from run to run. Without the number of
     // the scene: that counts scenes which the editor may have loaded before.
+    // As a sum, as the arrangement of the heap is not state.
+    std::uint64_t sum = 0;
     for (const Entry& entry : entries) {
-        hasher.add(entry.tick);
-        hasher.add(entry.number);
+        Hasher one;
+        one.add(entry.tick);
+        one.add(entry.number);
+        sum += one.value();
     }
+    hasher.add(sum);
 }
 
-void DelayedEvents::dropReloadable() {
-    std::erase_if(entries, [](const Entry& entry) { return isReloadable(entry.type); });
+DelayedType listDelayedType(const DelayedType& type) { return listedTypes().emplace_back(type); }
+
+std::vector<std::string> DelayedEvents::followCode() {
+    for (const DelayedType& type : listedTypes()) delayedTypes()[*type.key] = type;
+    listedTypes().clear();
+    std::vector<std::string> dropped;
+    removeIf(entries, [&](const Entry& entry) {
+        if (!isReloadable(entry.type)) return false;
+        const DelayedType& type = delayedTypes()[entry.type];
+        if (type.version == reloadableVersion() && type.size == entry.size) return false;
+        dropped.emplace_back(type.name);
+        return true;
+    });
+    std::sort(dropped.begin(), dropped.end());
+    dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
+    return dropped;
 }
 
 std::uint64_t ticksOf(float seconds) {
@@ -66,42 +118,44 @@ std::uint64_t ticksOf(float seconds) {
     return static_cast<std::uint64_t>(std::clamp(seconds * kTicksPerSecond + 0.5f, 1.0f, kMax));
 }
 
-DelayedEvent addDelayed(World& world, EntityId asker, float seconds, DelayedEvents::Entry entry,
-                        DelayedEvents::Emit emit) {
-    emitters()[entry.type] = emit;
+DelayedEvent addDelayed(World& world, EntityId asker, float seconds, const DelayedType& type,
+                        const void* event) {
+    DelayedEvents::Entry entry;
+    entry.type = *type.key;
+    entry.size = type.size;
+    std::memcpy(entry.bytes.data(), event, type.size);
+    delayedTypes()[entry.type] = type;
     DelayedEvents& delayed = world.resource<DelayedEvents>();
     entry.tick = world.tick + ticksOf(seconds);
     entry.number = ++delayed.count;
     entry.scene = sceneOfAsker(world, asker);
-    const auto at = std::upper_bound(delayed.entries.begin(), delayed.entries.end(), entry, isBefore);
-    delayed.entries.insert(at, entry);
+    delayed.entries.push_back(entry);
+    std::push_heap(delayed.entries.begin(), delayed.entries.end(), isAfter);
     return {entry.number};
 }
 
 void followScenes(const World& world, DelayedEvents& delayed) {
     const LoadedScenes* loaded = world.findResource<LoadedScenes>();
     if (loaded == nullptr) return;
-    std::erase_if(delayed.entries, [&](const DelayedEvents::Entry& entry) {
-        return fateOf(*loaded, entry.scene) == Fate::Ends;
-    });
-    bool anyRests = false;
-    for (DelayedEvents::Entry& entry : delayed.entries) {
-        if (fateOf(*loaded, entry.scene) != Fate::Rests) continue;
-        ++entry.tick;
-        anyRests = true;
-    }
-    if (anyRests) std::sort(delayed.entries.begin(), delayed.entries.end(), isBefore);
+    endTimersOfClosedScenes(delayed, *loaded);
+    delayTimersOfPausedScenes(delayed, *loaded);
 }
 
 void cancel(World& world, DelayedEvent event) {
     auto* delayed = world.findResource<DelayedEvents>();
     if (delayed == nullptr) return;
-    std::erase_if(delayed->entries,
-                  [&](const DelayedEvents::Entry& entry) { return entry.number == event.number; });
+    removeIf(delayed->entries,
+             [&](const DelayedEvents::Entry& entry) { return entry.number == event.number; });
 }
 
-void emitDelayed(World& world, const DelayedEvents::Entry& entry) {
-    emitters()[entry.type](world, entry.bytes.data());
+void emitDue(World& world, DelayedEvents& delayed) {
+    std::vector<DelayedEvents::Entry>& entries = delayed.entries;
+    while (!entries.empty() && entries.front().tick <= world.tick) {
+        std::pop_heap(entries.begin(), entries.end(), isAfter);
+        const DelayedEvents::Entry due = entries.back();
+        entries.pop_back();
+        delayedTypes()[due.type].emit(world, due.bytes.data());
+    }
 }
 
 }  // namespace plumb

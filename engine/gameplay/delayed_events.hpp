@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -28,12 +30,17 @@ struct DelayedEvents {
         std::array<std::byte, kBytes> bytes{};  ///< the event
     };
 
-    std::vector<Entry> entries;  ///< in the order of their ticks, then of their numbers
+    std::vector<Entry> entries;  ///< a binary heap: the first is the next, by tick and then by number
     std::uint64_t count = 0;     ///< number of events that were ever delayed
+    /// LoadedScenes::loadings and the number of open scenes as followScenes() found them last: they change
+    /// whenever a scene is opened or closed.
+    std::uint32_t loadings = 0, openScenes = 0;
 
     void addTo(Hasher& hasher) const;
-    /// Removes events whose types belong to a project's code, which the editor can load again.
-    void dropReloadable();
+    /// To be called after another version of a project's code was loaded: its functions emit the events from
+    /// now on. Removes events of types that it does not delay or whose size has changed. @return their names,
+    /// sorted
+    std::vector<std::string> followCode();
 };
 
 /// Identifies a delayed event, to cancel it.
@@ -44,16 +51,39 @@ struct DelayedEvent {
 /// Returns the number of ticks nearest to a time, at least 1. @param seconds  s
 std::uint64_t ticksOf(float seconds);
 
+/// A type of events that code delays.
+struct DelayedType {
+    const TypeKey* key;     ///< a pointer, as the key may be initialized later
+    std::string_view name;  ///< of the type
+    std::uint32_t size;     ///< bytes
+    DelayedEvents::Emit emit;
+    std::uint32_t version;  ///< reloadableVersion() of the code
+};
+
+/// Lists the type for DelayedEvents::followCode(). @return it
+DelayedType listDelayedType(const DelayedType& type);
+
+/// Listed when the code that delays E is loaded, not only when it delays the first event.
+template <class E>
+inline const DelayedType kDelayedType = listDelayedType({&kTypeKey<E>, compilerTypeName<E>(), sizeof(E),
+                                                         [](World& world, const std::byte* bytes) {
+                                                             E event;
+                                                             std::memcpy(&event, bytes, sizeof(E));
+                                                             world.emit(event);
+                                                         },
+                                                         reloadableVersion()});
+
 /// Implementation of emitAfter(), without the event's type.
-/// @param entry  the event: its type, size and bytes
-DelayedEvent addDelayed(World& world, EntityId asker, float seconds, DelayedEvents::Entry entry,
-                        DelayedEvents::Emit emit);
+/// @param event  DelayedType::size bytes
+DelayedEvent addDelayed(World& world, EntityId asker, float seconds, const DelayedType& type,
+                        const void* event);
 
 /// Ends the timers whose scenes are gone, and lets those wait whose scenes are paused.
+/// Cost: linear in the number of timers while a scene is paused and after the scenes have changed.
 void followScenes(const World& world, DelayedEvents& delayed);
 
-/// Emits the event of an entry now.
-void emitDelayed(World& world, const DelayedEvents::Entry& entry);
+/// Emits the events that are due, in the order of their ticks and, of a tick, in that in which they were set.
+void emitDue(World& world, DelayedEvents& delayed);
 
 /// Emits an event at the beginning of a later tick: a timer. Entities that the event refers to may have been
 /// destroyed by then. The timer belongs to the scene of `asker`: it rests while overlays pause that scene,
@@ -66,16 +96,7 @@ DelayedEvent emitAfter(World& world, EntityId asker, float seconds, const E& eve
     static_assert(std::is_trivially_copyable_v<E>,
                   "delayed events are plain data, so that they can be rewound");
     static_assert(sizeof(E) <= DelayedEvents::kBytes, "the event exceeds DelayedEvents::kBytes bytes");
-    const auto emit = [](World& target, const std::byte* bytes) {
-        E delayed;
-        std::memcpy(&delayed, bytes, sizeof(E));
-        target.emit(delayed);
-    };
-    DelayedEvents::Entry entry;
-    entry.type = typeKey<E>();
-    entry.size = sizeof(E);
-    std::memcpy(entry.bytes.data(), &event, sizeof(E));
-    return addDelayed(world, asker, seconds, entry, emit);
+    return addDelayed(world, asker, seconds, kDelayedType<E>, &event);
 }
 template <class E>
 DelayedEvent emitAfter(World& world, float seconds, const E& event) {
@@ -83,6 +104,7 @@ DelayedEvent emitAfter(World& world, float seconds, const E& event) {
 }
 
 /// Cancels a delayed event; does nothing if it was emitted already.
+/// Cost: linear in the number of pending events.
 void cancel(World& world, DelayedEvent event);
 
 }  // namespace plumb

@@ -74,12 +74,29 @@ TEST(Recording, aReplayStartsLikeItsGame) {
     ASSERT_TRUE(saveReplay(replay, file));
     PlayerOptions options;
     options.replay = file.string();
-    EXPECT_EQ(begunAsRecorded(options).scene, replay.scene);
-    EXPECT_EQ(begunAsRecorded(options).seed, 42u);
+    EXPECT_EQ(begunAsRecorded(options, "Any")->scene, replay.scene) << "a replay that names no project";
+    EXPECT_EQ(begunAsRecorded(options, "Any")->seed, 42u);
     options.scene = "level3";
-    EXPECT_EQ(begunAsRecorded(options).scene, "level3") << "the option has priority over the recording";
+    EXPECT_EQ(begunAsRecorded(options, "Any")->scene, "level3")
+        << "the option has priority over the recording";
     std::filesystem::remove(file);
-    EXPECT_EQ(begunAsRecorded(options).seed, options.seed);
+    EXPECT_FALSE(begunAsRecorded(options, "Any").ok()) << "the file is missing";
+    options.replay.clear();
+    EXPECT_EQ(begunAsRecorded(options, "Any")->seed, options.seed);
+}
+
+TEST(Recording, ofAnotherProjectIsRefused) {
+    const Path file = std::filesystem::temp_directory_path() / "plumb_recording_other_test.replay";
+    Replay replay;
+    replay.project = "Sky Caves";
+    ASSERT_TRUE(saveReplay(replay, file));
+    PlayerOptions options;
+    options.replay = file.string();
+    EXPECT_TRUE(begunAsRecorded(options, "Sky Caves").ok());
+    const Result<PlayerOptions> refused = begunAsRecorded(options, "Deep Sea");
+    std::filesystem::remove(file);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().what, "it was recorded by the project \"Sky Caves\", and this is \"Deep Sea\"");
 }
 
 }  // namespace

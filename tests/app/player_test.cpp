@@ -1,5 +1,7 @@
 #include "app/player.hpp"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "core/file.hpp"
@@ -54,6 +56,42 @@ TEST_F(PlayerTest, doesNotStartWithErrorsOfTheCodeAndReportsEachOnce) {
                   "code: system \"Sleeper\": there is no system \"Physic\" to run before or after; use "
                   "a system of the engine, e.g. before<PhysicsSystem>(), or one that the code adds "
                   "earlier"}));
+}
+
+TEST_F(PlayerTest, playsItsOwnReplayAndRefusesThatOfAnotherProject) {
+    const Path file = Path{options.project} / "mine.replay";
+    options.record = file.string();
+    ASSERT_EQ(playProject(options, {}), 0);
+    options.replay = std::exchange(options.record, {});
+    options.frames = -1;
+    EXPECT_EQ(playProject(options, {}), 0);
+    EXPECT_TRUE(reported.empty()) << reported.front();
+
+    ASSERT_TRUE(writeFile(Path{options.project} / "project.json",
+                          R"({"name": "Deep Sea", "startScene": "scenes/a.scene.json"})")
+                    .ok());
+    EXPECT_EQ(playProject(options, {}), 1);
+    ASSERT_EQ(reported.size(), 1u);
+    EXPECT_NE(reported[0].find("recorded by the project"), std::string::npos) << reported[0];
+    EXPECT_NE(reported[0].find("this is \"Deep Sea\""), std::string::npos) << reported[0];
+}
+
+TEST_F(PlayerTest, theReplayOfOtherCodeDiffersAndNamesTheProjectAndTheVersions) {
+    struct Changing {
+        void update(World& world, float) const { world.createEntity(); }
+    };
+    const Path file = Path{options.project} / "mine.replay";
+    options.record = file.string();
+    ASSERT_EQ(playProject(options, {}), 0);
+    options.replay = std::exchange(options.record, {});
+    options.frames = -1;
+    Module code;
+    code.system<Changing>();
+    EXPECT_EQ(playProject(options, code), 1);
+    ASSERT_EQ(reported.size(), 1u);
+    EXPECT_NE(reported[0].find("differs from the recorded one at tick 3: the scenes or the code of"),
+              std::string::npos)
+        << reported[0];
 }
 
 }  // namespace

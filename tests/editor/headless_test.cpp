@@ -177,6 +177,25 @@ TEST_F(HeadlessTest, anExportedGamePlaysLikeTheProject) {
     EXPECT_EQ(hashAfter(out / "game", 60), hashAfter(root(), 60));
 }
 
+// Code loads them: assetsOf(world).loadSound("shot.wav"), spawn(world, "coin").
+TEST_F(HeadlessTest, anExportContainsWhatNoSceneRefersTo) {
+    const std::string prefab = R"({"format": 1, "entities": [{"id": "0000000000000001", "name": "coin"}]})";
+    const std::pair<const char*, std::string> files[] = {
+        {"assets/shot.wav", "a sound"},       {"assets/deep/er/hit.ogg", "another"},
+        {"assets/spark.png", "a picture"},    {"prefabs/coin.prefab.json", prefab},
+        {"scenes/other.scene.json", "scene"}, {"levels.txt", "of the code's own format"},
+        {"codes/secret.txt", "not code"},     {"assets/code/door.txt", "not code"}};
+    for (const auto& [name, text] : files) putFile(name, text);
+    putFile("code/game.cpp", "source");
+    ASSERT_TRUE(exportIt().ok());
+    for (const auto& [name, text] : files) {
+        const Result<std::string> copy = readFile(out / "game" / name);
+        ASSERT_TRUE(copy.ok()) << name;
+        EXPECT_EQ(*copy, text) << name;
+    }
+    EXPECT_FALSE(fs::exists(out / "game/code")) << "the player contains it";
+}
+
 TEST_F(HeadlessTest, anExportReplacesAnEarlierExportButNoOtherFolder) {
     ASSERT_TRUE(exportIt().ok());
     fs::remove(root() / "notes.txt");

@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -66,6 +71,100 @@ TEST_F(Timers, canBeCancelled) {
     run(10);
     cancel(world, first);
     EXPECT_EQ(heard, (Heard{{6, 2}}));
+}
+
+TEST_F(Timers, emitLikeASortedListWhateverIsSetAndCancelled) {
+    std::mt19937 random{7};
+    std::vector<std::pair<std::uint64_t, int>> pending;  // due tick, number of the ring
+    Heard expected;
+    const auto passesTick = [&](std::uint64_t tick) {
+        std::stable_sort(pending.begin(), pending.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        while (!pending.empty() && pending.front().first <= tick) {
+            expected.push_back(pending.front());
+            pending.erase(pending.begin());
+        }
+    };
+    std::vector<DelayedEvent> timers;
+    for (int step = 0; step < 400; ++step) {
+        for (auto i = random() % 6; i > 0; --i) {
+            const auto ticks = static_cast<float>(1 + random() % 40);
+            const int number = static_cast<int>(timers.size());
+            timers.push_back(emitAfter(world, ticks / 60.0f, Ring{number}));
+            pending.emplace_back(world.tick + static_cast<std::uint64_t>(ticks), number);
+        }
+        if (random() % 3 == 0 && !timers.empty()) {
+            const std::size_t cancelled = random() % timers.size();
+            cancel(world, timers[cancelled]);
+            std::erase_if(pending,
+                          [&](const auto& ring) { return ring.second == static_cast<int>(cancelled); });
+        }
+        run(1);
+        passesTick(world.tick);
+    }
+    EXPECT_EQ(heard, expected);
+}
+
+// Linear insertion or removal would move 8 MB for each of them, which takes minutes.
+TEST_F(Timers, areCheapIfThereAreVeryMany) {
+    constexpr int kCount = 100'000, kTicks = 600;
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < kCount; ++i) emitAfter(world, 10.0f - 5.0f * static_cast<float>(i) / kCount, Ring{i});
+    run(kTicks);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(heard.size(), std::size_t{kCount});
+    EXPECT_LT(taken.count(), 5.0);
+}
+
+TEST_F(Timers, hashesOfEqualTimersAreEqualHoweverTheyAreArranged) {
+    World other;
+    const DelayedEvent first = emitAfter(world, 1.0f, Ring{});
+    emitAfter(world, 3.0f, Ring{});
+    emitAfter(world, 2.0f, Ring{});
+    cancel(world, first);
+    cancel(other, emitAfter(other, 5.0f, Ring{}));
+    emitAfter(other, 3.0f, Ring{});
+    emitAfter(other, 2.0f, Ring{});
+    std::vector<DelayedEvents::Entry>& arranged = other.resource<DelayedEvents>().entries;
+    std::reverse(arranged.begin(), arranged.end());
+    EXPECT_EQ(world.hash(), other.hash());
+}
+
+// As the editor loads the code of a project again: each version lists the event types that it delays.
+TEST_F(Timers, ofReloadedCodeAreEmittedByItsNewVersionIfTheEventHasTheSameSize) {
+    static const TypeKey kKept = reloadableTypeKey("timers_test::Kept");
+    static const TypeKey kGrown = reloadableTypeKey("timers_test::Grown");
+    static const TypeKey kUnused = reloadableTypeKey("timers_test::Unused");
+    static std::vector<std::pair<int, std::uint32_t>> emitted;  // version of the code, value
+    emitted.clear();
+    const auto list = [](const TypeKey& key, const char* name, std::uint32_t size, DelayedEvents::Emit emit) {
+        return listDelayedType({&key, name, size, emit, reloadableVersion()});
+    };
+    const auto first = [](World&, const std::byte* bytes) {
+        emitted.emplace_back(1, static_cast<std::uint32_t>(*bytes));
+    };
+    const auto second = [](World&, const std::byte* bytes) {
+        emitted.emplace_back(2, static_cast<std::uint32_t>(*bytes));
+    };
+    beginReloadableTypes();
+    const std::uint64_t value = 7;
+    emitAfter(world, 0.1f, Ring{3});
+    for (int i = 0; i < 2; ++i) {
+        addDelayed(world, {}, 0.1f, list(kKept, "Kept", 4, first), &value);
+        addDelayed(world, {}, 0.1f, list(kGrown, "Grown", 4, first), &value);
+        addDelayed(world, {}, 0.1f, list(kUnused, "Unused", 4, first), &value);
+    }
+    DelayedEvents& delayed = world.resource<DelayedEvents>();
+    EXPECT_TRUE(delayed.followCode().empty()) << "of this version";
+
+    beginReloadableTypes();
+    list(kKept, "Kept", 4, second);
+    list(kGrown, "Grown", 8, second);
+    EXPECT_EQ(delayed.followCode(), (std::vector<std::string>{"Grown", "Unused"}));
+    EXPECT_TRUE(delayed.followCode().empty());
+    run(6);
+    EXPECT_EQ(emitted, (std::vector<std::pair<int, std::uint32_t>>{{2, 7}, {2, 7}}));
+    EXPECT_EQ(heard, (Heard{{6, 3}})) << "those of the engine's types are kept";
 }
 
 TEST_F(Timers, areRewoundWithTheWorld) {

@@ -44,9 +44,22 @@ std::vector<std::string> codeFiles(const Path& project) {
     return files;
 }
 
+/// Removes the project's folder, or the link to it in the build folder (engine/cmake/code_target.cmake), from a
+/// path in a line.
+std::string shortened(std::string line, const Path& project) {
+    constexpr std::string_view kLinks = "links/";
+    const std::string root = project.generic_string() + "/";
+    if (const auto at = line.find(root); at != std::string::npos) return line.erase(at, root.size());
+    const auto at = line.find(kLinks);
+    const auto end = at == std::string::npos ? at : line.find('/', at + kLinks.size());
+    if (end == std::string::npos) return line;
+    const auto blank = line.rfind(' ', at);
+    const auto begin = blank == std::string::npos ? 0 : blank + 1;
+    return line.erase(begin, end + 1 - begin);
+}
+
 /// Logs what a compiler reports: "FILE:LINE:COLUMN: error: TEXT".
 void logDiagnostics(const Path& project, std::string_view output) {
-    const std::string root = project.generic_string() + "/";
     std::size_t errors = 0;
     for (const std::string_view line : split(output, '\n')) {
         for (const auto& [mark, level] :
@@ -55,9 +68,7 @@ void logDiagnostics(const Path& project, std::string_view output) {
               std::pair{std::string_view{": warning: "}, LogLevel::Warning},
               std::pair{std::string_view{"undefined reference to"}, LogLevel::Error}}) {
             if (line.find(mark) == std::string_view::npos) continue;
-            std::string text{line};
-            if (const auto at = text.find(root); at != std::string::npos) text.erase(at, root.size());
-            writeLog(level, "Code", std::move(text));
+            writeLog(level, "Code", shortened(std::string{line}, project));
             errors += level == LogLevel::Error ? 1 : 0;
             break;
         }
@@ -74,7 +85,9 @@ Result<std::string> codeTarget(const Path& project, const Path& buildFolder) {
                     "BUILD=" + buildFolder.generic_string(), "-P", script.generic_string()});
     const std::string_view name = trimmed(found.text);
     if (found.succeeded && !name.empty()) return std::string{name};
-    return Error{(project / "code").generic_string(), "cmake names no target for it",
+    return Error{(project / "code").generic_string(),
+                 found.succeeded ? "cmake names no target for it"
+                                 : format("cmake cannot name a target for it: {}", trimmed(found.text)),
                  "install cmake, and write a .cpp file in this folder"};
 }
 

@@ -21,6 +21,16 @@ exported=$("$work/out/play" --headless --frames 300 --hash 2>"$work/warnings" | 
 [ ! -s "$work/warnings" ] || fail "$(cat "$work/warnings")"
 
 cp "$work/game/code/game.cpp" "$work/game.cpp"
+sed 's|if (!back.hasHome) {|volatile int* volatile nowhere = nullptr; *nowhere = 1; if (!back.hasHome) {|' \
+    "$work/game.cpp" >"$work/game/code/game.cpp"
+"$editor" "$work/game" --export "$work/crash" >"$work/export" 2>&1 || fail "$(cat "$work/export")"
+"$work/crash/play" --headless --frames 10 >"$work/report" 2>&1 && fail "the program with the wrong access did not crash"
+ended=$?
+[ "$ended" = 139 ] || grep -q Sanitizer "$work/report" || fail "it ended with $ended, not by SIGSEGV: $(cat "$work/report")"
+grep -Eq "^running: ComeBackSystem|Sanitizer" "$work/report" || fail "the report names no system: $(cat "$work/report")"
+grep -Eq "\(.*ComeBackSystem.*\)|Sanitizer" "$work/report" || fail "the back trace names no function: $(cat "$work/report")"
+cp "$work/game.cpp" "$work/game/code/game.cpp"
+
 sed 's/module.system<ComeBackSystem, ComeBack>()/module.system<ComeBackSystem, ComeBack>({.after = "Physic"})/' \
     "$work/game.cpp" >"$work/game/code/game.cpp"
 "$editor" "$work/game" --validate >"$work/position" 2>&1 && fail "a position after an unknown system was accepted"

@@ -179,9 +179,13 @@ protected:
     [[nodiscard]] const ExpectedField& anyField() {
         return fields[1 + random.below(static_cast<std::uint32_t>(fields.size() - 1))];
     }
-    [[nodiscard]] int scoreOf(const World& world) const {
-        const void* score = module.resourceTypes().at(0).find(world);
-        return score == nullptr ? 0 : test::get<int>(score);
+    /// A field of the resource Score.
+    [[nodiscard]] int scoreOf(const World& world, const char* field = "beats") const {
+        const Module::Resource& resource = module.resourceTypes().at(0);
+        TypeRegistry types;
+        resource.describe(types);
+        const void* score = resource.find(world);
+        return score == nullptr ? 0 : test::get<int>(types.all().front().find(field)->in(score));
     }
 
     /// Sets a field of the edited scene, undoes that and does it again.
@@ -253,6 +257,7 @@ TEST_F(ModuleReload, thousandRandomEditsKeepTheStateOfARunningGame) {
         EXPECT_EQ(played().entities(), entities);
         EXPECT_EQ(engineHash(played()), hash) << "components of the engine are unchanged";
         EXPECT_EQ(scoreOf(played()), ticks);
+        EXPECT_EQ(scoreOf(played(), "rings"), std::max(0, ticks - 1) / 3) << "timers of the code go on";
         expectValues(played(), workspace().play, playedValues);
         ASSERT_FALSE(HasFatalFailure()) << "edit " << edit;
 

@@ -306,7 +306,7 @@ TEST(CodeTarget, ofAProjectElsewhereIsNamedByItsLineInTheList) {
         EXPECT_TRUE(writeFile(folder / name / "code/game.cpp", "").ok());
         return folder / name;
     };
-    const Path one = project("one"), other = project("the other's");
+    const Path one = project("one"), other = project("the other größe");
     std::filesystem::create_directories(build);
     EXPECT_EQ(*codeTarget(one, build), "outside-1");
     EXPECT_EQ(*codeTarget(other, build), "outside-2");

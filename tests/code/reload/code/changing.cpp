@@ -85,12 +85,20 @@ struct Steady {
 /// A resource that is kept.
 struct Score {
     int beats = 0;
+    int rings = 0;
 
     static void describe(TypeBuilder<Score>& type) {
         type.name("Score");
         type.field<&Score::beats>("beats");
+        type.field<&Score::rings>("rings");
     }
 };
+
+/// A timer of three ticks that sets itself again.
+struct Alarm {
+    int amount = 1;
+};
+constexpr float kAlarm = 3.0f / 60.0f;  // s
 
 /// Counts the ticks in `ticks` of Steady and of Changing, wherever that field is now.
 struct CountSystem {
@@ -125,6 +133,12 @@ struct Unkept {
 void count(World& world, const Beat& beat) {
     world.resource<Score>().beats += beat.amount;
     world.resource<Unkept>().beats += beat.amount;
+    if (world.resource<Score>().beats == 1) emitAfter(world, kAlarm, Alarm{});
+}
+
+void ring(World& world, const Alarm& alarm) {
+    world.resource<Score>().rings += alarm.amount;
+    emitAfter(world, kAlarm, alarm);
 }
 
 }  // namespace
@@ -136,4 +150,5 @@ PLUMB_MODULE(module) {
     module.system<CountSystem, Steady>();
     module.system<BeatSystem>();
     module.on<Beat, count>();
+    module.on<Alarm, ring>();
 }

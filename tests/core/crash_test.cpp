@@ -1,0 +1,102 @@
+#include "core/crash.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace plumb {
+
+/// Not inlined and exported, so that a back trace names it. @return the quotient
+__attribute__((noinline, visibility("default"))) int quotientOfCrashTest(int a, volatile int* b) {
+    return a / *b;
+}
+
+namespace {
+
+// Sanitizers report crashes themselves.
+#if !defined(__has_feature)
+#define __has_feature(name) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
+    __has_feature(thread_sanitizer)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+class Crash : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (kIsSanitized) GTEST_SKIP() << "the sanitizer reports crashes";
+    }
+};
+
+void writeToNull() {
+    volatile int* volatile nowhere = nullptr;  // not known to the compiler
+    *nowhere = 1;
+}
+
+/// Recurs without end. @return never
+// NOLINTNEXTLINE(misc-no-recursion)
+int overflow(volatile int* depth) {
+    volatile char room[4096];
+    *depth = *depth + 1;
+    room[0] = 0;
+    return *depth > std::numeric_limits<int>::max() - 1 ? 0 : overflow(depth) + room[0];
+}
+
+TEST_F(Crash, ofASystemIsReportedWithItsNameAndTheRemedyAndEndsByItsSignal) {
+    const auto crash = [] {
+        reportCrashes("run it again");
+        const Running outer{"OuterSystem"};
+        { const Running inner{"InnerSystem"}; }
+        writeToNull();
+    };
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGSEGV),
+                "crashed: SIGSEGV.*running: OuterSystem\n.*run it again\n$");
+}
+
+TEST_F(Crash, outsideOfSystemsSaysSo) {
+    const auto crash = [] {
+        reportCrashes("");
+        { const Running running{"FormerSystem"}; }
+        std::abort();
+    };
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGABRT), "SIGABRT.*running: no system or handler\n");
+}
+
+TEST_F(Crash, byRecursionWithoutEndIsReported) {
+    const auto crash = [] {
+        reportCrashes("run it again");
+        const Running running{"DeepSystem"};
+        volatile int depth = 0;
+        std::exit(overflow(&depth));
+    };
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGSEGV), "running: DeepSystem\n.*run it again\n$");
+}
+
+#if defined(__x86_64__) && defined(__GLIBC__)  // others divide by zero without a trap
+TEST_F(Crash, byADivisionHasABackTraceWithTheProgramsFile) {
+    const auto crash = [] {
+        reportCrashes("");
+        volatile int zero = 0;
+        std::exit(quotientOfCrashTest(1, &zero));
+    };
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGFPE),
+                "SIGFPE.*back trace.*core_tests.*\\[0x[0-9a-f]+\\]");
+}
+#endif
+
+TEST_F(Crash, leavesSignalsAloneThatAreHandledAlready) {
+    const auto crash = [] {
+        std::signal(SIGSEGV, [](int) { std::_Exit(5); });
+        reportCrashes("");
+        writeToNull();
+    };
+    EXPECT_EXIT(crash(), ::testing::ExitedWithCode(5), "^$");
+}
+
+}  // namespace
+}  // namespace plumb
