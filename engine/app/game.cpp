@@ -104,6 +104,7 @@ Sprite Game::wholePicture(TextureId texture, int width, int height) {
 void tickGame(Game& game, const InputFrame& frame) {
     constexpr auto kDt = static_cast<float>(StepClock::kStep);
     World& world = game.world;
+    game.provideLibrary();
     world.beginTick();
     storePreviousTransforms(world);
     game.effects.followScenes(world);

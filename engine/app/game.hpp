@@ -89,6 +89,8 @@ public:
     /// For the loop, after changed files were reloaded: reads changed prefabs again, for what is spawned from
     /// now on, logs their problems, and calls onAssetsChanged().
     void followChanges(std::span<const AssetChange> changes);
+    /// For the loop: provides the prefabs of `assets` to spawn() in systems, which know only the world.
+    void provideLibrary();
 
     const GameContent& content;
     const TypeRegistry& types;
@@ -99,9 +101,7 @@ public:
     PhysicsThreads threads;  ///< thread pool of the physics
 
 private:
-    void provideLibrary();
-
-    std::unique_ptr<PrefabLibrary> spawned_;  ///< prefabs of spawn(), created at the first call
+    std::unique_ptr<PrefabLibrary> spawned_;  ///< prefabs of spawn()
 };
 
 /// Advances the game by one tick of 1/60 s: input, onUpdate(), the systems in order, onLateUpdate(), which

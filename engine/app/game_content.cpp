@@ -6,12 +6,14 @@
 
 #include "app/effect_rows.hpp"
 #include "app/engine_types.hpp"
+#include "core/log.hpp"
 #include "core/text.hpp"
 #include "ecs/component_type.hpp"
 #include "gameplay/delayed_events.hpp"
 #include "gameplay/systems.hpp"
 #include "gameplay/tweens.hpp"
 #include "reflect/convert_component.hpp"
+#include "reflect/type_check.hpp"
 #include "script/script_system.hpp"
 
 namespace plumb {
@@ -50,6 +52,13 @@ Error nameIsUsed(const Module::System& system) {
                 "remove one of the two lines; if they mean functions of two files, rename one of these"};
     return {whereOf(system), "there is a system of this name already",
             "add each system once; to give a system another name, rename its type or its kName"};
+}
+
+void addMistakes(std::vector<Error>& problems, const TypeInfo& type) {
+    for (Error& mistake : mistakesOf(type)) {
+        mistake.where = "code: " + mistake.where;
+        problems.push_back(std::move(mistake));
+    }
 }
 
 /// @param where  what gives the type its name: "describe()", or the path of a script, whose name is that of
@@ -129,6 +138,8 @@ void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problem
         return std::find(names.begin(), names.end(), name) != names.end();
     };
     for (const auto& [type, where] : projectTypes()) {
+        if (!type.cppName.empty()) addMistakes(problems, type);
+        if (type.name.empty()) continue;
         const TypeInfo* known = types_.find(type.name);
         const bool isOfEngine = known != nullptr && !contains(former, type.name);
         if (isOfEngine || contains(projectTypes_, type.name)) {
@@ -154,6 +165,7 @@ void GameContent::checkResources(std::vector<Error>& problems) const {
     std::vector<std::string_view> names;
     for (const Module::Resource& resource : code_.resourceTypes()) {
         const TypeInfo type = described(resource);
+        addMistakes(problems, type);
         if (types_.find(type.name) != nullptr) problems.push_back(nameIsUsed("resource", type, "component"));
         if (std::find(names.begin(), names.end(), type.name) != names.end())
             problems.push_back(nameIsUsed("resource", type, "resource"));
@@ -226,11 +238,24 @@ void dropTweens(World& world, const GameContent& content, const ContentChange& c
     });
 }
 
+/// Lets the new version of the code emit the events that the former one delayed.
+void keepTimers(World& world) {
+    auto* delayed = world.findResource<DelayedEvents>();
+    if (delayed == nullptr) return;
+    for (const std::string& name : delayed->followCode()) {
+        logWarning("Code",
+                   Error{format("event {}", name),
+                         "its timers were removed: in the new version of the code its size is another, "
+                         "or emitAfter() never delays it",
+                         "restart the game to set them again"});
+    }
+}
+
 /// Replaces systems, resources and events of the code by those of its new version.
 void convertCode(World& world, const GameContent& content, const ContentChange& change) {
     const std::vector<KeptResource> kept = keepResources(world, change.before);
     world.dropReloadable();
-    if (auto* delayed = world.findResource<DelayedEvents>()) delayed->dropReloadable();
+    keepTimers(world);
     for (const TypeKey system : change.systems) world.removeSystem(system);
     for (const Module::Resource& resource : content.code().resourceTypes()) {
         const TypeInfo now = described(resource);

@@ -111,12 +111,8 @@ private:
     template <class Event, void (*Handler)(World& world, const Event& event)>
     struct EventHandler {
         void update(World& world, float) const {
-            // Not the events that the handler adds, or it might never end. By index, as they move the list.
-            const std::size_t count = world.events<Event>().size();
-            for (std::size_t i = 0; i < count; ++i) {
-                const Event event = world.events<Event>()[i];
-                Handler(world, event);
-            }
+            // The events emitted so far, not those that the handler adds, or it might never end.
+            for (const Event& event : world.events<Event>()) Handler(world, event);
         }
     };
 

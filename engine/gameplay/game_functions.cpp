@@ -37,13 +37,18 @@ Entity findChild(World& world, Entity parent, std::string_view name) {
     return {};
 }
 
-void requestScene(World& world, std::string_view scene, bool overlay) {
+void requestScene(World& world, SceneId scene, bool overlay) {
+    if (scene.empty()) return;
+    SceneRequests& requests = world.resource<SceneRequests>();
+    requests.next = scene.path;
+    requests.overlay = overlay;
+}
+
+SceneId sceneNamed(World& world, std::string_view scene) {
     const std::string folder = startsWith(scene, "scenes/") ? "" : "scenes/";
     const std::string path =
         endsWith(scene, ".json") ? std::string{scene} : format("{}{}.scene.json", folder, scene);
-    SceneRequests& requests = world.resource<SceneRequests>();
-    requests.next = world.texts().add(path);
-    requests.overlay = overlay;
+    return {world.texts().add(path)};
 }
 
 }  // namespace
@@ -148,8 +153,10 @@ AssetStore& assetsOf(World& world) {
     return *assets;
 }
 
-void changeScene(World& world, std::string_view scene) { requestScene(world, scene, false); }
-void showOverlay(World& world, std::string_view scene) { requestScene(world, scene, true); }
+void changeScene(World& world, SceneId scene) { requestScene(world, scene, false); }
+void changeScene(World& world, std::string_view scene) { changeScene(world, sceneNamed(world, scene)); }
+void showOverlay(World& world, SceneId scene) { requestScene(world, scene, true); }
+void showOverlay(World& world, std::string_view scene) { showOverlay(world, sceneNamed(world, scene)); }
 void hideOverlay(World& world) { world.resource<SceneRequests>().close = true; }
 void restartScene(World& world) { world.resource<SceneRequests>().reload = true; }
 void quitGame(World& world) { world.resource<SceneRequests>().quit = true; }

@@ -54,10 +54,15 @@ AssetStore& assetsOf(World& world);
 
 // Requests that are performed at the end of this tick.
 
-/// Changes to another scene: "level2", "scenes/level2" or "scenes/level2.scene.json".
+/// Changes to another scene: "level2", "scenes/level2" or "scenes/level2.scene.json". If there is no such
+/// scene, an error with the nearest name is logged, and the current scene continues.
 void changeScene(World& world, std::string_view scene);
-/// Opens a scene over the current one, which is paused meanwhile.
+/// The same for a field of a component. Does nothing if the field is empty.
+void changeScene(World& world, SceneId scene);
+/// Opens a scene over the current one, which is paused meanwhile; names and errors as for changeScene().
 void showOverlay(World& world, std::string_view scene);
+/// The same for a field of a component. Does nothing if the field is empty.
+void showOverlay(World& world, SceneId scene);
 /// Closes the top overlay.
 void hideOverlay(World& world);
 /// Loads the current scene again.

@@ -15,6 +15,7 @@
 #include "gameplay/delayed_events.hpp"
 #include "gameplay/game_functions.hpp"
 #include "gameplay/game_progress.hpp"
+#include "gameplay/harm.hpp"
 #include "gameplay/label_values.hpp"
 #include "gameplay/systems.hpp"
 #include "gameplay/touches.hpp"

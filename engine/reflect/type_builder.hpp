@@ -16,6 +16,7 @@
 #include "reflect/field_types.hpp"
 #include "reflect/type_info.hpp"
 #include "reflect/type_key.hpp"
+#include "reflect/type_name.hpp"
 
 namespace plumb {
 
@@ -79,8 +80,11 @@ class FieldBuilder {
 public:
     explicit FieldBuilder(FieldInfo& field) : field_{field} {}
 
+    /// Unit of the numbers; the inspector shows it.
     FieldBuilder& unit(Unit unit) { return field_.unit = unit, *this; }
+    /// Smallest and largest value that the inspector and files may set, in the field's unit.
     FieldBuilder& range(float min, float max) { return field_.min = min, field_.max = max, *this; }
+    /// Description in the inspector.
     FieldBuilder& doc(std::string_view text) { return field_.doc = text, *this; }
     /// The field's name in older files, so that they can still be loaded.
     FieldBuilder& was(std::string_view oldName) { return field_.was = oldName, *this; }
@@ -95,6 +99,7 @@ public:
     FieldBuilder& shownIf(std::string_view other, int value = 1) {
         return field_.shownIf = other, field_.shownIfValue = value, *this;
     }
+    /// Names of the values of an enum, in files and in the inspector: .names({{"walk", 0}, {"fly", 1}}).
     FieldBuilder& names(std::initializer_list<EnumName> names) { return field_.names = names, *this; }
 
 private:
@@ -110,14 +115,19 @@ class TypeBuilder {
 public:
     explicit TypeBuilder(TypeInfo& type) : type_{type} {
         type_.key = typeKey<T>();
+        type_.cppName = shortTypeName<T>();
         type_.size = kIsTag<T> ? 0 : sizeof(T);
         type_.alignment = alignof(T);
         type_.defaults = defaultBytes<T>();
     }
 
+    /// Name of the type in files, in the inspector and in scripts.
     TypeBuilder& name(std::string_view name) { return type_.name = name, *this; }
+    /// Description in the inspector.
     TypeBuilder& doc(std::string_view text) { return type_.doc = text, *this; }
 
+    /// Adds a field, which is saved and shown: type.field<&Spin::rate>("rate"). @param name  that of the
+    /// member
     template <auto Member>
     FieldBuilder field(std::string_view name) {
         using Value = std::remove_reference_t<decltype(std::declval<T&>().*Member)>;

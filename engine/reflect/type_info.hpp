@@ -90,6 +90,7 @@ using TypeKey = std::uint32_t;
 
 struct TypeInfo {
     std::string_view name;
+    std::string_view cppName;  ///< of the C++ type, for messages; empty for types of scripts
     std::string_view doc;
     std::vector<FieldInfo> fields;
     TypeKey key = 0;

@@ -5,6 +5,7 @@
 #include "app/effect_rows.hpp"
 #include "app/game.hpp"
 #include "gameplay/systems.hpp"
+#include "reflect/type_check.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/systems/physics_system.hpp"
 
@@ -118,6 +119,25 @@ struct OtherNamed {
 
 }  // namespace wrong
 
+namespace mistaken {
+
+struct Nameless {
+    int value = 0;
+
+    static void describe(TypeBuilder<Nameless>& type) { type.field<&Nameless::value>("value"); }
+};
+struct Twice {
+    int value = 0;
+
+    static void describe(TypeBuilder<Twice>& type) {
+        type.name("Twice");
+        type.field<&Twice::value>("value");
+        type.field<&Twice::value>("other");
+    }
+};
+
+}  // namespace mistaken
+
 namespace {
 
 std::size_t positionOf(const GameContent& content, std::string_view name) {
@@ -173,6 +193,26 @@ TEST_F(GameContentTest, reportsNamesThatAreUsedAndUnknownSystems) {
     EXPECT_EQ(problems[1].what, "there is no system \"physic\" to run before or after");
     EXPECT_EQ(problems[2].where, "code: system \"TurretSystem\"");
     EXPECT_EQ(content.types().all().size(), engineContent().types().all().size());
+}
+
+TEST_F(GameContentTest, reportsMistakesInDescriptions) {
+    Module module;
+    module.components<mistaken::Nameless, mistaken::Twice>();
+    std::vector<Error> found;
+    const GameContent content{std::move(module), found};
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].where, "code: component \"Nameless\"");
+    EXPECT_EQ(found[1].where, "code: component \"Twice\", field \"other\"");
+    EXPECT_EQ(content.types().find(""), nullptr);
+}
+
+TEST_F(GameContentTest, theComponentsOfTheEngineHaveNoMistakes) {
+    std::vector<Error> found;
+    const GameContent content{Module{}, found};
+    EXPECT_GT(content.types().all().size(), 70u);
+    for (const TypeInfo& type : content.types().all()) {
+        for (const Error& mistake : mistakesOf(type)) ADD_FAILURE() << mistake.text();
+    }
 }
 
 TEST_F(GameContentTest, reportsTwoComponentsOfOneNameAgainWhenTheCodeIsLoadedAgain) {

@@ -12,6 +12,7 @@
 #include "reflect/json_members.hpp"
 #include "reflect/json_text.hpp"
 #include "reflect/type_registry.hpp"
+#include "scene/files/missing_file.hpp"
 #include "scene/files/prefab_check.hpp"
 
 namespace plumb {
@@ -219,23 +220,6 @@ std::vector<PrefabAsset> assetsOf(const TypeRegistry& types, const Prefab& prefa
     return assets;
 }
 
-/// Returns the name of a prefab file without its folder and ending.
-std::string_view stemOf(std::string_view path) {
-    const std::string_view name = path.substr(path.rfind('/') + 1);
-    return endsWith(name, kEnding) ? name.substr(0, name.size() - kEnding.size()) : name;
-}
-
-/// Returns the file whose name is closest to that of a path; empty if none is close.
-std::string nearestFile(std::string_view path, const std::vector<std::string>& files) {
-    std::vector<std::string_view> names;
-    for (const std::string& file : files) names.push_back(stemOf(file));
-    const std::string_view near = closestName(stemOf(path), names);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (!near.empty() && names[i].data() == near.data()) return files[i];
-    }
-    return {};
-}
-
 Error tooDeep(std::string where) {
     return {std::move(where), format("prefabs are nested more than {} levels deep", limits::kPrefabDepth),
             "reduce the nesting"};
@@ -333,15 +317,7 @@ Error PrefabLibrary::missing(std::string_view path) {
     for (const Error& known : missing_) {
         if (known.where == path) return known;
     }
-    std::vector<std::string> files = filesBelow(root_, kEnding);
-    // Hidden folders hold backups.
-    std::erase_if(files, [](const std::string& file) {
-        return startsWith(file, ".") || file.find("/.") != std::string::npos;
-    });
-    const std::string near = nearestFile(path, files);
-    return missing_.emplace_back(
-        Error{std::string{path}, "there is no such file",
-              near.empty() ? "check the name, or put the file there" : format("did you mean \"{}\"?", near)});
+    return missing_.emplace_back(missingFile(root_, path, kEnding));
 }
 
 Result<std::string> PrefabLibrary::textOf(std::string_view path) {

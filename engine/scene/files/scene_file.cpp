@@ -1,7 +1,9 @@
 #include "scene/files/scene_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include "assets/asset_store.hpp"
 #include "core/guarded.hpp"
@@ -16,6 +18,7 @@
 #include "reflect/type_registry.hpp"
 #include "scene/components/persistent.hpp"
 #include "scene/files/json_slices.hpp"
+#include "scene/files/missing_file.hpp"
 #include "scene/files/scene_assets.hpp"
 #include "scene/files/scene_reader.hpp"
 #include "scene/files/scene_writer.hpp"
@@ -222,6 +225,9 @@ std::string sceneToBinary(const World& world, const SceneContext& context, Scene
 Result<LoadReport> loadSceneFile(World& world, const SceneContext& context, std::string_view path) {
     Result<Path> file = pathInside(context.root, path);
     if (!file) return file.error();
+    std::error_code failed;
+    if (!std::filesystem::exists(*file, failed))
+        return missingFile(context.root, path, endsWith(path, ".bin") ? ".scene.bin" : ".scene.json");
     Result<std::string> bytes = readFile(*file);
     if (!bytes) return bytes.error();
     Result<LoadReport> report = endsWith(path, ".bin") ? loadSceneBinary(world, context, path, *bytes)

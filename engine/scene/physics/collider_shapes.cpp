@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "physics/shapes/hull.hpp"
+#include "reflect/type_name.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/colliders/capsule_collider.hpp"
@@ -13,6 +15,7 @@
 #include "scene/components/colliders/circle_collider.hpp"
 #include "scene/components/colliders/polygon_collider.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/physics/game_errors.hpp"
 
 namespace plumb {
 
@@ -39,7 +42,7 @@ struct ShapeMaker {
 
 Result<Done> make(const ShapeMaker& maker, const BoxCollider& box) {
     const Vec2 size = scaledSize(box.width, box.height, maker.scale);
-    const float rounding = std::min(box.rounding, 0.49f * std::min(size.x, size.y));
+    const float rounding = std::min(box.rounding, std::max(0.0f, 0.49f * std::min(size.x, size.y)));
     const Vec2 half = size * 0.5f - Vec2{rounding, rounding};
     return maker.add(physics::box(maker.point(half), maker.point(box.offset + size * 0.5f), {},
                                   rounding * maker.units.metres));
@@ -118,6 +121,7 @@ void addTo(Hasher& hasher, const ChainCollider& chain) {
 
 /// Functions of a collider type. Its index in kColliders is the `user` data of its shapes.
 struct ColliderRow {
+    std::string_view name;
     const ColliderSurface* (*find)(const World& world, EntityId entity);
     void (*addTo)(Hasher& hasher, const ColliderSurface& collider);
     Result<Done> (*make)(const ShapeMaker& maker, const ColliderSurface& collider);
@@ -131,6 +135,7 @@ struct ColliderRow {
 template <class Collider>
 constexpr ColliderRow colliderRow() {
     ColliderRow row{};
+    row.name = shortTypeName<Collider>();
     row.find = [](const World& world, EntityId entity) -> const ColliderSurface* {
         return world.find<Collider>(entity);
     };
@@ -208,7 +213,8 @@ Result<Done> makeShapes(physics::World& bodies, BodyId body, const World& world,
         const ColliderSurface* collider = kColliders[kind].find(world, entity);
         if (collider == nullptr) continue;
         const ShapeMaker maker{bodies, body, scale, units, definitionOf(*collider, kind, rigid, units)};
-        if (Result<Done> made = kColliders[kind].make(maker, *collider); !made) result = std::move(made);
+        if (const Result<Done> made = kColliders[kind].make(maker, *collider); !made)
+            result = gameError(made.error(), kColliders[kind].name, units);
     }
     return result;
 }
@@ -216,14 +222,16 @@ Result<Done> makeShapes(physics::World& bodies, BodyId body, const World& world,
 Result<Done> updateSurfaces(physics::World& bodies, BodyId body, const World& world, EntityId entity,
                             const RigidBody* rigid, PixelScale units) {
     Result<Done> result = Done{};
-    const auto accept = [&result](Result<Done> set) {
-        if (!set) result = std::move(set);
+    std::string_view component;
+    const auto accept = [&](const Result<Done>& set) {
+        if (!set) result = gameError(set.error(), component, units);
     };
     for (std::uint32_t s = bodies.bodies.info[body.index].firstShape; s != physics::kNone;
          s = bodies.shapes.info[s].next) {
         const physics::ShapeInfo& info = bodies.shapes.info[s];
         const ColliderSurface* collider = kColliders[info.user].find(world, entity);
         if (collider == nullptr) continue;
+        component = kColliders[info.user].name;
         const ShapeDefinition wanted = definitionOf(*collider, info.user, rigid, units);
         const physics::ShapeId shape{s, info.generation};
         const physics::Filter& filter = bodies.shapes.filter[s];

@@ -8,20 +8,19 @@
 #include "physics/model/bodies.hpp"
 #include "scene/components/name.hpp"
 #include "scene/components/scene_entity.hpp"
+#include "scene/physics/game_errors.hpp"
 
 namespace plumb {
 
-namespace {
-
-std::string nameOf(const World& world, EntityId entity) {
+std::string describedEntity(const World& world, EntityId entity) {
     const Name* name = world.find<Name>(entity);
     const SceneEntity* part = world.find<SceneEntity>(entity);
     const std::string words{name == nullptr ? std::string_view{} : world.texts().find(name->text)};
-    if (part == nullptr) return words.empty() ? format("entity {}", entity.index) : words;
+    if (part == nullptr)
+        return words.empty() ? format("entity {}", entity.index)
+                             : format("{} (entity {})", words, entity.index);
     return format("{} @{}", words.empty() ? "entity" : words, hexText(part->id));
 }
-
-}  // namespace
 
 physics::BodyId bodyOf(const PhysicsState& state, EntityId entity) {
     if (entity.index >= state.bodyOf.size() || state.bodyOf[entity.index] == 0) return {};
@@ -30,16 +29,17 @@ physics::BodyId bodyOf(const PhysicsState& state, EntityId entity) {
     return {index, state.world.bodies.info[index].generation};
 }
 
-void placeEntity(World& world, EntityId entity, const Pose& pose) {
+void placeEntity(World& world, WorldPoses& poses, EntityId entity, const Pose& pose) {
     Transform* transform = world.find<Transform>(entity);
     if (transform == nullptr) return;
+    poses.forget(entity);
     const EntityId parent = parentOf(std::as_const(world), entity);
     if (!parent) {
         transform->position = pose.position;
         transform->rotation = pose.rotation;
         return;
     }
-    const Pose local = relativeTo(worldPose(world, parent), {pose.position, pose.rotation, {1.0f, 1.0f}});
+    const Pose local = relativeTo(poses.of(world, parent), {pose.position, pose.rotation, {1.0f, 1.0f}});
     transform->position = local.position;
     transform->rotation = local.rotation;
 }
@@ -47,8 +47,9 @@ void placeEntity(World& world, EntityId entity, const Pose& pose) {
 void logRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error) {
     if (std::find(state.refused.begin(), state.refused.end(), entity) != state.refused.end()) return;
     state.refused.push_back(entity);
-    logWarning("Physics",
-               Error{format("{}: {}", nameOf(world, entity), error.where), error.what, error.remedy});
+    Error shown = gameError(error, {}, state.scale);
+    if (entity) shown.where = format("{}: {}", describedEntity(world, entity), shown.where);
+    logWarning("Physics", shown);
 }
 
 }  // namespace plumb

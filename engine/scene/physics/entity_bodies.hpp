@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "ecs/world.hpp"
 #include "scene/physics/physics_state.hpp"
 
@@ -8,10 +10,15 @@ namespace plumb {
 // Mapping between entities and bodies, and between positions in pixels and in metres.
 
 /// Sets an entity's Transform so that it has this world pose (px). The scale is not changed.
-void placeEntity(World& world, EntityId entity, const Pose& pose);
+/// @param poses  poses of this world, up to date
+void placeEntity(World& world, WorldPoses& poses, EntityId entity, const Pose& pose);
 
-/// Logs an error of an entity's physics components, once per entity. The message contains the entity's name
-/// and stable id, e.g. "crate @9f3c1a77d2e0b154", by which the editor's console finds it.
+/// Returns how messages call an entity: by its name and stable id, e.g. "crate @9f3c1a77d2e0b154", by which
+/// the editor's console finds it; one that code created by its index, "crate (entity 12)".
+std::string describedEntity(const World& world, EntityId entity);
+
+/// Logs an error of an entity's physics components, once per entity, in the words of gameError() and with the
+/// entity.
 void logRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error);
 
 /// Returns the user data of the physics objects that belong to an entity; see ownerOf().

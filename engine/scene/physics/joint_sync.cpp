@@ -1,11 +1,14 @@
 #include "scene/physics/joint_sync.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
+#include "core/text.hpp"
 #include "math/angle.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/model/joints.hpp"
+#include "reflect/type_name.hpp"
 #include "scene/components/joints/distance_joint.hpp"
 #include "scene/components/joints/gear_joint.hpp"
 #include "scene/components/joints/motor_joint.hpp"
@@ -17,6 +20,7 @@
 #include "scene/components/joints/wheel_joint.hpp"
 #include "scene/physics/contact_events.hpp"
 #include "scene/physics/entity_bodies.hpp"
+#include "scene/physics/game_errors.hpp"
 
 namespace plumb {
 
@@ -29,6 +33,7 @@ using physics::JointKind;
 /// Functions of a joint component type. In physics joints,
 /// A is the body of JointLink::other, B that of the entity.
 struct JointRow {
+    std::string_view name;
     const JointLink* (*find)(const World& world, EntityId entity);
     void (*apply)(const JointLink& link, JointDefinition& joint, float metres);
     std::uint64_t (*members)(const World& world);
@@ -40,6 +45,7 @@ struct JointRow {
 template <class Component>
 constexpr JointRow jointRow() {
     JointRow row{};
+    row.name = shortTypeName<Component>();
     row.find = [](const World& world, EntityId entity) -> const JointLink* {
         return world.find<Component>(entity);
     };
@@ -156,7 +162,7 @@ private:
         if (joint) {
             linkage.joint = *joint;
         } else {
-            logRefusal(world_, state_, linkage.entity, joint.error());
+            report(linkage, joint.error());
         }
     }
 
@@ -167,7 +173,21 @@ private:
             set = physics::setMotorSpeed(bodies_, linkage.joint, definition.motor.speed);
         if (known.kind == JointKind::Mouse && !(known.target == definition.target))
             set = physics::setTarget(bodies_, linkage.joint, definition.target);
-        if (!set) logRefusal(world_, state_, linkage.entity, set.error());
+        if (!set) report(linkage, set.error());
+    }
+
+    void report(const JointLinkage& linkage, const Error& error) {
+        const std::string_view component = kJoints[linkage.kind].name;
+        logRefusal(world_, state_, linkage.entity, gameError(error, component, state_.scale));
+    }
+
+    /// Reports an end without a body, unless its entity was destroyed, which ends the joint.
+    void reportMissing(const JointLinkage& linkage, const char* field, EntityId end) {
+        if (!std::as_const(world_).has<Transform>(end)) return;
+        report(linkage, {format("{}{}", kJoints[linkage.kind].name, field),
+                         format("{} has no body to join", describedEntity(world_, end)),
+                         "add a RigidBody, a KinematicBody or a StaticBody to it; without `other` the joint "
+                         "connects to the world"});
     }
 
     /// @return false if one of the bodies does not exist yet
@@ -175,6 +195,8 @@ private:
         definition.b = bodyOf(std::as_const(state_), linkage.entity);
         definition.a = link.other ? bodyOf(std::as_const(state_), link.other) : ground();
         if (definition.a && definition.b) return true;
+        definition.b ? reportMissing(linkage, ".other", link.other)
+                     : reportMissing(linkage, "", linkage.entity);
         linkage.made = 0;  // retry when bodies are created
         return false;
     }

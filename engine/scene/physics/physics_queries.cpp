@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "physics/contacts/contacts.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/queries/overlap.hpp"
 #include "physics/queries/ray_cast.hpp"
@@ -61,6 +62,23 @@ void fitInRange(double& low, double& high) {
     high = std::clamp(high, -physics::kFarthest, physics::kFarthest);
 }
 
+/// Calls visit(other) for each contact of an entity with another one.
+template <class Visit>
+void forEachTouched(const World& world, EntityId entity, const Visit& visit) {
+    const PhysicsState* state = world.findResource<PhysicsState>();
+    if (state == nullptr || !world.alive(entity)) return;
+    const physics::BodyId body = bodyOf(*state, entity);
+    if (!body) return;
+    for (const bool triggered : {false, true}) {
+        physics::forTouching(state->world, triggered, [&](const physics::Contact& contact) {
+            if (contact.bodyA != body.index && contact.bodyB != body.index) return;
+            const std::uint32_t other = contact.bodyA == body.index ? contact.bodyB : contact.bodyA;
+            const EntityId owner = ownerOf(*state, {other, state->world.bodies.info[other].generation});
+            if (world.alive(owner)) visit(owner);
+        });
+    }
+}
+
 }  // namespace
 
 std::optional<QueryHit> castBox(World& world, const AABB& box, Vec2 way, const QueryFilter& filter) {
@@ -104,6 +122,19 @@ void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::v
         const EntityId entity = ownerOf(state, physics::bodyOf(state.world, shape));
         if (std::find(found.begin(), found.end(), entity) == found.end()) found.push_back(entity);
     }
+}
+
+void touchesOf(const World& world, EntityId entity, std::vector<EntityId>& found) {
+    found.clear();
+    forEachTouched(world, entity, [&](EntityId other) { found.push_back(other); });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+bool isTouching(const World& world, EntityId a, EntityId b) {
+    bool touches = false;
+    forEachTouched(world, a, [&](EntityId other) { touches = touches || other == b; });
+    return touches;
 }
 
 }  // namespace plumb

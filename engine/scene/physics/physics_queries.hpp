@@ -45,4 +45,12 @@ Vec2 tickMotionOf(World& world, EntityId entity, float dt);
 /// box (px), without duplicates, in a deterministic order.
 void overlapBox(World& world, const AABB& box, const QueryFilter& filter, std::vector<EntityId>& found);
 
+/// Fills `found` with the entities that an entity touched in the last physics step, also while they sleep:
+/// solid colliders, and triggers or what is inside of them. Without duplicates, sorted by id. ContactBegan
+/// and TriggerEntered tell when a touch begins. Cost: linear in the number of contacts in the world.
+void touchesOf(const World& world, EntityId entity, std::vector<EntityId>& found);
+
+/// True if two entities touched in the last physics step, as touchesOf().
+bool isTouching(const World& world, EntityId a, EntityId b);
+
 }  // namespace plumb

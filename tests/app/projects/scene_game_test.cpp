@@ -1,10 +1,14 @@
 #include "app/scene_game.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/log.hpp"
+#include "gameplay/game_functions.hpp"
 #include "gameplay/game_progress.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_requests.hpp"
@@ -212,6 +216,44 @@ TEST(SceneGame, aMissingSceneIsAnErrorAndTheOldOneContinues) {
     ASSERT_FALSE(opened.ok());
     EXPECT_FALSE(opened.error().remedy.empty());
     EXPECT_EQ(game.world.entityCount(), entities);
+}
+
+std::string currentScene(const SceneGame& game) {
+    return game.world.findResource<LoadedScenes>()->scenes.front().path;
+}
+
+TEST(SceneGame, theErrorOfAMistypedSceneNamesTheNearestOne) {
+    SceneGame game{platformer(), "level1"};
+    game.assets.logging = false;
+    game.onCreate();
+    std::vector<std::string> logged;
+    const LogSink before = setLogSink([&](const LogLine& line) { logged.push_back(line.text); });
+    changeScene(game.world, "levle2");
+    tickGame(game, {});
+    showOverlay(game.world, "puase");
+    tickGame(game, {});
+    setLogSink(before);
+    EXPECT_EQ(
+        logged,
+        (std::vector<std::string>{
+            R"(scenes/levle2.scene.json: there is no such file; did you mean "scenes/level2.scene.json"?)",
+            R"(scenes/puase.scene.json: there is no such file; did you mean "scenes/pause.scene.json"?)"}));
+    EXPECT_EQ(currentScene(game), "scenes/level1.scene.json") << "the old one continues";
+}
+
+TEST(SceneGame, aFieldOfAComponentNamesTheSceneToChangeTo) {
+    SceneGame game{platformer(), "level1"};
+    game.assets.logging = false;
+    game.onCreate();
+    changeScene(game.world, SceneId{});
+    tickGame(game, {});
+    EXPECT_EQ(currentScene(game), "scenes/level1.scene.json") << "an empty field changes nothing";
+    changeScene(game.world, SceneId{game.world.texts().add("scenes/level2.scene.json")});
+    tickGame(game, {});
+    EXPECT_EQ(currentScene(game), "scenes/level2.scene.json");
+    showOverlay(game.world, SceneId{game.world.texts().add("scenes/pause.scene.json")});
+    tickGame(game, {});
+    EXPECT_EQ(game.world.resource<LoadedScenes>().scenes.size(), 2u);
 }
 
 }  // namespace
