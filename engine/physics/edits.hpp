@@ -61,14 +61,4 @@ void updateMass(World& world, std::uint32_t body);
 /// Sets the center of mass (m, in the frame of the shapes), without moving the shapes.
 void moveCentre(World& world, std::uint32_t body, Vec2 centre);
 
-/// True if two shapes need a contact now: a body is dynamic and awake (or a shape is a trigger), and neither
-/// shape is an inner border that the other ignores (ShapeDefinition::frontLayers).
-[[nodiscard]] bool needsContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
-
-/// Returns the world-space outward normal of the side on which a one-way shape is solid.
-[[nodiscard]] inline Vec2 openDirection(const World& world, std::uint32_t shape) {
-    const Rot rotation = world.bodies.pose[world.shapes.info[shape].body].rotation;
-    return rotate(rotation, world.shapes.extrasOf(shape).oneWayDirection);
-}
-
 }  // namespace plumb::physics

@@ -67,19 +67,14 @@ inline Turn8 turnedOn(Turn8 turn, Float8 angle) {
             turn.versine + (v + turn.versine * v - turn.sine * s)};
 }
 
-/// Returns a rotation, rotated further by an angle up to 8 rad, in sixteen steps.
-inline Turn8 turnedFar(Turn8 turn, Float8 angle) {
-    const Float8 part = clamp(angle, all(-8.0f), all(8.0f)) * all(1.0f / 16.0f);
-    for (int i = 0; i < 16; ++i) turn = turnedOn(turn, part);
-    return turn;
-}
-
+/// Angles above half a radian, up to 8 rad, take sixteen steps.
 inline Turn8 turnedBy(Turn8 turn, Float8 angle) {
     const Turn8 near = turnedOn(turn, angle);
     const Mask8 far = abs(angle) > all(0.5f);
     if (bits(far) == 0) return near;
-    const Turn8 slow = turnedFar(turn, angle);
-    return {select(far, slow.sine, near.sine), select(far, slow.versine, near.versine)};
+    const Float8 part = clamp(angle, all(-8.0f), all(8.0f)) * all(1.0f / 16.0f);
+    for (int i = 0; i < 16; ++i) turn = turnedOn(turn, part);
+    return {select(far, turn.sine, near.sine), select(far, turn.versine, near.versine)};
 }
 
 template <bool kTurns = true>

@@ -43,8 +43,8 @@ struct Settings {
     /// stacks with mass ratios of 1000 collapse.
     float contactDampingRatio = 4.0f;
     float jointDampingRatio = 2.0f;
-    /// m/s: maximum speed at which overlapping bodies are separated and values return to the limits of joints
-    /// (rad/s for angles); deepPushRate (1/s) adds to it for each metre of overlap. Larger values make deep
+    /// m/s: maximum speed at which overlapping bodies are separated and (in rad/s) angles return to the limits
+    /// of their joints; deepPushRate (1/s) adds to it for each metre of overlap. Larger values make deep
     /// overlaps explode; without deepPushRate the bodies of a crowd in too small a box sink into each other.
     float pushSpeed = 3.0f;
     float deepPushRate = 6.0f;

@@ -69,6 +69,8 @@ PLUMB_TUNING(kDriveSoftness, 1.0e-9, "ratio to what the bodies yield", "complian
              "to which it returns, so with kTreeSoftness a brake creeps by 6 mrad/s under 1,000 kg on an arm of 10 m");
 PLUMB_TUNING(kDriveTolerance, 1.0e-6, "m/s or rad/s", "velocity by which a motor or limit of a tree may miss its condition: above rounding, and "
              "0.1 mm in 100 s");
+PLUMB_TUNING(kLimitSeam, 0.1f, "rad", "angle that limits of a hinge exclude at least: half of it is known to be beyond each limit, more than "
+             "the SIMD solver lets motors overshoot (0.025 rad)");
 PLUMB_TUNING(kCalm, 0.5, "ratio", "minimum inertia of a light body under tension, to its rotational stiffness * h^2: twice the 1/4 below "
              "which its oscillation grows (Stoermer-Verlet)");
 PLUMB_TUNING(kSoftRate, 0.28, "ratio", "fraction closed in a substep of a joint gap that no smooth motion explains");

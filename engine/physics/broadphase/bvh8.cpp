@@ -173,10 +173,8 @@ void Bvh8::noteSize(std::size_t leaf, const TreeNode& parent) {
     const std::size_t lane = leaf % kBranch;
     const auto& low = parent.boxes.low;
     const float size = -(low[0][lane] + low[2][lane]) - (low[1][lane] + low[3][lane]);
-    if (sortedSizes_.size() <= leaf && sorted_ == used_) {
-        sortedSizes_.push_back(size);  // first visit after a sort
-        return;
-    }
+    if (sortedSizes_.size() <= leaf && sorted_ == used_)
+        return sortedSizes_.push_back(size);  // first visit after a sort
     // Leaves that were added after the sort are compared with an arbitrary sorted leaf.
     const float wanted = sortedSizes_[leaf % sortedSizes_.size()];
     std::uint32_t stretch = 0;

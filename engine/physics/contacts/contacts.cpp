@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "physics/broadphase/overlap.hpp"
-#include "physics/continuous/sweep.hpp"
 #include "physics/kernels.hpp"
 #include "physics/narrowphase/axis_aligned_boxes.hpp"
 #include "physics/narrowphase/reference_face.hpp"
@@ -153,50 +152,6 @@ void take(const World& world, Contact& contact, const Encounter& now, Manifold m
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
 }
 
-/// Computes the current separations of the points of a manifold that was found at another moment. A round
-/// feature can rotate in place: only its center moves with the body.
-void separate(Contact& contact, const Encounter& now, const Encounter& then) {
-    const auto separationAt = [&](const ContactAnchors& anchors) {
-        const ContactAnchors centers{
-            anchors.a - contact.roundA * contact.normalInA,
-            anchors.b + contact.roundB * unrotate(then.relativeRotation, contact.normalInA)};
-        return separationOf(now, centers, unrotate(now.rotationA, contact.normal)) - contact.roundA -
-               contact.roundB;
-    };
-    contact.separation0 = separationAt(contact.anchors[0]);
-    if (contact.count == 2) contact.separation1 = separationAt(contact.anchors[1]);
-}
-
-/// Computes the contact of a fast body with joints where its path hits a static or kinematic one in this
-/// step. The solver handles the hit with the joints: if the sweep stopped the body, others would tear at its
-/// joints.
-/// @return false without a hit
-bool takeImpact(const World& world, Contact& contact, const Encounter& now, float dt,
-                DetectionCounts& counts) {
-    if ((contact.flags & (kFixedA | kTouching | kTriggered)) != kFixedA || !world.settings.continuous)
-        return false;
-    if (!isFastAndJointed(world, contact.bodyB, dt)) return false;
-    const Geometry& a = world.shapes.geometry[contact.shapeA];
-    const Geometry& b = world.shapes.geometry[contact.shapeB];
-    const Convex convexA = convexOf(a, world.shapes.corners), convexB = convexOf(b, world.shapes.corners);
-    const auto pathOf = [&](std::uint32_t body) {
-        const BodyMotion& motion = world.bodies.motion[body];
-        return sweepThrough(world.bodies.pose[body], 0.0f, dt * motion.velocity, dt * motion.angularVelocity);
-    };
-    const Sweep pathA = pathOf(contact.bodyA), pathB = pathOf(contact.bodyB);
-    const float part = firstImpact({convexA, pathA}, {convexB, pathB}, kSweptGap);
-    if (part == kNever) return false;
-    const Encounter then = encounterOf(pathA.at(part), pathB.at(part));
-    Manifold manifold = collide(a, b, world.shapes.corners, frameInA(world, contact, then),
-                                world.settings.speculativeDistance);
-    if (manifold.count == 0) return false;
-    if ((contact.flags & kUnturned) != 0) keepDeepest(manifold);
-    ++counts.touching;
-    takeManifold(world, contact, manifold, then);
-    separate(contact, now, then);
-    return true;
-}
-
 /// Computes the contact of a round shape at the middle of the step. While a round shape rolls, its contact
 /// point moves and the normal rotates, but a step uses a single direction. With the direction at the start, a
 /// body that rocks on a round one would gain energy, and piles with balls would never come to rest.
@@ -215,7 +170,12 @@ bool takeHalfway(const World& world, Contact& contact, const Encounter& now, flo
         return false;
     ++counts.touching;
     takeManifold(world, contact, manifold, then);
-    separate(contact, now, then);
+    // A round feature can rotate in place: only its center moves with the body.
+    const ContactAnchors centers{
+        contact.anchors[0].a - contact.roundA * manifold.normal,
+        contact.anchors[0].b + contact.roundB * unrotate(then.relativeRotation, manifold.normal)};
+    contact.separation0 =
+        separationOf(now, centers, unrotate(now.rotationA, contact.normal)) - contact.roundA - contact.roundB;
     if ((contact.flags & kInitialOverlap) != 0) hideInitialOverlap(world, contact);
     return true;
 }
@@ -392,6 +352,24 @@ void copyMaterials(const World& world, Contact& contact) {
         (unturned ? kUnturned : 0) | (upright ? kAlongAxes : 0));
 }
 
+bool needsContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
+    const Shapes& shapes = world.shapes;
+    const auto isStopped = [&](const ShapeExtras& border, const Filter& other) {
+        return (border.frontLayers & other.mask) != 0 && (border.frontMask & other.layers) != 0;
+    };
+    const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
+    const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
+    if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
+        // Two bodies that are not dynamic have contacts only with triggers, and one of them must be awake.
+        const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
+        const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
+        const bool someAwake = a.awakeIndex != kNone || b.awakeIndex != kNone;
+        if (!(pushed ? trigger || someAwake : trigger && someAwake)) return false;
+    }
+    return !isStopped(shapes.extrasOf(shapeA), shapes.filter[shapeB]) &&
+           !isStopped(shapes.extrasOf(shapeB), shapes.filter[shapeA]);
+}
+
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
     Contact contact;
     const std::uint32_t bodyA = world.shapes.info[shapeA].body, bodyB = world.shapes.info[shapeB].body;
@@ -419,7 +397,6 @@ void findTouches(const World& world, std::span<Contact> contacts, float dt, Dete
         if (alongAxes) touchUpright(world, contact, counts);
         if (settled || alongAxes) continue;
         if (takeHalfway(world, contact, now, 0.5f * dt, counts)) continue;
-        if (takeImpact(world, contact, now, dt, counts)) continue;
         const Geometry& a = shapes.geometry[contact.shapeA];
         const Geometry& b = shapes.geometry[contact.shapeB];
         if (a.kind == ShapeKind::Box && b.kind == ShapeKind::Box) {

@@ -20,6 +20,16 @@ void forTouching(const World& world, bool triggered, Act&& act) {
 /// Returns a new contact of two shapes, without points. If one body is not dynamic, its shape becomes shapeA.
 Contact makeContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
 
+/// True if two shapes need a contact now: a body is dynamic and awake (or a shape is a trigger), and neither
+/// shape is an inner border that the other ignores (ShapeDefinition::frontLayers).
+[[nodiscard]] bool needsContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB);
+
+/// Returns the world-space outward normal of the side on which a one-way shape is solid.
+[[nodiscard]] inline Vec2 openDirection(const World& world, std::uint32_t shape) {
+    const Rot rotation = world.bodies.pose[world.shapes.info[shape].body].rotation;
+    return rotate(rotation, world.shapes.extrasOf(shape).oneWayDirection);
+}
+
 /// True if an impulse can rotate the body.
 [[nodiscard]] inline bool canRotate(const World& world, std::uint32_t body) {
     return isDynamic(world, body) && (world.bodies.info[body].flags & kFixedRotation) == 0;

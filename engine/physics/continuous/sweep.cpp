@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/edits.hpp"
+#include "physics/contacts/contacts.hpp"
 #include "physics/model/joints.hpp"
 #include "physics/narrowphase/distance.hpp"
 #include "physics/tuning.hpp"

@@ -37,13 +37,6 @@ inline bool isFast(Vec2 displacement, float rotation, const BodyInfo& info) {
     return length(displacement) + turned > limit;
 }
 
-/// True for a dynamic body with joints whose motion in the next step is fast.
-inline bool isFastAndJointed(const World& world, std::uint32_t body, float dt) {
-    const BodyMotion& motion = world.bodies.motion[body];
-    const BodyInfo& info = world.bodies.info[body];
-    return info.firstJoint != kNone && isFast(dt * motion.velocity, dt * motion.angularVelocity, info);
-}
-
 /// Returns the frame of B's shapes relative to the frame of A's shapes.
 Frame relativeFrame(const BodyPose& a, const BodyPose& b);
 

@@ -19,21 +19,6 @@ int stepsAbove(float value, float limit, float factor) {
     return steps;
 }
 
-void addTo(SubstepEstimate& island, const World& world, const Workspace& work, std::uint32_t body,
-           std::uint32_t root, Vec2 down) {
-    const BodyMass& mass = world.bodies.mass[body];
-    // Trees are solved accurately at any quality.
-    if (mass.inverseMass == 0.0f || isInTree(world, work, body)) return;
-    const float depth = dot(world.bodies.pose[body].centre - world.bodies.pose[root].centre, down);
-    island.lightest = std::min(island.lightest, mass.mass);
-    island.heaviest = std::max(island.heaviest, mass.mass);
-    island.lowest = std::min(island.lowest, depth);
-    island.highest = std::max(island.highest, depth);
-    island.size += world.bodies.info[body].core;
-    island.bodies += 1.0f;
-    forJointsOf(world, body, [&](std::uint32_t) { island.joints += 0.5f; });  // a half for each of two bodies
-}
-
 /// Number of kinds of islands that are solved with equal parameters: by quality, with or without rotation.
 constexpr std::size_t kKindsWithRotation = kMaxQuality + 1;
 constexpr std::size_t kContactKinds = 2 * kKindsWithRotation;
@@ -174,8 +159,19 @@ void estimateSubsteps(World& world, Workspace& work) {
     const Vec2 down = lengthSquared(gravity) > 0.0f ? normalized(gravity) : Vec2{};
     work.estimate.assign(world.bodies.size(), SubstepEstimate{});
     for (const std::uint32_t body : world.awake) {
+        const BodyMass& mass = world.bodies.mass[body];
+        // Trees are solved accurately at any quality.
+        if (mass.inverseMass == 0.0f || isInTree(world, work, body)) continue;
         const std::uint32_t root = work.roots[body];
-        addTo(work.estimate[root], world, work, body, root, down);
+        const float depth = dot(world.bodies.pose[body].centre - world.bodies.pose[root].centre, down);
+        SubstepEstimate& island = work.estimate[root];
+        island.lightest = std::min(island.lightest, mass.mass);
+        island.heaviest = std::max(island.heaviest, mass.mass);
+        island.lowest = std::min(island.lowest, depth);
+        island.highest = std::max(island.highest, depth);
+        island.size += world.bodies.info[body].core;
+        island.bodies += 1.0f;
+        forJointsOf(world, body, [&](std::uint32_t) { island.joints += 0.5f; });  // a half for each body
     }
 }
 

@@ -134,7 +134,7 @@ struct JointPass {
     Grip rigid;  ///< soft constraint parameters of joints that are as stiff as the substeps allow
     float substepRate = 0.0f;  ///< 1/s
     float pushSpeed = 0.0f;    ///< m/s or rad/s: maximum speed at which joint errors are closed
-    float limitSpeed = 0.0f;   ///< m/s or rad/s: the same for values beyond limits
+    float turnSpeed = 0.0f;    ///< rad/s: the same for angles beyond their limits
     bool first = true;         ///< first iteration of this pass in the substep
 };
 

@@ -67,8 +67,8 @@ ValueParts valueParts(const JointView& view) {
     }
     if (definition.limit.on) {
         value.limited = true;
-        value.lower = definition.limit.lower;
-        value.upper = definition.limit.upper;
+        value.lower = limitOf(view).lower;
+        value.upper = limitOf(view).upper;
     }
     return value;
 }

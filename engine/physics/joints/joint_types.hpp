@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/joints/joint_block.hpp"
+#include "physics/tuning.hpp"
 #include "physics/world.hpp"
 
 namespace plumb::physics {
@@ -98,6 +99,15 @@ JointView viewOf(const World& world, std::uint32_t joint, const JointTiming& tim
 
 /// Returns the arms and the separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
+/// Returns the limits of a joint. Those of a hinge exclude kLimitSeam at least.
+inline JointLimit limitOf(const JointView& view) {
+    JointLimit limit = view.definition.limit;
+    if (view.joint.kind != JointKind::Revolute) return limit;
+    const float middle = 0.5f * (limit.lower + limit.upper), half = kPi - 0.5f * kLimitSeam;
+    limit.lower = std::max(limit.lower, middle - half);
+    limit.upper = std::min(limit.upper, middle + half);
+    return limit;
+}
 /// Returns the rotation of B relative to A, minus the reference angle (rad): within pi of 0, or of the middle
 /// of a hinge's limits, so that beyond them the nearer one counts.
 inline float angleOf(const JointView& view) {

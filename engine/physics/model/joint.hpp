@@ -24,7 +24,7 @@ enum class JointKind : std::uint8_t {
 
 struct JointLimit {
     bool on = false;
-    float lower = 0.0f;  ///< m or rad; angles from -pi to pi
+    float lower = 0.0f;  ///< m or rad; angles from -pi to pi, and at least 0.1 rad are left out in all
     float upper = 0.0f;
 };
 

@@ -350,22 +350,4 @@ void setFilter(World& world, ShapeId shape, std::uint32_t layers, std::uint32_t 
     noteMoved(world, shape.index);
 }
 
-bool needsContact(const World& world, std::uint32_t shapeA, std::uint32_t shapeB) {
-    const Shapes& shapes = world.shapes;
-    const auto isStopped = [&](const ShapeExtras& border, const Filter& other) {
-        return (border.frontLayers & other.mask) != 0 && (border.frontMask & other.layers) != 0;
-    };
-    const BodyInfo& a = world.bodies.info[shapes.info[shapeA].body];
-    const BodyInfo& b = world.bodies.info[shapes.info[shapeB].body];
-    if (a.kind != BodyKind::Dynamic || b.kind != BodyKind::Dynamic) {
-        // Two bodies that are not dynamic have contacts only with triggers, and one of them must be awake.
-        const bool trigger = ((shapes.info[shapeA].flags | shapes.info[shapeB].flags) & kTrigger) != 0;
-        const bool pushed = a.kind == BodyKind::Dynamic || b.kind == BodyKind::Dynamic;
-        const bool someAwake = a.awakeIndex != kNone || b.awakeIndex != kNone;
-        if (!(pushed ? trigger || someAwake : trigger && someAwake)) return false;
-    }
-    return !isStopped(shapes.extrasOf(shapeA), shapes.filter[shapeB]) &&
-           !isStopped(shapes.extrasOf(shapeB), shapes.filter[shapeA]);
-}
-
 }  // namespace plumb::physics

@@ -34,14 +34,12 @@ BoxAxis bestAxis(const BoxPair& p, Float8 qx, Float8 qy) {
 
 /// The boxes in coordinates of the reference face: n along its normal to the other box, t along the face.
 struct BoxView {
-    Float8 n, t;             // centre of the other box
-    Float8 half, halfAlong;  // half sizes of the reference box
-    Float8 flip;             // -1 if n is a negative axis of the reference box, else 1
-    Float8 lowN, lowT;       // ends of the incident edge; t increases from low to high
-    Float8 highN, highT;
-    Float8 slope, midN, midT;      // slope and middle of the incident edge
-    Float8 cornerLow, cornerHigh;  // corners of the reference box
-    Float8 otherLow, otherHigh;    // corners of the other box at low and high
+    Float8 n, t;                 // centre of the other box
+    Float8 half, halfAlong;      // half sizes of the reference box
+    Float8 flip;                 // -1 if n is a negative axis of the reference box, else 1
+    Float8 endN[2], endT[2];     // ends of the incident edge: low and high, in the order of t
+    Float8 slope, midN, midT;    // slope and middle of the incident edge
+    Float8 corner[2], other[2];  // corners of the reference box and of the other box at low and high
 };
 
 BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
@@ -84,18 +82,18 @@ BoxView viewFrom(const BoxPair& p, const BoxAxis& axis, Float8 qx, Float8 qy) {
     const Float8 alongN = select(sideBackwards, -sideN, sideN);
     const Float8 alongT = abs(sideT);  // at least the square root of 1/2
     v.slope = alongN / alongT;
-    v.lowN = v.midN - alongN * halfSide;
-    v.lowT = v.midT - alongT * halfSide;
-    v.highN = v.midN + alongN * halfSide;
-    v.highT = v.midT + alongT * halfSide;
+    v.endN[0] = v.midN - alongN * halfSide;
+    v.endT[0] = v.midT - alongT * halfSide;
+    v.endN[1] = v.midN + alongN * halfSide;
+    v.endT[1] = v.midT + alongT * halfSide;
 
     const Float8 positive = oneIn(v.flip > zero);
-    v.cornerLow = select(alongY, positive * two, positive);
-    v.cornerHigh = v.cornerLow + select(alongY, one, two);
+    v.corner[0] = select(alongY, positive * two, positive);
+    v.corner[1] = v.corner[0] + select(alongY, one, two);
     const Float8 face = select(backwards, zero, one);
     const Float8 low = oneIn(sideBackwards);
-    v.otherLow = select(byX, face + low * two, face * two + low);
-    v.otherHigh = select(byX, face + (one - low) * two, face * two + (one - low));
+    v.other[0] = select(byX, face + low * two, face * two + low);
+    v.other[1] = select(byX, face + (one - low) * two, face * two + (one - low));
     return v;
 }
 
@@ -111,32 +109,25 @@ struct BoxPlaces {
 BoxPlaces touchFaces(const BoxView& v, Float8 radius, Float8 otherRadius, Float8 speculative) {
     const Float8 zero = all(0.0f);
     const Float8 one = all(1.0f);
-    const auto cutLow = v.lowT < -v.halfAlong;
-    const auto cutHigh = v.highT > v.halfAlong;
+    const Float8 surface = v.half + radius;
+    const Float8 border[2] = {-v.halfAlong, v.halfAlong};
+    const Mask8 cut[2] = {v.endT[0]<border[0], v.endT[1]> border[1]};
+    Float8 round[2];  // a single point is at a rounded corner, unless clipping moved it
     BoxPlaces w;
     w.normalN = one;
     w.normalT = zero;
-    w.t[0] = select(cutLow, -v.halfAlong, v.lowT);
-    w.t[1] = select(cutHigh, v.halfAlong, v.highT);
-    const Float8 low = select(cutLow, v.midN + v.slope * (w.t[0] - v.midT), v.lowN);
-    const Float8 high = select(cutHigh, v.midN + v.slope * (w.t[1] - v.midT), v.highN);
-    const Float8 surface = v.half + radius;
-    const Float8 half = all(0.5f);
-    w.separation[0] = low - otherRadius - surface;
-    w.separation[1] = high - otherRadius - surface;
-    w.n[0] = surface + half * w.separation[0];
-    w.n[1] = surface + half * w.separation[1];
-    w.corner[0] = v.cornerLow;
-    w.corner[1] = v.cornerHigh;
-    w.other[0] = v.otherLow;
-    w.other[1] = v.otherHigh;
+    for (int i = 0; i < 2; ++i) {
+        w.t[i] = select(cut[i], border[i], v.endT[i]);
+        const Float8 height = select(cut[i], v.midN + v.slope * (w.t[i] - v.midT), v.endN[i]);
+        w.separation[i] = height - otherRadius - surface;
+        w.n[i] = surface + all(0.5f) * w.separation[i];
+        w.corner[i] = v.corner[i];
+        w.other[i] = v.other[i];
+        round[i] = select(cut[i], zero, otherRadius);
+    }
     const Float8 beside = select(w.t[0] > w.t[1], zero, one);
-    w.keep[0] = select(w.separation[0] > speculative, zero, beside);
-    w.keep[1] = select(w.separation[1] > speculative, zero, beside);
-    // A single point is at a rounded corner, unless clipping moved it.
-    const Float8 roundLow = select(cutLow, zero, otherRadius);
-    const Float8 roundHigh = select(cutHigh, zero, otherRadius);
-    const Float8 alone = select(w.keep[0] > zero, roundLow, roundHigh);
+    for (int i = 0; i < 2; ++i) w.keep[i] = select(w.separation[i] > speculative, zero, beside);
+    const Float8 alone = select(w.keep[0] > zero, round[0], round[1]);
     w.roundOther = select(w.keep[0] + w.keep[1] > one, zero, alone);
     w.roundReference = zero;
     return w;
@@ -147,22 +138,22 @@ void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Flo
                   Float8 speculative) {
     const Float8 zero = all(0.0f);
     const Float8 one = all(1.0f);
-    const Float8 lowBeyond = max(abs(v.lowT) - v.halfAlong, zero);
-    const Float8 highBeyond = max(abs(v.highT) - v.halfAlong, zero);
-    const Float8 lowOver = v.lowN - v.half;
-    const Float8 highOver = v.highN - v.half;
+    const Float8 lowBeyond = max(abs(v.endT[0]) - v.halfAlong, zero);
+    const Float8 highBeyond = max(abs(v.endT[1]) - v.halfAlong, zero);
+    const Float8 lowOver = v.endN[0] - v.half;
+    const Float8 highOver = v.endN[1] - v.half;
     const auto isHigh =
         highBeyond * highBeyond + highOver * highOver < lowBeyond * lowBeyond + lowOver * lowOver;
-    const Float8 nearT = select(isHigh, v.highT, v.lowT);
+    const Float8 nearT = select(isHigh, v.endT[1], v.endT[0]);
     const Float8 nearN = select(isHigh, highOver, lowOver);
-    const Float8 farT = select(isHigh, v.lowT, v.highT);
+    const Float8 farT = select(isHigh, v.endT[0], v.endT[1]);
     const Float8 farN = select(isHigh, lowOver, highOver);
     const auto atLow = nearT < zero;
     const Float8 cornerT = select(atLow, -v.halfAlong, v.halfAlong);
     const Float8 displacementT = nearT - cornerT;
     // If the incident edge passes in front of the corner, the edge touches, not its end.
     const Float8 passes = -(nearN * (farN - nearN) + displacementT * (farT - nearT));
-    const auto apart = (v.lowT > v.halfAlong) | (-v.halfAlong > v.highT);
+    const auto apart = (v.endT[0] > v.halfAlong) | (-v.halfAlong > v.endT[1]);
     const Float8 square = nearN * nearN + displacementT * displacementT;
     const Float8 blur = all(kBlur * kBlur) * (v.n * v.n + v.t * v.t);
     const Float8 beyond = select(isHigh, highBeyond, lowBeyond);
@@ -185,8 +176,8 @@ void touchCorners(BoxPlaces& w, const BoxView& v, Float8 gap, Float8 radius, Flo
     w.n[0] = select(isCorner, v.half + n * middle, w.n[0]);
     w.t[0] = select(isCorner, cornerT + t * middle, w.t[0]);
     w.separation[0] = select(isCorner, separation, w.separation[0]);
-    w.corner[0] = select(isCorner, select(atLow, v.cornerLow, v.cornerHigh), w.corner[0]);
-    w.other[0] = select(isCorner, select(isHigh, v.otherHigh, v.otherLow), w.other[0]);
+    w.corner[0] = select(isCorner, select(atLow, v.corner[0], v.corner[1]), w.corner[0]);
+    w.other[0] = select(isCorner, select(isHigh, v.other[1], v.other[0]), w.other[0]);
     w.keep[0] = select(isCorner, select(separation > speculative, zero, one), w.keep[0]);
     w.keep[1] = select(isCorner, zero, w.keep[1]);
     w.roundOther = select(isCorner, otherRadius, w.roundOther);
@@ -208,20 +199,17 @@ BoxTouch placed(const BoxPlaces& w, const BoxView& v, const BoxPair& p, const Bo
         return turned(cosine, sine, select(axis.alongY, t, n), select(axis.alongY, n, t));
     };
     touch.normal = inA(normalN, normalT);
-    Two8 point[2];
-    Float8 id[2];
     const Float8 shift = all(256.0f);
     for (int i = 0; i < 2; ++i) {
-        point[i] = origin + inA(v.flip * w.n[i], w.t[i]);
-        id[i] = select(ofB, w.other[i] * shift + w.corner[i], w.corner[i] * shift + w.other[i]);
+        touch.point[i] = origin + inA(v.flip * w.n[i], w.t[i]);
+        touch.separation[i] = w.separation[i];
+        touch.id[i] = select(ofB, w.other[i] * shift + w.corner[i], w.corner[i] * shift + w.other[i]);
     }
     const auto first = w.keep[0] > zero;  // if false, the second point becomes the first
-    touch.point[0] = {select(first, point[0].x, point[1].x), select(first, point[0].y, point[1].y)};
+    touch.point[0] = {select(first, touch.point[0].x, touch.point[1].x),
+                      select(first, touch.point[0].y, touch.point[1].y)};
     touch.separation[0] = select(first, w.separation[0], w.separation[1]);
-    touch.id[0] = select(first, id[0], id[1]);
-    touch.point[1] = point[1];
-    touch.separation[1] = w.separation[1];
-    touch.id[1] = id[1];
+    touch.id[0] = select(first, touch.id[0], touch.id[1]);
     touch.count = w.keep[0] + w.keep[1];
     touch.roundA = select(ofB, w.roundOther, w.roundReference);
     touch.roundB = select(ofB, w.roundReference, w.roundOther);

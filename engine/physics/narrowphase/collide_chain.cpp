@@ -68,7 +68,6 @@ struct JointGap {
 
 JointGap widestJointGap(const Chain& chain, const Side& other) {
     JointGap widest;
-    if (other.corners.size() < 2) return widest;
     for (std::size_t face = 0; face < other.corners.size(); ++face) {
         const Corner& corner = other.corners[face];
         for (std::size_t end = 0; end < 2; ++end) {

@@ -153,14 +153,10 @@ DisplacementBetween nearestWay(const Displacements& displacements, Simplex& simp
     for (int iteration = 1;; ++iteration) {
         if (simplex.count == 2) reduceTwo(simplex);
         if (simplex.count == 3) reduceThree(simplex);
-        if (simplex.count == 3) {
-            nearest.iterations = iteration;
-            nearest.distance = 0.0f;
-            return nearest;
-        }
-        nearest = nearestOf(simplex);
+        if (simplex.count < 3) nearest = nearestOf(simplex);
         nearest.iterations = iteration;
-        if (iteration == kMaxIterations || nearest.distance <= kSimplexPrecision * sizeOf(simplex))
+        if (simplex.count == 3 || iteration == kMaxIterations ||
+            nearest.distance <= kSimplexPrecision * sizeOf(simplex))
             return nearest;
         const Way displacement = displacements.farthestAlong(-nearest.normal);
         const float nearer = nearest.distance - dot(displacement.displacement, nearest.normal);
@@ -220,9 +216,11 @@ NearestSide nearestSide(const Polytope& polytope) {
 }
 
 /// Computes the shortest displacement that separates two overlapping cores (EPA).
-DisplacementBetween deepestOverlap(const Displacements& displacements) {
+/// @param iterations  those of the search before
+DisplacementBetween deepestOverlap(const Displacements& displacements, int iterations) {
     Polytope polytope = polytopeOf(displacements);
-    DisplacementBetween result{polytope.displacements[0], polytope.displacements[0]};
+    DisplacementBetween result{
+        .first = polytope.displacements[0], .second = polytope.displacements[0], .iterations = iterations};
     if (polytope.count < 2) return result;  // two discs with the same centre
     NearestSide side = nearestSide(polytope);
     while (polytope.count < kMaxWays) {
@@ -240,8 +238,7 @@ DisplacementBetween deepestOverlap(const Displacements& displacements) {
     result.distance = -side.distance;
     const Vec2 edge = result.second.displacement - result.first.displacement;
     const float square = lengthSquared(edge);
-    result.part = square > 0.0f ? -dot(result.first.displacement, edge) / square : 0.0f;
-    result.part = std::clamp(result.part, 0.0f, 1.0f);
+    if (square > 0.0f) result.part = std::clamp(-dot(result.first.displacement, edge) / square, 0.0f, 1.0f);
     return result;
 }
 
@@ -258,11 +255,8 @@ Distance distanceBetween(const Convex& a, const Convex& b, const Frame& bInA, Si
             cache->b[i] = simplex.displacements[i].indexB;
         }
     }
-    if (simplex.count == 3 || nearest.distance <= kSimplexPrecision * sizeOf(simplex)) {
-        const int before = nearest.iterations;
-        nearest = deepestOverlap(displacements);
-        nearest.iterations += before;
-    }
+    if (simplex.count == 3 || nearest.distance <= kSimplexPrecision * sizeOf(simplex))
+        nearest = deepestOverlap(displacements, nearest.iterations);
     return {.distance = nearest.distance - a.radius - b.radius,
             .normal = nearest.normal,
             .pointA = lerp(nearest.first.a, nearest.second.a, nearest.part) + nearest.normal * a.radius,

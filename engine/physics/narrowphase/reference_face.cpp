@@ -172,11 +172,7 @@ Manifold collideConvex(const Geometry& a, const Geometry& b, std::span<const Cor
     if (convexA.count == 1) {  // a capsule without length is a disc
         return collideCircleConvex(circle(a.radius, convexA.centre), b, corners, bInA, speculative);
     }
-    if (convexB.count == 1) {
-        const Frame aInB = inverse(bInA);
-        return swapped(collideCircleConvex(circle(b.radius, convexB.centre), a, corners, aInB, speculative),
-                       bInA);
-    }
+    if (convexB.count == 1) return swapped(collideConvex(b, a, corners, inverse(bInA), speculative), bInA);
     MovedCorners moved;
     return collideSides(sideOf(convexA), moved.moved(convexB, bInA), speculative);
 }

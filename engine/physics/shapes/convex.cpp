@@ -1,7 +1,5 @@
 #include "physics/shapes/convex.hpp"
 
-#include <algorithm>
-
 #include "physics/tuning.hpp"
 
 namespace plumb::physics {

@@ -34,11 +34,6 @@ struct Moments {
     }
 };
 
-/// Returns the angle (rad, 0..pi) between successive normals of a convex outline.
-double turnBetween(Vec2 from, Vec2 to) {
-    return static_cast<double>(arcTangent(std::fabs(cross(from, to)), dot(from, to)));
-}
-
 /// Sums the moments of the core, of a strip along each face and of a sector at each corner.
 Moments momentsOf(const Convex& convex) {
     const std::span<const Corner> corners = convex.corners();
@@ -50,7 +45,7 @@ Moments momentsOf(const Convex& convex) {
         return sum;
     }
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Corner& before = corners[i > 0 ? i - 1 : corners.size() - 1];
+        const Vec2 before = corners[i > 0 ? i - 1 : corners.size() - 1].normal;
         const Corner& corner = corners[i];
         const Corner& after = corners[i + 1 < corners.size() ? i + 1 : 0];
         const Double2 here = wide(corner.point) - origin;
@@ -58,8 +53,8 @@ Moments momentsOf(const Convex& convex) {
         sum.addTriangle(here, next);
         if (!(radius > 0.0)) continue;
         sum.addStrip(here, next, wide(corner.normal), radius);
-        sum.addSector(here, wide(before.normal), wide(corner.normal),
-                      turnBetween(before.normal, corner.normal), radius);
+        const float angle = arcTangent(std::fabs(cross(before, corner.normal)), dot(before, corner.normal));
+        sum.addSector(here, wide(before), wide(corner.normal), double{angle}, radius);
     }
     return sum;
 }

@@ -8,15 +8,14 @@ namespace plumb::physics {
 
 namespace {
 
-SoftBox boxOf(const SoftParticle& p, float dt) {
-    const WorldPosition there = p.place + dt * p.velocity;
-    return {{std::min(p.place.x, there.x), std::min(p.place.y, there.y)},
-            {std::max(p.place.x, there.x), std::max(p.place.y, there.y)}};
-}
-
 SoftBox merged(const SoftBox& a, const SoftBox& b) {
     return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
             {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
+SoftBox boxOf(const SoftParticle& p, float dt) {
+    const WorldPosition there = p.place + dt * p.velocity;
+    return merged({p.place, p.place}, {there, there});
 }
 
 SoftBox grown(const SoftBox& box, double by) {

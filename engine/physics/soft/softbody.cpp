@@ -163,9 +163,7 @@ Result<SoftBodyId> createJelly(World& world, WorldPosition place, std::span<cons
                           "pass the points in the order of the outline");
     }
     for (int i = 0; i < count; ++i) edge(body, i, (i + 1) % count, material.stretchCompliance);
-    if (count > 4) {
-        for (int i = 0; i < count; ++i) link(body, i, (i + 2) % count, material.bendCompliance);
-    }
+    for (int i = 0; i < count && count > 4; ++i) link(body, i, (i + 2) % count, material.bendCompliance);
     return take(world, std::move(body));
 }
 

@@ -27,11 +27,9 @@ void prepareBlock(const StepContext& step, const Block& block, const BlockLanes&
 
 template <class Block>
 void noteImpulses(const Block& block, BounceBlock& bounce) {
-    for (int p = 0; p < 2; ++p) {
-        for (int i = 0; i < kLanes; ++i)
-            bounce.largest[p][i] = std::max(bounce.largest[p][i], block.points[p].impulse[i]);
-    }
     for (int i = 0; i < kLanes; ++i) {
+        for (int p = 0; p < 2; ++p)
+            bounce.largest[p][i] = std::max(bounce.largest[p][i], block.points[p].impulse[i]);
         if (bounce.sum[i] >= 0.0f) bounce.sum[i] += block.points[0].impulse[i];
     }
 }

@@ -179,24 +179,17 @@ struct RigidPush8 {
     }
 };
 
-/// Coulomb friction: returns the change of the impulse that stops sliding, limited to `maximum`.
-inline Float8 rubbed(Float8 speed, Float8 mass, Float8 maximum, float* total) {
-    const Float8 before = load(total);
-    const Float8 after = clamp(before - mass * speed, -maximum, maximum);
-    store(total, after);
-    return after - before;
-}
-
-/// Applies friction of a contact; `pressed` is the sum of the normal impulses of its points.
+/// Applies Coulomb friction of a contact; `pressed` is the sum of the normal impulses of its points.
 template <class Block, class MoverA, class MoverB>
 inline void rub(Block& block, Two8 normal, Float8 pressed, MoverA& a, MoverB& b) {
     const Two8 along{-normal.y, normal.x};
     const auto armA = a.slideArm();
     const auto armB = b.slideArm();
     const Float8 sliding = b.speed(along, armB) - a.speed(along, armA) - load(block.slideSpeed);
-    const Float8 change =
-        rubbed(sliding, load(block.slideMass), load(block.friction) * pressed, block.slideImpulse);
-    exchange(a, b, change, along, armA, armB);
+    const Float8 before = load(block.slideImpulse), maximum = load(block.friction) * pressed;
+    const Float8 after = clamp(before - load(block.slideMass) * sliding, -maximum, maximum);
+    store(block.slideImpulse, after);
+    exchange(a, b, after - before, along, armA, armB);
 }
 
 /// Performs one pass over the points of the contacts, and over their friction.

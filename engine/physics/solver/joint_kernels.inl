@@ -76,7 +76,9 @@ struct Grip8 {
     Float8 speedScale, errorRate, impulseScale;
 };
 
-inline Grip8 gripOf(const Grip& grip) { return {all(grip.speedScale), all(grip.errorRate), all(grip.impulseScale)}; }
+inline Grip8 gripOf(const Grip& grip) {
+    return {all(grip.speedScale), all(grip.errorRate), all(grip.impulseScale)};
+}
 
 template <bool kPush>
 inline Grip8 gripOf(const GripLanes& lanes) {
@@ -89,11 +91,14 @@ inline Grip8 gripOf(const GripLanes& lanes) {
 
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
-/// Returns the maximum speed at which joint errors are closed, times grip.speedScale. Springs are not limited.
+/// Returns the maximum speed at which joint errors are closed, times grip.speedScale. Springs are not
+/// limited.
 inline Float8 maxPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
     return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.speedScale * all(pass.pushSpeed));
 }
-inline Float8 maxPull(const JointPass& pass, const Grip8& grip) { return grip.speedScale * all(pass.pushSpeed); }
+inline Float8 maxPull(const JointPass& pass, const Grip8& grip) {
+    return grip.speedScale * all(pass.pushSpeed);
+}
 
 // Point constraint: two rows, solved together.
 
@@ -170,12 +175,13 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
 }
 
 /// Returns the maximum speed of a value towards a limit: within the substep it may reach but not pass the
-/// limit; beyond the limit it returns at the speed of the limit's error correction, which is limited as that
-/// of contacts: fast corrections of chains would leave them kinetic energy.
-template <bool kPush>
+/// limit; beyond the limit it returns at the speed of the limit's error correction. That of angles is limited
+/// as for contacts: when chains curl faster, the relax pass leaves them kinetic energy.
+template <bool kPush, class Line>
 inline Float8 speedTo(const JointPass& pass, Float8 gap) {
+    const float fastest = Line::kIsAngle ? pass.turnSpeed : pass.pushSpeed;
     const float back = kPush ? pass.rigid.errorRate / pass.rigid.speedScale : 0.0f;
-    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.limitSpeed));
+    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-fastest));
 }
 
 /// Motor, which stops at a limit. If it acted against the limit, both impulses would grow to the maximum, and
@@ -186,8 +192,8 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
     const Float8 wanted = load(rows.speed), zero = all(0.0f);
     Float8 after = clamp(before - mass * (speed - wanted), -maximum, maximum);
     if ((rows.uses & kLimits) != 0) {
-        const Float8 lowest = -speedTo<kPush>(pass, value - load(rows.lower));
-        const Float8 highest = speedTo<kPush>(pass, load(rows.upper) - value);
+        const Float8 lowest = -speedTo<kPush, Line>(pass, value - load(rows.lower));
+        const Float8 highest = speedTo<kPush, Line>(pass, load(rows.upper) - value);
         const Float8 allowed = clamp(wanted, lowest, highest);
         const Float8 there = clamp(before - mass * (speed - allowed), -maximum, maximum);
         const Mask8 stops = (wanted < lowest) | (wanted > highest);
@@ -198,12 +204,13 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
 }
 
 /// A limit, as a one-sided impulse. A value at a distance from the limit may reach it within the substep.
-template <bool kPush>
+template <bool kPush, class Line>
 inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 mass, float* total) {
     const Mask8 apart = gap > all(0.0f);
     const Grip grip = kPush ? pass.rigid : kRelaxed;
     const Float8 before = load(total);
-    const Float8 wanted = select(apart, all(1.0f), all(grip.speedScale)) * (speed + speedTo<kPush>(pass, gap));
+    const Float8 wanted =
+        select(apart, all(1.0f), all(grip.speedScale)) * (speed + speedTo<kPush, Line>(pass, gap));
     const Float8 give = select(apart, all(0.0f), all(grip.impulseScale));
     const Float8 after = max(before - (mass * wanted + give * before), all(0.0f));
     store(total, after);
@@ -215,8 +222,10 @@ template <bool kPush, class Line>
                                               Float8 mass, Line line) {
     if ((rows.uses & kHolds) != 0) hold<kPush>(rows, pass, value, mass, line);
     if ((rows.uses & kLimits) != 0) {
-        line.push(limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
-        line.push(-limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
+        line.push(
+            limited<kPush, Line>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
+        line.push(
+            -limited<kPush, Line>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
     }
     if ((rows.uses & kDrives) != 0) drive<kPush>(rows, pass, value, mass, line);
 }
@@ -249,6 +258,7 @@ inline Float8 turnBetween(const Couple8& couple) {
 }
 
 struct AngleLine8 {
+    static constexpr bool kIsAngle = true;
     Couple8& couple;
     [[nodiscard]] Float8 speed() const { return couple.spin(); }
     void push(Float8 impulse) { couple.turn(impulse); }
@@ -261,7 +271,9 @@ inline Float8 angleMass(const Couple8& couple) {
 // Joints that constrain a point: hinges without (PointBlock) and with a constraint on the angle (HingeBlock).
 
 template <class Block>
-concept HasPoint = requires { Block::kHasAngle; };
+concept HasPoint = requires {
+    Block::kHasAngle;
+};
 
 template <bool kOneSided, HasPoint Block>
 void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLanes* lanes, Block* blocks,

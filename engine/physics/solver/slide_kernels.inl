@@ -3,6 +3,7 @@
 // Constraints on lengths along a direction.
 
 struct SlideLine8 {
+    static constexpr bool kIsAngle = false;
     Couple8& couple;
     Two8 axis;
     Float8 leverA, leverB;
@@ -123,14 +124,17 @@ template <bool kPush>
     const Float8 angle = select(turns, turning, zero);
     const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
     const Float8 angleBefore = load(block.angleImpulse);
-    const Float8 angleChange = -(inverse * (ww * angle - wa * displacement) + soft.impulseScale * angleBefore);
+    const Float8 angleChange =
+        -(inverse * (ww * angle - wa * displacement) + soft.impulseScale * angleBefore);
     store(block.angleImpulse, angleBefore + angleChange);
     give(-(inverse * (aa * displacement - wa * angle) + soft.impulseScale * displacementBefore));
     couple.turn(angleChange);
 }
 
 template <class Block>
-concept ActsAlong = requires { Block::kSlides; };
+concept ActsAlong = requires {
+    Block::kSlides;
+};
 
 template <bool kOneSided, ActsAlong Block>
 void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLanes* lanes, Block* blocks,

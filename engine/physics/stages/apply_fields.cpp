@@ -144,8 +144,8 @@ void softenSprings(StepContext& step) {
 }
 
 /// Returns the acceleration of a body by gravity, applied forces and constant fields.
-Acceleration steadyAcceleration(const StepContext& step, std::size_t slot, std::uint32_t body, float h) {
-    const DriveScale scale = scaleOf(step, body, h);
+Acceleration steadyAcceleration(const StepContext& step, std::size_t slot, std::uint32_t body, float h,
+                                const DriveScale& scale) {
     const Float4& row = step.work.drive[slot];
     Acceleration steady{{row.x / scale.linear, row.y / scale.linear}, row.z / scale.angular};
     const FieldView view{step.world, h};
@@ -279,8 +279,8 @@ void applyFields(StepContext& step) {
     chooseMotions(step);
     if (world.manifest.runs(Effect::Springs)) softenSprings(step);
     forPulledSlots(step, [&](std::size_t slot, std::uint32_t body, float h) {
-        const Acceleration steady = steadyAcceleration(step, slot, body, h);
         const DriveScale scale = scaleOf(step, body, h);
+        const Acceleration steady = steadyAcceleration(step, slot, body, h, scale);
         if (smooth.motions[slot] == FieldMotion::Free) return launch(step, slot, body, steady);
         setDrive(step, slot, scale, steady);
         if (smooth.motions[slot] == FieldMotion::Driven)

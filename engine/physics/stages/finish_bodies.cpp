@@ -39,25 +39,27 @@ bool isBallistic(const Workspace& work, std::size_t slot) {
     return work.ballisticDrift[slot].x != 0.0f || work.ballisticDrift[slot].y != 0.0f;
 }
 
-/// True if a motor moves the body.
+/// True if a motor moves the body, at half of its target speed or more. One that is stopped may rest.
 bool isMotored(const StepContext& step, std::uint32_t body) {
     const World& world = step.world;
     bool motored = false;
     if (!step.runs(Effect::Motors)) return false;
     forJointsOf(world, body, [&](std::uint32_t j) {
         const bool driven = (world.joints.hot[j].flags & kDriven) != 0;
-        motored = motored || (driven && world.joints.definition[j].motor.speed != 0.0f);
+        const float target = driven ? world.joints.definition[j].motor.speed : 0.0f;
+        motored = motored || (target != 0.0f && readingOf(world, idOfJoint(world, j)).speed / target > 0.5f);
     });
     return motored;
 }
 
-/// Returns the speed (m/s) below which a body is at rest. A body that only fields push, such as a bubble, or
-/// a motor, may move at any speed for ever, so it must move by less than the slop per sleepTime. 0 for
-/// falling bodies.
+/// Returns the speed (m/s) below which a body is at rest. A body that only fields push, such as a bubble, may
+/// move at any speed for ever, so it must move by less than the slop per sleepTime. 0 for falling bodies and
+/// those that a motor moves.
 float restSpeed(const StepContext& step, std::size_t slot, std::uint32_t body) {
     const BodyInfo& info = step.world.bodies.info[body];
     const Settings& settings = step.world.settings;
-    if (fieldMotionOf(step, slot) == FieldMotion::Free || isMotored(step, body))
+    if (isMotored(step, body)) return 0.0f;
+    if (fieldMotionOf(step, slot) == FieldMotion::Free)
         return std::min(info.sleepSpeed, settings.slop / std::max(settings.sleepTime, step.dt));
     return info.firstJoint == kNone && isBallistic(step.work, slot) ? 0.0f : info.sleepSpeed;
 }
@@ -93,13 +95,8 @@ AABB tightBounds(const Shapes& shapes, std::uint32_t shape, const Frame& frame) 
 void updateShapes(World& world, std::uint32_t body, std::vector<std::uint32_t>& left) {
     const Frame frame = frameOf(world.bodies.pose[body]);
     Shapes& shapes = world.shapes;
-    // The contacts of these are computed before they touch.
-    const Vec2 path = isFastAndJointed(world, body, world.stepLength)
-                          ? world.stepLength * world.bodies.motion[body].velocity
-                          : Vec2{};
     forShapesOf(world, body, [&](std::uint32_t s) {
-        AABB tight = tightBounds(shapes, s, frame);
-        tight = {tight.min + min(path, Vec2{}), tight.max + max(path, Vec2{})};
+        const AABB tight = tightBounds(shapes, s, frame);
         if (contains(shapes.bounds[s], tight)) return;
         shapes.bounds[s] = grown(tight, shapes.info[s].margin);
         left.push_back(s);
@@ -151,10 +148,7 @@ bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
 void finish(StepContext& step, std::size_t slot, std::uint32_t body, BodyFindings& found) {
     World& world = step.world;
     BodyInfo& info = world.bodies.info[body];
-    if (!takeAlong(step, slot, body)) {
-        found.broken.push_back(body);
-        return;
-    }
+    if (!takeAlong(step, slot, body)) return found.broken.push_back(body);
     const Float4& deltaPosition = step.work.deltaPosition[slot];
     const bool moved = deltaPosition.x != 0.0f || deltaPosition.y != 0.0f || deltaPosition.z != 0.0f;
     info.flags = static_cast<std::uint8_t>(moved ? info.flags | kMoved : info.flags & ~kMoved);

@@ -22,8 +22,9 @@ bool moves(const World& world, std::uint32_t body) {
 }
 
 /// True for joints that store or add energy. A motor of speed 0 is a brake.
-bool isPowered(const Joint& joint, const JointDefinition& definition) {
-    const bool drives = (joint.flags & kDriven) != 0 && definition.motor.speed != 0.0f;
+bool isPowered(const World& world, std::uint32_t index) {
+    const Joint& joint = world.joints.hot[index];
+    const bool drives = (joint.flags & kDriven) != 0 && world.joints.definition[index].motor.speed != 0.0f;
     return drives || (joint.flags & (kSprung | kSoft | kEdited)) != 0 || joint.kind == JointKind::Mouse ||
            joint.kind == JointKind::Motor;
 }
@@ -109,17 +110,14 @@ void openAccounts(const World& world, Workspace& work) {
 void noteJoints(StepContext& step) {
     World& world = step.world;
     const std::vector<std::uint32_t>& awake = world.joints.awake;
-    const auto powered = [&](std::uint32_t j) {
-        return isPowered(world.joints.hot[j], world.joints.definition[j]);
-    };
     const auto matters = [&](std::size_t i) {
-        return world.joints.hot[awake[i]].colour >= kFirstFixedColour || powered(awake[i]);
+        return world.joints.hot[awake[i]].colour >= kFirstFixedColour || isPowered(world, awake[i]);
     };
     forEachIf(step, awake.size(), matters, [&](std::uint32_t i) {
         const std::uint32_t j = awake[i];
         Joint& joint = world.joints.hot[j];
         EnergyAccount& account = accountOf(world, step.work, joint.bodyA, joint.bodyB);
-        account.isDriven |= powered(j) || moves(world, joint.bodyA) || moves(world, joint.bodyB);
+        account.isDriven |= isPowered(world, j) || moves(world, joint.bodyA) || moves(world, joint.bodyB);
         account.isRooted |= !isDynamic(world, joint.bodyA) || !isDynamic(world, joint.bodyB);
         if ((joint.flags & kEdited) != 0 && openingOf(world, j) <= world.settings.slop)
             joint.flags = static_cast<std::uint8_t>(joint.flags & ~kEdited);
@@ -199,7 +197,6 @@ void add(const EnergySums& body, const EnergyShare& share, EnergyAccount& accoun
     account.momentum += body.momentum;
     account.mass += body.mass;
     account.isLively |= body.isLively;
-    if (!account.isJointed) return;
     account.displacement += body.displacement;
     account.credit += share.credit;
     account.peak += share.peak;

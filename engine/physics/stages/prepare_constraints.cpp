@@ -137,14 +137,6 @@ ContactSource sourceOf(const StepContext& step) {
             .kinematics = step.starts(Effect::Kinematics)};
 }
 
-template <class Bodies>
-void prepareContacts(const StepContext& step, const ContactSource& source,
-                     const GroupKernels<Bodies>& kernels) {
-    const ContactSets<Bodies> contacts = contactsOf(step, kernels);
-    contacts.two.prepare(step, source);
-    contacts.fixed.prepare(step, source);
-}
-
 }  // namespace
 
 void prepareConstraints(StepContext& step) {
@@ -156,8 +148,13 @@ void prepareConstraints(StepContext& step) {
         keepLayout(step.work);
     }
     const ContactSource source = sourceOf(step);
-    prepareContacts(step, source, solverKernels().rotating);
-    prepareContacts(step, source, solverKernels().withoutRotation);
+    const auto prepareContacts = [&](const auto& kernels) {
+        const auto contacts = contactsOf(step, kernels);
+        contacts.two.prepare(step, source);
+        contacts.fixed.prepare(step, source);
+    };
+    prepareContacts(solverKernels().rotating);
+    prepareContacts(solverKernels().withoutRotation);
     if (step.runs(Effect::Joints)) prepareJoints(step);
     // Counts the runs of effects that select kernels and blocks.
     for (const Effect effect : {Effect::Friction, Effect::Motors}) static_cast<void>(step.starts(effect));

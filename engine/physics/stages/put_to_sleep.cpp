@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "physics/islands/quality.hpp"
 #include "physics/islands/sleeping.hpp"
@@ -60,13 +61,16 @@ void keepClosingAwake(StepContext& step) {
         const std::int32_t slot = step.work.slots[body];
         if (slot < 0 || !isDynamic(world, body)) return false;
         const Float4& way = step.work.deltaPosition[static_cast<std::size_t>(slot)];
-        return length(Vec2{way.x, way.y}) > world.bodies.info[body].sleepSpeed * step.dt;
+        const BodyInfo& info = world.bodies.info[body];
+        return length(Vec2{way.x, way.y}) + std::fabs(way.z) * info.reach > info.sleepSpeed * step.dt;
     };
     for (const std::uint32_t j : world.joints.awake) {
         const std::uint32_t a = world.joints.hot[j].bodyA, b = world.joints.hot[j].bodyB;
         if ((!maySleep(step, a) && !maySleep(step, b)) || (!moved(a) && !moved(b))) continue;
-        const float open = readingOf(world, idOfJoint(world, j)).separation;
-        if (open > world.settings.slop) keepAwake(step, isDynamic(world, a) ? a : b);
+        const std::uint32_t own = isDynamic(world, a) ? a : b;
+        const JointReading reading = readingOf(world, idOfJoint(world, j));
+        const float turned = reading.angularSeparation * world.bodies.info[own].reach;
+        if (std::max(reading.separation, turned) > world.settings.slop) keepAwake(step, own);
     }
 }
 

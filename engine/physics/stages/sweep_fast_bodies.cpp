@@ -315,8 +315,7 @@ void addPassedBodies(StepContext& step) {
 // Continuous collision detection: sweeps fast bodies along their paths. If a free body hits a static or
 // kinematic one, or a bullet hits another free body, the impulses of the impact act at this time and both
 // continue for the rest of the step. A body held by contacts or joints stops at the hit with its velocity
-// there: the solver has to handle the hit together with these constraints, in the next step. Hits of bodies
-// with joints that can be predicted at the start of the step are contacts already, see takeImpact().
+// there: the solver has to handle the hit together with these constraints, in the next step.
 void sweepFastBodies(StepContext& step) {
     World& world = step.world;
     Workspace& work = step.work;

@@ -23,7 +23,7 @@ struct Trees {
     double h;          // s
     double rate;       // 1/h
     double elapsed;    // s: time in the step at which rows are evaluated
-    double pushSpeed;  // m/s or rad/s: maximum speed of values beyond limits towards them
+    double pushSpeed;  // m/s or rad/s: Settings::pushSpeed
 
     [[nodiscard]] TreeBody& treeBodyOf(const Link& link) const { return all.treeBodies[link.treeBody]; }
     [[nodiscard]] TreeBody* parentOf(const Link& link) const {
@@ -86,9 +86,8 @@ void setLink(const Trees& trees, Link& link) {
 
 void takeMotion(const Trees& trees, TreeBody& treeBody) {
     const auto slot = static_cast<std::size_t>(treeBody.slot);
-    const Float4& deltaPosition = trees.work.deltaPosition[slot];
-    treeBody.poseChange = {static_cast<double>(deltaPosition.x), static_cast<double>(deltaPosition.y),
-                           static_cast<double>(deltaPosition.z), static_cast<double>(deltaPosition.w)};
+    const Float4& moved = trees.work.deltaPosition[slot];
+    treeBody.poseChange = {double{moved.x}, double{moved.y}, double{moved.z}, double{moved.w}};
     treeBody.velocity = tripleOf(trees.work.velocity[slot]);
     treeBody.impulse = {};
 }
@@ -145,8 +144,8 @@ void aimDrive(const Trees& trees, Link& link, double velocity, bool closes) {
     Drive& drive = link.drive;
     const auto approach = [&](double room) {
         if (!drive.limited) return -std::numeric_limits<double>::infinity();
-        const double maximum = room > 0.0 || closes ? trees.pushSpeed : 0.0;
-        return std::min(-room * trees.rate, maximum);
+        const double fastest = trees.pushSpeed * (link.byArms() ? 1.0 : static_cast<double>(kJointPushing));
+        return std::min(-room * trees.rate, room > 0.0 || closes ? fastest : 0.0);
     };
     drive.velocity = velocity;
     drive.slowest = approach(drive.value - drive.lower);
@@ -261,9 +260,8 @@ void calmTree(const Trees& trees, JointTree& tree) {
     middle = tree.rooted ? Triple{} : 1.0 / mass * middle;
     const double own = energy - 0.5 * mass * (middle.x * middle.x + middle.y * middle.y);
     const double less = own > excess ? 1.0 - std::sqrt(1.0 - excess / own) : 1.0;
-    for (const TreeBody& treeBody : trees.all.bodiesOf(tree)) {
+    for (const TreeBody& treeBody : trees.all.bodiesOf(tree))
         addChange(trees, treeBody, -less * (treeBody.velocity - middle));
-    }
     tree.gain -= excess;
 }
 
@@ -344,7 +342,7 @@ void prepareDrive(const JointView& view, Link& link) {
     link.drive = {.on = canDrive && (joint.flags & (kLimited | kDriven)) != 0};
     if (!link.drive.on) return;
     Drive& drive = link.drive;
-    const JointLimit& limit = view.definition.limit;
+    const JointLimit limit = limitOf(view);
     const JointMotor& motor = view.definition.motor;
     const double sign = link.treeBodyIsB ? 1.0 : -1.0;
     drive.limited = limit.on;
@@ -376,13 +374,6 @@ void prepareArms(const World& world, Link& link) {
     link.force = {static_cast<double>(force.x), static_cast<double>(force.y), 0.0};
 }
 
-void prepareLimb(const World& world, const Workspace& work, TreeBody& treeBody) {
-    const BodyMass& mass = world.bodies.mass[treeBody.body];
-    treeBody.slot = work.slots[treeBody.body];
-    treeBody.mass = 1.0 / std::max(static_cast<double>(mass.inverseMass), 1.0e-30);
-    treeBody.inertia = mass.inverseInertia > 0.0f ? 1.0 / static_cast<double>(mass.inverseInertia) : 0.0;
-}
-
 }  // namespace
 
 bool isClosed(const World& world, Link& link, bool held) {
@@ -398,7 +389,12 @@ void prepareTrees(StepContext& step) {
     JointTrees& all = step.work.joints.trees;
     for (JointTree& tree : all.trees) {
         if (!tree.direct) continue;
-        for (TreeBody& treeBody : all.bodiesOf(tree)) prepareLimb(world, step.work, treeBody);
+        for (TreeBody& treeBody : all.bodiesOf(tree)) {
+            const BodyMass& mass = world.bodies.mass[treeBody.body];
+            treeBody.slot = step.work.slots[treeBody.body];
+            treeBody.mass = 1.0 / std::max(double{mass.inverseMass}, 1.0e-30);
+            treeBody.inertia = mass.inverseInertia > 0.0f ? 1.0 / double{mass.inverseInertia} : 0.0;
+        }
         tree.powered = tree.drives = false;
         forLinks(all, tree, [&](Link& link) {
             prepareArms(world, link);
@@ -407,7 +403,7 @@ void prepareTrees(StepContext& step) {
             link.groundVelocity =
                 slot >= 0 ? tripleOf(step.work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
             const Triple& v = link.groundVelocity;
-            // A shorter rope does work on what swings on it; limits do none, whatever they are changed to.
+            // A shorter rope does work on what swings on it; changed limits do none.
             const bool isEdited = !link.drive.on && (world.joints.hot[link.joint].flags & kEdited) != 0;
             tree.powered |= isEdited || dot(v, v) > 0.0;
         });

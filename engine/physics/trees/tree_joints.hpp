@@ -21,10 +21,9 @@ inline void stiffenPoint(const TreeBody& treeBody, Link& link) {
         link.across[2] = {own.xt, own.yt, own.tt};
         link.stiffness =
             inverse({xx, xy, yy, own.xt - y * own.tt, own.yt + x * own.tt, own.tt + link.softness.turn});
-        return;
+    } else {
+        link.stiffness = inverseUnturned({xx, xy, yy});
     }
-    const double scale = 1.0 / (xx * yy - xy * xy);
-    link.stiffness = {yy * scale, -xy * scale, xx * scale, 0.0, 0.0, 0.0};
 }
 
 inline void stiffenRows(const TreeBody& treeBody, Link& link) {

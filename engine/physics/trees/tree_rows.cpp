@@ -39,8 +39,7 @@ double angleAt(const Link& link, const PoseChange& treeBody, const PoseChange& p
         (treeBody.sine - parent.sine) + (treeBody.sine * parent.versine - parent.sine * treeBody.versine);
     const double cosine = 1.0 + ((treeBody.versine + parent.versine) +
                                  (treeBody.versine * parent.versine + treeBody.sine * parent.sine));
-    return static_cast<double>(link.angle) +
-           static_cast<double>(arcTangent(static_cast<float>(sine), static_cast<float>(cosine)));
+    return double{link.angle} + double{arcTangent(static_cast<float>(sine), static_cast<float>(cosine))};
 }
 
 Triple along(Double2 direction, Double2 arm) { return {direction.x, direction.y, cross(arm, direction)}; }
@@ -84,8 +83,7 @@ Triple gapsAt(const Link& link, const Anchors& at, const PoseChange& treeBody, c
     switch (link.kind) {
         case JointKind::Weld: return {at.apart.x, at.apart.y, angleAt(link, treeBody, parent)};
         case JointKind::Revolute: return {at.apart.x, at.apart.y, 0.0};
-        case JointKind::Distance:
-            return {std::sqrt(dot(at.apart, at.apart)) - static_cast<double>(link.rest)};
+        case JointKind::Distance: return {std::sqrt(dot(at.apart, at.apart)) - double{link.rest}};
         case JointKind::Prismatic:
             return {dot(at.apart, acrossOf(axisOf(link, treeBody, parent))), angleAt(link, treeBody, parent)};
         default: return {};  // not in trees

@@ -93,5 +93,25 @@ TEST(DistanceJoint, withCoincidingAnchorsAppliesNoForce) {
     EXPECT_TRUE(isFinite(scene.place(bob)));
 }
 
+TEST(DistanceJoint, ropesKeepTheirLengthInFastCircles) {
+    for (const float speed : {5.0f, 15.0f, 60.0f}) {
+        SCOPED_TRACE(speed);
+        JointWorld scene;
+        scene.world.settings.gravity = {};
+        const BodyId disc = scene.disc({1.0, 0.0});
+        JointDefinition rope = scene.define(JointKind::Distance, scene.ground, disc, {});
+        rope.anchorA = rope.anchorB = {};
+        rope.limit = {true, 0.0f, 1.0f};
+        (void)scene.join(rope);
+        ASSERT_TRUE(setVelocity(scene.world, disc, {0.0f, speed}));
+        for (int i = 0; i < 120; ++i) {
+            scene.run(JointWorld::kDt);
+            // The chord of a substep leaves the circle by half the square of its length.
+            const float chord = speed * JointWorld::kDt / 4.0f;
+            ASSERT_LT(length(scene.place(disc)), 1.0f + 2.0f * chord * chord + 0.001f) << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace plumb::physics

@@ -320,5 +320,66 @@ TEST(JointDrives, returnToTheNearerLimitOfAHinge) {
     EXPECT_GT(beyond, 150);
 }
 
+TEST(JointDrives, closeLimitsBeforeTheirBodiesSleep) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        JointWorld scene;
+        scene.world.settings.gravity = {};
+        scene.world.settings.sleeping = true;
+        scene.world.settings.directJoints = seed % 2 == 0;
+        const float arm = random.below(2) == 0 ? 0.0f : random.between(0.1f, 2.0f);
+        const BodyId disc = scene.disc({static_cast<double>(arm), 0.0}, random.between(0.1f, 10.0f));
+        JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, disc, {0.0, 0.0});
+        const float lower = random.between(0.3f, 2.0f), upper = lower + random.between(0.0f, 0.5f);
+        definition.limit = {true, lower, upper};
+        const JointId joint = scene.join(definition);
+        scene.run(3.0f);
+        const float value = readingOf(scene.world, joint).value;
+        EXPECT_GT(value, lower - 0.006f / std::max(arm, 0.5f));
+        EXPECT_LT(value, upper + 0.001f);
+    }
+}
+
+TEST(JointDrives, stopAtLimitsOfAHalfTurn) {
+    for (const bool direct : {true, false}) {
+        for (const float torque : {0.1f, 1.0f, 10.0f, 200.0f}) {
+            for (const float speed : {-5.0f, 1.0f, 20.0f}) {
+                if (!direct && torque > 100.0f) continue;  // one pass per substep cannot hold it
+                SCOPED_TRACE(testing::Message() << direct << ' ' << torque << ' ' << speed);
+                JointWorld scene;
+                scene.world.settings.gravity = {};
+                scene.world.settings.directJoints = direct;
+                const auto joints = chainOf(scene, 1, 1.0f, [&](JointDefinition& definition) {
+                    definition.motor = {true, speed, torque};
+                    definition.limit = {true, -kPi, kPi};
+                });
+                float before = 0.0f;
+                for (int i = 0; i < 900; ++i) {
+                    scene.run(JointWorld::kDt);
+                    const float value = readingOf(scene.world, joints[0]).value;
+                    ASSERT_LT(std::fabs(value - before), 1.0f) << i;  // not to the other limit
+                    before = value;
+                }
+                EXPECT_NEAR(before, speed > 0.0f ? kPi : -kPi, 0.06f);
+            }
+        }
+    }
+}
+
+TEST(JointDrives, turnForEverHoweverSlowly) {
+    for (const float speed : {0.05f, 0.01f, 0.002f}) {
+        SCOPED_TRACE(speed);
+        JointWorld scene;
+        scene.world.settings.sleeping = true;
+        const BodyId hand = scene.disc({0.0, 0.0}, 0.1f);
+        JointDefinition definition = scene.define(JointKind::Revolute, scene.ground, hand, {0.0, 0.0});
+        definition.motor = {true, speed, 10.0f};
+        const JointId joint = scene.join(definition);
+        scene.run(20.0f);
+        EXPECT_NEAR(readingOf(scene.world, joint).value, 20.0f * speed, 0.02f * speed);
+    }
+}
+
 }  // namespace
 }  // namespace plumb::physics
