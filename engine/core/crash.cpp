@@ -40,7 +40,8 @@ constexpr std::size_t kStack = 65536;  // bytes: the report of a stack overflow 
 std::array<char, 512> remedyText{};  // filled before a crash, when memory can be allocated no more
 std::size_t remedySize = 0;
 
-// Everything below runs in a signal handler: it calls only functions that are safe there.
+// Everything below runs in a signal handler: it calls only functions that are safe there, but for
+// backtrace(), which may wait for a lock of the loader while another thread loads a library.
 
 void print(std::string_view text) {
     while (!text.empty()) {
@@ -68,10 +69,10 @@ void report(int number) {
     print("\nrunning: ");
     print(Running::current.empty() ? "no system or handler" : Running::current);
     print("\n");
-    printBackTrace();
     print({remedyText.data(), remedySize});
     print("\n");
-    raise(number);  // the former action follows when this function returns, see SA_RESETHAND
+    printBackTrace();  // last, because it may fail if the stack is damaged
+    raise(number);     // the former action follows when this function returns, see SA_RESETHAND
 }
 
 }  // namespace

@@ -8,10 +8,11 @@ namespace plumb {
 /// Makes this program print a report when it crashes (a wrong access to memory, a division of integers by
 /// zero, abort()): the signal, what was running, see Running, and a back trace. It then ends by the same
 /// signal. Does nothing on Windows, and for signals that are handled already, as by a sanitizer.
-/// @param remedy  the last line of the report
+/// A stack overflow is reported on the calling thread only.
+/// @param remedy  a line of the report
 void reportCrashes(std::string_view remedy);
 
-/// Says what this thread runs as long as it lives, for the report of a crash.
+/// Says what this thread runs as long as it lives, for the report of a crash of this thread.
 class Running {
 public:
     /// @param name  of a system or handler; must stay valid until the program ends

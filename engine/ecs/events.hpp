@@ -21,7 +21,7 @@ public:
         listOf<E>().add(std::move(event));
     }
     /// The events of a type in the order of emission: those emitted so far, also if more are emitted while a
-    /// loop reads them. Valid until clear().
+    /// loop reads them. Valid until clear(), also after retire().
     template <class E>
     [[nodiscard]] std::span<const E> of() const {
         const TypeKey key = typeKey<E>();
@@ -39,11 +39,18 @@ public:
             if (list != nullptr) list->clear();
         }
     }
+    /// Removes all events, but keeps their memory until clear(), because a loop may be reading them.
+    void retire() {
+        for (const std::unique_ptr<List>& list : lists_) {
+            if (list != nullptr) list->retire();
+        }
+    }
 
 private:
     struct List {
         virtual ~List() = default;
         virtual void clear() = 0;
+        virtual void retire() = 0;
     };
     template <class E>
     struct ListOf final : List {
@@ -67,6 +74,9 @@ private:
         void clear() override {
             events.clear();
             outgrown.clear();
+        }
+        void retire() override {
+            if (!events.empty()) outgrown.push_back(std::exchange(events, {}));
         }
     };
 

@@ -240,7 +240,7 @@ void World::restore(const Snapshot& snapshot) {
     tiles_ = snapshot.tiles_;
     if (snapshot.source_ != this) texts_ = snapshot.texts_;  // adds the missing ones
     tick = snapshot.tick_;
-    events_.clear();
+    events_.retire();
     commands_.clear();
 }
 

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/assert.hpp"
 #include "ecs/world.hpp"
 
 namespace plumb {
@@ -27,12 +28,6 @@ T* constructComponent(void* memory, World& world, Arguments&&... arguments) {
     }
 }
 
-#if !defined(NDEBUG) || defined(PLUMB_ASSERTS)
-inline constexpr bool kReportAtOnce = true;
-#else
-inline constexpr bool kReportAtOnce = false;
-#endif
-
 /// Reports that a component was requested which an entity does not have, with the remedy.
 /// @param world  the entity's; nullptr for an empty handle
 void reportMissing(const World* world, EntityId id, TypeKey type);
@@ -47,12 +42,14 @@ struct Blank {
 
 template <class T>
 T& blank() {
-    return *reinterpret_cast<T*>(Blank<std::remove_const_t<T>>::bytes);
+    std::byte* const bytes = Blank<std::remove_const_t<T>>::bytes;
+    std::fill_n(bytes, sizeof(T), std::byte{});  // what was written to it is lost
+    return *reinterpret_cast<T*>(bytes);
 }
 
 template <class T>
 T& World::missing(EntityId id) const {
-    if constexpr (kReportAtOnce) {
+    if constexpr (kAssertions) {
         reportMissing(this, id, typeKey<T>());
     } else {
         missed_.id = std::uint64_t{id.generation} << 32 | id.index;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -64,7 +65,9 @@ private:
             return;
         }
         const std::optional<double> value = defaultOf(field);
-        if (value && !(*value >= double{field.min} && *value <= double{field.max}))
+        const bool isLimited =
+            field.min > std::numeric_limits<float>::lowest() || field.max < std::numeric_limits<float>::max();
+        if (value && isLimited && !(*value >= double{field.min} && *value <= double{field.max}))
             add(field.name,
                 format("its default {} is outside of its range from {} to {}", *value, field.min, field.max),
                 "change the initial value of the member, or the range");

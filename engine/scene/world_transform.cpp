@@ -56,9 +56,6 @@ Pose WorldPoses::of(const World& world, EntityId entity, float alpha) {
     if (!parentOf(world, entity)) return ownPose(world, entity, alpha);
     if (alpha != alpha_) clear();
     alpha_ = alpha;
-    const auto isKnown = [this](EntityId id) {
-        return id.index < known_.size() && known_[id.index].pass == pass_;
-    };
     path_.clear();
     EntityId at = entity;
     for (; at && !isKnown(at); at = parentOf(world, at)) path_.push_back(at);
@@ -68,7 +65,7 @@ Pose WorldPoses::of(const World& world, EntityId entity, float alpha) {
         pose = !at && i + 1 == path_.size() ? own : composed(pose, own);
         if (!world.alive(path_[i])) continue;
         if (path_[i].index >= known_.size()) known_.resize(path_[i].index + 1);
-        known_[path_[i].index] = {pass_, pose};
+        known_[path_[i].index] = {pass_, path_[i].generation, pose};
     }
     return pose;
 }

@@ -57,7 +57,7 @@ public:
     }
     /// To be called when the Transform of an entity was written.
     void forget(EntityId entity) {
-        if (entity.index < known_.size() && known_[entity.index].pass == pass_) clear();
+        if (isKnown(entity)) clear();
     }
     /// To be called when the world may have changed.
     void clear() { ++pass_; }
@@ -65,8 +65,14 @@ public:
 private:
     struct Known {
         std::uint64_t pass = 0;  // the pose is valid if this is the current one
+        std::uint32_t generation = 0;
         Pose pose;
     };
+
+    [[nodiscard]] bool isKnown(EntityId id) const {
+        return id.index < known_.size() && known_[id.index].pass == pass_ &&
+               known_[id.index].generation == id.generation;
+    }
 
     std::vector<Known> known_;    // indexed by EntityId::index
     std::vector<EntityId> path_;  // of(): the ancestors whose pose is not known; a member to reuse its memory

@@ -55,7 +55,7 @@ TEST_F(Crash, ofASystemIsReportedWithItsNameAndTheRemedyAndEndsByItsSignal) {
         writeToNull();
     };
     EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGSEGV),
-                "crashed: SIGSEGV.*running: OuterSystem\n.*run it again\n$");
+                "crashed: SIGSEGV.*running: OuterSystem\nrun it again\n");
 }
 
 TEST_F(Crash, outsideOfSystemsSaysSo) {
@@ -74,7 +74,7 @@ TEST_F(Crash, byRecursionWithoutEndIsReported) {
         volatile int depth = 0;
         std::exit(overflow(&depth));
     };
-    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGSEGV), "running: DeepSystem\n.*run it again\n$");
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGSEGV), "running: DeepSystem\nrun it again\n");
 }
 
 #if defined(__x86_64__) && defined(__GLIBC__)  // others divide by zero without a trap

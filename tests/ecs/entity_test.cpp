@@ -249,6 +249,16 @@ TEST(EntityTest, aMissingComponentIsReportedWithItsNameTheEntityAndTheRemedy) {
     expect({"entity 1 (generation 1)", "a stale handle", "check alive()", "find<Position>()"});
 }
 
+TEST(EntityTest, whatIsWrittenToAMissingComponentIsLost) {
+    test::Faults faults;
+    World world;
+    const Entity e = world.createEntity();
+    for (const Entity handle : {e, Entity{}}) {
+        handle.get<Position>().x = 5.0f;
+        EXPECT_EQ(handle.get<Position>().x, 0.0f);
+    }
+}
+
 TEST(EntityTest, theWorldOfTheEmptyHandleStopsTheProgramWithAMessage) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
     EXPECT_DEATH(static_cast<void>(Entity{}.world()), "belongs to no world; check it: if \\(entity\\)");

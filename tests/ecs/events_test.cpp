@@ -40,6 +40,22 @@ TEST(EventsTest, aLoopSeesTheEventsEmittedBeforeIt) {
     EXPECT_EQ(world.events<Said>()[302].word, "echo");
 }
 
+TEST(EventsTest, aLoopGoesOnThoughTheWorldIsRestored) {
+    World world;
+    const Snapshot before = world.save();
+    for (int i = 0; i < 20; ++i)
+        world.emit(Said{"a word too long for the text object itself " + std::to_string(i)});
+    std::vector<std::string> heard;
+    for (const Said& said : world.events<Said>()) {
+        world.restore(before);
+        world.emit(Said{"of the time after"});
+        heard.push_back(said.word);
+    }
+    ASSERT_EQ(heard.size(), 20u);
+    EXPECT_EQ(heard[19], "a word too long for the text object itself 19");
+    EXPECT_EQ(world.events<Said>().size(), 1u) << "those of the abandoned time are gone";
+}
+
 TEST(EventsProperty, spansAndReferencesStayValidForTheTick) {
     World world;
     for (int tick = 0; tick < 3; ++tick) {

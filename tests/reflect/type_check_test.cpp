@@ -21,6 +21,7 @@ struct Beast {
     std::uint64_t seed = ~std::uint64_t{0};
     Mood mood = Mood::Calm;
     bool flies = false;
+    float farthest = std::numeric_limits<float>::infinity();
 };
 
 using Builder = TypeBuilder<Beast>;
@@ -40,6 +41,7 @@ using Texts = std::vector<std::string>;
 
 TEST(TypeCheck, acceptsADescriptionWithoutMistakes) {
     EXPECT_EQ(mistakes([](Builder& type) {
+                  type.field<&Beast::farthest>("farthest");  // infinite, without a range
                   type.field<&Beast::speed>("speed").range(0.0f, 100.0f).was("pace").shownIf("flies");
                   type.field<&Beast::height>("height").range(2.0f, 2.0f);
                   type.field<&Beast::lives>("lives").range(-3.0f, 9.0f);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,36 @@ TEST(Touches, includeTriggersAndWhatIsInThem) {
     scene.run(2);
     EXPECT_EQ(touches(scene, zone), std::vector<EntityId>{ball.id()});
     EXPECT_EQ(touches(scene, ball), std::vector<EntityId>{zone.id()});
+}
+
+TEST(Touches, areNotWhatABodyPassesThrough) {
+    PhysicsScene scene;
+    const Entity platform = scene.floor({-100, 0}, {200, 4});
+    platform.get<BoxCollider>().oneWay = true;
+    const Entity ball = scene.ball({0, 30});
+    ball.get<RigidBody>().velocity = {0.0f, -400.0f};
+    bool crossed = false;
+    for (int i = 0; i < 12; ++i) {
+        scene.run(1);
+        crossed = crossed || std::abs(ball.get<Transform>().position.y - 2.0f) < 4.0f;
+        EXPECT_TRUE(touches(scene, ball).empty()) << i;
+        EXPECT_FALSE(isTouching(scene.world, platform, ball)) << i;
+    }
+    EXPECT_TRUE(crossed);
+}
+
+TEST(Touches, ofTileLayersAreThoseOfTheirTiles) {
+    PhysicsScene scene;
+    TileGrid grid{20, 4};
+    for (int x = 0; x < 20; ++x) grid.set(x, 3, cellOf(0));
+    const Entity level = scene.at({0, 0});
+    level.addComponent<TileLayer>().cells = scene.world.tiles().add(grid);
+    level.addComponent<TileCollider>();
+    const Entity ball = scene.ball({40, 30});
+    scene.run(60);
+    EXPECT_EQ(touches(scene, level), std::vector<EntityId>{ball.id()});
+    EXPECT_EQ(touches(scene, ball), std::vector<EntityId>{level.id()});
+    EXPECT_TRUE(isTouching(scene.world, level, ball) && isTouching(scene.world, ball, level));
 }
 
 TEST(Touches, areNotOfDestroyedEntities) {

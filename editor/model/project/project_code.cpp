@@ -44,8 +44,8 @@ std::vector<std::string> codeFiles(const Path& project) {
     return files;
 }
 
-/// Removes the project's folder, or the link to it in the build folder (engine/cmake/code_target.cmake), from a
-/// path in a line.
+/// Removes the project's folder, or the link to it in the build folder (engine/cmake/code_target.cmake), from
+/// a path in a line.
 std::string shortened(std::string line, const Path& project) {
     constexpr std::string_view kLinks = "links/";
     const std::string root = project.generic_string() + "/";
@@ -85,10 +85,11 @@ Result<std::string> codeTarget(const Path& project, const Path& buildFolder) {
                     "BUILD=" + buildFolder.generic_string(), "-P", script.generic_string()});
     const std::string_view name = trimmed(found.text);
     if (found.succeeded && !name.empty()) return std::string{name};
-    return Error{(project / "code").generic_string(),
-                 found.succeeded ? "cmake names no target for it"
-                                 : format("cmake cannot name a target for it: {}", trimmed(found.text)),
-                 "install cmake, and write a .cpp file in this folder"};
+    return Error{
+        (project / "code").generic_string(),
+        found.succeeded ? "cmake names no target for it"
+                        : format("cmake cannot name a target for it: {}", trimmed(found.text)),
+        found.succeeded ? "write a .cpp file in this folder" : "install cmake, or do what its message says"};
 }
 
 Path playerOf(const Path& project) {

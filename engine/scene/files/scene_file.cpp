@@ -226,7 +226,7 @@ Result<LoadReport> loadSceneFile(World& world, const SceneContext& context, std:
     Result<Path> file = pathInside(context.root, path);
     if (!file) return file.error();
     std::error_code failed;
-    if (!std::filesystem::exists(*file, failed))
+    if (!std::filesystem::exists(*file, failed) && !failed)
         return missingFile(context.root, path, endsWith(path, ".bin") ? ".scene.bin" : ".scene.json");
     Result<std::string> bytes = readFile(*file);
     if (!bytes) return bytes.error();

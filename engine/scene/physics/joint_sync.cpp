@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "ecs/paused.hpp"
 #include "math/angle.hpp"
 #include "physics/model/bodies.hpp"
 #include "physics/model/joints.hpp"
@@ -181,9 +182,10 @@ private:
         logRefusal(world_, state_, linkage.entity, gameError(error, component, state_.scale));
     }
 
-    /// Reports an end without a body, unless its entity was destroyed, which ends the joint.
+    /// Reports an end without a body, unless its entity was destroyed, which ends the joint, or has no body
+    /// for now because it is paused.
     void reportMissing(const JointLinkage& linkage, const char* field, EntityId end) {
-        if (!std::as_const(world_).has<Transform>(end)) return;
+        if (!std::as_const(world_).has<Transform>(end) || std::as_const(world_).has<Paused>(end)) return;
         report(linkage, {format("{}{}", kJoints[linkage.kind].name, field),
                          format("{} has no body to join", describedEntity(world_, end)),
                          "add a RigidBody, a KinematicBody or a StaticBody to it; without `other` the joint "

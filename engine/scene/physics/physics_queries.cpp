@@ -67,14 +67,15 @@ template <class Visit>
 void forEachTouched(const World& world, EntityId entity, const Visit& visit) {
     const PhysicsState* state = world.findResource<PhysicsState>();
     if (state == nullptr || !world.alive(entity)) return;
-    const physics::BodyId body = bodyOf(*state, entity);
-    if (!body) return;
+    const auto owner = [&](std::uint32_t body) {
+        return ownerOf(*state, {body, state->world.bodies.info[body].generation});
+    };
     for (const bool triggered : {false, true}) {
         physics::forTouching(state->world, triggered, [&](const physics::Contact& contact) {
-            if (contact.bodyA != body.index && contact.bodyB != body.index) return;
-            const std::uint32_t other = contact.bodyA == body.index ? contact.bodyB : contact.bodyA;
-            const EntityId owner = ownerOf(*state, {other, state->world.bodies.info[other].generation});
-            if (world.alive(owner)) visit(owner);
+            if ((contact.flags & (physics::kPassing | physics::kDisabled)) != 0) return;
+            const EntityId a = owner(contact.bodyA), b = owner(contact.bodyB);
+            const EntityId other = a == entity ? b : a;
+            if ((a == entity || b == entity) && world.alive(other)) visit(other);
         });
     }
 }
