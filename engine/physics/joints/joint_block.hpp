@@ -134,7 +134,6 @@ struct JointPass {
     Grip rigid;  ///< soft constraint parameters of joints that are as stiff as the substeps allow
     float substepRate = 0.0f;  ///< 1/s
     float pushSpeed = 0.0f;    ///< m/s or rad/s: maximum speed at which joint errors are closed
-    float turnSpeed = 0.0f;    ///< rad/s: the same for angles beyond their limits
     bool first = true;         ///< first iteration of this pass in the substep
 };
 

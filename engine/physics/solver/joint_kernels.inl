@@ -175,13 +175,11 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
 }
 
 /// Returns the maximum speed of a value towards a limit: within the substep it may reach but not pass the
-/// limit; beyond the limit it returns at the speed of the limit's error correction. That of angles is limited
-/// as for contacts: when chains curl faster, the relax pass leaves them kinetic energy.
-template <bool kPush, class Line>
+/// limit; beyond the limit it returns at the speed of the limit's error correction.
+template <bool kPush>
 inline Float8 speedTo(const JointPass& pass, Float8 gap) {
-    const float fastest = Line::kIsAngle ? pass.turnSpeed : pass.pushSpeed;
     const float back = kPush ? pass.rigid.errorRate / pass.rigid.speedScale : 0.0f;
-    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-fastest));
+    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.pushSpeed));
 }
 
 /// Motor, which stops at a limit. If it acted against the limit, both impulses would grow to the maximum, and
@@ -192,8 +190,8 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
     const Float8 wanted = load(rows.speed), zero = all(0.0f);
     Float8 after = clamp(before - mass * (speed - wanted), -maximum, maximum);
     if ((rows.uses & kLimits) != 0) {
-        const Float8 lowest = -speedTo<kPush, Line>(pass, value - load(rows.lower));
-        const Float8 highest = speedTo<kPush, Line>(pass, load(rows.upper) - value);
+        const Float8 lowest = -speedTo<kPush>(pass, value - load(rows.lower));
+        const Float8 highest = speedTo<kPush>(pass, load(rows.upper) - value);
         const Float8 allowed = clamp(wanted, lowest, highest);
         const Float8 there = clamp(before - mass * (speed - allowed), -maximum, maximum);
         const Mask8 stops = (wanted < lowest) | (wanted > highest);
@@ -204,13 +202,13 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
 }
 
 /// A limit, as a one-sided impulse. A value at a distance from the limit may reach it within the substep.
-template <bool kPush, class Line>
+template <bool kPush>
 inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 mass, float* total) {
     const Mask8 apart = gap > all(0.0f);
     const Grip grip = kPush ? pass.rigid : kRelaxed;
     const Float8 before = load(total);
     const Float8 wanted =
-        select(apart, all(1.0f), all(grip.speedScale)) * (speed + speedTo<kPush, Line>(pass, gap));
+        select(apart, all(1.0f), all(grip.speedScale)) * (speed + speedTo<kPush>(pass, gap));
     const Float8 give = select(apart, all(0.0f), all(grip.impulseScale));
     const Float8 after = max(before - (mass * wanted + give * before), all(0.0f));
     store(total, after);
@@ -223,9 +221,9 @@ template <bool kPush, class Line>
     if ((rows.uses & kHolds) != 0) hold<kPush>(rows, pass, value, mass, line);
     if ((rows.uses & kLimits) != 0) {
         line.push(
-            limited<kPush, Line>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
+            limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
         line.push(
-            -limited<kPush, Line>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
+            -limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
     }
     if ((rows.uses & kDrives) != 0) drive<kPush>(rows, pass, value, mass, line);
 }
@@ -258,7 +256,6 @@ inline Float8 turnBetween(const Couple8& couple) {
 }
 
 struct AngleLine8 {
-    static constexpr bool kIsAngle = true;
     Couple8& couple;
     [[nodiscard]] Float8 speed() const { return couple.spin(); }
     void push(Float8 impulse) { couple.turn(impulse); }

@@ -39,7 +39,7 @@ void prepareJoints(StepContext& step);
 /// Returns the parameters of joints for a substep of h seconds.
 inline JointPass jointPass(const Settings& settings, float h) {
     const Softness soft = softness(settings.jointStiffness / h, settings.jointDampingRatio, h);
-    return {gripOf(soft), 1.0f / h, kJointPushing * settings.pushSpeed, settings.pushSpeed};
+    return {gripOf(soft), 1.0f / h, kJointPushing * settings.pushSpeed};
 }
 /// Performs one pass over the joints of one color of a group.
 void solveJoints(const StepContext& step, const SolverBodies& bodies, const JointPass& pass,

@@ -3,7 +3,6 @@
 // Constraints on lengths along a direction.
 
 struct SlideLine8 {
-    static constexpr bool kIsAngle = false;
     Couple8& couple;
     Two8 axis;
     Float8 leverA, leverB;
