@@ -111,7 +111,8 @@ BoxPlaces touchFaces(const BoxView& v, Float8 radius, Float8 otherRadius, Float8
     const Float8 one = all(1.0f);
     const Float8 surface = v.half + radius;
     const Float8 border[2] = {-v.halfAlong, v.halfAlong};
-    const Mask8 cut[2] = {v.endT[0]<border[0], v.endT[1]> border[1]};
+    const Mask8 cutLow = v.endT[0] < border[0], cutHigh = v.endT[1] > border[1];
+    const Mask8 cut[2] = {cutLow, cutHigh};
     Float8 round[2];  // a single point is at a rounded corner, unless clipping moved it
     BoxPlaces w;
     w.normalN = one;

@@ -76,9 +76,7 @@ struct Grip8 {
     Float8 speedScale, errorRate, impulseScale;
 };
 
-inline Grip8 gripOf(const Grip& grip) {
-    return {all(grip.speedScale), all(grip.errorRate), all(grip.impulseScale)};
-}
+inline Grip8 gripOf(const Grip& grip) { return {all(grip.speedScale), all(grip.errorRate), all(grip.impulseScale)}; }
 
 template <bool kPush>
 inline Grip8 gripOf(const GripLanes& lanes) {
@@ -91,14 +89,11 @@ inline Grip8 gripOf(const GripLanes& lanes) {
 
 inline constexpr Grip kRelaxed{1.0f, 0.0f, 0.0f};
 
-/// Returns the maximum speed at which joint errors are closed, times grip.speedScale. Springs are not
-/// limited.
+/// Returns the maximum speed at which joint errors are closed, times grip.speedScale. Springs are not limited.
 inline Float8 maxPull(const JointPass& pass, const GripLanes& lanes, const Grip8& grip) {
     return select(load(lanes.springs) > all(0.5f), all(1.0e30f), grip.speedScale * all(pass.pushSpeed));
 }
-inline Float8 maxPull(const JointPass& pass, const Grip8& grip) {
-    return grip.speedScale * all(pass.pushSpeed);
-}
+inline Float8 maxPull(const JointPass& pass, const Grip8& grip) { return grip.speedScale * all(pass.pushSpeed); }
 
 // Point constraint: two rows, solved together.
 
@@ -220,10 +215,8 @@ template <bool kPush, class Line>
                                               Float8 mass, Line line) {
     if ((rows.uses & kHolds) != 0) hold<kPush>(rows, pass, value, mass, line);
     if ((rows.uses & kLimits) != 0) {
-        line.push(
-            limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
-        line.push(
-            -limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
+        line.push(limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
+        line.push(-limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
     }
     if ((rows.uses & kDrives) != 0) drive<kPush>(rows, pass, value, mass, line);
 }
@@ -268,9 +261,7 @@ inline Float8 angleMass(const Couple8& couple) {
 // Joints that constrain a point: hinges without (PointBlock) and with a constraint on the angle (HingeBlock).
 
 template <class Block>
-concept HasPoint = requires {
-    Block::kHasAngle;
-};
+concept HasPoint = requires { Block::kHasAngle; };
 
 template <bool kOneSided, HasPoint Block>
 void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLanes* lanes, Block* blocks,

@@ -123,17 +123,14 @@ template <bool kPush>
     const Float8 angle = select(turns, turning, zero);
     const Float8 inverse = inverseOrZero(ww * aa - wa * wa);
     const Float8 angleBefore = load(block.angleImpulse);
-    const Float8 angleChange =
-        -(inverse * (ww * angle - wa * displacement) + soft.impulseScale * angleBefore);
+    const Float8 angleChange = -(inverse * (ww * angle - wa * displacement) + soft.impulseScale * angleBefore);
     store(block.angleImpulse, angleBefore + angleChange);
     give(-(inverse * (aa * displacement - wa * angle) + soft.impulseScale * displacementBefore));
     couple.turn(angleChange);
 }
 
 template <class Block>
-concept ActsAlong = requires {
-    Block::kSlides;
-};
+concept ActsAlong = requires { Block::kSlides; };
 
 template <bool kOneSided, ActsAlong Block>
 void warmStartJoints(const SolverBodies& bodies, const JointPass&, const BlockLanes* lanes, Block* blocks,
