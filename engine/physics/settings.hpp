@@ -43,8 +43,8 @@ struct Settings {
     /// stacks with mass ratios of 1000 collapse.
     float contactDampingRatio = 4.0f;
     float jointDampingRatio = 2.0f;
-    /// m/s: maximum speed at which overlapping bodies are separated, and (in rad/s) angles of linkages
-    /// without contacts return to their limits; deepPushRate (1/s) adds to it for each metre of overlap.
+    /// m/s: maximum speed at which overlapping bodies are separated, and (in rad/s) angles return to limits
+    /// that were changed; deepPushRate (1/s) adds to it for each metre of overlap.
     /// Larger values make deep overlaps explode; without deepPushRate the bodies of a crowd in too small a
     /// box sink into each other.
     float pushSpeed = 3.0f;

@@ -50,13 +50,14 @@ struct AnchorLanes {
 
 /// Constraints on a value: a rigid or soft constraint that holds it, a motor, and two limits.
 struct RowLanes {
-    std::int32_t uses;       ///< RowUse bits of the constraints that at least one lane uses
-    float value[kLanes];     ///< m or rad, as of the last biased pass
-    float rest[kLanes];      ///< m or rad: value at which it is held
-    float speed[kLanes];     ///< m/s or rad/s: target speed of the motor
-    float maxMotor[kLanes];  ///< N s or N m s: maximum motor impulse per substep
-    float lower[kLanes];     ///< m or rad: lower limit
-    float upper[kLanes];     ///< m or rad: upper limit
+    std::int32_t uses;          ///< RowUse bits of the constraints that at least one lane uses
+    float value[kLanes];        ///< m or rad, as of the last biased pass
+    float rest[kLanes];         ///< m or rad: value at which it is held
+    float speed[kLanes];        ///< m/s or rad/s: target speed of the motor
+    float maxMotor[kLanes];     ///< N s or N m s: maximum motor impulse per substep
+    float lower[kLanes];        ///< m or rad: lower limit
+    float upper[kLanes];        ///< m or rad: upper limit
+    float returnSpeed[kLanes];  ///< m/s or rad/s: maximum speed at which a value returns to its limits
     GripLanes grip;
     float holdImpulse[kLanes];  ///< N s or N m s, like the next three
     float motorImpulse[kLanes];

@@ -67,6 +67,7 @@ ValueParts valueParts(const JointView& view) {
     }
     if (definition.limit.on) {
         value.limited = true;
+        value.returnSpeed = returnSpeedOf(view);
         value.lower = limitOf(view).lower;
         value.upper = limitOf(view).upper;
     }

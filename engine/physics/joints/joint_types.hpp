@@ -34,8 +34,9 @@ struct ValueParts {
     float rest = 0.0f;         ///< m or rad: the value at which it is held
     float maximum = kNoLimit;  ///< N s or N m s: maximum impulse per substep
     bool driven = false;
-    float speed = 0.0f;     ///< m/s or rad/s: target speed of the motor
-    float maxMotor = 0.0f;  ///< N s or N m s: maximum motor impulse per substep
+    float speed = 0.0f;        ///< m/s or rad/s: target speed of the motor
+    float maxMotor = 0.0f;     ///< N s or N m s: maximum motor impulse per substep
+    float returnSpeed = 0.0f;  ///< m/s or rad/s: see returnSpeedOf()
     bool limited = false;
     float lower = -kNoLimit;  ///< m or rad: lower limit
     float upper = kNoLimit;   ///< m or rad: upper limit
@@ -99,6 +100,10 @@ JointView viewOf(const World& world, std::uint32_t joint, const JointTiming& tim
 
 /// Returns the arms and the separation of both anchors in world space.
 JointParts anchorsOf(const JointView& view);
+/// A further JointFlag: the joint has had a gap since it was created, its definition was changed or one of
+/// its bodies was teleported. Closing the gap may do work, as shortening a rope does.
+inline constexpr std::uint8_t kEdited = 128;
+
 /// Returns the limits of a joint. Those of a hinge exclude kLimitSeam at least.
 inline JointLimit limitOf(const JointView& view) {
     JointLimit limit = view.definition.limit;
@@ -107,6 +112,12 @@ inline JointLimit limitOf(const JointView& view) {
     limit.lower = std::max(limit.lower, middle - half);
     limit.upper = std::min(limit.upper, middle + half);
     return limit;
+}
+/// Returns the maximum speed (m/s or rad/s) at which a value returns to its limits: that of joint errors. If
+/// limits of hinges were changed, that of overlaps: when chains curl faster, they keep kinetic energy.
+inline float returnSpeedOf(const JointView& view) {
+    const bool isChanged = view.joint.kind == JointKind::Revolute && (view.joint.flags & kEdited) != 0;
+    return (isChanged ? 1.0f : kJointPushing) * view.world.settings.pushSpeed;
 }
 /// Returns the rotation of B relative to A, minus the reference angle (rad): within pi of 0, or of the middle
 /// of a hinge's limits, so that beyond them the nearer one counts.

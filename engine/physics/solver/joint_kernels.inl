@@ -172,9 +172,9 @@ inline void hold(RowLanes& rows, const JointPass& pass, Float8 value, Float8 mas
 /// Returns the maximum speed of a value towards a limit: within the substep it may reach but not pass the
 /// limit; beyond the limit it returns at the speed of the limit's error correction.
 template <bool kPush>
-inline Float8 speedTo(const JointPass& pass, Float8 gap) {
+inline Float8 speedTo(const RowLanes& rows, const JointPass& pass, Float8 gap) {
     const float back = kPush ? pass.rigid.errorRate / pass.rigid.speedScale : 0.0f;
-    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), all(-pass.pushSpeed));
+    return max(gap * select(gap > all(0.0f), all(pass.substepRate), all(back)), -load(rows.returnSpeed));
 }
 
 /// Motor, which stops at a limit. If it acted against the limit, both impulses would grow to the maximum, and
@@ -185,8 +185,8 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
     const Float8 wanted = load(rows.speed), zero = all(0.0f);
     Float8 after = clamp(before - mass * (speed - wanted), -maximum, maximum);
     if ((rows.uses & kLimits) != 0) {
-        const Float8 lowest = -speedTo<kPush>(pass, value - load(rows.lower));
-        const Float8 highest = speedTo<kPush>(pass, load(rows.upper) - value);
+        const Float8 lowest = -speedTo<kPush>(rows, pass, value - load(rows.lower));
+        const Float8 highest = speedTo<kPush>(rows, pass, load(rows.upper) - value);
         const Float8 allowed = clamp(wanted, lowest, highest);
         const Float8 there = clamp(before - mass * (speed - allowed), -maximum, maximum);
         const Mask8 stops = (wanted < lowest) | (wanted > highest);
@@ -198,12 +198,12 @@ inline void drive(RowLanes& rows, const JointPass& pass, Float8 value, Float8 ma
 
 /// A limit, as a one-sided impulse. A value at a distance from the limit may reach it within the substep.
 template <bool kPush>
-inline Float8 limited(const JointPass& pass, Float8 speed, Float8 gap, Float8 mass, float* total) {
+inline Float8 limited(const RowLanes& rows, const JointPass& pass, Float8 speed, Float8 gap, Float8 mass, float* total) {
     const Mask8 apart = gap > all(0.0f);
     const Grip grip = kPush ? pass.rigid : kRelaxed;
     const Float8 before = load(total);
     const Float8 wanted =
-        select(apart, all(1.0f), all(grip.speedScale)) * (speed + speedTo<kPush>(pass, gap));
+        select(apart, all(1.0f), all(grip.speedScale)) * (speed + speedTo<kPush>(rows, pass, gap));
     const Float8 give = select(apart, all(0.0f), all(grip.impulseScale));
     const Float8 after = max(before - (mass * wanted + give * before), all(0.0f));
     store(total, after);
@@ -215,8 +215,8 @@ template <bool kPush, class Line>
                                               Float8 mass, Line line) {
     if ((rows.uses & kHolds) != 0) hold<kPush>(rows, pass, value, mass, line);
     if ((rows.uses & kLimits) != 0) {
-        line.push(limited<kPush>(pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
-        line.push(-limited<kPush>(pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
+        line.push(limited<kPush>(rows, pass, line.speed(), value - load(rows.lower), mass, rows.lowerImpulse));
+        line.push(-limited<kPush>(rows, pass, -line.speed(), load(rows.upper) - value, mass, rows.upperImpulse));
     }
     if ((rows.uses & kDrives) != 0) drive<kPush>(rows, pass, value, mass, line);
 }

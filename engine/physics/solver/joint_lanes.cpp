@@ -197,6 +197,7 @@ void setRows(const Preparation& all, const Joint& joint, const ValueParts& value
     rows.rest[lane] = value.rest;
     rows.speed[lane] = value.speed;
     rows.maxMotor[lane] = value.driven ? value.maxMotor : 0.0f;
+    rows.returnSpeed[lane] = value.returnSpeed;
     rows.lower[lane] = value.lower;
     rows.upper[lane] = value.upper;
     const float h = all.timing.h;

@@ -25,10 +25,6 @@ struct BreakableJoint {
     float torque = 0.0f;  ///< N m
 };
 
-/// A further JointFlag: the joint has had a gap since it was created, its definition was changed or one of
-/// its bodies was teleported. Closing the gap may do work, as shortening a rope does.
-inline constexpr std::uint8_t kEdited = 128;
-
 /// Joint data of a step, in Workspace.
 struct JointWork {
     JointStore<PointBlock> points;

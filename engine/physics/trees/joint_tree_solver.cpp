@@ -20,10 +20,10 @@ constexpr double kNoAnswer = 1.0e30;
 struct Trees {
     Workspace& work;
     JointTrees& all;
-    double h;          // s
-    double rate;       // 1/h
-    double elapsed;    // s: time in the step at which rows are evaluated
-    double pushSpeed;  // m/s or rad/s: Settings::pushSpeed
+    double h;         // s
+    double rate;      // 1/h
+    double elapsed;   // s: time in the step at which rows are evaluated
+    double farthest;  // m or rad: maximum reduction of a gap in a substep
 
     [[nodiscard]] TreeBody& treeBodyOf(const Link& link) const { return all.treeBodies[link.treeBody]; }
     [[nodiscard]] TreeBody* parentOf(const Link& link) const {
@@ -136,7 +136,7 @@ void lookAhead(const Trees& trees, TreeBody& treeBody) {
 /// Returns the part of a gap that is closed within a substep.
 double closedOf(const Trees& trees, const Link& link, double size) {
     return std::min(std::max(kSoftRate * size, std::min(size, static_cast<double>(link.reach))),
-                    trees.h * static_cast<double>(kJointPushing) * trees.pushSpeed);
+                    trees.farthest);
 }
 
 /// Computes the velocities of a drive for a pass, from the velocity of its value without impulses.
@@ -144,8 +144,7 @@ void aimDrive(const Trees& trees, Link& link, double velocity, bool closes) {
     Drive& drive = link.drive;
     const auto approach = [&](double room) {
         if (!drive.limited) return -std::numeric_limits<double>::infinity();
-        const double fastest = trees.pushSpeed * (link.byArms() ? 1.0 : static_cast<double>(kJointPushing));
-        return std::min(-room * trees.rate, room > 0.0 || closes ? fastest : 0.0);
+        return std::min(-room * trees.rate, room > 0.0 || closes ? drive.returnSpeed : 0.0);
     };
     drive.velocity = velocity;
     drive.slowest = approach(drive.value - drive.lower);
@@ -346,6 +345,7 @@ void prepareDrive(const JointView& view, Link& link) {
     const JointMotor& motor = view.definition.motor;
     const double sign = link.treeBodyIsB ? 1.0 : -1.0;
     drive.limited = limit.on;
+    drive.returnSpeed = static_cast<double>(returnSpeedOf(view));
     drive.lower = static_cast<double>(link.treeBodyIsB ? limit.lower : -limit.upper);
     drive.upper = static_cast<double>(link.treeBodyIsB ? limit.upper : -limit.lower);
     drive.speed = motor.on ? sign * static_cast<double>(motor.speed) : 0.0;
@@ -417,8 +417,8 @@ void solveTrees(StepContext& step, const SolveGroup& group, PassKind kind, float
     JointTrees& all = step.work.joints.trees;
     const auto dt = static_cast<double>(h);
     const bool relaxes = kind == PassKind::Relax;
-    const auto pushSpeed = static_cast<double>(step.world.settings.pushSpeed);
-    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep), pushSpeed};
+    const double farthest = dt * static_cast<double>(kJointPushing * step.world.settings.pushSpeed);
+    const Trees trees{step.work, all, dt, 1.0 / dt, dt * (relaxes ? substep + 1 : substep), farthest};
     forEach(step.pool, all.trees.size(), kTreeGrain, [&](std::size_t t) {
         JointTree& tree = all.trees[t];
         if (!tree.direct || &step.work.groups[tree.group] != &group) return;

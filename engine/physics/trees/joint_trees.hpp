@@ -98,9 +98,10 @@ struct Drive {
     double force = 0.0;     ///< N or N m: in the last step
     double lower = 0.0;     ///< m or rad: limits
     double upper = 0.0;
-    double value = 0.0;     ///< m or rad, at the current poses
-    double velocity = 0.0;  ///< m/s or rad/s, without the impulses that this pass computes
-    double slowest = 0.0;   ///< m/s or rad/s: velocities with which the value reaches a limit
+    double returnSpeed = 0.0;  ///< m/s or rad/s: maximum speed at which the value returns to its limits
+    double value = 0.0;        ///< m or rad, at the current poses
+    double velocity = 0.0;     ///< m/s or rad/s, without the impulses that this pass computes
+    double slowest = 0.0;      ///< m/s or rad/s: velocities with which the value reaches a limit
     double fastest = 0.0;
     double most = 0.0;      ///< N s or N m s: maximum impulse of the motor in a substep
     double impulse = 0.0;   ///< N s or N m s: total in this substep
