@@ -5,6 +5,7 @@
 
 #include "app/game_content.hpp"
 #include "app/step_clock.hpp"
+#include "core/reports.hpp"
 #include "gameplay/game_functions.hpp"
 #include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
@@ -104,6 +105,7 @@ Sprite Game::wholePicture(TextureId texture, int width, int height) {
 void tickGame(Game& game, const InputFrame& frame) {
     constexpr auto kDt = static_cast<float>(StepClock::kStep);
     World& world = game.world;
+    const Reporting reporting{world.reports()};
     game.provideLibrary();
     world.beginTick();
     storePreviousTransforms(world);

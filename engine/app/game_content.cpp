@@ -256,6 +256,7 @@ void convertCode(World& world, const GameContent& content, const ContentChange& 
     const std::vector<KeptResource> kept = keepResources(world, change.before);
     world.dropReloadable();
     keepTimers(world);
+    world.reports().forget();
     for (const TypeKey system : change.systems) world.removeSystem(system);
     for (const Module::Resource& resource : content.code().resourceTypes()) {
         const TypeInfo now = described(resource);

@@ -93,12 +93,18 @@ public:
         }
     }
 
-    /// Calls `Handler` for the events that were emitted in a tick before its position in the order of
-    /// systems, but not for those that it emits itself.
+    /// Calls `Handler` once for each event, in the order of emission. Its turn is at its position in the
+    /// order of systems; it receives what was emitted since its last turn. So what is emitted after its turn
+    /// of a tick, also by itself, it receives in the next tick.
     template <class Event, void (*Handler)(World& world, const Event& event)>
     void on(SystemPosition position = {}) {
-        system<EventHandler<Event, Handler>>(position);
+        using Receiver = EventHandler<Event, Handler>;
+        system<Receiver>(position);
         systems_.back().isHandler = true;
+        systems_.back().row.add = [](World& world) {
+            world.openInbox<Event>(typeKey<Receiver>());
+            static_cast<void>(world.addSystem<Receiver>());
+        };
     }
 
     [[nodiscard]] const std::vector<void (*)(TypeRegistry& types)>& componentTypes() const {
@@ -111,8 +117,8 @@ private:
     template <class Event, void (*Handler)(World& world, const Event& event)>
     struct EventHandler {
         void update(World& world, float) const {
-            // The events emitted so far, not those that the handler adds, or it might never end.
-            for (const Event& event : world.events<Event>()) Handler(world, event);
+            world.deliver<Event>(typeKey<EventHandler>(),
+                                 [&world](const Event& event) { Handler(world, event); });
         }
     };
 

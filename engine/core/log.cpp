@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <mutex>
+#include <string>
 #include <utility>
 
 namespace plumb {
@@ -9,7 +10,9 @@ namespace {
 
 void print(const LogLine& line) {
     std::FILE* stream = line.level >= LogLevel::Warning ? stderr : stdout;
-    const char* mark = line.level == LogLevel::Warning ? "warning: " : line.level == LogLevel::Error ? "error: " : "";
+    const char* mark = line.level == LogLevel::Warning ? "warning: "
+                       : line.level == LogLevel::Error ? "error: "
+                                                       : "";
     std::fprintf(stream, "[%s] %s%s\n", line.channel.c_str(), mark, line.text.c_str());
     std::fflush(stream);
 }

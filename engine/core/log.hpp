@@ -58,6 +58,15 @@ void logWarning(std::string_view channel, const Text& text) {
 inline void logWarning(std::string_view channel, const Error& error) {
     writeLog(LogLevel::Warning, channel, error.text());
 }
+template <class... Arguments>
+void logError(std::string_view channel, FormatPattern<sizeof...(Arguments)> pattern,
+              const Arguments&... arguments) {
+    writeLog(LogLevel::Error, channel, format(runtimePattern(pattern.text), arguments...));
+}
+template <RuntimeText Text>
+void logError(std::string_view channel, const Text& text) {
+    writeLog(LogLevel::Error, channel, std::string{std::string_view{text}});
+}
 inline void logError(std::string_view channel, const Error& error) {
     writeLog(LogLevel::Error, channel, error.text());
 }

@@ -13,8 +13,9 @@ class World;
 /// find() returns nullptr, removeComponent() and destroy() do nothing.
 ///
 /// get() and addComponent() must return a reference: without the entity, or get() without the component,
-/// they report an error that names the component and the entity (an assertion fails; without assertions it
-/// is logged), and return a component that belongs to no entity.
+/// they report an error that names the running system, the component and the entity (an assertion fails;
+/// without assertions it is logged, for each system and component once in a scene), and return a component
+/// that belongs to no entity and whose bytes are 0.
 ///
 /// The functions are defined in ecs/world.hpp.
 class Entity {

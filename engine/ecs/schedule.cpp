@@ -4,6 +4,7 @@
 
 #include "core/crash.hpp"
 #include "core/profile.hpp"
+#include "core/reports.hpp"
 #include "ecs/system_gates.hpp"
 #include "ecs/world.hpp"
 
@@ -49,6 +50,8 @@ std::vector<std::string_view> Schedule::names() const {
 }
 
 void Schedule::run(World& world, float dt, Profile* profile) const {
+    const Reporting reporting{world.reports()};
+    world.reportMissed();  // of the code that ran before the systems
     SystemGates* const gates = world.service<SystemGates>();
     // By index, because a system may add another one, which then runs if it comes later in the order.
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -56,6 +59,7 @@ void Schedule::run(World& world, float dt, Profile* profile) const {
         const Running running{boxes_[i]->name};
         const ProfileScope scope{profile, boxes_[i]->name};
         boxes_[i]->update(world, dt);
+        world.reportMissed();
         world.commands().flush(world);
     }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/text_store.hpp"
+#include "ecs/events.hpp"
 #include "ecs/resources.hpp"
 #include "ecs/tile_store.hpp"
 
@@ -69,6 +70,7 @@ private:
     Resources resources_;
     TileStore tiles_;
     TextStore texts_;
+    Events::Inboxes inboxes_;
     const World* source_ = nullptr;  // compared, never dereferenced
     std::uint64_t tick_ = 0;
 };

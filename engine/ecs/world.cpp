@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/assert.hpp"
+#include "core/crash.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
@@ -41,12 +42,7 @@ void World::leaveFamily(EntityId id) { plumb::leaveFamily(*this, id); }
 void World::beginTick() {
     ++tick;
     events_.clear();
-    if (missed_.count > 0) {
-        reportMissing(this,
-                      {static_cast<std::uint32_t>(missed_.id), static_cast<std::uint32_t>(missed_.id >> 32)},
-                      static_cast<TypeKey>(missed_.key));
-        missed_ = {};
-    }
+    reportMissed();
     dropUnusedTiles();
     // Not while entities are paused, because they must keep their order.
     const bool tidy = !storage_.iterating() && entityCount() <= kTidyEntities && count<Paused>() == 0;
@@ -164,15 +160,31 @@ void World::dropReloadable() {
     storage_.dropCaches();
 }
 
+void World::reportAllMissed() {
+    for (std::uint64_t i = 0; i < Missed::kSlots; ++i) {
+        if ((missed_.slots >> i & 1) == 0) continue;
+        const std::uint64_t id = missed_.ids[i];
+        reportMissing(this, {static_cast<std::uint32_t>(id), static_cast<std::uint32_t>(id >> 32)},
+                      static_cast<TypeKey>(missed_.keys[i]));
+    }
+    missed_.slots = 0;
+}
+
 void reportMissing(const World* world, EntityId id, TypeKey key) {
     const ComponentType* const type = findComponentType(key);
     const std::string name{type != nullptr ? std::string_view{type->name} : typeNameOf(key)};
+    const std::string_view system = Running::current;
+    Reports* const reports = world != nullptr ? &world->reports() : Reports::current;
+    if (reports != nullptr && !reports->isFirst(system, name)) return;
     const bool isEmpty = world == nullptr || id.index == 0;
     const std::string entity = isEmpty ? "the empty handle"
                                        : format("entity {} (generation {}), {}", id.index, id.generation,
                                                 world->alive(id) ? "an entity that has none"
                                                                  : "a stale handle of a destroyed entity");
-    const Error error{"entity handle", format("{} was requested from {}", name, entity),
+    const Error error{system.empty() ? std::string{"entity handle"} : std::string{system},
+                      format("{} was requested from {}, so all its fields are 0, and what is written to them "
+                             "is lost",
+                             name, entity),
                       format("{}, or use find<{}>(), which returns nullptr",
                              isEmpty ? "check that what was searched or spawned exists: if (entity)"
                              : world->alive(id) ? format("check hasComponent<{}>()", name)
@@ -224,6 +236,7 @@ void World::save(Snapshot& snapshot) const {
     if (snapshot.source_ != this || snapshot.texts_.size() != texts_.size()) snapshot.texts_ = texts_;
     snapshot.source_ = this;
     snapshot.tick_ = tick;
+    events_.save(snapshot.inboxes_);
 }
 
 void World::restore(const Snapshot& snapshot) {
@@ -241,6 +254,7 @@ void World::restore(const Snapshot& snapshot) {
     if (snapshot.source_ != this) texts_ = snapshot.texts_;  // adds the missing ones
     tick = snapshot.tick_;
     events_.retire();
+    events_.restore(snapshot.inboxes_);
     commands_.clear();
 }
 
@@ -286,6 +300,7 @@ std::uint64_t World::hash() const {
     }
     tiles_.addTo(hasher);
     resources_.addTo(hasher);
+    events_.addTo(hasher);
     return hasher.value();
 }
 

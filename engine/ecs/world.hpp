@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/reports.hpp"
 #include "core/text_store.hpp"
 #include "ecs/command_buffer.hpp"
 #include "ecs/entity.hpp"
@@ -61,6 +63,9 @@ public:
     // components
 
     /// nullptr if the entity does not exist or has no T. Counts as a write of T; use `const T` to read.
+    /// The address, as those of get(), add() and loops, is valid until any entity loses its T (destroy(),
+    /// remove(); inside a loop over a query: until the loop ends), the next beginTick(), cluster() or
+    /// restore(). New entities and components do not change it.
     template <class T>
     [[nodiscard]] T* find(EntityId id);
     template <class T>
@@ -205,7 +210,8 @@ public:
 
     // events
 
-    /// Emits an event, a struct, for systems that read events() and handlers that run in this tick.
+    /// Emits an event, a struct: for handlers (Module::on), which receive it in their next turn, and for
+    /// systems that run later in this tick and read events().
     template <class E>
     void emit(E event) {
         events_.emit(std::move(event));
@@ -216,6 +222,20 @@ public:
     [[nodiscard]] std::span<const E> events() const {
         return events_.of<E>();
     }
+    /// Lets a handler receive each event of a type once, until its system is removed: see Events.
+    /// @param handler  key of its system, which calls deliver()
+    template <class E>
+    void openInbox(TypeKey handler) {
+        events_.openInbox<E>(handler);
+    }
+    /// Calls `f(const E&)` for every event that was emitted since the handler's call before.
+    /// @pre not called by `f` for the same handler
+    template <class E, class F>
+    void deliver(TypeKey handler, F&& f) {
+        events_.deliver<E>(handler, std::forward<F>(f));
+    }
+    /// Removes the events that handlers have yet to receive, as when another scene begins.
+    void dropWaitingEvents() { events_.dropWaiting(); }
 
     // systems
 
@@ -224,8 +244,11 @@ public:
     S& addSystem(Arguments&&... arguments) {
         return schedule_.add<S>(std::forward<Arguments>(arguments)...);
     }
-    /// Removes the system of this type; does nothing if there is none.
-    void removeSystem(TypeKey system) { schedule_.remove(system); }
+    /// Removes the system of this type, and its inboxes; does nothing if there is none.
+    void removeSystem(TypeKey system) {
+        events_.closeInboxes(system);
+        schedule_.remove(system);
+    }
     template <class S>
     [[nodiscard]] bool hasSystem() const {
         return schedule_.find<S>() != nullptr;
@@ -238,8 +261,10 @@ public:
     void setSystemOrder(std::span<const std::string_view> names) { schedule_.setOrder(names); }
     [[nodiscard]] std::vector<std::string_view> systemNames() const { return schedule_.names(); }
     [[nodiscard]] CommandBuffer& commands() { return commands_; }
+    /// The errors that were logged since the scene began. Not in snapshots, not in the hash.
+    [[nodiscard]] Reports& reports() const { return reports_; }
 
-    /// Starts a fixed update: counts the tick, clears the events, removes
+    /// Starts a fixed update: counts the tick, clears events(), removes
     /// unused tile grids, and sorts the components of a small world that are out of order.
     void beginTick();
     /// Runs all systems in order; commands are applied after each.
@@ -253,25 +278,37 @@ public:
     void save(Snapshot& snapshot) const;
     /// @pre the snapshot was filled by save()
     void restore(const Snapshot& snapshot);
-    /// Hash of the whole state: entities, components, tiles, resources with
-    /// `addTo`, and the tick. Depends only on the state, not on its history.
+    /// Hash of the whole state: entities, components, tiles, resources with `addTo`, the number of events
+    /// that handlers have yet to receive, and the tick. Depends only on the state, not on its history.
     [[nodiscard]] std::uint64_t hash() const;
     /// Sorts components by the component sets of their entities, so that every query has few, long
     /// runs. Changes the order of queries. Call it after loading; it costs 5-14 ns per component.
     void cluster() { storage_.cluster(); }
 
 private:
+    friend class Schedule;  // calls reportMissed()
+
     void provide(TypeKey key, void* service);
     [[nodiscard]] void* findService(TypeKey key) const;
+    /// Reports the failed calls of get() since the last call. Called before and after each system, and when
+    /// a tick begins.
+    void reportMissed() {
+        if (missed_.slots != 0) [[unlikely]]
+            reportAllMissed();
+    }
+    void reportAllMissed();
     /// Destroys the children of an entity and detaches it from its parent.
     void leaveFamily(EntityId id);
 
-    /// Failed calls of get(): reported at once if asserts are on, else at the next tick, so that loops
-    /// around get() contain no call that compilers must assume to change the world.
+    /// The first failed get() of each component type: reported at once if asserts are on, else when the
+    /// system has run, so that loops around get() contain no call that compilers must assume to change the
+    /// world; a call made them a third slower. Of types whose keys have the same slot, the first is kept.
     struct Missed {
-        std::uint64_t id = 0;
-        std::uint64_t count = 0;
-        std::uint64_t key = 0;
+        static constexpr std::uint64_t kSlots = 64;
+
+        std::uint64_t slots = 0;  ///< bits of those that are used
+        std::array<std::uint64_t, kSlots> ids{};
+        std::array<std::uint64_t, kSlots> keys{};
     };
     template <class T>
     T& missing(EntityId id) const;
@@ -290,6 +327,7 @@ private:
     std::vector<std::pair<TypeKey, void*>> services_;
     const TypeRegistry* types_ = nullptr;
     mutable Missed missed_;
+    mutable Reports reports_;
 };
 
 }  // namespace plumb

@@ -28,7 +28,8 @@ T* constructComponent(void* memory, World& world, Arguments&&... arguments) {
     }
 }
 
-/// Reports that a component was requested which an entity does not have, with the remedy.
+/// Reports that a component was requested which an entity does not have, with the running system and the
+/// remedy; each system and component once until Reports::forget().
 /// @param world  the entity's; nullptr for an empty handle
 void reportMissing(const World* world, EntityId id, TypeKey type);
 /// Stops the program, as an empty handle belongs to no world.
@@ -52,9 +53,13 @@ T& World::missing(EntityId id) const {
     if constexpr (kAssertions) {
         reportMissing(this, id, typeKey<T>());
     } else {
-        missed_.id = std::uint64_t{id.generation} << 32 | id.index;
-        missed_.key = typeKey<T>();
-        ++missed_.count;
+        const std::uint64_t key = typeKey<T>();
+        const std::uint64_t slot = key % Missed::kSlots;
+        if ((missed_.slots >> slot & 1) == 0) {
+            missed_.slots |= std::uint64_t{1} << slot;
+            missed_.ids[slot] = std::uint64_t{id.generation} << 32 | id.index;
+            missed_.keys[slot] = key;
+        }
     }
     return blank<T>();
 }

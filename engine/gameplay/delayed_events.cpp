@@ -1,7 +1,11 @@
 #include "gameplay/delayed_events.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/crash.hpp"
+#include "core/log.hpp"
+#include "core/text.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/scene_stack.hpp"
@@ -118,8 +122,20 @@ std::uint64_t ticksOf(float seconds) {
     return static_cast<std::uint64_t>(std::clamp(seconds * kTicksPerSecond + 0.5f, 1.0f, kMax));
 }
 
+bool isTime(const World& world, float seconds, std::string_view call, std::string_view type) {
+    if (std::isfinite(seconds)) return true;
+    const std::string_view system = Running::current;
+    const std::string where = format("{}{}{} of {}", system, system.empty() ? "" : ": ", call, type);
+    if (world.reports().isFirst("Code", where)) {
+        logError("Code", Error{where, format("expected a time in s, found {}; nothing was done", seconds),
+                               "check the computation of the time, e.g. for a division by 0"});
+    }
+    return false;
+}
+
 DelayedEvent addDelayed(World& world, EntityId asker, float seconds, const DelayedType& type,
                         const void* event) {
+    if (!isTime(world, seconds, "emitAfter()", type.name)) return {};
     DelayedEvents::Entry entry;
     entry.type = *type.key;
     entry.size = type.size;

@@ -50,6 +50,11 @@ struct DelayedEvent {
 
 /// Returns the number of ticks nearest to a time, at least 1. @param seconds  s
 std::uint64_t ticksOf(float seconds);
+/// False for NaN and infinity: logs an error that names the running system, the call and the type of the
+/// event or component, once until Reports::forget().
+/// @param seconds  s
+/// @param call     e.g. "emitAfter()"
+bool isTime(const World& world, float seconds, std::string_view call, std::string_view type);
 
 /// A type of events that code delays.
 struct DelayedType {
@@ -90,7 +95,8 @@ void emitDue(World& world, DelayedEvents& delayed);
 /// and ends with it. After hideOverlay() the timers of an overlay belong to the scene below it; those of
 /// Persistent entities survive every change of the scene.
 /// @param asker    an entity; empty: the scene that runs, as for an entity that code creates
-/// @param seconds  s from now on, rounded to ticks
+/// @param seconds  s from now on, rounded to ticks, at least one
+/// @error seconds is NaN or infinite: it is logged, no event is emitted, and the timer has the number 0
 template <class E>
 DelayedEvent emitAfter(World& world, EntityId asker, float seconds, const E& event) {
     static_assert(std::is_trivially_copyable_v<E>,

@@ -44,7 +44,14 @@ void requestScene(World& world, SceneId scene, bool overlay) {
     requests.overlay = overlay;
 }
 
-SceneId sceneNamed(World& world, std::string_view scene) {
+/// @param function  that was called, for errors
+SceneId sceneNamed(World& world, std::string_view scene, std::string_view function) {
+    if (scene.empty()) {
+        logError("Scene", Error{format("{}(\"\")", function), "the name of the scene is empty",
+                                "write that of a file in scenes/, e.g. \"level2\"; restartScene() loads the "
+                                "current scene again"});
+        return {};
+    }
     const std::string folder = startsWith(scene, "scenes/") ? "" : "scenes/";
     const std::string path =
         endsWith(scene, ".json") ? std::string{scene} : format("{}{}.scene.json", folder, scene);
@@ -154,9 +161,13 @@ AssetStore& assetsOf(World& world) {
 }
 
 void changeScene(World& world, SceneId scene) { requestScene(world, scene, false); }
-void changeScene(World& world, std::string_view scene) { changeScene(world, sceneNamed(world, scene)); }
+void changeScene(World& world, std::string_view scene) {
+    changeScene(world, sceneNamed(world, scene, "changeScene"));
+}
 void showOverlay(World& world, SceneId scene) { requestScene(world, scene, true); }
-void showOverlay(World& world, std::string_view scene) { showOverlay(world, sceneNamed(world, scene)); }
+void showOverlay(World& world, std::string_view scene) {
+    showOverlay(world, sceneNamed(world, scene, "showOverlay"));
+}
 void hideOverlay(World& world) { world.resource<SceneRequests>().close = true; }
 void restartScene(World& world) { world.resource<SceneRequests>().reload = true; }
 void quitGame(World& world) { world.resource<SceneRequests>().quit = true; }

@@ -55,7 +55,8 @@ AssetStore& assetsOf(World& world);
 // Requests that are performed at the end of this tick.
 
 /// Changes to another scene: "level2", "scenes/level2" or "scenes/level2.scene.json". If there is no such
-/// scene, an error with the nearest name is logged, and the current scene continues.
+/// scene, an error with the nearest name is logged, and the current scene continues; so it does if the name
+/// is empty.
 void changeScene(World& world, std::string_view scene);
 /// The same for a field of a component. Does nothing if the field is empty.
 void changeScene(World& world, SceneId scene);

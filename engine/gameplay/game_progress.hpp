@@ -31,9 +31,11 @@ struct GameProgress {
     void addTo(Hasher& hasher) const;
 };
 
-/// Replaces placeholders in a text by values: {coins}, {coinsTotal}, {levelCoins}, {levelCoinsTotal}, {keys},
-/// {deaths}, {time} (m:ss), {level} (number of levels entered), {levelName}, {health}, LabelValues and
-/// physics counts. Unknown placeholders are kept.
+/// Replaces the {words} in the text of a Label by their values: those of LabelValues; of GameProgress
+/// {coins}, {coinsTotal}, {levelCoins}, {levelCoinsTotal}, {keys}, {deaths}, {time} (m:ss), {level} (number
+/// of levels entered) and {levelName}; {health} of the player; counts of the physics in the last tick:
+/// {bodies}, {contacts}, {joints}, and of its stages {pairs}, {circles}, {boxes}, {axes}, {kept}, {touching}.
+/// Other words stay as they are.
 /// @param out  receives the text; passing the same string again avoids allocations
 void fillPlaceholders(const World& world, std::string_view text, std::string& out);
 

@@ -68,6 +68,7 @@ void Tweens::addTo(Hasher& hasher) const {
 void addTween(World& world, Tweens::Entry entry, float seconds) {
     const std::byte* field = fieldOf(world, entry);
     if (field == nullptr) return;
+    if (!isTime(world, seconds, "tween()", findComponentType(entry.type)->name)) return;
     entry.from = valueAt(entry, field);
     entry.start = world.tick;
     entry.ticks = ticksOf(seconds);

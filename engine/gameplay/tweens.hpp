@@ -67,7 +67,8 @@ Tweens::Entry tweenOf(EntityId entity, V T::*field, Ease ease) {
 /// Changes a field of an entity's component gradually from its current value to another one, e.g.
 /// tween(world, coin, &Sprite::tint, Color{255, 255, 255, 0}, 0.3f, Ease::QuadOut). Replaces a tween of the
 /// same field. A tween ends early, without TweenEnded, if the entity loses the component.
-/// @param seconds  s, rounded to ticks
+/// @param seconds  s, rounded to ticks, at least one
+/// @error seconds is NaN or infinite: it is logged, and the field stays as it is
 template <class T>
 void tween(World& world, EntityId entity, float T::*field, float to, float seconds,
            Ease ease = Ease::QuadInOut) {

@@ -6,7 +6,8 @@
 namespace plumb {
 
 /// Scene changes that the simulation requests for the end of this tick. A world resource; the game reads and
-/// clears it between ticks.
+/// clears it between ticks. Of several in one tick, the top overlay is closed first, then the last `next` is
+/// opened; the scene is reloaded only if there is none.
 struct SceneRequests {
     TextId next;           ///< path of the scene to change to, or to open as an overlay; empty for none
     bool overlay = false;  ///< open `next` as an overlay over the current scene

@@ -89,12 +89,14 @@ Result<LoadReport> switchScene(World& world, const SceneContext& context, std::s
         resume(world, 0);
         for (const SceneId scene : before) unloadScene(world, scene);
         destroyMade(world, entities);
+        world.dropWaitingEvents();
     };
     const bool again = std::find(before.begin(), before.end(), sceneId(path)) != before.end();
     if (again) leave();
     Result<LoadReport> report =
         text != nullptr ? loadText(world, context, path, *text) : loadSceneFile(world, context, path);
     if (report.ok() && !again) leave();
+    if (report.ok()) world.reports().forget();
     return report;
 }
 

@@ -1,13 +1,15 @@
+#include <array>
 #include <plumb.hpp>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "app/game_content.hpp"
 #include "core/file.hpp"
+#include "scene/physics/physics_state.hpp"
 #include "tests/support/places.hpp"
 
-// The guide shows the code of the template, which is built and tested, and the code for collision layers
-// below.
+// The guide shows the code of the template, which is built and tested, and the code of this file.
 
 namespace plumb {
 namespace {
@@ -42,6 +44,22 @@ struct ShotSystem {
 };
 // layers end
 
+// references begin
+/// Lets `winner` take the place of `loser`, which ends.
+void takePlace(World& world, EntityId winner, EntityId loser) {
+    const Vec2 place = world.get<const Transform>(loser).position;  // a copy, not a reference
+    world.destroy(loser);  // references to Transforms from above this line may be those of others now
+    if (Transform* transform = world.find<Transform>(winner)) teleport(*transform, place);
+}
+// references end
+
+/// The code of this file between two lines.
+std::string codeBetween(const std::string& begin, const std::string& end) {
+    const std::string file = *readFile(test::sourceFolder() / "tests/app/code_guide_test.cpp");
+    const std::size_t from = file.find(begin) + begin.size();
+    return file.substr(from, file.find(end) - from);
+}
+
 TEST(CodeGuide, showsTheCodeOfTheTemplate) {
     const std::string guide = *readFile(test::sourceFolder() / "docs/code.md");
     const std::string code = *readFile(test::sourceFolder() / "assets/templates/cpp/code/game.cpp");
@@ -50,13 +68,53 @@ TEST(CodeGuide, showsTheCodeOfTheTemplate) {
         << "copy assets/templates/cpp/code/game.cpp into docs/code.md";
 }
 
-TEST(CodeGuide, showsTheCodeForCollisionLayersOfThisFile) {
+TEST(CodeGuide, showsTheCodeOfThisFile) {
     const std::string guide = *readFile(test::sourceFolder() / "docs/code.md");
-    const std::string file = *readFile(test::sourceFolder() / "tests/app/code_guide_test.cpp");
-    const std::size_t from = file.find("// layers begin\n") + 16;
-    const std::string code = file.substr(from, file.find("// layers end\n") - from);
-    EXPECT_GT(code.size(), 500u);
-    EXPECT_NE(guide.find("```cpp\n" + code + "```"), std::string::npos);
+    for (const std::string& code : {codeBetween("// layers begin\n", "// layers end\n"),
+                                    codeBetween("// references begin\n", "// references end\n")}) {
+        EXPECT_GT(code.size(), 400u);
+        EXPECT_NE(guide.find("```cpp\n" + code + "```"), std::string::npos) << code;
+    }
+}
+
+TEST(CodeGuide, referencesAreThoseOfOthersWhenAnEntityWasDestroyed) {
+    World world;
+    std::array<EntityId, 3> ids;
+    for (EntityId& id : ids) {
+        const Entity entity = world.createEntity();
+        id = entity.id();
+        entity.addComponent<Transform>(0.0f, 10.0f * static_cast<float>(id.index));
+    }
+    const Transform* first = world.find<const Transform>(ids[0]);
+    const Transform* last = world.find<const Transform>(ids[2]);
+    for (int i = 0; i < 10000; ++i) world.createEntity().addComponent<Transform>();
+    EXPECT_EQ(first, world.find<const Transform>(ids[0])) << "new components move nothing";
+    takePlace(world, ids[2], ids[0]);
+    EXPECT_FALSE(world.alive(ids[0]));
+    EXPECT_EQ(world.get<const Transform>(ids[2]).position.y, 10.0f);
+    EXPECT_EQ(last, world.find<const Transform>(ids[2])) << "it was not the last of its type";
+    EXPECT_EQ(first, world.find<const Transform>(EntityId{10003, 1})) << "the last one took the place";
+}
+
+TEST(CodeGuide, wordsOfLabelsHaveValues) {
+    const std::string guide = *readFile(test::sourceFolder() / "docs/code.md");
+    const std::size_t from = guide.find("| word | value |");
+    ASSERT_NE(from, std::string::npos);
+    const std::string table = guide.substr(from, guide.find("\n## ", from) - from);
+    World world;
+    static_cast<void>(world.resource<PhysicsState>());
+    int words = 0;
+    for (std::size_t at = table.find("`{"); at != std::string::npos; at = table.find("`{", at + 1)) {
+        const std::string word = table.substr(at + 1, table.find('`', at + 1) - at - 1);
+        std::string text;
+        fillPlaceholders(world, word, text);
+        EXPECT_NE(text, word);
+        showText(world, word.substr(1, word.size() - 2), "own");
+        fillPlaceholders(world, word, text);
+        EXPECT_EQ(text, "own") << word;
+        ++words;
+    }
+    EXPECT_EQ(words, 19);
 }
 
 TEST(CodeGuide, shotsPassThroughThePlayerAndEndAtTheGround) {

@@ -2,10 +2,8 @@
 
 #include <array>
 #include <cstdlib>
-#include <initializer_list>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -221,32 +219,6 @@ TEST(EntityProperty, noFunctionChangesAWorldThroughAHandleOfNoEntity) {
     EXPECT_EQ(world.entityCount(), 4u);
     EXPECT_EQ(world.count<Frozen>(), 0u);
     for (int i = 0; i < 100; ++i) EXPECT_FALSE(world.createEntity().hasComponent<Position>());
-}
-
-TEST(EntityTest, aMissingComponentIsReportedWithItsNameTheEntityAndTheRemedy) {
-    test::Faults faults;
-    World world;
-    Entity e = world.createEntity();
-    const auto expect = [&](std::initializer_list<std::string_view> texts) {
-        world.beginTick();  // builds without assertions report then
-        for (const std::string_view text : texts)
-            EXPECT_TRUE(faults.mention(text))
-                << text << " is not in: " << testing::PrintToString(faults.lines());
-        EXPECT_EQ(faults.lines().size(), 1u);
-        faults.clear();
-    };
-    e.get<Numbered<8>>();
-    expect({"Numbered<8> was requested from entity 1 (generation 1)", "an entity that has none",
-            "hasComponent<Numbered<8>>()", "find<Numbered<8>>()"});
-    Entity{}.get<Position>();
-    expect({"Position was requested from the empty handle", "if (entity)", "find<Position>()"});
-    Entity{}.addComponent<Frozen>();
-    expect({"Frozen was requested from the empty handle"});
-    world.get<Position>(EntityId{});
-    expect({"Position was requested from the empty handle"});
-    e.destroy();
-    e.get<Position>();
-    expect({"entity 1 (generation 1)", "a stale handle", "check alive()", "find<Position>()"});
 }
 
 TEST(EntityTest, whatIsWrittenToAMissingComponentIsLost) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "gameplay/tweens.hpp"
 #include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
+#include "tests/support/faults.hpp"
 
 // Delayed events and tweens: state of the world that is rewound with it.
 
@@ -211,6 +213,36 @@ TEST_F(Timers, ticksAreTheNearestToATime) {
     EXPECT_EQ(ticksOf(0.026f), 2u);
     EXPECT_EQ(ticksOf(1.0f), 60u);
     EXPECT_EQ(ticksOf(1e30f), 1'000'000'000u);
+}
+
+/// Sets a timer and a tween of a time that is none, in every tick.
+struct Miscalculation {
+    float seconds = 0.0f;
+
+    void update(World& world, float) const {
+        EXPECT_EQ(emitAfter(world, seconds, Ring{1}).number, 0u);
+        for (auto [entity, transform] : world.query<const Transform>())
+            tween(world, entity, &Transform::rotation, 1.0f, seconds);
+    }
+};
+
+TEST_F(Timers, timesThatAreNoNumbersAreReportedOnceAndSetNothing) {
+    const Entity entity = world.createEntity();
+    entity.addComponent<Transform>();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (const float seconds : {std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity}) {
+        world.reports().forget();
+        test::Faults faults;
+        world.addSystem<Miscalculation>().seconds = seconds;
+        run(5);
+        ASSERT_EQ(faults.lines().size(), 2u) << testing::PrintToString(faults.lines());
+        EXPECT_TRUE(faults.mention("Miscalculation: emitAfter() of "));
+        EXPECT_TRUE(faults.mention("Ring: expected a time in s, found "));
+        EXPECT_TRUE(faults.mention("Miscalculation: tween() of Transform: expected a time in s, found "));
+        EXPECT_TRUE(faults.mention("check the computation"));
+    }
+    EXPECT_TRUE(heard.empty());
+    EXPECT_EQ(entity.get<Transform>().rotation, 0.0f);
 }
 
 class TweenTest : public Timers {

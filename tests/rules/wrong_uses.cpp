@@ -26,6 +26,7 @@ inline void use(World& world, const std::string& text) {
     logNote("Game", "{} of {}", 1, 2);
     logNote("Game", text);
     logNote("Game", runtimePattern(text), 1, 2);
+    logError("Game", "text");
     static_cast<void>(world.query<Place, const Speed>(with<Speed>));
     world.each<Place>([](Entity, Place&) {});
 #if WRONG_USE == 1

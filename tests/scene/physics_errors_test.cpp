@@ -100,6 +100,71 @@ TEST_F(PhysicsErrors, aJointWhoseOtherEntityWasDestroyedIsNoMistake) {
     EXPECT_TRUE(lines.empty()) << lines[0];
 }
 
+TEST_F(PhysicsErrors, bodiesWithoutATransform) {
+    const Entity crate = named(scene.world.createEntity(), "Crate");
+    crate.addComponent<RigidBody>();
+    expectLine("Crate (entity 1): RigidBody: the entity has no Transform, so it has no body;", "add a Tr");
+}
+
+TEST_F(PhysicsErrors, bodiesOfTwoKinds) {
+    scene.ball({0, 0}).addComponent<StaticBody>();
+    expectLine("entity 1: StaticBody: it has no effect, as the entity has a RigidBody, too;", "remove");
+    const Entity platform = scene.at({50, 0});
+    platform.addComponent<KinematicBody>();
+    scene.run(1);
+    EXPECT_EQ(lines.size(), 1u) << "one kind is no mistake";
+    platform.addComponent<StaticBody>();
+    scene.run(2);
+    ASSERT_EQ(lines.size(), 2u) << "also if it is added later";
+    EXPECT_NE(lines[1].find("as the entity has a KinematicBody"), std::string::npos) << lines[1];
+}
+
+TEST_F(PhysicsErrors, bodiesThatAreMadeWithoutMass) {
+    const Entity ball = scene.ball({0, 0});
+    ball.get<RigidBody>().mass = 0.0f;
+    expectLine("entity 1: RigidBody.mass: expected a mass above 0, found 0;", "StaticBody");
+    EXPECT_EQ(ball.get<RigidBody>().mass, 1.0f);
+}
+
+TEST_F(PhysicsErrors, aFaultOfOneKindDoesNotHideAnother) {
+    const Entity crate = named(scene.world.createEntity(), "Crate");
+    crate.addComponent<RigidBody>().mass = -2.0f;
+    scene.run(2);
+    crate.addComponent<Transform>(0.0f, 0.0f);
+    crate.addComponent<BoxCollider>(16.0f, 16.0f);
+    scene.run(2);
+    ASSERT_EQ(lines.size(), 2u) << testing::PrintToString(lines);
+    EXPECT_NE(lines[0].find("has no Transform"), std::string::npos) << lines[0];
+    EXPECT_NE(lines[1].find("RigidBody.mass: expected a mass above 0, found -2"), std::string::npos)
+        << lines[1];
+}
+
+TEST_F(PhysicsErrors, faultyEntitiesThatComeAndGoAreReportedOnce) {
+    for (int tick = 0; tick < 100; ++tick) {
+        const Entity bullet = scene.ball({0, 0});
+        bullet.addComponent<StaticBody>();
+        bullet.get<RigidBody>().mass = 0.0f;
+        scene.run(1);
+        bullet.destroy();
+    }
+    EXPECT_EQ(lines.size(), 2u) << testing::PrintToString(lines);
+    EXPECT_EQ(scene.world.reports().count(), 2u);
+}
+
+TEST_F(PhysicsErrors, aTransformThatIsLostOrAKindThatIsAddedIsReported) {
+    const Entity ball = scene.ball({0, 0});
+    scene.floor({100, 0}, {10, 10}).addComponent<StaticBody>();
+    scene.run(10);
+    EXPECT_TRUE(lines.empty());
+    ball.removeComponent<Transform>();
+    scene.world.first<StaticBody>().addComponent<RigidBody>();
+    scene.run(2);
+    ASSERT_EQ(lines.size(), 2u) << testing::PrintToString(lines);
+    const std::string both = lines[0] + lines[1];
+    EXPECT_NE(both.find("RigidBody: the entity has no Transform"), std::string::npos) << both;
+    EXPECT_NE(both.find("StaticBody: it has no effect"), std::string::npos) << both;
+}
+
 TEST_F(PhysicsErrors, limitsOfJointsAreAnglesOrLengths) {
     const Error error{"JointDefinition.limit.upper", "expected a number from 1 to 1000000, found 0.5", "r"};
     const PixelScale scale{64.0f, 1.0f / 64.0f};

@@ -204,6 +204,44 @@ TEST_F(SceneStackTest, changingTheSceneRemovesTheStackButKeepsPersistentEntities
     EXPECT_GT(at(kKept).y, kept.y) << "the persistent entity keeps moving";
 }
 
+/// An event, and the key of its handler.
+struct Scored {};
+
+TEST_F(SceneStackTest, waitingEventsEndWithTheirSceneButNotWithOverlays) {
+    write("scenes/title.scene.json", {R"("id": "51", "components": {"Transform": {}})"});
+    world_.openInbox<Scored>(typeKey<Scored>());
+    const auto received = [&] {
+        int count = 0;
+        world_.deliver<Scored>(typeKey<Scored>(), [&](const Scored&) { ++count; });
+        return count;
+    };
+    for (const char* scene : {kLevel, "scenes/title.scene.json", "scenes/title.scene.json"}) {
+        world_.emit(Scored{});
+        ASSERT_TRUE(switchScene(world_, context_, scene).ok());
+        EXPECT_EQ(received(), 0) << scene;
+    }
+    world_.emit(Scored{});
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    EXPECT_EQ(received(), 1);
+    world_.emit(Scored{});
+    ASSERT_TRUE(closeOverlay(world_));
+    EXPECT_EQ(received(), 1);
+    world_.emit(Scored{});
+    EXPECT_FALSE(switchScene(world_, context_, "scenes/none.scene.json").ok());
+    EXPECT_EQ(received(), 1) << "the scene continues";
+}
+
+TEST_F(SceneStackTest, errorsAreReportedAgainAfterASuccessfulChangeOfTheScene) {
+    Reports& reports = world_.reports();
+    EXPECT_TRUE(reports.isFirst("a", "b"));
+    EXPECT_FALSE(switchScene(world_, context_, "scenes/none.scene.json").ok());
+    EXPECT_FALSE(reports.isFirst("a", "b"));
+    ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
+    EXPECT_FALSE(reports.isFirst("a", "b"));
+    ASSERT_TRUE(switchScene(world_, context_, kLevel).ok());
+    EXPECT_TRUE(reports.isFirst("a", "b"));
+}
+
 TEST_F(SceneStackTest, aPersistentEntityOfAnOverlayStaysWhenItCloses) {
     ASSERT_TRUE(openOverlay(world_, context_, kMenu).ok());
     entity(kButton).addComponent<Persistent>();

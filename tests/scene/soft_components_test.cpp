@@ -127,7 +127,7 @@ TEST(SoftComponents, invalidNumbersAreRejected) {
     scene.at({50, 0}).addComponent<Rope>().mass = -1.0f;
     scene.run(10);
     EXPECT_TRUE(scene.particles(entity).empty());
-    EXPECT_EQ(scene.world.resource<PhysicsState>().refused.size(), 2u);
+    EXPECT_EQ(scene.world.reports().count(), 2u);
 }
 
 TEST(SoftComponents, allAreDrawnAsSurfaces) {

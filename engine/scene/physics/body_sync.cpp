@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "ecs/paused.hpp"
 #include "math/angle.hpp"
@@ -153,6 +154,20 @@ private:
         };
         world_.eachChangedSince<Parent>(mark, noteFamily);
         world_.eachLossSince(mark, noteFamily);
+        checkBodies(mark);
+    }
+
+    /// Checks the entities whose kind of body may have changed.
+    void checkBodies(std::uint64_t mark) {
+        const auto check = [this](EntityId entity) { checkBody(entity); };
+        world_.eachChangedSince<RigidBody>(mark, [&](EntityId entity) {
+            // Each step writes the RigidBodies that move, but the kind of a body is not written.
+            const BodyId body = bodyOf(state_, entity);
+            if (!body || bodies_.bodies.info[body.index].kind != BodyKind::Dynamic) checkBody(entity);
+        });
+        world_.eachChangedSince<StaticBody>(mark, check);
+        world_.eachChangedSince<KinematicBody>(mark, check);
+        world_.eachLossSince(mark, check);
     }
 
     template <class... Components>
@@ -194,6 +209,24 @@ private:
         if (linked != 0 && !(isOwn && order)) state_.departed.push_back(linked - 1);
         if (order && !(isOwn && bodies_.bodies.info[linked - 1].kind == kindOf(reader_, entity)))
             state_.arrived.push_back({*order, entity});
+    }
+
+    /// Reports components that give the entity no body, or another one than they say.
+    void checkBody(EntityId entity) {
+        const bool isRigid = reader_.has<RigidBody>(entity), isStatic = reader_.has<StaticBody>(entity),
+                   isKinematic = reader_.has<KinematicBody>(entity);
+        // A CharacterBody counts, whatever else the entity of a controller has.
+        if (!(isRigid || isStatic || isKinematic) || reader_.has<CharacterBody>(entity)) return;
+        const char* const body = isRigid ? "RigidBody" : isKinematic ? "KinematicBody" : "StaticBody";
+        if (!reader_.has<Transform>(entity)) {
+            logRefusal(world_, state_, entity,
+                       {body, "the entity has no Transform, so it has no body", "add a Transform"});
+        } else if ((isRigid && (isStatic || isKinematic)) || (isKinematic && isStatic)) {
+            const char* const what = isRigid ? "it has no effect, as the entity has a RigidBody, too"
+                                             : "it has no effect, as the entity has a KinematicBody, too";
+            logRefusal(world_, state_, entity,
+                       {isStatic ? "StaticBody" : "KinematicBody", what, "remove one of the two"});
+        }
     }
 
     /// Creates bodies before destroying others, so that no new
@@ -373,12 +406,13 @@ private:
 
     void followMass(BodyId body, const RigidBody& rigid) {
         const float known = setMassOf(body);
-        if (rigid.mass == known) return;
+        if (rigid.mass == known && known > 0.0f) return;
         const EntityId entity = linkOf(body).entity;
-        const Result<Done> set = rigid.mass > 0.0f
-                                     ? setMass(bodies_, body, rigid.mass)
-                                     : Result<Done>{Error{"RigidBody.mass", "expected a mass above 0",
-                                                          "use a StaticBody for a body that never moves"}};
+        const Result<Done> set =
+            rigid.mass > 0.0f ? setMass(bodies_, body, rigid.mass)
+                              : Result<Done>{Error{"RigidBody.mass",
+                                                   format("expected a mass above 0, found {}", rigid.mass),
+                                                   "use a StaticBody for a body that never moves"}};
         if (accept(set, entity)) return;
         if (!(known > 0.0f)) static_cast<void>(setMass(bodies_, body, RigidBody{}.mass));
         world_.get<RigidBody>(entity).mass = setMassOf(body);

@@ -1,6 +1,5 @@
 #include "scene/physics/entity_bodies.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/log.hpp"
@@ -44,9 +43,8 @@ void placeEntity(World& world, WorldPoses& poses, EntityId entity, const Pose& p
     transform->rotation = local.rotation;
 }
 
-void logRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error) {
-    if (std::find(state.refused.begin(), state.refused.end(), entity) != state.refused.end()) return;
-    state.refused.push_back(entity);
+void logRefusal(const World& world, const PhysicsState& state, EntityId entity, const Error& error) {
+    if (!world.reports().isFirst("Physics", error.where, entity.index)) return;
     Error shown = gameError(error, {}, state.scale);
     if (entity) shown.where = format("{}: {}", describedEntity(world, entity), shown.where);
     logWarning("Physics", shown);

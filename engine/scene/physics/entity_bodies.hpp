@@ -17,9 +17,10 @@ void placeEntity(World& world, WorldPoses& poses, EntityId entity, const Pose& p
 /// the editor's console finds it; one that code created by its index, "crate (entity 12)".
 std::string describedEntity(const World& world, EntityId entity);
 
-/// Logs an error of an entity's physics components, once per entity, in the words of gameError() and with the
-/// entity.
-void logRefusal(const World& world, PhysicsState& state, EntityId entity, const Error& error);
+/// Logs an error of an entity's physics components in the words of gameError() and with the entity; once for
+/// each Error::where and EntityId::index until Reports::forget(), so that entities which come and go each
+/// tick do not fill the log.
+void logRefusal(const World& world, const PhysicsState& state, EntityId entity, const Error& error);
 
 /// Returns the user data of the physics objects that belong to an entity; see ownerOf().
 [[nodiscard]] constexpr std::uint64_t userOf(EntityId entity) {

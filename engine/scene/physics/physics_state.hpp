@@ -138,7 +138,6 @@ struct PhysicsState {
     std::vector<physics::CastHit> hits;   ///< results of the current cast; a member to reuse its memory
     std::vector<physics::ShapeId> found;  ///< results of the current overlap query; reused likewise
     physics::BodyId ground;               ///< static body for joints that connect to the world
-    std::vector<EntityId> refused;        ///< entities whose errors were reported
     std::vector<EntityId> unplaced;       ///< entities whose body could not be created
     std::vector<BodyArrival> arrived;     ///< during a sync: bodies to create
     std::vector<std::uint32_t> departed;  ///< during a sync: indices of bodies to destroy

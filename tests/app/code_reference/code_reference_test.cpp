@@ -87,9 +87,12 @@ inline T add(T a,
              T b) {
     return a + b;
 }
+/// Handles.
+template <class E, void (*Handler)(World& world, const E& event)>
+void on(Place place = {});
 }  // namespace plumb
 )");
-    ASSERT_EQ(all.size(), 3u);
+    ASSERT_EQ(all.size(), 4u);
     EXPECT_EQ(all[0].signature, "class Thing : Base");
     EXPECT_EQ(all[0].doc, "A thing. It has two lines.");
     std::vector<std::string> members;
@@ -107,6 +110,7 @@ inline T add(T a,
     EXPECT_EQ(all[1].members[1].name, "Second");
     EXPECT_EQ(all[2].signature, "template <class T> T add(T a, T b)");
     EXPECT_EQ(all[2].name, "add");
+    EXPECT_EQ(all[3].name, "on");
 }
 
 }  // namespace

@@ -171,6 +171,7 @@ private:
             return replaced(text, "^(template <[^{]*> )?(class|struct|enum class|enum) (\\w+).*$", "$3");
         if (const std::size_t operators = text.find("operator"); operators != std::string::npos)
             return "operator";
+        text = replaced(text, "^template <[^>]*> ", "");  // its parameters may be functions
         text = text.substr(0, text.find('('));
         text = replaced(text, " ?(=|\\[).*$", "");
         std::size_t start = text.size();

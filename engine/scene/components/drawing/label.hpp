@@ -10,8 +10,8 @@ namespace plumb {
 
 enum class LabelAlign : std::uint8_t { Left, Center, Right };
 
-/// Text of one or more lines at the entity's Transform. Placeholders like {coins}, {deaths}, {time} are
-/// replaced by their values.
+/// Text of one or more lines at the entity's Transform. Words like {coins}, {deaths}, {time}, and those of
+/// showText(), are replaced by their values.
 struct Label {
     TextId text;
     FontId font;        ///< font file; empty: the engine's default font
