@@ -12,8 +12,9 @@
 #include "core/log.hpp"
 #include "core/text.hpp"
 #include "editor/model/project/project_session.hpp"
-#include "editor/model/project/project_templates.hpp"
 #include "editor/model/view/thumbnail.hpp"
+#include "editor/templates/new_project.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "editor/ui/open_project.hpp"
 #include "editor/ui/tour.hpp"
 #include "platform/image_file.hpp"
@@ -196,7 +197,7 @@ int runEditor(const EditorOptions& given) {
     const bool namesScene = !options.scene.empty() || !options.select.empty();
     const bool withoutWindow = !options.importFrom.empty() || options.validate;
     if (options.project.empty() && (namesScene || withoutWindow)) options.project = kExample;
-    if (!options.newProject.empty()) return newProject(options);
+    if (!options.newProject.empty()) return newProject(options.from, options.newProject);
     if (!options.importFrom.empty()) return importFile(options);
     LogBook log;
     // Screenshots ignore the user's settings, so that they are reproducible, unless PLUMB_CONFIG is set.

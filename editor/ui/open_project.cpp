@@ -2,7 +2,7 @@
 
 #include "core/log.hpp"
 #include "core/text.hpp"
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "platform/paths.hpp"
 
 namespace plumb::editor::ui {

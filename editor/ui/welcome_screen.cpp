@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/text.hpp"
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "editor/ui/scene_picture.hpp"
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/text_field.hpp"

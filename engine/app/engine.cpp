@@ -21,17 +21,22 @@ namespace {
 /// Parses the options of PLUMB_OPTIONS, then those of the command line, which override them.
 /// @param words  argv, including the program's path
 Result<PlayerOptions> readGameOptions(std::span<const std::string> words) {
-    std::vector<std::string> all;
+    std::vector<std::string> ofVariable;
     const char* text = std::getenv("PLUMB_OPTIONS");
     for (const std::string_view word : split(text != nullptr ? text : "", ' ')) {
-        if (!word.empty()) all.emplace_back(word);
+        if (!word.empty()) ofVariable.emplace_back(word);
     }
-    if (!words.empty()) all.insert(all.end(), words.begin() + 1, words.end());
     std::vector<const char*> arguments;
-    for (const std::string& word : all) {
-        arguments.push_back(word.c_str());
-    }
-    return parseGameOptions(arguments);
+    for (const std::string& word : ofVariable) arguments.push_back(word.c_str());
+    for (const std::string& word : words.subspan(words.empty() ? 0 : 1)) arguments.push_back(word.c_str());
+    const std::span<const char* const> all = arguments;
+    Result<PlayerOptions> given = parseGameOptions(all.subspan(ofVariable.size()));
+    if (!given) return given;
+    Result<PlayerOptions> options = parseGameOptions(all);
+    if (options) return options;
+    Error error = options.error();
+    error.where = "PLUMB_OPTIONS";  // the command line alone is valid
+    return error;
 }
 
 /// Returns the name of the program, e.g. "hello-code" for "build/bin/hello-code".
@@ -91,9 +96,10 @@ std::optional<int> Engine::open() {
 
 int Engine::loop() {
     game_->assets = AssetStore{codeGameFolder(programOf(words_)), engineAssets()};
-    game_->world.resource<GameRandom>().random = Random::seeded(options_.seed);
+    game_->world.resource<GameRandom>().random = Random::seeded(seedOf(options_));
     game_->world.resource<PictureSize>().size = settings_.picture;
     game_->content.useSystemOrder(game_->world);
+    game_->input.logging = screen_ != nullptr;
     game_->onCreate();
     if (game_->world.systemNames().empty()) game_->content.addSystems(game_->world);
     game_->effects.setProgramPin("pads",

@@ -12,12 +12,10 @@
 namespace plumb {
 namespace {
 
-constexpr std::int64_t kDemoTicks = 600;        ///< default number of ticks without a display: 10 s
-constexpr double kPausedWait = 0.1;             ///< s for which a paused game waits for events
-constexpr std::int64_t kCheckTicks = 600;       ///< ticks between two hashes of a recording
-constexpr std::int64_t kSaveTicks = 300;        ///< ticks between two saves of a recording
-constexpr std::size_t kLongRecording = 50'000;  ///< input runs, about 1 MB; longer ones are saved less often
-constexpr std::int64_t kHeadlessTicks = 600;    ///< default number of ticks of a headless run
+constexpr std::int64_t kDemoTicks = 600;      ///< default number of ticks without a display: 10 s
+constexpr double kPausedWait = 0.1;           ///< s for which a paused game waits for events
+constexpr std::int64_t kCheckTicks = 600;     ///< ticks between two hashes of a recording
+constexpr std::int64_t kHeadlessTicks = 600;  ///< default number of ticks of a headless run
 constexpr const char* kEngineVersion = "0.1.0";
 
 void sleepSeconds(double seconds) {
@@ -47,13 +45,12 @@ Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view pr
             "play it with that project; if this one was renamed, change the second line of the file"};
     }
     options.seed = replay->seed;
-    if (options.scene.empty()) options.scene = replay->scene;
+    options.scene = replay->scene;
     return options;
 }
 
 GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName)
     : game_{game}, screen_{screen}, options_{options}, projectName_{std::move(projectName)} {
-    game_.input.logging = screen_ != nullptr;
     if (screen_ != nullptr) sounds_.emplace(game_.assets);
     if (!options_.allEffects) return;
     for (const EffectRow& row : game_.effects.table().rows()) game_.effects.setProgramPin(row.name, Pin::On);
@@ -84,7 +81,15 @@ bool GameLoop::prepare() {
     recorder_.replay.project = projectName_;
     recorder_.replay.engine = kEngineVersion;
     recorder_.replay.scene = options_.scene;
-    recorder_.replay.seed = options_.seed;
+    recorder_.replay.seed = seedOf(options_);
+    if (!options_.record.empty()) {
+        Result<RecordingFile> file = RecordingFile::create(options_.record, recorder_.replay);
+        if (!file) {
+            logError("Input", file.error());
+            return false;
+        }
+        recording_ = std::move(*file);
+    }
     if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 &&
         options_.replay.empty()) {
         logNote("Engine", "No display: running 10 s offscreen and saving a screenshot");
@@ -160,7 +165,7 @@ void GameLoop::handleEvents() {
 
 /// Reloads files that were edited while the game runs, but not while it is recorded or replayed.
 void GameLoop::reloadEdited() {
-    if (replayPlayer_ || !options_.record.empty()) return;
+    if (replayPlayer_ || recording_) return;
     const std::vector<AssetChange> changes = game_.assets.pollChanges();
     if (!changes.empty()) game_.followChanges(changes);
 }
@@ -174,8 +179,21 @@ bool GameLoop::nextInput(InputFrame& frame) {
         frame = devices_.take();
         if (screen_ != nullptr) screen_->placeMouse(frame);
     }
-    if (!options_.record.empty()) recorder_.record(frame);
+    if (recording_) {
+        // Before the tick, so that the file contains the tick in which the game crashes.
+        recorder_.record(frame);
+        updateRecording();
+    }
     return true;
+}
+
+/// Writes what the recorder has to the file. Ends the recording, but not the game, if that is impossible.
+void GameLoop::updateRecording() {
+    const Result<Done> written = recording_->update(recorder_);
+    if (written) return;
+    logError("Input", written.error());
+    recording_.reset();
+    failed_ = true;
 }
 
 void GameLoop::tick() {
@@ -204,17 +222,7 @@ void GameLoop::tick() {
     if (options_.hashEvery > 0 && ticks_ % options_.hashEvery == 0) {
         std::printf("hash %lld: %s\n", static_cast<long long>(ticks_), hexText(game_.world.hash()).c_str());
     }
-    keepRecording();
-}
-
-/// Saves the recording regularly, so that a killed program loses only its last seconds.
-void GameLoop::keepRecording() {
-    if (options_.record.empty()) return;
-    if (ticks_ % kCheckTicks == 0) recorder_.check(game_.world.hash());
-    const bool isLong = recorder_.replay.runs.size() > kLongRecording;  // saving it takes long
-    if (ticks_ % (isLong ? kSaveTicks * 12 : kSaveTicks) != 0) return;
-    if (const auto saved = saveReplay(recorder_.replay, options_.record); !saved)
-        logError("Input", saved.error());
+    if (recording_ && ticks_ % kCheckTicks == 0) recorder_.check(game_.world.hash());
 }
 
 PhysicsShown GameLoop::shownPhysics() {
@@ -257,12 +265,9 @@ void GameLoop::reportRate() {
 }
 
 int GameLoop::finish() {
-    if (!options_.record.empty()) {
+    if (recording_) {
         recorder_.check(game_.world.hash());
-        if (const auto saved = saveReplay(recorder_.replay, options_.record); !saved) {
-            logError("Input", saved.error());
-            failed_ = true;
-        }
+        updateRecording();
     }
     if (options_.hash) std::printf("hash: %s\n", hexText(game_.world.hash()).c_str());
     return failed_ ? 1 : 0;

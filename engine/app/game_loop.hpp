@@ -38,7 +38,7 @@ private:
     void handleEvents();
     void reloadEdited();
     void tick();
-    void keepRecording();
+    void updateRecording();
     bool nextInput(InputFrame& frame);
     void drawFrame(float alpha);
     PhysicsShown shownPhysics();
@@ -58,6 +58,7 @@ private:
     std::optional<Replay> replay_;
     std::optional<ReplayPlayer> replayPlayer_;
     Recorder recorder_;
+    std::optional<RecordingFile> recording_;  ///< empty: the game is not recorded, or no longer
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
     double rateStart_ = 0.0;       // s, wall clock: when the frame rate was last logged
@@ -67,7 +68,8 @@ private:
     bool failed_ = false;  // run() returns an error code
 };
 
-/// Returns `options` with the seed of the replay file, and with its scene if the options name no scene.
+/// Returns `options` with the scene and the seed of the replay file, if they name one; a file without these
+/// lines has those of a run without options.
 /// @param projectName  the project to play; recordings of another one are refused
 /// @error the replay cannot be read, or belongs to another project
 Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName);

@@ -118,8 +118,8 @@ int playProject(const PlayerOptions& asked, const Module& code) {
         }
         screen = std::move(*opened);
     }
-    SceneGame game{std::move(*project), options.scene, options.seed, content};
-    if (screen == nullptr) game.assets.logging = false;
+    SceneGame game{std::move(*project), options.scene, seedOf(options), content};
+    game.input.logging = screen != nullptr;
     game.onCreate();
     if (game.failed()) return 1;
     if (options.effects) {

@@ -22,11 +22,6 @@ bool setNumber(std::string_view text, std::int64_t least, std::int64_t& number) 
     return true;
 }
 
-bool setText(std::string_view text, std::string& field) {
-    field = text;
-    return !text.empty();
-}
-
 bool setSeed(PlayerOptions& options, std::string_view text) {
     std::int64_t seed = 0;
     if (!setNumber(text, 0, seed)) return false;
@@ -84,13 +79,13 @@ constexpr std::array kGameOptions{
         [](PlayerOptions& o, std::string_view) { return o.hash = true; }},
     Row{"--hash-every", "N", "print the hash every N ticks",
         [](PlayerOptions& o, std::string_view v) { return setNumber(v, 1, o.hashEvery); }},
-    Row{"--screenshot", "FILE.png", "save the last frame as PNG",
-        [](PlayerOptions& o, std::string_view v) { return setText(v, o.screenshot); }},
+    Row{"--screenshot", "FILE.png", "save the last frame as a PNG image; no other format",
+        [](PlayerOptions& o, std::string_view v) { return setPngPath(v, o.screenshot); }},
     Row{"--capture", "DIR", "save every frame as PNG in this folder",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.capture); }},
-    Row{"--record", "FILE", "record the input to a file",
+    Row{"--record", "FILE", "record the input to a file, up to a crash too",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.record); }},
-    Row{"--replay", "FILE", "replay recorded input",
+    Row{"--replay", "FILE", "replay recorded input, with its scene and seed",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.replay); }},
     Row{"--all-effects", "", "run all features of the engine (effects), requested or not",
         [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
@@ -127,15 +122,40 @@ constexpr auto kPlayerOptions = [] {
     return all;
 }();
 
-/// Fails if options that need rendered frames are combined with --headless.
-Result<Done> checkPictures(const PlayerOptions& options) {
-    const char* asked = !options.screenshot.empty() ? "--screenshot"
+/// Fails for --headless with an option that needs rendered frames, and for --replay or --record with one that
+/// would make the game another one than the recorded one.
+Result<Done> checkTogether(const PlayerOptions& options) {
+    const char* drawn = !options.screenshot.empty() ? "--screenshot"
                         : !options.capture.empty()  ? "--capture"
                         : options.physicsView.on    ? "--physics-view"
                                                     : nullptr;
-    if (!options.headless || asked == nullptr) return Done{};
-    return Error{"command line", format("{} needs rendered frames, but --headless renders none", asked),
-                 "leave out --headless: without a display the game renders offscreen"};
+    if (options.headless && drawn != nullptr)
+        return Error{"command line", format("{} needs rendered frames, but --headless renders none", drawn),
+                     "leave out --headless: without a display the game renders offscreen"};
+    struct Refused {
+        bool given;
+        std::string_view name;
+        std::string_view why;
+        bool inRecordings = false;  ///< refused with --record, too
+    };
+    const std::array refused{
+        Refused{!options.scene.empty(), "--scene", "a replay begins with the scene that was recorded"},
+        Refused{options.seed.has_value(), "--seed", "a replay uses the seed that was recorded"},
+        Refused{options.effects, "--effects", "it plays without input"},
+        Refused{options.benchmark, "--benchmark", "it plays no project"},
+        Refused{options.allEffects, "--all-effects",
+                "which effects run is part of the state, so every hash differs, even where results do not",
+                true},
+    };
+    for (const auto& [given, name, why, inRecordings] : refused) {
+        const char* with = !options.replay.empty()                   ? "--replay"
+                           : inRecordings && !options.record.empty() ? "--record"
+                                                                     : nullptr;
+        if (given && with != nullptr)
+            return Error{"command line", format("{} cannot be used with {}: {}", name, with, why),
+                         format("leave out {} or {}", name, with)};
+    }
+    return Done{};
 }
 
 }  // namespace
@@ -152,7 +172,7 @@ Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments)
         return Done{};
     });
     if (!read) return read.error();
-    if (const Result<Done> drawn = checkPictures(options); !drawn) return drawn.error();
+    if (const Result<Done> fits = checkTogether(options); !fits) return fits.error();
     return options;
 }
 
@@ -168,7 +188,7 @@ Result<PlayerOptions> parseGameOptions(std::span<const char* const> arguments) {
                          "run with --help to list the options"};
         });
     if (!read) return read.error();
-    if (const Result<Done> drawn = checkPictures(options); !drawn) return drawn.error();
+    if (const Result<Done> fits = checkTogether(options); !fits) return fits.error();
     return options;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,20 +15,20 @@ namespace plumb {
 /// Command line options of the player.
 struct PlayerOptions {
     std::string project = "projects/platformer";
-    std::string scene;           ///< empty: the project's start scene
-    bool headless = false;       ///< no window, OpenGL or audio
-    std::int64_t frames = -1;    ///< number of ticks to play; -1: until closed
-    bool hash = false;           ///< print `hash: …` of the simulation state at the end
-    std::int64_t hashEvery = 0;  ///< print the hash every this many ticks; 0: never
-    std::string screenshot;      ///< path of a PNG file for the last frame
-    std::string capture;         ///< folder for PNG files of every frame
-    std::string record;          ///< path of a file to record input to
-    std::string replay;          ///< path of a file to replay input from
-    bool allEffects = false;     ///< run all effects (features of the engine), requested or not
-    bool effects = false;        ///< list the effects of the scene and their cost
-    bool benchmark = false;      ///< run the benchmark instead of a project
-    int entities = 0;            ///< number of entities of the benchmark; 0: default
-    std::uint64_t seed = 1;      ///< seed of the game's random numbers
+    std::string scene;                  ///< empty: the project's start scene
+    bool headless = false;              ///< no window, OpenGL or audio
+    std::int64_t frames = -1;           ///< number of ticks to play; -1: until closed
+    bool hash = false;                  ///< print `hash: …` of the simulation state at the end
+    std::int64_t hashEvery = 0;         ///< print the hash every this many ticks; 0: never
+    std::string screenshot;             ///< path of a PNG file for the last frame
+    std::string capture;                ///< folder for PNG files of every frame
+    std::string record;                 ///< path of a file to record input to
+    std::string replay;                 ///< path of a file to replay input from
+    bool allEffects = false;            ///< run all effects (features of the engine), requested or not
+    bool effects = false;               ///< list the effects of the scene and their cost
+    bool benchmark = false;             ///< run the benchmark instead of a project
+    int entities = 0;                   ///< number of entities of the benchmark; 0: default
+    std::optional<std::uint64_t> seed;  ///< seed of the game's random numbers; see seedOf()
     int scale = 0;     ///< window size in multiples of the game resolution; 0: the project's window size
     int threads = 0;   ///< threads of the physics; 0: automatic
     PixelSize window;  ///< px, window size; empty: the project's window size
@@ -36,8 +37,12 @@ struct PlayerOptions {
     bool help = false;
 };
 
+/// Returns the seed of the game's random numbers: 1 if the options contain none.
+inline std::uint64_t seedOf(const PlayerOptions& options) { return options.seed.value_or(1); }
+
 /// Parses the options of plumb-player.
-/// @error an unknown option, or a missing or invalid value; the remedy suggests the closest option
+/// @error an unknown option, the remedy suggests the closest one; a missing or invalid value; options that
+/// contradict each other
 Result<PlayerOptions> parsePlayerOptions(std::span<const char* const> arguments);
 
 /// Returns the help text of plumb-player.

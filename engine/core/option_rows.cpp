@@ -1,5 +1,7 @@
 #include "core/option_rows.hpp"
 
+#include <algorithm>
+
 #include "core/text.hpp"
 
 namespace plumb {
@@ -52,6 +54,22 @@ Error wrongValue(const OptionHelp& option, const std::string_view* value) {
             value == nullptr ? format("{} needs a value", option.name)
                              : format("invalid value \"{}\" for {}", *value, option.name),
             format("write {}: {}", usage, option.doc)};
+}
+
+bool setText(std::string_view text, std::string& field) {
+    field = text;
+    return !text.empty();
+}
+
+bool setPngPath(std::string_view text, std::string& field) {
+    constexpr std::string_view kEnding = ".png";
+    const auto inLowerCase = [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    };
+    field = text;
+    return text.size() >= kEnding.size() &&
+           std::equal(kEnding.begin(), kEnding.end(), text.end() - kEnding.size(),
+                      [&](char wanted, char c) { return wanted == inLowerCase(c); });
 }
 
 }  // namespace plumb

@@ -34,6 +34,11 @@ Error unknownOption(std::string_view name, std::span<const OptionHelp> options);
 /// @param value  the given value; null if it is missing
 Error wrongValue(const OptionHelp& option, const std::string_view* value);
 
+/// Functions for `set`. Return false for an empty text.
+bool setText(std::string_view text, std::string& field);
+/// Returns false, too, if the path does not end with ".png", in letters of either case.
+bool setPngPath(std::string_view text, std::string& field);
+
 template <class Options>
 std::vector<OptionHelp> helpOf(std::span<const OptionRow<Options>> rows) {
     std::vector<OptionHelp> help;

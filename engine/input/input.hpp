@@ -14,15 +14,18 @@ class Input {
 public:
     explicit Input(ActionMap map = ActionMap::defaults());
 
-    /// True if the action begins, is held, or ends in this tick; false for actions that are not in the map.
+    /// True in the tick in which the action begins; false for actions that are not in the map, as isHeld()
+    /// and isReleased() are.
     [[nodiscard]] bool isPressed(Action action) const;
+    /// True from the tick in which the action begins, as long as a key or button of it is held.
     [[nodiscard]] bool isHeld(Action action) const;
+    /// True in the first tick in which the action is not held any more.
     [[nodiscard]] bool isReleased(Action action) const;
 
     /// Returns the value of an axis, -1..1. A key or button gives -1 or 1 and overrides sticks.
     [[nodiscard]] float getAxis(Axis axis) const;
 
-    /// Direct access to keys and buttons, without bindings, for tools and text games.
+    /// The same for a key or a button of the mouse itself, without bindings.
     [[nodiscard]] bool isPressed(Key key) const { return frame_.has(key) && !previous_.has(key); }
     [[nodiscard]] bool isHeld(Key key) const { return frame_.has(key); }
     [[nodiscard]] bool isReleased(Key key) const { return !frame_.has(key) && previous_.has(key); }
@@ -50,7 +53,8 @@ public:
     [[nodiscard]] const ActionMap& map() const { return map_; }
     void setMap(ActionMap map);
 
-    /// Logs pressed actions as "[Input] Jump pressed". Off by default, because a log line allocates memory.
+    /// Logs pressed actions as "[Input] Jump pressed". A game that runs in a window begins with true;
+    /// onCreate() can set false. False otherwise, because a log line allocates memory.
     bool logging = false;
 
 private:

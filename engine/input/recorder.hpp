@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/file.hpp"
@@ -37,10 +40,10 @@ struct Replay {
     static constexpr std::size_t kMaxCheckpoints = std::size_t{1} << 20;
     static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-    std::string project;  ///< name of the project
-    std::string engine;   ///< version of the engine that recorded it
-    std::string scene;    ///< path of the first scene
-    std::uint64_t seed = 0;
+    std::string project;     ///< name of the project
+    std::string engine;      ///< version of the engine that recorded it
+    std::string scene;       ///< path of the first scene
+    std::uint64_t seed = 1;  ///< in a file without one, that of a game without --seed
     std::vector<InputRun> runs;
     std::vector<HashCheck> checkpoints;  ///< in ascending order of ticks
 
@@ -93,6 +96,39 @@ std::string writeReplay(const Replay& replay);
 Result<Replay> parseReplay(std::string_view text, std::string_view where);
 
 Result<Done> saveReplay(const Replay& replay, const Path& path);
+
+/// The file of a recording in progress. It is a whole replay after every update(), so that a crash of the
+/// program loses none of it.
+class RecordingFile {
+public:
+    /// Replaces the file, atomically, by a replay without ticks. Creates missing folders.
+    /// @error the file cannot be written
+    static Result<RecordingFile> create(const Path& path, const Replay& replay);
+
+    /// Writes what was recorded since the last call, over the end of the file. Allocates memory only when the
+    /// input has changed or a hash was recorded.
+    /// @error the file cannot be written, e.g. the disk is full: it is again what it was before the call, and
+    /// the error says how many ticks it has. Do not call update() again after an error.
+    Result<Done> update(const Recorder& recorder);
+
+private:
+    using Handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+    RecordingFile(Path path, Handle file, std::string_view header);
+    bool write(std::string_view text);
+    bool restoreEnd();
+
+    Path path_;
+    Handle file_;
+    long final_;               // bytes from the file's start that do not change any more
+    std::string end_;          // the file's text after the final part
+    std::uint64_t ticks_ = 0;  // number of ticks in the file
+    std::size_t runs_ = 0;     // number of runs in the file; all but the last are final
+    std::size_t checks_ = 0;   // number of checkpoints in the file
+    std::string changes_;      // changes of the input of the last run, as text
+    std::string text_;         // next text after the final part; a member, so that its memory is reused
+};
+
 Result<Replay> loadReplay(const Path& path);
 
 }  // namespace plumb

@@ -1,6 +1,11 @@
+#include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "core/text.hpp"
@@ -26,6 +31,7 @@ namespace plumb {
 namespace {
 
 constexpr std::string_view kMark = "plumb-replay";
+constexpr std::size_t kNameBytes = 1024;  // maximum size of a project's, engine's or scene's name
 
 // ---- writing ------------------------------------------------------------------------------------
 
@@ -81,7 +87,7 @@ std::optional<std::uint64_t> parseCount(std::string_view text, std::uint64_t lim
 
 std::optional<std::int16_t> parseShort(std::string_view text) {
     const std::optional<std::int64_t> value = parseInt(text);
-    if (!value || *value < -32767 || *value > 32767) return std::nullopt;
+    if (!value || *value < -32768 || *value > 32767) return std::nullopt;
     return static_cast<std::int16_t>(*value);
 }
 
@@ -222,7 +228,7 @@ private:
     }
 
     static std::string readHeader(std::string& field, std::string_view value) {
-        if (value.size() > 1024) return "the name is longer than 1024 characters";
+        if (value.size() > kNameBytes) return format("the name is longer than {} bytes", kNameBytes);
         field = value;
         return {};
     }
@@ -286,21 +292,34 @@ private:
     bool ended_ = false;
 };
 
-/// Replaces control characters by spaces, because a name must fit on one line.
+/// Replaces control characters by spaces, because a name must fit on one line. Cuts a long one between two
+/// characters, as a part of a character is not UTF-8.
 std::string oneLine(std::string_view text) {
-    std::string line{text.substr(0, 1024)};
+    std::size_t end = std::min(text.size(), kNameBytes);
+    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+    std::string line{text.substr(0, end)};
     for (char& c : line) {
         if (static_cast<unsigned char>(c) < 0x20) c = ' ';
     }
     return line;
 }
 
+std::string headerOf(const Replay& replay) {
+    return format("{} {}\n", kMark, Replay::kFormat) + format("project {}\nengine {}\nscene {}\nseed {}\n",
+                                                              oneLine(replay.project), oneLine(replay.engine),
+                                                              oneLine(replay.scene), hexText(replay.seed));
+}
+
+void writeCheck(std::string& out, const HashCheck& check) {
+    out += format("check {} {}\n", check.tick, hexText(check.hash));
+}
+
+void writeEnd(std::string& out, std::uint64_t ticks) { out += format("end {}\n", ticks); }
+
 }  // namespace
 
 std::string writeReplay(const Replay& replay) {
-    std::string out = format("{} {}\n", kMark, Replay::kFormat);
-    out += format("project {}\nengine {}\nscene {}\nseed {}\n", oneLine(replay.project),
-                  oneLine(replay.engine), oneLine(replay.scene), hexText(replay.seed));
+    std::string out = headerOf(replay);
     InputFrame before;
     for (const InputRun& run : replay.runs) {
         if (run.ticks == 0) continue;
@@ -309,9 +328,8 @@ std::string writeReplay(const Replay& replay) {
         out += '\n';
         before = run.frame;
     }
-    for (const HashCheck& check : replay.checkpoints)
-        out += format("check {} {}\n", check.tick, hexText(check.hash));
-    out += format("end {}\n", replay.ticks());
+    for (const HashCheck& check : replay.checkpoints) writeCheck(out, check);
+    writeEnd(out, replay.ticks());
     return out;
 }
 
@@ -321,6 +339,69 @@ Result<Replay> parseReplay(std::string_view text, std::string_view where) {
 
 Result<Done> saveReplay(const Replay& replay, const Path& path) {
     return writeFile(path, writeReplay(replay));
+}
+
+Result<RecordingFile> RecordingFile::create(const Path& path, const Replay& replay) {
+    const std::string header = headerOf(replay);
+    std::string text = header;
+    writeEnd(text, 0);
+    if (const Result<Done> written = writeFile(path, text); !written) return written.error();
+    Handle file{std::fopen(path.string().c_str(), "r+b"), &std::fclose};
+    if (!file)
+        return Error{path.generic_string(), format("could not be opened: {}", std::strerror(errno)),
+                     "check its permissions"};
+    std::setvbuf(file.get(), nullptr, _IONBF, 0);  // a buffer would be lost in a crash
+    return RecordingFile{path, std::move(file), header};
+}
+
+RecordingFile::RecordingFile(Path path, Handle file, std::string_view header)
+    : path_{std::move(path)}, file_{std::move(file)}, final_{static_cast<long>(header.size())} {
+    writeEnd(end_, 0);
+}
+
+/// Writes a text after the final part. The file never becomes shorter, because numbers of ticks only grow.
+bool RecordingFile::write(std::string_view text) {
+    return std::fseek(file_.get(), final_, SEEK_SET) == 0 &&
+           std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size();
+}
+
+/// Makes the file what it was before a write that failed. Needs no space on the disk.
+bool RecordingFile::restoreEnd() {
+    if (!write(end_)) return false;
+    std::error_code failed;
+    std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(final_) + end_.size(), failed);
+    return !failed;
+}
+
+Result<Done> RecordingFile::update(const Recorder& recorder) {
+    const Replay& replay = recorder.replay;
+    const auto addRun = [&](const InputRun& run) {
+        text_ += format("{}", run.ticks);
+        text_ += changes_;
+        text_ += '\n';
+    };
+    text_.clear();
+    for (; runs_ < replay.runs.size(); ++runs_) {
+        const InputRun* before = runs_ > 0 ? &replay.runs[runs_ - 1] : nullptr;
+        if (before != nullptr) addRun(*before);
+        changes_.clear();
+        writeChanges(changes_, before != nullptr ? before->frame : InputFrame{}, replay.runs[runs_].frame);
+    }
+    for (; checks_ < replay.checkpoints.size(); ++checks_) writeCheck(text_, replay.checkpoints[checks_]);
+    const auto becameFinal = static_cast<long>(text_.size());
+    if (!replay.runs.empty()) addRun(replay.runs.back());
+    writeEnd(text_, recorder.ticks());
+    if (!write(text_)) {
+        const std::string why = std::strerror(errno);
+        return Error{path_.generic_string(),
+                     restoreEnd() ? format("the recording ends after {} ticks: {}", ticks_, why)
+                                  : format("the recording is damaged after {} ticks: {}", ticks_, why),
+                     "free some space on the disk and record again"};
+    }
+    final_ += becameFinal;
+    end_.assign(text_, static_cast<std::size_t>(becameFinal));
+    ticks_ = recorder.ticks();
+    return Done{};
 }
 
 Result<Replay> loadReplay(const Path& path) {

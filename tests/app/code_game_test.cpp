@@ -125,6 +125,22 @@ TEST_F(CodeGame, itsReplayScoresEndsAndBeginsAgain) {
     EXPECT_NE(output_.find("differs from the recorded one"), std::string::npos) << output_;
 }
 
+TEST_F(CodeGame, anErrorNamesTheVariableThatTheOptionIsIn) {
+    setenv("PLUMB_OPTIONS", "--headless  --seed 3", 1);
+    EXPECT_EQ(run("--replay a.replay"), 2);
+    EXPECT_NE(output_.find("PLUMB_OPTIONS: --seed cannot be used with --replay"), std::string::npos)
+        << output_;
+    EXPECT_EQ(run("--frames"), 2);
+    EXPECT_NE(output_.find("command line: --frames needs a value"), std::string::npos) << output_;
+    setenv("PLUMB_OPTIONS", "--headles", 1);
+    EXPECT_EQ(run("--frames 1"), 2);
+    EXPECT_NE(output_.find("PLUMB_OPTIONS: unknown option"), std::string::npos) << output_;
+    setenv("PLUMB_OPTIONS", "--headless --frames 9", 1);
+    EXPECT_EQ(run("--frames 1 --hash-every 1"), 0) << output_;
+    EXPECT_EQ(output_.find("hash 2: "), std::string::npos) << "the command line counts: " << output_;
+    unsetenv("PLUMB_OPTIONS");
+}
+
 TEST_F(CodeGame, theOptionsAreThoseOfThePlayer) {
     EXPECT_EQ(run("--headless --frames 60 --hash"), 0) << output_;
     EXPECT_NE(output_.find("hash: "), std::string::npos) << output_;

@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "app/sound_place.hpp"
+#include "core/log.hpp"
+#include "core/text.hpp"
 #include "input/recorder.hpp"
 #include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/systems/camera_system.hpp"
+#include "tests/support/file_size_limit.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
 namespace {
@@ -37,20 +41,19 @@ class Recorded : public Game {
 public:
     explicit Recorded(Path file) : file_{std::move(file)} {}
 
-    std::uint64_t found = 0;  ///< ticks in the file, the same as if the game were killed now
+    std::uint64_t found = 0;  ///< number of ticks in which the file held all, as if the game were killed now
 
 private:
     void onUpdate(float) override {
-        if (world.tick < 700 || !std::filesystem::exists(file_)) return;
         const Result<Replay> replay = loadReplay(file_);
-        ASSERT_TRUE(replay);
-        found = replay->ticks();
+        ASSERT_TRUE(replay) << replay.error().text();
+        found += replay->ticks() == world.tick ? 1u : 0u;
     }
 
     Path file_;
 };
 
-TEST(Recording, aKilledGameLosesOnlyTheLastSecondsOfItsRecording) {
+TEST(Recording, aKilledGameLosesNothingOfItsRecording) {
     const Path file = std::filesystem::temp_directory_path() / "plumb_recording_test.replay";
     std::filesystem::remove(file);
     PlayerOptions options;
@@ -59,11 +62,52 @@ TEST(Recording, aKilledGameLosesOnlyTheLastSecondsOfItsRecording) {
     options.record = file.string();
     Recorded game{file};
     EXPECT_EQ((GameLoop{game, nullptr, options, "recorded"}.run()), 0);
-    EXPECT_EQ(game.found, 600u);
+    EXPECT_EQ(game.found, 701u);
     const Result<Replay> whole = loadReplay(file);
     ASSERT_TRUE(whole);
     EXPECT_EQ(whole->ticks(), 701u);
     std::filesystem::remove(file);
+}
+
+TEST(Recording, onAFullDiskTheGameGoesOnAndOneErrorNamesTheTicksOfTheFile) {
+    const test::TemporaryFolder folder;
+    const Path file = folder.path / "run.replay";
+    PlayerOptions options;
+    options.headless = true;
+    options.frames = 701;
+    options.record = file.string();
+    const auto play = [&] {
+        Game game;
+        const int code = GameLoop{game, nullptr, options, "recorded"}.run();
+        EXPECT_EQ(game.world.tick, 701u);
+        return code;
+    };
+    ASSERT_EQ(play(), 0);
+    // The last bytes are the hash after the last tick, those before the hash after 600.
+    const std::uintmax_t size = std::filesystem::file_size(file);
+    for (const auto& [missing, ticks] : {std::pair{1, 701}, std::pair{50, 600}}) {
+        std::vector<std::string> errors;
+        const LogSink before = setLogSink([&](const LogLine& line) {
+            if (line.level == LogLevel::Error) errors.push_back(line.text);
+        });
+        {
+            const test::FileSizeLimit limit{size - static_cast<std::uintmax_t>(missing)};
+            EXPECT_EQ(play(), 1);
+        }
+        setLogSink(before);
+        ASSERT_EQ(errors.size(), 1u) << missing;
+        EXPECT_NE(errors[0].find(format("ends after {} ticks", ticks)), std::string::npos) << errors[0];
+        const Result<Replay> read = loadReplay(file);
+        ASSERT_TRUE(read.ok()) << read.error().text();
+        EXPECT_EQ(read->ticks(), static_cast<std::uint64_t>(ticks));
+    }
+}
+
+TEST(Recording, aReplayWithoutASeedHasThatOfAGameWithoutTheOption) {
+    const Result<Replay> replay = parseReplay("plumb-replay 1\nend 0\n", "run.replay");
+    ASSERT_TRUE(replay.ok());
+    EXPECT_EQ(replay->seed, seedOf(PlayerOptions{}));
+    EXPECT_EQ(replay->scene, PlayerOptions{}.scene);
 }
 
 TEST(Recording, aReplayStartsLikeItsGame) {
@@ -76,9 +120,6 @@ TEST(Recording, aReplayStartsLikeItsGame) {
     options.replay = file.string();
     EXPECT_EQ(begunAsRecorded(options, "Any")->scene, replay.scene) << "a replay that names no project";
     EXPECT_EQ(begunAsRecorded(options, "Any")->seed, 42u);
-    options.scene = "level3";
-    EXPECT_EQ(begunAsRecorded(options, "Any")->scene, "level3")
-        << "the option has priority over the recording";
     std::filesystem::remove(file);
     EXPECT_FALSE(begunAsRecorded(options, "Any").ok()) << "the file is missing";
     options.replay.clear();

@@ -53,6 +53,33 @@ TEST(PlayerOptions, screenshotsAreRejectedInHeadlessMode) {
     EXPECT_TRUE(parsed({"--screenshot", "a.png"}).ok());
 }
 
+TEST(PlayerOptions, aPictureIsPngAndTheErrorSaysSo) {
+    EXPECT_EQ(parsed({"--screenshot", "a.jpg"}).error().text(),
+              "command line: invalid value \"a.jpg\" for --screenshot; write --screenshot FILE.png: save the "
+              "last frame as a PNG image; no other format");
+}
+
+TEST(PlayerOptions, whatWouldMakeAReplayAnotherGameIsRefusedWithTheReason) {
+    for (const std::vector<const char*>& words : std::vector<std::vector<const char*>>{
+             {"--scene", "level2"}, {"--seed", "1"}, {"--all-effects"}, {"--effects"}, {"--benchmark"}}) {
+        EXPECT_TRUE(parsed(words).ok()) << words.front();
+        std::vector<const char*> both = words;
+        both.insert(both.begin(), {"--replay", "a.replay"});
+        const auto options = parsed(both);
+        ASSERT_FALSE(options.ok()) << words.front();
+        EXPECT_NE(options.error().what.find(format("{} cannot be used with --replay: ", words.front())),
+                  std::string::npos)
+            << options.error().text();
+        EXPECT_NE(options.error().remedy.find(format("leave out {}", words.front())), std::string::npos);
+    }
+    EXPECT_EQ(parsed({"--record", "a.replay", "--all-effects"}).error().text(),
+              "command line: --all-effects cannot be used with --record: which effects run is part of the "
+              "state, so every hash differs, even where results do not; leave out --all-effects or --record");
+    EXPECT_TRUE(parsed({"--record", "a.replay", "--seed", "7", "--scene", "level2"}).ok());
+    EXPECT_TRUE(parsed({"--replay", "a.replay", "--record", "b.replay", "--frames", "9", "--headless"}).ok());
+    EXPECT_FALSE(parseGameOptions(std::vector{"--replay=a.replay", "--seed=3"}).ok());
+}
+
 TEST(PlayerOptions, theHelpStandsInColumnsThatFitATerminal) {
     const std::string usage = playerUsage();
     ASSERT_EQ(usage.find("usage: plumb-player [PROJECT] [options]\n\n"), 0u);

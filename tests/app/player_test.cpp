@@ -1,11 +1,15 @@
 #include "app/player.hpp"
 
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "core/file.hpp"
 #include "core/log.hpp"
+#include "input/recorder.hpp"
 #include "scene/systems/physics_system.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -35,6 +39,10 @@ protected:
     std::vector<std::string> reported;
     PlayerOptions options;
 
+    void write(std::string_view path, std::string_view text) {
+        ASSERT_TRUE(writeFile(folder_.path / path, text).ok());
+    }
+
 private:
     test::TemporaryFolder folder_;
     LogSink before_;
@@ -56,6 +64,52 @@ TEST_F(PlayerTest, doesNotStartWithErrorsOfTheCodeAndReportsEachOnce) {
                   "code: system \"Sleeper\": there is no system \"Physic\" to run before or after; use "
                   "a system of the engine, e.g. before<PhysicsSystem>(), or one that the code adds "
                   "earlier"}));
+}
+
+TEST_F(PlayerTest, reportsMissingFilesOfAssetsWithoutAWindowToo) {
+    write("scenes/a.scene.json", R"({"format": 1, "entities": [{"id": "0000000000000001", "components": {
+        "Transform": {}, "Sprite": {"texture": "assets/none.png"},
+        "SoundCues": {"step": "assets/none.wav"}}}]})");
+    EXPECT_EQ(playProject(options, {}), 0);
+    ASSERT_EQ(reported.size(), 2u);
+    std::sort(reported.begin(), reported.end());
+    EXPECT_EQ(reported[0].find("assets/none.png: there is no such file"), 0u) << reported[0];
+    EXPECT_EQ(reported[1].find("assets/none.wav: there is no such file"), 0u) << reported[1];
+}
+
+#if !defined(_WIN32)
+struct CrashAtTick97 {
+    void update(World& world, float) const {
+        if (world.tick == 97) std::abort();
+    }
+};
+
+TEST_F(PlayerTest, keepsTheRecordingOfAGameThatCrashesUpToTheTickOfTheCrash) {
+    const Path file = Path{options.project} / "crash.replay";
+    options.record = file.string();
+    options.seed = 5;
+    options.frames = -1;
+    Module code;
+    code.system<CrashAtTick97>();
+    const auto crash = [&] { return playProject(options, code); };
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGABRT), "");
+    const Result<Replay> kept = loadReplay(file);
+    ASSERT_TRUE(kept.ok()) << kept.error().text();
+    EXPECT_EQ(kept->ticks(), 97u) << "with the input of the tick of the crash";
+    EXPECT_EQ(kept->seed, 5u);
+
+    options.replay = std::exchange(options.record, {});
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGABRT), "") << "the replay crashes as the game did";
+    EXPECT_EQ(playProject(options, {}), 0) << "without the fault it is played to its end";
+    EXPECT_TRUE(reported.empty()) << reported.front();
+}
+#endif
+
+TEST_F(PlayerTest, aRecordingThatCannotBeWrittenIsAnErrorAtTheStart) {
+    options.record = (Path{options.project} / "project.json/mine.replay").string();
+    EXPECT_EQ(playProject(options, {}), 1);
+    ASSERT_EQ(reported.size(), 1u);
+    EXPECT_NE(reported[0].find("mine.replay: could not be written"), std::string::npos) << reported[0];
 }
 
 TEST_F(PlayerTest, playsItsOwnReplayAndRefusesThatOfAnotherProject) {

@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include "app/project.hpp"
 #include "app/scene_game.hpp"
 #include "core/text.hpp"
@@ -172,9 +174,42 @@ TEST_F(HeadlessTest, anExportedGamePlaysLikeTheProject) {
     EXPECT_FALSE(fs::exists(out / "game/.plumb"));
     EXPECT_TRUE(fs::exists(out / "game/notes.txt"));
     EXPECT_TRUE(fs::exists(out / "assets/fonts"));
+    ASSERT_TRUE(fs::exists(engineAssets() / "templates"));
+    EXPECT_FALSE(fs::exists(out / "assets/templates")) << "a game needs no templates";
+    EXPECT_FALSE(fs::exists(out / "assets/tools"));
     EXPECT_TRUE(fs::exists(out / "plumb-player")) << "the name that the script starts";
     EXPECT_NE(fs::status(out / "play").permissions() & fs::perms::owner_exec, fs::perms::none);
     EXPECT_EQ(hashAfter(out / "game", 60), hashAfter(root(), 60));
+}
+
+// On macOS before 12.3, readlink has no option -f.
+TEST_F(HeadlessTest, theScriptOfAnExportStartsTheGameThroughLinksWithAReadlinkWithoutOptions) {
+    putFile("player", "#!/bin/sh\ncat \"$(dirname \"$0\")/sign\" \"$1/sign\"; echo \"$2\"\n");
+    fs::permissions(root() / "player", fs::perms::owner_exec, fs::perm_options::add);
+    ASSERT_TRUE(exportIt(root() / "player").ok());
+    ASSERT_TRUE(writeFile(out / "sign", "player ").ok());
+    ASSERT_TRUE(writeFile(out / "game/sign", "game ").ok());
+    const Path links = root() / "with links";
+    fs::create_directories(links / "inner");
+    putFile("with links/bin/readlink",
+            "#!/bin/sh\ncase $1 in -*) exit 1 ;; esac\nPATH=/usr/bin:/bin exec readlink \"$1\"\n");
+    fs::permissions(links / "bin/readlink", fs::perms::owner_exec, fs::perm_options::add);
+    fs::create_symlink(out / "play", links / "absolute");
+    fs::create_symlink("../absolute", links / "inner/relative");
+    fs::create_symlink("with links/inner/relative", root() / "first");
+    fs::create_directory_symlink(out, links / "folder");
+    const std::pair<Path, std::string> calls[] = {{out, "./play"},       {"/", (out / "play").string()},
+                                                  {links, "./absolute"}, {links, "inner/relative"},
+                                                  {root(), "./first"},   {"/", (root() / "first").string()},
+                                                  {links, "folder/play"}};
+    for (const auto& [folder, program] : calls) {
+        const Path output = root() / "output";
+        const std::string command =
+            format("cd '{}' && PATH='{}':\"$PATH\" '{}' 'an option' > '{}' 2>&1", folder.string(),
+                   (links / "bin").string(), program, output.string());
+        EXPECT_EQ(std::system(command.c_str()), 0) << command;
+        EXPECT_EQ(*readFile(output), "player game an option\n") << command;
+    }
 }
 
 // Code loads them: assetsOf(world).loadSound("shot.wav"), spawn(world, "coin").
@@ -225,6 +260,8 @@ TEST(EditorOptionsTest, exportOptionsAreParsedAndListedInTheHelp) {
         EXPECT_NE(editorUsage().find(option), std::string::npos);
     const std::vector<const char*> cut{"--export"};
     EXPECT_FALSE(parseEditorOptions(cut).ok());
+    const std::vector<const char*> jpeg{"--screenshot", "a.jpg"};
+    EXPECT_FALSE(parseEditorOptions(jpeg).ok());
 }
 
 TEST(EditorOptionsTest, wrongOptionsAreReportedWithTheExpectedOnes) {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "core/text.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
@@ -173,6 +175,69 @@ TEST(Recorder, randomMutationsNeverCrashAndReadFilesAreWrittenBackUnchanged) {
         if (!read.ok()) continue;
         ASSERT_TRUE(parseReplay(writeReplay(*read), "x").ok());
     }
+}
+
+TEST(RecordingFile, isTheWholeReplayAfterEveryUpdate) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        const test::TemporaryFolder folder;
+        const Path path = folder.path / "deep" / "run.replay";
+        Random random = Random::seeded(seed);
+        Recorder recorder;
+        recorder.replay.project = "Sky Caves";
+        recorder.replay.seed = random.next64();
+        Result<RecordingFile> file = RecordingFile::create(path, recorder.replay);
+        ASSERT_TRUE(file.ok()) << file.error().text();
+        ASSERT_EQ(*loadReplay(path), recorder.replay);
+        InputFrame frame;
+        for (int i = 0; i < 150; ++i) {
+            if (random.below(3) == 0) frame = randomFrame(random);
+            // More than one tick between two updates, or none.
+            for (std::uint32_t ticks = random.below(4); ticks > 0; --ticks) recorder.record(frame);
+            if (random.below(5) == 0) recorder.check(random.next64());
+            ASSERT_TRUE(file->update(recorder).ok());
+            const Result<Replay> read = loadReplay(path);
+            ASSERT_TRUE(read.ok()) << read.error().text();
+            ASSERT_EQ(*read, recorder.replay) << i;
+        }
+    }
+}
+
+TEST(RecordingFile, onAFullDiskItKeepsTheTicksThatTheErrorNames) {
+    const test::TemporaryFolder folder;
+    const Path path = folder.path / "run.replay";
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        Recorder recorder;
+        Result<RecordingFile> file = RecordingFile::create(path, recorder.replay);
+        ASSERT_TRUE(file.ok());
+        const test::FileSizeLimit limit{std::filesystem::file_size(path) + random.below(400)};
+        Replay written = recorder.replay;
+        Result<Done> done{Done{}};
+        for (InputFrame frame; done.ok() && recorder.ticks() < 2000;) {
+            if (random.below(8) == 0) frame = randomFrame(random);
+            recorder.record(frame);
+            if (random.below(8) == 0) recorder.check(random.next64());
+            done = file->update(recorder);
+            if (done.ok()) written = recorder.replay;
+        }
+        const Result<Replay> read = loadReplay(path);
+        ASSERT_TRUE(read.ok()) << read.error().text();
+        ASSERT_EQ(*read, written);
+        ASSERT_FALSE(done.ok());
+        EXPECT_EQ(done.error().where, path.generic_string());
+        EXPECT_EQ(done.error().what.find(format("the recording ends after {} ticks: ", read->ticks())), 0u)
+            << done.error().text();
+    }
+}
+
+TEST(RecordingFile, thatCannotBeCreatedIsAnErrorWithTheReason) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeFile(folder.path / "file", "x").ok());
+    const Result<RecordingFile> file = RecordingFile::create(folder.path / "file" / "run.replay", {});
+    ASSERT_FALSE(file.ok());
+    EXPECT_FALSE(file.error().remedy.empty());
 }
 
 TEST(Recorder, aSavedReplayLoadsAndAMissingOneIsAnError) {

@@ -1,5 +1,8 @@
 #include "editor/model/headless/project_export.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <system_error>
 
 #include "core/text.hpp"
@@ -11,10 +14,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kScript = R"sh(#!/bin/sh
-here=$(cd "$(dirname "$0")" && pwd)
+file=$0
+while [ -L "$file" ]; do  # called through a link; readlink -f, which follows all, is missing on older macOS
+    target=$(readlink "$file")
+    case $target in
+        /*) file=$target ;;
+        *) file=$(dirname "$file")/$target ;;
+    esac
+done
+here=$(dirname "$file")
 exec "$here/plumb-player" "$here/game" "$@"
 )sh";
-constexpr std::string_view kNothing = "\n";  // a prefix that no path has
+constexpr std::array<std::string_view, 1> kNotOfTheGame{"code/"};  // the player contains it
+constexpr std::array<std::string_view, 2> kNotOfGames{"templates/", "tools/"};
 constexpr std::string_view kBatch = "@\"%~dp0plumb-player.exe\" \"%~dp0game\" %*\r\n";
 
 /// Copies and counts files until the first error, which it stores.
@@ -32,12 +44,16 @@ public:
         report_.bytes += fs::file_size(to, ignored);
     }
     /// Copies all files of a folder that are not hidden.
-    /// @param leftOut  files whose path starts with this are not copied
-    void copyAll(const Path& from, const Path& to, std::string_view leftOut = kNothing) {
+    /// @param leftOut  files whose path starts with one of these are not copied
+    void copyAll(const Path& from, const Path& to, std::span<const std::string_view> leftOut) {
+        const auto isLeftOut = [&](std::string_view path) {
+            return std::any_of(leftOut.begin(), leftOut.end(),
+                               [&](std::string_view start) { return startsWith(path, start); });
+        };
         AssetCatalog catalog{from};
         catalog.refresh();
         for (const AssetItem& file : catalog.all()) {
-            if (!file.folder && !startsWith(file.path, leftOut)) copy(from / file.path, to / file.path);
+            if (!file.folder && !isLeftOut(file.path)) copy(from / file.path, to / file.path);
         }
     }
     [[nodiscard]] Result<Done> result() const {
@@ -104,10 +120,11 @@ Result<ExportReport> exportProject(const Path& project, const Path& wanted, cons
 
     ExportReport report;
     Copier copier{report};
-    copier.copyAll(project, made / "game", "code/");  // the player contains it
-    copier.copyAll(parts.engineAssets, made / "assets");
+    copier.copyAll(project, made / "game", kNotOfTheGame);
+    copier.copyAll(parts.engineAssets, made / "assets", kNotOfGames);
     report.runnable = !parts.player.empty() && fs::is_regular_file(parts.player, ignored);
-    if (report.runnable) copier.copy(parts.player, made / ("plumb-player" + parts.player.extension().string()));
+    if (report.runnable)
+        copier.copy(parts.player, made / ("plumb-player" + parts.player.extension().string()));
     Result<Done> done = copier.result();
     if (done && report.runnable) done = writeScript(made, parts.player.extension() == ".exe");
     if (done) done = replace(made, target);

@@ -23,7 +23,7 @@ struct ExportReport {
 ///
 ///     FOLDER/play            starts the game
 ///     FOLDER/plumb-player    plays FOLDER/game
-///     FOLDER/assets/         the engine's assets
+///     FOLDER/assets/         the engine's assets, without those for making games
 ///     FOLDER/game/           the project, without hidden files: no journal, no backups
 ///
 /// The folder is created completely or not at all. An earlier export in it is replaced.

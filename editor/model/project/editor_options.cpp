@@ -5,17 +5,12 @@
 
 #include "core/option_rows.hpp"
 #include "core/text.hpp"
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 
 namespace plumb::editor {
 namespace {
 
 using Row = OptionRow<EditorOptions>;
-
-bool setText(std::string_view text, std::string& field) {
-    field = text;
-    return !text.empty();
-}
 
 bool setSize(EditorOptions& options, std::string_view text) {
     const std::vector<std::string_view> parts = split(text, 'x');
@@ -59,8 +54,8 @@ constexpr std::array kOptions{
     Row{"--export", "FOLDER",
         "copy the game, the player program and all files they need to a folder for distribution, then exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.exportTo); }},
-    Row{"--screenshot", "FILE.png", "write a screenshot of the window and exit",
-        [](EditorOptions& o, std::string_view v) { return setText(v, o.screenshot); }},
+    Row{"--screenshot", "FILE.png", "write a screenshot of the window as a PNG image and exit",
+        [](EditorOptions& o, std::string_view v) { return setPngPath(v, o.screenshot); }},
     Row{"--tour", "FILE", "run the actions of this script, take its screenshots and exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.tour); }},
     Row{"--import", "FILE [OUT]",

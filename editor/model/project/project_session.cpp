@@ -11,7 +11,6 @@
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
 #include "editor/model/play/game_session.hpp"
-#include "editor/model/project/project_templates.hpp"
 #include "editor/model/project/script_definitions.hpp"
 #include "import/import_file.hpp"
 #include "platform/paths.hpp"
@@ -199,19 +198,6 @@ int ProjectSession::exportTo(const std::string& folder) {
                 fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), folder.c_str(),
                 report->runnable ? "; start it with the program \"play\" in this folder"
                                  : "; start it with: plumb-player FOLDER/game");
-    return 0;
-}
-
-int newProject(const EditorOptions& options) {
-    std::error_code failed;
-    const Path folder = std::filesystem::absolute(options.newProject, failed).lexically_normal();
-    const std::string name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-    const Result<Path> made = createProject(*findTemplate(options.from), name, folder);
-    if (!made) {
-        std::fprintf(stderr, "plumb-editor: %s\n", made.error().text().c_str());
-        return 1;
-    }
-    std::printf("Created %s\n", made->string().c_str());
     return 0;
 }
 

@@ -74,9 +74,6 @@ private:
     std::unique_ptr<Workspace> workspace_;
 };
 
-/// Creates a project and prints its folder. @return the program's exit code
-int newProject(const EditorOptions& options);
-
 /// Imports a file of Tiled, LDtk or Aseprite as scenes or animations with their assets, and prints a report.
 /// @return exit code of the program
 int importFile(const EditorOptions& options);

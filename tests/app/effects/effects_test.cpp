@@ -90,6 +90,22 @@ TEST_P(EveryGameEffect, changesNoBitIfPinnedOnWithoutNeed) {
     }
 }
 
+/// Why --all-effects is refused with --replay.
+TEST(GameEffects, allOfThemPinnedOnChangeTheHashButNotWhatMoves) {
+    PileGame off, on;
+    for (const EffectRow& row : on.effects.table().rows()) on.effects.setProgramPin(row.name, Pin::On);
+    for (int i = 0; i < 120; ++i) {
+        off.play(1);
+        on.play(1);
+        for (auto [entity, place] : std::as_const(off.world).query<const Transform>()) {
+            const Transform& other = std::as_const(on.world).get<Transform>(entity.id());
+            ASSERT_EQ(place.position, other.position) << "after tick " << i;
+            ASSERT_EQ(place.rotation, other.rotation) << "after tick " << i;
+        }
+        ASSERT_NE(off.world.hash(), on.world.hash()) << "the pins are part of the physics' state";
+    }
+}
+
 TEST(GameEffects, timersAndTweensRunWhileThereAreAny) {
     for (const Pin pin : {Pin::Auto, Pin::Off}) {
         PileGame game;

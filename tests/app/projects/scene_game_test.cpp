@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/game_content.hpp"
 #include "core/log.hpp"
 #include "gameplay/game_functions.hpp"
 #include "gameplay/game_progress.hpp"
@@ -239,6 +240,64 @@ TEST(SceneGame, theErrorOfAMistypedSceneNamesTheNearestOne) {
             R"(scenes/levle2.scene.json: there is no such file; did you mean "scenes/level2.scene.json"?)",
             R"(scenes/puase.scene.json: there is no such file; did you mean "scenes/pause.scene.json"?)"}));
     EXPECT_EQ(currentScene(game), "scenes/level1.scene.json") << "the old one continues";
+}
+
+TEST(SceneGame, anEmptyNameOfASceneIsReportedAsSuch) {
+    SceneGame game{platformer(), "level1"};
+    game.assets.logging = false;
+    game.onCreate();
+    std::vector<std::string> logged;
+    const LogSink before = setLogSink([&](const LogLine& line) { logged.push_back(line.text); });
+    changeScene(game.world, "");
+    tickGame(game, {});
+    showOverlay(game.world, "");
+    tickGame(game, {});
+    setLogSink(before);
+    ASSERT_EQ(logged.size(), 2u);
+    EXPECT_EQ(logged[0],
+              "changeScene(\"\"): the name of the scene is empty; write that of a file in scenes/, "
+              "e.g. \"level2\"; restartScene() loads the current scene again");
+    EXPECT_EQ(logged[1].find("showOverlay(\"\"): the name"), 0u) << logged[1];
+    EXPECT_EQ(currentScene(game), "scenes/level1.scene.json");
+    EXPECT_EQ(game.world.resource<LoadedScenes>().scenes.size(), 1u);
+}
+
+struct HeroDied {};
+/// In tick 5 the hero dies, after the turn of the handler; some levels restart in the same tick.
+struct Deaths {
+    bool restarts = false;
+    int received = 0;
+};
+void openGameOver(World& world, const HeroDied&) {
+    ++world.service<Deaths>()->received;
+    showOverlay(world, "pause");
+}
+struct Fate {
+    void update(World& world, float) const {
+        if (world.tick != 5) return;
+        world.emit(HeroDied{});
+        if (world.service<Deaths>()->restarts) restartScene(world);
+    }
+};
+
+TEST(SceneGame, anEventOfALevelIsNotReceivedAfterItsRestart) {
+    Module module;
+    module.on<HeroDied, openGameOver>();
+    module.system<Fate>();
+    std::vector<Error> problems;
+    const GameContent content{std::move(module), problems};
+    ASSERT_TRUE(problems.empty()) << problems[0].text();
+    for (const bool restarts : {false, true}) {
+        SCOPED_TRACE(restarts);
+        Deaths deaths{restarts};
+        SceneGame game{platformer(), "level1", std::uint64_t{1}, content};
+        game.world.provide(deaths);
+        game.assets.logging = false;
+        game.onCreate();
+        for (int tick = 0; tick < 10; ++tick) tickGame(game, {});
+        EXPECT_EQ(deaths.received, restarts ? 0 : 1);
+        EXPECT_EQ(game.world.resource<LoadedScenes>().scenes.size(), restarts ? 1u : 2u);
+    }
 }
 
 TEST(SceneGame, aFieldOfAComponentNamesTheSceneToChangeTo) {

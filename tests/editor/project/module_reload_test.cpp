@@ -11,7 +11,7 @@
 #include "editor/model/play/game_session.hpp"
 #include "editor/model/project/module_library.hpp"
 #include "editor/model/project/project_session.hpp"
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "tests/editor/support/layout_edits.hpp"
 #include "tests/support/allocations.hpp"
 #include "tests/support/temporary_folder.hpp"

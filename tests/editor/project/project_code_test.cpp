@@ -6,7 +6,7 @@
 #include "editor/model/prefabs/make_prefab.hpp"
 #include "editor/model/prefabs/override_list.hpp"
 #include "editor/model/project/project_session.hpp"
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "platform/shared_library.hpp"
 #include "scene/components.hpp"
 #include "tests/editor/support/hands.hpp"

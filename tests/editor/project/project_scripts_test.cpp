@@ -3,7 +3,7 @@
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/project/project_session.hpp"
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "gameplay/label_values.hpp"
 #include "scene/components.hpp"
 #include "script/script_api.hpp"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "editor/model/project/project_session.hpp"
-#include "editor/model/project/project_templates.hpp"
 #include "editor/model/view/log_book.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "gameplay/components/actors/respawn.hpp"
 #include "gameplay/components/triggers/goal.hpp"
 #include "gameplay/components/triggers/kill_plane.hpp"

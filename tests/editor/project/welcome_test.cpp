@@ -1,8 +1,8 @@
 #include <cstdlib>
 
 #include "editor/model/project/project_session.hpp"
-#include "editor/model/project/project_templates.hpp"
 #include "editor/model/view/thumbnail.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

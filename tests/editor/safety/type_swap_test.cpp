@@ -10,12 +10,12 @@
 #include "editor/model/prefabs/override_list.hpp"
 #include "editor/model/prefabs/prefab_edit.hpp"
 #include "editor/model/project/project_habits.hpp"
-#include "editor/model/project/project_templates.hpp"
 #include "editor/model/project/settings.hpp"
 #include "editor/model/safety/journal.hpp"
 #include "editor/model/safety/scene_differences.hpp"
 #include "editor/model/tiles/tile_clipboard.hpp"
 #include "editor/model/view/view_file.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/support/type_swaps.hpp"
 

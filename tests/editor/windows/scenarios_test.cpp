@@ -4,7 +4,7 @@
 #include "editor/model/document/tile_layers.hpp"
 #include "editor/model/input/key_bindings.hpp"
 #include "editor/model/project/project_session.hpp"
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 #include "scene/components.hpp"
 #include "tests/editor/support/hands.hpp"
 #include "tests/support/places.hpp"

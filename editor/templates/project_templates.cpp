@@ -1,4 +1,4 @@
-#include "editor/model/project/project_templates.hpp"
+#include "editor/templates/project_templates.hpp"
 
 #include <algorithm>
 #include <array>
