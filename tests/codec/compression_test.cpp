@@ -1,5 +1,10 @@
 #include "codec/compression.hpp"
 
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "codec/base64.hpp"
@@ -161,23 +166,218 @@ TEST(PackTest, compressedDataIsRestored) {
 
 TEST(PackTest, repeatedBytesCompressWell) { EXPECT_LT(packZlib(std::string(65'536, 'x')).size(), 200u); }
 
-TEST(Base64Test, everyLengthReadsBackAndSpacesAreSkipped) {
+// ---- the formats, written by hand from their specifications ---------------------------------------
+
+std::string lowBytes(std::uint32_t word, int count) {
     std::string bytes;
-    for (int length = 0; length < 70; ++length) {
-        SCOPED_TRACE(length);
-        std::string text = toBase64(bytes);
-        EXPECT_EQ(text.size() % 4, 0u);
-        EXPECT_EQ(*bytesFromBase64(text, "test"), bytes);
-        text.insert(text.size() / 2, "\n   ");
-        EXPECT_EQ(*bytesFromBase64(text, "test"), bytes);
-        bytes += static_cast<char>(length * 37);
-    }
-    EXPECT_EQ(*bytesFromBase64("TWE", "test"), "Ma");
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>(word >> (8 * i) & 255);
+    return bytes;
 }
 
-TEST(Base64Test, textThatIsNotBase64IsRejected) {
-    for (const char* text : {"A", "AAAAA", "AA=A", "A===", "!!!!", "AA-_", "====", "QUJD=QUJD"}) {
-        EXPECT_FALSE(bytesFromBase64(text, "test").ok()) << text;
+/// RFC 1950, section 9, in the order of the file: high byte first.
+std::string adler32(std::string_view bytes) {
+    std::uint32_t a = 1, b = 0;
+    for (const char c : bytes) {
+        a = (a + static_cast<unsigned char>(c)) % 65521;
+        b = (b + a) % 65521;
+    }
+    const std::string low = lowBytes(b << 16 | a, 4);
+    return {low.rbegin(), low.rend()};
+}
+
+/// RFC 1952, section 8, bit by bit.
+std::string crc32(std::string_view bytes) {
+    std::uint32_t crc = 0xffffffffu;
+    for (const char c : bytes) {
+        crc ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+    }
+    return lowBytes(~crc, 4);
+}
+
+/// RFC 1951, section 3.2.4: blocks without compression.
+std::string storedBlocks(std::string_view bytes) {
+    std::string out;
+    do {
+        const std::string_view part = bytes.substr(0, 65'535);
+        bytes.remove_prefix(part.size());
+        const auto length = static_cast<std::uint32_t>(part.size());
+        out += static_cast<char>(bytes.empty() ? 1 : 0);
+        out += lowBytes(length, 2) + lowBytes(~length, 2);
+        out += part;
+    } while (!bytes.empty());
+    return out;
+}
+
+std::string storedZlib(std::string_view bytes) { return "\x78\x01" + storedBlocks(bytes) + adler32(bytes); }
+
+std::string storedGzip(std::string_view bytes) {
+    using namespace std::string_literals;
+    return "\x1f\x8b\x08\0\0\0\0\0\0\xff"s + storedBlocks(bytes) + crc32(bytes) +
+           lowBytes(static_cast<std::uint32_t>(bytes.size()), 4);
+}
+
+/// RFC 8878, section 3.1.1: a frame of blocks of at most 1,000 bytes without compression.
+/// @param isSized  the header contains the number of bytes, which is at most 65,791
+std::string storedZstd(std::string_view bytes, bool isSized) {
+    std::string out = "\x28\xb5\x2f\xfd";
+    if (isSized && bytes.size() < 256) {
+        out += "\x20" + lowBytes(static_cast<std::uint32_t>(bytes.size()), 1);
+    } else if (isSized) {
+        out += "\x60" + lowBytes(static_cast<std::uint32_t>(bytes.size() - 256), 2);
+    } else {
+        out += std::string(2, '\0');  // a window of 1 KiB
+    }
+    do {
+        const std::string_view part = bytes.substr(0, 1000);
+        bytes.remove_prefix(part.size());
+        out += lowBytes(static_cast<std::uint32_t>(part.size() << 3) | (bytes.empty() ? 1u : 0u), 3);
+        out += part;
+    } while (!bytes.empty());
+    return out;
+}
+std::string sizedZstd(std::string_view bytes) { return storedZstd(bytes, true); }
+std::string unsizedZstd(std::string_view bytes) { return storedZstd(bytes, false); }
+
+std::string randomBytes(std::size_t count, std::uint64_t seed) {
+    Random random = Random::seeded(seed);
+    std::string bytes;
+    while (bytes.size() < count) bytes += static_cast<char>(random.below(256));
+    return bytes;
+}
+
+std::string errorOf(const Result<std::string>& result) {
+    return result.ok() ? format("no error, but {} bytes", result->size()) : result.error().text();
+}
+
+/// The whole text of an error of the data "map.tmx".
+std::string damagedText(std::string_view what) {
+    return format("map.tmx: {}; the file is damaged or too large; export it again", what);
+}
+
+struct Format {
+    const char* name;
+    std::string (*pack)(std::string_view);
+    Unpack unpack;
+};
+
+constexpr std::array<Format, 4> kFormats{{{"zlib", storedZlib, unpackZlib},
+                                          {"gzip", storedGzip, unpackGzip},
+                                          {"zstd", unsizedZstd, unpackZstd},
+                                          {"zstd with its size", sizedZstd, unpackZstd}}};
+
+TEST(UnpackTest, dataOfEverySizeIsUnpackedUpToTheLimitAndNotBeyond) {
+    for (const Format& packing : kFormats) {
+        SCOPED_TRACE(packing.name);
+        for (const std::size_t size : {0, 1, 2, 255, 256, 4095, 4096, 4097, 8191, 8192, 8193, 12'288, 16'383,
+                                       16'384, 16'385, 65'535}) {
+            SCOPED_TRACE(size);
+            const std::string bytes = randomBytes(size, size);
+            const std::string packed = packing.pack(bytes);
+            for (const std::size_t limit : {size, size + 1, 2 * size, kRoom}) {
+                const Result<std::string> unpacked = packing.unpack(packed, limit, "map.tmx");
+                ASSERT_TRUE(unpacked.ok()) << limit << ": " << unpacked.error().text();
+                ASSERT_TRUE(*unpacked == bytes) << limit;
+            }
+            if (size == 0) continue;
+            for (const std::size_t limit : {size - 1, size / 2, std::size_t{0}}) {
+                const std::string error = errorOf(packing.unpack(packed, limit, "map.tmx"));
+                const bool isSeenLate = packing.pack == unsizedZstd;
+                EXPECT_EQ(
+                    error,
+                    damagedText(isSeenLate ? format("the packed data is damaged or unpacks to more than "
+                                                    "{} bytes: Destination buffer is too small",
+                                                    limit)
+                                           : format("the packed data unpacks to more than {} bytes", limit)));
+            }
+        }
+    }
+}
+
+TEST(UnpackTest, memoryIsTakenForTheContentAndNotBeyondTheLimit) {
+    for (const Format& packing : {kFormats[0], kFormats[1]}) {
+        SCOPED_TRACE(packing.name);
+        const std::string packed = packing.pack(randomBytes(100, 1));
+        EXPECT_LE(packing.unpack(packed, kRoom, "test")->capacity(), 8192u)
+            << "a generous limit costs nothing";
+        EXPECT_LE(packing.unpack(packed, 100, "test")->capacity(), 256u) << "a tight one is not exceeded";
+    }
+}
+
+TEST(UnpackTest, truncatedDataIsReportedAsTruncated) {
+    const std::string bytes = randomBytes(5000, 3);
+    for (const Format& packing : kFormats) {
+        SCOPED_TRACE(packing.name);
+        const std::string packed = packing.pack(bytes);
+        const bool isZstd = packing.unpack == unpackZstd;
+        EXPECT_EQ(errorOf(packing.unpack("", kRoom, "map.tmx")), damagedText("the packed data is truncated"));
+        for (std::size_t length = 1; length < packed.size(); length += length < 20 ? 1 : 97) {
+            const std::string error = errorOf(packing.unpack(packed.substr(0, length), kRoom, "map.tmx"));
+            EXPECT_EQ(error,
+                      damagedText(isZstd ? "the packed data is damaged or unpacks to more than 1048576 "
+                                           "bytes: Src size is incorrect"
+                                         : "the packed data is truncated"))
+                << length;
+        }
+    }
+}
+
+TEST(UnpackTest, aDamagedPartIsReportedWithItsKind) {
+    using namespace std::string_literals;
+    const auto withByte = [](std::string bytes, std::size_t at, char value) {
+        bytes[at] = value;
+        return bytes;
+    };
+    const std::string zlib = storedZlib("abc"), gzip = storedGzip("abc");
+    const struct {
+        Unpack unpack;
+        std::string packed;
+        std::string what;
+    } cases[] = {
+        {unpackZlib, "abc", "incorrect header check"},
+        {unpackZlib, gzip, "incorrect header check"},
+        {unpackZlib, withByte(zlib, 2, '\x07'), "invalid block type"},
+        {unpackZlib, withByte(zlib, 3, '\x04'), "invalid stored block lengths"},
+        {unpackZlib, withByte(zlib, zlib.size() - 1, 'x'), "incorrect data check"},
+        {unpackGzip, "abc", "incorrect header check"},
+        {unpackGzip, zlib, "incorrect header check"},
+        {unpackGzip, withByte(gzip, 10, '\x07'), "invalid block type"},
+        {unpackGzip, withByte(gzip, gzip.size() - 8, 'x'), "incorrect data check"},
+        {unpackGzip, withByte(gzip, gzip.size() - 4, 'x'), "incorrect length check"},
+    };
+    for (const auto& test : cases) {
+        EXPECT_EQ(errorOf(test.unpack(test.packed, 100, "map.tmx")),
+                  damagedText("the packed data is damaged: " + test.what));
+    }
+    EXPECT_EQ(errorOf(unpackZlib("\x78\x20"
+                                 "dict....",
+                                 100, "map.tmx")),
+              damagedText("zlib data with a preset dictionary is not supported"));
+    EXPECT_EQ(errorOf(unpackZstd(std::string(100, 'x'), 100, "map.tmx")),
+              damagedText("the packed data is damaged or unpacks to more than 100 bytes: "
+                          "Unknown frame descriptor"));
+}
+
+TEST(UnpackTest, whatFollowsTheStreamIsIgnoredAndFramesOfZstdAreJoined) {
+    const auto unpacked = [](const Result<std::string>& result) {
+        return result.ok() ? *result : result.error().text();
+    };
+    EXPECT_EQ(unpacked(unpackZlib(storedZlib("abc") + "more", 3, "test")), "abc");
+    EXPECT_EQ(unpacked(unpackGzip(storedGzip("abc") + storedGzip("def"), 3, "test")), "abc");
+    const std::string two = sizedZstd("abc") + unsizedZstd("def");
+    EXPECT_EQ(unpacked(unpackZstd(two, 6, "test")), "abcdef");
+    EXPECT_FALSE(unpackZstd(two, 5, "test").ok());
+}
+
+TEST(PackTest, theResultIsAZlibStreamWithTheChecksumOfItsContent) {
+    for (const std::size_t size : {0, 1, 3, 100, 5000}) {
+        SCOPED_TRACE(size);
+        const std::string bytes = randomBytes(size, size + 1);
+        const std::string packed = packZlib(bytes);
+        ASSERT_GE(packed.size(), 6u);
+        EXPECT_EQ(packed[0], '\x78') << "RFC 1950: deflate with a window of 32 KiB";
+        EXPECT_EQ((0x78 * 256 + static_cast<unsigned char>(packed[1])) % 31, 0);
+        EXPECT_EQ(packed.substr(packed.size() - 4), adler32(bytes));
     }
 }
 

@@ -1,9 +1,13 @@
 #include "codec/xml.hpp"
 
+#include <memory>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "core/limits.hpp"
 #include "core/random.hpp"
+#include "core/text.hpp"
 
 namespace plumb {
 namespace {
@@ -84,15 +88,91 @@ TEST(XmlTest, exponentiallyExpandingEntitiesAreRejected) {
     EXPECT_FALSE(parseXml("<a>&lol2;</a>", "f").ok());
 }
 
-TEST(XmlTest, depthIsLimitedSoThatTheStackIsSafe) {
-    std::string deep;
-    for (int i = 0; i < limits::kXmlDepth; ++i) deep += "<a>";
-    std::string closed = deep;
-    for (int i = 0; i < limits::kXmlDepth; ++i) closed += "</a>";
+std::string errorOf(std::string_view document) {
+    const Result<XmlElement> root = parseXml(document, "map.tmx");
+    return root.ok() ? "no error" : root.error().text();
+}
 
-    EXPECT_TRUE(parseXml(closed, "f").ok());
-    for (int i = 0; i < 100000; ++i) deep += "<a>";
-    EXPECT_FALSE(parseXml(deep, "f").ok());
+std::string nested(int depth) {
+    std::string open, close;
+    for (int i = 0; i < depth; ++i) {
+        open += "<a>\n";
+        close += "</a>";
+    }
+    return open + close;
+}
+
+TEST(XmlTest, depthIsLimitedSoThatTheStackIsSafe) {
+    EXPECT_EQ(errorOf(nested(limits::kXmlDepth)), "no error");
+    const std::string tooDeep =
+        format("map.tmx:{}: elements are nested too deep; reduce the nesting", limits::kXmlDepth + 1);
+    EXPECT_EQ(errorOf(nested(limits::kXmlDepth + 1)), tooDeep);
+    EXPECT_EQ(errorOf(nested(100'000)), tooDeep);
+}
+
+std::string withAttributes(int count) {
+    std::string document = "\n<a";
+    for (int i = 0; i < count; ++i) document += format(" a{}='{}'", i, i * i);
+    return document + "/>";
+}
+
+TEST(XmlTest, anElementHasAtMost256Attributes) {
+    const Result<XmlElement> root = parseXml(withAttributes(256), "map.tmx");
+    ASSERT_TRUE(root.ok()) << root.error().text();
+    ASSERT_EQ(root->attributes.size(), 256u);
+    for (int i = 0; i < 256; ++i) {
+        EXPECT_EQ(root->attributes[static_cast<std::size_t>(i)].name, format("a{}", i));
+        EXPECT_EQ(*root->find(format("a{}", i)), format("{}", i * i));
+    }
+    EXPECT_EQ(errorOf(withAttributes(257)), "map.tmx:2: too many attributes; remove some");
+}
+
+TEST(XmlTest, theFirstElementBeyondTheLimitIsReported) {
+    std::string group = "<a>";
+    for (int i = 1; i < 1024; ++i) group += "<b/>";
+    group += "</a>";
+    std::string document = "<m>";
+    for (std::size_t i = 1; i < limits::kXmlElements / 1024; ++i) document += group;
+    for (int i = 2; i < 1024; ++i) document += "<b/>";  // with <m>, all of the last 1024 but one
+    document += "\n<b/>\n<b/></m>";
+    EXPECT_EQ(errorOf(document), "map.tmx:3: too many elements; split the file, or use csv data");
+}
+
+TEST(XmlTest, aFileThatIsTooLargeIsNotRead) {
+    // Its characters are never touched, so that the memory is only reserved.
+    const std::size_t size = limits::kFileBytes + 1;
+    const std::unique_ptr<char[]> memory{new char[size]};
+    EXPECT_EQ(errorOf({memory.get(), size}), "map.tmx:1: the file is too large; split it");
+}
+
+TEST(XmlTest, errorsNameTheLineTheReasonAndTheRemedy) {
+    const std::string remedy = "; correct the line, or export the file again";
+    EXPECT_EQ(errorOf(""), "map.tmx:1: no element found" + remedy);
+    EXPECT_EQ(errorOf("<a>\n\n</b>"), "map.tmx:3: mismatched tag" + remedy);
+    EXPECT_EQ(errorOf("<a x='1'\nx='2'/>"), "map.tmx:2: duplicate attribute" + remedy);
+    EXPECT_EQ(errorOf("<a>\n&b;</a>"), "map.tmx:2: undefined entity" + remedy);
+    EXPECT_EQ(errorOf("<!DOCTYPE a SYSTEM 'a.dtd'>\n<a>\n&nbsp;&copy;</a>"),
+              "map.tmx:3: the entity &nbsp; is unknown; write the character itself");
+    EXPECT_EQ(errorOf("\n<!DOCTYPE a [<!ENTITY b 'c'>]>\n<a/>"),
+              "map.tmx:2: a DOCTYPE with declarations is not supported; remove it");
+    EXPECT_EQ(errorOf("<!DOCTYPE a>\n<a/>"), "no error");
+}
+
+TEST(XmlTest, theFirstAttributeAndChildOfANameAreFound) {
+    const Result<XmlElement> root =
+        parseXml("<a x='1' y='2'>\n 1<b n='1'/>2<c/>\n<b n='2'>x</b>3\n</a>", "map.tmx");
+    ASSERT_TRUE(root.ok()) << root.error().text();
+    ASSERT_EQ(root->children.size(), 3u);
+    EXPECT_EQ(*root->find("x"), "1");
+    EXPECT_EQ(*root->find("y"), "2");
+    EXPECT_EQ(root->find("z"), nullptr);
+    EXPECT_EQ(root->child("b"), &root->children[0]);
+    EXPECT_EQ(root->child("c"), &root->children[1]);
+    EXPECT_EQ(root->child("a"), nullptr);
+    EXPECT_EQ(root->text, "\n 12\n3\n") << "not the text of its children";
+    EXPECT_EQ(root->children[2].text, "x");
+    EXPECT_EQ(root->children[1].line, 2);
+    EXPECT_EQ(root->children[2].line, 3);
 }
 
 TEST(XmlTest, everyTruncationAndManyMutationsAreReadOrRejected) {

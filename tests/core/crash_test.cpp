@@ -1,8 +1,13 @@
 #include "core/crash.hpp"
 
+#include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -87,7 +92,44 @@ TEST_F(Crash, byADivisionHasABackTraceWithTheProgramsFile) {
     EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGFPE),
                 "SIGFPE.*back trace.*core_tests.*\\[0x[0-9a-f]+\\]");
 }
+
+/// Matches a report whose first frame is in quotientOfCrashTest(), perhaps after the system's function that
+/// calls the handler, and whose frames all have an address.
+struct BackTrace {
+    using is_gtest_matcher = void;
+
+    bool MatchAndExplain(const std::string& report, std::ostream*) const {
+        constexpr std::uintptr_t kLongest = 128;  // bytes of that function
+        std::vector<std::uintptr_t> frames;
+        for (std::size_t at = report.find("[0x"); at != std::string::npos; at = report.find("[0x", at + 1))
+            frames.push_back(std::stoull(report.substr(at + 1), nullptr, 16));
+        const auto start = reinterpret_cast<std::uintptr_t>(&quotientOfCrashTest);
+        const auto isFault = [&](std::uintptr_t at) { return at >= start && at < start + kLongest; };
+        return frames.size() > 2 && (isFault(frames[0]) || isFault(frames[1])) &&
+               std::find(frames.begin(), frames.end(), 0u) == frames.end();
+    }
+    void DescribeTo(std::ostream* out) const { *out << "has a back trace from the fault on"; }
+    void DescribeNegationTo(std::ostream* out) const { *out << "has no such back trace"; }
+};
+
+TEST_F(Crash, hasABackTraceThatBeginsWhereItHappened) {
+    testing::FLAGS_gtest_death_test_style = "fast";  // the child has the same addresses
+    const auto crash = [] {
+        reportCrashes("");
+        volatile int zero = 0;
+        std::exit(quotientOfCrashTest(1, &zero));
+    };
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGFPE), BackTrace{});
+}
 #endif
+
+TEST_F(Crash, prints512BytesOfALongRemedy) {
+    const auto crash = [] {
+        reportCrashes(std::string(511, 'x') + "yz");
+        std::abort();
+    };
+    EXPECT_EXIT(crash(), ::testing::KilledBySignal(SIGABRT), "xxxxy\n");
+}
 
 TEST_F(Crash, leavesSignalsAloneThatAreHandledAlready) {
     const auto crash = [] {

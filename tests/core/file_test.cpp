@@ -1,5 +1,7 @@
 #include "core/file.hpp"
 
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.hpp"
@@ -57,6 +59,88 @@ TEST_F(FileTest, anUnwritablePathIsAnErrorAndLeavesNoFile) {
 
     EXPECT_EQ(*readFile(root_ / "file"), "old");
     EXPECT_EQ(filesBelow(root_, ""), std::vector<std::string>{"file"});
+}
+
+TEST_F(FileTest, aPathOf1024CharactersIsAcceptedAndALongerOneIsRefused) {
+    const auto path = [](std::size_t length) {  // in folders, as names have at most 255 characters
+        std::string text;
+        while (text.size() + 201 < length) text += std::string(200, 'a') + "/";
+        return text + std::string(length - text.size(), 'b');
+    };
+    EXPECT_TRUE(pathInside(root_, path(1023)).ok());
+    EXPECT_TRUE(pathInside(root_, path(1024)).ok());
+    const Result<Path> refused = pathInside(root_, path(1025));
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().what, "the path is longer than 1024 characters");
+}
+
+TEST_F(FileTest, controlCharactersInPathsAreRefusedAndAllOthersAccepted) {
+    for (int c = 1; c < 128; ++c) {
+        const std::string path = "a" + std::string(1, static_cast<char>(c)) + "b";
+        const bool isAllowed = c >= 32 && c < 127 && c != ':' && c != '\\';
+        EXPECT_EQ(pathInside(root_, path).ok(), isAllowed) << c;
+    }
+}
+
+TEST_F(FileTest, pathsInsideARootThatDoesNotExistYetAreAccepted) {
+    const Result<Path> plain = pathInside(root_ / "none", "x/y");
+    ASSERT_TRUE(plain.ok());
+    EXPECT_EQ(*plain, std::filesystem::weakly_canonical(root_) / "none/x/y");
+    EXPECT_TRUE(pathInside(root_ / "none" / "", "x").ok()) << "with a slash at its end";
+    EXPECT_FALSE(pathInside(root_ / "none" / "", "../x").ok());
+}
+
+TEST_F(FileTest, linksToFoldersBesideTheRootAreRefused) {
+    std::filesystem::create_directories(root_ / "inside2" / "deep");
+    std::filesystem::create_symlink("../inside2", root_ / "inside" / "beside");
+    std::filesystem::create_symlink("..", root_ / "inside" / "above");
+    std::filesystem::create_symlink("../inside2/deep", root_ / "inside" / "deep");
+    for (const char* outside : {"beside", "beside/x", "above", "above/x", "above/inside2/x", "deep/x"})
+        EXPECT_FALSE(pathInside(root_ / "inside", outside).ok()) << outside;
+    EXPECT_TRUE(pathInside(root_ / "inside", "above/inside/x").ok()) << "it comes back";
+}
+
+#if defined(__linux__)
+TEST_F(FileTest, aFullDiskIsAnErrorAndKeepsTheOldFile) {
+    for (const std::size_t size : {std::size_t{3}, std::size_t{1} << 20}) {  // less and more than a buffer
+        ASSERT_TRUE(writeFile(root_ / "file", "old").ok());
+        std::filesystem::create_symlink("/dev/full", root_ / "file.tmp~");  // each write to it fails
+        const Result<Done> done = writeFile(root_ / "file", std::string(size, 'x'));
+        ASSERT_FALSE(done.ok());
+        EXPECT_EQ(done.error().remedy, "free some space; the old file is untouched");
+        EXPECT_EQ(*readFile(root_ / "file"), "old");
+        EXPECT_EQ(filesBelow(root_, ""), std::vector<std::string>{"file"});
+    }
+}
+#endif
+
+TEST_F(FileTest, filesAreListedByTheirEndingInOrder) {
+    for (const char* name : {"b.png", "a.png", "inside/c.png", "d.jpg", "png", ".png"})
+        ASSERT_TRUE(writeFile(root_ / name, "x").ok());
+    std::filesystem::create_directories(root_ / "folder.png");
+    std::filesystem::create_directory_symlink("inside", root_ / "link");
+    EXPECT_EQ(filesBelow(root_, ".png"),
+              (std::vector<std::string>{".png", "a.png", "b.png", "inside/c.png"}));
+    EXPECT_EQ(filesBelow(root_, "none"), std::vector<std::string>{});
+    EXPECT_EQ(filesBelow(root_ / "none", ""), std::vector<std::string>{});
+}
+
+TEST_F(FileTest, theStampChangesWithTheSizeAndTheTime) {
+    const Path path = root_ / "file";
+    EXPECT_EQ(fileStamp(path), 0u) << "there is none";
+    ASSERT_TRUE(writeFile(path, "one").ok());
+    const auto time = std::filesystem::last_write_time(path);
+    const std::uint64_t stamp = fileStamp(path);
+    EXPECT_NE(stamp, 0u);
+    EXPECT_EQ(fileStamp(path), stamp);
+    std::filesystem::last_write_time(path, time + std::chrono::seconds{1});
+    EXPECT_NE(fileStamp(path), stamp);
+    ASSERT_TRUE(writeFile(path, "four").ok());
+    std::filesystem::last_write_time(path, time);
+    EXPECT_NE(fileStamp(path), stamp);
+    ASSERT_TRUE(writeFile(path, "two").ok());
+    std::filesystem::last_write_time(path, time);
+    EXPECT_EQ(fileStamp(path), stamp);
 }
 
 }  // namespace

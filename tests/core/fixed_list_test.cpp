@@ -95,5 +95,27 @@ TEST(FixedList, eachKindOfMistakeIsReportedOnce) {
     EXPECT_EXIT(makeMistakes(), testing::ExitedWithCode(2), "");
 }
 
+/// Exits with 0 if each mistake is reported as what it is.
+[[noreturn]] void makeEachMistake() {
+    test::Faults faults;
+    List list;
+    list.push(1), list.push(2);
+    list[3] = 1;
+    const bool isIndexClear = faults.lines().size() == 1 &&
+                              faults.mention("item 3 was requested from a list of size 2 and capacity 4") &&
+                              faults.mention("compare the index with size()");
+    faults.clear();
+    for (int i = 0; i < 3; ++i) list.push(i);
+    const bool isPushClear = faults.lines().size() == 1 &&
+                             faults.mention("push() on a full list of capacity 4") &&
+                             faults.mention("check full() first");
+    std::exit((isIndexClear ? 0 : 1) + (isPushClear ? 0 : 2));
+}
+
+TEST(FixedList, eachKindOfMistakeIsReportedAsWhatItIs) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_EXIT(makeEachMistake(), testing::ExitedWithCode(0), "");
+}
+
 }  // namespace
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #include "core/hash.hpp"
 
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,8 @@
 #include "core/random.hpp"
 
 using namespace plumb;
+
+std::uint64_t hashWithoutSse2(const void* bytes, std::size_t count);  // hash_scalar.cpp
 
 namespace {
 
@@ -83,4 +86,83 @@ TEST(LaneHasher, theOrderOfWordsChangesTheHash) {
     c.add(1), c.add(2);
     EXPECT_NE(a.value(), b.value());
     EXPECT_EQ(a.value(), c.value());
+}
+
+namespace {
+
+constexpr std::uint64_t kStart = 0x243f6a8885a308d3ull, kStep = 0x9e3779b97f4a7c15ull;
+
+/// LaneHasher by its definition, byte by byte: sixteen lanes of multiply with carry.
+std::uint64_t expectedHash(const std::vector<unsigned char>& bytes) {
+    std::uint64_t lanes[16];
+    for (std::uint64_t i = 0; i < 16; ++i) lanes[i] = mixBits(i + 1);
+    for (std::size_t block = 0; block < (bytes.size() + 127) / 128; ++block) {
+        for (std::size_t lane = 0; lane < 16; ++lane) {
+            std::uint64_t word = 0;
+            for (std::size_t i = 0; i < 8; ++i) {
+                const std::size_t at = block * 128 + lane * 8 + i;
+                if (at < bytes.size()) word |= std::uint64_t{bytes[at]} << (8 * i);
+            }
+            const std::uint64_t mixed = lanes[lane] ^ word;
+            lanes[lane] = (mixed & 0xffffffffu) * 0xfffeb81bu + (mixed >> 32);
+        }
+    }
+    std::uint64_t hash = mixBits(kStart ^ bytes.size()) + kStep;
+    for (const std::uint64_t lane : lanes) hash = mixBits(hash ^ lane) + kStep;
+    return mixBits(hash);
+}
+
+}  // namespace
+
+TEST(LaneHasher, equalsItsDefinitionForAllLengths) {
+    for (std::size_t count = 0; count < 600; ++count) {
+        const std::vector<unsigned char> bytes = randomBytes(count, count + 1);
+        ASSERT_EQ(hashOf(bytes), expectedHash(bytes)) << count;
+        ASSERT_EQ(hashWithoutSse2(bytes.data(), count), expectedHash(bytes)) << count;
+    }
+}
+
+TEST(TextHash, equalsTheTestVectorsOfItsAuthors) {
+    // Source: G. Fowler, L. Noll, K.-P. Vo, test vectors of FNV-1a with 64 bits.
+    EXPECT_EQ(hashText(""), 0xcbf29ce484222325ull);
+    EXPECT_EQ(hashText("a"), 0xaf63dc4c8601ec8cull);
+    EXPECT_EQ(hashText("foobar"), 0x85944171f73967e8ull);
+    EXPECT_NE(hashText("\xff"), hashText("\x7f"));
+}
+
+TEST(MixBits, equalsSplitmix64) {
+    // The first numbers of splitmix64 for the seed 1234567, by S. Vigna's reference program.
+    std::uint64_t state = 1234567;
+    for (const std::uint64_t expected :
+         {6457827717110365317ull, 3203168211198807973ull, 9817491932198370423ull, 4593380528125082431ull})
+        EXPECT_EQ(mixBits(state += kStep), expected);
+}
+
+TEST(Hasher, hashesBytesAsWordsAndTheRestWithItsLength) {
+    for (std::size_t count = 0; count < 40; ++count) {
+        const std::vector<unsigned char> bytes = randomBytes(count, count + 1);
+        Hasher whole, words;
+        whole.addBytes(bytes.data(), count);
+        for (std::size_t i = 0; i < count / 8; ++i) {
+            std::uint64_t word = 0;
+            for (std::size_t k = 8; k-- > 0;) word = word << 8 | bytes[8 * i + k];
+            words.add(word);
+        }
+        std::uint64_t rest = count % 8;
+        for (std::size_t i = count / 8 * 8; i < count; ++i) rest = rest * 256 + bytes[i];
+        words.add(rest);
+        ASSERT_EQ(whole.value(), words.value()) << count;
+    }
+}
+
+TEST(Hasher, hashesFloatsByTheirValues) {
+    const auto of = [](float value) {
+        Hasher hash;
+        hash.add(value);
+        return hash.value();
+    };
+    EXPECT_EQ(of(-0.0f), of(0.0f));
+    EXPECT_EQ(of(std::numeric_limits<float>::quiet_NaN()), of(-std::numeric_limits<float>::quiet_NaN()));
+    EXPECT_NE(of(1.0f), of(-1.0f));
+    EXPECT_EQ(of(1.0f), mixBits(mixBits(kStart ^ 0x3f800000u) + kStep));
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -164,6 +165,61 @@ TEST(ChangesTest, theMembershipCounterIncreasesWithEveryAddAndRemove) {
     EXPECT_TRUE(grew());
     world.destroy(EntityId{10, 1});
     EXPECT_TRUE(grew());
+}
+
+// Writes are noted for blocks of 256 components, losses for blocks of 256 indices.
+TEST(ChangesTest, onlyTheBlockOfAWrittenComponentCounts) {
+    World world;
+    std::vector<EntityId> ids(256 * 3);
+    world.createEntities(std::span{ids}.first(256), Position{}, Velocity{});
+    world.createEntities(std::span{ids}.subspan(256), Position{});
+    const auto changedBlocks = [&](std::uint64_t mark) {
+        std::vector<std::size_t> blocks;
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (world.changedSince<Position>(ids[i], mark) && (blocks.empty() || blocks.back() != i / 256))
+                blocks.push_back(i / 256);
+        }
+        std::vector<EntityId> visited;
+        world.eachChangedSince<Position>(mark, [&](EntityId id) { visited.push_back(id); });
+        EXPECT_EQ(visited.size(), 256 * blocks.size());
+        EXPECT_EQ(world.changedSince<Position>(mark), !blocks.empty());
+        return blocks;
+    };
+    using Blocks = std::vector<std::size_t>;
+    for (const std::size_t at : {0u, 255u, 256u, 511u, 512u, 767u}) {
+        const std::uint64_t mark = world.markChanges();
+        world.get<Position>(ids[at]).x = 1.0f;
+        EXPECT_EQ(changedBlocks(mark), Blocks{at / 256}) << at;
+    }
+    const std::uint64_t mark = world.markChanges();
+    EXPECT_EQ(changedBlocks(mark), Blocks{});
+    world.each<Position, const Velocity>([](Position& position, const Velocity&) { position.x = 2.0f; });
+    EXPECT_EQ(changedBlocks(mark), Blocks{0}) << "a loop over the entities of one block";
+}
+
+TEST(ChangesTest, componentsCreatedInOneCallAreWritten) {
+    World world;
+    std::vector<EntityId> before(256), ids(700);
+    world.createEntities(before, Position{});
+    const std::uint64_t mark = world.markChanges();
+    world.createEntities(ids, Position{});
+    for (const EntityId id : before) ASSERT_FALSE(world.changedSince<Position>(id, mark));
+    for (const EntityId id : ids) ASSERT_TRUE(world.changedSince<Position>(id, mark)) << id.index;
+}
+
+TEST(ChangesTest, aLossIsReportedForTheIndicesOfItsBlock) {
+    World world;
+    fillWithMovers(world, 600);
+    for (const std::uint32_t index : {1u, 255u, 256u, 257u, 511u, 512u, 600u}) {
+        const std::uint64_t mark = world.markChanges();
+        world.remove<Velocity>({index, 1});
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t other = 1; other <= 600; ++other) {
+            if (other / 256 == index / 256) expected.push_back(other);
+        }
+        EXPECT_EQ(lossesSince(world, mark), expected) << index;
+        EXPECT_TRUE(lossesSince(world, world.markChanges()).empty());
+    }
 }
 
 }  // namespace

@@ -226,5 +226,66 @@ TEST(HierarchyTest, propertyListsAndParentsAgree) {
     }
 }
 
+TEST(HierarchyProperty, theOrderOfChildrenIsThatInWhichTheyWereAttached) {
+    constexpr std::uint32_t kCount = 12;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        World world;
+        std::vector<Entity> all;
+        for (std::uint32_t i = 0; i < kCount; ++i) all.push_back(world.createEntity());
+        std::vector<std::vector<std::uint32_t>> children(kCount);
+        std::vector<std::uint32_t> parent(kCount, kCount);  // kCount: a root
+        for (int step = 0; step < 150; ++step) {
+            const std::uint32_t child = random.below(kCount), to = random.below(kCount + 1);
+            bool isAllowed = child != to;
+            for (std::uint32_t at = to; at != kCount; at = parent[at]) isAllowed = isAllowed && at != child;
+            ASSERT_EQ(setParent(world, all[child], to < kCount ? all[to].id() : EntityId{}), isAllowed);
+            if (isAllowed && parent[child] != to) {  // a child of the same parent keeps its place
+                if (parent[child] != kCount) std::erase(children[parent[child]], child);
+                if (to != kCount) children[to].push_back(child);
+                parent[child] = to;
+            }
+            for (std::uint32_t i = 0; i < kCount; ++i) {
+                std::vector<EntityId> expected;
+                for (const std::uint32_t each : children[i]) expected.push_back(all[each]);
+                ASSERT_EQ(listed(world, all[i]), expected);
+                ASSERT_EQ(childrenOf(world, all[i]).size(), expected.size());
+                ASSERT_EQ(firstChildOf(world, all[i]), expected.empty() ? EntityId{} : expected.front());
+                ASSERT_EQ(parentOf(world, all[i]).id(),
+                          parent[i] == kCount ? EntityId{} : all[parent[i]].id());
+            }
+        }
+    }
+}
+
+TEST(HierarchyProperty, aWalkSkipsWhatIsBelowAnEntityIfTheVisitorSaysSo) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        World world;
+        std::vector<Entity> all;
+        for (std::uint32_t i = 0; i < 30; ++i) {
+            all.push_back(world.createEntity());
+            if (i > 0) setParent(world, all.back(), all[random.below(i)]);
+        }
+        const auto goesDown = [&](EntityId id) { return (id.index * 7 + seed) % 3 != 0; };
+        for (const Entity root : all) {
+            std::vector<EntityId> expected;
+            const std::function<void(EntityId)> walk = [&](EntityId parent) {
+                for (Entity child : childrenOf(world, parent)) {
+                    expected.push_back(child);
+                    if (goesDown(child)) walk(child);
+                }
+            };
+            walk(root);
+            std::vector<EntityId> visited;
+            forEachBelow(world, root, [&](EntityId id) { return visited.push_back(id), goesDown(id); });
+            ASSERT_EQ(visited, expected);
+            ASSERT_FALSE(nextBelow(world, root, root, false)) << "nothing follows the root";
+        }
+    }
+}
+
 }  // namespace
 }  // namespace plumb

@@ -217,5 +217,53 @@ TEST(DeterminismTest, theSameOperationsYieldTheSameOrderAndHash) {
     EXPECT_EQ(orderOf(first), orderOf(second));
 }
 
+TEST(SnapshotTest, resourcesComeAndGoWithTheSnapshots) {
+    World world;
+    const Snapshot none = world.save();
+    world.resource<Score>() = {3, {1, 2}};
+    world.resource<Unhashed>().value = 4;
+    const Snapshot both = world.save();
+    const std::uint64_t hash = world.hash();
+    World other;
+    other.resource<Unhashed>().value = 9;
+    for (World* each : {&world, &other}) {
+        for (int round = 0; round < 2; ++round) {
+            each->restore(none);
+            EXPECT_EQ(each->findResource<Score>(), nullptr);
+            EXPECT_EQ(each->findResource<Unhashed>(), nullptr);
+            EXPECT_NE(each->hash(), hash);
+            each->restore(both);
+            ASSERT_NE(each->findResource<Score>(), nullptr);
+            ASSERT_NE(each->findResource<Unhashed>(), nullptr);
+            EXPECT_EQ(each->findResource<Score>()->coins, 3);
+            EXPECT_EQ(each->findResource<Score>()->best, (std::vector<int>{1, 2}));
+            EXPECT_EQ(each->findResource<Unhashed>()->value, 4);
+            EXPECT_EQ(each->hash(), hash);
+        }
+        each->restore(none);
+        EXPECT_EQ(each->resource<Score>().coins, 0) << "created again with its defaults";
+        EXPECT_TRUE(each->resource<Score>().best.empty());
+    }
+}
+
+TEST(SnapshotTest, aSnapshotHasTheTickAndItsOwnTexts) {
+    World world;
+    const TextId text = world.texts().add("before");
+    for (int i = 0; i < 3; ++i) world.beginTick();
+    Snapshot saved = world.save();
+    EXPECT_EQ(saved.tick(), 3u);
+    EXPECT_GT(saved.byteCount(), 0u);
+    EXPECT_EQ(Snapshot{}.byteCount(), 0u);
+    const TextId late = world.texts().add("after");
+    World other;
+    other.restore(saved);
+    EXPECT_EQ(other.tick, 3u);
+    EXPECT_EQ(other.texts().find(text), "before");
+    EXPECT_NE(other.texts().find(late), "after");
+    world.save(saved);
+    other.restore(saved);
+    EXPECT_EQ(other.texts().find(late), "after");
+}
+
 }  // namespace
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/log.hpp"
-#include "core/random.hpp"
+#include "core/text.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 
@@ -127,22 +127,136 @@ TEST(Input, aRestoredInputContinuesIdentically) {
     EXPECT_TRUE(b.isPressed(Action::Jump));
 }
 
-TEST(ActionMap, everyBindingReadsBackFromItsText) {
-    for (const BindingKind kind :
-         {BindingKind::Key, BindingKind::MouseButton, BindingKind::PadButton, BindingKind::PadAxis,
-          BindingKind::PadAxisPlus, BindingKind::PadAxisMinus}) {
-        for (int code = 0; code < 256; ++code) {
-            for (std::int8_t pad = -1; pad < kPadCount; ++pad) {
-                const Binding binding{kind, static_cast<std::uint8_t>(code), pad};
-                const std::optional<Binding> read = bindingFromText(toText(binding));
-                if (!read) continue;
-                EXPECT_EQ(toText(*read), toText(binding));
-            }
-        }
+TEST(Input, anUnknownActionIsNeverPressedHeldOrReleased) {
+    Input input;
+    InputFrame all;
+    all.keys.fill(0xffffffffu);
+    for (const InputFrame& frame : {InputFrame{}, all, all, InputFrame{}, InputFrame{}}) {
+        input.advance(frame);
+        EXPECT_FALSE(input.isPressed(Action{"Unknown"}));
+        EXPECT_FALSE(input.isHeld(Action{"Unknown"}));
+        EXPECT_FALSE(input.isReleased(Action{"Unknown"}));
+        EXPECT_EQ(input.getAxis(Axis{"Jump"}), 0.0f) << "an action is no axis";
     }
-    for (std::size_t i = 1; i < kKeyCount; ++i) {
-        EXPECT_EQ(keyFromName(nameOf(static_cast<Key>(i))), static_cast<Key>(i));
-        EXPECT_FALSE(nameOf(static_cast<Key>(i)).empty());
+}
+
+TEST(Input, keysAndButtonsThemselvesFollowTheFrames) {
+    for (int bits = 0; bits < 4; ++bits) {
+        const bool before = (bits & 1) != 0, now = (bits & 2) != 0;
+        const auto frameOf = [](bool held) {
+            InputFrame frame;
+            frame.set(Key::F5, held);
+            frame.mouseButtons = held ? 1u << static_cast<unsigned>(MouseButton::Middle) : 0u;
+            frame.mouseX = held ? 3 : 0;
+            return frame;
+        };
+        Input input;
+        input.advance(frameOf(before));
+        input.advance(frameOf(now));
+        EXPECT_EQ(input.isPressed(Key::F5), now && !before);
+        EXPECT_EQ(input.isHeld(Key::F5), now);
+        EXPECT_EQ(input.isReleased(Key::F5), !now && before);
+        EXPECT_EQ(input.isPressed(MouseButton::Middle), now && !before);
+        EXPECT_EQ(input.isHeld(MouseButton::Middle), now);
+        EXPECT_EQ(input.isReleased(MouseButton::Middle), !now && before);
+        EXPECT_FALSE(input.isHeld(Key::F6) || input.isHeld(MouseButton::Left));
+        EXPECT_EQ(input.mouse(), (Vec2{now ? 3.0f : 0.0f, 0.0f}));
+        EXPECT_EQ(input.frame(), frameOf(now));
+        EXPECT_EQ(input.previousFrame(), frameOf(before));
+    }
+}
+
+/// A map of actions a0, a1, … and axes x0, x1, …, all with the same bindings but the first and the last.
+ActionMap wideMap(std::size_t actions, std::size_t axes) {
+    ActionMap map;
+    for (std::size_t i = 0; i < actions; ++i)
+        map.actions.push_back({format("a{}", i), {*bindingFromText(i == 0 ? "A" : i == 63 ? "B" : "C")}});
+    for (std::size_t i = 0; i < axes; ++i)
+        map.axes.push_back({format("x{}", i), {*bindingFromText(i == 31 ? "Left" : "Up")}, {}, {}});
+    return map;
+}
+
+TEST(Input, theMapIsCutAtItsLimitsAndNotExtended) {
+    EXPECT_EQ(Input{wideMap(3, 2)}.map(), wideMap(3, 2));
+    EXPECT_EQ(Input{wideMap(64, 32)}.map(), wideMap(64, 32));
+    EXPECT_EQ(Input{wideMap(70, 40)}.map(), wideMap(64, 32));
+}
+
+TEST(Input, theLastActionAndAxisWorkAndAreLoggedOnce) {
+    std::vector<std::string> lines;
+    const LogSink before = setLogSink([&](const LogLine& line) { lines.push_back(line.text); });
+    Input input{wideMap(64, 32)};
+    input.logging = true;
+    input.advance(holding({Key::B, Key::Left}));
+    input.advance(holding({Key::A}));
+    setLogSink(before);
+
+    EXPECT_EQ(lines, (std::vector<std::string>{"a63 pressed", "a0 pressed"}));
+    EXPECT_TRUE(input.isReleased(Action{"a63"}));
+    EXPECT_TRUE(input.isPressed(Action{"a0"}));
+    EXPECT_FALSE(input.isHeld(Action{"a1"}) || input.isReleased(Action{"a62"}));
+    input.advance(holding({Key::Left}));
+    EXPECT_EQ(input.getAxis(Axis{"x31"}), -1.0f);
+    EXPECT_EQ(input.getAxis(Axis{"x30"}), 0.0f);
+    EXPECT_EQ(input.getAxis(Axis{"x32"}), 0.0f);
+}
+
+TEST(Input, aKeyOverridesSticksOfWhichTheOnePushedFarthestCounts) {
+    std::vector<Error> problems;
+    Input input{mapOf(R"({"axes": {"Horizontal": {"analog": ["Pad1 LeftX", "Pad2 LeftX"]}}, "deadZone": 0})",
+                      problems)};
+    ASSERT_TRUE(problems.empty());
+    const auto at = [&](int first, int second, std::initializer_list<Key> keys = {}) {
+        InputFrame frame = holding(keys);
+        frame.pads[0].axes[0] = static_cast<std::int16_t>(first);
+        frame.pads[1].axes[0] = static_cast<std::int16_t>(second);
+        input.advance(frame);
+        return input.getAxis(Axis::Horizontal);
+    };
+    EXPECT_EQ(at(32'767, -32'767), 1.0f) << "the first of two pushed equally far";
+    EXPECT_EQ(at(-32'767, 32'767), -1.0f);
+    EXPECT_EQ(at(-16'000, 32'767), 1.0f);
+    EXPECT_EQ(at(16'000, -32'767), -1.0f);
+    EXPECT_EQ(at(-32'767, 16'000), -1.0f);
+    EXPECT_EQ(at(-32'767, -32'767, {Key::Right}), 1.0f);
+    EXPECT_EQ(at(32'767, 0, {Key::Left}), -1.0f);
+}
+
+TEST(Input, aNewMapAppliesToTheCurrentAndThePreviousTick) {
+    Input input;
+    input.advance(holding({Key::K}));
+    input.advance(holding({Key::K, Key::L}));
+    EXPECT_FALSE(input.isHeld(Action::Jump));
+    ActionMap map;
+    map.bind("Jump", {*bindingFromText("K")});
+    map.bind("Dash", {*bindingFromText("L")});
+    input.setMap(map);
+    EXPECT_TRUE(input.isHeld(Action::Jump));
+    EXPECT_FALSE(input.isPressed(Action::Jump)) << "held in the tick before too";
+    EXPECT_TRUE(input.isPressed(Action{"Dash"}));
+    EXPECT_EQ(input.map(), map);
+    EXPECT_FALSE(input.isHeld(Action::Attack));
+}
+
+TEST(Input, restoringReplacesBothFramesAndTheHashDependsOnBoth) {
+    const auto hashOf = [](const Input& input) {
+        Hasher hasher;
+        input.addTo(hasher);
+        return hasher.value();
+    };
+    const InputFrame jump = holding({Key::Space});
+    Input input;
+    std::vector<std::uint64_t> hashes;
+    for (const InputFrame& previous : {InputFrame{}, jump}) {
+        for (const InputFrame& current : {InputFrame{}, jump}) {
+            input.restore(previous, current);
+            const bool was = previous == jump, is = current == jump;
+            EXPECT_EQ(input.isPressed(Action::Jump), is && !was);
+            EXPECT_EQ(input.isHeld(Action::Jump), is);
+            EXPECT_EQ(input.isReleased(Action::Jump), was && !is);
+            for (const std::uint64_t other : hashes) EXPECT_NE(hashOf(input), other);
+            hashes.push_back(hashOf(input));
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -214,6 +215,133 @@ TEST(ConvertComponent, knowsNegativeEnums) {
     One<int> converted{7};
     convertComponent(before, &under, now, &converted);
     EXPECT_EQ(converted.value, -7);
+}
+
+TEST(ConvertComponent, copiesWhatIsNoNumberIfKindAssetAndSizeAreTheSame) {
+    FieldInfo field;
+    field.name = "value";
+    field.kind = FieldKind::Vec2;
+    field.size = 8;
+    const std::uint64_t value = 0x1122334455667788ull;
+    const auto isCopied = [&](const FieldInfo& before, const FieldInfo& now) {
+        TypeInfo from, to;
+        from.fields.push_back(before);
+        to.fields.push_back(now);
+        std::uint64_t result = 0;
+        convertComponent(from, &value, to, &result);
+        return result == value;
+    };
+    EXPECT_TRUE(isCopied(field, field));
+    FieldInfo other = field;
+    other.max = 5.0f;
+    EXPECT_TRUE(isCopied(field, other)) << "a pair is not limited";
+    other.size = 4;
+    EXPECT_FALSE(isCopied(field, other));
+    other = field;
+    other.kind = FieldKind::Text;
+    EXPECT_FALSE(isCopied(field, other));
+    FieldInfo texture = field;
+    texture.kind = FieldKind::Asset;
+    texture.asset = AssetKind::Texture;
+    other = texture;
+    other.asset = AssetKind::Sound;
+    EXPECT_FALSE(isCopied(texture, other)) << "another kind of file";
+    other = texture;
+    other.min = -1.0f;
+    EXPECT_TRUE(isCopied(texture, other));
+    FieldInfo number = field;
+    number.kind = FieldKind::Int;
+    EXPECT_FALSE(isCopied(number, field));
+    EXPECT_FALSE(isCopied(field, number));
+}
+
+TEST(ConvertComponent, keepsListsOfOtherElementsAsTheyAre) {
+    FixedList<float, 4> floats;
+    floats.push(1.5f);
+    FixedList<int, 4> ints;
+    ints.push(7);
+    EXPECT_EQ((convertedTo<FixedList<int, 4>>(floats, ints)), ints);
+    FixedList<std::int16_t, 4> shorts;
+    shorts.push(3), shorts.push(4);
+    EXPECT_EQ((convertedTo<FixedList<int, 4>>(shorts, ints)), ints) << "the same kind with other sizes";
+    FixedList<Vec2, Curve::kKeys> pairs;
+    pairs.push({0.5f, 3.0f});
+    const Curve curve = Curve::line(3.0f, 1.0f);
+    EXPECT_EQ(convertedTo<Curve>(pairs, curve), curve);
+    EXPECT_EQ((convertedTo<FixedList<Vec2, Curve::kKeys>>(curve, pairs)), pairs);
+    FixedList<int, 2> few;
+    few.count = 1000;  // wrong: beyond its capacity
+    few.items = {1, 2};
+    const auto more = convertedTo<FixedList<int, 4>>(few);
+    EXPECT_EQ(more.count, 2u);
+    EXPECT_EQ(more.items[1], 2);
+    EXPECT_EQ(more.items[2], 0);
+}
+
+TEST(ConvertComponent, copiesACurveWhoseRangeChanged) {
+    TypeInfo before = describe<One<Curve>>(), now = before;
+    now.fields[0].max = 2.0f;
+    const One<Curve> from{Curve::line(3.0f, 1.0f)};
+    One<Curve> to;
+    convertComponent(before, &from, now, &to);
+    EXPECT_EQ(to.value, from.value);
+}
+
+TEST(ConvertComponent, formerFieldsAreFoundByTheirNameBeforeTheirFormerName) {
+    TypeInfo type;
+    for (const char* name : {"new", "old", ""}) type.fields.emplace_back().name = name;
+    FieldInfo field;
+    field.name = "new";
+    field.was = "old";
+    EXPECT_EQ(formerField(type, field), &type.fields[0]);
+    field.name = "other";
+    EXPECT_EQ(formerField(type, field), &type.fields[1]);
+    field.was = "";
+    EXPECT_EQ(formerField(type, field), nullptr) << "no former name is not the name of a field";
+    field.was = "none";
+    EXPECT_EQ(formerField(type, field), nullptr);
+}
+
+TEST(ConvertComponent, boolsIntegersFloatsAndEnumsAreNumbers) {
+    for (int i = 0; i <= static_cast<int>(FieldKind::List); ++i) {
+        const auto kind = static_cast<FieldKind>(i);
+        EXPECT_EQ(isNumber(kind), kind == FieldKind::Bool || kind == FieldKind::Int ||
+                                      kind == FieldKind::Float || kind == FieldKind::Enum);
+    }
+}
+
+TEST(ConvertComponent, layoutsDifferInAnySingleProperty) {
+    const TypeInfo type = describe<Before>();
+    const std::vector<void (*)(TypeInfo&)> changes{
+        [](TypeInfo& t) { ++t.key; },
+        [](TypeInfo& t) { ++t.size; },
+        [](TypeInfo& t) { ++t.alignment; },
+        [](TypeInfo& t) { t.defaults.pop_back(); },
+        [](TypeInfo& t) { t.fields.pop_back(); },
+        [](TypeInfo& t) { t.fields[0].name = "other"; },
+        [](TypeInfo& t) { ++t.fields[0].offset; },
+        [](TypeInfo& t) { t.fields[0].kind = FieldKind::Int; },
+        [](TypeInfo& t) { t.fields[0].element = FieldKind::Int; },
+        [](TypeInfo& t) { t.fields[0].asset = AssetKind::Sound; },
+        [](TypeInfo& t) { ++t.fields[0].size; },
+        [](TypeInfo& t) { t.fields[0].isSigned = !t.fields[0].isSigned; },
+        [](TypeInfo& t) { ++t.fields[0].capacity; },
+        [](TypeInfo& t) { ++t.fields[0].elementSize; },
+        [](TypeInfo& t) { t.fields[0].min = 0.0f; },
+        [](TypeInfo& t) { t.fields[0].max = 0.0f; },
+        [](TypeInfo& t) { t.fields[3].names.pop_back(); },
+        [](TypeInfo& t) { t.fields[3].names[1].value = 9; },
+        [](TypeInfo& t) { t.fields[3].names[1].name = "furious"; }};
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        TypeInfo other = type;
+        EXPECT_TRUE(sameLayout(type, other));
+        changes[i](other);
+        EXPECT_FALSE(sameLayout(type, other)) << "change " << i;
+        EXPECT_FALSE(sameLayout(other, type)) << "change " << i;
+    }
+    TypeInfo other = type;
+    other.fields[0].doc = "for the inspector only";
+    EXPECT_TRUE(sameLayout(type, other));
 }
 
 TEST(ConvertComponent, knowsEqualLayouts) {

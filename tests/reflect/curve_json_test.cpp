@@ -101,5 +101,30 @@ TEST_F(CurveJson, aValueOutsideItsRangeIsClampedAndReported) {
     EXPECT_NE(context.warnings[1].text().find("key 1 has the value 7, outside 0 to 2"), std::string::npos);
 }
 
+TEST_F(CurveJson, positionsKeysAndValuesAreAcceptedAtTheirLimits) {
+    ASSERT_TRUE(read(R"(["smooth", [0, 0], [1, 2]])").ok());
+    ASSERT_TRUE(read(R"(["smooth",[0,0],[0.1,0],[0.2,0],[0.3,0],[0.4,0],[0.5,0],[0.6,0],[1,2]])").ok());
+    EXPECT_EQ(fade.curve.size(), Curve::kKeys);
+    ASSERT_TRUE(read(R"(["linear", [0.5, 1]])").ok());
+    EXPECT_EQ(fade.curve.size(), 1u);
+    EXPECT_EQ(fade.curve.keys[1], CurveKey{}) << "unused keys are empty";
+    EXPECT_TRUE(context.warnings.empty());
+    ASSERT_TRUE(read(R"(["smooth", [0, 3.4028234663852886e38]])").ok()) << "the largest float";
+    ASSERT_TRUE(read(R"(["smooth", [0, -3.4028234663852886e38]])").ok());
+    EXPECT_EQ(context.warnings.size(), 2u);
+    for (const char* key : {"[0, 3.41e38]", "[0, -3.41e38]", "[1e39, 0]", "[0, 1, 2]", "[]", "[\"a\", 1]",
+                            "[0, \"b\"]", "5", "{}"})
+        EXPECT_NE(problem(std::string{R"(["smooth", )"} + key + "]").find("key 0 is not a pair"),
+                  std::string::npos)
+            << key;
+    EXPECT_NE(problem(R"(["smooth", [-0.001, 1]])").find("key 0 is at -0.001, outside 0 to 1"),
+              std::string::npos);
+    EXPECT_NE(problem(R"(["smooth", [1.001, 1]])").find("key 0 is at 1.001, outside 0 to 1"),
+              std::string::npos);
+    EXPECT_NE(problem("[]").find("expected a curve, found a list of 0"), std::string::npos);
+    EXPECT_NE(problem("[3]").find(R"("smooth" or "linear", found 3)"), std::string::npos);
+    EXPECT_NE(problem("[[0, 1]]").find("found a list of 2"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace plumb

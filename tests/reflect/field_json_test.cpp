@@ -1,18 +1,22 @@
 #include "reflect/field_json.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/limits.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "math/color.hpp"
 #include "reflect/compare.hpp"
 #include "reflect/component_json.hpp"
-#include "reflect/field_context.hpp"
 #include "reflect/json.hpp"
 #include "reflect/type_registry.hpp"
+#include "tests/support/plain_context.hpp"
 
 namespace plumb {
 namespace {
@@ -54,35 +58,10 @@ struct Sample {
     }
 };
 
-class SampleContext final : public FieldContext {
-public:
-    TextStore texts;
-    std::map<std::uint64_t, EntityId> entities{{0xab, {7, 1}}};
-    std::vector<Error> warnings;
-
-    [[nodiscard]] std::string_view text(TextId id) const override { return texts.find(id); }
-    TextId keepText(std::string_view text) override { return texts.add(text); }
-    [[nodiscard]] std::uint64_t stableId(EntityId entity) const override {
-        for (const auto& [id, known] : entities) {
-            if (known == entity) return id;
-        }
-        return 0;
-    }
-    [[nodiscard]] EntityId entity(std::uint64_t id) const override {
-        const auto found = entities.find(id);
-        return found == entities.end() ? EntityId{} : found->second;
-    }
-    [[nodiscard]] Json tilesToJson(TilesId tiles) const override { return tiles.value; }
-    Result<TilesId> tilesFromJson(const FieldInfo&, const Json& json) override {
-        return TilesId{json.get<std::uint32_t>()};
-    }
-    void warn(Error error) override { warnings.push_back(std::move(error)); }
-};
-
 struct FieldJson : testing::Test {
     TypeRegistry types;
     const TypeInfo& type = types.add<Sample>();
-    SampleContext context;
+    test::PlainContext context;
     Sample sample;
 
     Result<Done> read(std::string_view field, const Json& json) {
@@ -193,6 +172,162 @@ TEST_F(FieldJson, oldNamesStillLoadAndUnknownOnesAreReported) {
     EXPECT_EQ(problems[0].error.where, "Sample.ratee");
     EXPECT_NE(problems[0].error.remedy.find("did you mean \"rate\"?"), std::string::npos);
     EXPECT_EQ(problems[1].key, "hidden");
+}
+
+TEST_F(FieldJson, floatsAreReadUpToTheirLimits) {
+    constexpr float kMax = std::numeric_limits<float>::max();
+    for (const double sign : {1.0, -1.0}) {
+        EXPECT_TRUE(read("place", Json::array({0, sign * double{kMax}})));
+        EXPECT_FALSE(read("place", Json::array({0, sign * std::nextafter(double{kMax}, 1e300)})));
+    }
+    context.warnings.clear();
+    for (const double value : {-20.0, 20.0, 0.0}) ASSERT_TRUE(read("rate", value));
+    EXPECT_TRUE(context.warnings.empty());
+    for (const double value : {-20.5, 20.5}) {
+        ASSERT_TRUE(read("rate", value));
+        EXPECT_EQ(sample.rate, value < 0 ? -20.0f : 20.0f);
+    }
+    EXPECT_EQ(context.warnings.size(), 2u);
+    ASSERT_TRUE(read("rate", -0.0));
+    EXPECT_TRUE(std::signbit(sample.rate));
+}
+
+TEST_F(FieldJson, groupsOfNumbersHaveTheirExactSizeAndNameTheWrongOne) {
+    EXPECT_EQ(read("place", Json::array({1})).error().text(),
+              "place: expected [x, y], found a list of 1; write 2 numbers in pixels");
+    EXPECT_EQ(read("part", Json::array({1, 2, 3, 4, 5})).error().text(),
+              "part: expected [x, y, width, height], found a list of 5; write 4 numbers in pixels");
+    EXPECT_EQ(read("part", Json::array({1, 2, "w", 4})).error().where, "part[2]");
+    ASSERT_TRUE(read("part", Json::array({1, 2.5, -3, 4})));
+    EXPECT_EQ(sample.part, (Rect{1.0f, 2.5f, -3.0f, 4.0f}));
+    EXPECT_EQ(write("part").dump(), "[1.0,2.5,-3.0,4.0]");
+    EXPECT_FALSE(read("place", 1));
+}
+
+TEST_F(FieldJson, unitsAreNamedInRemedies) {
+    const std::pair<Unit, std::string_view> units[] = {
+        {Unit::None, "a number"},
+        {Unit::Pixels, "pixels"},
+        {Unit::PixelsPerSecond, "pixels per second"},
+        {Unit::PixelsPerSecondSquared, "pixels per second squared"},
+        {Unit::Seconds, "seconds"},
+        {Unit::Radians, "radians"},
+        {Unit::RadiansPerSecond, "radians per second"},
+        {Unit::Ratio, "a ratio"},
+        {Unit::Kilograms, "kilograms"},
+        {Unit::Tiles, "tiles"},
+        {Unit::Ticks, "ticks"},
+        {Unit::Degrees, "degrees"}};
+    for (const auto& [unit, words] : units) {
+        FieldInfo field = *type.find("rate");
+        field.unit = unit;
+        float value = 0.0f;
+        EXPECT_EQ(valueFromJson(field, &value, "x", context).error().remedy,
+                  format("write {}, e.g. 1.5", words));
+    }
+}
+
+TEST_F(FieldJson, colorsHaveAHashAndSixOrEightHexDigits) {
+    for (const char* wrong :
+         {"", "#", "ff8000", "#ff800", "#ff80001", "#ff8000000", "xff8000", "#ff80g0", "#-f8000"})
+        EXPECT_FALSE(read("tint", wrong)) << wrong;
+    Random random = Random::seeded(1);
+    for (int i = 0; i < 100; ++i) {
+        const std::string text = "#" + hexText(random.next()).substr(8);
+        ASSERT_TRUE(read("tint", text));
+        EXPECT_EQ(write("tint"), text);
+        const std::uint32_t all =
+            sample.tint.r * 0x1000000u + sample.tint.g * 0x10000u + sample.tint.b * 0x100u + sample.tint.a;
+        EXPECT_EQ("#" + hexText(all).substr(8), text);
+    }
+}
+
+TEST_F(FieldJson, textsAreReadUpToTheirLimitInUtf8) {
+    ASSERT_TRUE(read("title", std::string(limits::kTextBytes, 'a')));
+    EXPECT_EQ(context.text(sample.title).size(), limits::kTextBytes);
+    EXPECT_FALSE(read("title", std::string(limits::kTextBytes + 1, 'a')));
+    EXPECT_EQ(read("title", "\xff").error().text(), "title: the string is not UTF-8; write it as UTF-8");
+    EXPECT_FALSE(read("picture", "\xff"));
+    EXPECT_FALSE(read("title", 3));
+    ASSERT_TRUE(read("title", ""));
+    EXPECT_TRUE(sample.title.empty());
+}
+
+TEST_F(FieldJson, pathsOfAssetsStayInTheProject) {
+    for (const char* good : {"", "a", ":a", "a b.png", "...", "a/.../b", "ab:c"})
+        EXPECT_TRUE(read("picture", good)) << good;
+    for (const char* bad : {"..", "a/..", "/", "\\a", "a:", "a:b", "a\x1f", "\x01"})
+        EXPECT_FALSE(read("picture", bad)) << bad;
+}
+
+TEST_F(FieldJson, theIdZeroIsNoEntity) {
+    ASSERT_TRUE(read("target", "ab"));
+    for (const Json& wrong : {Json("0"), Json("0000000000000000"), Json("xyz"), Json(1)}) {
+        EXPECT_FALSE(read("target", wrong));
+        EXPECT_EQ(sample.target, (EntityId{7, 1}));
+    }
+}
+
+TEST_F(FieldJson, enumsOfOneByteAreUnsignedAndLargerOnesSigned) {
+    FieldInfo field = *type.find("mood");
+    field.names = {{"low", -1}, {"high", 200}};
+    std::int32_t value = 0;
+    field.size = 1;
+    ASSERT_TRUE(valueFromJson(field, &value, "high", context));
+    EXPECT_EQ(value, 200);
+    EXPECT_EQ(valueToJson(field, &value, context), "high");
+    field.size = 4;
+    ASSERT_TRUE(valueFromJson(field, &value, "low", context));
+    EXPECT_EQ(value, -1);
+    EXPECT_EQ(valueToJson(field, &value, context), "low");
+    value = -5;
+    EXPECT_EQ(valueToJson(field, &value, context), -5) << "without a name";
+    EXPECT_EQ(valueFromJson(field, &value, "zzzzzz", context).error().text(),
+              "mood: expected one of low, high, found \"zzzzzz\"; write one of these names in quotes");
+    EXPECT_FALSE(valueFromJson(field, &value, 200, context));
+}
+
+TEST_F(FieldJson, listsReadAllItemsOrNone) {
+    ASSERT_TRUE(read("numbers", Json::array({1, 2, 3})));
+    EXPECT_TRUE(context.warnings.empty()) << "as many as there is room for";
+    EXPECT_EQ(write("numbers").dump(), "[1.0,2.0,3.0]");
+    EXPECT_EQ(read("numbers", Json::array({1, 2, "x"})).error().where, "numbers[2]");
+    EXPECT_EQ(sample.numbers.size(), 3u);
+    ASSERT_TRUE(read("numbers", Json::array({4})));
+    EXPECT_EQ(sample.numbers.items[1], 0.0f) << "unused items have no value";
+    EXPECT_EQ(sample.numbers.size(), 1u);
+    ASSERT_TRUE(read("numbers", Json::array({1, 2, 3, 4})));
+    EXPECT_EQ(context.warnings.at(0).what, "4 items, the limit is 3");
+    sample.numbers.count = 1000;
+    EXPECT_EQ(write("numbers").size(), 3u) << "a wrong count";
+    EXPECT_FALSE(read("numbers", 1));
+    EXPECT_EQ(write("flag"), false);
+    ASSERT_TRUE(read("flag", true));
+    EXPECT_EQ(write("flag"), true);
+}
+
+TEST_F(FieldJson, foundValuesAreShownShortly) {
+    EXPECT_EQ(foundText(nullptr), "null");
+    EXPECT_EQ(foundText(true), "true");
+    EXPECT_EQ(foundText(false), "false");
+    EXPECT_EQ(foundText(-3), "-3");
+    EXPECT_EQ(foundText(~std::uint64_t{0}), "18446744073709551615");
+    EXPECT_EQ(foundText(1.5), "1.5");
+    EXPECT_EQ(foundText(Json::array({1, 2})), "a list of 2");
+    EXPECT_EQ(foundText(Json::object()), "an object");
+    EXPECT_EQ(foundText(Json::binary({1})), "raw bytes");
+    EXPECT_EQ(foundText(std::string(40, 'a')), "\"" + std::string(40, 'a') + "\"");
+    EXPECT_EQ(foundText(std::string(41, 'a')), "\"" + std::string(40, 'a') + "...\"");
+    // No character is cut: e with an accent has two bytes, the euro sign three.
+    EXPECT_EQ(foundText(std::string(39, 'a') + "\xc3\xa9"
+                                               "b"),
+              "\"" + std::string(39, 'a') + "...\"");
+    EXPECT_EQ(foundText(std::string(38, 'a') + "\xe2\x82\xac"
+                                               "b"),
+              "\"" + std::string(38, 'a') + "...\"");
+    EXPECT_EQ(foundText(std::string(38, 'a') + "\xc3\xa9"
+                                               "b"),
+              "\"" + std::string(38, 'a') + "\xc3\xa9...\"");
 }
 
 TEST_F(FieldJson, everyFieldKindRejectsWrongValuesWithoutChanging) {

@@ -2,7 +2,9 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -247,6 +249,194 @@ TEST(JsonText, everyFloatReadsBackToItsOwnBits) {
     EXPECT_EQ(writeJson(Json(0.1f)), "0.1\n");
     EXPECT_EQ(writeJson(Json(-0.0f)), "-0\n");
     EXPECT_TRUE(std::signbit(parsed("-0").get<float>()));
+}
+
+/// True for a number of JSON. Source: RFC 8259, section 6: [ minus ] int [ frac ] [ exp ].
+bool isNumberText(std::string_view text) {
+    const auto takeDigits = [&] {
+        std::size_t count = 0;
+        for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; ++count) text.remove_prefix(1);
+        return count;
+    };
+    const auto take = [&](std::string_view oneOf) {
+        const bool isThere = !text.empty() && oneOf.find(text.front()) != std::string_view::npos;
+        if (isThere) text.remove_prefix(1);
+        return isThere;
+    };
+    take("-");
+    if (!take("0") && takeDigits() == 0) return false;
+    if (take(".") && takeDigits() == 0) return false;
+    if (take("eE")) {
+        take("+-");
+        if (takeDigits() == 0) return false;
+    }
+    return text.empty();
+}
+
+TEST(JsonTextProperty, exactlyTheNumbersOfTheStandardAreRead) {
+    constexpr std::string_view kLetters = "0129-+.eE";
+    int numbers = 0;
+    for (std::size_t length = 1; length <= 5; ++length) {
+        std::size_t count = 1;
+        for (std::size_t i = 0; i < length; ++i) count *= kLetters.size();
+        for (std::size_t which = 0; which < count; ++which) {
+            std::string text;
+            for (std::size_t i = 0, rest = which; i < length; ++i, rest /= kLetters.size())
+                text += kLetters[rest % kLetters.size()];
+            const Result<Json> json = parseJson(text, "x");
+            if (isNumberText(text)) {
+                const double exact = std::strtod(text.c_str(), nullptr);
+                if (std::isinf(exact) ||
+                    (exact == 0.0 && text.find_first_of("129") < text.find_first_of("eE")))
+                    continue;  // beyond a double
+                ASSERT_TRUE(json.ok()) << text;
+                ASSERT_EQ(json->get<double>(), exact) << text;
+                ASSERT_EQ(json->is_number_float(),
+                          text == "-0" || text.find_first_of(".eE") != std::string::npos);
+                ++numbers;
+            } else {
+                ASSERT_FALSE(json.ok()) << text;
+            }
+        }
+    }
+    EXPECT_GT(numbers, 1000);
+}
+
+/// The UTF-8 form of a character, from the table of its definition (RFC 3629, section 3).
+std::string utf8Of(std::uint32_t code) {
+    std::string bytes;
+    int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    constexpr std::uint32_t kLeads[] = {0, 0xc0, 0xe0, 0xf0};
+    bytes += static_cast<char>(static_cast<unsigned char>(kLeads[more] + (code >> (6 * more))));
+    while (more-- > 0)
+        bytes += static_cast<char>(static_cast<unsigned char>(0x80 + (code >> (6 * more)) % 64));
+    return bytes;
+}
+
+TEST(JsonTextProperty, escapesOfAllCharactersAreRead) {
+    const auto escaped = [](std::uint32_t unit) { return "\\u" + hexText(unit).substr(12); };
+    for (std::uint32_t code = 0; code < 0x110000;
+         code += code < 0x3000 || (code >= 0xd700 && code < 0xe100) ? 1 : 97) {
+        const bool isHalf = code >= 0xd800 && code < 0xe000;
+        const std::uint32_t above = code - 0x10000;
+        const std::string text =
+            code < 0x10000 ? escaped(code) : escaped(0xd800 + (above >> 10)) + escaped(0xdc00 + above % 1024);
+        const Result<Json> json = parseJson("\"" + text + "\"", "x");
+        ASSERT_EQ(json.ok(), !isHalf) << code;
+        ASSERT_TRUE(isHalf || *json->get_ptr<const std::string*>() == utf8Of(code)) << code;
+    }
+    for (const std::uint32_t second : {0xdbffu, 0xdc00u, 0xdfffu, 0xe000u, 0x41u}) {
+        const bool isPair = second >= 0xdc00 && second < 0xe000;
+        EXPECT_EQ(parseJson("\"" + escaped(0xdbff) + escaped(second) + "\"", "x").ok(), isPair) << second;
+    }
+    for (const char* wrong : {R"("\ud800")", R"("\ud800x")", R"("\ud800\n")", R"("\ud800\u12")", R"("\u")",
+                              R"("\u123")", R"("\uD83D\uDE0")"})
+        EXPECT_FALSE(parseJson(wrong, "x").ok()) << wrong;
+}
+
+TEST(JsonTextProperty, allCharactersOfTextsReadBackAndControlCharactersAreEscaped) {
+    for (int c = 1; c < 128; ++c) {
+        const std::string one(1, static_cast<char>(c)), text = "a" + one + "b" + one;
+        const std::string written = writeJson(Json(text));
+        ASSERT_EQ(*parsed(written).get_ptr<const std::string*>(), text) << c;
+        const bool isEscaped = c < 0x20 || c == '"' || c == '\\';
+        ASSERT_EQ(written == "\"" + text + "\"\n", !isEscaped) << c;
+        ASSERT_EQ(parseJson("\"" + text + "\"", "x").ok(), !isEscaped) << c;
+    }
+    EXPECT_EQ(writeJson(Json("\x1f\n\r\t\b")), "\"\\u001f\\n\\r\\t\\u0008\"\n");
+    EXPECT_EQ(parsed(R"("\"\\\/\b\f\n\r\t")"), "\"\\/\b\f\n\r\t");
+}
+
+TEST(JsonText, nothingBehindAPartOfATextIsRead) {
+    for (const std::string_view text :
+         {"-12.5e+30 ", "0.5", "true ", "null", R"("a\u00e9\ud83d\ude00\n")", R"({"a": [1, 2]} )"}) {
+        for (std::size_t size = 0; size < text.size(); ++size) {
+            const std::string alone{text.substr(0, size)};
+            const Result<Json> part = parseJson(text.substr(0, size), "x"), copy = parseJson(alone, "x");
+            ASSERT_EQ(part.ok(), copy.ok()) << alone;
+            EXPECT_EQ(part ? part->dump() : part.error().text(), copy ? copy->dump() : copy.error().text())
+                << alone;
+        }
+    }
+}
+
+TEST(JsonText, blanksAndAMarkOfUtf8AreSkipped) {
+    EXPECT_EQ(parsed("\xef\xbb\xbf [ 1 ,\t2\r\n] \n").dump(), "[1,2]");
+    EXPECT_EQ(parsed(" { \"a\" :\n1 , \"b\" : [ ] , \"c\" : { } } ").dump(), R"({"a":1,"b":[],"c":{}})");
+    EXPECT_FALSE(parseJson("\f1", "x").ok());
+    EXPECT_FALSE(parseJson("\v1", "x").ok());
+}
+
+TEST(JsonText, theFoundCharacterIsNamed) {
+    const auto what = [](std::string_view text) { return parseJson(text, "x").error().what; };
+    EXPECT_EQ(what(""), "expected a value, found the end of the file");
+    EXPECT_EQ(what("?"), "expected a value, found \"?\"");
+    EXPECT_EQ(what("~"), "expected a value, found \"~\"");
+    EXPECT_EQ(what("\x7f"), "expected a value, found a character 127");
+    EXPECT_EQ(what("\x1f"), "expected a value, found a character 31");
+    EXPECT_EQ(what("[1 \"a\"]"), "expected \",\" or \"]\", found a string");
+    EXPECT_EQ(what("1 !"), "expected the end of the file, found \"!\"");
+    EXPECT_EQ(what("\xc3\xa9"), "expected a value, found a character 195");
+    EXPECT_EQ(what("1e999"), "the number is too large for a double");
+    EXPECT_EQ(what("{\"a\" 1}"), "expected \":\", found \"1\"");
+}
+
+TEST(JsonText, placesAreLinesAndColumnsFromOne) {
+    const auto where = [](std::string_view text) { return parseJson(text, "x").error().where; };
+    EXPECT_EQ(where("?"), "x:1:1");
+    EXPECT_EQ(where("  ?"), "x:1:3");
+    EXPECT_EQ(where("\n?"), "x:2:1");
+    EXPECT_EQ(where("[\n\n  1,\n ?]"), "x:4:2");
+    EXPECT_EQ(where("[1, \"a\nb\"]"), "x:1:7");
+    EXPECT_EQ(where("[1, \"ab"), "x:1:5") << "where the text begins";
+    EXPECT_EQ(where("{\"a\": 1,\n \"a\": 2}"), "x:2:2");
+    EXPECT_EQ(where("[1] 2"), "x:1:5");
+}
+
+TEST(JsonText, wholeNumbersAreExactToTheirLimits) {
+    for (const char* text : {"9223372036854775807", "9223372036854775808", "18446744073709551615",
+                             "-9223372036854775808", "0", "-1"})
+        EXPECT_EQ(parsed(text).dump(), text);
+    EXPECT_TRUE(parsed("18446744073709551616").is_number_float());
+    EXPECT_TRUE(parsed("-9223372036854775809").is_number_float());
+    EXPECT_FALSE(parsed("1").is_number_float());
+}
+
+TEST(JsonText, repeatedKeysAreFoundInObjectsOfAllSizes) {
+    for (int size = 1; size <= 40; ++size) {
+        std::string text = "{";
+        for (int i = 0; i < size; ++i) text += format("\"k{}\": {}, ", i, i);
+        for (int i = 0; i < size; ++i) {
+            std::vector<Error> warnings;
+            const Result<Json> json = parseJson(text + format("\"k{}\": -1}", i), "x", &warnings);
+            ASSERT_TRUE(json.ok());
+            ASSERT_EQ(warnings.size(), 1u) << size << " " << i;
+            ASSERT_EQ(json->size(), static_cast<std::size_t>(size));
+            for (int k = 0; k < size; ++k) ASSERT_EQ((*json)[format("k{}", k)], k == i ? -1 : k);
+        }
+        std::vector<Error> warnings;
+        ASSERT_TRUE(parseJson(text + "\"new\": 1}", "x", &warnings).ok());
+        ASSERT_TRUE(warnings.empty()) << size;
+    }
+}
+
+TEST(JsonText, escapedTextsCountToTheirLimit) {
+    const JsonLimits limits{.textBytes = 3};
+    EXPECT_TRUE(parseJson(R"("abc")", "x", nullptr, limits).ok());
+    EXPECT_FALSE(parseJson(R"("abcd")", "x", nullptr, limits).ok());
+    EXPECT_TRUE(parseJson(R"("a\u20ac")", "x", nullptr, JsonLimits{.textBytes = 4}).ok());
+    EXPECT_FALSE(parseJson(R"("a\u20ac")", "x", nullptr, limits).ok());
+    EXPECT_FALSE(parseJson(R"({"abcd": 1})", "x", nullptr, limits).ok()) << "names too";
+    for (const int depth : {0, 1, 2}) {
+        const std::string inner = depth == 0 ? "1" : depth == 1 ? "{\"a\": 1}" : "{\"a\": [1]}";
+        EXPECT_TRUE(parseJson(inner, "x", nullptr, JsonLimits{.depth = depth}).ok());
+        EXPECT_FALSE(parseJson("[" + inner + "]", "x", nullptr, JsonLimits{.depth = depth}).ok());
+        EXPECT_FALSE(parseJson("{\"b\": " + inner + "}", "x", nullptr, JsonLimits{.depth = depth}).ok());
+    }
+    for (std::size_t values = 0; values < 5; ++values)
+        EXPECT_EQ(parseJson(R"({"a": [1, 2], "b": 3})", "x", nullptr, JsonLimits{.values = values}).ok(),
+                  false);
+    EXPECT_TRUE(parseJson(R"({"a": [1, 2], "b": 3})", "x", nullptr, JsonLimits{.values = 5}).ok());
 }
 
 Json randomJson(Random& random, int depth) {

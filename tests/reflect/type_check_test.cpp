@@ -1,5 +1,8 @@
 #include "reflect/type_check.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -104,6 +107,79 @@ TEST(TypeCheck, defaultsAreInsideOfRanges) {
               1u);
     EXPECT_EQ(mistakes([](Builder& type) { type.field<&Beast::seed>("seed").range(-2.0f, 5.0f); }).size(),
               1u);
+}
+
+/// The number of mistakes of a type with an Int field of some bytes, whose default is `value`.
+std::size_t mistakesOfInt(std::size_t size, bool isSigned, std::uint64_t value, float min, float max) {
+    TypeInfo type;
+    type.name = "Made";
+    FieldInfo field;
+    field.name = "n";
+    field.kind = FieldKind::Int;
+    field.size = size;
+    field.isSigned = isSigned;
+    field.offset = 3;
+    field.min = min, field.max = max;
+    type.fields.push_back(field);
+    type.defaults.resize(3 + size, std::byte{0xff});
+    std::memcpy(type.defaults.data() + 3, &value, size);
+    return mistakesOf(type).size();
+}
+
+TEST(TypeCheck, defaultsOfAllKindsOfIntegersAreComparedByTheirValues) {
+    for (const std::size_t size : {1u, 2u, 4u, 8u}) {
+        const std::uint64_t top = std::uint64_t{1} << (8 * size - 1);
+        for (const bool isSigned : {true, false}) {
+            for (const std::uint64_t bits :
+                 {std::uint64_t{0}, std::uint64_t{1}, top - 1, top, top + 1, 2 * top - 1}) {
+                const bool isNegative = isSigned && bits >= top;
+                const long double exact = bits;  // with 64 bits of mantissa
+                const auto value =
+                    static_cast<double>(isNegative ? exact - 2.0L * static_cast<long double>(top) : exact);
+                const auto near = static_cast<float>(value);
+                const float step = std::max(1.0f, std::abs(near) * 1e-6f);
+                SCOPED_TRACE(std::to_string(size) + (isSigned ? " signed " : " unsigned ") +
+                             std::to_string(value));
+                EXPECT_EQ(mistakesOfInt(size, isSigned, bits, near - step, near + step), 0u);
+                EXPECT_EQ(mistakesOfInt(size, isSigned, bits, near + step, near + 2 * step), 1u);
+                EXPECT_EQ(mistakesOfInt(size, isSigned, bits, near - 2 * step, near - step), 1u);
+            }
+        }
+    }
+    EXPECT_EQ(mistakesOfInt(2, true, 5, 5.0f, 5.0f), 0u) << "both limits belong to the range";
+}
+
+TEST(TypeCheck, aRangeWithOneLimitIsChecked) {
+    constexpr float kLow = std::numeric_limits<float>::lowest(), kHigh = std::numeric_limits<float>::max();
+    EXPECT_EQ(mistakesOfInt(4, true, 5, kLow, 4.0f), 1u);
+    EXPECT_EQ(mistakesOfInt(4, true, 5, 6.0f, kHigh), 1u);
+    EXPECT_EQ(mistakesOfInt(4, true, 5, kLow, 5.0f), 0u);
+    EXPECT_EQ(mistakesOfInt(4, true, 5, 5.0f, kHigh), 0u);
+    EXPECT_EQ(mistakesOfInt(4, true, 5, kLow, kHigh), 0u);
+}
+
+TEST(TypeCheck, typesWithoutDefaultsHaveNoneToCheck) {
+    TypeInfo type;
+    type.name = "Made";
+    FieldInfo field;
+    field.name = "n";
+    field.size = 4;
+    field.min = field.max = 5.0f;
+    type.fields.push_back(field);
+    EXPECT_TRUE(mistakesOf(type).empty());
+    type.defaults.resize(4);
+    EXPECT_EQ(mistakesOf(type).size(), 1u);
+    type.fields[0].kind = FieldKind::Bool;
+    EXPECT_TRUE(mistakesOf(type).empty()) << "a bool has no range";
+}
+
+TEST(TypeCheck, fieldsWithoutFormerNamesHaveNoneInCommon) {
+    EXPECT_EQ(mistakes([](Builder& type) {
+                  type.field<&Beast::speed>("speed");
+                  type.field<&Beast::height>("height").was("size");
+                  type.field<&Beast::flies>("flies");
+              }),
+              Texts{});
 }
 
 TEST(TypeCheck, otherFieldsAndEnumsAreComplete) {

@@ -1,5 +1,9 @@
 #include "reflect/type_registry.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "reflect/type_key.hpp"
@@ -40,6 +44,57 @@ TEST(TypeRegistry, findsARemovedTypeAtItsFormerPlaceWhenItComesBack) {
         EXPECT_EQ(types.find("Made"), &first);
     }
     EXPECT_EQ(types.all().size(), 1u);
+}
+
+TEST(TypeRegistry, findsTypesByNameAndByKeyInTheOrderOfTheirRegistration) {
+    TypeRegistry types;
+    for (const std::string_view name : {"C", "A", "B"}) {
+        TypeInfo type = withFields({"speed"});
+        type.name = name;
+        type.key = static_cast<TypeKey>(10 + types.all().size());
+        types.update(std::move(type));
+    }
+    EXPECT_EQ(types.names(), (std::vector<std::string_view>{"C", "A", "B"}));
+    for (const TypeInfo& type : types.all()) {
+        EXPECT_EQ(types.find(type.name), &type);
+        EXPECT_EQ(types.find(type.key), &type);
+    }
+    EXPECT_EQ(types.find("D"), nullptr);
+    EXPECT_EQ(types.find(TypeKey{13}), nullptr);
+    types.remove("D");
+    types.remove("A");
+    EXPECT_EQ(types.names(), (std::vector<std::string_view>{"C", "B"}));
+    EXPECT_EQ(types.find(TypeKey{11}), nullptr);
+    TypeInfo other = withFields({"health"});
+    other.name = "B";
+    types.update(std::move(other));
+    EXPECT_EQ(types.names(), (std::vector<std::string_view>{"C", "B"}));
+    EXPECT_NE(types.find("B")->find("health"), nullptr);
+}
+
+TEST(TypeKeys, haveTheNameThatTheyWereMadeWithAndOthersHaveNone) {
+    for (int i = 0; i < 40; ++i) {
+        const std::string name = "type_registry_test::Made" + std::to_string(i);
+        std::vector<std::string> garbage(64,
+                                         std::string(511, '\xff'));  // in memory that the keys may get next
+        garbage.clear();
+        const TypeKey key = nextTypeKey(name);
+        EXPECT_TRUE(typeNameOf(key) == name);
+        EXPECT_TRUE(typeNameOf(key + 1).empty());
+        EXPECT_TRUE(typeNameOf(kMaxTypes).empty());
+        EXPECT_FALSE(isReloadable(key));
+    }
+}
+
+TEST(TypeKeys, countTheVersionsOfReloadedCode) {
+    const std::uint32_t version = reloadableVersion();
+    beginReloadableTypes();
+    EXPECT_EQ(reloadableVersion(), version + 1);
+    const TypeKey named = reloadableTypeKey("type_registry_test::Named");
+    EXPECT_EQ(reloadableTypeKey("type_registry_test::Named"), named);
+    EXPECT_NE(reloadableTypeKey("type_registry_test::Other"), named);
+    EXPECT_TRUE(isReloadable(named));
+    EXPECT_EQ(typeNameOf(named), "type_registry_test::Named");
 }
 
 TEST(TypeKeys, areTheSameForEachVersionOfCodeThatIsLoadedAgain) {
