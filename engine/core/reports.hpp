@@ -12,7 +12,7 @@ namespace plumb {
 class Reports {
 public:
     /// True at the first call with these arguments since forget().
-    /// @param which  tells errors of the same text apart, e.g. the index of an entity
+    /// @param which  distinguishes errors of the same text, e.g. the index of an entity
     bool isFirst(std::string_view where, std::string_view what, std::uint64_t which = 0);
     /// Lets all errors be reported again, as when a scene begins or other code was loaded.
     void forget() { reported_.clear(); }

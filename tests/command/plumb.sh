@@ -1,6 +1,6 @@
 #!/bin/bash
 # The script plumb, with a cmake and a ninja that only note what they are asked for and "build" programs that print their
-# arguments: what it checks before a build, what it builds, and what it says.
+# arguments: what it checks before a build, what it builds, and what it prints.
 #   plumb.sh SOURCE-FOLDER PLAYER EDITOR WORK-FOLDER
 set -eu
 source=$1 player=$2 editor=$3 work=$4
@@ -102,7 +102,7 @@ expect "./plumb export PROJECT FOLDER"
 plumb export codegame "$work/out" && fail "a game without a project file was exported"
 expect "codegame is a game in code"
 
-# A new project needs little to be built, and the output says how to go on; --help makes none.
+# A new project needs little to be built, and the output has the next steps; --help makes none.
 plumb new --help
 expect "program plumb-new: --help"
 for words in "foo --help" "foo --template lua --help" "--help foo" "foo --help=x"; do

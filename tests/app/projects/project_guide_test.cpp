@@ -49,7 +49,7 @@ TEST(ProjectGuide, showsTheDefaultsOfProjectJson) {
 }
 
 TEST(ProjectGuide, namesEveryKeyOfProjectJson) {
-    // The keys that the code asks for, by the object that contains them.
+    // The keys that the code reads, by the object that contains them.
     const std::pair<const char*, const char*> readers[] = {
         {R"(\breader\.(?:text|flag|pair|object)\("(\w+)\")", ""},
         {R"(\bwindow\.\w+\("(\w+)\")", "window."},

@@ -23,7 +23,7 @@ struct WaveDue {
     EntityId waves;
 };
 
-/// Begins a wave, and asks for the next one: a timer that sets itself again.
+/// Begins a wave, and sets a timer for the next one, which does so again.
 void beginWave(World& world, const WaveDue& due) {
     Waves* waves = world.find<Waves>(due.waves);
     if (waves == nullptr) return;  // destroyed since
