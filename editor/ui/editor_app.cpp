@@ -221,7 +221,7 @@ int runEditor(const EditorOptions& given) {
                 : ProjectSession::open(options.project);
     if (!session) return fail(session.error());
     if (options.validate) return (*session)->validate();
-    if (!options.exportTo.empty()) return (*session)->exportTo(options.exportTo);
+    if (!options.exportTo.empty()) return (*session)->exportGame(options);
 
     Workspace& workspace = (*session)->workspace();
     workspace.settings = settings;

@@ -8,6 +8,7 @@
 #include "core/log.hpp"
 #include "platform/display.hpp"
 #include "platform/image_file.hpp"
+#include "platform/main_loop.hpp"
 
 namespace plumb {
 namespace {
@@ -64,7 +65,7 @@ int GameLoop::run() {
     } else {
         runScreen();
     }
-    return finish();
+    return failed_ ? 1 : 0;
 }
 
 bool GameLoop::prepare() {
@@ -104,29 +105,38 @@ void GameLoop::runHeadless() {
     while (running_ && ticks_ != options_.frames) {
         tick();
     }
+    finish();
 }
 
 void GameLoop::runScreen() {
     // One tick per frame, independent of the clock, so that saved images belong to known ticks.
     const bool lockstep = !screen_->window().hasDisplay() || !options_.capture.empty();
     pacer_ = FramePacer{refreshRate()};
-    double before = wallSeconds();
-    rateStart_ = before;
-    while (running_ && ticks_ != options_.frames) {
-        openDevices();
-        handleEvents();
-        if (!lockstep) reloadEdited();
-        const double now = wallSeconds();
-        const StepClock::Frame frame = lockstep ? StepClock::Frame{1, 1.0f} : pacer_.next(now - before);
-        before = now;
-        for (int i = 0; i < frame.ticks && running_ && ticks_ != options_.frames; ++i) {
-            tick();
-        }
-        sounds_->play();
-        drawFrame(ticks_ == 0 ? 1.0f : frame.alpha);
-        if (!lockstep) sleepSeconds(pacer_.rest(wallSeconds() - before));
-        reportRate();
+    before_ = wallSeconds();
+    rateStart_ = before_;
+    runFrames([this, lockstep] {
+        if (running_ && ticks_ != options_.frames) runFrame(lockstep);
+        const bool goesOn = running_ && ticks_ != options_.frames;
+        if (!goesOn) finish();
+        return goesOn;
+    });
+}
+
+/// @param lockstep  one tick, whatever time has passed
+void GameLoop::runFrame(bool lockstep) {
+    openDevices();
+    handleEvents();
+    if (!lockstep) reloadEdited();
+    const double now = wallSeconds();
+    const StepClock::Frame frame = lockstep ? StepClock::Frame{1, 1.0f} : pacer_.next(now - before_);
+    before_ = now;
+    for (int i = 0; i < frame.ticks && running_ && ticks_ != options_.frames; ++i) {
+        tick();
     }
+    sounds_->play();
+    drawFrame(ticks_ == 0 ? 1.0f : frame.alpha);
+    if (!lockstep && canWait()) sleepSeconds(pacer_.rest(wallSeconds() - before_));
+    reportRate();
 }
 
 /// Opens the gamepads when the effect "pads" runs; they stay open. The audio device is opened by SoundOutput.
@@ -139,7 +149,7 @@ void GameLoop::openDevices() {
 
 void GameLoop::handleEvents() {
     pending_.clear();
-    if (pacer_.paused()) {
+    if (pacer_.paused() && canWait()) {
         screen_->window().waitEvents(pending_, kPausedWait);  // paused: use no CPU time
     } else {
         screen_->window().pollEvents(pending_);
@@ -264,13 +274,12 @@ void GameLoop::reportRate() {
     rateFrames_ = 0;
 }
 
-int GameLoop::finish() {
+void GameLoop::finish() {
     if (recording_) {
         recorder_.check(game_.world.hash());
         updateRecording();
     }
     if (options_.hash) std::printf("hash: %s\n", hexText(game_.world.hash()).c_str());
-    return failed_ ? 1 : 0;
 }
 
 }  // namespace plumb

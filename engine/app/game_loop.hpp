@@ -34,6 +34,7 @@ private:
     bool prepare();
     void runHeadless();
     void runScreen();
+    void runFrame(bool lockstep);
     void openDevices();
     void handleEvents();
     void reloadEdited();
@@ -43,7 +44,7 @@ private:
     void drawFrame(float alpha);
     PhysicsShown shownPhysics();
     void reportRate();
-    int finish();
+    void finish();
 
     Game& game_;
     Screen* screen_;
@@ -61,6 +62,7 @@ private:
     std::optional<RecordingFile> recording_;  ///< empty: the game is not recorded, or no longer
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
+    double before_ = 0.0;          // s, wall clock: start of the last frame
     double rateStart_ = 0.0;       // s, wall clock: when the frame rate was last logged
     std::int64_t rateFrames_ = 0;  // frames drawn since rateStart_
     bool padsOpen_ = false;        // the gamepads are open

@@ -11,9 +11,11 @@
 #include "app/project.hpp"
 #include "app/scene_game.hpp"
 #include "app/screen.hpp"
+#include "codec/pack.hpp"
 #include "core/log.hpp"
 #include "core/profile.hpp"
 #include "core/text.hpp"
+#include "platform/paths.hpp"
 
 namespace plumb {
 namespace {
@@ -72,11 +74,34 @@ int benchmark(const PlayerOptions& options) {
     return 0;
 }
 
-/// True if the folder of the project contains code.
-bool hasCode(const Project& project) {
-    std::error_code ignored;
-    return std::filesystem::is_directory(project.root / "code", ignored);
+/// Adds the files of an exported game, which are in one pack beside the program.
+Result<Done> mountGame(Preferred preferred) {
+    const Path file = executableFolder() / kPackName;
+    if (!fileExists(file)) return Done{};
+    Result<std::shared_ptr<const Pack>> pack = Pack::open(file);
+    if (!pack) return pack.error();
+    mountFiles(executableFolder(), std::move(*pack), preferred);
+    return Done{};
 }
+
+Path projectOf(const PlayerOptions& options) {
+    if (!options.project.empty()) return options.project;
+    const Path beside = executableFolder() / kGameFolder;
+    return folderExists(beside) ? beside : Path{"projects/platformer"};
+}
+
+/// Opens the project that the options name. Files beside the pack of an exported game replace those in it if
+/// the project allows it.
+Result<Project> openProject(const PlayerOptions& options) {
+    if (const Result<Done> mounted = mountGame(Preferred::Mounted); !mounted) return mounted.error();
+    Result<Project> project = loadProject(projectOf(options));
+    if (!project || !project->mods) return project;
+    if (const Result<Done> mounted = mountGame(Preferred::OnDisk); !mounted) return mounted.error();
+    return loadProject(projectOf(options));
+}
+
+/// True if the folder of the project contains code.
+bool hasCode(const Project& project) { return folderExists(project.root / "code"); }
 
 void warnOfMissingCode(const Project& project, const Module& code) {
     if (hasCode(project) && code.componentTypes().empty() && code.systems().empty())
@@ -89,7 +114,7 @@ void warnOfMissingCode(const Project& project, const Module& code) {
 
 int playProject(const PlayerOptions& asked, const Module& code) {
     if (asked.benchmark) return benchmark(asked);
-    Result<Project> project = loadProject(asked.project);
+    Result<Project> project = openProject(asked);
     if (!project) {
         logError("Engine", project.error());
         return 1;

@@ -1,9 +1,16 @@
 #pragma once
 
+#include <string_view>
+
 #include "app/module.hpp"
 #include "app/player_options.hpp"
 
 namespace plumb {
+
+// An exported game is a player with a file named kPackName beside it, which contains the folders kGameFolder
+// (the project) and "assets" (those of the engine).
+inline constexpr std::string_view kPackName = "game.pack";
+inline constexpr std::string_view kGameFolder = "game";
 
 /// Runs plumb-player with these options: plays a project,
 /// runs the benchmark, or lists the effects of a scene.

@@ -14,7 +14,7 @@ namespace plumb {
 
 /// Command line options of the player.
 struct PlayerOptions {
-    std::string project = "projects/platformer";
+    std::string project;                ///< folder; empty: the game beside the program, or else a sample
     std::string scene;                  ///< empty: the project's start scene
     bool headless = false;              ///< no window, OpenGL or audio
     std::int64_t frames = -1;           ///< number of ticks to play; -1: until closed

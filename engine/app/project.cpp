@@ -65,15 +65,17 @@ public:
             warn(key, "expected two numbers", "write them as [320, 180]");
         }
     }
-    void names(std::string_view key, std::vector<std::string>& values, std::size_t most) {
-        const Json* found = find(key, "a list of names", "[\"ground\", \"player\"]", &Json::is_array);
+    /// @param example  of the value, for the remedy
+    void names(std::string_view key, std::vector<std::string>& values, std::size_t most,
+               const char* example) {
+        const Json* found = find(key, "a list of names", example, &Json::is_array);
         if (found == nullptr) return;
         for (const Json& name : *found) {
             if (values.size() == most || !name.is_string()) {
                 warn(key,
                      values.size() == most ? format("has more than {} names", most)
                                            : format("expected a string, found {}", name.type_name()),
-                     "write e.g. [\"ground\", \"player\"]; \"\" skips a layer");
+                     format("write e.g. {}", example));
                 return;
             }
             values.push_back(stringOrEmpty(name));
@@ -129,8 +131,17 @@ void readPhysics(const Json& json, const std::string& where, Project& project) {
     auto quality = static_cast<float>(project.physicsQuality);
     physics.number("quality", quality, 0.0f, 6.0f);
     project.physicsQuality = static_cast<int>(quality);
-    physics.names("layers", project.layers, 32);
+    physics.names("layers", project.layers, 32, "[\"ground\", \"player\"]; \"\" skips a layer");
     physics.warnUnknown();
+}
+
+void readExport(const Json& json, const std::string& where, Project& project) {
+    constexpr std::size_t kMost = 256;
+    Reader exported{json, where + ": export.", project.warnings};
+    exported.text("icon", project.icon);
+    exported.flag("mods", project.mods);
+    exported.names("leaveOut", project.leftOut, kMost, "[\"art/\"]");
+    exported.warnUnknown();
 }
 
 void readScaling(Reader& reader, Project& project) {
@@ -148,13 +159,12 @@ void readScaling(Reader& reader, Project& project) {
 }  // namespace
 
 Result<Project> loadProject(const Path& path) {
-    std::error_code failed;
-    const bool isFolder = std::filesystem::is_directory(path, failed);
+    const bool isFolder = folderExists(path);
     const Path file = isFolder ? path / "project.json" : path;
     Result<std::string> text = readFile(file);
     if (!text) {
         // A path without extension is meant as a folder.
-        const bool noFolder = !isFolder && !path.has_extension() && !std::filesystem::exists(path, failed);
+        const bool noFolder = !isFolder && !path.has_extension() && !fileExists(path);
         return Error{file.generic_string(), noFolder ? "there is no such folder" : text.error().what,
                      "name a folder with a project.json in it, e.g. projects/platformer"};
     }
@@ -196,6 +206,7 @@ Result<Project> readProject(std::string_view text, const Path& root, const std::
     if (const Json* input = reader.object("input")) {
         project.actions = actionMapFromJson(*input, where + ": input", project.warnings);
     }
+    if (const Json* exported = reader.object("export")) readExport(*exported, where, project);
     reader.warnUnknown();
     return project;
 }

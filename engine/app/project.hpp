@@ -29,7 +29,10 @@ struct Project {
     Vec2 gravity{0.0f, 980.0f};    ///< px/s²
     float pixelsPerMetre = 64.0f;  ///< px per metre of the physics
     int physicsQuality = 2;        ///< 2^quality substeps per tick; scenes, bodies and joints may override it
-    std::vector<std::string> layers;  ///< names of the collision layers, from the lowest bit
+    std::string icon;   ///< path of the PNG file that an exported page has as its icon; empty: none
+    bool mods = false;  ///< files beside the pack of an exported game replace those in it
+    std::vector<std::string> leftOut;  ///< starts of paths that exports leave out, e.g. "art/"
+    std::vector<std::string> layers;   ///< names of the collision layers, from the lowest bit
     ActionMap actions;
     std::vector<Error> warnings;  ///< errors in the file, and the values used instead
 };

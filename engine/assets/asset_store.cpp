@@ -45,11 +45,9 @@ Result<Path> AssetStore::resolve(std::string_view path) const {
     }
     if (ofEngine) return pathInside(root, path.substr(kEnginePrefix.size()));
     Result<Path> direct = pathInside(root, path);
-    std::error_code failed;
-    if (!direct || path.find('/') != std::string_view::npos || std::filesystem::exists(*direct, failed))
-        return direct;
+    if (!direct || path.find('/') != std::string_view::npos || fileExists(*direct)) return direct;
     Result<Path> inAssets = pathInside(root, "assets/" + std::string{path});
-    return inAssets && std::filesystem::exists(*inAssets, failed) ? std::move(inAssets) : std::move(direct);
+    return inAssets && fileExists(*inAssets) ? std::move(inAssets) : std::move(direct);
 }
 
 // ---- loading ------------------------------------------------------------------------------------

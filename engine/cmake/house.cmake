@@ -4,9 +4,20 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT EMSCRIPTEN)
+    set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release)
+endif()
+
+# Folders whose files this build leaves out, as a regular expression; see layers.cmake.
+if(EMSCRIPTEN)
+    set(PLUMB_OTHER_PLATFORMS "posix|windows|desktop")
+elseif(WIN32)
+    set(PLUMB_OTHER_PLATFORMS "posix|web")
+else()
+    set(PLUMB_OTHER_PLATFORMS "windows|web")
 endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
@@ -25,6 +36,8 @@ set(PLUMB_SANITIZE "" CACHE STRING "sanitizers to build with, e.g. address,undef
 if(PLUMB_SANITIZE)
     add_compile_options(-fsanitize=${PLUMB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${PLUMB_SANITIZE})
+    # With them g++ 12 reports members of std::regex that are initialized.
+    add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     # Sanitizer builds also enable the assertions of the engine and of the standard library.
     add_compile_definitions(PLUMB_ASSERTS _GLIBCXX_ASSERTIONS)
 endif()
@@ -71,6 +84,9 @@ endif()
 function(set_plumb_warnings target)
     if(MSVC)
         target_compile_options(${target} PRIVATE /W4)
+    elseif(EMSCRIPTEN)
+        # Sizes have 32 bits there, and headers of packages count as our own: player/targets/toolchains/web.cmake.
+        target_compile_options(${target} PRIVATE -Wall -Wextra -Wno-missing-field-initializers -Wno-missing-braces -Werror)
     else()
         target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast
             -Wno-missing-field-initializers -Wno-missing-braces -Werror)

@@ -13,7 +13,7 @@ else()
 endif()
 
 # On processors with SIMD the scalar kernels serve only as a reference, for programs that link physics_scalar.
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|aarch64|arm64|ARM64")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|aarch64|arm64|ARM64" OR EMSCRIPTEN)
     get_target_property(sources physics SOURCES)
     list(FILTER sources EXCLUDE REGEX kernels_scalar)
     set_target_properties(physics PROPERTIES SOURCES "${sources}")

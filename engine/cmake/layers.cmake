@@ -6,6 +6,8 @@
 # With PLUMB_UNITY, several files of a layer are compiled as one, so their headers are read once; layers marked
 # SINGLE_FILES are excluded, because their files define the same names. FAST layers are compiled with -O3.
 #
+# Files in folders named after a platform (posix, windows, web, or desktop for the first two) are compiled for it alone.
+#
 # Implementation: every layer has its own include root in the build folder, which contains one link,
 # <root>/physics -> <source>/engine/physics. Linking a layer adds only its include root.
 
@@ -20,6 +22,8 @@ function(add_layer name)
     set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${LAYER_FOLDER})
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${folder}/*.hpp)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    list(FILTER headers EXCLUDE REGEX "/(${PLUMB_OTHER_PLATFORMS})/")
+    list(FILTER sources EXCLUDE REGEX "/(${PLUMB_OTHER_PLATFORMS})/")
 
     set(root ${CMAKE_BINARY_DIR}/layers/${name})
     get_filename_component(parent ${root}/${LAYER_ROOT_AS} DIRECTORY)

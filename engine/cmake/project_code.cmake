@@ -3,6 +3,7 @@
 #   NAME-code    a library that the editor loads, and loads again after a change
 #   NAME-player  the player with the code linked in; an export contains it
 include(${CMAKE_CURRENT_LIST_DIR}/code_target.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/player_program.cmake)
 
 # Compiles the code of a game for a debugger, if asked to.
 function(debug_code target)
@@ -45,6 +46,7 @@ function(add_project_code name folder)
     add_executable(${name}-player ${PROJECT_SOURCE_DIR}/player/main.cpp)
     target_link_libraries(${name}-player PRIVATE ${name}-objects plumb::engine)
     name_functions(${name}-player)
+    finish_player(${name}-player)
 
     if(NOT PLUMB_EDITOR)
         return()

@@ -30,6 +30,8 @@ bool cpuHasAvx2() {
 SimdWidth widest() {
 #if defined(__x86_64__) || defined(_M_X64)
     return cpuHasAvx2() ? SimdWidth::Avx2 : SimdWidth::Sse2;
+#elif defined(__SSE2__)  // WebAssembly, whose compiler offers its instructions under these names
+    return SimdWidth::Sse2;
 #elif defined(__ARM_NEON) && defined(__aarch64__)
     return SimdWidth::Neon;
 #else

@@ -4,6 +4,7 @@
 
 #include "core/assert.hpp"
 #include "core/clock.hpp"
+#include "core/os.hpp"
 
 #if defined(__x86_64__) || defined(_M_X64)
 #include <emmintrin.h>
@@ -101,10 +102,10 @@ struct alignas(64) TaskPool::Share {
     }
 };
 
-TaskPool::TaskPool(int threads) : threads_{threads} {
+TaskPool::TaskPool(int threads) : threads_{os::hasThreads() ? threads : 1} {
     PLUMB_ASSERT(threads >= 1, "a pool has at least the caller's thread");
-    shares_ = std::make_unique<Share[]>(static_cast<std::size_t>(threads));
-    for (int i = 1; i < threads; ++i) workers_.emplace_back([this, i] { work(i); });
+    shares_ = std::make_unique<Share[]>(static_cast<std::size_t>(threads_));
+    for (int i = 1; i < threads_; ++i) workers_.emplace_back([this, i] { work(i); });
 }
 
 TaskPool::TaskPool(int threads, Foreign foreign, void* owner)

@@ -18,7 +18,8 @@ namespace plumb {
 /// of threads.
 class TaskPool {
 public:
-    /// @param threads  including the caller's, at least 1
+    /// @param threads  including the caller's, at least 1; where programs cannot start any, the caller's
+    /// alone
     explicit TaskPool(int threads);
     /// Uses the threads of another scheduler instead of its own: `foreign` calls `task(taskContext,
     /// part, thread)` for every part in 0..count-1, on any thread, and returns when all are done.

@@ -18,7 +18,7 @@ public:
     AddressRange& operator=(AddressRange&& other) noexcept;
 
     [[nodiscard]] bool ok() const { return start_ != nullptr; }
-    /// The first byte, aligned to 2 MiB if the system supports that.
+    /// The first byte, aligned to os::memoryStep().
     [[nodiscard]] std::byte* start() const { return start_; }
 
     /// Makes a part usable. Required before its first use on systems that separate
@@ -33,18 +33,5 @@ private:
     std::size_t mapped_ = 0;  // bytes
     std::byte* start_ = nullptr;
 };
-
-/// The size of a huge page and the alignment that gets one, in bytes.
-inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
-
-/// True if reserving address space costs nothing. Otherwise worlds reserve less.
-#if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
-inline constexpr bool kAddressesAreFree = sizeof(void*) == 8;
-#else
-inline constexpr bool kAddressesAreFree = false;
-#endif
-
-/// Bytes of address space that this process may reserve (`ulimit -v`); SIZE_MAX if unlimited.
-[[nodiscard]] std::size_t addressLimit();
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/assert.hpp"
+#include "core/os.hpp"
 
 namespace plumb {
 
@@ -16,7 +17,8 @@ constexpr std::size_t kColourSpan = 16384;  // bytes
 std::size_t colour(std::uint32_t array) { return (array * std::size_t{1088}) % kColourSpan / 64 * 64; }
 
 std::size_t rounded(std::size_t bytes) {
-    return (bytes + kColourSpan + kHugePage - 1) / kHugePage * kHugePage;
+    const std::size_t step = os::memoryStep();
+    return (bytes + kColourSpan + step - 1) / step * step;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "core/assert.hpp"
 #include "core/log.hpp"
+#include "core/os.hpp"
 
 namespace plumb {
 
@@ -18,10 +19,12 @@ constexpr std::uint32_t kLastGeneration = 0xfffffffeu;
 
 /// The number of entities for which a world reserves address space. If the address space of the process
 /// is limited, all pools together take about a quarter of it, assuming 64 types with 64 bytes per entity.
+/// Where reserving takes memory, at once, that is the least.
 std::uint32_t roomOfWorld() {
-    constexpr std::size_t kBytes = std::size_t{64} * 64, kMaximum = kAddressesAreFree ? 1u << 22 : 1u << 16;
-    return static_cast<std::uint32_t>(
-        std::clamp<std::size_t>(std::bit_floor(addressLimit() / 4 / kBytes), kFirstRecords, kMaximum));
+    constexpr std::size_t kBytes = std::size_t{64} * 64;
+    if (!os::reservingIsFree()) return kFirstRecords;
+    return static_cast<std::uint32_t>(std::clamp<std::size_t>(std::bit_floor(os::addressLimit() / 4 / kBytes),
+                                                              kFirstRecords, std::size_t{1} << 22));
 }
 
 }  // namespace

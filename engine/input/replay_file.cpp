@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/os.hpp"
 #include "core/text.hpp"
 #include "input/recorder.hpp"
 
@@ -346,7 +347,7 @@ Result<RecordingFile> RecordingFile::create(const Path& path, const Replay& repl
     std::string text = header;
     writeEnd(text, 0);
     if (const Result<Done> written = writeFile(path, text); !written) return written.error();
-    Handle file{std::fopen(path.string().c_str(), "r+b"), &std::fclose};
+    Handle file{os::openFile(path, "r+b"), &std::fclose};
     if (!file)
         return Error{path.generic_string(), format("could not be opened: {}", std::strerror(errno)),
                      "check its permissions"};

@@ -6,7 +6,7 @@ struct SDL_Window;
 
 namespace plumb {
 
-/// An OpenGL 3.3 core context of one window, current on the thread that created it.
+/// An OpenGL context of one window, current on the thread that created it.
 class GlContext {
 public:
     GlContext() = default;
@@ -16,8 +16,7 @@ public:
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
 
-    /// Requests 3.3 core. Call before the window is created: the window's pixel format depends on it.
-    static void request();
+    /// Creates one with the profile of requestGlProfile().
     /// @error the driver has no OpenGL 3.3
     static Result<GlContext> create(SDL_Window* window);
 

@@ -28,7 +28,7 @@ Path findEngineAssets() {
         Path{PLUMB_SOURCE_ASSETS},
     };
     for (const Path& candidate : candidates) {
-        if (!candidate.empty() && std::filesystem::is_directory(candidate / "fonts", ignored)) {
+        if (!candidate.empty() && folderExists(candidate / "fonts")) {
             return std::filesystem::weakly_canonical(candidate, ignored);
         }
     }

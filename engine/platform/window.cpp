@@ -10,6 +10,7 @@
 #include "core/log.hpp"
 #include "platform/event_translation.hpp"
 #include "platform/gl_context.hpp"
+#include "platform/gl_profile.hpp"
 
 namespace plumb {
 namespace {
@@ -76,7 +77,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     if (const Result<Done> started = startVideo(); !started) return started.error();
     auto parts = std::make_unique<Parts>();
     parts->translation.emplace();
-    GlContext::request();
+    requestGlProfile();
     parts->window = SDL_CreateWindow(settings.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                      settings.width, settings.height, windowFlags(settings));
     if (parts->window == nullptr) {

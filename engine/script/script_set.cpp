@@ -134,14 +134,9 @@ void ScriptSet::addTexts(World& world) const {
 namespace {
 
 std::vector<Path> filesOf(const Path& folder) {
-    namespace fs = std::filesystem;
     std::vector<Path> files;
-    std::error_code failed;
-    for (fs::recursive_directory_iterator at{folder / kFolder, failed}, end; !failed && at != end;
-         at.increment(failed)) {
-        if (at->path().extension() == kEnding) files.push_back(at->path());
-    }
-    std::sort(files.begin(), files.end());
+    for (const std::string& file : filesBelow(folder / kFolder, kEnding))
+        files.push_back(folder / kFolder / file);
     return files;
 }
 

@@ -1,7 +1,12 @@
+#include <chrono>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
+#include "app/player.hpp"
 #include "app/project.hpp"
 #include "app/scene_game.hpp"
+#include "codec/pack.hpp"
 #include "core/text.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
@@ -20,6 +25,8 @@ protected:
     HeadlessTest() : out{fs::temp_directory_path() / (root().filename().string() + "_out")} {
         fs::remove_all(out);
         putFile("project.json", R"({"name": "Test", "startScene": "scenes/level.scene.json"})");
+        putFile("player", "a program");
+        fs::permissions(root() / "player", fs::perms::owner_exec, fs::perm_options::add);
         putFile(kScene, R"({"format": 1, "effects": {}, "layers": [], "entities": [
             {"id": "0000000000000001", "name": "ball", "components": {"Transform": {"position": [10, 20]},
              "RigidBody": {}, "CircleCollider": {"radius": 4}}}]})");
@@ -33,8 +40,9 @@ protected:
         workspace.assets.clearErrors();
         return checkProject(*project, workspace, prefabs);
     }
-    [[nodiscard]] Result<ExportReport> exportIt(const Path& player = {}) const {
-        return exportProject(root(), out, {player, engineAssets()});
+    [[nodiscard]] ExportParts parts() const { return {root() / "player", engineAssets(), {}}; }
+    [[nodiscard]] Result<ExportReport> exportIt() const {
+        return exportProject(*loadProject(root()), out, parts());
     }
     static std::uint64_t hashAfter(const Path& folder, int ticks) {
         SceneGame game{*loadProject(folder)};
@@ -164,90 +172,143 @@ TEST_F(HeadlessTest, damagedSoundsFontsAndImagesAreReported) {
     for (const auto& [name, bytes] : bad) EXPECT_NE(found.text().find(name), std::string::npos) << name;
 }
 
+/// Mounts the pack of an export as a player does, for the time of a test.
+class MountedExport {
+public:
+    explicit MountedExport(Path folder) : folder_{std::move(folder)} {
+        const Result<std::shared_ptr<const Pack>> pack = Pack::open(folder_ / kPackName);
+        EXPECT_TRUE(pack.ok()) << pack.error().text();
+        if (pack) mountFiles(folder_, *pack);
+    }
+    ~MountedExport() { mountFiles(folder_, nullptr); }
+    MountedExport(const MountedExport&) = delete;
+    MountedExport& operator=(const MountedExport&) = delete;
+
+private:
+    Path folder_;
+};
+
 TEST_F(HeadlessTest, anExportedGamePlaysLikeTheProject) {
     putFile(".plumb/journal", "secret");
     putFile("notes.txt", "taken along");
-    putFile("player", "a program");
-    const Result<ExportReport> report = exportIt(root() / "player");
+    const Result<ExportReport> report = exportIt();
     ASSERT_TRUE(report.ok()) << report.error().text();
-    EXPECT_TRUE(report->runnable);
-    EXPECT_FALSE(fs::exists(out / "game/.plumb"));
-    EXPECT_TRUE(fs::exists(out / "game/notes.txt"));
-    EXPECT_TRUE(fs::exists(out / "assets/fonts"));
+    EXPECT_EQ(report->program, "Test") << "named like the project";
+    EXPECT_NE(fs::status(out / "Test").permissions() & fs::perms::owner_exec, fs::perms::none);
     ASSERT_TRUE(fs::exists(engineAssets() / "templates"));
-    EXPECT_FALSE(fs::exists(out / "assets/templates")) << "a game needs no templates";
-    EXPECT_FALSE(fs::exists(out / "assets/tools"));
-    EXPECT_TRUE(fs::exists(out / "plumb-player")) << "the name that the script starts";
-    EXPECT_NE(fs::status(out / "play").permissions() & fs::perms::owner_exec, fs::perms::none);
+    const MountedExport mounted{out};
+    EXPECT_FALSE(fileExists(out / "game/.plumb/journal"));
+    EXPECT_EQ(*readFile(out / "game/notes.txt"), "taken along");
+    EXPECT_TRUE(folderExists(out / "assets/fonts"));
+    EXPECT_FALSE(folderExists(out / "assets/templates")) << "a game needs no templates";
+    EXPECT_FALSE(folderExists(out / "assets/tools"));
     EXPECT_EQ(hashAfter(out / "game", 60), hashAfter(root(), 60));
 }
 
-// On macOS before 12.3, readlink has no option -f.
-TEST_F(HeadlessTest, theScriptOfAnExportStartsTheGameThroughLinksWithAReadlinkWithoutOptions) {
-    putFile("player", "#!/bin/sh\ncat \"$(dirname \"$0\")/sign\" \"$1/sign\"; echo \"$2\"\n");
-    fs::permissions(root() / "player", fs::perms::owner_exec, fs::perm_options::add);
-    ASSERT_TRUE(exportIt(root() / "player").ok());
-    ASSERT_TRUE(writeFile(out / "sign", "player ").ok());
-    ASSERT_TRUE(writeFile(out / "game/sign", "game ").ok());
-    const Path links = root() / "with links";
-    fs::create_directories(links / "inner");
-    putFile("with links/bin/readlink",
-            "#!/bin/sh\ncase $1 in -*) exit 1 ;; esac\nPATH=/usr/bin:/bin exec readlink \"$1\"\n");
-    fs::permissions(links / "bin/readlink", fs::perms::owner_exec, fs::perm_options::add);
-    fs::create_symlink(out / "play", links / "absolute");
-    fs::create_symlink("../absolute", links / "inner/relative");
-    fs::create_symlink("with links/inner/relative", root() / "first");
-    fs::create_directory_symlink(out, links / "folder");
-    const std::pair<Path, std::string> calls[] = {{out, "./play"},       {"/", (out / "play").string()},
-                                                  {links, "./absolute"}, {links, "inner/relative"},
-                                                  {root(), "./first"},   {"/", (root() / "first").string()},
-                                                  {links, "folder/play"}};
-    for (const auto& [folder, program] : calls) {
-        const Path output = root() / "output";
-        const std::string command =
-            format("cd '{}' && PATH='{}':\"$PATH\" '{}' 'an option' > '{}' 2>&1", folder.string(),
-                   (links / "bin").string(), program, output.string());
-        EXPECT_EQ(std::system(command.c_str()), 0) << command;
-        EXPECT_EQ(*readFile(output), "player game an option\n") << command;
-    }
-}
-
 // Code loads them: assetsOf(world).loadSound("shot.wav"), spawn(world, "coin").
-TEST_F(HeadlessTest, anExportContainsWhatNoSceneRefersTo) {
+TEST_F(HeadlessTest, anExportContainsWhatNoSceneRefersToButNothingThatIsLeftOut) {
     const std::string prefab = R"({"format": 1, "entities": [{"id": "0000000000000001", "name": "coin"}]})";
     const std::pair<const char*, std::string> files[] = {
         {"assets/shot.wav", "a sound"},       {"assets/deep/er/hit.ogg", "another"},
         {"assets/spark.png", "a picture"},    {"prefabs/coin.prefab.json", prefab},
         {"scenes/other.scene.json", "scene"}, {"levels.txt", "of the code's own format"},
-        {"codes/secret.txt", "not code"},     {"assets/code/door.txt", "not code"}};
+        {"codes/secret.txt", "not code"},     {"assets/code/door.txt", "not code"},
+        {"assets/art/x.txt", "not left out"}};
     for (const auto& [name, text] : files) putFile(name, text);
     putFile("code/game.cpp", "source");
+    putFile("art/hero.svg", "source");
+    putFile("notes.txt", "left out, too");
+    putFile("project.json", R"({"name": "Test", "startScene": "scenes/level.scene.json",
+                                "export": {"leaveOut": ["art/", "notes.txt"]}})");
     ASSERT_TRUE(exportIt().ok());
+    const MountedExport mounted{out};
     for (const auto& [name, text] : files) {
         const Result<std::string> copy = readFile(out / "game" / name);
         ASSERT_TRUE(copy.ok()) << name;
         EXPECT_EQ(*copy, text) << name;
     }
-    EXPECT_FALSE(fs::exists(out / "game/code")) << "the player contains it";
+    EXPECT_FALSE(folderExists(out / "game/code")) << "the player contains it";
+    EXPECT_FALSE(folderExists(out / "game/art"));
+    EXPECT_FALSE(fileExists(out / "game/notes.txt"));
 }
 
 TEST_F(HeadlessTest, anExportReplacesAnEarlierExportButNoOtherFolder) {
     ASSERT_TRUE(exportIt().ok());
-    fs::remove(root() / "notes.txt");
     putFile("assets/new.txt", "new");
-    ASSERT_TRUE(writeFile(out / "game/old.txt", "of the last export").ok());
+    ASSERT_TRUE(writeFile(out / "old.txt", "of the last export").ok());
     ASSERT_TRUE(exportIt().ok());
-    EXPECT_TRUE(fs::exists(out / "game/assets/new.txt"));
-    EXPECT_FALSE(fs::exists(out / "game/old.txt"));
+    EXPECT_TRUE(fs::exists(out / "game.pack"));
+    EXPECT_FALSE(fs::exists(out / "old.txt"));
 
     fs::remove_all(out);
     fs::create_directories(out);
     ASSERT_TRUE(writeFile(out / "thesis.txt", "mine").ok());
     EXPECT_FALSE(exportIt().ok());
     EXPECT_EQ(*readFile(out / "thesis.txt"), "mine");
-    EXPECT_FALSE(exportProject(root(), root() / "out", {}).ok()) << "inside the project";
-    EXPECT_FALSE(exportProject(root(), root().parent_path(), {}).ok()) << "around the project";
+    const Project project = *loadProject(root());
+    EXPECT_FALSE(exportProject(project, root() / "out", parts()).ok()) << "inside the project";
+    EXPECT_FALSE(exportProject(project, root().parent_path(), parts()).ok()) << "around the project";
     EXPECT_FALSE(fs::exists(root() / "out"));
+}
+
+TEST_F(HeadlessTest, anExportWithoutAPlayerIsRefused) {
+    const Result<ExportReport> report =
+        exportProject(*loadProject(root()), out, {root() / "none", engineAssets(), {}});
+    ASSERT_FALSE(report.ok());
+    EXPECT_EQ(report.error().what, "there is no player");
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(HeadlessTest, aPageGetsTheNameAndTheIconOfTheGame) {
+    putFile("page/index.html", "<title>{{NAME}}</title><h1>{{NAME}}</h1>{{ICON}}");
+    putFile("page/player.js", "script");
+    putFile("hero.png", "picture");
+    putFile(
+        "project.json",
+        R"({"name": "A & B <1>", "startScene": "scenes/level.scene.json", "export": {"icon": "hero.png"}})");
+    const Result<ExportReport> report =
+        exportProject(*loadProject(root()), out, {root() / "page", engineAssets(), {}});
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_EQ(report->program, "index.html");
+    EXPECT_EQ(*readFile(out / "index.html"),
+              "<title>A &#38; B &#60;1&#62;</title><h1>A &#38; B &#60;1&#62;</h1>icon.png");
+    EXPECT_EQ(*readFile(out / "icon.png"), "picture");
+    EXPECT_EQ(*readFile(out / "player.js"), "script");
+}
+
+TEST_F(HeadlessTest, anExportContainsTheLicences) {
+    putFile("licences/b.txt", "second\n");
+    putFile("licences/a.txt", "first\n");
+    ASSERT_TRUE(
+        exportProject(*loadProject(root()), out, {root() / "player", engineAssets(), root() / "licences"})
+            .ok());
+    EXPECT_EQ(*readFile(out / "licences.txt"), "a\n=\n\nfirst\n\n\nb\n=\n\nsecond\n\n\n");
+}
+
+TEST_F(HeadlessTest, theSameProjectGivesTheSameBytes) {
+    ASSERT_TRUE(exportIt().ok());
+    const std::string first = *readFile(out / "game.pack");
+    for (const char* file : {"project.json", "scenes/level.scene.json"})
+        fs::last_write_time(root() / file, fs::file_time_type::clock::now() + std::chrono::hours{24});
+    ASSERT_TRUE(exportIt().ok());
+    EXPECT_EQ(*readFile(out / "game.pack"), first);
+}
+
+TEST(ProgramName, isThatOfTheProjectWithoutWhatSystemsRefuse) {
+    const std::pair<const char*, const char*> names[] = {{"Wickwood", "Wickwood"},
+                                                         {"Sky Caves 2", "Sky Caves 2"},
+                                                         {"a/b\\c:d", "abcd"},
+                                                         {"What?", "What"},
+                                                         {"The end...", "The end"},
+                                                         {"...", "game"},
+                                                         {"", "game"},
+                                                         {".hidden", "game"},
+                                                         {"\u00dcber", "\u00dcber"}};
+    for (const auto& [name, program] : names) {
+        Project project;
+        project.name = name;
+        EXPECT_EQ(programName(project), program) << name;
+    }
 }
 
 TEST(EditorOptionsTest, exportOptionsAreParsedAndListedInTheHelp) {

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "codec/compression.hpp"
-#include "codec/xml.hpp"
 #include "import/import_file.hpp"
 #include "import/loaders/ldtk_loader.hpp"
 #include "import/loaders/tmx_loader.hpp"
+#include "import/loaders/xml.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
 #include "scene/files/tiles_json.hpp"

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "codec/xml.hpp"
 #include "core/text.hpp"
+#include "import/loaders/xml.hpp"
 #include "tests/support/type_swaps.hpp"
 
 namespace plumb::test {

@@ -4,7 +4,10 @@
 #include <array>
 #include <span>
 #include <system_error>
+#include <utility>
 
+#include "app/player.hpp"
+#include "codec/pack.hpp"
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
 
@@ -13,60 +16,88 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kScript = R"sh(#!/bin/sh
-file=$0
-while [ -L "$file" ]; do  # called through a link; readlink -f, which follows all, is missing on older macOS
-    target=$(readlink "$file")
-    case $target in
-        /*) file=$target ;;
-        *) file=$(dirname "$file")/$target ;;
-    esac
-done
-here=$(dirname "$file")
-exec "$here/plumb-player" "$here/game" "$@"
-)sh";
-constexpr std::array<std::string_view, 1> kNotOfTheGame{"code/"};  // the player contains it
-constexpr std::array<std::string_view, 2> kNotOfGames{"templates/", "tools/"};
-constexpr std::string_view kBatch = "@\"%~dp0plumb-player.exe\" \"%~dp0game\" %*\r\n";
+constexpr std::array<std::string_view, 2> kNotOfGames{"templates/", "tools/"};  // in the engine's assets
+constexpr std::string_view kPage = "index.html";
+constexpr const char* kIcon = "icon.png";  // of a page
+constexpr std::size_t kNamed = 5;          // files in the report
 
-/// Copies and counts files until the first error, which it stores.
-class Copier {
-public:
-    explicit Copier(ExportReport& report) : report_{report} {}
+using Files = std::vector<std::pair<std::string, std::string>>;
 
-    void copy(const Path& from, const Path& to) {
-        if (failed_) return;
-        fs::create_directories(to.parent_path(), failed_);
-        if (!failed_) fs::copy_file(from, to, fs::copy_options::overwrite_existing, failed_);
-        if (failed_) place_ = to;
-        ++report_.files;
-        std::error_code ignored;
-        report_.bytes += fs::file_size(to, ignored);
+/// Adds all files of a folder that are not hidden.
+/// @param leftOut  starts of paths that are not added
+Result<Done> addFiles(Files& files, const Path& from, const std::string& to,
+                      std::span<const std::string_view> leftOut) {
+    const auto isLeftOut = [&](std::string_view path) {
+        return std::any_of(leftOut.begin(), leftOut.end(),
+                           [&](std::string_view start) { return startsWith(path, start); });
+    };
+    AssetCatalog catalog{from};
+    catalog.refresh();
+    for (const AssetItem& file : catalog.all()) {
+        if (file.folder || isLeftOut(file.path)) continue;
+        Result<std::string> bytes = readFile(from / file.path);
+        if (!bytes) return bytes.error();
+        files.emplace_back(to + "/" + file.path, std::move(*bytes));
     }
-    /// Copies all files of a folder that are not hidden.
-    /// @param leftOut  files whose path starts with one of these are not copied
-    void copyAll(const Path& from, const Path& to, std::span<const std::string_view> leftOut) {
-        const auto isLeftOut = [&](std::string_view path) {
-            return std::any_of(leftOut.begin(), leftOut.end(),
-                               [&](std::string_view start) { return startsWith(path, start); });
-        };
-        AssetCatalog catalog{from};
-        catalog.refresh();
-        for (const AssetItem& file : catalog.all()) {
-            if (!file.folder && !isLeftOut(file.path)) copy(from / file.path, to / file.path);
+    return Done{};
+}
+
+Result<Files> filesOf(const Project& project, const Path& engineAssets) {
+    std::vector<std::string_view> leftOut{"code/"};  // the player contains it
+    leftOut.insert(leftOut.end(), project.leftOut.begin(), project.leftOut.end());
+    Files files;
+    if (Result<Done> done = addFiles(files, project.root, std::string{kGameFolder}, leftOut); !done)
+        return done.error();
+    if (Result<Done> done = addFiles(files, engineAssets, "assets", kNotOfGames); !done) return done.error();
+    return files;
+}
+
+std::vector<std::string> largestOf(const Files& files) {
+    std::vector<std::pair<std::size_t, std::string>> sizes;
+    for (const auto& [path, bytes] : files) sizes.emplace_back(bytes.size(), path);
+    std::sort(sizes.rbegin(), sizes.rend());
+    sizes.resize(std::min(sizes.size(), kNamed));
+    std::vector<std::string> lines;
+    for (const auto& [size, path] : sizes)
+        lines.push_back(format("{}, {} MB", path, fixedText(static_cast<double>(size) / 1e6, 2)));
+    return lines;
+}
+
+/// The texts of all libraries, one after the other.
+Result<std::string> licencesIn(const Path& folder) {
+    std::string text;
+    for (const std::string& file : filesBelow(folder, ".txt")) {
+        Result<std::string> one = readFile(folder / file);
+        if (!one) return one.error();
+        const std::string name = file.substr(0, file.size() - 4);
+        text += format("{}\n{}\n\n{}\n\n\n", name, std::string(name.size(), '='), trimmed(*one));
+    }
+    return text;
+}
+
+std::string htmlText(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&' || c == '<' || c == '>' || c == '"') {
+            out += format("&#{};", static_cast<int>(c));
+        } else {
+            out += c;
         }
     }
-    [[nodiscard]] Result<Done> result() const {
-        if (!failed_) return Done{};
-        return Error{place_.generic_string(), failed_.message(),
-                     "check the free disk space and the write permission"};
-    }
+    return out;
+}
 
-private:
-    ExportReport& report_;
-    std::error_code failed_;
-    Path place_;
-};
+/// The page of the player with the name and the icon of the game.
+std::string withProject(std::string page, const Project& project) {
+    const std::pair<std::string_view, std::string> values[] = {
+        {"{{NAME}}", htmlText(project.name)}, {"{{ICON}}", project.icon.empty() ? "data:," : kIcon}};
+    for (const auto& [mark, value] : values) {
+        for (std::size_t at = page.find(mark); at != std::string::npos;
+             at = page.find(mark, at + value.size()))
+            page.replace(at, mark.size(), value);
+    }
+    return page;
+}
 
 bool isBelow(const Path& inner, const Path& outer) {
     const Path relative = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
@@ -83,17 +114,38 @@ Result<Done> checkTarget(const Path& project, const Path& folder) {
     if (!fs::exists(folder, none)) return Done{};
     if (!fs::is_directory(folder, none))
         return Error{name, "this is a file, not a folder", "choose a folder"};
-    if (fs::is_empty(folder, none) || fs::exists(folder / "game/project.json", none)) return Done{};
+    if (fs::is_empty(folder, none) || fs::exists(folder / kPackName, none)) return Done{};
     return Error{name, "the folder has other content", "choose an empty folder"};
 }
 
-Result<Done> writeScript(const Path& folder, bool windows) {
-    const Path file = folder / (windows ? "play.bat" : "play");
-    if (Result<Done> written = writeFile(file, windows ? kBatch : kScript); !written) return written;
+Result<Done> copyFile(const Path& from, const Path& to) {
+    std::error_code failed;
+    fs::create_directories(to.parent_path(), failed);
+    if (!failed) fs::copy_file(from, to, fs::copy_options::overwrite_existing, failed);
+    if (!failed) return Done{};
+    return Error{to.generic_string(), failed.message(), "check the free disk space and the write permission"};
+}
+
+/// Copies the program, or all files of the page. @return what starts the game
+Result<std::string> copyPlayer(const Project& project, const Path& player, const Path& folder) {
     std::error_code ignored;
-    fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                    fs::perm_options::add, ignored);
-    return Done{};
+    if (!fs::is_directory(player, ignored)) {
+        std::string name = programName(project) + player.extension().string();
+        if (Result<Done> copied = copyFile(player, folder / name); !copied) return copied.error();
+        return name;
+    }
+    for (const std::string& file : filesBelow(player, "")) {
+        if (Result<Done> copied = copyFile(player / file, folder / file); !copied) return copied.error();
+    }
+    Result<std::string> page = readFile(player / kPage);
+    if (!page) return page.error();
+    if (Result<Done> written = writeFile(folder / kPage, withProject(*page, project)); !written)
+        return written.error();
+    if (project.icon.empty()) return std::string{kPage};
+    const Result<Path> icon = pathInside(project.root, project.icon);
+    if (!icon) return icon.error();
+    if (Result<Done> copied = copyFile(*icon, folder / kIcon); !copied) return copied.error();
+    return std::string{kPage};
 }
 
 /// Moves the finished folder to its destination. The old content is removed only afterwards.
@@ -107,30 +159,59 @@ Result<Done> replace(const Path& made, const Path& folder) {
     return Done{};
 }
 
+Result<ExportReport> exportTo(const Project& project, const Path& folder, const ExportParts& parts) {
+    const Result<Files> files = filesOf(project, parts.engineAssets);
+    if (!files) return files.error();
+    ExportReport report;
+    report.files = files->size();
+    report.largest = largestOf(*files);
+    if (Result<Done> done = writeFile(folder / kPackName, writePack(*files)); !done) return done.error();
+    Result<std::string> program = copyPlayer(project, parts.player, folder);
+    if (!program) return program.error();
+    report.program = std::move(*program);
+    if (!parts.licences.empty()) {
+        const Result<std::string> text = licencesIn(parts.licences);
+        if (!text) return text.error();
+        if (Result<Done> done = writeFile(folder / "licences.txt", *text); !done) return done.error();
+    }
+    std::error_code ignored;
+    for (const std::string& file : filesBelow(folder, ""))
+        report.bytes += fs::file_size(folder / file, ignored);
+    return report;
+}
+
 }  // namespace
 
-Result<ExportReport> exportProject(const Path& project, const Path& wanted, const ExportParts& parts) {
+std::string programName(const Project& project) {
+    std::string name;
+    for (const char c : project.name) {
+        const bool isRefused = static_cast<unsigned char>(c) < 32 ||
+                               std::string_view{"<>:\"/\\|?*"}.find(c) != std::string_view::npos;
+        if (!isRefused) name += c;
+    }
+    // Windows ignores dots and spaces at the end of a name.
+    while (!name.empty() && (name.back() == '.' || name.back() == ' ')) name.pop_back();
+    return name.empty() || name.front() == '.' ? "game" : name;
+}
+
+Result<ExportReport> exportProject(const Project& project, const Path& wanted, const ExportParts& parts) {
+    std::error_code ignored;
+    if (!fs::exists(parts.player, ignored))
+        return Error{parts.player.generic_string(), "there is no player",
+                     "build it: ./plumb export builds it first"};
     const Path folder = fs::absolute(wanted).lexically_normal();
     const Path target = folder.has_filename() ? folder : folder.parent_path();
-    if (const Result<Done> good = checkTarget(project, target); !good) return good.error();
-    std::error_code ignored;
+    if (const Result<Done> good = checkTarget(project.root, target); !good) return good.error();
     const Path made = target.parent_path() / format(".{}.export", target.filename().string());
     fs::remove_all(made, ignored);
     fs::remove_all(Path{made}.concat(".before"), ignored);
 
-    ExportReport report;
-    Copier copier{report};
-    copier.copyAll(project, made / "game", kNotOfTheGame);
-    copier.copyAll(parts.engineAssets, made / "assets", kNotOfGames);
-    report.runnable = !parts.player.empty() && fs::is_regular_file(parts.player, ignored);
-    if (report.runnable)
-        copier.copy(parts.player, made / ("plumb-player" + parts.player.extension().string()));
-    Result<Done> done = copier.result();
-    if (done && report.runnable) done = writeScript(made, parts.player.extension() == ".exe");
-    if (done) done = replace(made, target);
-    if (done) return report;
-    fs::remove_all(made, ignored);
-    return done.error();
+    Result<ExportReport> report = exportTo(project, made, parts);
+    if (report) {
+        if (Result<Done> done = replace(made, target); !done) report = done.error();
+    }
+    if (!report) fs::remove_all(made, ignored);
+    return report;
 }
 
 }  // namespace plumb::editor

@@ -1,33 +1,45 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
+#include "app/project.hpp"
 #include "core/file.hpp"
 #include "core/result.hpp"
 
 namespace plumb::editor {
 
-/// Files that an export adds to the project.
+/// What an export is made of beside the project.
 struct ExportParts {
-    Path player;        ///< player executable; empty or missing: the export contains none
+    Path player;        ///< the program, or for a page the folder with player.js, player.wasm and index.html
     Path engineAssets;  ///< folder of the engine's assets, e.g. fonts
+    Path licences;      ///< folder with a text for each library that the player contains; empty: none
 };
 
 struct ExportReport {
-    std::size_t files = 0;
-    std::uintmax_t bytes = 0;
-    bool runnable = false;  ///< the export contains a player and a script that starts it
+    std::size_t files = 0;             ///< in the pack
+    std::uintmax_t bytes = 0;          ///< of all files of the export
+    std::string program;               ///< what starts the game, relative to the folder
+    std::vector<std::string> largest;  ///< the five largest files of the pack, "assets/music.ogg, 1.2 MB"
 };
 
 /// Exports a project to a folder for distribution:
 ///
-///     FOLDER/play            starts the game
-///     FOLDER/plumb-player    plays FOLDER/game
-///     FOLDER/assets/         the engine's assets, without those for making games
-///     FOLDER/game/           the project, without hidden files: no journal, no backups
+///     NAME, NAME.exe or index.html   starts the game
+///     game.pack                      the project and the engine's assets (app/player.hpp), without code,
+///     hidden
+///                                    files and what project.json leaves out
+///     licences.txt                   of the libraries in the program
 ///
-/// The folder is created completely or not at all. An earlier export in it is replaced.
-/// @error  the folder is inside the project or contains it, has other content, or cannot be written
-Result<ExportReport> exportProject(const Path& project, const Path& folder, const ExportParts& parts);
+/// The folder is created completely or not at all. An earlier export in it is replaced. The same project and
+/// player give the same bytes.
+/// @error  the folder is inside the project or contains it, has other content, or cannot be written; no
+/// player
+Result<ExportReport> exportProject(const Project& project, const Path& folder, const ExportParts& parts);
+
+/// The name of the exported program without its ending: that of the project without characters that some
+/// system does not allow in names of files.
+std::string programName(const Project& project);
 
 }  // namespace plumb::editor

@@ -180,7 +180,7 @@ int ProjectSession::validate() {
     return found.problems.empty() ? 0 : 1;
 }
 
-int ProjectSession::exportTo(const std::string& folder) {
+int ProjectSession::exportGame(const EditorOptions& options) {
     if (!buildCode()) return 1;
     const ProjectCheck found = check();
     std::printf("%s", found.text().c_str());
@@ -188,16 +188,18 @@ int ProjectSession::exportTo(const std::string& folder) {
         std::fprintf(stderr, "plumb-editor: nothing was exported; fix the scenes and the code first\n");
         return 1;
     }
+    const Path player = options.player.empty() ? playerOf(project_.root) : Path{options.player};
     const Result<ExportReport> report =
-        exportProject(project_.root, folder, {playerOf(project_.root), engineAssets()});
+        exportProject(project_, options.exportTo, {player, engineAssets(), options.licences});
     if (!report) {
         std::fprintf(stderr, "plumb-editor: %s\n", report.error().text().c_str());
         return 1;
     }
-    std::printf("Exported %zu files, %s MB, to %s%s\n", report->files,
-                fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), folder.c_str(),
-                report->runnable ? "; start it with the program \"play\" in this folder"
-                                 : "; start it with: plumb-player FOLDER/game");
+    std::printf("The largest of %zu files:\n", report->files);
+    for (const std::string& file : report->largest) std::printf("  %s\n", file.c_str());
+    std::printf("Exported %s MB to %s; start it with \"%s\" in this folder\n",
+                fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), options.exportTo.c_str(),
+                report->program.c_str());
     return 0;
 }
 

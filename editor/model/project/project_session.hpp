@@ -40,8 +40,9 @@ public:
     /// Builds the code, checks it and all scenes, prefabs and assets, and prints the problems. @return exit
     /// code of the program
     int validate();
-    /// Exports the project as a game that runs without the editor. @return exit code of the program
-    int exportTo(const std::string& folder);
+    /// Exports the project as a game that runs without the editor, as the options say. @return exit code of
+    /// the program
+    int exportGame(const EditorOptions& options);
 
     /// Replaces the project's code by another version, in the open scene and in a running game too:
     /// components keep the values of the fields that both versions have. If fields of a component differ, the

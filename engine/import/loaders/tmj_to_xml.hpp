@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "codec/xml.hpp"
 #include "core/result.hpp"
+#include "import/loaders/xml.hpp"
 
 namespace plumb {
 

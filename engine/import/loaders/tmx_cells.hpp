@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "codec/xml.hpp"
 #include "core/result.hpp"
 #include "import/tiled_map.hpp"
+#include "import/loaders/xml.hpp"
 
 namespace plumb {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "codec/xml.hpp"
 #include "core/result.hpp"
+#include "import/loaders/xml.hpp"
 #include "math/color.hpp"
 #include "reflect/json.hpp"
 

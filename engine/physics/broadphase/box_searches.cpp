@@ -4,6 +4,8 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+#elif defined(__SSE2__)  // of WebAssembly
+#include <emmintrin.h>
 #elif defined(__aarch64__)
 #include <arm_neon.h>
 #endif
@@ -47,7 +49,7 @@ inline Mask haveCommon(const std::uint32_t* at, std::uint32_t word) {
     return {(*reinterpret_cast<WordsAt*>(at) & word) != 0, (*reinterpret_cast<WordsAt*>(at + 4) & word) != 0};
 }
 inline int signsOf(FourInts lanes) {
-#if defined(__x86_64__)
+#if defined(__SSE2__)
     return _mm_movemask_ps(reinterpret_cast<__m128>(lanes));
 #elif defined(__aarch64__)
     return vaddvq_s32(lanes & FourInts{1, 2, 4, 8});

@@ -356,7 +356,7 @@ Result<World> WorldRecording::replay(std::size_t count, const StepOptions& optio
         if (!steps_[i].changes.empty()) {
             Parts parts = partsOf(*world);
             for (const auto& [part, content] : steps_[i].changes) {
-                parts.resize(std::max(parts.size(), part + 1));
+                parts.resize(std::max<std::size_t>(parts.size(), part + 1));
                 parts[part] = content;
             }
             world = worldOf(parts);

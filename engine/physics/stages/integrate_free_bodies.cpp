@@ -174,7 +174,7 @@ void integrateFreeBodies(StepContext& step) {
         const auto begin =
             std::lower_bound(smooth.flyers.begin(), smooth.flyers.end(), group.begin, slotBefore);
         const auto end = std::lower_bound(begin, smooth.flyers.end(), group.end, slotBefore);
-        if (begin != end) integrate(step, group, {begin, end});
+        if (begin != end) integrate(step, group, {&*begin, static_cast<std::size_t>(end - begin)});
     }
     for (const FreeBody& flyer : smooth.flyers) land(step.world, step.work, flyer);
 }

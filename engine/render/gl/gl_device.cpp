@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/log.hpp"
+#include "render/gl/buffer_mapping.hpp"
 #include "render/gl/gl_shaders.hpp"
 
 namespace plumb {
@@ -325,9 +326,7 @@ std::span<SpriteInstance> GlDevice::mapInstances(std::size_t count) {
     if (count == 0) return {};
     nextFrameBuffer(count);
     // Unsynchronized: nextFrameBuffer() made sure that the GPU does not read this memory.
-    void* memory =
-        glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(SpriteInstance)),
-                         GL_MAP_WRITE_BIT | GL_MAP_UNSYNCHRONIZED_BIT);
+    void* memory = mapArrayBuffer(count * sizeof(SpriteInstance));
     ownCount_ = memory == nullptr ? count : 0;
     if (memory != nullptr) return {static_cast<SpriteInstance*>(memory), count};
     ownMemory_.resize(std::max(ownMemory_.size(), count));
@@ -341,7 +340,7 @@ void GlDevice::unmapInstances() {
                         ownMemory_.data());
         ownCount_ = 0;
     } else {
-        glUnmapBuffer(GL_ARRAY_BUFFER);
+        unmapArrayBuffer();
     }
 }
 

@@ -1,14 +1,14 @@
 #include "render/gl/gl_shaders.hpp"
 
 #include "core/text.hpp"
+#include "platform/gl_profile.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr const char* kFirstLines = R"(#version 330 core
-precision highp float;
-precision highp int;
-)";
+std::string firstLines() {
+    return std::string{shaderVersion()} + "precision highp float;\nprecision highp int;\n";
+}
 
 // The corner is computed from gl_VertexID: 0 1 / 2 3, a strip of two triangles.
 constexpr const char* kSpriteVertex = R"(
@@ -133,15 +133,11 @@ ShaderSources spriteShaders(std::size_t slots) {
     std::string fragment = withSlots(kSpriteFragment, slots);
     const std::string mark = "SAMPLES";
     fragment.replace(fragment.find(mark), mark.size(), samples(slots));
-    return {kFirstLines + withSlots(kSpriteVertex, slots), kFirstLines + fragment};
+    return {firstLines() + withSlots(kSpriteVertex, slots), firstLines() + fragment};
 }
 
-ShaderSources geometryShaders() {
-    return {std::string{kFirstLines} + kGeometryVertex, std::string{kFirstLines} + kGeometryFragment};
-}
+ShaderSources geometryShaders() { return {firstLines() + kGeometryVertex, firstLines() + kGeometryFragment}; }
 
-ShaderSources textureShaders() {
-    return {std::string{kFirstLines} + kPictureVertex, std::string{kFirstLines} + kPictureFragment};
-}
+ShaderSources textureShaders() { return {firstLines() + kPictureVertex, firstLines() + kPictureFragment}; }
 
 }  // namespace plumb

@@ -308,8 +308,7 @@ bool PrefabLibrary::has(std::string_view path) const {
                                         [path](const Source& source) { return source.path == path; });
     if (isReplaced || root_.empty()) return isReplaced;
     const Result<Path> file = pathInside(root_, path);
-    std::error_code failed;
-    return file && std::filesystem::is_regular_file(*file, failed);
+    return file && fileExists(*file);
 }
 
 /// The error of a file that does not exist. Kept, because looking for a file of a similar name is slow.
@@ -327,8 +326,7 @@ Result<std::string> PrefabLibrary::textOf(std::string_view path) {
     if (root_.empty()) return Error{std::string{path}, "there is no such prefab", "add its text with add()"};
     const Result<Path> file = pathInside(root_, path);
     if (!file) return file.error();
-    std::error_code failed;
-    if (!std::filesystem::exists(*file, failed)) return missing(path);
+    if (!fileExists(*file)) return missing(path);
     Result<std::string> text = readFile(*file);
     if (!text) return Error{std::string{path}, text.error().what, text.error().remedy};
     return text;

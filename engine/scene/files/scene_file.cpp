@@ -225,8 +225,7 @@ std::string sceneToBinary(const World& world, const SceneContext& context, Scene
 Result<LoadReport> loadSceneFile(World& world, const SceneContext& context, std::string_view path) {
     Result<Path> file = pathInside(context.root, path);
     if (!file) return file.error();
-    std::error_code failed;
-    if (!std::filesystem::exists(*file, failed) && !failed)
+    if (!fileExists(*file))
         return missingFile(context.root, path, endsWith(path, ".bin") ? ".scene.bin" : ".scene.json");
     Result<std::string> bytes = readFile(*file);
     if (!bytes) return bytes.error();

@@ -4,6 +4,8 @@
 set -eu
 editor=$1 player=$2 work=$3
 fail() { echo "$*"; exit 1; }
+# The program that the last export printed.
+program() { sed -n 's/.*start it with "\(.*\)" in this folder/\1/p' "$work/export"; }
 rm -rf "$work"
 mkdir -p "$work"
 "$editor" --new "$work/game" --template cpp | grep -q "Created $work/game" || fail "the project was not created"
@@ -14,9 +16,8 @@ grep -q "non-empty folder" "$work/again" || fail "the error does not name the re
 grep -q "no problems\|: 0 problems" "$work/validate" || fail "$(cat "$work/validate")"
 
 "$editor" "$work/game" --export "$work/out" >"$work/export" 2>&1 || fail "$(cat "$work/export")"
-[ ! -e "$work/out/game/code" ] || fail "the export contains the source code"
 expected=$("$player" "$work/game" --headless --frames 300 --hash | grep hash)
-exported=$("$work/out/play" --headless --frames 300 --hash 2>"$work/warnings" | grep hash)
+exported=$("$work/out/$(program)" --headless --frames 300 --hash 2>"$work/warnings" | grep hash)
 [ "$exported" = "$expected" ] || fail "the exported game says $exported, the template's player $expected"
 [ ! -s "$work/warnings" ] || fail "$(cat "$work/warnings")"
 
@@ -24,7 +25,7 @@ cp "$work/game/code/game.cpp" "$work/game.cpp"
 sed 's|if (!back.hasHome) {|volatile int* volatile nowhere = nullptr; *nowhere = 1; if (!back.hasHome) {|' \
     "$work/game.cpp" >"$work/game/code/game.cpp"
 "$editor" "$work/game" --export "$work/crash" >"$work/export" 2>&1 || fail "$(cat "$work/export")"
-"$work/crash/play" --headless --frames 10 >"$work/report" 2>&1 && fail "the program with the wrong access did not crash"
+"$work/crash/$(program)" --headless --frames 10 >"$work/report" 2>&1 && fail "the program with the wrong access did not crash"
 ended=$?
 [ "$ended" = 139 ] || grep -q Sanitizer "$work/report" || fail "it ended with $ended, not by SIGSEGV: $(cat "$work/report")"
 grep -Eq "^running: ComeBackSystem|Sanitizer" "$work/report" || fail "the report names no system: $(cat "$work/report")"

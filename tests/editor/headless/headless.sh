@@ -12,7 +12,7 @@ head -c 4 "$work/window.png" | tail -c 3 | grep -q PNG || { echo "no picture was
 "$editor" "$project" --export "$work/exported"
 hash() { "$@" --headless --frames 120 --hash | tail -n 1; }
 wanted=$(hash "$player" "$project")
-ln -s "$work/exported/play" "$work/game"
+ln -s "$work/exported/Wickwood" "$work/game"
 found=$(hash "$work/game")  # through a link, as from a folder of the PATH
 [ "$wanted" = "$found" ] || { echo "the project gives $wanted, the exported game $found"; exit 1; }
 cp -r "$project" "$work/broken" && rm -rf "$work/broken/.plumb"

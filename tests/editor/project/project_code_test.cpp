@@ -1,3 +1,4 @@
+#include "editor/model/project/editor_options.hpp"
 #include "editor/model/project/project_code.hpp"
 
 #include <gtest/gtest.h>
@@ -271,7 +272,9 @@ TEST_F(ProjectCodeTest, errorsOfTheCodeAreReportedOnceByTheCheckAndForbidTheExpo
     EXPECT_EQ(output.find(session->codeProblems()[0].text(), at + 1), std::string::npos) << output;
 
     const Path exported = session->workspace().project.root / "exported";
-    EXPECT_EQ(session->exportTo(exported.string()), 1);
+    EditorOptions options;
+    options.exportTo = exported.string();
+    EXPECT_EQ(session->exportGame(options), 1);
     EXPECT_FALSE(std::filesystem::exists(exported));
     session->useCode(first::module());
     EXPECT_TRUE(session->codeProblems().empty());

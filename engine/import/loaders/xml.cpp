@@ -1,4 +1,4 @@
-#include "codec/xml.hpp"
+#include "import/loaders/xml.hpp"
 
 #include <expat.h>
 #include <memory>

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-
-#if !defined(_WIN32)
 #include <csignal>
 #include <unistd.h>
-#endif
 #if __has_include(<execinfo.h>)
 #include <execinfo.h>
 #define PLUMB_BACK_TRACE
@@ -16,11 +13,6 @@ namespace plumb {
 
 constinit thread_local std::string_view Running::current;
 
-#if defined(_WIN32)
-
-void reportCrashes(std::string_view) {}
-
-#else
 namespace {
 
 struct Signal {
@@ -98,7 +90,5 @@ void reportCrashes(std::string_view remedy) {
         sigaction(signal.number, &action, nullptr);
     }
 }
-
-#endif
 
 }  // namespace plumb

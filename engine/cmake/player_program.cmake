@@ -1,0 +1,18 @@
+# What every program that plays a game is linked with on the web and on Windows.
+set(PLUMB_TARGETS ${PROJECT_SOURCE_DIR}/player/targets)
+
+function(finish_player program)
+    if(EMSCRIPTEN)
+        # The page (player/targets/web) loads what this makes. SDL calls functions of JavaScript, which are named in a
+        # file, because shells would replace their $.
+        target_link_options(${program} PRIVATE -sUSE_SDL=0 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
+            -sALLOW_MEMORY_GROWTH=1 -sINITIAL_MEMORY=64MB -sTOTAL_STACK=1MB -sFORCE_FILESYSTEM=1 -lidbfs.js
+            -sENVIRONMENT=web,node -sEXPORTED_RUNTIME_METHODS=FS,IDBFS,callMain
+            -sDEFAULT_LIBRARY_FUNCS_TO_INCLUDE=@${PLUMB_TARGETS}/web/library_functions.json)
+    elseif(MINGW)
+        enable_language(RC)
+        target_sources(${program} PRIVATE ${PLUMB_TARGETS}/windows/player.rc)
+        # Without a console window: what it prints is seen if it is started in a console.
+        target_link_options(${program} PRIVATE -mwindows)
+    endif()
+endfunction()

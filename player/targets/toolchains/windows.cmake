@@ -1,0 +1,17 @@
+# Windows by mingw-w64, with threads of the system (posix: std::thread). PLUMB_LIBRARIES: where player/targets/libraries
+# is installed.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(prefix x86_64-w64-mingw32)
+set(CMAKE_C_COMPILER ${prefix}-gcc-posix)
+set(CMAKE_CXX_COMPILER ${prefix}-g++-posix)
+set(CMAKE_RC_COMPILER ${prefix}-windres)
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES PLUMB_LIBRARIES)
+set(CMAKE_FIND_ROOT_PATH ${PLUMB_LIBRARIES} /usr/${prefix})
+set(CMAKE_PREFIX_PATH ${PLUMB_LIBRARIES})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(CMAKE_NO_SYSTEM_FROM_IMPORTED ON)
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
