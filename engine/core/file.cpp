@@ -88,6 +88,21 @@ Result<std::string> readMounted(const MountedFile& file, const Path& path, std::
     return bytes;
 }
 
+/// True if the files on the disk count for nothing at this path: it lies in a folder of a source that is
+/// preferred.
+bool isHidden(const Path& path) {
+    if (mounts().empty()) return false;
+    const Path absolute = absoluteOf(path);
+    return std::any_of(mounts().begin(), mounts().end(), [&](const Mount& mount) {
+        const std::optional<std::string> within = pathWithin(mount, absolute);
+        if (mount.preferred != Preferred::Mounted || !within || within->empty()) return false;
+        const std::string top = within->substr(0, within->find('/')) + '/';
+        const std::span<const std::string> paths = mount.source->paths();
+        const auto at = std::lower_bound(paths.begin(), paths.end(), top);
+        return at != paths.end() && startsWith(*at, top);
+    });
+}
+
 /// The mounted files in a folder, as the part of their path after the folder.
 std::vector<std::string> mountedBelow(const Path& folder) {
     std::vector<std::string> files;
@@ -115,17 +130,17 @@ void mountFiles(const Path& folder, std::shared_ptr<const FileSource> source, Pr
 
 bool fileExists(const Path& path) {
     std::error_code failed;
-    return fs::is_regular_file(path, failed) || findMounted(path).has_value();
+    return (!isHidden(path) && fs::is_regular_file(path, failed)) || findMounted(path).has_value();
 }
 
 bool folderExists(const Path& path) {
     std::error_code failed;
-    return fs::is_directory(path, failed) || !mountedBelow(path).empty();
+    return (!isHidden(path) && fs::is_directory(path, failed)) || !mountedBelow(path).empty();
 }
 
 Result<std::string> readFile(const Path& path, std::size_t limit) {
     std::error_code failed;
-    const bool onDisk = fs::exists(path, failed);
+    const bool onDisk = !isHidden(path) && fs::exists(path, failed);
     if (const std::optional<MountedFile> mounted = findMounted(path);
         mounted && (!onDisk || mounted->preferred == Preferred::Mounted))
         return readMounted(*mounted, path, limit);
@@ -209,7 +224,8 @@ Result<Path> pathInside(const Path& root, std::string_view relative) {
 std::vector<std::string> filesBelow(const Path& folder, std::string_view ending) {
     std::vector<std::string> files;
     std::error_code failed;
-    for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end;
+    const bool hidden = isHidden(folder);
+    for (fs::recursive_directory_iterator at{folder, failed}, end; !hidden && !failed && at != end;
          at.increment(failed)) {
         if (at->is_regular_file(failed) && endsWith(at->path().filename().string(), ending)) {
             files.push_back(at->path().lexically_relative(folder).generic_string());
@@ -226,7 +242,7 @@ std::vector<std::string> filesBelow(const Path& folder, std::string_view ending)
 std::uint64_t fileStamp(const Path& path) {
     std::error_code failed;
     const auto time = fs::last_write_time(path, failed);
-    if (failed) return findMounted(path) ? 1 : 0;  // a mounted file does not change
+    if (failed || isHidden(path)) return findMounted(path) ? 1 : 0;  // a mounted file does not change
     const std::uintmax_t size = fs::file_size(path, failed);
     const auto ticks = static_cast<std::uint64_t>(time.time_since_epoch().count());
     return mixBits(ticks ^ mixBits(failed ? 0 : size)) | 1;

@@ -61,6 +61,21 @@ TEST_F(MountedFiles, comeAfterThoseOnTheDiskOrBefore) {
     EXPECT_EQ(*readFile(root() / "disk.txt"), "disk");
 }
 
+// A game without mods does not read what players put into its folders, but replays beside the program.
+TEST_F(MountedFiles, hideWhatElseIsInTheirFoldersIfTheyArePreferred) {
+    ASSERT_TRUE(writeFile(root() / "a/extra.txt", "disk"));
+    EXPECT_TRUE(fileExists(root() / "a/extra.txt"));
+    EXPECT_EQ(filesBelow(root() / "a", ".txt").size(), 3u);
+    mountFiles(root(), std::make_shared<Capitals>(std::vector<std::string>{"a/b/c.txt", "top.txt"}),
+               Preferred::Mounted);
+    EXPECT_FALSE(fileExists(root() / "a/extra.txt"));
+    EXPECT_FALSE(readFile(root() / "a/extra.txt"));
+    EXPECT_EQ(fileStamp(root() / "a/extra.txt"), 0u);
+    EXPECT_EQ(filesBelow(root() / "a", ".txt"), (std::vector<std::string>{"b/c.txt"}));
+    EXPECT_TRUE(folderExists(root() / "a/b"));
+    EXPECT_EQ(*readFile(root() / "disk.txt"), "disk");
+}
+
 TEST_F(MountedFiles, existAndHaveFolders) {
     EXPECT_TRUE(fileExists(root() / "a/b/c.txt"));
     EXPECT_TRUE(fileExists(root() / "disk.txt"));
