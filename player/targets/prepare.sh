@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # Builds what an export to another system needs: the libraries, once, and the player. Prints the path of the player, or of
-# the folder of the page; the licences of its libraries are in the folder "licences" beside it.
+# the folder of the page, and in a second line the folder with the licences of its libraries.
 #
 #   player/targets/prepare.sh web|windows PROJECT
 #
 # The player contains the project's code in C++, if it has any.
-# All of it is in $XDG_CACHE_HOME/plumb: downloads, TARGET/libraries, TARGET/build, TARGET/player.
+# The libraries are in $XDG_CACHE_HOME/plumb, for all copies of the sources; the player is in build/TARGET of this one.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
 target=$1 project=$2
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/plumb
 made=$cache/$target
-libraries=$made/libraries
+libraries=$made/libraries build=$root/build/$target player=$root/build/$target-player
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
 say() { printf 'plumb: %s\n' "$*" >&2; }
@@ -56,7 +56,7 @@ stamp=$libraries/made-from
 list=$(cat "$here/libraries/CMakeLists.txt" "$here/libraries/plain/CMakeLists.txt" "$here/toolchains/$target.cmake" | sha256sum)
 if [ "$(cat "$stamp" 2>/dev/null)" != "$list" ]; then
     say "building the libraries of the player for $target: about 3 minutes, once"
-    rm -rf "$libraries" "$made/build-libraries" "$made/build"
+    rm -rf "$libraries" "$made/build-libraries" "$build"
     mkdir -p "$libraries/include" "$libraries/share/cmake"
     cp -r /usr/include/nlohmann /usr/include/stb "$libraries/include/"  # headers only
     cp -r /usr/share/cmake/nlohmann_json "$libraries/share/cmake/"
@@ -66,20 +66,20 @@ if [ "$(cat "$stamp" 2>/dev/null)" != "$list" ]; then
     rm -rf "$made/build-libraries"
 fi
 
-[ -d "$made/build" ] || say "building the player for $target: about 5 minutes the first time"
-mkdir -p "$made/build"
-code=$(cmake -D PROJECT="$project" -D BUILD="$made/build" -P "$root/engine/cmake/code_target.cmake")
+[ -d "$build" ] || say "building the player for $target: about 5 minutes the first time"
+mkdir -p "$build"
+code=$(cmake -D PROJECT="$project" -D BUILD="$build" -P "$root/engine/cmake/code_target.cmake")
 program=${code:-plumb}-player
-configure_and_build "$root" "$made/build" "$program" -DPLUMB_TESTS=OFF -DPLUMB_EDITOR=OFF -DPLUMB_UNITY=ON "${launcher[@]}"
+configure_and_build "$root" "$build" "$program" -DPLUMB_TESTS=OFF -DPLUMB_EDITOR=OFF -DPLUMB_UNITY=ON "${launcher[@]}"
 
-rm -rf "$made/player"
-mkdir "$made/player"
+rm -rf "$player"
+mkdir "$player"
 if [ "$target" = web ]; then
-    cp "$made/build/bin/$program.js" "$made/player/player.js"
-    cp "$made/build/bin/$program.wasm" "$made/player/player.wasm"
-    cp "$here"/web/index.html "$here"/web/page.js "$made/player/"
-    printf '%s\n' "$made/player"
+    cp "$build/bin/$program.js" "$player/player.js"
+    cp "$build/bin/$program.wasm" "$player/player.wasm"
+    cp "$here"/web/index.html "$here"/web/page.js "$player/"
+    printf '%s\n' "$player" "$made/licences"
 else
-    x86_64-w64-mingw32-strip -o "$made/player/player.exe" "$made/build/bin/$program.exe"
-    printf '%s\n' "$made/player/player.exe"
+    x86_64-w64-mingw32-strip -o "$player/player.exe" "$build/bin/$program.exe"
+    printf '%s\n' "$player/player.exe" "$made/licences"
 fi
