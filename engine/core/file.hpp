@@ -25,8 +25,7 @@ public:
     [[nodiscard]] virtual Result<std::string> read(std::size_t index) const = 0;
 };
 
-/// Which file is read if one of the same path is on the disk, too. `Mounted` also hides what else is on the
-/// disk in the folders of the source.
+/// Which file is read if one of the same path is on the disk, too.
 enum class Preferred : unsigned char { OnDisk, Mounted };
 
 /// Adds the files of a source to a folder for all functions below. Replaces what was mounted at the folder;
