@@ -79,5 +79,41 @@ TEST(MouseJoint, ofAnyForcePullsNoBodyThroughAFloor) {
     }
 }
 
+// Depth grows with kMousePull: 2.8 cm at half, 5.3 at 1,000 m/s2, 11.3 at double (quality 1, this family).
+TEST(MouseJoint, ofAnyForcePullsNoBodyIntoFloorOrWall) {
+    constexpr float kWall = 10.0f;   // m, distance of the wall
+    constexpr float kDepth = 0.06f;  // m
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random = Random::seeded(seed);
+        JointWorld scene;
+        scene.world.settings.quality = static_cast<Quality>(1 + seed % 4);
+        (void)*createShape(scene.world, scene.ground, box({50.0f, 1.0f}, {0.0f, -1.0f}));
+        (void)*createShape(scene.world, scene.ground, box({1.0f, 20.0f}, {kWall + 1.0f, 0.0f}));
+        const float half = random.between(0.1f, 0.8f);
+        BodyDefinition definition;
+        definition.position = {0.0, static_cast<double>(half)};
+        const BodyId crate = *createBody(scene.world, definition);
+        ShapeDefinition shape;
+        shape.density = std::pow(10.0f, random.between(-1.0f, 2.0f));
+        shape.friction = random.unit();
+        (void)*createShape(scene.world, crate, box({half, half}), shape);
+        const Vec2 grip = half * Vec2{random.between(-0.8f, 0.8f), random.between(-0.8f, 0.8f)};
+        JointDefinition mouse =
+            scene.define(JointKind::Mouse, scene.ground, crate, definition.position + grip);
+        mouse.target = random.unit() < 0.5f
+                           ? WorldPosition{random.between(-3.0f, 3.0f), -random.between(1.0f, 40.0f)}
+                           : WorldPosition{random.between(11.0f, 40.0f), random.between(1.0f, 5.0f)};
+        (void)scene.join(mouse);
+
+        scene.run(3.0f);
+        const Vec2 place = scene.place(crate);
+        const float turn = scene.angle(crate);
+        const float reach = half * (std::fabs(std::cos(turn)) + std::fabs(std::sin(turn)));
+        EXPECT_GT(place.y, reach - kDepth);
+        EXPECT_LT(place.x, kWall - reach + kDepth);
+    }
+}
+
 }  // namespace
 }  // namespace plumb::physics
