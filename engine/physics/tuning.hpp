@@ -121,8 +121,8 @@ PLUMB_TUNING(kOnTop, 4.0f, "ratio to Settings::slop", "overlap at which a body s
 PLUMB_TUNING(kSolidSide, 0.7f, "cosine", "45 degrees: maximum angle of a solid side to the open direction, and of a ceiling");
 PLUMB_TUNING(kRousing, 0.5f, "m/s", "minimum speed at which a particle wakes a sleeping body that it hits");
 PLUMB_TUNING(kSoftSlack, 0.01f, "m", "distance by which particles may move further in a step than their initial velocity predicts");
-PLUMB_TUNING(kGivenWay, 1.0f / 16.0f, "ratio to a link", "maximum displacement of particles by a load in a substep: links carry the load "
-             "when they are shorter by about as much");
+PLUMB_TUNING(kGivenWay, 1.0f / 16.0f, "ratio to a link", "maximum displacement of particles by a load in a substep, or of a body "
+             "by a soft body on it: links carry the load when they are shorter by about as much");
 PLUMB_TUNING(kBearing, 0.25f, "ratio", "fraction of the particles that carry a load: about one side");
 
 // Characters.

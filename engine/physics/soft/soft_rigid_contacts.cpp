@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "physics/islands/sleeping.hpp"
 #include "physics/shapes/shape_types.hpp"
@@ -211,18 +213,23 @@ void findSoftContacts(StepContext& step, SoftGroup& group) {
 
 int substepsOf(const StepContext& step, const SoftGroup& group) {
     const World& world = step.world;
-    float heaviest = 0.0f;  // kg
+    float heaviest = 0.0f, lightest = std::numeric_limits<float>::infinity();  // kg
     for (const SoftObstacle& obstacle : group.obstacles.of(step.work.softSurroundings.obstacles)) {
-        if (obstacle.isPushed) heaviest = std::max(heaviest, world.bodies.mass[obstacle.body].mass);
+        if (!obstacle.isPushed) continue;
+        const float mass = world.bodies.mass[obstacle.body].mass;
+        heaviest = std::max(heaviest, mass);
+        lightest = std::min(lightest, mass);
     }
-    const float load = step.runs(Effect::Gravity) ? heaviest * length(world.settings.gravity) : 0.0f;  // N
+    const float gravity = step.runs(Effect::Gravity) ? length(world.settings.gravity) : 0.0f;  // m/s2
     int most = 1;
     for (const std::uint32_t index : group.bodies.of(step.work.softSoftContacts.order)) {
         const SoftBody& soft = world.softBodies.all[index];
         most = std::max<int>(most, soft.substeps);
         if (soft.links.empty()) continue;
-        const float mass = kBearing * static_cast<float>(soft.particles.size()) * soft.particles[0].mass;
-        const float needed = step.dt * std::sqrt(load / (mass * kGivenWay * soft.links[0].length));
+        const float mass = static_cast<float>(soft.particles.size()) * soft.particles[0].mass;
+        // A load accelerates what carries it: particles below a body, or a body below the soft body.
+        const float load = gravity * std::max(heaviest / (kBearing * mass), mass / lightest);  // m/s2
+        const float needed = std::ceil(step.dt * std::sqrt(load / (kGivenWay * soft.links[0].length)));
         most = std::max(most, static_cast<int>(std::min(needed, 64.0f)));
     }
     return most;

@@ -139,6 +139,21 @@ TEST(SoftLoads, ofAnyMassComeToRestOnOrUnderAJelly) {
     }
 }
 
+// Regression: crates of less than 1/150 of the mass of the jelly trembled below it at 3 to 20 cm/s.
+TEST(SoftLoads, lightCratesComeToRestBelowAJelly) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Load load = randomLoad(seed);
+        Random random = Random::seeded(seed + 100);
+        load.mass = std::pow(10.0f, random.between(-2.7f, -1.7f));
+        load.below = true;
+        SCOPED_TRACE(testing::Message() << seed << ": " << load.mass << " kg");
+        Loaded made = build(load);
+        run(made.world, 2 * kTenSeconds);
+        EXPECT_LT(fastest(made), kAtRest);
+        EXPECT_LE(entered(made, load.crate), 0.0f);
+    }
+}
+
 TEST(SoftLoads, stacksOfCratesStayOnAJelly) {
     for (const float mass : {0.003f, 0.03f, 0.3f, 3.0f, 30.0f}) {
         SCOPED_TRACE(mass);
