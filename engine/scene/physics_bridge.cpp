@@ -121,7 +121,7 @@ void stepPhysics(World& world, float dt) {
         state.stepped.assign(state.world.awake.begin(), state.world.awake.end());
     }
     if (!calls.motion) {
-        pull(world, world.resource<PhysicsSettings>().gravity, dt);
+        pull(world, toPixels(state.world.settings.gravity, state.scale), dt);
         return;
     }
     PhysicsThreads* threads = world.service<PhysicsThreads>();

@@ -115,6 +115,24 @@ TEST(Hazard, fallingBelowTheKillPlaneKills) {
     EXPECT_NEAR(level.at().x, 24.0f, 1.0f) << "respawns at the start, without a checkpoint";
 }
 
+TEST(Hazard, theKillPlaneIsWhereItIsDrawn) {
+    Level level{kFlat};
+    level.addPlayer({30, 16});
+    Entity group = level.world.createEntity();
+    group.addComponent<Transform>(0.0f, 300.0f);
+    Entity plane = level.world.createEntity();
+    plane.addComponent<Transform>(0.0f, 50.0f);
+    plane.addComponent<KillPlane>();
+    setParent(level.world, plane, group);
+    const Entity above = level.addBox({200, 10}, {10, 10}, false),
+                 below = level.addBox({200, 400}, {10, 10}, false);
+    for (Entity crate : {above, below}) crate.addComponent<RigidBody>().gravityScale = 0.0f;
+    level.run(2);
+    EXPECT_TRUE(above.alive());
+    EXPECT_FALSE(below.alive());
+    EXPECT_EQ(level.world.resource<GameProgress>().deaths, 0);
+}
+
 TEST(Stompable, diesWhenJumpedOnAndHurtsFromTheSide) {
     Level level{kFlat};
     const Entity enemy = addEnemy(level, {100, kFloor});

@@ -16,6 +16,7 @@
 #include "scene/components/colliders/circle_collider.hpp"
 #include "scene/components/colliders/tile_collider.hpp"
 #include "scene/components/drawing/tile_layer.hpp"
+#include "scene/components/scene_physics.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/physics/contact_events.hpp"
 #include "scene/physics/entity_bodies.hpp"
@@ -75,6 +76,18 @@ TEST(PhysicsBridge, theThreeSystemsOfTheSampleAreOneStep) {
     EXPECT_NEAR(ball.get<RigidBody>().velocity.y, PhysicsSettings::kGravity.y * 0.5f, 0.5f);
     run(world, 240);
     EXPECT_TRUE(ball.get<RigidBody>().grounded);
+}
+
+TEST(PhysicsBridge, gravityWithoutMotionIsThatOfTheScene) {
+    World world;
+    world.addSystem<GravitySystem>();
+    Entity rules = world.createEntity();
+    rules.addComponent<ScenePhysics>().gravity = {30, 300};
+    const Entity ball = falling(world, {100, 0});
+    run(world, 60);
+    EXPECT_NEAR(ball.get<RigidBody>().velocity.x, 30.0f, 0.01f);
+    EXPECT_NEAR(ball.get<RigidBody>().velocity.y, 300.0f, 0.1f);
+    EXPECT_EQ(ball.get<Transform>().position, (Vec2{100, 0}));
 }
 
 TEST(PhysicsBridge, effectsThatAreNotRequiredDoNotRun) {

@@ -18,6 +18,7 @@
 #include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/world_transform.hpp"
 
 namespace plumb {
 
@@ -62,19 +63,17 @@ void touch(World& world, EntityId hazardId, EntityId other) {
     if (!world.has<PlayerController>(other) && world.has<Stompable>(hazardId))
         return;  // enemies do not hurt enemies
     const Hazard hazard = std::as_const(world).get<Hazard>(hazardId);
-    const Transform* mine = std::as_const(world).find<Transform>(hazardId);
-    const Transform* theirs = std::as_const(world).find<Transform>(other);
-    const bool left = mine != nullptr && theirs != nullptr && theirs->position.x < mine->position.x;
+    const bool left = worldPose(world, other).position.x < worldPose(world, hazardId).position.x;
     hurt(world, other, hazard.damage, {left ? -hazard.knockback.x : hazard.knockback.x, hazard.knockback.y});
 }
 
 void killBelow(World& world, float limit) {
-    for (auto [entity, health, transform] : world.query<const Health, const Transform>()) {
-        if (transform.position.y > limit) kill(world, entity);
+    for (auto [entity, health] : world.query<const Health>(with<Transform>)) {
+        if (worldPose(world, entity.id()).position.y > limit) kill(world, entity);
     }
-    for (auto [entity, body, transform] :
-         world.query<const RigidBody, const Transform>(without<Health, PlayerController>)) {
-        if (transform.position.y > limit) entity.destroy();
+    for (auto [entity, body] :
+         world.query<const RigidBody>(with<Transform>, without<Health, PlayerController>)) {
+        if (worldPose(world, entity.id()).position.y > limit) entity.destroy();
     }
 }
 
@@ -84,9 +83,8 @@ void HazardSystem::update(World& world, float) {
     const auto visit = [&world](EntityId hazard, EntityId other) { touch(world, hazard, other); };
     forEachTouch<TriggerEntered, Hazard, Health>(world, visit);
     forEachTouch<TriggerStayed, Hazard, Health>(world, visit);
-    for (auto [entity, transform] : world.query<const Transform>(with<KillPlane>)) {
-        killBelow(world, transform.position.y);
-    }
+    for (auto [entity, plane] : world.query<const KillPlane>(with<Transform>))
+        killBelow(world, worldPose(world, entity.id()).position.y);
 }
 
 }  // namespace plumb
