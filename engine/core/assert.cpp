@@ -3,11 +3,14 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/crash_report.hpp"
+
 namespace plumb {
 namespace {
 
 void printAndAbort(const char* sentence, const char* file, int line) {
     std::fprintf(stderr, "%s:%d: %s\n", file, line, sentence);
+    setCrashReason(sentence);
     std::abort();
 }
 

@@ -6,9 +6,9 @@
 namespace plumb {
 
 /// Makes this program print a report when it crashes (a wrong access to memory, a division of integers by
-/// zero, abort()): the signal, what was running, see Running, and a back trace. It then ends by the same
-/// signal. Does nothing on Windows, and for signals that are handled already, as by a sanitizer.
-/// A stack overflow is reported on the calling thread only.
+/// zero, abort(), an exception that is not caught): the signal, what was running, see Running, and a back
+/// trace. It then ends by the same signal. Does nothing for signals that are handled already, as by a
+/// sanitizer. A stack overflow is reported on the calling thread only. See setCrashReport() for a file.
 /// @param remedy  a line of the report
 void reportCrashes(std::string_view remedy);
 
