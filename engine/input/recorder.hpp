@@ -31,10 +31,19 @@ struct HashCheck {
     friend bool operator==(const HashCheck&, const HashCheck&) = default;
 };
 
+/// How a recorded game crashed, as its report says.
+struct RecordedCrash {
+    std::string what;     ///< the signal and what it means, or the assertion; empty: the game did not crash
+    std::string running;  ///< the system or handler; empty: none
+    std::string build;    ///< of the program, see buildId()
+
+    friend bool operator==(const RecordedCrash&, const RecordedCrash&) = default;
+};
+
 /// A recorded game: its initial state and the input of every tick. Its file `*.replay` is text, with one line
-/// for each change of the input.
+/// for each change of the input; that of a crash contains the input in packed form, see PackedInput.
 struct Replay {
-    static constexpr int kFormat = 1;
+    static constexpr int kFormat = 2;  ///< 1: without packed input and crash, the only one that is written
     static constexpr std::uint64_t kMaxTicks = std::uint64_t{60} * 3600 * 24;  ///< 24 hours at 60 Hz
     static constexpr std::size_t kMaxRuns = std::size_t{1} << 20;
     static constexpr std::size_t kMaxCheckpoints = std::size_t{1} << 20;
@@ -46,6 +55,7 @@ struct Replay {
     std::uint64_t seed = 1;  ///< in a file without one, that of a game without --seed
     std::vector<InputRun> runs;
     std::vector<HashCheck> checkpoints;  ///< in ascending order of ticks
+    RecordedCrash crash;                 ///< read, never written, as the game crashes while it is written
 
     [[nodiscard]] std::uint64_t ticks() const;
 

@@ -10,6 +10,7 @@
 
 #include "core/os.hpp"
 #include "core/text.hpp"
+#include "input/packed_input.hpp"
 #include "input/recorder.hpp"
 
 // A replay file is text, so that a diff of two files shows the different input:
@@ -27,11 +28,21 @@
 //
 // Each line of ticks lists the changes since the previous one: +Key -Key, +Mouse.Left, wheel=0,120, +Gamepad1
 // (connected), +Gamepad1.A, Gamepad1.LeftX=-32767. The seed is in hex.
+//
+// The report of a crash is such a file of format 2, which app/crash_file.cpp writes:
+//
+//     build 6f1c...
+//     crash SIGSEGV, a wrong access to memory
+//     running MovementSystem
+//     packed 2100                2100 bytes of packed input and a line break follow
+//     end 4711
+//     ...                        what follows "end" is for people
 
 namespace plumb {
 namespace {
 
 constexpr std::string_view kMark = "plumb-replay";
+constexpr int kWritten = 1;               // format
 constexpr std::size_t kNameBytes = 1024;  // maximum size of a project's, engine's or scene's name
 
 // ---- writing ------------------------------------------------------------------------------------
@@ -172,7 +183,8 @@ public:
 
     Result<Replay> read() {
         if (text_.size() > Replay::kMaxBytes) return failure("the file is too large", "record less");
-        if (!isUtf8(text_)) return failure("the text is not UTF-8", "record it again");
+        const bool mayBePacked = startsWith(text_, format("{} {}\n", kMark, Replay::kFormat));
+        if (!mayBePacked && !isUtf8(text_)) return failure("the text is not UTF-8", "record it again");
         if (std::string problem = readMark(); !problem.empty())
             return failure(std::move(problem), "record it again");
         while (!ended_ && !text_.empty()) {
@@ -181,11 +193,14 @@ public:
             }
         }
         if (!ended_) return failure("the file has no \"end\" line: it is incomplete", "record it again");
-        if (!trimmed(text_).empty()) return failure("there is text after the \"end\" line", "remove it");
+        if (!isCrash() && !trimmed(text_).empty())
+            return failure("there is text after the \"end\" line", "remove it");
         return std::move(replay_);
     }
 
 private:
+    [[nodiscard]] bool isCrash() const { return format_ >= 2; }
+
     std::string_view takeLine() {
         const std::size_t end = text_.find('\n');
         std::string_view line = text_.substr(0, end);
@@ -209,11 +224,13 @@ private:
         if (*version > Replay::kFormat) {
             return format("the replay has format {}, this program reads up to {}", *version, Replay::kFormat);
         }
+        format_ = *version;
         return {};
     }
 
     std::string readLine(std::string_view line) {
         if (line.empty()) return "the line is empty";
+        if (!isUtf8(line)) return "the text is not UTF-8";
         if (line.front() >= '0' && line.front() <= '9') return readRun(line);
         const std::size_t space = line.find(' ');
         const std::string_view key = line.substr(0, space);
@@ -225,6 +242,10 @@ private:
         if (key == "seed") return readSeed(value);
         if (key == "check") return readCheckpoint(value);
         if (key == "end") return readEnd(value);
+        if (isCrash() && key == "build") return readHeader(replay_.crash.build, value);
+        if (isCrash() && key == "crash") return readHeader(replay_.crash.what, value);
+        if (isCrash() && key == "running") return readHeader(replay_.crash.running, value);
+        if (isCrash() && key == "packed") return readPacked(value);
         return format("unknown keyword \"{}\"", key.substr(0, 40));
     }
 
@@ -261,6 +282,16 @@ private:
         return {};
     }
 
+    std::string readPacked(std::string_view value) {
+        const auto size = parseCount(value, Replay::kMaxBytes);
+        if (!size || *size >= text_.size() || text_[*size] != '\n')
+            return "expected the number of bytes that follow, after which the line ends";
+        std::string problem = unpackInput(text_.substr(0, *size), replay_, ticks_);
+        text_.remove_prefix(*size + 1);
+        if (!replay_.runs.empty()) frame_ = replay_.runs.back().frame;
+        return problem;
+    }
+
     std::string readRun(std::string_view line) {
         std::size_t space = line.find(' ');
         const auto ticks = parseCount(line.substr(0, space), Replay::kMaxTicks);
@@ -289,6 +320,7 @@ private:
     Replay replay_;
     InputFrame frame_;
     std::uint64_t ticks_ = 0;
+    std::uint64_t format_ = 0;
     int line_ = 0;
     bool ended_ = false;
 };
@@ -306,9 +338,9 @@ std::string oneLine(std::string_view text) {
 }
 
 std::string headerOf(const Replay& replay) {
-    return format("{} {}\n", kMark, Replay::kFormat) + format("project {}\nengine {}\nscene {}\nseed {}\n",
-                                                              oneLine(replay.project), oneLine(replay.engine),
-                                                              oneLine(replay.scene), hexText(replay.seed));
+    return format("{} {}\n", kMark, kWritten) + format("project {}\nengine {}\nscene {}\nseed {}\n",
+                                                       oneLine(replay.project), oneLine(replay.engine),
+                                                       oneLine(replay.scene), hexText(replay.seed));
 }
 
 void writeCheck(std::string& out, const HashCheck& check) {

@@ -118,7 +118,7 @@ TEST(Recorder, invalidReplaysAreRejectedWithTheLine) {
                                   "x",
                                   "plumb-replay",
                                   "plumb-replay \n",
-                                  "plumb-replay 2\nend 0\n",
+                                  "plumb-replay 3\nend 0\n",
                                   "plumb-replay 0\nend 0\n",
                                   head,
                                   head + "end 1\n",

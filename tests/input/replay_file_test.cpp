@@ -31,10 +31,10 @@ TEST(ReplayFile, theFirstLineNamesTheFormat) {
     for (const char* text : {"plumb-replay ", "plumb-replay x\nend 0\n", "plumb-replay 0\nend 0\n",
                              "plumb-replay -1\nend 0\n", "plumb-replay 1000001\nend 0\n"})
         EXPECT_EQ(errorOf(text), number) << text;
-    EXPECT_EQ(errorOf("plumb-replay 2\nend 0\n"),
-              "run.replay:1: the replay has format 2, this program reads up to 1; record it again");
+    EXPECT_EQ(errorOf("plumb-replay 3\nend 0\n"),
+              "run.replay:1: the replay has format 3, this program reads up to 2; record it again");
     EXPECT_EQ(errorOf("plumb-replay 1000000\nend 0\n"),
-              "run.replay:1: the replay has format 1000000, this program reads up to 1; record it again");
+              "run.replay:1: the replay has format 1000000, this program reads up to 2; record it again");
     EXPECT_EQ(errorOf("plumb-replay 1\nend 0"), "no error") << "without a line break at the end";
     EXPECT_EQ(errorOf("plumb-replay 1\r\nend 0\r\n"), "no error");
 }
