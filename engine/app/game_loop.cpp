@@ -2,13 +2,19 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "core/clock.hpp"
+#include "core/crash_report.hpp"
 #include "core/log.hpp"
 #include "platform/display.hpp"
+#include "platform/gl_profile.hpp"
 #include "platform/image_file.hpp"
 #include "platform/main_loop.hpp"
+#include "platform/paths.hpp"
 
 namespace plumb {
 namespace {
@@ -17,6 +23,7 @@ constexpr std::int64_t kDemoTicks = 600;      ///< default number of ticks witho
 constexpr double kPausedWait = 0.1;           ///< s for which a paused game waits for events
 constexpr std::int64_t kCheckTicks = 600;     ///< ticks between two hashes of a recording
 constexpr std::int64_t kHeadlessTicks = 600;  ///< default number of ticks of a headless run
+constexpr double kLongestTick = 5.0;          ///< s: a tick that takes longer is reported as a hang
 constexpr const char* kEngineVersion = "0.1.0";
 
 void sleepSeconds(double seconds) {
@@ -98,6 +105,32 @@ bool GameLoop::prepare() {
         if (options_.screenshot.empty()) options_.screenshot = "plumb-screenshot.png";
     }
     if (screen_ == nullptr && options_.frames < 0 && !replay_) options_.frames = kHeadlessTicks;
+    return prepareCrashFile();
+}
+
+/// Without an option, a game that is played in a window leaves a file in its data folder.
+bool GameLoop::prepareCrashFile() {
+    if (!canReportCrashes()) return true;
+    const bool isPlayed =
+        screen_ != nullptr && screen_->window().hasDisplay() && !replay_ && !options_.allEffects;
+    Path folder = options_.crashReports;
+    if (folder.empty() && isPlayed) folder = dataFolder(projectName_);
+    if (folder.empty() && !replay_) return true;
+    std::error_code failed;
+    if (!folder.empty()) std::filesystem::create_directories(folder, failed);
+    if (failed) {
+        logError("Engine",
+                 Error{folder.generic_string(), "the folder for reports of crashes cannot be created",
+                       "choose another one with --crash-reports"});
+        return false;
+    }
+    const std::string threads =
+        options_.threads > 0 ? format("{} threads", options_.threads) : std::string{"automatic threads"};
+    crashFile_.emplace(
+        recorder_.replay, folder,
+        format("{}, {} of the physics", screen_ == nullptr ? "headless" : "in a window", threads),
+        replay_ ? &*replay_ : nullptr);
+    watchdog_.emplace(kLongestTick, &reportHang);
     return true;
 }
 
@@ -177,7 +210,9 @@ void GameLoop::handleEvents() {
 void GameLoop::reloadEdited() {
     if (replayPlayer_ || recording_) return;
     const std::vector<AssetChange> changes = game_.assets.pollChanges();
-    if (!changes.empty()) game_.followChanges(changes);
+    if (changes.empty()) return;
+    if (crashFile_) crashFile_->changed();
+    game_.followChanges(changes);
 }
 
 bool GameLoop::nextInput(InputFrame& frame) {
@@ -209,30 +244,58 @@ void GameLoop::updateRecording() {
 void GameLoop::tick() {
     InputFrame frame;
     if (!nextInput(frame)) {
+        noteEndOfCrash();
         quit();
         return;
     }
-    tickGame(game_, frame);
+    simulate(frame);
     ++ticks_;
     if (game_.quitRequested()) quit();
     if (screen_ != nullptr) events_.write(game_.world);
     if (sounds_) sounds_->listen(game_.world);
-    if (const HashCheck* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
-        expected != nullptr && expected->hash != game_.world.hash()) {
-        logError("Input",
-                 Error{options_.replay,
-                       format("the simulation differs from the recorded one at tick {}: the scenes or the "
-                              "code of \"{}\" have changed since, or the engine, then {}, now {}",
-                              ticks_, projectName_, replay_->engine, kEngineVersion),
-                       "play it with the version that recorded it; record again if the game was changed "
-                       "on purpose"});
-        failed_ = true;
-        quit();
-    }
+    checkReplay();
     if (options_.hashEvery > 0 && ticks_ % options_.hashEvery == 0) {
         std::printf("hash %lld: %s\n", static_cast<long long>(ticks_), hexText(game_.world.hash()).c_str());
     }
     if (recording_ && ticks_ % kCheckTicks == 0) recorder_.check(game_.world.hash());
+    if (crashFile_ && ticks_ % CrashFile::kCheckTicks == 0) crashFile_->check(game_.world.hash());
+}
+
+void GameLoop::simulate(const InputFrame& frame) {
+    if (!crashFile_) return tickGame(game_, frame);
+    crashFile_->tickBegins(frame);
+    watchdog_->begin();
+    tickGame(game_, frame);
+    watchdog_->end();
+    crashFile_->tickEnds();
+}
+
+/// Ends the game if its state differs from the recorded one.
+void GameLoop::checkReplay() {
+    const HashCheck* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
+    if (expected == nullptr || expected->hash == game_.world.hash()) return;
+    logError("Input",
+             Error{options_.replay,
+                   format("the simulation differs from the recorded one at tick {}: the scenes or the "
+                          "code of \"{}\" have changed since, or the engine, then {}, now {}",
+                          ticks_, projectName_, replay_->engine, kEngineVersion),
+                   "play it with the version that recorded it; record again if the game was changed "
+                   "on purpose"});
+    failed_ = true;
+    quit();
+}
+
+/// Says that the report of a crash has been replayed to its end without that crash.
+void GameLoop::noteEndOfCrash() {
+    const RecordedCrash& crash = replay_->crash;
+    if (crash.what.empty()) return;
+    const std::string build = buildId();
+    logNote(
+        "Input",
+        "The replay ends at tick {}, where the game crashed: {}. It has not crashed again{}: the cause is "
+        "not in the simulation, or it depends on the machine.",
+        ticks_, crash.what,
+        crash.build == build ? std::string{} : format(", in build {} instead of {}", build, crash.build));
 }
 
 PhysicsShown GameLoop::shownPhysics() {
@@ -261,6 +324,10 @@ void GameLoop::drawFrame(float alpha) {
     }
     screen_->swap();
     ++framesDrawn_;
+    if (isContextLost()) {
+        setCrashReason("the graphics device was lost");
+        std::abort();
+    }
 }
 
 void GameLoop::reportRate() {

@@ -5,12 +5,14 @@
 #include <optional>
 #include <string>
 
+#include "app/crash_file.hpp"
 #include "app/event_log.hpp"
 #include "app/frame_pacer.hpp"
 #include "app/game.hpp"
 #include "app/player_options.hpp"
 #include "app/screen.hpp"
 #include "app/sound_output.hpp"
+#include "core/watchdog.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
 #include "scene/physics/physics_times.hpp"
@@ -32,6 +34,7 @@ public:
 
 private:
     bool prepare();
+    bool prepareCrashFile();
     void runHeadless();
     void runScreen();
     void runFrame(bool lockstep);
@@ -39,6 +42,9 @@ private:
     void handleEvents();
     void reloadEdited();
     void tick();
+    void simulate(const InputFrame& frame);
+    void checkReplay();
+    void noteEndOfCrash();
     void updateRecording();
     bool nextInput(InputFrame& frame);
     void drawFrame(float alpha);
@@ -60,6 +66,8 @@ private:
     std::optional<ReplayPlayer> replayPlayer_;
     Recorder recorder_;
     std::optional<RecordingFile> recording_;  ///< empty: the game is not recorded, or no longer
+    std::optional<CrashFile> crashFile_;      ///< empty: a crash leaves no file
+    std::optional<Watchdog> watchdog_;
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
     double before_ = 0.0;          // s, wall clock: start of the last frame

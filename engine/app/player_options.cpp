@@ -87,6 +87,10 @@ constexpr std::array kGameOptions{
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.record); }},
     Row{"--replay", "FILE", "replay recorded input, with its scene and seed",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.replay); }},
+    Row{"--crash-reports", "DIR",
+        "write a replay to this folder if the game crashes; default: the game's data folder if it is played "
+        "in a window",
+        [](PlayerOptions& o, std::string_view v) { return setText(v, o.crashReports); }},
     Row{"--all-effects", "", "run all features of the engine (effects), requested or not",
         [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
     Row{"--seed", "N", "seed of the game's random numbers", &setSeed},
@@ -148,9 +152,10 @@ Result<Done> checkTogether(const PlayerOptions& options) {
                 true},
     };
     for (const auto& [given, name, why, inRecordings] : refused) {
-        const char* with = !options.replay.empty()                   ? "--replay"
-                           : inRecordings && !options.record.empty() ? "--record"
-                                                                     : nullptr;
+        const char* with = !options.replay.empty()                         ? "--replay"
+                           : inRecordings && !options.record.empty()       ? "--record"
+                           : inRecordings && !options.crashReports.empty() ? "--crash-reports"
+                                                                           : nullptr;
         if (given && with != nullptr)
             return Error{"command line", format("{} cannot be used with {}: {}", name, with, why),
                          format("leave out {} or {}", name, with)};

@@ -24,6 +24,7 @@ struct PlayerOptions {
     std::string capture;                ///< folder for PNG files of every frame
     std::string record;                 ///< path of a file to record input to
     std::string replay;                 ///< path of a file to replay input from
+    std::string crashReports;           ///< folder for reports of crashes; empty: see GameLoop
     bool allEffects = false;            ///< run all effects (features of the engine), requested or not
     bool effects = false;               ///< list the effects of the scene and their cost
     bool benchmark = false;             ///< run the benchmark instead of a project

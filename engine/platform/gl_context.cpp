@@ -19,7 +19,11 @@ GlContext& GlContext::operator=(GlContext&& other) noexcept {
 
 Result<GlContext> GlContext::create(SDL_Window* window) {
     GlContext made;
+    // For isContextLost(). Drivers without it fail, or ignore it.
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_LOSE_CONTEXT);
     made.context_ = SDL_GL_CreateContext(window);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_NO_NOTIFICATION);
+    if (made.context_ == nullptr) made.context_ = SDL_GL_CreateContext(window);
     if (made.context_ == nullptr) {
         return Error{"OpenGL", SDL_GetError(), "update the graphics driver; Plumb needs OpenGL 3.3"};
     }

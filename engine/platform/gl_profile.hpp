@@ -8,6 +8,10 @@ namespace plumb {
 /// pixel format depends on it.
 void requestGlProfile();
 
+/// True if the driver has given up the current context, e.g. because the graphics device hung and was reset:
+/// drawing does nothing any more. False where the driver does not tell.
+[[nodiscard]] bool isContextLost();
+
 /// The first line of a shader, with its line break.
 [[nodiscard]] const char* shaderVersion();
 

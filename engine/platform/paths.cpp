@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdlib>
+#include <cstring>
+#include <string>
 #include <system_error>
 
 #include <SDL.h>
@@ -56,6 +58,17 @@ Path codeGameFolder(const Path& program) {
             return std::filesystem::weakly_canonical(candidate, ignored);
     }
     return std::filesystem::current_path(ignored);
+}
+
+Path dataFolder(std::string_view game) {
+    std::string name{game};
+    for (char& c : name) {
+        const bool isRefused =
+            static_cast<unsigned char>(c) < 0x20 || std::strchr("/\\:*?\"<>|.", c) != nullptr;
+        if (isRefused) c = '_';
+    }
+    Path folder = takePath(SDL_GetPrefPath("", name.empty() ? "game" : name.c_str()));
+    return folder.empty() ? Path{"."} : folder;
 }
 
 Path settingsFolder() {

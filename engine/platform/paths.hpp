@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "core/file.hpp"
 
 namespace plumb {
@@ -16,6 +18,10 @@ const Path& engineAssets();
 /// folder, the project's folder in the source tree, or else the current folder.
 /// @param program  name of the program, equal to that of the project's folder
 Path codeGameFolder(const Path& program);
+
+/// The folder for what a game keeps on this computer; created if missing. `$XDG_DATA_HOME/NAME` on Linux.
+/// @param game  its name; characters that some system refuses in names of files are replaced
+Path dataFolder(std::string_view game);
 
 /// The folder for user settings; created if missing. `$XDG_DATA_HOME/plumb` on Linux.
 Path settingsFolder();

@@ -75,6 +75,8 @@ TEST(PlayerOptions, whatWouldMakeAReplayAnotherGameIsRefusedWithTheReason) {
     EXPECT_EQ(parsed({"--record", "a.replay", "--all-effects"}).error().text(),
               "command line: --all-effects cannot be used with --record: which effects run is part of the "
               "state, so every hash differs, even where results do not; leave out --all-effects or --record");
+    EXPECT_FALSE(parsed({"--crash-reports", "reports", "--all-effects"}).ok());
+    EXPECT_TRUE(parsed({"--replay", "a.replay", "--crash-reports", "reports"}).ok());
     EXPECT_TRUE(parsed({"--record", "a.replay", "--seed", "7", "--scene", "level2"}).ok());
     EXPECT_TRUE(parsed({"--replay", "a.replay", "--record", "b.replay", "--frames", "9", "--headless"}).ok());
     EXPECT_FALSE(parseGameOptions(std::vector{"--replay=a.replay", "--seed=3"}).ok());
@@ -129,7 +131,7 @@ TEST(PlayerOptions, theUsageListsEveryOption) {
     for (const char* name :
          {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot", "--capture",
           "--record", "--replay", "--effects", "--all-effects", "--benchmark", "--seed", "--scale",
-          "--fullscreen", "--entities", "--window", "--physics-view"}) {
+          "--fullscreen", "--entities", "--window", "--physics-view", "--crash-reports"}) {
         EXPECT_NE(playerUsage().find(name), std::string::npos) << name;
     }
 }

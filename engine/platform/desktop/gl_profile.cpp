@@ -1,6 +1,7 @@
 #include "platform/gl_profile.hpp"
 
 #include <SDL.h>
+#include <SDL_opengl.h>
 
 namespace plumb {
 
@@ -13,6 +14,15 @@ void requestGlProfile() {
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
     SDL_GL_SetAttribute(SDL_GL_STENCIL_SIZE, 0);
+}
+
+bool isContextLost() {
+    using Status = unsigned(APIENTRY*)();
+    static const auto status = [] {
+        const bool knows = SDL_GL_ExtensionSupported("GL_KHR_robustness") == SDL_TRUE;
+        return knows ? reinterpret_cast<Status>(SDL_GL_GetProcAddress("glGetGraphicsResetStatus")) : nullptr;
+    }();
+    return status != nullptr && status() != 0;
 }
 
 const char* shaderVersion() { return "#version 330 core\n"; }

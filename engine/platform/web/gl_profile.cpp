@@ -15,6 +15,8 @@ void requestGlProfile() {
     SDL_GL_SetAttribute(SDL_GL_STENCIL_SIZE, 0);
 }
 
+bool isContextLost() { return false; }
+
 const char* shaderVersion() { return "#version 300 es\n"; }
 
 }  // namespace plumb

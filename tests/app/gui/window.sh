@@ -1,5 +1,5 @@
 #!/bin/bash
-# Plays in a real window under Xvfb: resizes it, shows the physics view, removes the focus and restores it.
+# Plays in a real window under Xvfb: resizes it, shows the physics view, removes the focus and restores it, and crashes.
 # (Full screen needs a window manager, which Xvfb does not have.)
 #   window.sh PLAYER PROJECT WORK-FOLDER
 set -eu
@@ -35,4 +35,16 @@ wait "$program" || fail "it ended with an error"
 program=
 # The screenshot has the size of the window, 700x500: bytes 16 to 23 of the PNG.
 [ "$(od -An -tu1 -j16 -N8 "$work/last.png" | tr -s ' ')" = " 0 0 2 188 0 0 1 244" ] || fail "the picture is not 700x500"
-echo "resized, showed the physics, paused without the focus"
+# A crash leaves a report in the game's data folder, which plays to its end.
+XDG_DATA_HOME="$work/data" "$player" "$project" --scene level1 > "$work/log" 2>&1 &
+program=$!
+for _ in $(seq 200); do grep -q "FPS:" "$work/log" && break; sleep 0.1; done
+kill -SEGV "$program"
+wait "$program" && fail "the signal did not end it"
+program=
+report=$(echo "$work"/data/Wickwood/crash-*.replay)
+[ -f "$report" ] || fail "it left no report"
+grep -qaF "$HOME" "$report" && fail "the report has a path of the user"
+"$player" "$project" --headless --replay "$report" > "$work/log" 2>&1 || fail "the report cannot be played"
+grep -q "It has not crashed again" "$work/log" || fail "the report is not played to its end"
+echo "resized, showed the physics, paused without the focus, left a report of its crash"
