@@ -45,6 +45,8 @@ constexpr std::array kOptions{
         [](EditorOptions& o, std::string_view v) { return setText(v, o.scene); }},
     Row{"--select", "NAME", "select this entity",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.select); }},
+    Row{"--replay", "FILE", "play a replay, e.g. of a crash, and pause 2 s before its end",
+        [](EditorOptions& o, std::string_view v) { return setText(v, o.replay); }},
     Row{"--new", "FOLDER", "create a project in this folder, named like it, and exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.newProject); }},
     Row{"--template", "NAME",

@@ -11,6 +11,7 @@ namespace plumb::editor {
 struct EditorOptions {
     std::string project;         ///< folder of the project; empty: show the welcome screen
     std::string scene;           ///< name of the scene to open; empty: the project's start scene
+    std::string replay;          ///< file of a replay to play up to 2 s before its end; empty: none
     std::string newProject;      ///< folder of a project to create, then exit; empty: none
     std::string from = "empty";  ///< template of the new project
     bool validate = false;       ///< check all scenes, prefabs and assets, print the problems and exit
