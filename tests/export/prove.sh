@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Exports the sample projects for each system and plays what comes out: the same hash as that of the project here after 600
 # ticks. Pages are played by node, programs for Windows by wine.
+# Then a game that crashes, see crashes.sh.
 #   ./plumb test --export
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -33,3 +34,4 @@ for project in platformer physics-playground physics-lab arena; do
         printf '%-22s %-8s %8s %9s  %s\n' "$project" "$system" "$(size "$out")" "$(size "$out/game.pack")" "${found#hash: }"
     done
 done
+"$root/tests/export/crashes.sh"
