@@ -231,6 +231,7 @@ int runEditor(const EditorOptions& given) {
                 : ProjectSession::open(options.project);
     if (!session) return fail(session.error());
     if (options.validate) return (*session)->validate();
+    if (!options.resources.empty()) return (*session)->writeResources(options.resources);
     if (!options.exportTo.empty()) return (*session)->exportGame(options);
 
     Workspace& workspace = (*session)->workspace();

@@ -1,4 +1,5 @@
 # What every program that plays a game is linked with on the web and on Windows.
+set(PLUMB_GAME_RESOURCES "" CACHE PATH "folder with game.rc: the icon and the version of the game, for Windows")
 set(PLUMB_TARGETS ${PROJECT_SOURCE_DIR}/player/targets)
 
 function(finish_player program)
@@ -12,6 +13,11 @@ function(finish_player program)
     elseif(MINGW)
         enable_language(RC)
         target_sources(${program} PRIVATE ${PLUMB_TARGETS}/windows/player.rc)
+        if(PLUMB_GAME_RESOURCES)
+            target_sources(${program} PRIVATE ${PLUMB_GAME_RESOURCES}/game.rc)
+            set_source_files_properties(${PLUMB_GAME_RESOURCES}/game.rc PROPERTIES
+                INCLUDE_DIRECTORIES ${PLUMB_GAME_RESOURCES})
+        endif()
         # Without a console window: what it prints is seen if it is started in a console.
         target_link_options(${program} PRIVATE -mwindows)
     endif()

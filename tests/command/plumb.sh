@@ -21,6 +21,9 @@ done
 touch "$tree/projects/mine/project.json" "$tree/projects/codegame/main.cpp"
 touch -d '+1 hour' "$tree/build/.packages-play"  # all packages are installed
 
+# So are those that exports need.
+printf '#!/bin/bash\necho ii\n' >"$work/bin/dpkg-query"
+printf '#!/bin/bash\necho "apt-get $*" >>"$ASKED"; exit 1\n' >"$work/bin/apt-get"
 cat >"$work/bin/cmake" <<'SH'
 #!/bin/bash
 echo "cmake $*" >>"$ASKED"
@@ -41,7 +44,7 @@ for target in "${@:5}"; do
     chmod +x "$2/bin/$target"
 done
 SH
-chmod +x "$work/bin/cmake" "$work/bin/ninja"
+chmod +x "$work"/bin/*
 export ASKED=$work/asked PATH="$work/bin:$PATH"
 
 # An unknown option is an error before anything is built.
@@ -97,12 +100,23 @@ expect "did you mean --headless?"
 plumb export mine "$work/out"
 expect "program plumb-editor: $tree/projects/mine --export $work/out"
 [ "$(built)" = "plumb-editor plumb-player" ] || fail "export built $(built)"
+# For another system a script does it, with both; for all systems to a folder each, and one that fails stops no other.
+mkdir -p "$tree/player/targets"
+printf '#!/bin/bash\necho "export: $*"\n[ "$1" != "$FAILS" ]\n' >"$tree/player/targets/export.sh"
+chmod +x "$tree/player/targets/export.sh"
+bin=$tree/build/release/bin
+FAILS="" plumb export mine "$work/out" --to linux
+expect "export: linux $tree/projects/mine $work/out $bin/plumb-editor $bin/plumb-player"
+[ "$(built)" = "plumb-editor plumb-player" ] || fail "export --to linux built $(built)"
+FAILS=windows plumb export mine "$work/all" --to all && fail "a failed export was not reported"
+for target in linux windows web; do expect "export: $target $tree/projects/mine $work/all/$target $bin/plumb-editor"; done
+expect "not exported: windows; the messages above say why"
 plumb export mine && fail "an export to nowhere was accepted"
 expect "./plumb export PROJECT FOLDER"
 plumb export mine "$work/out" --to amiga && fail "an export to an unknown system was accepted"
-expect "there is no target amiga; write web or windows"
+expect "there is no target amiga; write linux, windows, web or all"
 plumb export mine "$work/out" --from web && fail "--from was accepted"
-expect "[--to web|windows]"
+expect "[--to linux|windows|web|all]"
 [ ! -s "$work/asked" ] || fail "a refused export asked for: $(cat "$work/asked")"
 plumb export codegame "$work/out" && fail "a game without a project file was exported"
 expect "codegame is a game in code"

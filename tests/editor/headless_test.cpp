@@ -11,6 +11,7 @@
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
 #include "editor/model/project/editor_options.hpp"
+#include "editor/model/project/program.hpp"
 #include "platform/paths.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/support/places.hpp"
@@ -274,6 +275,49 @@ TEST_F(HeadlessTest, aPageGetsTheNameAndTheIconOfTheGame) {
               "<title>A &#38; B &#60;1&#62;</title><h1>A &#38; B &#60;1&#62;</h1>icon.png");
     EXPECT_EQ(*readFile(out / "icon.png"), "picture");
     EXPECT_EQ(*readFile(out / "player.js"), "script");
+}
+
+/// The words of the line Exec of a desktop entry, as desktops read it. @param place  of the entry
+std::vector<std::string> wordsOf(std::string_view exec, const std::string& place) {
+    std::string text;  // the first level: escapes of any value
+    for (std::size_t i = 0; i < exec.size(); ++i) text += exec[i] == '\\' ? exec[++i] : exec[i];
+    std::vector<std::string> words{""};
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '"') {
+            quoted = !quoted;
+        } else if (text[i] == ' ' && !quoted) {
+            words.emplace_back();
+        } else if (text[i] == '%') {
+            words.back() += text[++i] == 'k' ? place : std::string{text[i]};
+        } else {
+            words.back() += text[i] == '\\' ? text[++i] : text[i];
+        }
+    }
+    return words;
+}
+
+TEST_F(HeadlessTest, aDesktopStartsTheProgramBesideTheEntry) {
+    putFile("player", "#!/bin/sh\nprintf 'played by %s' \"$0\"\n");
+    fs::permissions(root() / "player", fs::perms::owner_all);
+    putFile("hero.png", "picture");
+    for (const char* name : {"Test", "Sky Caves", "a $HOME 100% `id` it's; &", "Über"}) {
+        putFile(
+            "project.json",
+            format(
+                R"({"name": "{}", "startScene": "scenes/level.scene.json", "export": {"icon": "hero.png"}})",
+                name));
+        const Result<ExportReport> report = exportIt();
+        ASSERT_TRUE(report.ok()) << report.error().text();
+        const std::string entry = *readFile(out / (report->program + ".desktop"));
+        EXPECT_NE(entry.find(format("\nName={}\n", name)), std::string::npos) << entry;
+        const std::size_t start = entry.find("\nExec=") + 6;
+        const ProgramEnd end =
+            runProgram(wordsOf(std::string_view{entry}.substr(start, entry.find('\n', start) - start),
+                               (out / (report->program + ".desktop")).string()));
+        EXPECT_EQ(end.text, "played by " + (out / report->program).string()) << entry;
+        EXPECT_EQ(*readFile(out / "icon.png"), "picture");
+    }
 }
 
 TEST_F(HeadlessTest, anExportContainsTheLicences) {

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 2> kNotOfGames{"templates/", "tools/"};  // in the engine's assets
 constexpr std::string_view kPage = "index.html";
-constexpr const char* kIcon = "icon.png";  // of a page
-constexpr std::size_t kNamed = 5;          // files in the report
+constexpr const char* kIcon = "icon.png";
+constexpr std::size_t kNamed = 5;  // files in the report
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
@@ -126,14 +126,48 @@ Result<Done> copyFile(const Path& from, const Path& to) {
     return Error{to.generic_string(), failed.message(), "check the free disk space and the write permission"};
 }
 
-/// Copies the program, or all files of the page. @return what starts the game
-Result<std::string> copyPlayer(const Project& project, const Path& player, const Path& folder) {
-    std::error_code ignored;
-    if (!fs::is_directory(player, ignored)) {
-        std::string name = programName(project) + player.extension().string();
-        if (Result<Done> copied = copyFile(player, folder / name); !copied) return copied.error();
-        return name;
+Result<Done> copyIcon(const Project& project, const Path& folder) {
+    if (project.icon.empty()) return Done{};
+    const Result<Path> icon = pathInside(project.root, project.icon);
+    return icon ? copyFile(*icon, folder / kIcon) : icon.error();
+}
+
+/// What desktops on Linux show as the game. The program is beside it, wherever that is (%k).
+/// Source: freedesktop.org, "Desktop Entry Specification" 1.5, for the two levels of quoting
+std::string desktopEntry(const Project& project, std::string_view program) {
+    std::string name, argument;
+    for (const char c : project.name) {
+        if (static_cast<unsigned char>(c) < 32) continue;
+        if (c == '\\') name += '\\';
+        name += c;
     }
+    for (const char c : program) {
+        if (c == '$' || c == '`') argument += "\\\\";
+        if (c == '%') argument += '%';
+        argument += c;
+    }
+    return format(
+        "[Desktop Entry]\nType=Application\nName={}\nIcon={}\nCategories=Game;\n"
+        "Exec=sh -c \"exec \\\\\"\\\\$(dirname \\\\\"\\\\$1\\\\\")/\\\\$2\\\\\"\" sh %k \"{}\"\n",
+        name, program, argument);
+}
+
+/// Copies the program and what a desktop shows of it. @return what starts the game
+Result<std::string> copyProgram(const Project& project, const Path& player, const Path& folder) {
+    std::string name = programName(project) + player.extension().string();
+    if (Result<Done> copied = copyFile(player, folder / name); !copied) return copied.error();
+    if (player.has_extension()) return name;  // the program for Windows contains its icon
+    const Path entry = folder / (name + ".desktop");
+    if (Result<Done> done = writeFile(entry, desktopEntry(project, name)); !done) return done.error();
+    std::error_code failed;
+    fs::permissions(entry, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                    fs::perm_options::add, failed);  // desktops open others as a text
+    if (Result<Done> copied = copyIcon(project, folder); !copied) return copied.error();
+    return name;
+}
+
+/// Copies all files of the page. @return what starts the game
+Result<std::string> copyPage(const Project& project, const Path& player, const Path& folder) {
     for (const std::string& file : filesBelow(player, "")) {
         if (Result<Done> copied = copyFile(player / file, folder / file); !copied) return copied.error();
     }
@@ -141,10 +175,7 @@ Result<std::string> copyPlayer(const Project& project, const Path& player, const
     if (!page) return page.error();
     if (Result<Done> written = writeFile(folder / kPage, withProject(*page, project)); !written)
         return written.error();
-    if (project.icon.empty()) return std::string{kPage};
-    const Result<Path> icon = pathInside(project.root, project.icon);
-    if (!icon) return icon.error();
-    if (Result<Done> copied = copyFile(*icon, folder / kIcon); !copied) return copied.error();
+    if (Result<Done> copied = copyIcon(project, folder); !copied) return copied.error();
     return std::string{kPage};
 }
 
@@ -166,7 +197,10 @@ Result<ExportReport> exportTo(const Project& project, const Path& folder, const 
     report.files = files->size();
     report.largest = largestOf(*files);
     if (Result<Done> done = writeFile(folder / kPackName, writePack(*files)); !done) return done.error();
-    Result<std::string> program = copyPlayer(project, parts.player, folder);
+    std::error_code ignored;
+    Result<std::string> program = fs::is_directory(parts.player, ignored)
+                                      ? copyPage(project, parts.player, folder)
+                                      : copyProgram(project, parts.player, folder);
     if (!program) return program.error();
     report.program = std::move(*program);
     if (!parts.licences.empty()) {
@@ -174,7 +208,6 @@ Result<ExportReport> exportTo(const Project& project, const Path& folder, const 
         if (!text) return text.error();
         if (Result<Done> done = writeFile(folder / "licences.txt", *text); !done) return done.error();
     }
-    std::error_code ignored;
     for (const std::string& file : filesBelow(folder, ""))
         report.bytes += fs::file_size(folder / file, ignored);
     return report;

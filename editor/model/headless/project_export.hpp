@@ -28,9 +28,10 @@ struct ExportReport {
 ///
 ///     NAME, NAME.exe or index.html   starts the game
 ///     game.pack                      the project and the engine's assets (app/player.hpp), without code,
-///     hidden
-///                                    files and what project.json leaves out
+///                                    hidden files and what project.json leaves out
 ///     licences.txt                   of the libraries in the program
+///     icon.png                       of a page and of NAME, if the project has one
+///     NAME.desktop                   starts NAME from a desktop
 ///
 /// The folder is created completely or not at all. An earlier export in it is replaced. The same project and
 /// player give the same bytes.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/result.hpp"
@@ -17,8 +20,19 @@ struct ProgramEnd {
 /// @param words  the program, searched in PATH if it names no folder, and its arguments
 ProgramEnd runProgram(const std::vector<std::string>& words);
 
+/// Runs a program in the same way, and can end it. It has no terminal, so that nothing waits there for an
+/// answer.
+/// @param heard  called with each piece of the text as it is printed, on this thread
+/// @param stop   ends the program with all that it has started; Windows waits for its end
+ProgramEnd runProgram(const std::vector<std::string>& words,
+                      const std::function<void(std::string_view)>& heard, const std::stop_token& stop);
+
 /// Starts a program in the same way and does not wait for it.
 /// @error  there is no such program, or it cannot be started
 Result<Done> startProgram(const std::vector<std::string>& words);
+
+/// Shows a folder in the system's file manager.
+/// @error  there is none
+Result<Done> openInFiles(const std::string& folder);
 
 }  // namespace plumb::editor

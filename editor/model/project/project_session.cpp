@@ -10,6 +10,7 @@
 #include "editor/model/assets/reload_document.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
+#include "editor/model/headless/windows_resources.hpp"
 #include "editor/model/play/game_session.hpp"
 #include "editor/model/project/script_definitions.hpp"
 #include "import/import_file.hpp"
@@ -197,10 +198,17 @@ int ProjectSession::exportGame(const EditorOptions& options) {
     }
     std::printf("The largest of %zu files:\n", report->files);
     for (const std::string& file : report->largest) std::printf("  %s\n", file.c_str());
-    std::printf("Exported %s MB to %s; start it with \"%s\" in this folder\n",
-                fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), options.exportTo.c_str(),
-                report->program.c_str());
+    std::printf("Exported \"%s\": %s MB in %s; start it with \"%s\" in this folder\n",
+                programName(project_).c_str(), fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(),
+                options.exportTo.c_str(), report->program.c_str());
     return 0;
+}
+
+int ProjectSession::writeResources(const Path& folder) const {
+    const Result<Done> written = writeWindowsResources(project_, folder);
+    if (written) return 0;
+    std::fprintf(stderr, "plumb-editor: %s\n", written.error().text().c_str());
+    return 1;
 }
 
 int importFile(const EditorOptions& options) {

@@ -43,6 +43,8 @@ public:
     /// Exports the project as a game that runs without the editor, as the options say. @return exit code of
     /// the program
     int exportGame(const EditorOptions& options);
+    /// Writes the resources of the program for Windows: writeWindowsResources(). @return exit code
+    int writeResources(const Path& folder) const;
 
     /// Replaces the project's code by another version, in the open scene and in a running game too:
     /// components keep the values of the fields that both versions have. If fields of a component differ, the

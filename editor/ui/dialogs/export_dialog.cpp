@@ -1,5 +1,8 @@
 #include "editor/ui/dialogs/export_dialog.hpp"
 
+#include <cstddef>
+#include <span>
+
 #include <imgui.h>
 
 #include "core/log.hpp"
@@ -26,11 +29,11 @@ void ExportDialog::draw(Ui& ui) {
     poll(ui);
     if (workspace.request == WindowRequest::Export) {
         workspace.request = WindowRequest::None;
-        if (folder_.empty()) folder_ = ExportTask::folderBeside(workspace.project.root);
+        if (folder_.empty()) folder_ = exportFolder(workspace.project.root, target());
         if (!task_.running()) report_.clear();
         ImGui::OpenPopup(kTitle);
     }
-    if (!beginDialog(ui, kTitle, {560.0f, 260.0f})) return;
+    if (!beginDialog(ui, kTitle, {620.0f, 340.0f})) return;
     task_.running() || !report_.empty() ? drawResult(ui) : drawQuestion(ui);
     ImGui::EndPopup();
 }
@@ -50,8 +53,11 @@ void ExportDialog::poll(Ui& ui) {
 
 void ExportDialog::drawQuestion(Ui& ui) {
     Workspace& workspace = ui.workspace;
-    ImGui::TextDisabled("Folder of the exported game, which runs without the editor");
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool appears = ImGui::IsWindowAppearing();
+    drawTargets(ui);
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", "Folder of the exported game, which runs without the editor");
+    if (appears) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     bool done = textField("##folder", folder_, ImGuiInputTextFlags_EnterReturnsTrue);
     ui.widgets.mark("Export/folder", folder_);
@@ -64,19 +70,71 @@ void ExportDialog::drawQuestion(Ui& ui) {
     done |= defaultButton(ui, "Export", 110.0f, "Export/Export");
     ImGui::SameLine();
     if (footButton(ui, "Cancel", 110.0f, "Export/Cancel")) ImGui::CloseCurrentPopup();
-    if (done && !trimmed(folder_).empty())
-        task_.start(workspace.program, workspace.project.root, std::string{trimmed(folder_)});
+    if (done && !trimmed(folder_).empty()) start(ui);
+}
+
+void ExportDialog::drawTargets(Ui& ui) {
+    const Path& project = ui.workspace.project.root;
+    const bool canBuild = !plumbScript(ui.workspace.program).empty();
+    if (!canBuild) target_ = 0;
+    ImGui::TextDisabled("%s", "For");
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool open = ImGui::BeginCombo("##target", target().label);
+    ui.widgets.mark("Export/target", target().label);
+    if (open) {
+        const std::span<const ExportTarget> all = exportTargets();
+        for (std::size_t i = 0; i < (canBuild ? all.size() : 1); ++i) {
+            if (ImGui::Selectable(all[i].label, i == target_)) {
+                if (folder_ == exportFolder(project, target())) folder_ = exportFolder(project, all[i]);
+                target_ = i;
+            }
+            ui.widgets.mark(format("Export/target/{}", all[i].label));
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+    ImGui::TextWrapped("%s%s", target().text,
+                       !canBuild      ? " For other systems, export with ./plumb in the engine's sources."
+                       : target_ == 0 ? ""
+                                      : " The first time, the player is built, which takes some minutes.");
+    ImGui::PopStyleColor();
+}
+
+void ExportDialog::start(Ui& ui) {
+    folder_ = trimmed(folder_);
+    started_ = ImGui::GetTime();
+    task_.start(ui.workspace.program, ui.workspace.project.root, target(), folder_);
 }
 
 void ExportDialog::drawResult(Ui& ui) {
+    const bool running = task_.running();
+    if (running) {
+        const int seconds = static_cast<int>(ImGui::GetTime() - started_);
+        ImGui::Text("Exporting for: %s, %d:%02d", target().label, seconds / 60, seconds % 60);
+    } else {
+        ImGui::TextColored(ImColor{failed_ ? palette::kError : palette::kText}, "%s",
+                           failed_ ? "Nothing was exported" : "Exported");
+    }
     beginChild("report", {0.0f, -ui.px(40.0f)}, true);
-    ImGui::PushStyleColor(ImGuiCol_Text, !task_.running() && failed_ ? palette::kError : palette::kText);
-    ImGui::TextWrapped("%s", task_.running() ? "Exporting..." : report_.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, !running && failed_ ? palette::kError : palette::kText);
+    ImGui::TextWrapped("%s", running ? task_.text().c_str() : report_.c_str());
     ImGui::PopStyleColor();
+    if (running) ImGui::SetScrollHereY(1.0f);
     ImGui::EndChild();
-    ui.widgets.mark("Export/report", task_.running() ? "" : report_);
+    ui.widgets.mark("Export/report", running ? "" : report_);
     dialogFoot(ui);
     if (defaultButton(ui, "Close", 110.0f, "Export/Close")) ImGui::CloseCurrentPopup();
+    ImGui::SameLine();
+    if (running) {
+        if (footButton(ui, "Stop", 110.0f, "Export/Stop")) task_.stop();
+    } else if (!failed_ && footButton(ui, "Open folder", 130.0f, "Export/Open folder")) {
+        openFolder(ui);
+    }
+}
+
+void ExportDialog::openFolder(Ui& ui) {
+    const Result<Done> opened = openInFiles(folder_);
+    if (!opened) ui.workspace.notice = opened.error().text();
 }
 
 }  // namespace plumb::editor::ui

@@ -16,11 +16,17 @@ public:
 private:
     void poll(Ui& ui);
     void drawQuestion(Ui& ui);
+    void drawTargets(Ui& ui);
     void drawResult(Ui& ui);
+    void start(Ui& ui);
+    void openFolder(Ui& ui);
+    [[nodiscard]] const ExportTarget& target() const { return exportTargets()[target_]; }
 
     ExportTask task_;
-    std::string folder_;  ///< text of the input field
-    std::string report_;  ///< what the last export printed; empty: none yet
+    std::size_t target_ = 0;  ///< index in exportTargets()
+    std::string folder_;      ///< text of the input field
+    double started_ = 0.0;    ///< s, of ImGui's clock
+    std::string report_;      ///< what the last export printed; empty: none yet
     bool failed_ = false;
 };
 

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 
+#include "core/text.hpp"
 #include "editor/model/actions.hpp"
+#include "editor/model/project/export_task.hpp"
 #include "editor/model/project/program.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
 #include "tests/editor/support/hands.hpp"
@@ -58,12 +60,106 @@ TEST_F(ExportWindow, theProjectIsExportedByTheCommandAndTheSceneStaysAsItIs) {
     EXPECT_EQ(valueOf("Export/report"), "not on the screen");
 }
 
+/// A checkout with a stand-in for the script, and the editor in its build folder.
+class ExportFromSources : public ExportWindow {
+protected:
+    ExportFromSources() {
+        putFile("sources/player/targets/export.sh", "");
+        putFile("sources/build/release/bin/plumb-editor", "");
+        workspace.program = workspace.project.root / "sources/build/release/bin/plumb-editor";
+        hands.rest();
+    }
+    void script(std::string_view lines) {
+        putFile("sources/plumb", std::string{"#!/bin/sh\n"} + std::string{lines});
+        std::filesystem::permissions(workspace.project.root / "sources/plumb",
+                                     std::filesystem::perms::owner_all);
+        hands.rest();
+    }
+    void choose(std::string_view label) {
+        hands.click("Export/target");
+        hands.rest(2);
+        hands.click(format("Export/target/{}", label));
+        hands.rest(2);
+    }
+    [[nodiscard]] std::string offered() const { return Path{valueOf("Export/folder")}.filename().string(); }
+};
+
+TEST_F(ExportFromSources, otherSystemsAreThoseOfTheScriptAndTheFolderIsNamedLikeThem) {
+    script("printf '%s\\n' \"$@\" > \"$0.words\"\necho 'Exported for Windows'\n");
+    const std::string project = workspace.project.root.filename().string();
+    choose("Web browsers");
+    EXPECT_EQ(offered(), project + "-web");
+    choose("Windows");
+    EXPECT_EQ(offered(), project + "-windows");
+    hands.click("Export/folder");
+    exportTo("/tmp/my game");
+    EXPECT_EQ(fileText("sources/plumb.words"),
+              format("export\n{}\n/tmp/my game\n--to\nwindows\n", workspace.project.root.string()));
+    EXPECT_EQ(valueOf("Export/report"), "Exported for Windows\n");
+    EXPECT_NE(valueOf("Export/Open folder"), "not on the screen");
+}
+
+TEST_F(ExportFromSources, aFolderThatTheUserWroteStaysWhenTheSystemIsChanged) {
+    script("");
+    hands.click("Export/folder");
+    hands.key(Key::A, {.control = true});
+    hands.type("/tmp/mine");
+    choose("Linux");
+    EXPECT_EQ(valueOf("Export/folder"), "/tmp/mine");
+}
+
+TEST_F(ExportFromSources, withoutTheScriptThereIsOnlyThisComputer) {
+    EXPECT_EQ(plumbScript(workspace.program), Path{});
+    hands.click("Export/target");
+    hands.rest(2);
+    EXPECT_NE(valueOf("Export/target/This computer"), "not on the screen");
+    EXPECT_EQ(valueOf("Export/target/Windows"), "not on the screen");
+    script("");
+    EXPECT_EQ(plumbScript(workspace.program),
+              std::filesystem::canonical(workspace.project.root) / "sources/plumb");
+}
+
+TEST_F(ExportFromSources, aRunningExportIsStoppedWithAllThatItStarted) {
+    script("sleep 60 &\necho $! > \"$0.child\"\necho started\nwait\n");
+    choose("Windows");
+    hands.click("Export/folder");
+    hands.key(Key::A, {.control = true});
+    hands.type("/tmp/none");
+    hands.key(Key::Enter);
+    const auto waitFor = [&](const auto& done) {
+        for (int i = 0; i < 100000 && !done(); ++i) hands.rest();
+        return done();
+    };
+    const Path childFile = workspace.project.root / "sources/plumb.child";
+    ASSERT_TRUE(waitFor([&] { return fileExists(childFile) && !readFile(childFile)->empty(); }));
+    hands.click("Export/Stop");
+    ASSERT_TRUE(waitFor([&] { return !valueOf("Export/report").empty(); }));
+    EXPECT_EQ(valueOf("Export/Open folder"), "not on the screen");
+    const std::string child{trimmed(fileText("sources/plumb.child"))};
+    EXPECT_TRUE(waitFor([&] { return !runProgram({"kill", "-0", child}).succeeded; })) << "it still runs";
+}
+
 TEST_F(ExportWindow, whatGoesWrongIsSaidInTheDialogAndTheConsole) {
     standIn("echo 'plumb-editor: nothing was exported' >&2\nexit 1\n");
     exportTo("anywhere");
     EXPECT_EQ(valueOf("Export/report"), "plumb-editor: nothing was exported\n");
     ASSERT_FALSE(log.lines().empty());
     EXPECT_EQ(log.lines().back().level, LogLevel::Error);
+}
+
+TEST(Programs, areHeardWhileTheyRun) {
+    std::stop_source source;
+    std::string heard;
+    const ProgramEnd end = runProgram(
+        {"sh", "-c", "echo one; exec sleep 60"},
+        [&](std::string_view text) {
+            heard += text;
+            source.request_stop();  // long before its end
+        },
+        source.get_token());
+    EXPECT_EQ(heard, "one\n");
+    EXPECT_EQ(end.text, heard);
+    EXPECT_FALSE(end.succeeded);
 }
 
 TEST(Programs, getTheirWordsUnchangedAndAMissingOneIsAnError) {

@@ -111,7 +111,7 @@ protected:
         return {
             {"New scene", {"New/name", "New/Create", "New/Cancel"}, true, "cave"},
             {"Save as", {"SaveAs/name", "SaveAs/Save", "SaveAs/Cancel"}, true, "cave"},
-            {"Export", {"Export/folder", "Export/Export", "Export/Cancel"}},
+            {"Export", {"Export/target", "Export/folder", "Export/Export", "Export/Cancel"}},
             {"Save layout", {"Layout/name", "Layout/Save", "Layout/Cancel"}, true, "mine"},
             {"Make prefab", {"MakePrefab/name", "MakePrefab/Make", "MakePrefab/Cancel"}},
             {"Overrides",
