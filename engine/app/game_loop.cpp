@@ -111,19 +111,19 @@ bool GameLoop::prepare() {
 /// Without an option, a game that is played in a window leaves a file in its data folder.
 bool GameLoop::prepareCrashFile() {
     if (!canReportCrashes()) return true;
+    const bool isAsked = !options_.crashReports.empty();
     const bool isPlayed =
         screen_ != nullptr && screen_->window().hasDisplay() && !replay_ && !options_.allEffects;
-    Path folder = options_.crashReports;
-    if (folder.empty() && isPlayed) folder = dataFolder(projectName_);
-    if (folder.empty() && !replay_) return true;
+    Path folder = isAsked ? Path{options_.crashReports} : isPlayed ? dataFolder(projectName_) : Path{};
     std::error_code failed;
-    if (!folder.empty()) std::filesystem::create_directories(folder, failed);
+    if (isAsked) std::filesystem::create_directories(folder, failed);
     if (failed) {
         logError("Engine",
                  Error{folder.generic_string(), "the folder for reports of crashes cannot be created",
                        "choose another one with --crash-reports"});
         return false;
     }
+    if (folder.empty() && !replay_) return true;
     const std::string threads =
         options_.threads > 0 ? format("{} threads", options_.threads) : std::string{"automatic threads"};
     crashFile_.emplace(

@@ -9,7 +9,7 @@ namespace plumb {
 /// Returns the address "file://..." of a file.
 std::string urlOf(const Path& file);
 
-/// Opens a file in the program that the operating system assigns to its type.
+/// Opens a file or folder in the program that the operating system assigns to its type.
 /// @error  no program is assigned, or the system cannot start it
 Result<Done> openFile(const Path& file);
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <system_error>
 
@@ -60,14 +59,20 @@ Path codeGameFolder(const Path& program) {
     return std::filesystem::current_path(ignored);
 }
 
-Path dataFolder(std::string_view game) {
-    std::string name{game};
-    for (char& c : name) {
-        const bool isRefused =
-            static_cast<unsigned char>(c) < 0x20 || std::strchr("/\\:*?\"<>|.", c) != nullptr;
-        if (isRefused) c = '_';
+std::string fileNameOf(std::string_view game) {
+    std::string name;
+    for (const char c : game) {
+        const bool isRefused = static_cast<unsigned char>(c) < 32 ||
+                               std::string_view{"<>:\"/\\|?*"}.find(c) != std::string_view::npos;
+        if (!isRefused) name += c;
     }
-    Path folder = takePath(SDL_GetPrefPath("", name.empty() ? "game" : name.c_str()));
+    // Windows ignores dots and spaces at the end of a name.
+    while (!name.empty() && (name.back() == '.' || name.back() == ' ')) name.pop_back();
+    return name.empty() || name.front() == '.' ? "game" : name;
+}
+
+Path dataFolder(std::string_view game) {
+    Path folder = takePath(SDL_GetPrefPath("", fileNameOf(game).c_str()));
     return folder.empty() ? Path{"."} : folder;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "core/file.hpp"
@@ -19,8 +20,11 @@ const Path& engineAssets();
 /// @param program  name of the program, equal to that of the project's folder
 Path codeGameFolder(const Path& program);
 
+/// The name of a game as that of a file: without characters that some system does not allow there.
+std::string fileNameOf(std::string_view game);
+
 /// The folder for what a game keeps on this computer; created if missing. `$XDG_DATA_HOME/NAME` on Linux.
-/// @param game  its name; characters that some system refuses in names of files are replaced
+/// @param game  its name; that of the folder is fileNameOf(game)
 Path dataFolder(std::string_view game);
 
 /// The folder for user settings; created if missing. `$XDG_DATA_HOME/plumb` on Linux.

@@ -25,35 +25,17 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "tests/support/allocations.hpp"
+#include "tests/support/crashes.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
 namespace {
 
-#if !defined(__has_feature)
-#define __has_feature(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
-    __has_feature(thread_sanitizer)
-constexpr bool kIsSanitized = true;  // they report crashes themselves
-#else
-constexpr bool kIsSanitized = false;
-#endif
+using test::overflow, test::writeToNull;
 
 // ---- ways to crash
 
-void writeToNull() {
-    volatile int* volatile nowhere = nullptr;  // not known to the compiler
-    *nowhere = 1;
-}
-// NOLINTNEXTLINE(misc-no-recursion)
-int overflow(volatile int* depth) {
-    volatile char room[4096];
-    *depth = *depth + 1;
-    room[0] = 0;
-    return *depth > std::numeric_limits<int>::max() - 1 ? 0 : overflow(depth) + room[0];
-}
 void recur() {
     volatile int depth = 0;
     static_cast<void>(overflow(&depth));
@@ -128,12 +110,8 @@ std::string lineOf(const std::string& text, std::string_view start) {
 }
 
 /// A folder for the reports and the output of child processes.
-class CrashFiles : public testing::Test {
+class CrashFiles : public test::CrashTest {
 protected:
-    void SetUp() override {
-        if (kIsSanitized) GTEST_SKIP() << "the sanitizer reports crashes";
-    }
-
     /// Plays a project in a child process, which crashes as CrashingSystem says.
     /// @param sent  signal that is sent to it; 0: none
     /// @param tick  the signal is sent after its hash was printed

@@ -13,27 +13,14 @@
 #include "core/assert.hpp"
 #include "core/crash.hpp"
 #include "core/text.hpp"
+#include "tests/support/crashes.hpp"
 #include "tests/support/file_size_limit.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
 namespace {
 
-// Sanitizers report crashes themselves.
-#if !defined(__has_feature)
-#define __has_feature(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
-    __has_feature(thread_sanitizer)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
-
-void writeToNull() {
-    volatile int* volatile nowhere = nullptr;  // not known to the compiler
-    *nowhere = 1;
-}
+using test::writeToNull;
 
 /// Writes what it knows; may crash itself.
 struct TestReport final : CrashReport {
@@ -50,11 +37,8 @@ struct TestReport final : CrashReport {
     void explain(CrashOutput& terminal, const Crash&) const override { terminal.text("explained\n"); }
 };
 
-class CrashReportFile : public testing::Test {
+class CrashReportFile : public test::CrashTest {
 protected:
-    void SetUp() override {
-        if (kIsSanitized) GTEST_SKIP() << "the sanitizer reports crashes";
-    }
     /// To be called in the child process.
     void prepare() {
         reportCrashes("");

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/crashes.hpp"
+
 namespace plumb {
 
 /// Not inlined and exported, so that a back trace names it. @return the quotient
@@ -20,37 +22,9 @@ __attribute__((noinline, visibility("default"))) int quotientOfCrashTest(int a, 
 
 namespace {
 
-// Sanitizers report crashes themselves.
-#if !defined(__has_feature)
-#define __has_feature(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
-    __has_feature(thread_sanitizer)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
+using test::overflow, test::writeToNull;
 
-class Crash : public ::testing::Test {
-protected:
-    void SetUp() override {
-        if (kIsSanitized) GTEST_SKIP() << "the sanitizer reports crashes";
-    }
-};
-
-void writeToNull() {
-    volatile int* volatile nowhere = nullptr;  // not known to the compiler
-    *nowhere = 1;
-}
-
-/// Recurs without end. @return never
-// NOLINTNEXTLINE(misc-no-recursion)
-int overflow(volatile int* depth) {
-    volatile char room[4096];
-    *depth = *depth + 1;
-    room[0] = 0;
-    return *depth > std::numeric_limits<int>::max() - 1 ? 0 : overflow(depth) + room[0];
-}
+class Crash : public test::CrashTest {};
 
 TEST_F(Crash, ofASystemIsReportedWithItsNameAndTheRemedyAndEndsByItsSignal) {
     const auto crash = [] {

@@ -338,23 +338,6 @@ TEST_F(HeadlessTest, theSameProjectGivesTheSameBytes) {
     EXPECT_EQ(*readFile(out / "game.pack"), first);
 }
 
-TEST(ProgramName, isThatOfTheProjectWithoutWhatSystemsRefuse) {
-    const std::pair<const char*, const char*> names[] = {{"Wickwood", "Wickwood"},
-                                                         {"Sky Caves 2", "Sky Caves 2"},
-                                                         {"a/b\\c:d", "abcd"},
-                                                         {"What?", "What"},
-                                                         {"The end...", "The end"},
-                                                         {"...", "game"},
-                                                         {"", "game"},
-                                                         {".hidden", "game"},
-                                                         {"\u00dcber", "\u00dcber"}};
-    for (const auto& [name, program] : names) {
-        Project project;
-        project.name = name;
-        EXPECT_EQ(programName(project), program) << name;
-    }
-}
-
 TEST(EditorOptionsTest, exportOptionsAreParsedAndListedInTheHelp) {
     const std::vector<const char*> words{"mine", "--export", "to"};
     const auto options = parseEditorOptions(words);

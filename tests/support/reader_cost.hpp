@@ -8,19 +8,9 @@
 
 #include <gtest/gtest.h>
 
-namespace plumb::test {
+#include "tests/support/sanitized.hpp"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-inline constexpr bool kSanitized = true;
-#else
-inline constexpr bool kSanitized = false;
-#endif
-#else
-inline constexpr bool kSanitized = false;
-#endif
+namespace plumb::test {
 
 /// Checks that a function that reads a small file stays below limits of CPU time (independent of other
 /// programs) and of memory. Checks only the time if the system does not report the peak memory of a

@@ -10,6 +10,7 @@
 #include "codec/pack.hpp"
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
+#include "platform/paths.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -154,7 +155,7 @@ std::string desktopEntry(const Project& project, std::string_view program) {
 
 /// Copies the program and what a desktop shows of it. @return what starts the game
 Result<std::string> copyProgram(const Project& project, const Path& player, const Path& folder) {
-    std::string name = programName(project) + player.extension().string();
+    std::string name = fileNameOf(project.name) + player.extension().string();
     if (Result<Done> copied = copyFile(player, folder / name); !copied) return copied.error();
     if (player.has_extension()) return name;  // the program for Windows contains its icon
     const Path entry = folder / (name + ".desktop");
@@ -214,18 +215,6 @@ Result<ExportReport> exportTo(const Project& project, const Path& folder, const 
 }
 
 }  // namespace
-
-std::string programName(const Project& project) {
-    std::string name;
-    for (const char c : project.name) {
-        const bool isRefused = static_cast<unsigned char>(c) < 32 ||
-                               std::string_view{"<>:\"/\\|?*"}.find(c) != std::string_view::npos;
-        if (!isRefused) name += c;
-    }
-    // Windows ignores dots and spaces at the end of a name.
-    while (!name.empty() && (name.back() == '.' || name.back() == ' ')) name.pop_back();
-    return name.empty() || name.front() == '.' ? "game" : name;
-}
 
 Result<ExportReport> exportProject(const Project& project, const Path& wanted, const ExportParts& parts) {
     std::error_code ignored;

@@ -26,7 +26,7 @@ struct ExportReport {
 
 /// Exports a project to a folder for distribution:
 ///
-///     NAME, NAME.exe or index.html   starts the game
+///     NAME, NAME.exe or index.html   starts the game; NAME is fileNameOf(the name of the project)
 ///     game.pack                      the project and the engine's assets (app/player.hpp), without code,
 ///                                    hidden files and what project.json leaves out
 ///     licences.txt                   of the libraries in the program
@@ -38,9 +38,5 @@ struct ExportReport {
 /// @error  the folder is inside the project or contains it, has other content, or cannot be written; no
 /// player
 Result<ExportReport> exportProject(const Project& project, const Path& folder, const ExportParts& parts);
-
-/// The name of the exported program without its ending: that of the project without characters that some
-/// system does not allow in names of files.
-std::string programName(const Project& project);
 
 }  // namespace plumb::editor

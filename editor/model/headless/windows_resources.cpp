@@ -6,8 +6,8 @@
 
 #include "core/text.hpp"
 #include "editor/model/headless/icon_file.hpp"
-#include "editor/model/headless/project_export.hpp"
 #include "platform/image_file.hpp"
+#include "platform/paths.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -43,11 +43,12 @@ std::string quotedText(std::string_view text) {
 
 std::string resourceScript(const Project& project) {
     const std::string numbers = fourNumbers(project.version);
-    const std::pair<const char*, std::string> texts[] = {{"FileDescription", project.name},
-                                                         {"FileVersion", project.version},
-                                                         {"OriginalFilename", programName(project) + ".exe"},
-                                                         {"ProductName", project.name},
-                                                         {"ProductVersion", project.version}};
+    const std::pair<const char*, std::string> texts[] = {
+        {"FileDescription", project.name},
+        {"FileVersion", project.version},
+        {"OriginalFilename", fileNameOf(project.name) + ".exe"},
+        {"ProductName", project.name},
+        {"ProductVersion", project.version}};
     std::string script = "#pragma code_page(65001)\n";  // UTF-8
     if (!project.icon.empty()) script += "1 ICON \"game.ico\"\n";
     script += format("1 VERSIONINFO\nFILEVERSION {}\nPRODUCTVERSION {}\n", numbers, numbers);

@@ -42,17 +42,10 @@ std::vector<char*> listOf(const std::vector<std::string>& words) {
 
 #if defined(_WIN32)
 
-constexpr const char* kFileManager = "explorer";
-
 std::string quoted(const std::string& word) { return format("\"{}\"", word); }
 
 #else
 
-#if defined(__APPLE__)
-constexpr const char* kFileManager = "open";
-#else
-constexpr const char* kFileManager = "xdg-open";
-#endif
 constexpr int kPatience = 100;  // ms between looks at a stop token
 
 enum class Session : unsigned char { Shared, Own };
@@ -158,7 +151,5 @@ Result<Done> startProgram(const std::vector<std::string>& words) {
 }
 
 #endif
-
-Result<Done> openInFiles(const std::string& folder) { return startProgram({kFileManager, folder}); }
 
 }  // namespace plumb::editor

@@ -31,8 +31,4 @@ ProgramEnd runProgram(const std::vector<std::string>& words,
 /// @error  there is no such program, or it cannot be started
 Result<Done> startProgram(const std::vector<std::string>& words);
 
-/// Shows a folder in the system's file manager.
-/// @error  there is none
-Result<Done> openInFiles(const std::string& folder);
-
 }  // namespace plumb::editor

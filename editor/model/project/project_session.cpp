@@ -199,8 +199,9 @@ int ProjectSession::exportGame(const EditorOptions& options) {
     std::printf("The largest of %zu files:\n", report->files);
     for (const std::string& file : report->largest) std::printf("  %s\n", file.c_str());
     std::printf("Exported \"%s\": %s MB in %s; start it with \"%s\" in this folder\n",
-                programName(project_).c_str(), fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(),
-                options.exportTo.c_str(), report->program.c_str());
+                fileNameOf(project_.name).c_str(),
+                fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), options.exportTo.c_str(),
+                report->program.c_str());
     return 0;
 }
 

@@ -10,6 +10,7 @@
 #include "editor/ui/ui_compat.hpp"
 #include "editor/ui/widgets/dialog.hpp"
 #include "editor/ui/widgets/text_field.hpp"
+#include "platform/open_file.hpp"
 
 namespace plumb::editor::ui {
 namespace {
@@ -133,7 +134,7 @@ void ExportDialog::drawResult(Ui& ui) {
 }
 
 void ExportDialog::openFolder(Ui& ui) {
-    const Result<Done> opened = openInFiles(folder_);
+    const Result<Done> opened = openFile(folder_);
     if (!opened) ui.workspace.notice = opened.error().text();
 }
 
