@@ -89,4 +89,22 @@ std::string toBase64(std::string_view bytes) {
     return text;
 }
 
+Result<std::string> bytesFromBase64Url(std::string_view text, std::string_view where) {
+    const std::size_t foreign = text.find_first_of("+/=");
+    if (foreign != std::string_view::npos)
+        return brokenText(where, format("character {} is not a base64url digit", foreign + 1));
+    std::string digits{text};
+    std::replace(digits.begin(), digits.end(), '-', '+');
+    std::replace(digits.begin(), digits.end(), '_', '/');
+    return bytesFromBase64(digits, where);
+}
+
+std::string toBase64Url(std::string_view bytes) {
+    std::string text = toBase64(bytes);
+    while (!text.empty() && text.back() == '=') text.pop_back();
+    std::replace(text.begin(), text.end(), '+', '-');
+    std::replace(text.begin(), text.end(), '/', '_');
+    return text;
+}
+
 }  // namespace plumb

@@ -1,0 +1,227 @@
+#include "input/replay_link.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "codec/base64.hpp"
+#include "core/hash.hpp"
+#include "core/text.hpp"
+#include "input/link_format.hpp"
+
+namespace plumb {
+namespace {
+
+using link_format::apply, link_format::Change, link_format::eachChange, link_format::kMaxNameBytes,
+    link_format::LinkModel, link_format::Part;
+
+constexpr int kVersion = 1;
+constexpr std::size_t kHeadBytes = 5;
+constexpr std::string_view kLinkMark = "#r=";
+constexpr const char* kWhere = "link";
+
+std::uint32_t checksumOf(int version, std::string_view stream) {
+    return static_cast<std::uint32_t>(mixBits(hashText(stream) + static_cast<std::uint64_t>(version)));
+}
+
+Error tooLong(std::uint64_t ticks) {
+    return Error{kWhere, format("after {} ticks the run is too long for a link", ticks),
+                 "record it to a file: --record FILE"};
+}
+
+Error damaged(std::string what) { return Error{kWhere, std::move(what), "copy the whole link again"}; }
+
+}  // namespace
+
+// ---- writing
+
+struct LinkWriter::State {
+    RangeEncoder encoder;
+    LinkModel model;
+    InputFrame frame;         // of the current run
+    std::uint64_t run = 0;    // ticks of the current run; it is not in the stream yet
+    std::uint64_t ticks = 0;  // of all runs
+    std::size_t runs = 0;
+    bool isFull = false;
+
+    void beginRun(const InputFrame& next) {
+        Part last = Part::End;
+        const auto write = [&](const Change& change) {
+            model.code(encoder, change, last, frame);
+            apply(change, frame);
+            last = change.part;
+        };
+        eachChange(InputFrame{frame}, next, write);
+        // The first run has a list even if nothing is pressed in it: an empty one would be the end.
+        if (last == Part::End) write({Part::Mouse});
+        model.endList(encoder, last, frame);
+        ++runs;
+    }
+
+    void endRun() {
+        if (run > 0) model.codeTicks(encoder, run);
+        run = 0;
+    }
+
+    [[nodiscard]] bool hasRoom() const {
+        return runs < kMaxLinkRuns && ticks < Replay::kMaxTicks &&
+               encoder.size() < kMaxLinkBytes / 4 * 3 - 1024;
+    }
+};
+
+LinkWriter::LinkWriter(const Replay& begin) : state_{std::make_unique<State>()} {
+    for (const std::string* name : {&begin.project, &begin.engine, &begin.scene}) {
+        std::string text = name->substr(0, kMaxNameBytes);
+        state_->model.code(state_->encoder, text);
+    }
+    state_->encoder.bits(begin.seed, 64);
+}
+LinkWriter::LinkWriter(LinkWriter&&) noexcept = default;
+LinkWriter& LinkWriter::operator=(LinkWriter&&) noexcept = default;
+LinkWriter::~LinkWriter() = default;
+
+std::uint64_t LinkWriter::ticks() const { return state_->ticks; }
+
+void LinkWriter::record(const InputFrame& frame) {
+    State& state = *state_;
+    state.isFull = state.isFull || !state.hasRoom();
+    if (state.isFull) return;
+    if (state.runs == 0 || frame != state.frame) {
+        state.endRun();
+        state.beginRun(frame);
+    }
+    ++state.run;
+    ++state.ticks;
+}
+
+Result<std::string> LinkWriter::link(std::optional<std::uint64_t> hash) const {
+    if (state_->isFull) return tooLong(state_->ticks);
+    const auto end = std::make_unique<State>(*state_);  // too large for the stack
+    RangeEncoder& encoder = end->encoder;
+    end->endRun();
+    end->model.code(encoder, Change{}, Part::End, end->frame);
+    encoder.bits(hash ? 1 : 0, 1);
+    if (hash) encoder.bits(*hash, 64);
+    const std::string stream = encoder.finish();
+    const std::uint32_t checksum = checksumOf(kVersion, stream);
+    std::string bytes{static_cast<char>(kVersion)};
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(checksum >> shift & 255);
+    return std::string{kLinkMark} + toBase64Url(bytes + stream);
+}
+
+Result<std::string> linkOf(const Replay& replay) {
+    LinkWriter writer{replay};
+    for (const InputRun& run : replay.runs) {
+        for (std::uint64_t i = 0; i < run.ticks; ++i) writer.record(run.frame);
+    }
+    const bool isChecked = !replay.checkpoints.empty() && replay.checkpoints.back().tick == writer.ticks();
+    return writer.link(isChecked ? std::optional{replay.checkpoints.back().hash} : std::nullopt);
+}
+
+// ---- reading
+
+namespace {
+
+bool isName(std::string_view text) {
+    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 32; };
+    return text.size() <= kMaxNameBytes && isUtf8(text) && std::none_of(text.begin(), text.end(), isControl);
+}
+
+/// Reads the stream of a link.
+class LinkReader {
+public:
+    explicit LinkReader(std::string_view stream) : decoder_{stream} {}
+
+    Result<Replay> read() {
+        for (std::string* name : {&replay_.project, &replay_.engine, &replay_.scene}) {
+            model_.code(decoder_, *name);
+            if (!isName(*name)) return damaged("the link has an invalid name");
+        }
+        replay_.seed = decoder_.bits(0, 64);
+        for (;;) {
+            const Result<bool> goesOn = readRun();
+            if (!goesOn) return goesOn.error();
+            if (!*goesOn) break;
+        }
+        if (decoder_.bits(0, 1) != 0) replay_.checkpoints.push_back({ticks_, decoder_.bits(0, 64)});
+        if (!decoder_.isAtEnd()) return incomplete();
+        return std::move(replay_);
+    }
+
+private:
+    static Error incomplete() { return damaged("the link is incomplete"); }
+
+    /// @return false at the end of the replay
+    Result<bool> readRun() {
+        Part last = Part::End;
+        unsigned lastIndex = 0;
+        for (;;) {
+            const Change change = model_.code(decoder_, Change{}, last, frame_);
+            if (decoder_.isBeyondEnd()) return incomplete();
+            if (change.part == Part::End) break;
+            const bool isInOrder = std::pair{change.part, change.index} > std::pair{last, lastIndex};
+            if (!isInOrder || !apply(change, frame_))
+                return damaged("the link has input that no device gives");
+            last = change.part;
+            lastIndex = change.index;
+        }
+        if (last == Part::End) return false;
+        model_.lastPart = last;
+        const std::uint64_t ticks = model_.codeTicks(decoder_, 1);
+        if (ticks > Replay::kMaxTicks - ticks_ || replay_.runs.size() == kMaxLinkRuns)
+            return damaged("the link has more ticks than a replay may have");
+        replay_.runs.push_back({frame_, ticks});
+        ticks_ += ticks;
+        return true;
+    }
+
+    RangeDecoder decoder_;
+    LinkModel model_;
+    InputFrame frame_;
+    Replay replay_;
+    std::uint64_t ticks_ = 0;
+};
+
+/// The base64url of a link: what is after the mark, up to another part of the address or white space.
+Result<std::string_view> digitsOf(std::string_view text) {
+    const std::size_t mark = text.find(kLinkMark);
+    if (mark != std::string_view::npos) {
+        text.remove_prefix(mark + kLinkMark.size());
+    } else if (startsWith(text, kLinkMark.substr(1))) {
+        text.remove_prefix(kLinkMark.size() - 1);
+    } else if (text.find_first_of(":/#") != std::string_view::npos) {
+        return Error{kWhere, "the address contains no replay", format("it must end with {}...", kLinkMark)};
+    }
+    text = text.substr(0, std::min(text.size(), text.find_first_of("& \t\r\n")));
+    if (text.empty())
+        return Error{kWhere, "the link is empty", format("give the text from {} on", kLinkMark)};
+    if (text.size() > kMaxLinkBytes)
+        return Error{kWhere, format("the link has {} characters", text.size()),
+                     format("the longest have {}", kMaxLinkBytes)};
+    return text;
+}
+
+}  // namespace
+
+Result<Replay> replayOfLink(std::string_view text) {
+    const Result<std::string_view> digits = digitsOf(text);
+    if (!digits) return digits.error();
+    const Result<std::string> bytes = bytesFromBase64Url(*digits, kWhere);
+    if (!bytes) return damaged(bytes.error().what);
+    if (bytes->size() < kHeadBytes) return damaged("the link is incomplete");
+    const int version = static_cast<unsigned char>(bytes->front());
+    if (version > kVersion)
+        return Error{kWhere,
+                     format("the link has version {}, this program reads up to {}", version, kVersion),
+                     "play it with the version of the game that made it"};
+    std::uint32_t checksum = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        checksum |= std::uint32_t{static_cast<unsigned char>((*bytes)[1 + i])} << 8 * i;
+    const std::string_view stream = std::string_view{*bytes}.substr(kHeadBytes);
+    if (version != kVersion || checksum != checksumOf(version, stream))
+        return damaged("the link is damaged or incomplete");
+    return std::make_unique<LinkReader>(stream)->read();  // too large for the stack
+}
+
+}  // namespace plumb
