@@ -7,6 +7,7 @@
 #include <system_error>
 #include <thread>
 
+#include "app/touch_controls.hpp"
 #include "core/clock.hpp"
 #include "core/crash_report.hpp"
 #include "core/log.hpp"
@@ -14,6 +15,7 @@
 #include "platform/gl_profile.hpp"
 #include "platform/image_file.hpp"
 #include "platform/main_loop.hpp"
+#include "platform/page.hpp"
 #include "platform/paths.hpp"
 
 namespace plumb {
@@ -21,6 +23,7 @@ namespace {
 
 constexpr std::int64_t kDemoTicks = 600;      ///< default number of ticks without a display: 10 s
 constexpr double kPausedWait = 0.1;           ///< s for which a paused game waits for events
+constexpr std::int64_t kControlTicks = 30;    ///< ticks between two looks at what the game asks for
 constexpr std::int64_t kCheckTicks = 600;     ///< ticks between two hashes of a recording
 constexpr std::int64_t kHeadlessTicks = 600;  ///< default number of ticks of a headless run
 constexpr double kLongestTick = 5.0;          ///< s: a tick that takes longer is reported as a hang
@@ -35,6 +38,22 @@ bool isFullscreenKey(const Event& event) {
            (event.key == Key::F11 || (event.key == Key::Enter && event.modifiers.alt));
 }
 
+bool isReplayed(const PlayerOptions& options) { return !options.replay.empty() || !options.link.empty(); }
+
+std::string nameOfReplay(const PlayerOptions& options) {
+    return options.link.empty() ? options.replay : "link";
+}
+
+Result<Replay> replayOf(const PlayerOptions& options) {
+    return options.link.empty() ? loadReplay(options.replay) : replayOfLink(options.link);
+}
+
+/// True for what ends a replay in favour of the player.
+bool isPress(const Event& event) {
+    return (event.kind == EventKind::KeyDown && !event.repeated && !isFullscreenKey(event)) ||
+           event.kind == EventKind::MouseDown || event.kind == EventKind::PadDown;
+}
+
 }  // namespace
 
 Result<Done> saveScreenshot(Screen& screen, const Path& path) {
@@ -43,14 +62,16 @@ Result<Done> saveScreenshot(Screen& screen, const Path& path) {
 }
 
 Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName) {
-    if (options.replay.empty()) return options;
-    const Result<Replay> replay = loadReplay(options.replay);
+    if (!isReplayed(options)) return options;
+    const Result<Replay> replay = replayOf(options);
     if (!replay) return replay.error();
     if (!replay->project.empty() && replay->project != projectName) {
+        const bool isFile = options.link.empty();
         return Error{
-            options.replay,
+            nameOfReplay(options),
             format("it was recorded by the project \"{}\", and this is \"{}\"", replay->project, projectName),
-            "play it with that project; if this one was renamed, change the second line of the file"};
+            isFile ? "play it with that project; if this one was renamed, change the second line of the file"
+                   : "play it with that project"};
     }
     options.seed = replay->seed;
     options.scene = replay->scene;
@@ -76,15 +97,7 @@ int GameLoop::run() {
 }
 
 bool GameLoop::prepare() {
-    if (!options_.replay.empty()) {
-        Result<Replay> replay = loadReplay(options_.replay);
-        if (!replay) {
-            logError("Input", replay.error());
-            return false;
-        }
-        replay_ = std::move(*replay);
-        replayPlayer_.emplace(*replay_);
-    }
+    if (isReplayed(options_) && !beginReplay()) return false;
     game_.threads.setThreads(options_.threads);
     recorder_.replay.project = projectName_;
     recorder_.replay.engine = kEngineVersion;
@@ -98,8 +111,8 @@ bool GameLoop::prepare() {
         }
         recording_ = std::move(*file);
     }
-    if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 &&
-        options_.replay.empty()) {
+    if (options_.printLink || (screen_ != nullptr && hasPage())) link_.emplace(recorder_.replay);
+    if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 && !replay_) {
         logNote("Engine", "No display: running 10 s offscreen and saving a screenshot");
         options_.frames = kDemoTicks;
         if (options_.screenshot.empty()) options_.screenshot = "plumb-screenshot.png";
@@ -134,6 +147,26 @@ bool GameLoop::prepareCrashFile() {
     return true;
 }
 
+bool GameLoop::beginReplay() {
+    Result<Replay> replay = replayOf(options_);
+    if (!replay) {
+        logError("Input", replay.error());
+        return false;
+    }
+    replay_ = std::move(*replay);
+    replayPlayer_.emplace(*replay_);
+    goesOnLive_ = !options_.link.empty() && screen_ != nullptr && !isLockstep();
+    if (!goesOnLive_) return true;
+    if (replay_->ticks() == 0) replayPlayer_.reset();  // live from the beginning
+    logNote("Input", "Replaying {} ticks: press any key to take over", replay_->ticks());
+    screen_->window().setTitle(projectName_ + " (replay: any key takes over)");
+    tellPage("replay", format("{}", replay_->ticks()));
+    return true;
+}
+
+/// True for one tick per frame, independent of the clock, so that saved images belong to known ticks.
+bool GameLoop::isLockstep() const { return !screen_->window().hasDisplay() || !options_.capture.empty(); }
+
 void GameLoop::runHeadless() {
     while (running_ && ticks_ != options_.frames) {
         tick();
@@ -142,8 +175,8 @@ void GameLoop::runHeadless() {
 }
 
 void GameLoop::runScreen() {
-    // One tick per frame, independent of the clock, so that saved images belong to known ticks.
-    const bool lockstep = !screen_->window().hasDisplay() || !options_.capture.empty();
+    const bool lockstep = isLockstep();
+    beginPage();
     pacer_ = FramePacer{refreshRate()};
     before_ = wallSeconds();
     rateStart_ = before_;
@@ -155,7 +188,7 @@ void GameLoop::runScreen() {
     });
 }
 
-/// @param lockstep  one tick, whatever time has passed
+/// @param lockstep  see isLockstep()
 void GameLoop::runFrame(bool lockstep) {
     openDevices();
     handleEvents();
@@ -189,9 +222,11 @@ void GameLoop::handleEvents() {
     }
     for (const Event& event : pending_) {
         if (event.kind == EventKind::Quit) quit();
-        if (options_.physicsView.handle(event) && options_.physicsView.on)
+        const bool isOfView = options_.physicsView.handle(event);
+        if (isOfView && options_.physicsView.on)
             logNote("Engine",
                     "Physics view on: Ctrl+digit and Ctrl+Shift+digit toggle layers, F3 turns it off");
+        if (!isOfView && isPress(event)) takeOver();
         if (isFullscreenKey(event)) screen_->window().setFullscreen(!screen_->window().fullscreen());
         if (event.kind == EventKind::FocusLost) {
             pacer_.pause();
@@ -208,7 +243,7 @@ void GameLoop::handleEvents() {
 
 /// Reloads files that were edited while the game runs, but not while it is recorded or replayed.
 void GameLoop::reloadEdited() {
-    if (replayPlayer_ || recording_) return;
+    if (replayPlayer_ || recording_ || link_) return;
     const std::vector<AssetChange> changes = game_.assets.pollChanges();
     if (changes.empty()) return;
     if (crashFile_) crashFile_->changed();
@@ -216,20 +251,25 @@ void GameLoop::reloadEdited() {
 }
 
 bool GameLoop::nextInput(InputFrame& frame) {
+    const InputFrame live = devices_.take();  // during a replay too: nothing is kept for later
     if (replayPlayer_) {
         const InputFrame* recorded = replayPlayer_->next();
         if (recorded == nullptr) return false;
         frame = *recorded;
     } else {
-        frame = devices_.take();
+        frame = live;
         if (screen_ != nullptr) screen_->placeMouse(frame);
     }
-    if (recording_) {
-        // Before the tick, so that the file contains the tick in which the game crashes.
-        recorder_.record(frame);
-        updateRecording();
-    }
+    record(frame);
     return true;
+}
+
+/// Records the input before the tick, so that a recording contains the tick in which the game crashes.
+void GameLoop::record(const InputFrame& frame) {
+    if (link_) link_->record(frame);
+    if (!recording_) return;
+    recorder_.record(frame);
+    updateRecording();
 }
 
 /// Writes what the recorder has to the file. Ends the recording, but not the game, if that is impossible.
@@ -253,10 +293,11 @@ void GameLoop::tick() {
     if (game_.quitRequested()) quit();
     if (screen_ != nullptr) events_.write(game_.world);
     if (sounds_) sounds_->listen(game_.world);
-    checkReplay();
+    if (replayPlayer_) checkReplay();
     if (options_.hashEvery > 0 && ticks_ % options_.hashEvery == 0) {
         std::printf("hash %lld: %s\n", static_cast<long long>(ticks_), hexText(game_.world.hash()).c_str());
     }
+    if (screen_ != nullptr) updatePage();
     if (recording_ && ticks_ % kCheckTicks == 0) recorder_.check(game_.world.hash());
     if (crashFile_ && ticks_ % CrashFile::kCheckTicks == 0) crashFile_->check(game_.world.hash());
 }
@@ -270,21 +311,6 @@ void GameLoop::simulate(const InputFrame& frame) {
     crashFile_->tickEnds();
 }
 
-/// Ends the game if its state differs from the recorded one.
-void GameLoop::checkReplay() {
-    const HashCheck* expected = replayPlayer_ ? replayPlayer_->checkpoint() : nullptr;
-    if (expected == nullptr || expected->hash == game_.world.hash()) return;
-    logError("Input",
-             Error{options_.replay,
-                   format("the simulation differs from the recorded one at tick {}: the scenes or the "
-                          "code of \"{}\" have changed since, or the engine, then {}, now {}",
-                          ticks_, projectName_, replay_->engine, kEngineVersion),
-                   "play it with the version that recorded it; record again if the game was changed "
-                   "on purpose"});
-    failed_ = true;
-    quit();
-}
-
 /// Says that the report of a crash has been replayed to its end without that crash.
 void GameLoop::noteEndOfCrash() {
     const RecordedCrash& crash = replay_->crash;
@@ -296,6 +322,65 @@ void GameLoop::noteEndOfCrash() {
         "not in the simulation, or it depends on the machine.",
         ticks_, crash.what,
         crash.build == build ? std::string{} : format(", in build {} instead of {}", build, crash.build));
+}
+
+/// Compares the state with the recorded one, and lets a replay that has ended go on live.
+void GameLoop::checkReplay() {
+    const HashCheck* expected = replayPlayer_->checkpoint();
+    const bool differs = expected != nullptr && expected->hash != game_.world.hash();
+    if (differs) {
+        logError("Input",
+                 Error{nameOfReplay(options_),
+                       format("the simulation differs from the recorded one at tick {}: the scenes or the "
+                              "code of \"{}\" have changed since, or the engine, then {}, now {}",
+                              ticks_, projectName_, replay_->engine, kEngineVersion),
+                       "play it with the version that recorded it; record again if the game was changed "
+                       "on purpose"});
+        if (!goesOnLive_) {
+            failed_ = true;
+            quit();
+        }
+    }
+    if (!goesOnLive_ || replayPlayer_->tick() != replay_->ticks()) return;
+    const std::string_view result = differs               ? "the state differs from the recorded one"
+                                    : expected != nullptr ? "the state is the recorded one"
+                                                          : "the recording contains no hash";
+    goOnLive(format("The replay has ended: {} (hash {})", result, hexText(game_.world.hash())));
+}
+
+/// Ends a replay because the player has pressed a key or button, which the game receives too.
+void GameLoop::takeOver() {
+    if (replayPlayer_ && goesOnLive_) goOnLive(format("You play from tick {} on", ticks_));
+}
+
+/// Ends the replay; the devices give the input of the next tick.
+void GameLoop::goOnLive(const std::string& why) {
+    replayPlayer_.reset();
+    logNote("Input", "{}", why);
+    screen_->window().setTitle(projectName_);
+    tellPage("live", why);
+}
+
+Result<std::string> GameLoop::link(bool withHash) const {
+    return link_->link(withHash ? std::optional{game_.world.hash()} : std::nullopt);
+}
+
+/// Offers the page a link of the run. Does nothing without a page.
+void GameLoop::beginPage() {
+    if (!hasPage()) return;
+    offerLink([this](bool afterFailure) {
+        const Result<std::string> made = link(!afterFailure);
+        return made ? *made : std::string{};
+    });
+}
+
+/// Tells the page which buttons a touch screen needs now: those that the game asks for.
+void GameLoop::updatePage() {
+    if (!hasPage() || ticks_ % kControlTicks != 0) return;
+    const Input::Asked asked = game_.input.takeAsked();
+    if (asked == shownControls_) return;
+    shownControls_ = asked;
+    tellPage("controls", touchControls(game_.input.map(), asked));
 }
 
 PhysicsShown GameLoop::shownPhysics() {
@@ -346,6 +431,15 @@ void GameLoop::finish() {
         recorder_.check(game_.world.hash());
         updateRecording();
     }
+    if (options_.printLink) {
+        if (const Result<std::string> made = link(true); made) {
+            std::printf("link: %s\n", made->c_str());
+        } else {
+            logError("Input", made.error());
+            failed_ = true;
+        }
+    }
+    tellPage("ended", "");
     if (options_.hash) std::printf("hash: %s\n", hexText(game_.world.hash()).c_str());
 }
 

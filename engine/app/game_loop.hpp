@@ -15,6 +15,7 @@
 #include "core/watchdog.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
+#include "input/replay_link.hpp"
 #include "scene/physics/physics_times.hpp"
 
 namespace plumb {
@@ -43,10 +44,18 @@ private:
     void reloadEdited();
     void tick();
     void simulate(const InputFrame& frame);
-    void checkReplay();
     void noteEndOfCrash();
+    bool beginReplay();
+    [[nodiscard]] bool isLockstep() const;
+    void checkReplay();
+    void takeOver();
+    void goOnLive(const std::string& why);
+    void record(const InputFrame& frame);
     void updateRecording();
     bool nextInput(InputFrame& frame);
+    [[nodiscard]] Result<std::string> link(bool withHash) const;
+    void beginPage();
+    void updatePage();
     void drawFrame(float alpha);
     PhysicsShown shownPhysics();
     void reportRate();
@@ -68,6 +77,9 @@ private:
     std::optional<RecordingFile> recording_;  ///< empty: the game is not recorded, or no longer
     std::optional<CrashFile> crashFile_;      ///< empty: a crash leaves no file
     std::optional<Watchdog> watchdog_;
+    std::optional<LinkWriter> link_;  ///< empty: nobody can ask for a link
+    bool goesOnLive_ = false;         // after the replay, or when a key is pressed during it
+    Input::Asked shownControls_;      // controls that the page shows
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
     double before_ = 0.0;          // s, wall clock: start of the last frame
@@ -78,7 +90,7 @@ private:
     bool failed_ = false;  // run() returns an error code
 };
 
-/// Returns `options` with the scene and the seed of the replay file, if they name one; a file without these
+/// Returns `options` with the scene and the seed of the replay that they name, if any; a file without these
 /// lines has those of a run without options.
 /// @param projectName  the project to play; recordings of another one are refused
 /// @error the replay cannot be read, or belongs to another project

@@ -91,6 +91,11 @@ constexpr std::array kGameOptions{
         "write a replay to this folder if the game crashes; default: the game's data folder if it is played "
         "in a window",
         [](PlayerOptions& o, std::string_view v) { return setText(v, o.crashReports); }},
+    Row{"--link", "TEXT",
+        "replay a link, #r=... or an address that ends in it; in a window, any key takes over",
+        [](PlayerOptions& o, std::string_view v) { return setText(v, o.link); }},
+    Row{"--print-link", "", "print a link that replays the run, at the end",
+        [](PlayerOptions& o, std::string_view) { return o.printLink = true; }},
     Row{"--all-effects", "", "run all features of the engine (effects), requested or not",
         [](PlayerOptions& o, std::string_view) { return o.allEffects = true; }},
     Row{"--seed", "N", "seed of the game's random numbers", &setSeed},
@@ -126,8 +131,8 @@ constexpr auto kPlayerOptions = [] {
     return all;
 }();
 
-/// Fails for --headless with an option that needs rendered frames, and for --replay or --record with one that
-/// would make the game another one than the recorded one.
+/// Fails for --headless with an option that needs rendered frames, and for a replay or a recording with one
+/// that would make the game another one than the recorded one.
 Result<Done> checkTogether(const PlayerOptions& options) {
     const char* drawn = !options.screenshot.empty() ? "--screenshot"
                         : !options.capture.empty()  ? "--capture"
@@ -143,6 +148,7 @@ Result<Done> checkTogether(const PlayerOptions& options) {
         bool inRecordings = false;  ///< refused with --record, too
     };
     const std::array refused{
+        Refused{!options.replay.empty() && !options.link.empty(), "--replay", "only one run can be replayed"},
         Refused{!options.scene.empty(), "--scene", "a replay begins with the scene that was recorded"},
         Refused{options.seed.has_value(), "--seed", "a replay uses the seed that was recorded"},
         Refused{options.effects, "--effects", "it plays without input"},
@@ -152,8 +158,10 @@ Result<Done> checkTogether(const PlayerOptions& options) {
                 true},
     };
     for (const auto& [given, name, why, inRecordings] : refused) {
-        const char* with = !options.replay.empty()                         ? "--replay"
+        const char* with = !options.link.empty()                           ? "--link"
+                           : !options.replay.empty()                       ? "--replay"
                            : inRecordings && !options.record.empty()       ? "--record"
+                           : inRecordings && options.printLink             ? "--print-link"
                            : inRecordings && !options.crashReports.empty() ? "--crash-reports"
                                                                            : nullptr;
         if (given && with != nullptr)

@@ -25,6 +25,8 @@ struct PlayerOptions {
     std::string record;                 ///< path of a file to record input to
     std::string replay;                 ///< path of a file to replay input from
     std::string crashReports;           ///< folder for reports of crashes; empty: see GameLoop
+    std::string link;                   ///< link to replay, see input/replay_link.hpp
+    bool printLink = false;             ///< print a link that replays the run at the end
     bool allEffects = false;            ///< run all effects (features of the engine), requested or not
     bool effects = false;               ///< list the effects of the scene and their cost
     bool benchmark = false;             ///< run the benchmark instead of a project

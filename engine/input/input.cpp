@@ -26,13 +26,6 @@ float pushOf(const AxisBindings& axis, const InputFrame& frame, float deadZone) 
     return strongest;
 }
 
-bool bitOf(std::uint64_t bits, const std::vector<std::uint64_t>& ids, TextId id) {
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (ids[i] == id.value) return (bits >> i & 1) != 0;
-    }
-    return false;
-}
-
 }  // namespace
 
 Input::Input(ActionMap map) { setMap(std::move(map)); }
@@ -74,15 +67,24 @@ void Input::restore(const InputFrame& previous, const InputFrame& current) {
     now_ = evaluate(current);
 }
 
-bool Input::isPressed(Action action) const { return bitOf(now_.held & ~before_.held, actionIds_, action.id); }
-bool Input::isHeld(Action action) const { return bitOf(now_.held, actionIds_, action.id); }
-bool Input::isReleased(Action action) const {
-    return bitOf(before_.held & ~now_.held, actionIds_, action.id);
+bool Input::isIn(std::uint64_t actions, Action action) const {
+    for (std::size_t i = 0; i < actionIds_.size(); ++i) {
+        if (actionIds_[i] != action.id.value) continue;
+        asked_.actions |= std::uint64_t{1} << i;
+        return (actions >> i & 1) != 0;
+    }
+    return false;
 }
+
+bool Input::isPressed(Action action) const { return isIn(now_.held & ~before_.held, action); }
+bool Input::isHeld(Action action) const { return isIn(now_.held, action); }
+bool Input::isReleased(Action action) const { return isIn(before_.held & ~now_.held, action); }
 
 float Input::getAxis(Axis axis) const {
     for (std::size_t i = 0; i < axisIds_.size(); ++i) {
-        if (axisIds_[i] == axis.id.value) return now_.axes[i];
+        if (axisIds_[i] != axis.id.value) continue;
+        asked_.axes |= std::uint64_t{1} << i;
+        return now_.axes[i];
     }
     return 0.0f;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "input/action.hpp"
 #include "input/action_map.hpp"
@@ -50,6 +51,17 @@ public:
     /// Hashes the input state on which the next tick depends.
     void addTo(Hasher& hasher) const { previous_.addTo(hasher), frame_.addTo(hasher); }
 
+    /// Actions and axes that the game has asked for, by their index in the map.
+    struct Asked {
+        std::uint64_t actions = 0;
+        std::uint64_t axes = 0;
+
+        friend bool operator==(const Asked&, const Asked&) = default;
+    };
+    /// Returns what was asked for since the last call: the buttons that a touch screen needs. No part of the
+    /// simulation.
+    Asked takeAsked() { return std::exchange(asked_, Asked{}); }
+
     [[nodiscard]] const ActionMap& map() const { return map_; }
     void setMap(ActionMap map);
 
@@ -64,6 +76,7 @@ private:
     };
 
     [[nodiscard]] State evaluate(const InputFrame& frame) const;
+    [[nodiscard]] bool isIn(std::uint64_t actions, Action action) const;
 
     ActionMap map_;
     std::vector<std::uint64_t> actionIds_;  // one per action of the map
@@ -72,6 +85,7 @@ private:
     InputFrame frame_;
     State before_;  // state of previous_
     State now_;     // state of frame_
+    mutable Asked asked_;
 };
 
 }  // namespace plumb

@@ -208,7 +208,7 @@ Result<Replay> replayOfLink(std::string_view text) {
     const Result<std::string_view> digits = digitsOf(text);
     if (!digits) return digits.error();
     const Result<std::string> bytes = bytesFromBase64Url(*digits, kWhere);
-    if (!bytes) return damaged(bytes.error().what);
+    if (!bytes) return damaged(format("the link is damaged or incomplete: {}", bytes.error().what));
     if (bytes->size() < kHeadBytes) return damaged("the link is incomplete");
     const int version = static_cast<unsigned char>(bytes->front());
     if (version > kVersion)

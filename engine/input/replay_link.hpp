@@ -16,7 +16,8 @@ namespace plumb {
 // there, and it fits into a message. It is small because what players do repeats itself: a minute with keys
 // takes some hundred characters. Of the hashes it keeps only that of the last tick.
 
-inline constexpr std::size_t kMaxLinkBytes = std::size_t{1} << 18;  ///< of the text
+inline constexpr std::size_t kMaxLinkBytes =
+    120'000;  ///< of the text: Linux has 128 KiB for a word of a command
 inline constexpr std::size_t kMaxLinkRuns = std::size_t{1}
                                             << 18;  ///< changes of the input: 70 min of 60 per s
 

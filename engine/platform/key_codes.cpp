@@ -1,5 +1,6 @@
 #include "platform/key_codes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -43,6 +44,11 @@ constexpr std::array<Key, kUsageCount> kTable = makeTable();
 
 Key keyFromUsage(int usage) {
     return usage >= 0 && usage < kUsageCount ? kTable[static_cast<std::size_t>(usage)] : Key::None;
+}
+
+int usageOf(Key key) {
+    if (key == Key::None) return 0;
+    return static_cast<int>(std::find(kTable.begin(), kTable.end(), key) - kTable.begin());
 }
 
 }  // namespace plumb

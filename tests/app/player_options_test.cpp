@@ -77,6 +77,13 @@ TEST(PlayerOptions, whatWouldMakeAReplayAnotherGameIsRefusedWithTheReason) {
               "state, so every hash differs, even where results do not; leave out --all-effects or --record");
     EXPECT_FALSE(parsed({"--crash-reports", "reports", "--all-effects"}).ok());
     EXPECT_TRUE(parsed({"--replay", "a.replay", "--crash-reports", "reports"}).ok());
+    EXPECT_EQ(parsed({"--link", "#r=x", "--seed", "7"}).error().text(),
+              "command line: --seed cannot be used with --link: a replay uses the seed that was recorded; "
+              "leave out "
+              "--seed or --link");
+    EXPECT_FALSE(parsed({"--link", "#r=x", "--replay", "a.replay"}).ok()) << "only one run can be replayed";
+    EXPECT_FALSE(parsed({"--print-link", "--all-effects"}).ok());
+    EXPECT_TRUE(parsed({"--link", "#r=x", "--record", "b.replay", "--print-link"}).ok());
     EXPECT_TRUE(parsed({"--record", "a.replay", "--seed", "7", "--scene", "level2"}).ok());
     EXPECT_TRUE(parsed({"--replay", "a.replay", "--record", "b.replay", "--frames", "9", "--headless"}).ok());
     EXPECT_FALSE(parseGameOptions(std::vector{"--replay=a.replay", "--seed=3"}).ok());
@@ -129,9 +136,10 @@ TEST(PlayerOptions, theHelpNamesEveryLayerOfThePhysics) {
 
 TEST(PlayerOptions, theUsageListsEveryOption) {
     for (const char* name :
-         {"--scene", "--headless", "--frames", "--hash", "--hash-every", "--screenshot", "--capture",
-          "--record", "--replay", "--effects", "--all-effects", "--benchmark", "--seed", "--scale",
-          "--fullscreen", "--entities", "--window", "--physics-view", "--crash-reports"}) {
+         {"--scene",       "--headless",     "--frames",       "--hash",  "--hash-every", "--screenshot",
+          "--capture",     "--record",       "--replay",       "--link",  "--print-link", "--effects",
+          "--all-effects", "--benchmark",    "--seed",         "--scale", "--fullscreen", "--entities",
+          "--window",      "--physics-view", "--crash-reports"}) {
         EXPECT_NE(playerUsage().find(name), std::string::npos) << name;
     }
 }

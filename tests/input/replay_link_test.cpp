@@ -119,8 +119,12 @@ TEST(ReplayLink, whatIsNoLinkIsReportedWithTheReason) {
     EXPECT_EQ(errorOf("https://example.org/#r="), "link: the link is empty; give the text from #r= on");
     EXPECT_EQ(errorOf("https://example.org/game"),
               "link: the address contains no replay; it must end with #r=...");
-    EXPECT_EQ(errorOf("#r=a*b"), "link: character 2 is not a base64 digit; copy the whole link again");
-    EXPECT_EQ(errorOf("#r=a+b="), "link: character 2 is not a base64url digit; copy the whole link again");
+    EXPECT_EQ(errorOf("#r=a*b"),
+              "link: the link is damaged or incomplete: character 2 is not a base64 digit; copy the whole "
+              "link again");
+    EXPECT_EQ(errorOf("#r=a+b="),
+              "link: the link is damaged or incomplete: character 2 is not a base64url digit; copy the whole "
+              "link again");
     EXPECT_EQ(errorOf("#r=AQID"), "link: the link is incomplete; copy the whole link again");
     EXPECT_EQ(errorOf("#r=AQIDBAUGBw"), "link: the link is damaged or incomplete; copy the whole link again");
     EXPECT_EQ(errorOf("#r=AgIDBAUGBw"),
@@ -184,7 +188,7 @@ TEST(ReplayLink, aLinkMadeOnPurposeIsAReplayOrAnError) {
 }
 
 TEST(ReplayLink, aStreamOfZerosEnds) {
-    for (const std::size_t size : {0u, 1u, 1000u, 190000u})
+    for (const std::size_t size : {0u, 1u, 1000u, 89000u})
         EXPECT_NE(errorOf(withStream(std::string(size, '\0'))), "no error") << size;
 }
 
@@ -203,7 +207,7 @@ TEST(ReplayLink, aRunThatIsTooLongHasNone) {
               format("link: after {} ticks the run is too long for a link; record it "
                      "to a file: --record FILE",
                      writer.ticks()));
-    EXPECT_GT(writer.ticks(), 10000u);
+    EXPECT_GT(writer.ticks(), 5000u);
 }
 
 /// Bytes of a link per minute of the replays of the projects, which are played.
