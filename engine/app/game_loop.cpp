@@ -409,7 +409,7 @@ void GameLoop::drawFrame(float alpha) {
     }
     screen_->swap();
     ++framesDrawn_;
-    if (isContextLost()) {
+    if (isContextLost() && !canContextReturn()) {
         setCrashReason("the graphics device was lost");
         std::abort();
     }

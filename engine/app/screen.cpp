@@ -6,6 +6,7 @@
 
 #include "core/log.hpp"
 #include "gameplay/game_progress.hpp"
+#include "platform/gl_profile.hpp"
 #include "scene/effects.hpp"
 
 namespace plumb {
@@ -26,20 +27,37 @@ Result<std::unique_ptr<Screen>> Screen::open(const ScreenSettings& settings) {
     Result<std::unique_ptr<Window>> opened = Window::open(window);
     if (!opened) return opened.error();
     logNote("Engine", "Created window: {}x{}", settings.windowWidth, settings.windowHeight);
-    Result<std::unique_ptr<GlDevice>> device = GlDevice::create();
+    Result<std::unique_ptr<GlDevice>> device = openDevice(settings);
     if (!device) return device.error();
     logNote("Engine", "OpenGL 3.3 Core Profile");
-    if (settings.smooth) (*device)->enableMultisampling(kSmoothSamples);
     return std::unique_ptr<Screen>{new Screen{settings, std::move(*opened), std::move(*device)}};
 }
 
+Result<std::unique_ptr<GlDevice>> Screen::openDevice(const ScreenSettings& settings) {
+    Result<std::unique_ptr<GlDevice>> device = GlDevice::create();
+    if (device && settings.smooth) (*device)->enableMultisampling(kSmoothSamples);
+    return device;
+}
+
 Screen::Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device)
-    : settings_{std::move(settings)}, window_{std::move(window)}, device_{std::move(device)} {}
+    : settings_{std::move(settings)},
+      window_{std::move(window)},
+      device_{std::move(device)},
+      contextsRestored_{contextsRestored()} {}
 
 void Screen::clear() {
     const PixelSize window = window_->drawableSize();
     device_->setViewport({TargetHandle{}, 0, 0, window.width, window.height});
     device_->clear(Color{0, 0, 0, 255});
+}
+
+void Screen::renew() {
+    contextsRestored_ = contextsRestored();
+    Result<std::unique_ptr<GlDevice>> device = openDevice(settings_);
+    if (!device) return logError("Render", device.error());
+    renderer_.reset();  // before the device with its textures
+    drawnAssets_ = nullptr;
+    device_ = std::move(*device);
 }
 
 /// Clears the window. Used while the effect "picture" does not run, so that no renderer is created.
@@ -51,6 +69,8 @@ void Screen::drawNothing() {
 
 void Screen::draw(const World& world, AssetStore& assets, float alpha, const PhysicsShown& physics) {
     Effects* const effects = world.service<Effects>();
+    if (isContextLost()) return;
+    if (contextsRestored() != contextsRestored_) renew();
     const bool draws = effects == nullptr || effects->runs(world, "picture");
     device_->setWindowSize(window_->drawableSize());
     if (!draws && physics.any() == 0) return drawNothing();

@@ -23,6 +23,9 @@ public:
     /// @param physics  physics debug layers to draw over the scene
     void draw(const World& world, AssetStore& assets, float alpha, const PhysicsShown& physics = {});
     void swap() { window_->swap(); }
+    /// Makes everything on the graphics card anew, when it is drawn next: it was lost. draw() calls it itself
+    /// after a browser has taken the context of OpenGL away.
+    void renew();
     /// Reads the drawn image; call before swap().
     [[nodiscard]] Image picture();
 
@@ -41,6 +44,7 @@ private:
 
     void clear();
     void drawNothing();
+    static Result<std::unique_ptr<GlDevice>> openDevice(const ScreenSettings& settings);
 
     ScreenSettings settings_;
     std::unique_ptr<Window> window_;
@@ -48,6 +52,7 @@ private:
     const AssetStore* drawnAssets_ = nullptr;
     std::unique_ptr<SceneRenderer> renderer_;
     std::size_t drawCalls_ = 0;
+    unsigned contextsRestored_ = 0;  ///< when device_ was made
 };
 
 }  // namespace plumb

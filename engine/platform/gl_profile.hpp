@@ -8,9 +8,14 @@ namespace plumb {
 /// pixel format depends on it.
 void requestGlProfile();
 
-/// True if the driver has given up the current context, e.g. because the graphics device hung and was reset:
-/// drawing does nothing any more. False where the driver does not tell.
+// A driver gives up the context e.g. because the graphics device hung and was reset. A browser may take it
+// away at any time, e.g. while the page is hidden, and give it back later: then every object made before is
+// gone.
+
+/// True while drawing does nothing because the context is lost. False where the driver does not tell.
 [[nodiscard]] bool isContextLost();
+[[nodiscard]] bool canContextReturn();      ///< true in browsers
+[[nodiscard]] unsigned contextsRestored();  ///< how often it was given back
 
 /// The first line of a shader, with its line break.
 [[nodiscard]] const char* shaderVersion();

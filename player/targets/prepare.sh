@@ -136,7 +136,7 @@ mkdir "$player"
 if [ "$target" = web ]; then
     cp "$build/bin/$program.js" "$player/player.js"
     cp "$build/bin/$program.wasm" "$player/player.wasm"
-    cp "$here"/web/index.html "$here"/web/page.js "$player/"
+    cp "$here"/web/index.html "$here"/web/*.js "$player/"
     printf '%s\n' "$player" "$made/licences"
 elif [ "$target" = windows ]; then
     x86_64-w64-mingw32-strip -o "$player/player.exe" "$build/bin/$program.exe"

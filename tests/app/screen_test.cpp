@@ -1,11 +1,14 @@
 #include "app/screen.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "reflect/type_registry.hpp"
 #include "scene/components/drawing/sprite.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/register_components.hpp"
+#include "tests/support/places.hpp"
 
 namespace plumb {
 namespace {
@@ -61,6 +64,35 @@ TEST(Screen, antialiasedEdgesAreBetweenInsideAndOutside) {
     };
     EXPECT_EQ(between(false), 0);
     EXPECT_GT(between(true), 40);
+}
+
+TEST(Screen, afterTheCardHasLostEverythingThePictureIsTheSame) {
+    TypeRegistry types;
+    registerSceneComponents(types);
+    for (const bool smooth : {false, true}) {
+        ScreenSettings settings{"test", kWidth, kHeight, false, {200.0f, 100.0f}, WindowScale::Fit, smooth};
+        Result<std::unique_ptr<Screen>> opened = Screen::open(settings);
+        ASSERT_TRUE(opened) << opened.error().text();
+        Screen& screen = **opened;
+        World world{types};
+        AssetStore assets{test::sourceFolder() / "projects/platformer"};
+        Entity entity = world.createEntity();
+        entity.addComponent<Transform>(60.0f, 20.0f).rotation = 0.3f;
+        entity.addComponent<Sprite>(assets.loadTexture("bob.png"), 60, 40);
+        const auto drawn = [&] {
+            screen.draw(world, assets, 1.0f);
+            return screen.picture().rgba;
+        };
+        const std::vector<std::uint8_t> before = drawn();
+        EXPECT_GT(std::count_if(before.begin(), before.end(), [](std::uint8_t part) { return part > 20; }),
+                  kWidth * kHeight + 1000)
+            << "more than the opacity";
+        for (int i = 0; i < 3; ++i) {
+            screen.renew();
+            EXPECT_EQ(drawn(), before);
+            EXPECT_EQ(drawn(), before);
+        }
+    }
 }
 
 TEST(Screen, theImageIsScaledByTheModeAndTheRestOfTheWindowIsBlack) {

@@ -19,6 +19,16 @@ export_to() {  # SYSTEM PROJECT FOLDER
 }
 size() { du -bc "$@" | tail -1 | awk '{ printf "%.2f", $1 / 1e6 }'; }
 
+# The link of a recorded game, made here, must end in the same state there: the player fails if it does not.
+declare -A recorded=([platformer]=platformer [physics-playground]=playground [physics-lab]=lab [arena]=arena)
+check_link() {
+    local link
+    link=$("$root/plumb" play "$2" --headless --replay "$root/tests/replay/${recorded[$2]}.replay" --print-link 2>/dev/null |
+        sed -n 's/^link: //p')
+    [ -n "$link" ] || fail "no link of the recorded game of $2"
+    "$root/player/targets/play.sh" "$1" "$3" "$4" --headless --hash --link "$link" >/dev/null 2>&1 || fail "$2 for $1 does not end in the state of its link"
+}
+
 systems=(this linux)
 command -v node >/dev/null && systems+=(web)
 command -v wine >/dev/null && systems+=(windows)
@@ -33,6 +43,7 @@ for project in "${projects[@]}"; do
         found=$("$root/player/targets/play.sh" "$system" "$out" "$program" "${options[@]}" 2>/dev/null | hash_in) ||
             fail "$project for $system printed no hash"
         [ "$found" = "$wanted" ] || fail "$project for $system: $found, the project: $wanted"
+        check_link "$system" "$project" "$out" "$program"
         archive=$(sed -n 's/^Packed it as \(.*\): .*/\1/p' "$out.log")
         [ "$system" = this ] || [ -s "$archive" ] || fail "$project for $system has no archive"
         printf '%-22s %-8s %8s %9s %11s  %s\n' "$project" "$system" "$(size "$out")" "$(size "$out/game.pack")" \

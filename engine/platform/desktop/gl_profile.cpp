@@ -24,6 +24,8 @@ bool isContextLost() {
     }();
     return status != nullptr && status() != 0;
 }
+bool canContextReturn() { return false; }
+unsigned contextsRestored() { return 0; }
 
 const char* shaderVersion() { return "#version 330 core\n"; }
 

@@ -1,22 +1,46 @@
 // The page of an exported game: loads the player and the game's pack, starts them at the first click, keeps what the game
-// stores in the browser, and shows errors.
+// stores in the browser, plays the replay in the address, and shows errors.
 // A function, because the script of the player has global names of its own.
 (() => {
     'use strict';
 
     const element = (id) => document.getElementById(id);
-    const canvas = element('canvas'), cover = element('cover'), text = element('text'), start = element('start');
+    const canvas = element('canvas'), cover = element('cover'), text = element('text'), choices = element('choices');
     const query = new URLSearchParams(location.search);
     // Options of the player, e.g. ?args=--headless --frames 600 --hash
     const options = (query.get('args') || '').split(' ').filter(Boolean);
+    const replay = location.hash.startsWith('#r=') ? location.hash : '';
 
-    function show(message) { text.textContent = message; }
-
-    function fail(message) {
-        cover.hidden = false;
-        start.hidden = true;
+    // Shows a message and buttons over the page: {label: function}.
+    function ask(message, answers) {
         element('bar').hidden = true;
-        show(message);
+        text.textContent = message;
+        choices.replaceChildren(...Object.entries(answers).map(([label, answer], index) => {
+            const button = document.createElement('button');
+            button.textContent = label;
+            button.className = index === 0 ? 'first' : '';
+            button.addEventListener('click', answer);
+            return button;
+        }));
+        element('tools').hidden = element('touch').hidden = element('line').hidden = true;
+        cover.hidden = false;
+        if (choices.firstChild) choices.firstChild.focus();
+    }
+
+    const restart = () => location.reload();
+    const withoutReplay = () => {
+        history.replaceState(null, '', location.pathname + location.search);
+        location.reload();
+    };
+
+    let hiding = 0;
+    // A line at the top of the picture. @param seconds  0: until the next one
+    function say(message, seconds) {
+        const line = element('line');
+        line.textContent = message;
+        line.hidden = !message || !cover.hidden;
+        clearTimeout(hiding);
+        if (seconds) hiding = setTimeout(() => { line.hidden = true; }, 1000 * seconds);
     }
 
     // ---- files
@@ -51,30 +75,110 @@
         FS.mount(IDBFS, {}, kStored);
         return new Promise((done) => FS.syncfs(true, (error) => {
             if (error) console.warn('what the game stored cannot be read: ' + error);
+            stored = filesToStore();
             done();
         }));
     }
 
-    let storing = false;
+    // The paths and times of the files, as text.
+    function filesToStore() {
+        let files = '';
+        IDBFS.getLocalSet(FS.lookupPath(kStored).node.mount, (error, set) => { files = JSON.stringify(set && set.entries); });
+        return files;
+    }
+
+    // Only if the game has written since the last time: the database becomes what this page has, so a page that
+    // only stands in another tab would remove what the game here has stored.
+    let storing = false, stored = '';
     function store() {
-        if (storing || typeof FS === 'undefined') return;
+        if (storing || !window.readyAt) return;
+        const files = filesToStore();
+        if (files === stored) return;
         storing = true;
         FS.syncfs(false, (error) => {
             storing = false;
             if (error) console.warn('what the game stores cannot be kept: ' + error);
+            else stored = files;
         });
+    }
+
+    // ---- links
+
+    // The address of this page with a replay of the run so far; '' if there is none.
+    function runLink(afterFailure) {
+        try {
+            const link = UTF8ToString(Module._plumbLink(afterFailure ? 1 : 0));
+            return link && location.href.split('#')[0] + link;
+        } catch (error) {
+            console.warn('no link of the run: ' + error);
+            return '';
+        }
+    }
+
+    // Browsers refuse the clipboard to pages without https: then the text is shown, to be copied by hand.
+    async function copy(link) {
+        try {
+            await navigator.clipboard.writeText(link);
+            return true;
+        } catch {
+            window.prompt('A link that replays this run:', link);
+            return false;
+        }
+    }
+
+    async function copyRun() {
+        const link = runLink(false);
+        if (!link) return say('The run is too long for a link', 5);
+        if (await copy(link)) say(`Copied a link that replays this run (${link.length} characters)`, 5);
+        canvas.focus();
     }
 
     // ---- the player
 
     let failed = false;
+    const errors = [];  // the last lines
+
+    function stop(message) {
+        if (failed) return;
+        failed = true;
+        store();
+        const link = runLink(true);
+        const answers = {};
+        if (link) answers['Copy a link to this run'] = async (event) => {
+            if (await copy(link)) event.target.textContent = 'Copied';
+        };
+        answers['Start again'] = replay ? withoutReplay : restart;
+        cover.classList.add('over');
+        console.error(`stopped: ${message} ${link}`);
+        ask(`The game has stopped: ${message}\n${errors.join('\n')}` +
+            (link ? '\n\nThe link replays the run up to this error: send it to the authors of the game.' : ''), answers);
+    }
+
+    const touch = new TouchControls(element('touch'), (usage, down) => Module._plumbKey(usage, down ? 1 : 0));
+
+    // What the game tells the page.
+    const onGame = {
+        replay: () => say(`Replay: ${usesTouch ? 'touch the picture' : 'press any key'} to take over`, 0),
+        live: (why) => say(why, 10),
+        controls: (list) => touch.show(JSON.parse(list)),
+        ended: () => {
+            store();
+            if (!options.includes('--headless')) ask('The game has ended.', { 'Play again': restart });
+        },
+    };
+
     window.Module = {
         canvas,
         arguments: options,
         noInitialRun: true,
         print: (line) => console.log(line),
-        printErr: (line) => console.warn(line),
-        onAbort: (what) => { failed = true; fail(`The game has stopped: ${what}`); },
+        printErr: (line) => {
+            console.warn(line);
+            errors.push(line);
+            if (errors.length > 6) errors.shift();
+        },
+        onAbort: (what) => stop(what),
+        onGame: (topic, message) => onGame[topic](message),
         preRun: [],
     };
 
@@ -104,46 +208,60 @@
         window.readyAt = performance.now();
     }
 
-    function run() {
+    function run(link) {
         cover.hidden = true;
+        element('touch').hidden = !usesTouch;
         canvas.focus();
         setInterval(store, 2000);
-        try {
-            Module.callMain(options);
-        } catch (error) {
-            if (error !== 'unwind') throw error;
-        }
+        // Nothing as soon as there is a loop of frames; otherwise what main() returns.
+        const code = Module.callMain(link ? [...options, '--link', link] : options);
+        if (code) ask(errors.join('\n'), link ? { 'Play without the replay': withoutReplay } : {});
     }
 
     // ---- page
 
-    window.addEventListener('error', (event) => { if (!failed) fail(`The game has stopped: ${event.message}`); });
+    // The buttons are for who plays with fingers: who does has touched the page before.
+    let usesTouch = false;
+    window.addEventListener('pointerdown', (event) => {
+        if (event.pointerType !== 'touch' || usesTouch) return;
+        usesTouch = true;
+        element('touch').hidden = !cover.hidden;
+    }, true);
+    window.addEventListener('error', (event) => stop(event.message));
+    window.addEventListener('unhandledrejection', (event) => console.error(event.reason));
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     // The keys of games must not scroll the page.
     window.addEventListener('keydown', (event) => {
+        if (!cover.hidden) return;
         if (['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Space', 'Tab'].includes(event.code)) event.preventDefault();
     });
-    document.addEventListener('visibilitychange', () => { if (document.hidden) store(); });
-    window.addEventListener('pagehide', store);
-    // The button is there while the mouse moves.
-    let hiding = 0;
-    window.addEventListener('mousemove', () => {
-        element('full').hidden = !cover.hidden;
-        clearTimeout(hiding);
-        hiding = setTimeout(() => { element('full').hidden = true; }, 2000);
+    // A hidden page draws no frames, so that the game stands still by itself, but its sound would go on.
+    document.addEventListener('visibilitychange', () => {
+        if (document.hidden) store();
+        const audio = Module.SDL2 && Module.SDL2.audioContext;
+        if (audio) document.hidden ? audio.suspend() : audio.resume();
     });
+    window.addEventListener('pagehide', store);
+    window.addEventListener('hashchange', () => location.reload());  // another replay
+
+    // The tools are there while the mouse moves, or after a touch.
+    let toolsHiding = 0;
+    for (const kind of ['mousemove', 'pointerdown']) window.addEventListener(kind, () => {
+        element('tools').hidden = !cover.hidden;
+        clearTimeout(toolsHiding);
+        toolsHiding = setTimeout(() => { element('tools').hidden = true; }, 2500);
+    });
+    for (const tool of element('tools').children) tool.addEventListener('mousedown', (event) => event.preventDefault());
+    element('copy').addEventListener('click', copyRun);
     element('full').addEventListener('click', () => {
         if (document.fullscreenElement) document.exitFullscreen();
         else document.documentElement.requestFullscreen();
         canvas.focus();
     });
-    start.addEventListener('click', run, { once: true });
 
     load().then(() => {
-        element('bar').hidden = true;
-        if (options.includes('--headless')) return run();
-        show('');
-        start.hidden = false;
-        start.focus();
-    }).catch((error) => fail(`The game could not be loaded: ${error.message}`));
+        if (options.includes('--headless')) return run(replay);
+        if (replay) ask('This link holds a replay of the game.', { 'Watch the replay': () => run(replay), 'Play': withoutReplay });
+        else ask('', { Play: () => run('') });
+    }).catch((error) => ask(`The game could not be loaded: ${error.message}`, { 'Try again': restart }));
 })();

@@ -1,0 +1,295 @@
+// Checks the page of an exported platformer in Chromium: what a player does with it, and what a browser does to it.
+//   node page_in_browser.mjs FOLDER PLAYER PROJECT PICTURES [CHECK...]
+// Needs puppeteer-core, found by PUPPETEER=FOLDER/node_modules/puppeteer-core/lib/esm/puppeteer/puppeteer-core.js.
+import http from 'node:http';
+import fs from 'node:fs';
+import path from 'node:path';
+import { execFileSync, spawnSync } from 'node:child_process';
+
+const [root, player, project, pictures, ...wanted] = process.argv.slice(2);
+const { default: puppeteer } = await import(process.env.PUPPETEER || 'puppeteer-core');
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
+const server = http.createServer((request, response) => {
+    const name = decodeURIComponent(new URL(request.url, 'http://x').pathname).replace(/\/$/, '/index.html');
+    const file = path.join(root, name);
+    if (!fs.existsSync(file)) return response.writeHead(404), response.end();
+    const head = { 'Content-Type': types[path.extname(file)] || 'application/octet-stream', 'Content-Length': fs.statSync(file).size };
+    response.writeHead(200, head);
+    fs.createReadStream(file).pipe(response);
+}).listen(0, '127.0.0.1');
+await new Promise((done) => server.once('listening', done));
+const site = `http://127.0.0.1:${server.address().port}/`;
+const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 240000,
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--mute-audio', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+await browser.defaultBrowserContext().overridePermissions(site, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']).catch(() => {});
+
+const seconds = (count) => new Promise((done) => setTimeout(done, 1000 * count));
+let failures = 0;
+function expect(isTrue, what) {
+    console.log(`${isTrue ? 'ok    ' : 'FAILED'} ${what}`);
+    if (!isTrue) ++failures;
+}
+
+async function open(hash = '', viewport = { width: 1280, height: 720 }, prepare = () => {}) {
+    const page = await browser.newPage();
+    page.lines = [];
+    page.on('console', (message) => page.lines.push(message.text()));
+    page.on('pageerror', (error) => page.lines.push('error: ' + error.message));
+    await page.setViewport(viewport);
+    await prepare(page);
+    await page.goto(site + hash, { waitUntil: 'load', timeout: 120000 });
+    await page.waitForFunction('window.readyAt && document.querySelector("#choices button")', { timeout: 120000 });
+    return page;
+}
+const start = async (page, touch = false) => {
+    const [button] = await page.$$('#choices button');
+    await (touch ? button.tap() : button.click());
+    await seconds(1.5);
+};
+const press = async (page, key, length = 0.15) => {
+    await page.keyboard.down(key);
+    await seconds(length);
+    await page.keyboard.up(key);
+    await seconds(0.2);
+};
+const line = (page) => page.$eval('#line', (e) => (e.hidden ? '' : e.textContent));
+const linkOf = (page) => page.evaluate('UTF8ToString(Module._plumbLink(0))');
+const picture = (page, name) => page.screenshot({ path: path.join(pictures, name + '.png') });
+
+// Plays a link here, which ends with an error unless the state is that of the page.
+function here(link) {
+    const run = spawnSync(player, [project, '--headless', '--link', link, '--hash', '--record', path.join(pictures, 'run.replay')], { encoding: 'utf8' });
+    return { ok: run.status === 0 && link.length > 20, hash: (/hash: (\w+)/.exec(run.stdout) || [])[1], input: fs.readFileSync(path.join(pictures, 'run.replay'), 'utf8'), text: run.stdout + run.stderr };
+}
+const ticksOf = (run) => Number(/^end (\d+)$/m.exec(run.input)[1]);
+
+const checks = {
+    async play() {
+        const page = await open();
+        await picture(page, 'cover');
+        await start(page);
+        await press(page, 'Enter');
+        await seconds(1.5);
+        await press(page, 'ArrowRight', 1);
+        await press(page, 'Space', 0.3);
+        await picture(page, 'play');
+        const run = here(await linkOf(page));
+        expect(run.ok && /\+Right/.test(run.input) && /\+Space/.test(run.input), `keys reach the game; its link plays here to the same state (${ticksOf(run)} ticks)`);
+        await page.mouse.move(600, 300);
+        await page.mouse.move(610, 310);
+        await seconds(0.3);
+        await picture(page, 'tools');
+        await page.click('#copy');
+        await seconds(0.5);
+        const copied = await page.evaluate('navigator.clipboard.readText()').catch((error) => String(error));
+        await picture(page, 'copied');
+        expect(copied.startsWith(site + '#r=') && here(copied).ok, `the button copies an address that plays here to the same state (${copied.length} characters)`);
+        await press(page, 'ArrowLeft', 0.4);
+        expect(/-Left/.test(here(await linkOf(page)).input), 'keys reach the game after the button');
+        await page.mouse.move(620, 320);
+        await page.click('#full');
+        await seconds(1);
+        expect(await page.evaluate('!!document.fullscreenElement'), 'the button makes it fullscreen');
+        await page.close();
+    },
+    async replay() {
+        const recorded = execFileSync(player, [project, '--headless', '--replay', path.join(import.meta.dirname || path.dirname(process.argv[1]), '../replay/platformer.replay'), '--frames', '300', '--print-link'], { encoding: 'utf8' });
+        const link = /link: (\S+)/.exec(recorded)[1];
+        const page = await open(link);
+        await picture(page, 'replay-cover');
+        await start(page);
+        await picture(page, 'replay');
+        expect(/press any key/.test(await line(page)), `the page says that it is a replay: "${await line(page)}"`);
+        await page.waitForFunction('/ended/.test(document.getElementById("line").textContent)', { timeout: 20000 });
+        await picture(page, 'replay-ended');
+        expect(/the state is the recorded one/.test(await line(page)), `at its end: "${await line(page)}"`);
+        await press(page, 'ArrowLeft', 0.4);
+        const run = here(await linkOf(page));
+        expect(run.ok && ticksOf(run) > 310, `it goes on live; the link of all of it plays here (${ticksOf(run)} ticks)`);
+        await page.close();
+        const second = await open(link);
+        await start(second);
+        await press(second, 'ArrowLeft', 0.4);
+        expect(/You play/.test(await line(second)), `a key takes over: "${await line(second)}"`);
+        expect(here(await linkOf(second)).ok, 'the link after that plays here');
+        await second.close();
+        const damaged = await open('#r=hello');
+        await start(damaged);
+        const text = await damaged.$eval('#text', (e) => e.textContent);
+        await picture(damaged, 'damaged');
+        expect(/damaged or incomplete/.test(text) && !(await damaged.$eval('#cover', (e) => e.hidden)), `a damaged link: "${text}"`);
+        await damaged.close();
+    },
+    async hidden() {
+        const page = await open();
+        await start(page);
+        const other = await browser.newPage();
+        await other.bringToFront();
+        await seconds(0.5);
+        const state = await page.evaluate('document.visibilityState');
+        const before = here(await linkOf(page)), sound = await page.evaluate('Module.SDL2 && Module.SDL2.audioContext && Module.SDL2.audioContext.state');
+        await seconds(2);
+        const after = here(await linkOf(page));
+        expect(state === 'hidden' && ticksOf(after) - ticksOf(before) <= 2, `while hidden the game stands still (${ticksOf(after) - ticksOf(before)} ticks in 2 s, ${state}, sound ${sound})`);
+        await page.bringToFront();
+        await seconds(1);
+        const again = here(await linkOf(page));
+        expect(ticksOf(again) > ticksOf(after) + 20 && ticksOf(again) < ticksOf(after) + 100, `then it goes on (${ticksOf(again) - ticksOf(after)} ticks in 1 s)`);
+        await other.close();
+        for (const [width, height] of [[800, 600], [400, 800], [1600, 500]]) {
+            await page.setViewport({ width, height });
+            await seconds(0.7);
+            const size = await page.evaluate('[document.getElementById("canvas").width, document.getElementById("canvas").height].join("x")');
+            await picture(page, `size-${width}x${height}`);
+            expect(size === `${width}x${height}`, `the picture follows the size of the window: ${size}`);
+        }
+        await page.close();
+    },
+    async touch() {
+        for (const [width, height] of [[844, 390], [390, 844]]) {
+            const page = await open('', { width, height, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+            await picture(page, `phone-${width}-cover`);
+            await start(page, true);
+            await seconds(1);
+            await picture(page, `phone-${width}-title`);
+            const confirm = await page.$('#touch button:not([hidden])');
+            await confirm.tap();
+            await seconds(2);
+            const pad = await (await page.$('#touch .pad:not([hidden])')).boundingBox();
+            const jump = await (await page.$('#touch button:not([hidden]):not(.menu)')).boundingBox();
+            const first = { x: pad.x + pad.width * 0.9, y: pad.y + pad.height / 2, id: 1 };
+            const second = { x: jump.x + jump.width / 2, y: jump.y + jump.height / 2, id: 2 };
+            const fingers = await page.createCDPSession();
+            const touch = (type, ...touchPoints) => fingers.send('Input.dispatchTouchEvent', { type, touchPoints });
+            await touch('touchStart', first);
+            await seconds(0.8);
+            await picture(page, `phone-${width}-play`);
+            await touch('touchStart', first, second);
+            await seconds(0.3);
+            await picture(page, `phone-${width}-jump`);
+            await touch('touchEnd', first);
+            await seconds(0.3);
+            await touch('touchEnd');
+            await seconds(0.5);
+            const run = here(await linkOf(page));
+            expect(run.ok && /\+Right/.test(run.input) && /-Right/.test(run.input), 'the pad presses and releases keys');
+            expect(/\+Right[^]*\+Space[^]*-Space/.test(run.input), 'a second finger presses a button');
+            await page.close();
+        }
+        const desktop = await open();
+        await start(desktop);
+        expect(await desktop.$eval('#touch', (e) => e.hidden), 'without touches there are no buttons');
+        await desktop.close();
+    },
+    async pad() {
+        const page = await open('', undefined, (p) => p.evaluateOnNewDocument(() => {
+            const button = () => ({ pressed: false, touched: false, value: 0 });
+            const pad = { id: 'Xbox 360 Controller (STANDARD GAMEPAD Vendor: 045e Product: 028e)', index: 0, connected: true, mapping: 'standard',
+                timestamp: 1, axes: [0, 0, 0, 0], buttons: Array.from({ length: 17 }, button) };
+            window.testPad = pad;
+            navigator.getGamepads = () => [pad, null, null, null];
+        }));
+        await start(page);
+        await page.evaluate(() => {
+            const event = new Event('gamepadconnected');
+            event.gamepad = window.testPad;
+            window.dispatchEvent(event);
+        });
+        await seconds(0.5);
+        const set = (code) => page.evaluate(code + '; testPad.timestamp += 1');
+        await set('testPad.buttons[0] = {pressed: true, touched: true, value: 1}');
+        await seconds(0.3);
+        await set('testPad.buttons[0] = {pressed: false, touched: false, value: 0}');
+        await seconds(2);
+        for (const axis of [0.3, 0.6, 0.8]) await set(`testPad.axes[0] = ${axis}`), await seconds(0.2);  // SDL takes the first one as the centre
+        await set('testPad.axes[0] = 0');
+        await seconds(0.3);
+        const run = here(await linkOf(page));
+        expect(run.ok && /\+Gamepad1.A/.test(run.input) && /Gamepad1.LeftX=2/.test(run.input), 'buttons and sticks of a gamepad reach the game');
+        await page.close();
+    },
+    async context() {
+        const page = await open();
+        await start(page);
+        await press(page, 'Enter');
+        await seconds(3);
+        await picture(page, 'context-before');
+        await page.evaluate(() => {
+            window.lose = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+            window.lose.loseContext();
+        });
+        await seconds(1);
+        await picture(page, 'context-lost');
+        const lost = here(await linkOf(page));
+        await page.evaluate('lose.restoreContext()');
+        await seconds(1.5);
+        await picture(page, 'context-after');
+        const sizes = ['before', 'lost', 'after'].map((name) => fs.statSync(path.join(pictures, `context-${name}.png`)).size);
+        expect(sizes[2] > 0.7 * sizes[0] && sizes[1] < 0.5 * sizes[0], `the picture comes back after the context was lost (PNG of ${sizes.join(', ')} bytes)`);
+        expect(ticksOf(here(await linkOf(page))) > ticksOf(lost), 'the game goes on');
+        expect(!page.lines.some((text) => /error|stopped/i.test(text) && !/pread|favicon/.test(text)), 'without errors');
+        await page.close();
+    },
+    async saves() {
+        const other = await open();  // in another tab, without saves
+        await start(other);
+        const page = await open();
+        await start(page);
+        await page.evaluate("FS.mkdirTree('/libsdl/plumb'); FS.writeFile('/libsdl/plumb/kept.txt', 'kept')");
+        await seconds(4);
+        await page.reload();
+        await page.waitForFunction('window.readyAt', { timeout: 60000 });
+        expect(await page.evaluate("FS.readFile('/libsdl/plumb/kept.txt', {encoding: 'utf8'})") === 'kept', 'files in the folder for saves are there after a reload');
+        await page.close();
+        await other.close();
+    },
+    async crash() {
+        const page = await open();
+        await start(page);
+        await press(page, 'Enter');
+        await seconds(1);
+        await page.evaluate("setTimeout(() => abort('a test'), 0)");
+        await seconds(1);
+        await picture(page, 'crash');
+        const text = await page.$eval('#text', (e) => e.textContent);
+        expect(/has stopped.*a test/.test(text), `a crash says: "${text.split('\n')[0]}"`);
+        const [button] = await page.$$('#choices button');
+        await button.click();
+        await seconds(0.5);
+        const copied = await page.evaluate('navigator.clipboard.readText()').catch((error) => String(error));
+        const run = here(copied);
+        expect(run.ok && /\+Enter/.test(run.input), `and copies a link of the run (${copied.length} characters, ${ticksOf(run)} ticks)`);
+        await page.close();
+    },
+    async memory() {
+        const page = await open();
+        await start(page);
+        await press(page, 'Enter');
+        const heap = () => page.evaluate('HEAP8.length / 1048576');
+        const js = async () => { await page.evaluate('window.gc && gc()'); return (await page.metrics()).JSHeapUsedSize / 1048576; };
+        const rows = [];
+        for (let i = 0; i <= 6; ++i) {
+            rows.push([await heap(), Number((await js()).toFixed(1))]);
+            for (let n = 0; n < 40 && i < 6; ++n) {
+                await press(page, ['ArrowRight', 'Space', 'ArrowLeft', 'Space'][n % 4], 0.3);
+                await page.mouse.move(300 + 7 * n, 200 + 3 * n);
+            }
+        }
+        const link = await linkOf(page);
+        const run = here(link);
+        expect(run.ok && rows.at(-1)[0] <= rows[1][0], `memory over ${(ticksOf(run) / 3600).toFixed(1)} min (wasm MB, JS MB): ${rows.map((r) => r.join('/')).join(' ')}; link ${link.length} characters`);
+        await page.close();
+    },
+};
+
+for (const [name, check] of Object.entries(checks)) {
+    if (wanted.length ? !wanted.includes(name) : name === 'memory') continue;
+    try {
+        await check();
+    } catch (error) {
+        expect(false, `${name}: ${error.stack}`);
+    }
+}
+await browser.close();
+server.close();
+process.exit(failures === 0 ? 0 : 1);
