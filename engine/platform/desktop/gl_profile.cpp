@@ -22,7 +22,9 @@ bool isContextLost() {
         const bool knows = SDL_GL_ExtensionSupported("GL_KHR_robustness") == SDL_TRUE;
         return knows ? reinterpret_cast<Status>(SDL_GL_GetProcAddress("glGetGraphicsResetStatus")) : nullptr;
     }();
-    return status != nullptr && status() != 0;
+    static bool isLost = false;  // the driver may tell it only once
+    isLost = isLost || (status != nullptr && status() != 0);
+    return isLost;
 }
 bool canContextReturn() { return false; }
 unsigned contextsRestored() { return 0; }
