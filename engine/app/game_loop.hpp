@@ -77,7 +77,7 @@ private:
     std::optional<RecordingFile> recording_;  ///< empty: the game is not recorded, or no longer
     std::optional<CrashFile> crashFile_;      ///< empty: a crash leaves no file
     std::optional<Watchdog> watchdog_;
-    std::optional<LinkWriter> link_;  ///< empty: nobody can ask for a link
+    std::optional<LinkWriter> link_;  ///< empty: no link can be asked for
     bool goesOnLive_ = false;         // after the replay, or when a key is pressed during it
     Input::Asked shownControls_;      // controls that the page shows
     std::int64_t ticks_ = 0;
