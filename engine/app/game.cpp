@@ -7,6 +7,7 @@
 #include "app/step_clock.hpp"
 #include "core/reports.hpp"
 #include "gameplay/game_functions.hpp"
+#include "gameplay/game_requests.hpp"
 #include "scene/components/drawing/camera.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/drawing/draw_scene.hpp"
@@ -107,6 +108,7 @@ void tickGame(Game& game, const InputFrame& frame) {
     World& world = game.world;
     const Reporting reporting{world.reports()};
     game.provideLibrary();
+    if (auto* requests = world.findResource<GameRequests>()) *requests = {};
     world.beginTick();
     storePreviousTransforms(world);
     game.effects.followScenes(world);

@@ -45,6 +45,9 @@ public:
     /// Called between ticks after changed files of the project were reloaded.
     virtual void onAssetsChanged([[maybe_unused]] std::span<const AssetChange> changes) {}
 
+    /// Called between ticks after the state of the world was replaced by that of a saved game.
+    virtual void onLoaded() {}
+
     /// True if the game ends after this tick: quitGame() was called.
     [[nodiscard]] virtual bool quitRequested() const;
 

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "app/touch_controls.hpp"
 #include "core/clock.hpp"
 #include "core/crash_report.hpp"
 #include "core/log.hpp"
+#include "gameplay/game_requests.hpp"
 #include "platform/display.hpp"
 #include "platform/gl_profile.hpp"
 #include "platform/image_file.hpp"
@@ -118,6 +120,11 @@ bool GameLoop::prepare() {
         if (options_.screenshot.empty()) options_.screenshot = "plumb-screenshot.png";
     }
     if (screen_ == nullptr && options_.frames < 0 && !replay_) options_.frames = kHeadlessTicks;
+    // A replay reads and writes no files, and a run without a window none of the player.
+    const bool saves = !replay_ && (screen_ != nullptr || !options_.saves.empty());
+    if (saves)
+        slots_.emplace(options_.saves.empty() ? dataFolder(projectName_) : Path{options_.saves},
+                       projectName_);
     return prepareCrashFile();
 }
 
@@ -259,6 +266,7 @@ bool GameLoop::nextInput(InputFrame& frame) {
     } else {
         frame = live;
         if (screen_ != nullptr) screen_->placeMouse(frame);
+        if (slots_) frame.saves = slots_->filled();
     }
     record(frame);
     return true;
@@ -291,6 +299,7 @@ void GameLoop::tick() {
     simulate(frame);
     ++ticks_;
     if (game_.quitRequested()) quit();
+    performRequests();
     if (screen_ != nullptr) events_.write(game_.world);
     if (sounds_) sounds_->listen(game_.world);
     if (replayPlayer_) checkReplay();
@@ -381,6 +390,41 @@ void GameLoop::updatePage() {
     if (asked == shownControls_) return;
     shownControls_ = asked;
     tellPage("controls", touchControls(game_.input.map(), asked));
+}
+
+/// Saves or loads what the tick requested.
+void GameLoop::performRequests() {
+    auto* requests = game_.world.findResource<GameRequests>();
+    if (requests == nullptr) return;
+    const GameRequests wanted = std::exchange(*requests, {});
+    if (!slots_) {
+        if (wanted.save != 0 || wanted.load != 0)
+            logNote(
+                "Game", "Not {}: {}", wanted.load != 0 ? "loaded" : "saved",
+                replay_ ? "a replay uses no saved games" : "without a window, --saves names their folder");
+        return;
+    }
+    if (wanted.save != 0) {
+        const Result<Done> saved = slots_->save(game_.world, wanted.save);
+        saved ? logNote("Game", "Saved in slot {}", wanted.save) : logError("Game", saved.error());
+    }
+    if (wanted.load != 0) loadSaved(wanted.load);
+}
+
+void GameLoop::loadSaved(int slot) {
+    const std::uint64_t before = recording_ ? game_.world.hash() : 0;
+    const Result<Done> loaded = slots_->load(game_.world, slot);
+    if (!loaded) return logError("Game", loaded.error());
+    game_.onLoaded();
+    logNote("Game", "Loaded slot {}", slot);
+    if (!recording_) return;
+    // A replay begins with a scene, and must not depend on files of the player.
+    recorder_.check(before);
+    updateRecording();
+    recording_.reset();
+    logWarning("Input", Error{options_.record,
+                              format("the recording ends with tick {}: a saved game was loaded", ticks_),
+                              "record without loading to get a longer one"});
 }
 
 PhysicsShown GameLoop::shownPhysics() {

@@ -10,6 +10,7 @@
 #include "app/frame_pacer.hpp"
 #include "app/game.hpp"
 #include "app/player_options.hpp"
+#include "app/saved_game.hpp"
 #include "app/screen.hpp"
 #include "app/sound_output.hpp"
 #include "core/watchdog.hpp"
@@ -51,6 +52,8 @@ private:
     void takeOver();
     void goOnLive(const std::string& why);
     void record(const InputFrame& frame);
+    void performRequests();
+    void loadSaved(int slot);
     void updateRecording();
     bool nextInput(InputFrame& frame);
     [[nodiscard]] Result<std::string> link(bool withHash) const;
@@ -73,6 +76,7 @@ private:
     std::vector<Event> pending_;  // window events of this frame; a member, so that its memory is reused
     std::optional<Replay> replay_;
     std::optional<ReplayPlayer> replayPlayer_;
+    std::optional<SaveSlots> slots_;  ///< empty: the game does not save
     Recorder recorder_;
     std::optional<RecordingFile> recording_;  ///< empty: the game is not recorded, or no longer
     std::optional<CrashFile> crashFile_;      ///< empty: a crash leaves no file

@@ -27,6 +27,8 @@ struct PlayerOptions {
     std::string crashReports;           ///< folder for reports of crashes; empty: see GameLoop
     std::string link;                   ///< link to replay, see input/replay_link.hpp
     bool printLink = false;             ///< print a link that replays the run at the end
+    std::string saves;                  ///< folder of saved games and settings; empty: that of the system
+    bool safe = false;                  ///< without the settings of the player
     bool allEffects = false;            ///< run all effects (features of the engine), requested or not
     bool effects = false;               ///< list the effects of the scene and their cost
     bool benchmark = false;             ///< run the benchmark instead of a project

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] std::string_view find(TextId id) const;
     [[nodiscard]] std::string_view find(std::uint64_t id) const { return find(TextId{id}); }
     [[nodiscard]] std::size_t size() const { return texts_.size(); }
+    /// All texts, in the order in which they were added.
+    [[nodiscard]] const std::deque<std::string>& all() const { return texts_; }
 
     TextStore(const TextStore& other);
     TextStore& operator=(const TextStore& other);

@@ -67,6 +67,14 @@ const ComponentType* findComponentType(TypeKey key) {
     return known.find(key);
 }
 
+const ComponentType* findComponentType(std::string_view name) {
+    KnownTypes& known = knownTypes();
+    const std::lock_guard lock{known.mutex};
+    const auto found = std::find_if(known.types.begin(), known.types.end(),
+                                    [name](const ComponentType& type) { return type.name == name; });
+    return found == known.types.end() ? nullptr : &*found;
+}
+
 namespace {
 
 std::uint64_t readWord(const void* at, std::size_t size) {

@@ -30,6 +30,8 @@ const ComponentType& componentTypeOf(const TypeInfo& info);
 const ComponentType& updateComponentType(const TypeInfo& info);
 /// The description of a type that is already registered, or nullptr.
 const ComponentType* findComponentType(TypeKey key);
+/// The same by its name.
+const ComponentType* findComponentType(std::string_view name);
 
 /// Adds a component to a hash: by its fields where they are described, else by its bytes.
 void hashComponent(Hasher& hasher, const TypeInfo& type, const void* component);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/assert.hpp"
+#include "core/text.hpp"
 
 namespace plumb {
 
@@ -56,6 +57,57 @@ void Events::restore(const Inboxes& saved) {
     for (const std::unique_ptr<Inbox>& from : saved) {
         if (Inbox* to = find(from->type, from->handler)) to->assign(*from);
     }
+}
+
+void Events::write(StateArchive& archive, std::vector<Error>& problems) const {
+    Inboxes filled;
+    save(filled);
+    std::size_t count = 0;
+    std::string all;
+    StateArchive inner = StateArchive::writer(all);
+    for (const std::unique_ptr<Inbox>& inbox : filled) {
+        std::string event{typeNameOf(inbox->type)}, handler{typeNameOf(inbox->handler)}, bytes;
+        StateArchive events = StateArchive::writer(bytes);
+        if (!inbox->archive(events)) {
+            problems.push_back({format("event {}", event),
+                                "a handler has yet to receive it, and it is not plain "
+                                "data, which cannot be saved",
+                                "use texts of world.texts() and lists of a fixed size in events"});
+            continue;
+        }
+        inner.text(event);
+        inner.text(handler);
+        inner.text(bytes);
+        ++count;
+    }
+    archive.count(count);
+    archive.text(all);
+}
+
+Events::Inboxes Events::read(StateArchive& archive, std::vector<Error>& problems) const {
+    Inboxes inboxes;
+    const std::size_t count = archive.count(0);
+    std::string all;
+    archive.text(all);
+    StateArchive inner = StateArchive::reader(all);
+    for (std::size_t i = 0; i < count && inner.ok(); ++i) {
+        std::string event, handler, bytes;
+        inner.text(event);
+        inner.text(handler);
+        inner.text(bytes);
+        StateArchive events = StateArchive::reader(bytes);
+        const Inbox* known = find(findTypeKey(event), findTypeKey(handler));
+        std::unique_ptr<Inbox> made = known == nullptr ? nullptr : known->copy();
+        if (made != nullptr && made->archive(events) && events.ok()) {
+            inboxes.push_back(std::move(made));
+        } else {
+            problems.push_back({format("event {}", event),
+                                format("this version of the game has no handler {} for it", handler),
+                                "the event was left out"});
+        }
+    }
+    if (!inner.ok()) archive.fail();
+    return inboxes;
 }
 
 void Events::addTo(Hasher& hasher) const {

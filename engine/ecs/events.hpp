@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/result.hpp"
+#include "core/state_archive.hpp"
 #include "reflect/type_key.hpp"
 
 namespace plumb {
@@ -92,6 +94,11 @@ public:
     void save(Inboxes& saved) const;
     /// Replaces the events of all inboxes. Events for handlers that this world does not have are dropped.
     void restore(const Inboxes& saved);
+    /// Appends the events that handlers have yet to receive to the bytes of a saved game.
+    /// @param problems  receives the types that cannot be saved
+    void write(StateArchive& archive, std::vector<Error>& problems) const;
+    /// Returns the inboxes of a saved game. Events for handlers that there are not any more are left out.
+    Inboxes read(StateArchive& archive, std::vector<Error>& problems) const;
     /// Adds how many events each handler has yet to receive; nothing if all have received all. Not the
     /// events, as those may have bytes between their members that differ from run to run.
     void addTo(Hasher& hasher) const;
@@ -162,6 +169,8 @@ public:
     /// Replaces the events by those of an inbox for the same type.
     virtual void assign(const Inbox& other) = 0;
     [[nodiscard]] virtual std::unique_ptr<Inbox> copy() const = 0;
+    /// Writes or reads the events. @return false if they are not plain data, which cannot be saved
+    virtual bool archive(StateArchive& archive) = 0;
 
     const TypeKey type;                                 ///< of the events
     const TypeKey handler;                              ///< of the system that receives them
@@ -191,6 +200,15 @@ struct Events::InboxOf final : Events::Inbox {
         auto made = std::make_unique<InboxOf>(handler);
         made->assign(*this);
         return made;
+    }
+    bool archive(StateArchive& archive) override {
+        if constexpr (std::is_trivially_copyable_v<E>) {
+            if (archive.reading()) clear();
+            archive.list(waiting);
+            return true;
+        } else {
+            return false;
+        }
     }
 };
 

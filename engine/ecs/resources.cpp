@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
+
 namespace plumb {
 
 Resources::Box* Resources::find(TypeKey key) const {
@@ -34,6 +36,74 @@ void Resources::assign(const Resources& other) {
             insert(from->copy());
         }
     }
+}
+
+std::vector<Resources::Known>& Resources::known() {
+    static std::vector<Known> types;
+    return types;
+}
+
+bool Resources::list(const Known& type) { return known().push_back(type), true; }
+
+/// Returns a copy of the value of a type, or a new one; null if the program has no such type.
+std::unique_ptr<Resources::Box> Resources::boxFor(std::string_view name) const {
+    for (const std::unique_ptr<Box>& box : boxes_) {
+        if (box->name == name) return box->copy();
+    }
+    const std::vector<Known>& types = known();
+    const auto found = std::find_if(types.rbegin(), types.rend(), [name](const Known& type) {
+        return type.name == name && (type.version == 0 || type.version == reloadableVersion());
+    });
+    return found == types.rend() ? nullptr : found->make();
+}
+
+void Resources::write(StateArchive& archive, std::vector<Error>& problems) const {
+    std::vector<const Box*> saved;
+    for (const std::unique_ptr<Box>& box : boxes_) {
+        if (!box->present || box->saving() == Saving::Not) continue;
+        if (box->saving() == Saving::Whole) {
+            saved.push_back(box.get());
+        } else {
+            problems.push_back({format("resource {}", box->name), "it is not plain data",
+                                "add `void archive(StateArchive&)`, which writes and reads its members, or "
+                                "`static constexpr bool kNotSaved = true` if it does not belong in saved "
+                                "games"});
+        }
+    }
+    archive.count(saved.size());
+    for (const Box* box : saved) {
+        std::string name{box->name}, bytes;
+        archive.text(name);
+        StateArchive inner = StateArchive::writer(bytes);
+        box->copy()->archive(inner);
+        archive.text(bytes);
+    }
+}
+
+Resources Resources::read(StateArchive& archive, std::vector<Error>& problems) const {
+    Resources result;
+    for (const std::unique_ptr<Box>& box : boxes_) {
+        if (box->present && box->saving() == Saving::Not) result.insert(box->copy());
+    }
+    const std::size_t count = archive.count(0);
+    for (std::size_t i = 0; i < count && archive.ok(); ++i) {
+        std::string name, bytes;
+        archive.text(name);
+        archive.text(bytes);
+        std::unique_ptr<Box> box = boxFor(name);
+        StateArchive inner = StateArchive::reader(bytes);
+        if (box != nullptr) box->archive(inner);
+        if (box == nullptr || !inner.ok()) {
+            problems.push_back({format("resource {}", name),
+                                box == nullptr ? "this version of the game does not have it"
+                                               : "it has another layout in this version of the game",
+                                "its value was left out"});
+            continue;
+        }
+        box->present = true;
+        if (result.find(box->key) == nullptr) result.insert(std::move(box));
+    }
+    return result;
 }
 
 void Resources::dropReloadable() {

@@ -13,6 +13,7 @@ void Storage::save(StorageImage& image) const {
     image.used = used_;
     image.freeCount = freeCount_;
     image.retired = retired_;
+    image.clock = clock_;
     image.pools.clear();
     std::size_t bytes =
         (std::size_t{used_} + 1) * sizeof(EntityRecord) + std::size_t{freeCount_} * sizeof(std::uint32_t);
@@ -67,6 +68,8 @@ void Storage::restore(const StorageImage& image) {
     used_ = image.used;
     freeCount_ = image.freeCount;
     retired_ = image.retired;
+    // Marks in the restored state may be those of another program, whose clock was ahead: see markChanges().
+    clock_ = std::max(clock_, image.clock);
     read(records_, (std::size_t{used_} + 1) * sizeof(EntityRecord));
     read(free_, std::size_t{freeCount_} * sizeof(std::uint32_t));
     // Indices first used after the save become unused again.

@@ -51,6 +51,7 @@ struct StorageImage {
 
     std::uint32_t used = 0;        ///< highest entity index used so far
     std::uint32_t freeCount = 0;   ///< number of indices to reuse
+    std::uint64_t clock = 0;       ///< of changes, when it was saved
     std::uint32_t retired = 0;     ///< number of indices whose generations are used up
     std::vector<PoolImage> pools;  ///< indexed by Pool::ordinal
     ByteBuffer bytes;              ///< the records, the free indices, then entities and column of each pool

@@ -45,6 +45,7 @@ public:
     void clear();
     [[nodiscard]] std::uint32_t entityCount() const { return used_ - freeCount_ - retired_; }
     [[nodiscard]] std::uint32_t usedIndices() const { return used_; }
+    [[nodiscard]] std::uint32_t maxEntities() const { return maxEntities_; }
     [[nodiscard]] const EntityRecord* records() const { return records_; }
     /// True if the entity has a component of a type that was passed to watch().
     [[nodiscard]] bool watched(EntityId id) const { return (records_[id.index].mask & watchedMask_) != 0; }

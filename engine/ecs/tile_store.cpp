@@ -4,6 +4,8 @@
 #include <atomic>
 #include <utility>
 
+#include "core/limits.hpp"
+
 namespace plumb {
 
 namespace {
@@ -33,6 +35,21 @@ std::uint64_t hashOf(const TileGrid& grid) {
         }
     }
     return cells.value();
+}
+
+/// Writes or reads the chunks that are not empty.
+void archiveChunks(StateArchive& archive, TileGrid& grid) {
+    for (int row = 0; row < grid.chunkRows(); ++row) {
+        for (int column = 0; column < grid.chunkColumns() && archive.ok(); ++column) {
+            const TileGrid::Chunk* known = archive.reading() ? nullptr : grid.chunk(column, row);
+            std::uint32_t exists = known != nullptr ? 1 : 0;
+            archive.number(exists);
+            if (exists == 0) continue;
+            auto chunk = known != nullptr ? std::make_shared<TileGrid::Chunk>(*known) : TileGrid::filled(1);
+            archive.block(chunk->cells.data(), sizeof chunk->cells);
+            if (archive.reading()) grid.put(column, row, std::move(chunk));
+        }
+    }
 }
 
 bool canFollow(const TileGrid& grid, const TileGrid& other) {
@@ -130,6 +147,34 @@ TileStore& TileStore::operator=(const TileStore& other) {
         entries_.push_back(kept != rest.end() ? std::move(*kept) : from);
     }
     return *this;
+}
+
+void TileStore::archive(StateArchive& archive) {
+    archive.number(lastId_);
+    const std::size_t count = archive.count(entries_.size());
+    if (archive.reading()) {
+        entries_.clear();
+        entries_.resize(count);
+    }
+    std::uint32_t before = 0;
+    for (Entry& entry : entries_) {
+        archive.number(entry.id);
+        std::uint32_t width = static_cast<std::uint32_t>(entry.grid.width());
+        std::uint32_t height = static_cast<std::uint32_t>(entry.grid.height());
+        archive.number(width);
+        archive.number(height);
+        if (entry.id <= before || entry.id > lastId_ || width > limits::kTileSide ||
+            height > limits::kTileSide)
+            archive.fail();
+        if (!archive.ok()) break;
+        before = entry.id;
+        if (archive.reading()) {
+            entry.grid = TileGrid{static_cast<int>(width), static_cast<int>(height)};
+            entry.stamp = nextStamp();
+        }
+        archiveChunks(archive, entry.grid);
+    }
+    if (!archive.ok()) entries_.clear();
 }
 
 void TileStore::addTo(Hasher& hasher) const {

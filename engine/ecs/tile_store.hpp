@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/state_archive.hpp"
 #include "math/tile_grid.hpp"
 #include "reflect/field_types.hpp"
 
@@ -32,6 +33,8 @@ public:
     TileStore& operator=(const TileStore& other);
 
     void addTo(Hasher& hasher) const;
+    /// Writes all grids, or replaces them by those that are read.
+    void archive(StateArchive& archive);
 
 private:
     struct Entry {

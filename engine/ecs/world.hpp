@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -278,6 +279,16 @@ public:
     void save(Snapshot& snapshot) const;
     /// @pre the snapshot was filled by save()
     void restore(const Snapshot& snapshot);
+    /// Serializes the state for a file. What is written: components by the names of their types and fields,
+    /// the order of entities and components, resources (see Resources), texts, tiles, waiting events and the
+    /// tick.
+    /// @param problems  receives the types that cannot be saved; without any, the bytes are the whole state
+    [[nodiscard]] std::string toBytes(std::vector<Error>& problems) const;
+    /// Reads the state that toBytes() of this or of another version of the program wrote; restore() takes it.
+    /// Types with the same fields are exact; others keep the fields that stay: convertComponent().
+    /// @param problems  receives what this program does not have: types, and fields of another size
+    /// @error the bytes are no state of a world; those of a stranger must have been checked before
+    [[nodiscard]] Result<Snapshot> snapshotFrom(std::string_view bytes, std::vector<Error>& problems) const;
     /// Hash of the whole state: entities, components, tiles, resources with `addTo`, the number of events
     /// that handlers have yet to receive, and the tick. Depends only on the state, not on its history.
     [[nodiscard]] std::uint64_t hash() const;
@@ -286,6 +297,8 @@ public:
     void cluster() { storage_.cluster(); }
 
 private:
+    [[nodiscard]] Result<StorageImage> imageFrom(StateArchive& archive, std::vector<Error>& problems) const;
+
     friend class Schedule;  // calls reportMissed()
 
     void provide(TypeKey key, void* service);

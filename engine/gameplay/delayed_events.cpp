@@ -6,6 +6,7 @@
 #include "core/crash.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "ecs/saved_type.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/scene_stack.hpp"
@@ -95,6 +96,33 @@ void DelayedEvents::addTo(Hasher& hasher) const {
         sum += one.value();
     }
     hasher.add(sum);
+}
+
+void DelayedEvents::archive(StateArchive& archive) {
+    const std::size_t saved = archive.count(entries.size());
+    if (archive.reading()) {
+        for (const DelayedType& type : listedTypes()) delayedTypes()[*type.key] = type;
+        listedTypes().clear();
+        entries.assign(saved, {});
+    }
+    for (Entry& entry : entries) {
+        archive.value(entry.tick);
+        archive.value(entry.number);
+        archive.value(entry.scene);
+        archive.value(entry.size);
+        archive.value(entry.bytes);
+        archiveKey(archive, entry.type);
+    }
+    archive.value(count);
+    archive.value(loadings);
+    archive.value(openScenes);
+    if (!archive.reading()) return;
+    // Events that this version of the game does not delay, or that have another layout in it.
+    std::erase_if(entries, [](const Entry& entry) {
+        return entry.type >= kMaxTypes || delayedTypes()[entry.type].emit == nullptr ||
+               delayedTypes()[entry.type].size != entry.size;
+    });
+    arrange(entries);
 }
 
 DelayedType listDelayedType(const DelayedType& type) { return listedTypes().emplace_back(type); }

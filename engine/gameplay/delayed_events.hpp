@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/state_archive.hpp"
 #include "ecs/world.hpp"
 #include "reflect/type_key.hpp"
 
@@ -37,6 +38,7 @@ struct DelayedEvents {
     std::uint32_t loadings = 0, openScenes = 0;
 
     void addTo(Hasher& hasher) const;
+    void archive(StateArchive& archive);
     /// To be called after another version of a project's code was loaded: its functions emit the events from
     /// now on. Removes events of types that it does not delay or whose size has changed. @return their names,
     /// sorted

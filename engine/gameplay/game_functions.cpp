@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "ecs/hierarchy.hpp"
 #include "gameplay/components/triggers/lifetime.hpp"
+#include "gameplay/game_requests.hpp"
 #include "gameplay/label_values.hpp"
 #include "input/input.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
@@ -171,5 +172,32 @@ void showOverlay(World& world, std::string_view scene) {
 void hideOverlay(World& world) { world.resource<SceneRequests>().close = true; }
 void restartScene(World& world) { world.resource<SceneRequests>().reload = true; }
 void quitGame(World& world) { world.resource<SceneRequests>().quit = true; }
+
+namespace {
+
+/// True for the number of a slot; else it is logged.
+bool isSlot(const World& world, int slot, std::string_view call) {
+    if (slot >= 1 && slot <= kSaveSlots) return true;
+    const std::string where = format("{}({})", call, slot);
+    if (world.reports().isFirst("Game", where))
+        logError("Game",
+                 Error{where, format("saved games have the slots 1 to {}", kSaveSlots), "use one of these"});
+    return false;
+}
+
+}  // namespace
+
+void saveGame(World& world, int slot) {
+    if (isSlot(world, slot, "saveGame")) world.resource<GameRequests>().save = slot;
+}
+void loadGame(World& world, int slot) {
+    if (isSlot(world, slot, "loadGame")) world.resource<GameRequests>().load = slot;
+}
+bool hasSave(const World& world, int slot) {
+    const auto* input = world.findResource<Input>();
+    return input != nullptr && slot >= 1 && slot <= kSaveSlots &&
+           (input->frame().saves >> (slot - 1) & 1) != 0;
+}
+void showOptions(World& world) { world.resource<GameRequests>().options = true; }
 
 }  // namespace plumb

@@ -70,5 +70,16 @@ void hideOverlay(World& world);
 void restartScene(World& world);
 /// Ends the game.
 void quitGame(World& world);
+/// Saves the whole state of the game, after this tick. Errors are logged, and the game goes on. Does nothing
+/// in a replay, in the editor, and headless without --saves.
+/// @param slot  1..32; another one is an error, which is logged
+void saveGame(World& world, int slot);
+/// Continues with a saved game, after this tick. Does nothing where saveGame() does nothing, and if the game
+/// cannot be loaded, which is logged.
+void loadGame(World& world, int slot);
+/// True if there is a saved game in the slot. Part of the input, so that replays do not depend on files.
+bool hasSave(const World& world, int slot);
+/// Opens the options of the player: screen, sound and keys. They pause the game.
+void showOptions(World& world);
 
 }  // namespace plumb

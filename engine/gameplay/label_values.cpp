@@ -23,6 +23,15 @@ const std::string* LabelValues::find(std::string_view word) const {
     return at != values.end() && at->first == word ? &at->second : nullptr;
 }
 
+void LabelValues::archive(StateArchive& archive) {
+    const std::size_t count = archive.count(values.size());
+    if (archive.reading()) values.assign(count, {});
+    for (auto& [word, text] : values) {
+        archive.text(word);
+        archive.text(text);
+    }
+}
+
 void LabelValues::addTo(Hasher& hasher) const {
     for (const auto& [word, text] : values) {
         hasher.add(hashText(word));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/state_archive.hpp"
 
 namespace plumb {
 
@@ -20,6 +21,7 @@ struct LabelValues {
     /// Returns the text for a word; null if it is not set.
     [[nodiscard]] const std::string* find(std::string_view word) const;
     void addTo(Hasher& hasher) const;
+    void archive(StateArchive& archive);
 };
 
 }  // namespace plumb

@@ -13,6 +13,8 @@ class World;
 /// Counters of collision detection in the last tick. A world
 /// resource for display only, not included in the hash.
 struct PhysicsCounts {
+    static constexpr bool kNotSaved = true;
+
     physics::DetectionCounts detection;
 };
 

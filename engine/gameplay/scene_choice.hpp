@@ -1,12 +1,16 @@
 #pragma once
 
+#include "ecs/world.hpp"
 #include "gameplay/components/controls/menu_item.hpp"
+#include "gameplay/game_functions.hpp"
 #include "scene/scene_requests.hpp"
 
 namespace plumb {
 
-/// Requests the scene change of a menu item or a SceneKey.
-inline void choose(SceneRequests& requests, MenuAction action, SceneId scene) {
+/// Requests what a menu item or a SceneKey does.
+/// @param slot  of saved games, for Save and Load
+inline void choose(World& world, MenuAction action, SceneId scene, int slot) {
+    auto& requests = world.resource<SceneRequests>();
     switch (action) {
         case MenuAction::Close: requests.close = true; break;
         case MenuAction::GoTo:
@@ -16,6 +20,9 @@ inline void choose(SceneRequests& requests, MenuAction action, SceneId scene) {
             break;
         case MenuAction::Restart: requests.reload = true; break;
         case MenuAction::Quit: requests.quit = true; break;
+        case MenuAction::Save: saveGame(world, slot); break;
+        case MenuAction::Load: loadGame(world, slot); break;
+        case MenuAction::Options: showOptions(world); break;
     }
 }
 

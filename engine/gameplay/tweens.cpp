@@ -1,11 +1,38 @@
 #include "gameplay/tweens.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <string>
+#include <string_view>
 
+#include "ecs/saved_type.hpp"
 #include "gameplay/delayed_events.hpp"
 
 namespace plumb {
+namespace {
+
+/// Name of the field that begins there; empty if none does.
+std::string fieldAt(const TypeInfo& type, std::uint32_t offset) {
+    for (const FieldInfo& field : type.fields) {
+        if (field.offset == offset) return std::string{field.name};
+    }
+    return {};
+}
+
+/// Finds the field of a tween that was read. @return false if there is no such field of its kind
+bool placeTween(Tweens::Entry& entry, std::string_view name) {
+    const ComponentType* type = entry.type < kMaxTypes ? findComponentType(entry.type) : nullptr;
+    const FieldInfo* field = type == nullptr ? nullptr : type->info.find(name);
+    if (field == nullptr || entry.ease > Ease::BounceOut || entry.ticks == 0) return false;
+    constexpr std::array kKinds{FieldKind::Float, FieldKind::Vec2, FieldKind::Color};
+    if (entry.kind > Tweens::Kind::Color || field->kind != kKinds[static_cast<std::size_t>(entry.kind)])
+        return false;
+    entry.offset = static_cast<std::uint32_t>(field->offset);
+    return true;
+}
+
+}  // namespace
 namespace {
 
 std::array<float, 4> valueAt(const Tweens::Entry& tween, const std::byte* field) {
@@ -51,6 +78,28 @@ std::byte* fieldOf(World& world, const Tweens::Entry& tween) {
     const ComponentType* type = findComponentType(tween.type);
     void* component = type == nullptr ? nullptr : world.find(type->info, tween.entity);
     return component == nullptr ? nullptr : static_cast<std::byte*>(component) + tween.offset;
+}
+
+void Tweens::archive(StateArchive& archive) {
+    const std::size_t count = archive.count(entries.size());
+    if (archive.reading()) entries.assign(count, {});
+    for (Entry& entry : entries) {
+        const ComponentType* type = archive.reading() ? nullptr : findComponentType(entry.type);
+        // By the name of the field, as its place may be another in the next version of the game.
+        std::string field = type == nullptr ? std::string{} : fieldAt(type->info, entry.offset);
+        archiveKey(archive, entry.type);
+        archive.text(field);
+        archive.value(entry.entity);
+        archive.value(entry.offset);
+        archive.value(entry.kind);
+        archive.value(entry.ease);
+        archive.value(entry.from);
+        archive.value(entry.to);
+        archive.value(entry.start);
+        archive.value(entry.ticks);
+        if (archive.reading() && !placeTween(entry, field)) entry.type = kMaxTypes;
+    }
+    std::erase_if(entries, [](const Entry& entry) { return entry.type >= kMaxTypes; });
 }
 
 void Tweens::addTo(Hasher& hasher) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/state_archive.hpp"
 #include "ecs/component_type.hpp"
 #include "ecs/world.hpp"
 #include "math/color.hpp"
@@ -34,6 +35,7 @@ struct Tweens {
     std::vector<Entry> entries;
 
     void addTo(Hasher& hasher) const;
+    void archive(StateArchive& archive);
     /// Removes tweens of a component type, e.g. after its layout has changed.
     void drop(TypeKey type) {
         std::erase_if(entries, [type](const Entry& entry) { return entry.type == type; });

@@ -60,6 +60,13 @@ void Input::advance(const InputFrame& next) {
     }
 }
 
+void Input::archive(StateArchive& archive) {
+    InputFrame before = previous_, now = frame_;
+    archive.value(before);
+    archive.value(now);
+    if (archive.reading()) restore(before, now);
+}
+
 void Input::restore(const InputFrame& previous, const InputFrame& current) {
     previous_ = previous;
     frame_ = current;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/state_archive.hpp"
 #include "input/action.hpp"
 #include "input/action_map.hpp"
 #include "input/input_frame.hpp"
@@ -49,6 +50,9 @@ public:
     [[nodiscard]] const InputFrame& previousFrame() const { return previous_; }
 
     /// Hashes the input state on which the next tick depends.
+    /// The input is part of a saved game, the bindings are not: they are those of the player.
+    void archive(StateArchive& archive);
+
     void addTo(Hasher& hasher) const { previous_.addTo(hasher), frame_.addTo(hasher); }
 
     /// Actions and axes that the game has asked for, by their index in the map.

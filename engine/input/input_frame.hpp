@@ -29,6 +29,8 @@ struct PadFrame {
     friend bool operator==(const PadFrame&, const PadFrame&) = default;
 };
 
+inline constexpr int kSaveSlots = 32;  ///< of saved games, numbered from 1
+
 /// The complete input of a tick: the held keys and buttons, not the changes. Plain data of a fixed size, so
 /// it can be recorded, replayed and sent; the same frames give the same game.
 struct InputFrame {
@@ -40,6 +42,9 @@ struct InputFrame {
     std::uint16_t mouseButtons = 0;   ///< one bit per MouseButton
     std::uint16_t connectedPads = 0;  ///< one bit per gamepad
     std::array<PadFrame, kPadCount> pads{};
+    /// One bit per slot of saved games that has one: what the simulation knows of files is input. Not hashed,
+    /// as the next tick depends on its own frame only.
+    std::uint32_t saves = 0;
 
     [[nodiscard]] bool has(Key key) const {
         const auto bit = static_cast<std::size_t>(key);
@@ -65,7 +70,7 @@ struct InputFrame {
         mouseY = whole(position.y);
     }
 
-    void addTo(Hasher& hasher) const { hasher.addBytes(this, sizeof *this); }
+    void addTo(Hasher& hasher) const { hasher.addBytes(this, offsetof(InputFrame, saves)); }
 
     friend bool operator==(const InputFrame&, const InputFrame&) = default;
 };

@@ -23,6 +23,7 @@
 //     30                        30 ticks without input
 //     12 +Right                 12 ticks with Right held
 //     1 +Space mouse=120,44     1 tick: Space is pressed too, and the mouse has moved
+//     1 +Save2                  1 tick: there is a saved game in slot 2 now
 //     check 60 9f3c1a77d2e0b154
 //     end 43
 //
@@ -87,6 +88,9 @@ void writeChanges(std::string& out, const InputFrame& before, const InputFrame& 
         writeBit(out, connected(before), connected(now), prefix, "");
         writePad(out, before.pads[i], now.pads[i], prefix + ".");
     }
+    for (unsigned slot = 0; slot < kSaveSlots && before.saves != now.saves; ++slot)
+        writeBit(out, (before.saves >> slot & 1) != 0, (now.saves >> slot & 1) != 0,
+                 format("Save{}", slot + 1), "");
 }
 
 // ---- reading ------------------------------------------------------------------------------------
@@ -127,6 +131,15 @@ std::optional<PadName> padNameOf(std::string_view name) {
     return PadName{static_cast<unsigned>(digit - '1'), rest.empty() ? rest : rest.substr(1)};
 }
 
+/// Index from 0 of a slot of saved games: "Save1".
+std::optional<unsigned> saveSlotOf(std::string_view name) {
+    constexpr std::string_view kSave = "Save";
+    if (!startsWith(name, kSave)) return std::nullopt;
+    const auto number = parseCount(name.substr(kSave.size()), kSaveSlots);
+    if (!number || *number == 0) return std::nullopt;
+    return static_cast<unsigned>(*number - 1);
+}
+
 bool readBit(std::string_view name, bool on, InputFrame& frame) {
     constexpr std::string_view kMouse = "Mouse.";
     if (const std::optional<Key> key = keyFromName(name)) {
@@ -138,6 +151,7 @@ bool readBit(std::string_view name, bool on, InputFrame& frame) {
         const auto button = mouseButtonFromName(name.substr(kMouse.size()));
         return button && setBit(frame.mouseButtons, static_cast<unsigned>(*button), on);
     }
+    if (const std::optional<unsigned> slot = saveSlotOf(name)) return setBit(frame.saves, *slot, on);
     const std::optional<PadName> pad = padNameOf(name);
     if (!pad) return false;
     if (pad->part.empty()) return setBit(frame.connectedPads, pad->place, on);

@@ -23,7 +23,8 @@ Path codeGameFolder(const Path& program);
 /// The name of a game as that of a file: without characters that some system does not allow there.
 std::string fileNameOf(std::string_view game);
 
-/// The folder for what a game keeps on this computer; created if missing. `$XDG_DATA_HOME/NAME` on Linux.
+/// The folder for what a game keeps on this computer: saved games, settings of the player, reports of
+/// crashes; created if missing. `$XDG_DATA_HOME/NAME` on Linux, `%APPDATA%/NAME` on Windows.
 /// @param game  its name; that of the folder is fileNameOf(game)
 Path dataFolder(std::string_view game);
 

@@ -1,5 +1,6 @@
 #include "reflect/type_key.hpp"
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <functional>
@@ -32,6 +33,12 @@ TypeKey nextTypeKey(std::string_view name) {
 
 std::string_view typeNameOf(TypeKey key) {
     return key < typeNames().size() ? std::string_view{typeNames()[key]} : std::string_view{};
+}
+
+TypeKey findTypeKey(std::string_view name) {
+    const std::deque<std::string>& names = typeNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? kMaxTypes : static_cast<TypeKey>(found - names.begin());
 }
 
 namespace {

@@ -17,6 +17,9 @@ TypeKey nextTypeKey(std::string_view name = {});
 /// The name that a key was created with, as the compiler writes it; empty if it has none.
 std::string_view typeNameOf(TypeKey key);
 
+/// The first key that was created with this name; kMaxTypes if there is none.
+TypeKey findTypeKey(std::string_view name);
+
 /// The key of a type of a project's code, which is loaded again after a change: each version gets the same
 /// key. Types of unnamed namespaces get another key in each call for a version, because two files may use the
 /// same name; the next version gets the same keys, but maybe for other types of this name.

@@ -13,6 +13,14 @@ const void* Lab::startOf(EntityId entity, std::string_view component) const {
     return nullptr;
 }
 
+void Lab::archive(StateArchive& archive) {
+    archive.value(experiment);
+    archive.list(starts);
+    archive.value(run);
+    archive.value(sliderMoved);
+    archive.value(sliderReleased);
+}
+
 void Lab::addTo(Hasher& hasher) const {
     const auto add = [&hasher](auto... values) { (hasher.add(values), ...); };
     add(std::uint64_t{experiment.index}, std::uint64_t{experiment.generation}, run,

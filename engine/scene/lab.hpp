@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/state_archive.hpp"
 #include "ecs/entity.hpp"
 #include "physics/world.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
@@ -35,6 +36,7 @@ struct Lab {
     }
 
     void addTo(Hasher& hasher) const;
+    void archive(StateArchive& archive);
 };
 
 /// Physics worlds of all ghosts. A world resource; copied with snapshots, but not part of the hash, as the
@@ -48,6 +50,10 @@ struct GhostWorlds {
     std::vector<One> all;  ///< in order of creation
 
     [[nodiscard]] const One* find(EntityId ghost) const;
+    /// They begin anew in a saved game.
+    void archive(StateArchive& archive) {
+        if (archive.reading()) all.clear();
+    }
 };
 
 /// Recorded curves of all plots. A world resource that is, like GhostWorlds, not part of the hash.
@@ -64,6 +70,10 @@ struct PlotPast {
     std::vector<Curve> curves;
 
     [[nodiscard]] const Curve* find(EntityId plot, EntityId source) const;
+    /// They begin anew in a saved game.
+    void archive(StateArchive& archive) {
+        if (archive.reading()) curves.clear();
+    }
 };
 
 }  // namespace plumb

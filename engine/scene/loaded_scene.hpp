@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/state_archive.hpp"
 #include "math/color.hpp"
 #include "reflect/field_types.hpp"
 #include "reflect/json.hpp"
@@ -61,6 +62,8 @@ struct LoadedScene {
     std::shared_ptr<const PhysicsState> below;  ///< physics state of the scenes it paused; else null
     /// Number of the loading that made it, from 1: another one when the same file is loaded again.
     std::uint32_t loading = 0;
+
+    void archive(StateArchive& archive);
 };
 
 /// The scene stack of a world, from bottom to top: an
@@ -69,6 +72,8 @@ struct LoadedScenes {
     std::vector<LoadedScene> scenes;
     std::uint64_t resumedAt = 0;  ///< tick in which an overlay was closed; no interpolation is drawn then
     std::uint32_t loadings = 0;   ///< number of scenes that were ever loaded
+
+    void archive(StateArchive& archive);
 
     /// Adds a scene on top of the others.
     LoadedScene& add(LoadedScene scene) {

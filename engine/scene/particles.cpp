@@ -227,6 +227,17 @@ std::size_t Particles::alive() const {
     return count;
 }
 
+void Particles::archive(StateArchive& archive) {
+    archive.list(streams);
+    for (const Column column : kColumns) archive.list(this->*column);
+    const bool fits = std::all_of(streams.begin(), streams.end(), [&](const ParticleStream& stream) {
+        return std::uint64_t{stream.first} + stream.capacity <= x.size() && stream.count <= stream.capacity;
+    });
+    const bool isWhole = std::all_of(kColumns.begin(), kColumns.end(),
+                                     [&](Column column) { return (this->*column).size() == x.size(); });
+    if (!fits || !isWhole) archive.fail();
+}
+
 void Particles::addTo(Hasher& hasher) const {
     LaneHasher lanes;
     for (const ParticleStream& stream : streams) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/state_archive.hpp"
 #include "ecs/world.hpp"
 #include "scene/components/drawing/particle_emitter.hpp"
 #include "scene/world_transform.hpp"
@@ -45,6 +46,7 @@ struct Particles {
     [[nodiscard]] std::size_t alive() const;
 
     void addTo(Hasher& hasher) const;
+    void archive(StateArchive& archive);
 };
 
 /// Exact motion of a particle under gravity and drag over any time: the velocity becomes `velocity * keep +

@@ -75,6 +75,8 @@ namespace {
 /// Counters at the last storePreviousTransforms(), so that entities that do not move cost no time. A world
 /// resource, not part of the simulation state.
 struct StoredTransforms {
+    static constexpr bool kNotSaved = true;
+
     std::uint64_t mark = 0;     // change mark of the world
     std::uint64_t members = 0;  // number of gains and losses of Transform and Paused components
 };

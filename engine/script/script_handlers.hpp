@@ -19,12 +19,14 @@ enum ScriptHandler : std::uint32_t {
     kOnTriggerEnter = 64,
     kOnTriggerStay = 128,
     kOnTriggerExit = 256,
-    kOnDestroy = 512
+    kOnDestroy = 512,
+    kOnLoad = 1024
 };
 /// Names of the handlers, in the order of their bits.
-inline constexpr std::array<std::string_view, 10> kScriptHandlers{
-    "onCreate",        "onTick",         "onReload",      "onCollisionEnter", "onCollisionStay",
-    "onCollisionExit", "onTriggerEnter", "onTriggerStay", "onTriggerExit",    "onDestroy"};
+inline constexpr std::array<std::string_view, 11> kScriptHandlers{
+    "onCreate",        "onTick",          "onReload",       "onCollisionEnter",
+    "onCollisionStay", "onCollisionExit", "onTriggerEnter", "onTriggerStay",
+    "onTriggerExit",   "onDestroy",       "onLoad"};
 /// What the names of handlers of events begin with: onEvent_NAME.
 inline constexpr std::string_view kEventHandler = "onEvent_";
 

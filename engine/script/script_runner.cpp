@@ -14,6 +14,7 @@
 #include "scene/game_random.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_stack.hpp"
+#include "script/script_archive.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_handlers.hpp"
 #include "script/script_loader.hpp"
@@ -76,6 +77,7 @@ ScriptRunner::ScriptRunner(World& world)
       hostScope_{*this} {
     if (access_.isNew()) protect([&] { script::openScripts(state_); });
     if (scripts_.typesVersion != set_.version()) protect([&] { load(); });
+    if (!scripts_.saved.empty()) protect([&] { takeSaved(); });
 }
 
 Random& ScriptRunner::random() { return world_.resource<GameRandom>().random; }
@@ -104,6 +106,19 @@ void ScriptRunner::tick(float dt) {
         callTicks(dt);
     });
     failures_.logOthers();
+}
+
+/// After a saved game was loaded: scripts go on, and onLoad starts what they waited for.
+void ScriptRunner::takeSaved() {
+    if (!script::takeSaved(state_, world_, scripts_))
+        logError("Script", Error{"saved game", "the values of its scripts are damaged", "load another one"});
+    for (std::size_t i = 0; i < scripts_.loaded.size(); ++i) {
+        Loaded& script = scripts_.loaded[i];
+        if ((script.handlers & kOnLoad) == 0) continue;
+        for (std::size_t k = 0; k < script.instances.size(); ++k) {
+            if (mayRun(script, script.instances[k])) call(script, script.instances[k], nameOf(kOnLoad), 0);
+        }
+    }
 }
 
 // ---- files

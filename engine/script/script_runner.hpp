@@ -39,6 +39,7 @@ private:
     void protect(const std::function<void()>& body);
 
     void load();
+    void takeSaved();
     void loadFile(std::size_t index);
     void reset(Loaded& script);
 

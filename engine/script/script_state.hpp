@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/hash.hpp"
+#include "core/state_archive.hpp"
 #include "reflect/entity_id.hpp"
 #include "reflect/type_info.hpp"
 #include "script/script_event.hpp"
@@ -57,11 +59,17 @@ struct ScriptState {
     std::vector<Loaded> loaded;      ///< in the order of the ScriptSet
     std::vector<Wait> waits;         ///< in the order in which they began
     std::vector<int> idle;           ///< refs of coroutines that can be used again
+    /// What a saved game contains of the scripts, until the ScriptRunner has taken it: see
+    /// script_archive.cpp.
+    std::string saved;
 
     [[nodiscard]] Loaded* find(TypeKey type);
     /// Returns the ref of the `self` of an entity's script; 0 if there is none.
     [[nodiscard]] int selfOf(TypeKey type, EntityId entity);
     [[nodiscard]] bool hasInstances() const;
+
+    /// Values of `self` are saved; what handlers wait for is not.
+    void archive(StateArchive& archive);
 
     /// Properties of scripts are fields of components, which the world hashes; this adds what waits.
     void addTo(Hasher& hasher) const;

@@ -114,8 +114,9 @@ void MenuSystem::update(World& world, float) {
         show(world, menu, items);
         if (!pressed && !input.isPressed(Action::Confirm)) continue;
         playCue(world, entity, &SoundCues::activate);
-        const auto& item = std::as_const(world).get<MenuItem>(items[static_cast<std::size_t>(menu.selected)]);
-        choose(world.resource<SceneRequests>(), item.action, item.scene);
+        const MenuItem item =
+            std::as_const(world).get<MenuItem>(items[static_cast<std::size_t>(menu.selected)]);
+        choose(world, item.action, item.scene, item.slot);
     }
 }
 

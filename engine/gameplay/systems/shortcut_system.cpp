@@ -14,7 +14,7 @@ namespace plumb {
 void ShortcutSystem::update(World& world, float) {
     for (auto [entity, key] : world.query<const SceneKey>()) {
         if (inputFor(world, entity).isPressed(actionNamed(key.action)))
-            choose(world.resource<SceneRequests>(), key.does, key.scene);
+            choose(world, key.does, key.scene, key.slot);
     }
     for (auto [entity, key] : world.query<const ToggleKey>()) {
         if (!inputFor(world, entity).isPressed(actionNamed(key.action))) continue;

@@ -8,6 +8,8 @@ namespace plumb::physics {
 /// Plain data: a copy, together with a copy of the world, is a snapshot. Allocates nothing.
 class CharacterController {
 public:
+    /// Without a shape; for lists that are read from a file.
+    CharacterController() = default;
     /// @error a number that is not finite or out of range, or an outline that is not a box, circle or capsule
     static Result<CharacterController> create(const CharacterDefinition& definition, WorldPosition position);
 

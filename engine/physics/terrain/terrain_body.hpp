@@ -32,6 +32,14 @@ public:
     Result<Done> update(World& world, const TerrainOutlines& terrain, std::span<const std::uint32_t> changed);
     void destroy(World& world);
 
+    /// Writes or reads its state. @tparam Archive  as StateArchive
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive.value(definition_);
+        archive.list(bodies_);
+        archive.value(surface_);
+    }
+
 private:
     Result<Done> makeChunk(World& world, const TerrainOutlines& terrain, std::uint32_t chunk);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/state_archive.hpp"
 #include "math/tile_grid.hpp"
 #include "physics/character/character_controller.hpp"
 #include "physics/queries/query.hpp"
@@ -148,6 +149,9 @@ struct PhysicsState {
     std::uint64_t carriedMark = 0;        ///< change mark before the last step, for bodies with a parent
 
     void addTo(Hasher& hasher) const { physics::addTo(hasher, world); }
+    /// In a saved game of another version of the physics it becomes empty: bodies are made anew from the
+    /// components.
+    void archive(StateArchive& archive);
 };
 
 }  // namespace plumb

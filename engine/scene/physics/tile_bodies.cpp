@@ -155,7 +155,8 @@ public:
         if (made != terrain.made) {
             terrain.made = made;
             makeAnew(terrain, grid, place, size);
-        } else if (grid.version() != terrain.version) {
+        } else if (grid.version() != terrain.version || terrain.outlines == nullptr) {
+            if (terrain.outlines == nullptr) remember(terrain);
             change(terrain, grid);
         }
         terrain.version = grid.version();
@@ -168,6 +169,14 @@ private:
         if (known != state_.terrains.end()) return *known;
         state_.terrains.emplace_back().entity = entity_;
         return state_.terrains.back();
+    }
+
+    /// After a saved game was loaded: makes the outlines of the bodies that there are.
+    void remember(TileTerrain& terrain) {
+        physics::TileMask mask{terrain.cells->width(), terrain.cells->height()};
+        readChunks(*terrain.cells, mask);
+        terrain.outlines = std::make_shared<TerrainOutlines>(std::move(mask));
+        static_cast<void>(terrain.outlines->update(pool_));
     }
 
     void makeAnew(TileTerrain& terrain, const TileGrid& grid, Vec2 place, Vec2 size) {

@@ -10,6 +10,8 @@ namespace plumb {
 /// visible area. A world resource, set when a game starts. The type's
 /// name is part of the hash of a world: renaming it would invalidate the hashes in replay files.
 struct PictureSize {
+    static constexpr bool kNotSaved = true;
+
     Vec2 size{1280.0f, 720.0f};  ///< px
 
     void addTo(Hasher& hasher) const { hasher.add(size.x), hasher.add(size.y); }

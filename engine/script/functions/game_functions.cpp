@@ -123,6 +123,23 @@ int quit(lua_State* state) {
     return 0;
 }
 
+int save(lua_State* state) {
+    saveGame(worldOf(state), static_cast<int>(luaL_optinteger(state, 1, 1)));
+    return 0;
+}
+int load(lua_State* state) {
+    loadGame(worldOf(state), static_cast<int>(luaL_optinteger(state, 1, 1)));
+    return 0;
+}
+int isSaved(lua_State* state) {
+    lua_pushboolean(state, hasSave(worldOf(state), static_cast<int>(luaL_optinteger(state, 1, 1))) ? 1 : 0);
+    return 1;
+}
+int options(lua_State* state) {
+    showOptions(worldOf(state));
+    return 0;
+}
+
 int playEntityClip(lua_State* state) {
     const EntityId entity = checkEntity(state, 1);
     playClip(worldOf(state), entity, checkText(state, 2));
@@ -252,6 +269,10 @@ constexpr ScriptFunction kGame[] = {
     {"hideOverlay", "()", "Closes the top overlay.", closeOverlayScene},
     {"restartScene", "()", "Loads the current scene again.", restart},
     {"quitGame", "()", "Ends the game.", quit},
+    {"saveGame", "(slot: integer?)", "Saves the game at the end of this tick, in slot 1 to 32.", save},
+    {"loadGame", "(slot: integer?)", "Continues with a saved game at the end of this tick.", load},
+    {"hasSave", "(slot: integer?): boolean", "True if there is a saved game in the slot.", isSaved},
+    {"showOptions", "()", "Opens the options of the player, which pause the game.", options},
 };
 
 }  // namespace

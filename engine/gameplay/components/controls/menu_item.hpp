@@ -6,25 +6,34 @@
 
 namespace plumb {
 
-enum class MenuAction : std::uint8_t { Close, GoTo, Restart, Quit, Open };  ///< request for the scene stack
+enum class MenuAction : std::uint8_t { Close, GoTo, Restart, Quit, Open, Save, Load, Options };
 
 /// An item of a Menu; its text is the entity's Label.
 struct MenuItem {
     std::int32_t order = 0;  ///< position in the menu: ascending order
     MenuAction action = MenuAction::Close;
-    SceneId scene;  ///< scene for GoTo and Open
+    SceneId scene;          ///< scene for GoTo and Open
+    std::int32_t slot = 1;  ///< slot of saved games for Save and Load
 
     static void describe(TypeBuilder<MenuItem>& type) {
         type.name("MenuItem").doc("An item of a Menu; its text is the entity's Label.");
         type.field<&MenuItem::order>("order").doc(
             "Position in the menu: items are sorted by ascending order.");
         type.field<&MenuItem::action>("action")
-            .names({{"close", 0}, {"goTo", 1}, {"restart", 2}, {"quit", 3}, {"open", 4}})
+            .names({{"close", 0},
+                    {"goTo", 1},
+                    {"restart", 2},
+                    {"quit", 3},
+                    {"open", 4},
+                    {"save", 5},
+                    {"load", 6},
+                    {"options", 7}})
             .doc(
                 "Action of the item: close the overlay, change to a scene, restart the scene below, quit the "
                 "game, "
-                "or open a scene as an overlay.");
+                "open a scene as an overlay, save or load the game, or open the options of the player.");
         type.field<&MenuItem::scene>("scene").doc("Scene for the actions goTo and open.");
+        type.field<&MenuItem::slot>("slot").range(1.0f, 32.0f).doc("Slot of saved games, for save and load.");
     }
 };
 

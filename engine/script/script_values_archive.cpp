@@ -1,0 +1,210 @@
+#include "script/script_values_archive.hpp"
+
+#include <bit>
+#include <string>
+
+#include <lua.hpp>
+
+#include "ecs/component_type.hpp"
+#include "ecs/saved_type.hpp"
+#include "ecs/world.hpp"
+#include "script/script_context.hpp"
+#include "script/script_entity.hpp"
+#include "script/script_vector.hpp"
+#include "script/values/component.hpp"
+#include "script/values/userdata.hpp"
+
+namespace plumb::script {
+namespace {
+
+enum Tag : std::uint32_t {
+    End,
+    Nil,
+    False,
+    True,
+    Integer,
+    Number,
+    Text,
+    Vector,
+    Entity,
+    Component,
+    New,
+    Known
+};
+
+constexpr int kDepth = 100;  ///< of tables inside each other
+
+BlockKind kindAt(lua_State* state, int index) {
+    const auto* block = static_cast<const BlockKind*>(lua_touserdata(state, index));
+    return block == nullptr ? BlockKind{} : *block;
+}
+
+}  // namespace
+
+bool ValueWriter::canWrite(int index) const {
+    switch (lua_type(state_, index)) {
+        case LUA_TNIL:
+        case LUA_TBOOLEAN:
+        case LUA_TNUMBER:
+        case LUA_TSTRING:
+        case LUA_TTABLE: return true;
+        case LUA_TUSERDATA: {
+            const BlockKind kind = kindAt(state_, index);
+            return kind == BlockKind::Vector || kind == BlockKind::Entity || kind == BlockKind::Component;
+        }
+        default: return false;
+    }
+}
+
+void ValueWriter::name(int index) {
+    numbers_.emplace(lua_topointer(state_, index), static_cast<std::uint32_t>(numbers_.size()));
+}
+
+void ValueWriter::write(int at, int depth) {
+    const int index = lua_absindex(state_, at);
+    switch (lua_type(state_, index)) {
+        case LUA_TBOOLEAN: return tag(lua_toboolean(state_, index) != 0 ? True : False);
+        case LUA_TNUMBER: {
+            const bool isWhole = lua_isinteger(state_, index) != 0;
+            tag(isWhole ? Integer : Number);
+            std::uint64_t bits = isWhole ? static_cast<std::uint64_t>(lua_tointeger(state_, index))
+                                         : std::bit_cast<std::uint64_t>(lua_tonumber(state_, index));
+            return archive_.number(bits);
+        }
+        case LUA_TSTRING: {
+            std::size_t size = 0;
+            const char* text = lua_tolstring(state_, index, &size);
+            std::string copy{text, size};
+            tag(Text);
+            return archive_.text(copy);
+        }
+        case LUA_TTABLE: {
+            const auto known = numbers_.find(lua_topointer(state_, index));
+            if (known != numbers_.end()) {
+                tag(Known);
+                return archive_.number(known->second);
+            }
+            if (depth >= kDepth || lua_checkstack(state_, 8) == 0) return tag(Nil);
+            name(index);
+            tag(New);
+            return writePairs(index, depth);
+        }
+        case LUA_TUSERDATA: break;
+        default: return tag(Nil);
+    }
+    if (const Vec2* vector = vectorAt(state_, index)) {
+        Vec2 copy = *vector;
+        tag(Vector);
+        return archive_.value(copy);
+    }
+    EntityId entity = entityOfHandle(state_, index);
+    if (kindAt(state_, index) == BlockKind::Component) {
+        const ComponentHandle handle = checkComponent(state_, index);
+        TypeKey type = handle.type->key;
+        entity = handle.entity;
+        tag(Component);
+        archiveKey(archive_, type);
+        return archive_.value(entity);
+    }
+    tag(Entity);
+    archive_.value(entity);
+}
+
+void ValueWriter::writePairs(int at, int depth) {
+    const int index = lua_absindex(state_, at);
+    for (lua_pushnil(state_); lua_next(state_, index) != 0; lua_pop(state_, 1)) {
+        if (!canWrite(-2) || !canWrite(-1)) continue;
+        write(-2, depth + 1);
+        write(-1, depth + 1);
+    }
+    tag(End);
+}
+
+void ValueReader::name(int index) {
+    lua_pushvalue(state_, index);
+    lua_rawseti(state_, tables_, ++count_);
+}
+
+void ValueReader::readPairs(int at, int depth) {
+    const int index = lua_absindex(state_, at);
+    for (lua_pushnil(state_); lua_next(state_, index) != 0;) {
+        const bool isFunction = lua_isfunction(state_, -1) != 0;
+        lua_pop(state_, 1);
+        if (isFunction) continue;
+        lua_pushvalue(state_, -1);
+        lua_pushnil(state_);
+        lua_rawset(state_, index);
+    }
+    while (archive_.ok()) {
+        read(0, depth + 1);  // the key; none at the end
+        if (lua_isnil(state_, -1) != 0) return lua_pop(state_, 1);
+        read(0, depth + 1);
+        const bool isNaN = lua_type(state_, -2) == LUA_TNUMBER && lua_rawequal(state_, -2, -2) == 0;
+        if (isNaN) {
+            lua_pop(state_, 2);
+            archive_.fail();
+        } else {
+            lua_rawset(state_, index);
+        }
+    }
+}
+
+void ValueReader::read(int into, int depth) {
+    std::uint32_t tag = End;
+    archive_.number(tag);
+    std::uint64_t bits = 0;
+    switch (tag) {
+        case False:
+        case True: return lua_pushboolean(state_, tag == True ? 1 : 0);
+        case Integer: return archive_.number(bits), lua_pushinteger(state_, static_cast<lua_Integer>(bits));
+        case Number: return archive_.number(bits), lua_pushnumber(state_, std::bit_cast<lua_Number>(bits));
+        case Text: {
+            std::string text;
+            archive_.text(text);
+            lua_pushlstring(state_, text.data(), text.size());
+            return;
+        }
+        case Vector: {
+            Vec2 vector;
+            archive_.value(vector);
+            return pushVector(state_, vector);
+        }
+        case Entity: {
+            EntityId entity;
+            archive_.value(entity);
+            return pushEntity(state_, entity);
+        }
+        case Component: {
+            TypeKey key = 0;
+            EntityId entity;
+            archiveKey(archive_, key);
+            archive_.value(entity);
+            const ComponentType* type = key < kMaxTypes ? findComponentType(key) : nullptr;
+            if (type == nullptr || !contextOf(state_).world.has(type->info, entity))
+                return lua_pushnil(state_);
+            return pushComponent(state_, entity, type->info);
+        }
+        case New:
+            if (depth > kDepth || lua_checkstack(state_, 8) == 0) break;
+            if (into != 0) {
+                lua_pushvalue(state_, into);
+            } else {
+                lua_newtable(state_);
+            }
+            name(-1);
+            return readPairs(-1, depth);
+        case Known: {
+            std::uint32_t number = 0;
+            archive_.number(number);
+            lua_rawgeti(state_, tables_, lua_Integer{number} + 1);
+            return;
+        }
+        case End:
+        case Nil: return lua_pushnil(state_);
+        default: break;
+    }
+    archive_.fail();
+    lua_pushnil(state_);
+}
+
+}  // namespace plumb::script
