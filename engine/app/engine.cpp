@@ -6,6 +6,8 @@
 
 #include "app/game_content.hpp"
 #include "app/game_loop.hpp"
+#include "app/options/game_options.hpp"
+#include "app/recording/replay_choice.hpp"
 #include "app/screen.hpp"
 #include "app/step_clock.hpp"
 #include "core/crash.hpp"
@@ -85,7 +87,8 @@ std::optional<int> Engine::open() {
     }
     options_ = std::move(*options);
     if (options_.headless) return std::nullopt;
-    Result<std::unique_ptr<Screen>> screen = Screen::open(withOptions(settings_, options_));
+    Result<std::unique_ptr<Screen>> screen =
+        Screen::open(withOptions(withPlayerSettings(settings_, options_, settings_.title), options_));
     if (!screen) {
         logError("Engine", screen.error());
         return 1;

@@ -15,7 +15,8 @@ StepClock::Frame FramePacer::next(double seconds) {
 }
 
 double FramePacer::rest(double seconds) const {
-    const double rate = refreshRate_ >= 20.0 && refreshRate_ <= 1000.0 ? 2.0 * refreshRate_ : kUnknownRate;
+    double rate = refreshRate_ >= 20.0 && refreshRate_ <= 1000.0 ? 2.0 * refreshRate_ : kUnknownRate;
+    if (cap_ > 0.0) rate = cap_;
     return std::clamp(1.0 / rate - seconds, 0.0, 1.0 / rate);
 }
 

@@ -21,6 +21,11 @@ public:
     [[nodiscard]] double rest(double seconds) const;
     static constexpr double kUnknownRate = 120.0;  ///< Hz, maximum frame rate if the refresh rate is unknown
 
+    /// @param rate  refresh rate of the display, Hz; 0: unknown
+    void setRefreshRate(double rate) { refreshRate_ = rate; }
+    /// Limits the frame rate. @param rate  Hz; 0: see rest()
+    void setCap(double rate) { cap_ = rate; }
+
     /// Stops the game time; next() returns 0 ticks and the last interpolation ratio.
     void pause() { paused_ = true; }
     /// Resumes the game time.
@@ -30,6 +35,7 @@ public:
 private:
     StepClock clock_;
     double refreshRate_;
+    double cap_ = 0.0;        // Hz, set by the player; 0: none
     double remainder_ = 0.0;  // s, measured time not yet passed to the clock; negative after rounding up
     float alpha_ = 1.0f;
     bool paused_ = false;

@@ -16,6 +16,8 @@
 #include "scene/scene_requests.hpp"
 #include "scene/systems/camera_system.hpp"
 #include "scene/world_transform.hpp"
+#include "script/script_runner.hpp"
+#include "script/script_state.hpp"
 
 namespace plumb {
 
@@ -38,6 +40,11 @@ Game::~Game() = default;
 bool Game::quitRequested() const {
     const auto* requests = world.findResource<SceneRequests>();
     return requests != nullptr && requests->quit;
+}
+
+void Game::onLoaded() {
+    const auto* scripts = world.findResource<ScriptState>();
+    if (scripts != nullptr && !scripts->saved.empty()) static_cast<void>(ScriptRunner{world});
 }
 
 void Game::setGravity(Vec2 gravity) { world.resource<PhysicsSettings>().gravity = gravity; }

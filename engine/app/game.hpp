@@ -46,7 +46,7 @@ public:
     virtual void onAssetsChanged([[maybe_unused]] std::span<const AssetChange> changes) {}
 
     /// Called between ticks after the state of the world was replaced by that of a saved game.
-    virtual void onLoaded() {}
+    virtual void onLoaded();
 
     /// True if the game ends after this tick: quitGame() was called.
     [[nodiscard]] virtual bool quitRequested() const;

@@ -3,14 +3,13 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <system_error>
+#include <optional>
 #include <thread>
 #include <utility>
 
+#include "app/recording/replay_choice.hpp"
 #include "app/touch_controls.hpp"
 #include "core/clock.hpp"
-#include "core/crash_report.hpp"
 #include "core/log.hpp"
 #include "gameplay/game_requests.hpp"
 #include "platform/display.hpp"
@@ -26,9 +25,7 @@ namespace {
 constexpr std::int64_t kDemoTicks = 600;      ///< default number of ticks without a display: 10 s
 constexpr double kPausedWait = 0.1;           ///< s for which a paused game waits for events
 constexpr std::int64_t kControlTicks = 30;    ///< ticks between two looks at what the game asks for
-constexpr std::int64_t kCheckTicks = 600;     ///< ticks between two hashes of a recording
 constexpr std::int64_t kHeadlessTicks = 600;  ///< default number of ticks of a headless run
-constexpr double kLongestTick = 5.0;          ///< s: a tick that takes longer is reported as a hang
 constexpr const char* kEngineVersion = "0.1.0";
 
 void sleepSeconds(double seconds) {
@@ -38,16 +35,6 @@ void sleepSeconds(double seconds) {
 bool isFullscreenKey(const Event& event) {
     return event.kind == EventKind::KeyDown && !event.repeated &&
            (event.key == Key::F11 || (event.key == Key::Enter && event.modifiers.alt));
-}
-
-bool isReplayed(const PlayerOptions& options) { return !options.replay.empty() || !options.link.empty(); }
-
-std::string nameOfReplay(const PlayerOptions& options) {
-    return options.link.empty() ? options.replay : "link";
-}
-
-Result<Replay> replayOf(const PlayerOptions& options) {
-    return options.link.empty() ? loadReplay(options.replay) : replayOfLink(options.link);
 }
 
 /// True for what ends a replay in favour of the player.
@@ -61,23 +48,6 @@ bool isPress(const Event& event) {
 Result<Done> saveScreenshot(Screen& screen, const Path& path) {
     const Result<std::string> png = encodePng(screen.picture());
     return png ? writeFile(path, *png) : png.error();
-}
-
-Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName) {
-    if (!isReplayed(options)) return options;
-    const Result<Replay> replay = replayOf(options);
-    if (!replay) return replay.error();
-    if (!replay->project.empty() && replay->project != projectName) {
-        const bool isFile = options.link.empty();
-        return Error{
-            nameOfReplay(options),
-            format("it was recorded by the project \"{}\", and this is \"{}\"", replay->project, projectName),
-            isFile ? "play it with that project; if this one was renamed, change the second line of the file"
-                   : "play it with that project"};
-    }
-    options.seed = replay->seed;
-    options.scene = replay->scene;
-    return options;
 }
 
 GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName)
@@ -95,63 +65,38 @@ int GameLoop::run() {
     } else {
         runScreen();
     }
-    return failed_ ? 1 : 0;
+    return failed_ || records_.failed() ? 1 : 0;
 }
 
 bool GameLoop::prepare() {
     if (isReplayed(options_) && !beginReplay()) return false;
     game_.threads.setThreads(options_.threads);
-    recorder_.replay.project = projectName_;
-    recorder_.replay.engine = kEngineVersion;
-    recorder_.replay.scene = options_.scene;
-    recorder_.replay.seed = seedOf(options_);
-    if (!options_.record.empty()) {
-        Result<RecordingFile> file = RecordingFile::create(options_.record, recorder_.replay);
-        if (!file) {
-            logError("Input", file.error());
-            return false;
-        }
-        recording_ = std::move(*file);
-    }
-    if (options_.printLink || (screen_ != nullptr && hasPage())) link_.emplace(recorder_.replay);
-    if (screen_ != nullptr && !screen_->window().hasDisplay() && options_.frames < 0 && !replay_) {
+    const bool hasDisplay = screen_ != nullptr && screen_->window().hasDisplay();
+    if (screen_ != nullptr && !hasDisplay && options_.frames < 0 && !replay_) {
         logNote("Engine", "No display: running 10 s offscreen and saving a screenshot");
         options_.frames = kDemoTicks;
         if (options_.screenshot.empty()) options_.screenshot = "plumb-screenshot.png";
     }
     if (screen_ == nullptr && options_.frames < 0 && !replay_) options_.frames = kHeadlessTicks;
-    // A replay reads and writes no files, and a run without a window none of the player.
-    const bool saves = !replay_ && (screen_ != nullptr || !options_.saves.empty());
-    if (saves)
-        slots_.emplace(options_.saves.empty() ? dataFolder(projectName_) : Path{options_.saves},
-                       projectName_);
-    return prepareCrashFile();
+    if (screen_ != nullptr) player_.emplace(options_, projectName_, *screen_, *sounds_, pacer_, game_.input);
+    if (!chooseKeys() || !beginWithState()) return false;
+    if (const Path folder = playerFolder(options_, projectName_); !folder.empty())
+        slots_.emplace(folder, projectName_);
+    const bool isPlayed = hasDisplay && !replay_ && !options_.allEffects;
+    return records_.begin(options_, start(),
+                          {screen_ != nullptr, isPlayed, screen_ != nullptr && hasPage(),
+                           isPlayed ? dataFolder(projectName_) : Path{}, replay_ ? &*replay_ : nullptr});
 }
 
-/// Without an option, a game that is played in a window leaves a file in its data folder.
-bool GameLoop::prepareCrashFile() {
-    if (!canReportCrashes()) return true;
-    const bool isAsked = !options_.crashReports.empty();
-    const bool isPlayed =
-        screen_ != nullptr && screen_->window().hasDisplay() && !replay_ && !options_.allEffects;
-    Path folder = isAsked ? Path{options_.crashReports} : isPlayed ? dataFolder(projectName_) : Path{};
-    std::error_code failed;
-    if (isAsked) std::filesystem::create_directories(folder, failed);
-    if (failed) {
-        logError("Engine",
-                 Error{folder.generic_string(), "the folder for reports of crashes cannot be created",
-                       "choose another one with --crash-reports"});
-        return false;
-    }
-    if (folder.empty() && !replay_) return true;
-    const std::string threads =
-        options_.threads > 0 ? format("{} threads", options_.threads) : std::string{"automatic threads"};
-    crashFile_.emplace(
-        recorder_.replay, folder,
-        format("{}, {} of the physics", screen_ == nullptr ? "headless" : "in a window", threads),
-        replay_ ? &*replay_ : nullptr);
-    watchdog_.emplace(kLongestTick, &reportHang);
-    return true;
+/// What a record of this run begins with.
+Replay GameLoop::start() const {
+    Replay start;
+    start.project = projectName_;
+    start.engine = kEngineVersion;
+    start.scene = options_.scene;
+    start.seed = seedOf(options_);
+    start.keys = replayPlayer_ ? replay_->keys : player_ ? player_->keyChanges() : std::string{};
+    return start;
 }
 
 bool GameLoop::beginReplay() {
@@ -233,27 +178,67 @@ void GameLoop::handleEvents() {
         if (isOfView && options_.physicsView.on)
             logNote("Engine",
                     "Physics view on: Ctrl+digit and Ctrl+Shift+digit toggle layers, F3 turns it off");
-        if (!isOfView && isPress(event)) takeOver();
-        if (isFullscreenKey(event)) screen_->window().setFullscreen(!screen_->window().fullscreen());
-        if (event.kind == EventKind::FocusLost) {
-            pacer_.pause();
-            sounds_->setPaused(true);
+        if (isFullscreenKey(event)) {
+            screen_->window().setFullscreen(!screen_->window().fullscreen());
+            player_->setFullscreen(screen_->window().fullscreen());
+        }
+        if (event.kind == EventKind::FocusLost || event.kind == EventKind::FocusGained) {
+            focusLost_ = event.kind == EventKind::FocusLost;
+            sounds_->setPaused(focusLost_);
+            if (focusLost_) devices_.releaseAll();
+        }
+        if (player_->handle(event)) {
             devices_.releaseAll();
+        } else {
+            if (!isOfView && isPress(event)) takeOver();
+            devices_.handle(event);
         }
-        if (event.kind == EventKind::FocusGained) {
-            pacer_.resume();
-            sounds_->setPaused(false);
-        }
-        devices_.handle(event);
     }
+    if (player_->takeKeysChanged()) records_.changed("keys were changed", game_.world.hash());
+    if (player_->quits()) quit();
+    followPause();
+}
+
+/// The game rests while another window has the focus or the player changes the options.
+void GameLoop::followPause() { focusLost_ || player_->isOpen() ? pacer_.pause() : pacer_.resume(); }
+
+/// Input means what its keys say: those of the player. Replayed input means what it meant when it was
+/// recorded.
+bool GameLoop::chooseKeys() {
+    if (player_) player_->allowKeys(!replayPlayer_ && options_.record.empty());
+    if (!replayPlayer_) {
+        if (player_) player_->useKeys();
+        return true;
+    }
+    if (const Result<Done> used = useReplayedKeys(game_.input, *replay_, nameOfReplay(options_)); !used) {
+        logError("Input", used.error());
+        return false;
+    }
+    return true;
+}
+
+/// Begins a replay with the saved game that was loaded before it.
+bool GameLoop::beginWithState() {
+    if (!replay_ || replay_->state.empty()) return true;
+    const std::string where = nameOfReplay(options_) + ": state";
+    std::vector<Error> problems;
+    const Result<Snapshot> state = readSavedGame(replay_->state, game_.world, projectName_, where, problems);
+    if (!state) {
+        logError("Input", state.error());
+        return false;
+    }
+    for (const Error& problem : problems) logWarning("Input", problem);
+    game_.world.restore(*state);
+    game_.onLoaded();
+    return true;
 }
 
 /// Reloads files that were edited while the game runs, but not while it is recorded or replayed.
 void GameLoop::reloadEdited() {
-    if (replayPlayer_ || recording_ || link_) return;
+    if (replayPlayer_ || records_.exact()) return;
     const std::vector<AssetChange> changes = game_.assets.pollChanges();
     if (changes.empty()) return;
-    if (crashFile_) crashFile_->changed();
+    records_.changed("files of the project were changed", game_.world.hash());
     game_.followChanges(changes);
 }
 
@@ -268,35 +253,19 @@ bool GameLoop::nextInput(InputFrame& frame) {
         if (screen_ != nullptr) screen_->placeMouse(frame);
         if (slots_) frame.saves = slots_->filled();
     }
-    record(frame);
     return true;
-}
-
-/// Records the input before the tick, so that a recording contains the tick in which the game crashes.
-void GameLoop::record(const InputFrame& frame) {
-    if (link_) link_->record(frame);
-    if (!recording_) return;
-    recorder_.record(frame);
-    updateRecording();
-}
-
-/// Writes what the recorder has to the file. Ends the recording, but not the game, if that is impossible.
-void GameLoop::updateRecording() {
-    const Result<Done> written = recording_->update(recorder_);
-    if (written) return;
-    logError("Input", written.error());
-    recording_.reset();
-    failed_ = true;
 }
 
 void GameLoop::tick() {
     InputFrame frame;
     if (!nextInput(frame)) {
-        noteEndOfCrash();
+        noteEndOfCrash(*replay_, ticks_);
         quit();
         return;
     }
-    simulate(frame);
+    records_.tickBegins(frame);
+    tickGame(game_, frame);
+    records_.tickEnds(game_.world);
     ++ticks_;
     if (game_.quitRequested()) quit();
     performRequests();
@@ -307,30 +276,6 @@ void GameLoop::tick() {
         std::printf("hash %lld: %s\n", static_cast<long long>(ticks_), hexText(game_.world.hash()).c_str());
     }
     if (screen_ != nullptr) updatePage();
-    if (recording_ && ticks_ % kCheckTicks == 0) recorder_.check(game_.world.hash());
-    if (crashFile_ && ticks_ % CrashFile::kCheckTicks == 0) crashFile_->check(game_.world.hash());
-}
-
-void GameLoop::simulate(const InputFrame& frame) {
-    if (!crashFile_) return tickGame(game_, frame);
-    crashFile_->tickBegins(frame);
-    watchdog_->begin();
-    tickGame(game_, frame);
-    watchdog_->end();
-    crashFile_->tickEnds();
-}
-
-/// Says that the report of a crash has been replayed to its end without that crash.
-void GameLoop::noteEndOfCrash() {
-    const RecordedCrash& crash = replay_->crash;
-    if (crash.what.empty()) return;
-    const std::string build = buildId();
-    logNote(
-        "Input",
-        "The replay ends at tick {}, where the game crashed: {}. It has not crashed again{}: the cause is "
-        "not in the simulation, or it depends on the machine.",
-        ticks_, crash.what,
-        crash.build == build ? std::string{} : format(", in build {} instead of {}", build, crash.build));
 }
 
 /// Compares the state with the recorded one, and lets a replay that has ended go on live.
@@ -366,19 +311,21 @@ void GameLoop::takeOver() {
 void GameLoop::goOnLive(const std::string& why) {
     replayPlayer_.reset();
     logNote("Input", "{}", why);
+    if (player_->keyChanges() != replay_->keys) {
+        player_->useKeys();
+        records_.changed("other keys than those of the replay were used", game_.world.hash());
+    }
+    player_->allowKeys(options_.record.empty());
     screen_->window().setTitle(projectName_);
     tellPage("live", why);
-}
-
-Result<std::string> GameLoop::link(bool withHash) const {
-    return link_->link(withHash ? std::optional{game_.world.hash()} : std::nullopt);
 }
 
 /// Offers the page a link of the run. Does nothing without a page.
 void GameLoop::beginPage() {
     if (!hasPage()) return;
     offerLink([this](bool afterFailure) {
-        const Result<std::string> made = link(!afterFailure);
+        const Result<std::string> made =
+            records_.link(afterFailure ? std::nullopt : std::optional{game_.world.hash()});
         return made ? *made : std::string{};
     });
 }
@@ -397,34 +344,37 @@ void GameLoop::performRequests() {
     auto* requests = game_.world.findResource<GameRequests>();
     if (requests == nullptr) return;
     const GameRequests wanted = std::exchange(*requests, {});
-    if (!slots_) {
+    if (wanted.options && player_ && screen_->window().hasDisplay() && options_.capture.empty()) {
+        player_->open();
+        followPause();
+    }
+    if (!slots_ || replayPlayer_) {
         if (wanted.save != 0 || wanted.load != 0)
-            logNote(
-                "Game", "Not {}: {}", wanted.load != 0 ? "loaded" : "saved",
-                replay_ ? "a replay uses no saved games" : "without a window, --saves names their folder");
+            logNote("Game", "Not {}: {}", wanted.load != 0 ? "loaded" : "saved",
+                    replayPlayer_ ? "a replay uses no saved games"
+                                  : "without a player, --saves names the folder of saved games");
         return;
     }
     if (wanted.save != 0) {
         const Result<Done> saved = slots_->save(game_.world, wanted.save);
-        saved ? logNote("Game", "Saved in slot {}", wanted.save) : logError("Game", saved.error());
+        saved ? logNote("Game", "Saved in slot {}", wanted.save) : fail("Not saved", saved.error());
     }
     if (wanted.load != 0) loadSaved(wanted.load);
 }
 
+/// Says that saving or loading has failed.
+void GameLoop::fail(std::string_view what, const Error& error) {
+    logError("Game", error);
+    if (player_) player_->notify(what, error);
+}
+
 void GameLoop::loadSaved(int slot) {
-    const std::uint64_t before = recording_ ? game_.world.hash() : 0;
-    const Result<Done> loaded = slots_->load(game_.world, slot);
-    if (!loaded) return logError("Game", loaded.error());
+    const std::uint64_t before = game_.world.hash();
+    Result<std::string> loaded = slots_->load(game_.world, slot);
+    if (!loaded) return fail("Not loaded", loaded.error());
     game_.onLoaded();
     logNote("Game", "Loaded slot {}", slot);
-    if (!recording_) return;
-    // A replay begins with a scene, and must not depend on files of the player.
-    recorder_.check(before);
-    updateRecording();
-    recording_.reset();
-    logWarning("Input", Error{options_.record,
-                              format("the recording ends with tick {}: a saved game was loaded", ticks_),
-                              "record without loading to get a longer one"});
+    records_.loaded(std::move(*loaded), player_ ? player_->keyChanges() : std::string{}, before);
 }
 
 PhysicsShown GameLoop::shownPhysics() {
@@ -436,6 +386,7 @@ PhysicsShown GameLoop::shownPhysics() {
 
 void GameLoop::drawFrame(float alpha) {
     screen_->draw(game_.world, game_.assets, alpha, shownPhysics());
+    player_->draw(game_.assets);
     if (!options_.capture.empty()) {
         std::string number = format("{}", framesDrawn_);
         number.insert(0, number.size() < 6 ? 6 - number.size() : 0, '0');
@@ -471,12 +422,10 @@ void GameLoop::reportRate() {
 }
 
 void GameLoop::finish() {
-    if (recording_) {
-        recorder_.check(game_.world.hash());
-        updateRecording();
-    }
+    if (player_) player_->write();
+    records_.end(game_.world);
     if (options_.printLink) {
-        if (const Result<std::string> made = link(true); made) {
+        if (const Result<std::string> made = records_.link(game_.world.hash()); made) {
             std::printf("link: %s\n", made->c_str());
         } else {
             logError("Input", made.error());

@@ -5,18 +5,17 @@
 #include <optional>
 #include <string>
 
-#include "app/crash_file.hpp"
 #include "app/event_log.hpp"
 #include "app/frame_pacer.hpp"
 #include "app/game.hpp"
+#include "app/options/game_options.hpp"
 #include "app/player_options.hpp"
+#include "app/recording/run_records.hpp"
 #include "app/saved_game.hpp"
 #include "app/screen.hpp"
 #include "app/sound_output.hpp"
-#include "core/watchdog.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
-#include "input/replay_link.hpp"
 #include "scene/physics/physics_times.hpp"
 
 namespace plumb {
@@ -36,7 +35,6 @@ public:
 
 private:
     bool prepare();
-    bool prepareCrashFile();
     void runHeadless();
     void runScreen();
     void runFrame(bool lockstep);
@@ -44,19 +42,19 @@ private:
     void handleEvents();
     void reloadEdited();
     void tick();
-    void simulate(const InputFrame& frame);
-    void noteEndOfCrash();
     bool beginReplay();
     [[nodiscard]] bool isLockstep() const;
     void checkReplay();
     void takeOver();
     void goOnLive(const std::string& why);
-    void record(const InputFrame& frame);
     void performRequests();
     void loadSaved(int slot);
-    void updateRecording();
+    void fail(std::string_view what, const Error& error);
+    void followPause();
+    bool chooseKeys();
+    bool beginWithState();
+    [[nodiscard]] Replay start() const;
     bool nextInput(InputFrame& frame);
-    [[nodiscard]] Result<std::string> link(bool withHash) const;
     void beginPage();
     void updatePage();
     void drawFrame(float alpha);
@@ -76,29 +74,21 @@ private:
     std::vector<Event> pending_;  // window events of this frame; a member, so that its memory is reused
     std::optional<Replay> replay_;
     std::optional<ReplayPlayer> replayPlayer_;
-    std::optional<SaveSlots> slots_;  ///< empty: the game does not save
-    Recorder recorder_;
-    std::optional<RecordingFile> recording_;  ///< empty: the game is not recorded, or no longer
-    std::optional<CrashFile> crashFile_;      ///< empty: a crash leaves no file
-    std::optional<Watchdog> watchdog_;
-    std::optional<LinkWriter> link_;  ///< empty: no link can be asked for
-    bool goesOnLive_ = false;         // after the replay, or when a key is pressed during it
-    Input::Asked shownControls_;      // controls that the page shows
+    std::optional<GameOptions> player_;  ///< empty if headless
+    std::optional<SaveSlots> slots_;     ///< empty: the game does not save
+    RunRecords records_;
+    bool goesOnLive_ = false;     // after the replay, or when a key is pressed during it
+    Input::Asked shownControls_;  // controls that the page shows
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
     double before_ = 0.0;          // s, wall clock: start of the last frame
     double rateStart_ = 0.0;       // s, wall clock: when the frame rate was last logged
     std::int64_t rateFrames_ = 0;  // frames drawn since rateStart_
+    bool focusLost_ = false;       // another window has the focus
     bool padsOpen_ = false;        // the gamepads are open
     bool running_ = true;
     bool failed_ = false;  // run() returns an error code
 };
-
-/// Returns `options` with the scene and the seed of the replay that they name, if any; a file without these
-/// lines has those of a run without options.
-/// @param projectName  the project to play; recordings of another one are refused
-/// @error the replay cannot be read, or belongs to another project
-Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName);
 
 /// Saves the current image as PNG, atomically.
 Result<Done> saveScreenshot(Screen& screen, const Path& path);

@@ -8,7 +8,9 @@
 #include "app/benchmark.hpp"
 #include "app/effect_list.hpp"
 #include "app/game_loop.hpp"
+#include "app/options/game_options.hpp"
 #include "app/project.hpp"
+#include "app/recording/replay_choice.hpp"
 #include "app/scene_game.hpp"
 #include "app/screen.hpp"
 #include "codec/pack.hpp"
@@ -29,6 +31,7 @@ ScreenSettings screenOf(const Project& project, const PlayerOptions& options) {
     settings.picture = {static_cast<float>(project.width), static_cast<float>(project.height)};
     settings.scaling = project.scaling;
     settings.smooth = project.smooth;
+    settings = withPlayerSettings(std::move(settings), options, project.name);
     return withOptions(std::move(settings), options);
 }
 

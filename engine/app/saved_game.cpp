@@ -109,16 +109,16 @@ Result<Done> SaveSlots::save(const World& world, int slot) {
     return written;
 }
 
-Result<Done> SaveSlots::load(World& world, int slot) const {
+Result<std::string> SaveSlots::load(World& world, int slot) const {
     const Path path = fileOf(slot);
-    const Result<std::string> file = readFile(path);
+    Result<std::string> file = readFile(path);
     if (!file) return file.error();
     std::vector<Error> problems;
     Result<Snapshot> snapshot = readSavedGame(*file, world, project_, path.generic_string(), problems);
     if (!snapshot) return snapshot.error();
     for (const Error& problem : problems) logWarning("Game", problem);
     world.restore(*snapshot);
-    return Done{};
+    return file;
 }
 
 }  // namespace plumb

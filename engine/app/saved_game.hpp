@@ -38,7 +38,8 @@ public:
     /// Saves the state of a world. After an error the slot is what it was before.
     Result<Done> save(const World& world, int slot);
     /// Replaces the state of the world. After an error it is what it was before. What was left out is logged.
-    Result<Done> load(World& world, int slot) const;
+    /// @return the file
+    Result<std::string> load(World& world, int slot) const;
     /// One bit per slot that has a saved game: InputFrame::saves.
     [[nodiscard]] std::uint32_t filled() const { return filled_; }
     [[nodiscard]] Path fileOf(int slot) const;

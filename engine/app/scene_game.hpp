@@ -33,7 +33,10 @@ public:
 
     /// To be called after a snapshot was restored: loads the assets that the restored world references.
     void restored();
-    void onLoaded() override { restored(); }
+    void onLoaded() override {
+        Game::onLoaded();
+        restored();
+    }
     /// Reads prefabs again when they are needed next.
     void reloadPrefabs() { prefabs_.forget(); }
 

@@ -67,6 +67,22 @@ void Screen::drawNothing() {
     drawCalls_ = 0;
 }
 
+SceneRenderer& Screen::rendererFor(AssetStore& assets) {
+    if (drawnAssets_ != &assets) {
+        renderer_ = std::make_unique<SceneRenderer>(
+            *device_, assets, settings_.smooth ? TextureFilter::Linear : TextureFilter::Nearest);
+        drawnAssets_ = &assets;
+    }
+    return *renderer_;
+}
+
+void Screen::drawOver(AssetStore& assets, Vec2 size,
+                      const std::function<void(LabelDrawing&, DrawList&)>& add) {
+    const PixelSize window = window_->drawableSize();
+    rendererFor(assets).drawOver(size, {TargetHandle{}, 0, 0, window.width, window.height}, add);
+    device_->resolveWindow();
+}
+
 void Screen::draw(const World& world, AssetStore& assets, float alpha, const PhysicsShown& physics) {
     Effects* const effects = world.service<Effects>();
     if (isContextLost()) return;
@@ -74,12 +90,8 @@ void Screen::draw(const World& world, AssetStore& assets, float alpha, const Phy
     const bool draws = effects == nullptr || effects->runs(world, "picture");
     device_->setWindowSize(window_->drawableSize());
     if (!draws && physics.any() == 0) return drawNothing();
-    if (drawnAssets_ != &assets) {
-        if (effects != nullptr) effects->count("picture");
-        renderer_ = std::make_unique<SceneRenderer>(
-            *device_, assets, settings_.smooth ? TextureFilter::Linear : TextureFilter::Nearest);
-        drawnAssets_ = &assets;
-    }
+    if (drawnAssets_ != &assets && effects != nullptr) effects->count("picture");
+    static_cast<void>(rendererFor(assets));
     clear();
     renderer_->renderer().resetCounts();
     if (draws) renderer_->draw(world, settings_.picture, alpha, viewport(), &fillPlaceholders);

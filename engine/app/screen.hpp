@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,11 @@ public:
     /// Draws the world to the back buffer; swap() shows it.
     /// @param physics  physics debug layers to draw over the scene
     void draw(const World& world, AssetStore& assets, float alpha, const PhysicsShown& physics = {});
+    /// Draws over the image of draw(), on the whole window.
+    /// @param size  of the view, px
+    /// @param add   fills the list
+    void drawOver(AssetStore& assets, Vec2 size,
+                  const std::function<void(LabelDrawing& labels, DrawList& list)>& add);
     void swap() { window_->swap(); }
     /// Makes everything on the graphics card anew, when it is drawn next: it was lost. draw() calls it itself
     /// after a browser has taken the context of OpenGL away.
@@ -43,6 +49,7 @@ private:
     Screen(ScreenSettings settings, std::unique_ptr<Window> window, std::unique_ptr<GlDevice> device);
 
     void clear();
+    SceneRenderer& rendererFor(AssetStore& assets);
     void drawNothing();
     static Result<std::unique_ptr<GlDevice>> openDevice(const ScreenSettings& settings);
 

@@ -17,6 +17,8 @@ struct ScreenSettings {
     Vec2 picture{1280.0f, 720.0f};  ///< px, size of the game image, which is scaled to the window
     WindowScale scaling = WindowScale::Fit;
     bool smooth = false;  ///< linear texture filter and antialiasing: not for pixel art
+    /// px, size of the window without the settings of the player; 0: windowWidth, windowHeight
+    int standardWidth = 0, standardHeight = 0;
 };
 
 /// Returns the settings with those of the command line, which override them: --scale, --window, --fullscreen.

@@ -19,6 +19,13 @@ public:
     void listen(const World& world);
     /// Plays the collected sounds. Call once per frame.
     void play() { mixer_.play(queue_); }
+    /// @param master, music, sounds  ratios, 0..1
+    void setVolumes(float master, float music, float sounds) {
+        mixer_.setMasterVolume(master);
+        mixer_.setVolume(SoundGroup::Music, music);
+        mixer_.setVolume(SoundGroup::Effects, sounds);
+        mixer_.setVolume(SoundGroup::Interface, sounds);
+    }
     void setPaused(bool paused) { mixer_.setPaused(paused); }
 
 private:

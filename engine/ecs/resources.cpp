@@ -97,7 +97,12 @@ Resources Resources::read(StateArchive& archive, std::vector<Error>& problems) c
             problems.push_back({format("resource {}", name),
                                 box == nullptr ? "this version of the game does not have it"
                                                : "it has another layout in this version of the game",
-                                "its value was left out"});
+                                "it keeps the value that it has now"});
+            const auto present = std::find_if(boxes_.begin(), boxes_.end(), [&](const auto& other) {
+                return other->name == name && other->present;
+            });
+            if (present != boxes_.end() && result.find((*present)->key) == nullptr)
+                result.insert((*present)->copy());
             continue;
         }
         box->present = true;

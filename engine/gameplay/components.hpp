@@ -15,6 +15,7 @@
 #include "gameplay/components/controls/menu.hpp"
 #include "gameplay/components/controls/menu_item.hpp"
 #include "gameplay/components/controls/mouse_drag.hpp"
+#include "gameplay/components/controls/save_slot.hpp"
 #include "gameplay/components/controls/scene_key.hpp"
 #include "gameplay/components/controls/scene_link.hpp"
 #include "gameplay/components/controls/toggle_key.hpp"
@@ -39,7 +40,7 @@ namespace plumb {
 using GameplayComponents =
     TypeList<PlayerController, Health, Respawn, Hazard, Stompable, Patrol, MovingPlatform, Spring,
              Collectible, Checkpoint, Goal, SceneLink, Door, Button, KillPlane, Bob, Spin, Lifetime,
-             SoundCues, Music, Menu, MenuItem, PushControl, MouseDrag, TouchColor, SceneKey, ToggleKey,
-             Detonator, Portal>;
+             SoundCues, Music, Menu, MenuItem, PushControl, MouseDrag, TouchColor, SceneKey, SaveSlot,
+             ToggleKey, Detonator, Portal>;
 
 }  // namespace plumb

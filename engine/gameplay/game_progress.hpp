@@ -7,6 +7,7 @@
 #include "core/fixed_list.hpp"
 #include "core/hash.hpp"
 #include "core/text_store.hpp"
+#include "reflect/type_builder.hpp"
 
 namespace plumb {
 
@@ -29,6 +30,21 @@ struct GameProgress {
     bool gameFinished = false;                     ///< the goal of the last level was touched
 
     void addTo(Hasher& hasher) const;
+    /// For saved games: a later version keeps the fields that stay.
+    static void describe(TypeBuilder<GameProgress>& type) {
+        type.name("GameProgress").doc("The progress of the player.");
+        type.field<&GameProgress::coins>("coins");
+        type.field<&GameProgress::coinsTotal>("coinsTotal");
+        type.field<&GameProgress::levelCoins>("levelCoins");
+        type.field<&GameProgress::levelCoinsTotal>("levelCoinsTotal");
+        type.field<&GameProgress::keys>("keys");
+        type.field<&GameProgress::deaths>("deaths");
+        type.field<&GameProgress::ticks>("ticks");
+        type.field<&GameProgress::level>("level");
+        type.field<&GameProgress::levelsReached>("levelsReached");
+        type.field<&GameProgress::levelFinished>("levelFinished");
+        type.field<&GameProgress::gameFinished>("gameFinished");
+    }
 };
 
 /// Replaces the {words} in the text of a Label by their values: those of LabelValues; of GameProgress

@@ -2,14 +2,17 @@
 
 #include "ecs/world.hpp"
 #include "gameplay/components/controls/menu_item.hpp"
+#include "gameplay/components/controls/save_slot.hpp"
 #include "gameplay/game_functions.hpp"
 #include "scene/scene_requests.hpp"
 
 namespace plumb {
 
 /// Requests what a menu item or a SceneKey does.
-/// @param slot  of saved games, for Save and Load
-inline void choose(World& world, MenuAction action, SceneId scene, int slot) {
+/// @param asker  entity of the item or the key; a SaveSlot of it is the slot for Save and Load
+inline void choose(World& world, EntityId asker, MenuAction action, SceneId scene) {
+    const auto* own = std::as_const(world).find<SaveSlot>(asker);
+    const int slot = own == nullptr ? 1 : own->slot;
     auto& requests = world.resource<SceneRequests>();
     switch (action) {
         case MenuAction::Close: requests.close = true; break;

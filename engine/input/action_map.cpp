@@ -169,16 +169,63 @@ ActionMap actionMapFromJson(const Json& json, std::string_view where, std::vecto
     return map;
 }
 
+namespace {
+
+/// Removes the items that a file has added to a map.
+template <class Item>
+void dropUnknown(std::vector<Item>& items, std::size_t known, const char* kind, std::string_view where,
+                 std::vector<Error>& problems) {
+    for (std::size_t i = known; i < items.size(); ++i)
+        problems.push_back({std::string{where}, format("the game has no {} \"{}\"", kind, items[i].name),
+                            "its keys were left out"});
+    if (items.size() > known) items.resize(known);
+}
+
+Json axisJson(const AxisBindings& axis) {
+    Json item = Json::object();
+    item["negative"] = listJson(axis.negative);
+    item["positive"] = listJson(axis.positive);
+    item["analog"] = listJson(axis.analog);
+    return item;
+}
+
+}  // namespace
+
+ActionMap reboundFromJson(const ActionMap& base, const Json& json, std::string_view where,
+                          std::vector<Error>& problems) {
+    ActionMap map = base;
+    JsonFields fields{json, std::string{where}, problems};
+    readActions(fields, map, problems);
+    readAxes(fields, map, problems);
+    fields.warnUnknown();
+    dropUnknown(map.actions, base.actions.size(), "action", where, problems);
+    dropUnknown(map.axes, base.axes.size(), "axis", where, problems);
+    return map;
+}
+
+Json bindingChanges(const ActionMap& base, const ActionMap& map) {
+    Json actions = Json::object(), axes = Json::object();
+    for (std::size_t i = 0; i < map.actions.size(); ++i) {
+        if (i >= base.actions.size() || map.actions[i] != base.actions[i])
+            actions[map.actions[i].name] = listJson(map.actions[i].bindings);
+    }
+    for (std::size_t i = 0; i < map.axes.size(); ++i) {
+        if (i >= base.axes.size() || map.axes[i] != base.axes[i])
+            axes[map.axes[i].name] = axisJson(map.axes[i]);
+    }
+    Json json = Json::object();
+    json["actions"] = std::move(actions);
+    json["axes"] = std::move(axes);
+    return json;
+}
+
 Json toJson(const ActionMap& map) {
     Json json = Json::object();
     Json& actions = json["actions"] = Json::object();
     for (const ActionBindings& action : map.actions) actions[action.name] = listJson(action.bindings);
     Json axes = Json::object();
     for (const AxisBindings& axis : map.axes) {
-        Json& item = axes[axis.name] = Json::object();
-        item["negative"] = listJson(axis.negative);
-        item["positive"] = listJson(axis.positive);
-        item["analog"] = listJson(axis.analog);
+        axes[axis.name] = axisJson(axis);
     }
     json["axes"] = std::move(axes);
     json["deadZone"] = map.deadZone;

@@ -59,8 +59,14 @@ struct ActionMap {
 /// Invalid entries are reported and skipped.
 /// @param where  the location of the object, for messages, e.g. "project.json: input"
 ActionMap actionMapFromJson(const Json& json, std::string_view where, std::vector<Error>& problems);
+/// The same on top of another map. It stays as it is but for the bindings: actions and axes that it does not
+/// have are reported.
+ActionMap reboundFromJson(const ActionMap& base, const Json& json, std::string_view where,
+                          std::vector<Error>& problems);
 
 /// Returns the whole map as JSON, from which actionMapFromJson() creates the same map.
 Json toJson(const ActionMap& map);
+/// Returns the actions and axes of which `map` has other bindings than `base`, for reboundFromJson().
+Json bindingChanges(const ActionMap& base, const ActionMap& map);
 
 }  // namespace plumb

@@ -13,6 +13,7 @@
 // and a range coded stream:
 //
 //     project, engine, scene    each: number of bytes, bytes
+//     keys                      the bindings that the player has changed, as JSON: likewise
 //     seed                      64 bits
 //     for each run of equal input: its changes, in ascending order, the end of the list, ticks - 1
 //     an empty list of changes: the end of the replay
@@ -23,15 +24,16 @@
 namespace plumb::link_format {
 
 inline constexpr std::uint64_t kMaxNameBytes = 1024;
+inline constexpr std::uint64_t kMaxKeysBytes = 16384;
 
 // ---- changes of the input
 
-enum class Part : std::uint8_t { End, Key, MouseButton, Mouse, Wheel, Pad, PadButton, PadAxis };
-inline constexpr std::size_t kParts = 8;
+enum class Part : std::uint8_t { End, Key, MouseButton, Mouse, Wheel, Pad, PadButton, PadAxis, Save };
+inline constexpr std::size_t kParts = 9;
 
 struct Change {
     Part part = Part::End;
-    unsigned index = 0;  ///< of the key or button; of the axis
+    unsigned index = 0;  ///< of the key or button; of the axis; of the slot
     int x = 0;           ///< difference of Mouse, Wheel and PadAxis
     int y = 0;
 };
@@ -41,7 +43,9 @@ inline constexpr unsigned kPadAxisBits = 8;
 
 /// The number of indices of a part.
 inline constexpr std::array<unsigned, kParts> kIndices{
-    1, kKeyCount, kMouseButtonCount, 1, 1, kPadCount, kPadCount* kPadButtonBits, kPadCount* kPadAxisBits};
+    1,         kKeyCount, kMouseButtonCount,         1,
+    1,         kPadCount, kPadCount* kPadButtonBits, kPadCount* kPadAxisBits,
+    kSaveSlots};
 
 template <class Word, class Add>
 void eachBit(Word bits, const Add& add) {
@@ -75,6 +79,7 @@ void eachChange(const InputFrame& before, const InputFrame& now, const Add& add)
             if (moved != 0) add({Part::PadAxis, pad * kPadAxisBits + axis, moved});
         }
     }
+    eachBit(before.saves ^ now.saves, [&](unsigned bit) { add({Part::Save, bit}); });
 }
 
 inline bool move(std::int16_t& value, int by) {
@@ -108,6 +113,7 @@ inline bool apply(const Change& change, InputFrame& frame) {
             const unsigned axis = change.index % kPadAxisBits;
             return axis < kPadAxisCount && move(frame.pads[change.index / kPadAxisBits].axes[axis], change.x);
         }
+        case Part::Save: return flip(frame.saves, change.index);
         case Part::End: return false;
     }
     return false;
@@ -142,13 +148,14 @@ struct MotionModel {
 struct LinkModel {
     NumberModel nameBytes;
     BitTree<8> letters;
-    std::array<BitTree<3>, 2 * kParts>
+    std::array<BitTree<4>, 2 * kParts>
         part{};                       // by the change before in the list; by the last of the list before
     std::array<BitTree<7>, 2> key{};  // by whether the key that changed last is held
     BitTree<3> mouseButton;
     BitTree<2> pad;
     BitTree<6> padButton;
     BitTree<5> padAxis;
+    BitTree<5> save;
     std::array<MotionModel, 2> mouse{};
     std::array<MotionModel, 2> wheel{};
     std::array<MotionModel, kPadAxisBits> axes{};
@@ -157,10 +164,10 @@ struct LinkModel {
     unsigned lastKey = 0;
 
     template <class Coder>
-    void code(Coder& coder, std::string& name) {
+    void code(Coder& coder, std::string& name, std::uint64_t maxBytes = kMaxNameBytes) {
         const std::uint64_t count = nameBytes.code(coder, name.size());
         // A longer one is damaged; the reader sees that by the size.
-        name.resize(static_cast<std::size_t>(std::min(count, kMaxNameBytes + 1)));
+        name.resize(static_cast<std::size_t>(std::min(count, maxBytes + 1)));
         for (char& letter : name)
             letter = static_cast<char>(letters.code(coder, static_cast<unsigned char>(letter)));
     }
@@ -188,6 +195,7 @@ struct LinkModel {
                 change.index = padAxis.code(coder, change.index);
                 change.x = axes[change.index % kPadAxisBits].code(coder, change.x);
                 break;
+            case Part::Save: change.index = save.code(coder, change.index); break;
         }
         return change;
     }

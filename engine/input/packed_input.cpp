@@ -67,7 +67,7 @@ void PackedInput::record(const InputFrame& frame) {
     const Closed& before = closed_[valid];
     if (full_.load(std::memory_order_relaxed) || before.ticks + ticks >= Replay::kMaxTicks) return;
     if (ticks > 0 && frame == frame_) return state_.store(state + 1, std::memory_order_release);
-    if (before.size + kLongestRun > kBytes || runs_ == Replay::kMaxRuns) return full_.store(true);
+    if (before.size + kLongestRun > size_ || runs_ == Replay::kMaxRuns) return full_.store(true);
     ++runs_;
     unsigned char* end = bytes_.get() + before.size;
     if (ticks > 0) end = writeTicks(end, ticks);

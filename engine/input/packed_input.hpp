@@ -28,9 +28,10 @@ public:
     static constexpr std::size_t kBytes =
         4'900'000;  ///< 3 hours of two sticks or 4 of a mouse that never rest
     /// Most bytes of a run.
-    static constexpr std::size_t kLongestRun = 42 * 4 + 5;
+    static constexpr std::size_t kLongestRun = sizeof(InputFrame) / 2 * 4 + 5;
 
-    PackedInput() : bytes_{new unsigned char[kBytes]} {}
+    /// @param bytes  memory, at most kBytes
+    explicit PackedInput(std::size_t bytes = kBytes) : size_{bytes}, bytes_{new unsigned char[bytes]} {}
 
     /// Records the input of the next tick. Does nothing if the memory is full.
     void record(const InputFrame& frame);
@@ -52,6 +53,7 @@ private:
         std::uint64_t ticks = 0;  // of the runs before the last one
     };
 
+    std::size_t size_;
     std::unique_ptr<unsigned char[]> bytes_;
     InputFrame frame_;
     std::size_t runs_ = 0;

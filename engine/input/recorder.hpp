@@ -52,6 +52,8 @@ struct Replay {
     std::string project;     ///< name of the project
     std::string engine;      ///< version of the engine that recorded it
     std::string scene;       ///< path of the first scene
+    std::string keys;        ///< changes of the bindings by the player, as JSON; empty for none
+    std::string state;       ///< of a crash: the saved game that it begins with; empty: the scene
     std::uint64_t seed = 1;  ///< in a file without one, that of a game without --seed
     std::vector<InputRun> runs;
     std::vector<HashCheck> checkpoints;  ///< in ascending order of ticks

@@ -20,6 +20,7 @@
 //     engine 0.1.0
 //     scene scenes/title.scene.json
 //     seed 000000000000002a
+//     keys {"actions":{"Jump":["K"]}}   the bindings that the player has changed, if any
 //     30                        30 ticks without input
 //     12 +Right                 12 ticks with Right held
 //     1 +Space mouse=120,44     1 tick: Space is pressed too, and the mouse has moved
@@ -30,11 +31,12 @@
 // Each line of ticks lists the changes since the previous one: +Key -Key, +Mouse.Left, wheel=0,120, +Gamepad1
 // (connected), +Gamepad1.A, Gamepad1.LeftX=-32767. The seed is in hex.
 //
-// The report of a crash is such a file of format 2, which app/crash_file.cpp writes:
+// The report of a crash is such a file of format 2, which app/recording/crash_file.cpp writes:
 //
 //     build 6f1c...
 //     crash SIGSEGV, a wrong access to memory
 //     running MovementSystem
+//     state 48211                48211 bytes and a line break follow: the saved game that the run began with
 //     packed 2100                2100 bytes of packed input and a line break follow
 //     end 4711
 //     ...                        what follows "end" is for people
@@ -43,7 +45,8 @@ namespace plumb {
 namespace {
 
 constexpr std::string_view kMark = "plumb-replay";
-constexpr int kWritten = 1;               // format
+constexpr int kWritten = 1;                               // format
+constexpr std::size_t kKeysBytes = std::size_t{1} << 16;  // maximum size of the changed bindings
 constexpr std::size_t kNameBytes = 1024;  // maximum size of a project's, engine's or scene's name
 
 // ---- writing ------------------------------------------------------------------------------------
@@ -253,12 +256,14 @@ private:
         if (key == "project") return readHeader(replay_.project, value);
         if (key == "engine") return readHeader(replay_.engine, value);
         if (key == "scene") return readHeader(replay_.scene, value);
+        if (key == "keys") return readKeys(value);
         if (key == "seed") return readSeed(value);
         if (key == "check") return readCheckpoint(value);
         if (key == "end") return readEnd(value);
         if (isCrash() && key == "build") return readHeader(replay_.crash.build, value);
         if (isCrash() && key == "crash") return readHeader(replay_.crash.what, value);
         if (isCrash() && key == "running") return readHeader(replay_.crash.running, value);
+        if (isCrash() && key == "state") return readState(value);
         if (isCrash() && key == "packed") return readPacked(value);
         return format("unknown keyword \"{}\"", key.substr(0, 40));
     }
@@ -266,6 +271,12 @@ private:
     static std::string readHeader(std::string& field, std::string_view value) {
         if (value.size() > kNameBytes) return format("the name is longer than {} bytes", kNameBytes);
         field = value;
+        return {};
+    }
+
+    std::string readKeys(std::string_view value) {
+        if (value.size() > kKeysBytes) return format("the keys are longer than {} bytes", kKeysBytes);
+        replay_.keys = value;
         return {};
     }
 
@@ -296,12 +307,27 @@ private:
         return {};
     }
 
-    std::string readPacked(std::string_view value) {
-        const auto size = parseCount(value, Replay::kMaxBytes);
+    /// Takes the bytes that follow a line with their number. @return an error message; empty: none
+    std::string takeBytes(std::string_view count, std::string_view& bytes) {
+        const auto size = parseCount(count, Replay::kMaxBytes);
         if (!size || *size >= text_.size() || text_[*size] != '\n')
             return "expected the number of bytes that follow, after which the line ends";
-        std::string problem = unpackInput(text_.substr(0, *size), replay_, ticks_);
+        bytes = text_.substr(0, *size);
         text_.remove_prefix(*size + 1);
+        return {};
+    }
+
+    std::string readState(std::string_view value) {
+        std::string_view bytes;
+        std::string problem = takeBytes(value, bytes);
+        replay_.state = bytes;
+        return problem;
+    }
+
+    std::string readPacked(std::string_view value) {
+        std::string_view bytes;
+        if (std::string problem = takeBytes(value, bytes); !problem.empty()) return problem;
+        std::string problem = unpackInput(bytes, replay_, ticks_);
         if (!replay_.runs.empty()) frame_ = replay_.runs.back().frame;
         return problem;
     }
@@ -352,9 +378,10 @@ std::string oneLine(std::string_view text) {
 }
 
 std::string headerOf(const Replay& replay) {
-    return format("{} {}\n", kMark, kWritten) + format("project {}\nengine {}\nscene {}\nseed {}\n",
-                                                       oneLine(replay.project), oneLine(replay.engine),
-                                                       oneLine(replay.scene), hexText(replay.seed));
+    const std::string keys = replay.keys.empty() ? "" : format("keys {}\n", replay.keys);
+    return format("{} {}\n", kMark, kWritten) + keys +
+           format("project {}\nengine {}\nscene {}\nseed {}\n", oneLine(replay.project),
+                  oneLine(replay.engine), oneLine(replay.scene), hexText(replay.seed));
 }
 
 void writeCheck(std::string& out, const HashCheck& check) {

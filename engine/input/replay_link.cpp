@@ -13,10 +13,10 @@
 namespace plumb {
 namespace {
 
-using link_format::apply, link_format::Change, link_format::eachChange, link_format::kMaxNameBytes,
-    link_format::LinkModel, link_format::Part;
+using link_format::apply, link_format::Change, link_format::eachChange, link_format::kMaxKeysBytes,
+    link_format::kMaxNameBytes, link_format::LinkModel, link_format::Part;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr std::size_t kHeadBytes = 5;
 constexpr std::string_view kLinkMark = "#r=";
 constexpr const char* kWhere = "link";
@@ -75,6 +75,9 @@ LinkWriter::LinkWriter(const Replay& begin) : state_{std::make_unique<State>()} 
         std::string text = name->substr(0, kMaxNameBytes);
         state_->model.code(state_->encoder, text);
     }
+    std::string keys = begin.keys.size() > kMaxKeysBytes ? std::string{} : begin.keys;
+    state_->isFull = keys.size() != begin.keys.size();
+    state_->model.code(state_->encoder, keys, kMaxKeysBytes);
     state_->encoder.bits(begin.seed, 64);
 }
 LinkWriter::LinkWriter(LinkWriter&&) noexcept = default;
@@ -123,9 +126,9 @@ Result<std::string> linkOf(const Replay& replay) {
 
 namespace {
 
-bool isName(std::string_view text) {
+bool isLine(std::string_view text, std::uint64_t maxBytes) {
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 32; };
-    return text.size() <= kMaxNameBytes && isUtf8(text) && std::none_of(text.begin(), text.end(), isControl);
+    return text.size() <= maxBytes && isUtf8(text) && std::none_of(text.begin(), text.end(), isControl);
 }
 
 /// Reads the stream of a link.
@@ -136,8 +139,10 @@ public:
     Result<Replay> read() {
         for (std::string* name : {&replay_.project, &replay_.engine, &replay_.scene}) {
             model_.code(decoder_, *name);
-            if (!isName(*name)) return damaged("the link has an invalid name");
+            if (!isLine(*name, kMaxNameBytes)) return damaged("the link has an invalid name");
         }
+        model_.code(decoder_, replay_.keys, kMaxKeysBytes);
+        if (!isLine(replay_.keys, kMaxKeysBytes)) return damaged("the link has invalid keys");
         replay_.seed = decoder_.bits(0, 64);
         for (;;) {
             const Result<bool> goesOn = readRun();
@@ -211,16 +216,14 @@ Result<Replay> replayOfLink(std::string_view text) {
     if (!bytes) return damaged(format("the link is damaged or incomplete: {}", bytes.error().what));
     if (bytes->size() < kHeadBytes) return damaged("the link is incomplete");
     const int version = static_cast<unsigned char>(bytes->front());
-    if (version > kVersion)
-        return Error{kWhere,
-                     format("the link has version {}, this program reads up to {}", version, kVersion),
+    if (version != kVersion)
+        return Error{kWhere, format("the link has version {}, this program reads {}", version, kVersion),
                      "play it with the version of the game that made it"};
     std::uint32_t checksum = 0;
     for (std::size_t i = 0; i < 4; ++i)
         checksum |= std::uint32_t{static_cast<unsigned char>((*bytes)[1 + i])} << 8 * i;
     const std::string_view stream = std::string_view{*bytes}.substr(kHeadBytes);
-    if (version != kVersion || checksum != checksumOf(version, stream))
-        return damaged("the link is damaged or incomplete");
+    if (checksum != checksumOf(version, stream)) return damaged("the link is damaged or incomplete");
     return std::make_unique<LinkReader>(stream)->read();  // too large for the stack
 }
 

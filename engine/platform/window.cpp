@@ -1,5 +1,6 @@
 #include "platform/window.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -132,7 +133,23 @@ bool Window::hasFocus() const { return (SDL_GetWindowFlags(parts_->window) & SDL
 bool Window::hasDisplay() const { return !drawsIntoMemory(); }
 
 void Window::setTitle(const std::string& title) { SDL_SetWindowTitle(parts_->window, title.c_str()); }
-void Window::setSize(int width, int height) { SDL_SetWindowSize(parts_->window, width, height); }
+void Window::setSize(int width, int height) {
+    SDL_SetWindowSize(parts_->window, width, height);
+    SDL_Rect area{};
+    const int display = hasDisplay() ? SDL_GetWindowDisplayIndex(parts_->window) : -1;
+    if (display < 0 || SDL_GetDisplayUsableBounds(display, &area) != 0) return;
+    int x = 0, y = 0;
+    SDL_GetWindowPosition(parts_->window, &x, &y);
+    const int left = std::max(area.x, std::min(x, area.x + area.w - width));
+    const int top = std::max(area.y, std::min(y, area.y + area.h - height));
+    if (left != x || top != y) SDL_SetWindowPosition(parts_->window, left, top);
+}
+PixelSize Window::largestSize() const {
+    SDL_Rect area{};
+    const int display = hasDisplay() ? SDL_GetWindowDisplayIndex(parts_->window) : -1;
+    if (display < 0 || SDL_GetDisplayUsableBounds(display, &area) != 0) return {};
+    return {area.w, area.h};
+}
 void Window::setFullscreen(bool on) {
     SDL_SetWindowFullscreen(parts_->window, on ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
 }

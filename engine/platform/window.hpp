@@ -63,10 +63,13 @@ public:
 
     [[nodiscard]] PixelSize size() const;          ///< in the units of mouse positions
     [[nodiscard]] PixelSize drawableSize() const;  ///< in pixels: larger than size() on dense screens
+    /// Largest size() for which the window without its frame fits on its display; {} if that is unknown.
+    [[nodiscard]] PixelSize largestSize() const;
     [[nodiscard]] bool hasFocus() const;
     [[nodiscard]] bool hasDisplay() const;  ///< false if it only draws into memory
 
     void setTitle(const std::string& title);
+    /// Moves the window, too, if it would leave its display.
     void setSize(int width, int height);
     void setFullscreen(bool on);
     [[nodiscard]] bool fullscreen() const;

@@ -51,6 +51,7 @@ constexpr std::array kHandlers{
         "entity and its components are gone, `self` still has what was assigned to it. Not called when "
         "the scene ends, and cannot wait."},
     HandlerRow{"onReload", "", "After the file of the script was changed while the game runs."},
+    HandlerRow{"onLoad", "", "In the first tick after a saved game was loaded."},
 };
 
 /// A function that declares a property.

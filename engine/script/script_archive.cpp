@@ -12,8 +12,8 @@
 #include "ecs/world.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_state.hpp"
-#include "script/script_values_archive.hpp"
 #include "script/values/self.hpp"
+#include "script/values/value_archive.hpp"
 
 // The scripts of a saved game: first the instances, then their `self` tables, then for each file the upvalues
 // of its functions, i.e. its local variables and the table of its global ones, by name.

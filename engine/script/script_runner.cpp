@@ -99,6 +99,7 @@ void ScriptRunner::protect(const std::function<void()>& body) {
 
 void ScriptRunner::tick(float dt) {
     protect([&] {
+        callOnLoad();
         endWaits();
         for (Loaded& script : scripts_.loaded) endInstances(script);
         resumeWaits();
@@ -108,10 +109,16 @@ void ScriptRunner::tick(float dt) {
     failures_.logOthers();
 }
 
-/// After a saved game was loaded: scripts go on, and onLoad starts what they waited for.
+/// After a saved game was loaded: scripts have their values again.
 void ScriptRunner::takeSaved() {
     if (!script::takeSaved(state_, world_, scripts_))
         logError("Script", Error{"saved game", "the values of its scripts are damaged", "load another one"});
+    scripts_.isLoaded = true;
+}
+
+/// In the first tick of a saved game: onLoad begins again what handlers were waiting for.
+void ScriptRunner::callOnLoad() {
+    if (!std::exchange(scripts_.isLoaded, false)) return;
     for (std::size_t i = 0; i < scripts_.loaded.size(); ++i) {
         Loaded& script = scripts_.loaded[i];
         if ((script.handlers & kOnLoad) == 0) continue;

@@ -40,6 +40,7 @@ private:
 
     void load();
     void takeSaved();
+    void callOnLoad();
     void loadFile(std::size_t index);
     void reset(Loaded& script);
 

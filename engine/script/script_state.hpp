@@ -62,6 +62,7 @@ struct ScriptState {
     /// What a saved game contains of the scripts, until the ScriptRunner has taken it: see
     /// script_archive.cpp.
     std::string saved;
+    bool isLoaded = false;  ///< a saved game was loaded, and onLoad is not called yet
 
     [[nodiscard]] Loaded* find(TypeKey type);
     /// Returns the ref of the `self` of an entity's script; 0 if there is none.

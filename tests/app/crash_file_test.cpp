@@ -3,7 +3,7 @@
 
 #ifndef _WIN32
 
-#include "app/crash_file.hpp"
+#include "app/recording/crash_file.hpp"
 
 #include <array>
 #include <csignal>
@@ -24,6 +24,7 @@
 #include "core/crash.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
+#include "gameplay/game_functions.hpp"
 #include "tests/support/allocations.hpp"
 #include "tests/support/crashes.hpp"
 #include "tests/support/places.hpp"
@@ -96,6 +97,20 @@ struct CrashingSystem {
 std::uint64_t CrashingSystem::at = 0;
 const Kind* CrashingSystem::kind = nullptr;
 
+/// Saves the game at the end of a tick, and loads it once at the end of another one.
+struct LoadingSystem {
+    static std::uint64_t saveAt, loadAt;
+
+    void update(World& world, float) const {
+        if (loadAt == 0) return;
+        if (world.tick == saveAt) saveGame(world, 3);
+        if (world.tick == loadAt) loadGame(world, 3);
+        if (world.tick == loadAt) loadAt = 0;
+    }
+};
+std::uint64_t LoadingSystem::saveAt = 0;
+std::uint64_t LoadingSystem::loadAt = 0;
+
 /// Returns the line of a text that starts so; empty: none.
 std::string lineOf(const std::string& text, std::string_view start) {
     const std::size_t at = text.find("\n" + std::string{start});
@@ -105,6 +120,7 @@ std::string lineOf(const std::string& text, std::string_view start) {
 [[noreturn]] void playAndExit(const PlayerOptions& options) {
     reportCrashes("");
     Module code;
+    code.system<LoadingSystem>();
     code.system<CrashingSystem>();
     std::_Exit(playProject(options, code));
 }
@@ -282,6 +298,39 @@ TEST_F(CrashFilesFrom, randomCrashesEndInTheSameTickWithTheSameState) {
     EXPECT_EQ(outside, crashes / 2);
 }
 
+TEST_F(CrashFiles, afterASavedGameWasLoadedBeginWithIt) {
+    Random random = Random::seeded(29);
+    for (int round = 0; round < 4; ++round) {
+        PlayerOptions options = optionsOf(kGames[static_cast<std::size_t>(round)], 1);
+        options.replay.clear();
+        options.frames = 400;
+        options.saves = (reports().parent_path() / "data").string();
+        LoadingSystem::saveAt = 20 + random.below(100);
+        LoadingSystem::loadAt = LoadingSystem::saveAt + 1 + random.below(100);
+        CrashingSystem::kind = kKinds.data();
+        CrashingSystem::at = LoadingSystem::loadAt + 1 + random.below(100);
+        SCOPED_TRACE(format("saved at {}, loaded at {}, crash at {}", LoadingSystem::saveAt,
+                            LoadingSystem::loadAt, CrashingSystem::at));
+        const int ended = play(options);
+        const std::string crash = output();
+        ASSERT_EQ(files().size(), 1u) << crash;
+        EXPECT_NE(crash.find("Loaded slot 3"), std::string::npos) << crash;
+        const Result<Replay> replay = loadReplay(reports() / files().front());
+        ASSERT_TRUE(replay) << replay.error().text();
+        EXPECT_EQ(replay->ticks(), CrashingSystem::at - LoadingSystem::saveAt);
+
+        LoadingSystem::loadAt = 0;
+        std::filesystem::remove_all(options.saves);
+        options.saves.clear();
+        options.frames = -1;
+        EXPECT_EQ(play(replayOf(options, files().front())), ended);
+        const std::string again = output();
+        EXPECT_NE(lineOf(crash, "crash "), "") << crash;
+        EXPECT_EQ(lineOf(again, "crash "), lineOf(crash, "crash ")) << again;
+        clear();
+    }
+}
+
 // ---- the file
 
 class CrashFileText : public testing::Test {
@@ -333,14 +382,37 @@ TEST_F(CrashFileText, isAReplayOfAllTicksWithTheLastHashes) {
     EXPECT_EQ(text.find("were changed"), std::string::npos);
 }
 
-TEST_F(CrashFileText, saysThatFilesWereEdited) {
+TEST_F(CrashFileText, saysWhatHasChangedTheGame) {
     CrashFile file{start_, folder_.path, "in a window", nullptr};
     for (int tick = 0; tick < 7; ++tick) file.tickBegins({}), file.tickEnds();
-    file.changed();
+    file.changed("files of the project were changed");
     file.tickBegins({}), file.tickEnds();
+    file.changed("keys were changed");
     const std::string text = written(file);
     EXPECT_NE(text.find("\nafter tick 8\n"), std::string::npos);
-    EXPECT_NE(text.find("changed after tick 7, last: the replay may differ"), std::string::npos) << text;
+    EXPECT_NE(text.find("After tick 7, files of the project were changed: the replay may differ"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("keys were"), std::string::npos) << "the replay is exact up to the first change";
+}
+
+TEST_F(CrashFileText, containsTheSavedGameThatTheRunBeganWith) {
+    Random random = Random::seeded(17);
+    for (const std::uint32_t size : {1u, 1000u, static_cast<std::uint32_t>(CrashFile::kMostState)}) {
+        start_.keys = R"({"actions":{"Jump":["K"]},"axes":{}})";
+        start_.state.clear();
+        for (std::uint32_t i = 0; i < size; ++i) start_.state += static_cast<char>(random.next());
+        CrashFile file{start_, folder_.path, "in a window", nullptr};
+        for (int tick = 0; tick < 20; ++tick) file.tickBegins(inputOf(tick));
+        std::string text = written(file);
+        const Result<Replay> replay = parseReplay(text, "crash.replay");
+        ASSERT_TRUE(replay) << replay.error().text();
+        EXPECT_EQ(replay->state, start_.state);
+        EXPECT_EQ(replay->keys, start_.keys);
+        EXPECT_EQ(replay->ticks(), 20u);
+        text.resize(text.find("state ") + 8 + size / 2);
+        EXPECT_FALSE(parseReplay(text, "crash.replay")) << "the state is incomplete";
+    }
 }
 
 TEST_F(CrashFileText, isBelow5MegabytesAndSaysThatTheMemoryWasFull) {

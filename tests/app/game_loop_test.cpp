@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/recording/replay_choice.hpp"
 #include "app/sound_place.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"

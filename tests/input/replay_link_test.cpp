@@ -23,7 +23,7 @@ std::int16_t anyNumber(Random& random) {
 /// Changes a part of the input as a player does, or to anything.
 void change(InputFrame& frame, Random& random) {
     PadFrame& pad = frame.pads[random.below(kPadCount)];
-    switch (random.below(9)) {
+    switch (random.below(10)) {
         case 0:
         case 1:
         case 2: {
@@ -38,6 +38,7 @@ void change(InputFrame& frame, Random& random) {
         case 5: frame.wheelX = anyNumber(random), frame.wheelY = anyNumber(random); return;
         case 6: frame.connectedPads ^= static_cast<std::uint16_t>(1u << random.below(kPadCount)); return;
         case 7: pad.buttons ^= static_cast<std::uint16_t>(1u << random.below(kPadButtonCount)); return;
+        case 8: frame.saves ^= 1u << random.below(kSaveSlots); return;
         default: pad.axes[random.below(kPadAxisCount)] = anyNumber(random); return;
     }
 }
@@ -49,6 +50,7 @@ Recorder randomRun(std::uint64_t seed, std::uint64_t ticks) {
     recorder.replay.project = seed % 5 == 0 ? "" : "Ωmega \"Caves\"";
     recorder.replay.engine = "0.1.0";
     recorder.replay.scene = "scenes/title.scene.json";
+    recorder.replay.keys = seed % 3 == 0 ? R"({"actions":{"Jump":["K","Pad A"]}})" : "";
     recorder.replay.seed = random.next64();
     InputFrame frame;
     while (recorder.ticks() < ticks) {
@@ -126,9 +128,9 @@ TEST(ReplayLink, whatIsNoLinkIsReportedWithTheReason) {
               "link: the link is damaged or incomplete: character 2 is not a base64url digit; copy the whole "
               "link again");
     EXPECT_EQ(errorOf("#r=AQID"), "link: the link is incomplete; copy the whole link again");
-    EXPECT_EQ(errorOf("#r=AQIDBAUGBw"), "link: the link is damaged or incomplete; copy the whole link again");
-    EXPECT_EQ(errorOf("#r=AgIDBAUGBw"),
-              "link: the link has version 2, this program reads up to 1; play it with the version of the "
+    EXPECT_EQ(errorOf("#r=AgIDBAUGBw"), "link: the link is damaged or incomplete; copy the whole link again");
+    EXPECT_EQ(errorOf("#r=AwIDBAUGBw"),
+              "link: the link has version 3, this program reads 2; play it with the version of the "
               "game that made it");
     EXPECT_EQ(
         errorOf("#r=" + std::string(kMaxLinkBytes + 1, 'A')),
@@ -157,8 +159,8 @@ TEST(ReplayLink, anEditedLinkIsRefusedOrTheSame) {
 
 /// The link with other bytes after the checksum, and the checksum of these.
 std::string withStream(const std::string& stream) {
-    const auto sum = static_cast<std::uint32_t>(mixBits(hashText(stream) + 1));
-    std::string bytes{'\1'};
+    const auto sum = static_cast<std::uint32_t>(mixBits(hashText(stream) + 2));
+    std::string bytes{'\2'};
     for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(sum >> shift & 255);
     return "#r=" + toBase64Url(bytes + stream);
 }

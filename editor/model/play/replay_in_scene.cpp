@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/recording/replay_choice.hpp"
 #include "core/text.hpp"
 #include "editor/model/input/key_words.hpp"
 #include "editor/model/workspace.hpp"
@@ -30,10 +31,15 @@ Result<Done> playReplayInScene(Workspace& workspace, const Replay& replay, std::
                      format("it was recorded by the project \"{}\", and this is \"{}\"", replay.project,
                             workspace.project.name),
                      "open it with that project"};
+    if (!replay.state.empty())
+        return Error{std::string{file}, "it begins with a saved game, which the editor does not load",
+                     "play it: ./plumb play PROJECT --replay FILE"};
     PlayMode& play = workspace.play;
     workspace.startPlaying(true);
     if (!play.running()) return Error{std::string{file}, workspace.notice, "correct the scene"};
     play.world().resource<GameRandom>().random = Random::seeded(replay.seed);
+    const Result<Done> keys = useReplayedKeys(play.world().resource<Input>(), replay, std::string{file});
+    if (!keys) return keys.error();
     const std::int64_t ticks =
         static_cast<std::int64_t>(replay.ticks()) - (replay.crash.what.empty() ? 0 : 1);
     ReplayPlayer player{replay};

@@ -114,9 +114,9 @@ void MenuSystem::update(World& world, float) {
         show(world, menu, items);
         if (!pressed && !input.isPressed(Action::Confirm)) continue;
         playCue(world, entity, &SoundCues::activate);
-        const MenuItem item =
-            std::as_const(world).get<MenuItem>(items[static_cast<std::size_t>(menu.selected)]);
-        choose(world, item.action, item.scene, item.slot);
+        const EntityId chosen = items[static_cast<std::size_t>(menu.selected)];
+        const auto& item = std::as_const(world).get<MenuItem>(chosen);
+        choose(world, chosen, item.action, item.scene);
     }
 }
 

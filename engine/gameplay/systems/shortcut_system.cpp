@@ -14,7 +14,7 @@ namespace plumb {
 void ShortcutSystem::update(World& world, float) {
     for (auto [entity, key] : world.query<const SceneKey>()) {
         if (inputFor(world, entity).isPressed(actionNamed(key.action)))
-            choose(world, key.does, key.scene, key.slot);
+            choose(world, entity, key.does, key.scene);
     }
     for (auto [entity, key] : world.query<const ToggleKey>()) {
         if (!inputFor(world, entity).isPressed(actionNamed(key.action))) continue;

@@ -217,6 +217,14 @@ void SceneRenderer::drawPhysics(const World& world, const PhysicsShown& shown, c
     renderer_.draw(list_, viewport);
 }
 
+void SceneRenderer::drawOver(Vec2 size, const Viewport& viewport,
+                             const std::function<void(LabelDrawing&, DrawList&)>& add) {
+    labels_.setPixelScale(static_cast<float>(viewport.height) / size.y);
+    list_.begin({size * 0.5f, size});
+    add(labels_, list_);
+    renderer_.draw(list_, viewport);
+}
+
 void SceneRenderer::collect(const World& world, const SceneView& how, DrawList& list) {
     textures_.refresh();
     poses_.clear();

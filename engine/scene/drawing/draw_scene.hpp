@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -68,6 +69,11 @@ public:
     /// @param how  parameters with which the scene was drawn
     void drawPhysics(const World& world, const PhysicsShown& shown, const SceneView& how,
                      const Viewport& viewport);
+    /// Draws over the current image.
+    /// @param size  of the view, px
+    /// @param add   fills the list
+    void drawOver(Vec2 size, const Viewport& viewport,
+                  const std::function<void(LabelDrawing& labels, DrawList& list)>& add);
     /// Parameters with which the last draw() drew the bottom scene.
     [[nodiscard]] const SceneView& sceneView() const { return sceneView_; }
 

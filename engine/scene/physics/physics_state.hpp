@@ -62,9 +62,10 @@ struct TileTerrain {
     std::shared_ptr<physics::TerrainOutlines> outlines;
     std::shared_ptr<TileGrid> cells;  ///< cells at the last synchronization
     physics::TerrainBody body;
-    std::uint64_t made = 0;     ///< hash of everything except the cells that it was created from
-    std::uint32_t version = 0;  ///< version of the grid at the last synchronization
-    std::uint64_t seen = 0;     ///< value of PhysicsState::syncs when its entity was last found
+    std::uint64_t made = 0;      ///< hash of everything except cells and tileset that it was created from
+    std::uint32_t revision = 0;  ///< of the tileset that it was created from, in this program
+    std::uint32_t version = 0;   ///< version of the grid at the last synchronization
+    std::uint64_t seen = 0;      ///< value of PhysicsState::syncs when its entity was last found
 };
 
 /// Connects a joint component with its joint.

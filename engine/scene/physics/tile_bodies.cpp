@@ -104,11 +104,14 @@ private:
     std::optional<Error> refusal_;
 };
 
-std::uint64_t madeFrom(const World& world, const TileLayer& layer, const TileCollider& collider,
-                       const TileGrid& grid, Vec2 place, Vec2 tileSize) {
+std::uint32_t revisionOf(const World& world, const TileLayer& layer) {
+    const auto* assets = world.service<AssetStore>();
+    return assets == nullptr ? 0 : assets->revisionOf(AssetKind::Tileset, layer.tileset.path);
+}
+
+std::uint64_t madeFrom(const TileLayer& layer, const TileCollider& collider, const TileGrid& grid, Vec2 place,
+                       Vec2 tileSize) {
     Hasher hasher;
-    if (const auto* assets = world.service<AssetStore>())
-        hasher.add(std::uint64_t{assets->revisionOf(AssetKind::Tileset, layer.tileset.path)});
     hasher.add(std::uint64_t{layer.cells.value});
     hasher.add(layer.tileset.path.value);
     hasher.add(static_cast<std::uint64_t>(grid.width()) << 32 | static_cast<std::uint64_t>(grid.height()));
@@ -151,9 +154,13 @@ public:
         terrain.seen = state_.syncs;
         const Vec2 place = worldPose(reader_, entity_).position;
         const Vec2 size = tileSizeOf(reader_, layer_);
-        const std::uint64_t made = madeFrom(reader_, layer_, collider_, grid, place, size);
-        if (made != terrain.made) {
+        const std::uint64_t made = madeFrom(layer_, collider_, grid, place, size);
+        // The revisions of another program mean nothing: after a saved game was loaded, this one counts.
+        const std::uint32_t revision = revisionOf(reader_, layer_);
+        if (terrain.outlines == nullptr) terrain.revision = revision;
+        if (made != terrain.made || revision != terrain.revision) {
             terrain.made = made;
+            terrain.revision = revision;
             makeAnew(terrain, grid, place, size);
         } else if (grid.version() != terrain.version || terrain.outlines == nullptr) {
             if (terrain.outlines == nullptr) remember(terrain);

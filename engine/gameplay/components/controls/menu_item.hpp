@@ -12,8 +12,7 @@ enum class MenuAction : std::uint8_t { Close, GoTo, Restart, Quit, Open, Save, L
 struct MenuItem {
     std::int32_t order = 0;  ///< position in the menu: ascending order
     MenuAction action = MenuAction::Close;
-    SceneId scene;          ///< scene for GoTo and Open
-    std::int32_t slot = 1;  ///< slot of saved games for Save and Load
+    SceneId scene;  ///< scene for GoTo and Open
 
     static void describe(TypeBuilder<MenuItem>& type) {
         type.name("MenuItem").doc("An item of a Menu; its text is the entity's Label.");
@@ -33,7 +32,6 @@ struct MenuItem {
                 "game, "
                 "open a scene as an overlay, save or load the game, or open the options of the player.");
         type.field<&MenuItem::scene>("scene").doc("Scene for the actions goTo and open.");
-        type.field<&MenuItem::slot>("slot").range(1.0f, 32.0f).doc("Slot of saved games, for save and load.");
     }
 };
 

@@ -11,7 +11,6 @@ struct SceneKey {
     TextId action;                       ///< name of the input action (project.json)
     MenuAction does = MenuAction::GoTo;  ///< scene change that the action performs
     SceneId scene;                       ///< scene for GoTo and Open
-    std::int32_t slot = 1;               ///< slot of saved games for Save and Load
 
     static void describe(TypeBuilder<SceneKey>& type) {
         type.name("SceneKey").doc("An input action that changes the scene.");
@@ -29,7 +28,6 @@ struct SceneKey {
                 "Scene change: close the overlay, change to a scene, restart the scene, quit the game, or "
                 "open a scene as an overlay, save or load the game, or open the options of the player.");
         type.field<&SceneKey::scene>("scene").doc("Scene for goTo and open.");
-        type.field<&SceneKey::slot>("slot").range(1.0f, 32.0f).doc("Slot of saved games, for save and load.");
     }
 };
 

@@ -1,13 +1,13 @@
-#include "script/script_values_archive.hpp"
+#include "script/values/value_archive.hpp"
 
 #include <bit>
 #include <string>
 
 #include <lua.hpp>
 
-#include "ecs/component_type.hpp"
 #include "ecs/saved_type.hpp"
 #include "ecs/world.hpp"
+#include "reflect/type_registry.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_vector.hpp"
@@ -179,10 +179,11 @@ void ValueReader::read(int into, int depth) {
             EntityId entity;
             archiveKey(archive_, key);
             archive_.value(entity);
-            const ComponentType* type = key < kMaxTypes ? findComponentType(key) : nullptr;
-            if (type == nullptr || !contextOf(state_).world.has(type->info, entity))
-                return lua_pushnil(state_);
-            return pushComponent(state_, entity, type->info);
+            // The description in the registry: its address identifies the type for scripts.
+            const World& world = contextOf(state_).world;
+            const TypeInfo* type = key < kMaxTypes ? world.types()->find(key) : nullptr;
+            if (type == nullptr || !world.has(*type, entity)) return lua_pushnil(state_);
+            return pushComponent(state_, entity, *type);
         }
         case New:
             if (depth > kDepth || lua_checkstack(state_, 8) == 0) break;

@@ -1,4 +1,4 @@
-#include "app/crash_file.hpp"
+#include "app/recording/crash_file.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,6 +16,7 @@ std::string headOf(const Replay& start) {
     text.erase(text.rfind("end "));
     const std::string build = buildId();
     if (!build.empty()) text += format("build {}\n", build);
+    if (!start.state.empty()) text += format("state {}\n", start.state.size()) + start.state + "\n";
     return text;
 }
 
@@ -26,7 +27,7 @@ CrashFile::CrashFile(const Replay& start, const Path& folder, std::string settin
       settings_{std::move(settings)},
       replayed_{replayed},
       replayedTicks_{replayed != nullptr ? replayed->ticks() : 0} {
-    if (!folder.empty()) input_.emplace();
+    if (!folder.empty()) input_.emplace(PackedInput::kBytes - start.state.size());
     setCrashReport(this, folder);
 }
 
@@ -39,6 +40,12 @@ void CrashFile::check(std::uint64_t hash) {
     const std::uint64_t count = checkCount_.load(std::memory_order_relaxed);
     checks_[count % kChecks] = {static_cast<std::uint64_t>(begun_.load()), hash};
     checkCount_.store(count + 1, std::memory_order_release);
+}
+
+void CrashFile::changed(std::string_view why) {
+    if (changedAfter_.load() >= 0) return;
+    why.copy(change_.data(), change_.size() - 1);
+    changedAfter_.store(begun_.load(), std::memory_order_release);
 }
 
 void CrashFile::writePlace(CrashOutput& out) const {
@@ -65,10 +72,9 @@ void CrashFile::writeFile(CrashOutput& file, const Crash& crash) const {
     writePlace(file);
     file.text("\n").text(settings_).text("\n");
     if (input_->full()) file.text("The memory for the input was full: the replay ends before the crash.\n");
-    if (const std::int64_t changed = changedAfter_.load(); changed >= 0) {
-        file.text("Files of the project were changed after tick ")
-            .number(static_cast<std::uint64_t>(changed));
-        file.text(", last: the replay may differ from the game.\n");
+    if (const std::int64_t changed = changedAfter_.load(std::memory_order_acquire); changed >= 0) {
+        file.text("After tick ").number(static_cast<std::uint64_t>(changed)).text(", ");
+        file.text(change_.data()).text(": the replay may differ from the game.\n");
     }
 }
 

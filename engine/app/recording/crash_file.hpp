@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/crash_report.hpp"
 #include "input/packed_input.hpp"
@@ -20,7 +21,9 @@ class CrashFile final : public CrashReport {
 public:
     static constexpr std::int64_t kCheckTicks = 3600;  ///< ticks between two hashes
 
-    /// @param start     project, engine, scene and seed
+    static constexpr std::size_t kMostState = std::size_t{2} << 20;  ///< bytes of a saved game in a file
+
+    /// @param start     project, engine, scene, seed, keys and state; the state has at most kMostState bytes
     /// @param folder    of the file; empty: none is written
     /// @param settings  a line for people: what else the game was started with
     /// @param replayed  the replay that is played; null: none. Must outlive this
@@ -35,8 +38,9 @@ public:
     void tickEnds() { ended_.store(begun_.load(std::memory_order_relaxed), std::memory_order_relaxed); }
     /// Adds the hash of the world after this tick.
     void check(std::uint64_t hash);
-    /// To be called when the running game was changed: its replay may differ from now on.
-    void changed() { changedAfter_.store(begun_.load(), std::memory_order_relaxed); }
+    /// To be called when something else than input has changed the running game: its replay differs from
+    /// now on. @param why  a sentence in the past tense, without a full stop
+    void changed(std::string_view why);
 
     void writeFile(CrashOutput& file, const Crash& crash) const override;
     void explain(CrashOutput& terminal, const Crash& crash) const override;
@@ -53,6 +57,7 @@ private:
     std::uint64_t replayedTicks_ = 0;
     std::optional<PackedInput> input_;               // empty: no file is written
     std::atomic<std::int64_t> begun_{0}, ended_{0};  // numbers of ticks
+    std::array<char, 128> change_{};                 // why the replay differs: that of the first change
     std::atomic<std::int64_t> changedAfter_{-1};     // number of ticks; -1: never
     std::array<HashCheck, kChecks> checks_{};        // a ring
     std::atomic<std::uint64_t> checkCount_{0};       // ever added

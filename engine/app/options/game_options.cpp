@@ -1,0 +1,218 @@
+#include "app/options/game_options.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/options/options_view.hpp"
+#include "core/clock.hpp"
+#include "core/log.hpp"
+#include "core/text.hpp"
+#include "platform/paths.hpp"
+#include "reflect/json.hpp"
+#include "reflect/json_members.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr double kNoticeSeconds = 5.0;
+constexpr std::string_view kFile = "settings.json";
+
+PlayerSettings projectSettings(const ScreenSettings& screen, const ActionMap& keys) {
+    PlayerSettings settings;
+    settings.fullscreen = screen.fullscreen;
+    settings.keys = keys;
+    return settings;
+}
+
+Path fileOf(const PlayerOptions& options, std::string_view project) {
+    const Path folder = playerFolder(options, project);
+    return folder.empty() ? Path{} : folder / kFile;
+}
+
+bool has(const std::vector<Binding>& bindings, BindingKind kind, std::uint8_t code) {
+    return std::any_of(bindings.begin(), bindings.end(),
+                       [&](const Binding& binding) { return binding.kind == kind && binding.code == code; });
+}
+
+/// True if an action or an axis of the game has the key or button.
+bool isBound(const ActionMap& map, BindingKind kind, std::uint8_t code) {
+    return std::any_of(map.actions.begin(), map.actions.end(),
+                       [&](const ActionBindings& action) { return has(action.bindings, kind, code); }) ||
+           std::any_of(map.axes.begin(), map.axes.end(), [&](const AxisBindings& axis) {
+               return has(axis.negative, kind, code) || has(axis.positive, kind, code);
+           });
+}
+
+}  // namespace
+
+Path playerFolder(const PlayerOptions& options, std::string_view project) {
+    if (!options.replay.empty()) return {};
+    if (!options.saves.empty()) return options.saves;
+    const bool endsItself = options.frames >= 0 || !options.screenshot.empty() || !options.capture.empty();
+    return options.headless || endsItself ? Path{} : dataFolder(project);
+}
+
+ScreenSettings withPlayerSettings(ScreenSettings settings, const PlayerOptions& options,
+                                  std::string_view project) {
+    const Path file = fileOf(options, project);
+    if (file.empty() || options.safe || !fileExists(file)) return settings;
+    // Problems are reported later, when the keys are read, too.
+    std::vector<Error> ignored;
+    const Result<std::string> text = readFile(file);
+    if (!text) return settings;
+    const PlayerSettings player =
+        settingsFromText(*text, projectSettings(settings, {}), file.generic_string(), ignored);
+    settings.fullscreen = player.fullscreen;
+    if (player.scale > 0) {
+        settings.standardWidth = settings.windowWidth;
+        settings.standardHeight = settings.windowHeight;
+        settings.windowWidth = static_cast<int>(settings.picture.x) * player.scale;
+        settings.windowHeight = static_cast<int>(settings.picture.y) * player.scale;
+    }
+    return settings;
+}
+
+GameOptions::GameOptions(const PlayerOptions& options, std::string_view project, Screen& screen,
+                         SoundOutput& sounds, FramePacer& pacer, Input& input)
+    : file_{fileOf(options, project)},
+      project_{projectSettings({}, input.map())},
+      applied_{read(options.safe)},
+      written_{applied_},
+      menu_{applied_, project_},
+      screen_{screen},
+      sounds_{sounds},
+      pacer_{pacer},
+      input_{input} {
+    // The window is open already, in the mode of the settings or of the command line.
+    applied_.fullscreen = written_.fullscreen = screen.window().fullscreen();
+    menu_.setFullscreen(applied_.fullscreen);
+    screen_.window().setVsync(applied_.vsync);
+    pacer_.setCap(applied_.frameCap);
+    sounds_.setVolumes(applied_.master, applied_.music, applied_.sounds);
+}
+
+PlayerSettings GameOptions::read(bool safe) {
+    std::vector<Error> warnings;
+    PlayerSettings settings = file_.empty() || safe ? project_ : readSettings(file_, project_, warnings);
+    for (const Error& warning : warnings) logWarning("Settings", warning);
+    keepsFormer_ = safe || !warnings.empty();
+    if (!warnings.empty()) notify("Some settings are those of the game", warnings.front());
+    return settings;
+}
+
+/// The largest multiple of the game's resolution that fits on the display.
+int GameOptions::mostScale() const {
+    const PixelSize room = screen_.window().largestSize();
+    const Vec2 picture = screen_.settings().picture;
+    const int most = static_cast<int>(
+        std::min(static_cast<float>(room.width) / picture.x, static_cast<float>(room.height) / picture.y));
+    return room == PixelSize{} ? PlayerSettings::kMostScale : std::clamp(most, 1, PlayerSettings::kMostScale);
+}
+
+void GameOptions::useKeys() { input_.setMap(applied_.keys); }
+
+std::string GameOptions::keyChanges() const {
+    return applied_.keys == project_.keys ? std::string{}
+                                          : compactText(bindingChanges(project_.keys, applied_.keys));
+}
+
+/// Applies what the menu has changed.
+void GameOptions::apply() {
+    const PlayerSettings& now = menu_.settings();
+    Window& window = screen_.window();
+    if (now.fullscreen != applied_.fullscreen) window.setFullscreen(now.fullscreen);
+    if (now.scale != applied_.scale && !now.fullscreen) {
+        const ScreenSettings& screen = screen_.settings();
+        if (now.scale == 0) {
+            const bool isOther = screen.standardWidth > 0;
+            window.setSize(isOther ? screen.standardWidth : screen.windowWidth,
+                           isOther ? screen.standardHeight : screen.windowHeight);
+        } else {
+            window.setSize(static_cast<int>(screen.picture.x) * now.scale,
+                           static_cast<int>(screen.picture.y) * now.scale);
+        }
+    }
+    if (now.vsync != applied_.vsync) window.setVsync(now.vsync);
+    pacer_.setCap(now.frameCap);
+    sounds_.setVolumes(now.master, now.music, now.sounds);
+    if (now.keys != applied_.keys) {
+        input_.setMap(now.keys);
+        keysChanged_ = true;
+    }
+    applied_ = now;
+}
+
+void GameOptions::setFullscreen(bool on) {
+    applied_.fullscreen = on;
+    menu_.setFullscreen(on);
+    write();
+}
+
+bool GameOptions::isOpener(const Event& event) const {
+    const auto isFree = [&](BindingKind kind, auto code) {
+        return !isBound(project_.keys, kind, static_cast<std::uint8_t>(code));
+    };
+    if (event.kind == EventKind::KeyDown)
+        return event.key == Key::F10 && !event.repeated && isFree(BindingKind::Key, Key::F10);
+    return event.kind == EventKind::PadDown && event.padButton == PadButton::Back &&
+           isFree(BindingKind::PadButton, PadButton::Back);
+}
+
+Vec2 GameOptions::inMenu(Vec2 position) const {
+    const PixelSize window = screen_.window().size();
+    const Vec2 menu = optionsScreen(screen_.window().drawableSize());
+    if (window.width <= 0 || window.height <= 0) return {};
+    return {position.x * menu.x / static_cast<float>(window.width),
+            position.y * menu.y / static_cast<float>(window.height)};
+}
+
+void GameOptions::open() {
+    notice_.clear();
+    menu_.setMostScale(mostScale());
+    menu_.open();
+}
+
+bool GameOptions::handle(const Event& event) {
+    if (!menu_.isOpen()) {
+        if (!isOpener(event)) return false;
+        open();
+        return true;
+    }
+    menu_.layOut(optionsScreen(screen_.window().drawableSize()));
+    const OptionsMenu::Request request = menu_.handle(event, inMenu(event.position));
+    if (menu_.settings() != applied_) apply();
+    if (request != OptionsMenu::Request::None) write();
+    quits_ = quits_ || request == OptionsMenu::Request::Quit;
+    return true;
+}
+
+void GameOptions::notify(std::string_view what, const Error& error) {
+    notice_ = format("{}: {}; {}", what, error.what, error.remedy);
+    noticeEnd_ = wallSeconds() + kNoticeSeconds;
+}
+
+void GameOptions::draw(AssetStore& assets) {
+    if (!notice_.empty() && wallSeconds() > noticeEnd_) notice_.clear();
+    if (!menu_.isOpen() && notice_.empty()) return;
+    const Vec2 size = optionsScreen(screen_.window().drawableSize());
+    menu_.layOut(size);
+    screen_.drawOver(assets, size, [this](LabelDrawing& labels, DrawList& list) {
+        if (menu_.isOpen()) {
+            drawOptions(menu_, labels, list);
+        } else {
+            drawNotice(notice_, labels, list);
+        }
+    });
+}
+
+void GameOptions::write() {
+    if (file_.empty() || applied_ == written_) return;
+    written_ = applied_;  // once, also if it fails
+    const Result<Done> done = writeSettings(file_, settingsText(applied_, project_), keepsFormer_);
+    keepsFormer_ = keepsFormer_ && !done;
+    if (done) return;
+    logError("Settings", done.error());
+    notify("The settings are not kept", done.error());
+}
+
+}  // namespace plumb
