@@ -73,10 +73,6 @@ PLUMB_TUNING(kLimitSeam, 0.1f, "rad", "angle that limits of a hinge exclude at l
              "the SIMD solver lets motors overshoot (0.025 rad)");
 PLUMB_TUNING(kCalm, 0.5, "ratio", "minimum inertia of a light body under tension, to its rotational stiffness * h^2: twice the 1/4 below "
              "which its oscillation grows (Stoermer-Verlet)");
-PLUMB_TUNING(kSoftRate, 0.28, "ratio", "fraction closed in a substep of a joint gap that no smooth motion explains");
-PLUMB_TUNING(kClosed, 1.0e-3, "ratio to the arms", "gap left by the SIMD solver below which a joint counts as closed");
-PLUMB_TUNING(kClosedWhereHeld, 2.5e-6, "ratio to the arms", "gap below which a joint counts as closed in a tree held at both ends: on a "
-             "taut bridge slightly less length means much less sag, which throws bodies on it");
 PLUMB_TUNING(kTreeGain, 2.0e-3, "ratio to the energy", "maximum energy that joints of a tree may add in a substep: a hundred times that of "
              "regular motion; without it 2 of 1,600 ropes and linkages gain 4 to 6 %");
 

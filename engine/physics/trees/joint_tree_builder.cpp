@@ -127,32 +127,16 @@ private:
     std::vector<ReachedBody>& held_;
 };
 
-bool isHeld(const JointTree& tree) { return tree.holdBegin < tree.holdEnd; }
-
-/// Hands a tree over to the SIMD solver. Resets warm starting of trees held at several ends, because their
-/// forces when taut are too large for soft constraints.
+/// Hands a tree over to the SIMD solver. Resets warm starting of a tree held at several ends if it was solved
+/// directly before (no flags of holds), because its forces when taut are too large for soft constraints.
 void leave(World& world, JointTrees& trees, const JointTree& tree) {
+    const auto holds = trees.holdsOf(tree);
+    const bool resets = !holds.empty() && (world.joints.hot[holds.front().joint].flags & kStretched) == 0;
     forLinks(trees, tree, [&](const Link& link) {
         Joint& joint = world.joints.hot[link.joint];
-        if ((joint.flags & kStretched) == 0 && isHeld(tree)) joint.force = {};
+        if (resets) joint.force = {};
         joint.flags |= kStretched;
     });
-}
-
-/// Returns a tree to the direct solver, unless a joint has a gap: closing it at once would throw bodies.
-/// @return true if all joints are closed, as in all trees that the SIMD solver never solved
-bool comeBack(World& world, JointTrees& trees, const JointTree& tree) {
-    bool stretched = false, closed = true;
-    forLinks(trees, tree, [&](const Link& link) {
-        stretched = stretched || (world.joints.hot[link.joint].flags & kStretched) != 0;
-    });
-    if (!stretched) return true;
-    forLinks(trees, tree, [&](Link& link) { closed = closed && isClosed(world, link, isHeld(tree)); });
-    if (!closed) return false;
-    forLinks(trees, tree, [&](const Link& link) {
-        world.joints.hot[link.joint].flags &= static_cast<std::uint8_t>(~kStretched);
-    });
-    return true;
 }
 
 /// Decides which trees are solved directly in this step. A tree with contacts is solved by the SIMD solver,
@@ -168,7 +152,7 @@ void choose(World& world, Workspace& work) {
             treeBodies.begin(), treeBodies.end(),
             [&](const TreeBody& treeBody) { return treeBody.colours != work.colourMasks[treeBody.body]; });
         if (touching) leave(world, trees, tree);
-        tree.direct = !touching && comeBack(world, trees, tree);
+        tree.direct = !touching;
         trees.some = trees.some || tree.direct;
         for (const TreeBody& treeBody : treeBodies)
             trees.freeMasks[treeBody.body] = tree.direct ? treeBody.colours : 0;

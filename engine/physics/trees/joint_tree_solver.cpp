@@ -133,10 +133,10 @@ void lookAhead(const Trees& trees, TreeBody& treeBody) {
     treeBody.poseChange.y += treeBody.velocity.y * time + static_cast<double>(ballisticDrift.y);
 }
 
-/// Returns the part of a gap that is closed within a substep.
-double closedOf(const Trees& trees, const Link& link, double size) {
-    return std::min(std::max(kSoftRate * size, std::min(size, static_cast<double>(link.reach))),
-                    trees.farthest);
+/// Returns the lengths by which the gaps of a link are closed within a substep.
+Triple closedOf(const Trees& trees, const Link& link) {
+    const auto closed = [&](double gap) { return std::clamp(gap, -trees.farthest, trees.farthest); };
+    return {closed(link.gap.x), closed(link.gap.y), closed(link.gap.turn)};
 }
 
 /// Computes the velocities of a drive for a pass, from the velocity of its value without impulses.
@@ -158,16 +158,12 @@ Triple speedsOf(const Trees& trees, const Link& link) {
            seenFromParent(link, parent != nullptr ? parent->velocity : link.groundVelocity);
 }
 
-/// Computes the velocities to remove so that the gaps are closed at the predicted poses.
-void aimAtGaps(const Trees& trees, Link& link) {
+/// Computes the velocities to remove so that a part of the gaps is closed at the predicted poses.
+void aimAtGaps(const Trees& trees, Link& link, double part) {
     const PoseChange parent = parentPoseChange(link, trees.parentOf(link), trees.elapsed + trees.h);
     const PoseChange& treeBody = trees.treeBodyOf(link).poseChange;
     const Triple ahead = gapsOf(link, treeBody, parent);
-    const auto aim = [&](double gap, double then) {
-        const double closed = closedOf(trees, link, std::fabs(gap));
-        return ((then - gap) + (gap < 0.0 ? -closed : closed)) * trees.rate;
-    };
-    link.error = {aim(link.gap.x, ahead.x), aim(link.gap.y, ahead.y), aim(link.gap.turn, ahead.turn)};
+    link.error = trees.rate * ((ahead - link.gap) + part * closedOf(trees, link));
     if (!link.drive.on) return;
     const double velocity = link.byArms() ? speedsOf(trees, link).turn
                                           : (valueOf(link, treeBody, parent) - link.drive.value) * trees.rate;
@@ -288,9 +284,8 @@ void solveTree(const Trees& trees, JointTree& tree, Find&& find) {
     applyTree(trees, tree);
 }
 
-/// Returns the part of the energy gained in a biased pass that external accelerations lose: impulses act on
-/// velocities that already contain these, but joints keep the velocities before them too.
-double workAgainstFields(const Trees& trees, const JointTree& tree) {
+/// Returns the work (J) of external accelerations in a substep on the computed velocity changes.
+double workOfFields(const Trees& trees, const JointTree& tree) {
     double work = 0.0;
     for (const TreeBody& treeBody : trees.all.bodiesOf(tree)) {
         const Triple acceleration = tripleOf(trees.work.drive[static_cast<std::size_t>(treeBody.slot)]);
@@ -298,7 +293,27 @@ double workAgainstFields(const Trees& trees, const JointTree& tree) {
         work += treeBody.mass * (acceleration.x * change.x + acceleration.y * change.y) +
                 treeBody.inertia * acceleration.turn * change.turn;
     }
-    return 0.5 * trees.h * work;
+    return trees.h * work;
+}
+
+/// Determines the part of its gaps that a tree closes in this substep. Those left by the SIMD solver move no
+/// body faster than Settings::pushSpeed: closed at once, they would throw the bodies of long or taut trees.
+void limitClosing(const Trees& trees, JointTree& tree) {
+    tree.part = 1.0;
+    if (!tree.stretched) return;
+    forLinks(trees.all, tree, [&](Link& link) { link.error = trees.rate * closedOf(trees, link); });
+    answerTree(trees, tree);
+    giveTree(trees, tree);
+    const double work = workOfFields(trees, tree);
+    double square = 0.0;
+    for (TreeBody& treeBody : trees.all.bodiesOf(tree)) {
+        const Triple v = std::exchange(treeBody.impulse, {});
+        square = std::max(square, v.x * v.x + v.y * v.y);
+    }
+    const double most = trees.rate * trees.farthest / static_cast<double>(kJointPushing);
+    if (square > most * most) tree.part = most / std::sqrt(square);
+    tree.stretched = tree.part < 1.0;
+    tree.lift += std::max(0.0, -tree.part * work);
 }
 
 void pushTree(const Trees& trees, JointTree& tree, bool again) {
@@ -314,8 +329,10 @@ void pushTree(const Trees& trees, JointTree& tree, bool again) {
         takeMotion(trees, treeBody);
         lookAhead(trees, treeBody);
     }
-    solveTree(trees, tree, aimAtGaps);
-    if (tree.drives && !again) tree.gain -= std::max(0.0, workAgainstFields(trees, tree));
+    if (!again) limitClosing(trees, tree);
+    solveTree(trees, tree, [&](const Trees&, Link& link) { aimAtGaps(trees, link, tree.part); });
+    // Impulses act on velocities after these accelerations, but joints also keep those before them.
+    if (tree.drives && !again) tree.gain -= std::max(0.0, 0.5 * workOfFields(trees, tree));
 }
 
 void relaxTree(const Trees& trees, JointTree& tree, bool again) {
@@ -361,11 +378,7 @@ void prepareArms(const World& world, Link& link) {
     link.treeBodyArm = link.treeBodyIsB ? parts.armB : parts.armA;
     link.parentArm = link.treeBodyIsB ? parts.armA : parts.armB;
     link.apart = sign * parts.apart;
-    link.reach = 0.25f * (length(parts.armA) + length(parts.armB));
-    if (link.kind == JointKind::Distance) {
-        link.rest = view.definition.length;
-        link.reach += 0.25f * view.definition.length;
-    }
+    if (link.kind == JointKind::Distance) link.rest = view.definition.length;
     prepareDrive(view, link);
     if (link.kind == JointKind::Weld || link.kind == JointKind::Prismatic || link.drive.on)
         link.angle = sign * angleOf(view);
@@ -375,14 +388,6 @@ void prepareArms(const World& world, Link& link) {
 }
 
 }  // namespace
-
-bool isClosed(const World& world, Link& link, bool held) {
-    prepareArms(world, link);
-    const Triple gap = gapsOf(link, {}, {});
-    const double part = held ? kClosedWhereHeld : kClosed;
-    const double maximum = part * 4.0 * static_cast<double>(link.reach);
-    return std::fabs(gap.x) <= maximum && std::fabs(gap.y) <= maximum && std::fabs(gap.turn) <= part;
-}
 
 void prepareTrees(StepContext& step) {
     const World& world = step.world;
@@ -395,7 +400,8 @@ void prepareTrees(StepContext& step) {
             treeBody.mass = 1.0 / std::max(double{mass.inverseMass}, 1.0e-30);
             treeBody.inertia = mass.inverseInertia > 0.0f ? 1.0 / double{mass.inverseInertia} : 0.0;
         }
-        tree.powered = tree.drives = false;
+        tree.powered = tree.drives = tree.stretched = false;
+        tree.lift = 0.0;
         forLinks(all, tree, [&](Link& link) {
             prepareArms(world, link);
             tree.drives |= link.drive.on;
@@ -403,8 +409,10 @@ void prepareTrees(StepContext& step) {
             link.groundVelocity =
                 slot >= 0 ? tripleOf(step.work.velocity[static_cast<std::size_t>(slot)]) : Triple{};
             const Triple& v = link.groundVelocity;
+            const std::uint8_t flags = world.joints.hot[link.joint].flags;
+            tree.stretched |= (flags & kStretched) != 0;
             // A shorter rope does work on what swings on it; changed limits do none.
-            const bool isEdited = !link.drive.on && (world.joints.hot[link.joint].flags & kEdited) != 0;
+            const bool isEdited = !link.drive.on && (flags & kEdited) != 0;
             tree.powered |= isEdited || dot(v, v) > 0.0;
         });
         const std::int32_t slot = all.bodiesOf(tree).front().slot;
@@ -436,9 +444,12 @@ void storeTrees(StepContext& step) {
     JointTrees& all = step.work.joints.trees;
     for (const JointTree& tree : all.trees) {
         if (!tree.direct) continue;
+        step.world.bodies.energies.resize(step.world.bodies.size());
         const float rate = static_cast<float>(step.work.groups[tree.group].substeps) / step.dt;
+        step.world.bodies.energies[all.treeBodies[tree.begin].body].credit += static_cast<float>(tree.lift);
         forLinks(all, tree, [&](const Link& link) {
             Joint& joint = step.world.joints.hot[link.joint];
+            if (!tree.stretched) joint.flags &= static_cast<std::uint8_t>(~kStretched);
             const JointForce force = forceOf(link);
             joint.force = force.force;
             joint.torque = force.torque;
@@ -455,6 +466,8 @@ void storeTrees(StepContext& step) {
             joint.rows[2] = std::max(total - joint.rows[1], 0.0f);
             joint.rows[3] = std::max(joint.rows[1] - total, 0.0f);
         });
+        for (const Link& hold : all.holdsOf(tree))  // even while there are gaps: leave()
+            step.world.joints.hot[hold.joint].flags &= static_cast<std::uint8_t>(~kStretched);
     }
 }
 

@@ -35,10 +35,6 @@ inline bool isInTree(const World& world, const Workspace& work, std::uint32_t bo
 /// Computes masses, arms and gaps at the start of the step. Called after gatherBodies.
 void prepareTrees(StepContext& step);
 
-/// True if the gap of a joint at the start of the step is so small that the joint counts as closed.
-/// @param held  true if the tree has joints to static or kinematic bodies at several ends
-bool isClosed(const World& world, Link& link, bool held);
-
 /// Biased pass: computes velocities that close all gaps within a substep of h seconds. Relax pass, after the
 /// bodies have moved: computes velocities that open no gap.
 /// @param substep  index of the substep in the step

@@ -125,7 +125,6 @@ struct Link {
     Vec2 axis;           ///< sliding axis
     float angle = 0.0f;  ///< rad, relative to the joint's reference angle
     float rest = 0.0f;   ///< m: length of rods
-    float reach = 0.0f;  ///< m: largest gap that is closed within a substep
     // At the current poses.
     Double2 limb;  ///< m: arms of point constraints
     Double2 parentLimb;
@@ -160,6 +159,9 @@ struct JointTree {
     std::uint8_t group = 0;  ///< index in Workspace::groups
     bool powered = false;    ///< a change of a joint or a moving kinematic body may do work
     bool drives = false;     ///< a joint has a motor or limits
+    bool stretched = false;  ///< the SIMD solver left gaps, which close slowly
+    double part = 1.0;       ///< part of its gaps that it closes in this substep
+    double lift = 0.0;       ///< J: work of closing such gaps in this step, against external accelerations
     double gain = 0.0;       ///< J: energy added by its joints in this substep
 };
 
