@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 
 #include "physics/contacts/pair_set.hpp"
 #include "physics/simulation.hpp"

@@ -1,5 +1,6 @@
 #include "physics/simulation.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <iterator>
 
@@ -145,6 +146,7 @@ void step(World& world, float dt, const StepOptions& options) {
     world.quarantined.clear();
     world.quarantinedSoft.clear();
     if (!(dt > 0.0f) || !std::isfinite(dt)) return;
+    dt = std::clamp(dt, kShortestStep, kLongestStep);
     bringIntoRange(world.settings);
     ++world.steps;
     wakeForSettings(world);

@@ -30,7 +30,8 @@ struct StepOptions {
 }
 
 /// Advances the world by dt (s). The result has the same bits on every machine, for any number of threads and
-/// any instruction set. If dt is not finite or not above 0, only the events are cleared.
+/// any instruction set. If dt is not finite or not above 0, only the events are cleared; else it is limited to
+/// the range from kShortestStep to kLongestStep (1 us to 1 s). Games use 1/60 s.
 void step(World& world, float dt, const StepOptions& options = {});
 
 /// A stage of the step. It runs if one of its effects runs or `also` returns true; without both, always.

@@ -355,7 +355,7 @@ struct World {
     std::vector<JointId> brokenJoints;            ///< joints that broke in the last step
     std::vector<JointId> strainedJoints;  ///< joints above reportForce or reportTorque in the last step
     std::vector<BodyId> fellAsleep;       ///< bodies that fell asleep in the last step
-    std::vector<BodyId> quarantined;      ///< bodies stopped in the last step: their state became non-finite
+    std::vector<BodyId> quarantined;      ///< bodies stopped in the last step: non-finite or beyond kFarthest
     std::vector<SoftBodyId> quarantinedSoft;  ///< soft bodies with particles stopped for this reason
     std::uint32_t qualityCallers = 0;         ///< number of bodies and joints with a quality set
     bool newJoints = false;                   ///< true if a joint has no color yet

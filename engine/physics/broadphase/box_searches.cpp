@@ -1,6 +1,5 @@
 #include "physics/broadphase/box_searches.hpp"
 
-#include <bit>
 
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -119,19 +119,23 @@ Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Ve
     return (0.5f * step.work.ballisticDrift[slot].z) * gained;
 }
 
-/// Moves a body to its new pose. @return false if its state is not finite; then it stops at its old pose
+bool isReachable(WorldPosition a) { return std::fabs(a.x) <= kFarthest && std::fabs(a.y) <= kFarthest; }
+
+/// Moves a body to its new pose.
+/// @return false if its state is not finite or the pose is beyond kFarthest; then it stops at its old pose
 bool takeAlong(StepContext& step, std::size_t slot, std::uint32_t body) {
     Bodies& bodies = step.world.bodies;
     BodyMotion& motion = bodies.motion[body];
     const Float4& velocity = step.work.velocity[slot];
     Float4& deltaPosition = step.work.deltaPosition[slot];
-    if (!isSound(step.work, slot)) {
+    const Vec2 free{deltaPosition.x, deltaPosition.y};
+    if (!isSound(step.work, slot) || !isReachable(bodies.pose[body].centre + free)) {
         motion.velocity = {};
         motion.angularVelocity = 0.0f;
         return false;
     }
     // Substeps may exceed the maximum speed even if the final velocity does not.
-    Vec2 displacement = shortened({deltaPosition.x, deltaPosition.y}, step.world.settings.maxSpeed * step.dt);
+    Vec2 displacement = shortened(free, step.world.settings.maxSpeed * step.dt);
     deltaPosition.x = displacement.x, deltaPosition.y = displacement.y;
     const Vec2 before = motion.velocity;
     motion.velocity = unsigned0({velocity.x, velocity.y});

@@ -174,6 +174,37 @@ void solveWithRotation(StepContext& step) {
     if (step.runs(Effect::Joints)) storeJoints(step);
 }
 
+/// Stops bodies that a load presses into a static body before their cores pass its surface: the springs of
+/// contacts yield in proportion to the ratio of the load to the mass.
+void holdPressedBodies(StepContext& step) {
+    Workspace& work = step.work;
+    const Bodies& bodies = step.world.bodies;
+    for (std::size_t i = 0; i < step.world.contacts.size(); ++i) {
+        const Contact& contact = step.world.contacts[i];
+        const float starts[] = {contact.separation0, contact.separation1};
+        if (!pushes(work.contactKeys[i]) || std::min(starts[0], starts[1]) >= 0.0f) continue;
+        const BodyInfo& info = bodies.info[contact.bodyB];
+        const std::int32_t slot = work.slots[contact.bodyB];
+        if (slot < 0 || bodies.info[contact.bodyA].kind != BodyKind::Static) continue;
+        Float4& moved = work.deltaPosition[static_cast<std::size_t>(slot)];
+        const Vec2 normal = contact.normal, shift{moved.x, moved.y};
+        // Anchors belong to the rotations for which the points were computed.
+        const Rot rotationA{dot(contact.normalInA, normal), cross(contact.normalInA, normal)};
+        float outward = 0.0f;
+        for (int p = 0; p < contact.count; ++p) {
+            const Vec2 arm = rotate(rotationA * contact.relativeRotation, contact.anchors[p].b);
+            const float end = starts[p] + dot(shift + moved.z * perpendicular(arm) + moved.w * arm, normal) +
+                              moved.w * contact.roundB;
+            outward = std::max(outward, std::min(starts[p], -kSweptCore * info.core) - end);
+        }
+        if (!(outward > 0.0f)) continue;
+        Float4& velocity = work.velocity[static_cast<std::size_t>(slot)];
+        const float closing = std::min(velocity.x * normal.x + velocity.y * normal.y, 0.0f);
+        if ((info.flags & kLockX) == 0) moved.x += outward * normal.x, velocity.x -= closing * normal.x;
+        if ((info.flags & kLockY) == 0) moved.y += outward * normal.y, velocity.y -= closing * normal.y;
+    }
+}
+
 /// Rotates kinematic bodies in a step in which no dynamic body can rotate.
 void turnBodies(StepContext& step) {
     const SolverBodies bodies = bodiesOf(step.work);
@@ -214,6 +245,7 @@ void solve(StepContext& step) {
     const std::vector<SolveGroup>& groups = step.work.groups;
     if (groups.empty() || !groups.front().withoutRotation) solveWithRotation(step);
     if (!groups.empty() && groups.back().withoutRotation) solveWithoutRotation(step);
+    if (step.runs(Effect::Contacts)) holdPressedBodies(step);
 }
 
 }  // namespace plumb::physics

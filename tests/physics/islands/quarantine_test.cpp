@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/ranges.hpp"
 #include "physics/soft/softbody.hpp"
 #include "tests/physics/support/joint_world.hpp"
 
@@ -66,6 +67,20 @@ TEST(Quarantine, ofABodyDoesNotSpread) {
         }
         EXPECT_NEAR(velocityOf(world, under.body).x, 0.5f, 0.05f);
     }
+}
+
+TEST(Quarantine, stopsBodiesAtTheFarthestDistance) {
+    World world;
+    world.settings.gravity = {};
+    const BodyId body = *createBody(world, {.position = {kFarthest - 5.0, 0.0}, .velocity = {120.0f, 0.0f}});
+    static_cast<void>(createShape(world, body, circle(0.5f)));
+    for (int i = 0; i < 2; ++i) step(world, JointWorld::kDt);
+    EXPECT_TRUE(world.quarantined.empty());
+    step(world, JointWorld::kDt);
+    ASSERT_EQ(world.quarantined.size(), 1u);
+    EXPECT_EQ(world.quarantined[0], body);
+    EXPECT_EQ(centreOf(world, body).x, kFarthest - 1.0);
+    EXPECT_EQ(velocityOf(world, body).x, 0.0f);
 }
 
 TEST(Quarantine, ofAParticleDoesNotSpreadAndIsReported) {
