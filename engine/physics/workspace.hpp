@@ -306,4 +306,10 @@ void freeColour(Workspace& work, std::uint32_t bodyA, std::uint32_t bodyB, std::
 /// Resizes Workspace::colourMasks to the world, and recomputes the masks after the world was overwritten.
 void refreshColours(World& world, Workspace& work);
 
+/// Adds the keys of contacts that came after the narrow phase, as of bodies that woke, for the solver.
+inline void addKeys(const World& world, Workspace& work) {
+    while (work.contactKeys.size() < world.contacts.size())
+        work.contactKeys.push_back(keyOf(world.contacts[work.contactKeys.size()]));
+}
+
 }  // namespace plumb::physics

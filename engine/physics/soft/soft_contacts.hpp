@@ -15,7 +15,7 @@ struct SoftObstacle {
     std::uint32_t body = 0;
     bool isPushed = false;        ///< it is dynamic and awake
     std::int32_t slot = -1;       ///< solver slot; -1 if it is not pushed
-    Vec2 inverseMass;             ///< 1/kg along x and y; 0 if it is locked or not pushed
+    Vec2 inverseMass;             ///< 1/kg along x and y; 0 if it is locked or not dynamic; also asleep
     float inverseInertia = 0.0f;  ///< 1/(kg m2)
     WorldPosition centre;         ///< m: center of mass at the start of the substep
     Rot rotation;
@@ -31,8 +31,8 @@ struct SoftContact {
     std::uint32_t obstacle = 0;  ///< its body: index in SoftSurroundings::obstacles
     Vec2 impulse;                ///< N s: on the particle, in a substep
     Vec2 normal;                 ///< unit length, from the body to the particle
-    Vec2 arm;                    ///< m: from the body's center to the particle
-    float gap = 0.0f;            ///< m: distance minus the radius, at the start of the substep
+    Vec2 arm;  ///< m: from the body's center to the particle, at the start of the step as in all contacts
+    float gap = 0.0f;  ///< m: distance minus the radius, at the start of the substep
 };
 
 struct SoftRange {  // indices begin to end - 1 of a list
@@ -80,7 +80,7 @@ void findSurroundings(StepContext& step);
 void findSoftContacts(StepContext& step, SoftGroup& group);
 /// Returns the number of substeps of a group with which its links can carry the loads on them.
 [[nodiscard]] int substepsOf(const StepContext& step, const SoftGroup& group);
-/// Updates normals, arms and gaps at the start of a substep, `elapsed` seconds after the start of the step.
+/// Updates normals and gaps at the start of a substep, `elapsed` seconds after the start of the step.
 void measureSoftContacts(StepContext& step, const SoftGroup& group, float elapsed);
 /// Applies the impulses of the last substep to the particles; in the first substep also to the bodies.
 void warmStartSoft(StepContext& step, const SoftGroup& group, float h, bool first);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -37,7 +38,6 @@ SoftObstacle obstacleOf(const World& world, std::uint32_t body) {
         .body = body, .isPushed = isUp(world, body), .centre = pose.centre, .rotation = pose.rotation};
     if (!isDynamic(world, body))
         obstacle.motion = {motion.velocity.x, motion.velocity.y, motion.angularVelocity, 0.0f};
-    if (!obstacle.isPushed) return obstacle;
     const BodyMass& mass = world.bodies.mass[body];
     obstacle.inverseMass = unlocked(world, body, {mass.inverseMass, mass.inverseMass});
     obstacle.inverseInertia = mass.inverseInertia;
@@ -45,10 +45,10 @@ SoftObstacle obstacleOf(const World& world, std::uint32_t body) {
 }
 
 void measure(const World& world, const SoftObstacle& obstacle, SoftContact& contact) {
-    contact.arm = contact.particle->place - obstacle.centre;
+    const Vec2 arm = contact.particle->place - obstacle.centre;
     const ClosestPoint nearest =
         closestPoint(world.shapes.geometry[contact.shape], world.shapes.corners,
-                     world.bodies.pose[obstacle.body].localCentre + unrotate(obstacle.rotation, contact.arm));
+                     world.bodies.pose[obstacle.body].localCentre + unrotate(obstacle.rotation, arm));
     contact.normal = rotate(obstacle.rotation, nearest.normal);
     contact.gap = nearest.distance - contact.soft->radius;
 }
@@ -61,7 +61,7 @@ void forParticlesNear(const StepContext& step, SoftBody& soft, std::uint32_t sha
     const BodyMotion& motion = step.world.bodies.motion[obstacle.body];
     for (SoftParticle& p : soft.particles) {
         if (p.inverseMass == 0.0f) continue;
-        SoftContact contact{.soft = &soft, .particle = &p, .shape = shape};
+        SoftContact contact{.soft = &soft, .particle = &p, .shape = shape, .arm = p.place - obstacle.centre};
         measure(step.world, obstacle, contact);
         const Vec2 velocity = p.velocity - motion.velocity - cross(motion.angularVelocity, contact.arm);
         if (contact.gap < reachOf(soft) + step.dt * length(velocity)) act(contact, velocity);
@@ -134,6 +134,7 @@ float weightOf(const SoftContact& contact, const SoftObstacle& obstacle, Vec2 di
 }
 
 void pushBody(const SoftContact& contact, const SoftObstacle& obstacle, Float4& motion, Vec2 impulse) {
+    if (!obstacle.isPushed) return;
     motion.x -= obstacle.inverseMass.x * impulse.x;
     motion.y -= obstacle.inverseMass.y * impulse.y;
     motion.z -= obstacle.inverseInertia * cross(contact.arm, impulse);
@@ -186,6 +187,7 @@ void findSurroundings(StepContext& step) {
         around.ends.push_back(static_cast<std::uint32_t>(around.shapes.size()));
         for (const std::uint32_t shape : around.shapesOf(soft)) rouse(step, body, shape);
     }
+    addKeys(world, step.work);
     for (std::uint32_t soft = 0; soft < around.ends.size(); ++soft) {
         for (const std::uint32_t shape : around.shapesOf(soft)) {
             const std::uint32_t body = world.shapes.info[shape].body;
@@ -215,7 +217,7 @@ int substepsOf(const StepContext& step, const SoftGroup& group) {
     const World& world = step.world;
     float heaviest = 0.0f, lightest = std::numeric_limits<float>::infinity();  // kg
     for (const SoftObstacle& obstacle : group.obstacles.of(step.work.softSurroundings.obstacles)) {
-        if (!obstacle.isPushed) continue;
+        if (!isDynamic(world, obstacle.body)) continue;
         const float mass = world.bodies.mass[obstacle.body].mass;
         heaviest = std::max(heaviest, mass);
         lightest = std::min(lightest, mass);
@@ -232,7 +234,10 @@ int substepsOf(const StepContext& step, const SoftGroup& group) {
         const float needed = std::ceil(step.dt * std::sqrt(load / (kGivenWay * soft.links[0].length)));
         most = std::max(most, static_cast<int>(std::min(needed, 64.0f)));
     }
-    return most;
+    if (group.body != kNone || heaviest == 0.0f) return most;
+    // All its bodies sleep. As many as addSoftGroups() gives them when they are awake.
+    return static_cast<int>(
+        std::max(std::bit_ceil(static_cast<unsigned>(most)), 1u << world.settings.quality));
 }
 
 void measureSoftContacts(StepContext& step, const SoftGroup& group, float elapsed) {

@@ -214,8 +214,7 @@ void beginHits(StepContext& step) {
     std::sort(order.begin(), order.end());
     const auto begin = [&](std::size_t index, const Contact& contact) {
         world.contacts[index] = contact;
-        while (work.contactKeys.size() < world.contacts.size())
-            work.contactKeys.push_back(keyOf(world.contacts[work.contactKeys.size()]));
+        addKeys(world, work);
         beginContact(world, work, index);
         work.contactKeys[index] = keyOf(world.contacts[index]);
         if (work.stepImpulses.size() <= index) work.stepImpulses.resize(index + 1);

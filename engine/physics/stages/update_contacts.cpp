@@ -175,9 +175,7 @@ void updateContacts(StepContext& step) {
         end(world, work, world.contacts[i]);
         work.contactKeys[i] = keyOf(world.contacts[i]);
     }
-    // Contacts of islands woken in this stage were appended.
-    for (std::size_t i = work.contactKeys.size(); i < world.contacts.size(); ++i)
-        work.contactKeys.push_back(keyOf(world.contacts[i]));
+    addKeys(world, work);
     removeGone(world, work);
 }
 

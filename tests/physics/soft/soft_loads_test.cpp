@@ -170,6 +170,81 @@ TEST(SoftLoads, stacksOfCratesStayOnAJelly) {
     }
 }
 
+/// A crate on the floor between a jelly and a wall. Two walls close in on the jelly, then stop.
+struct Squeeze {
+    float size = 1.0f;   // half the side length of the jelly, m; a quarter of it is half that of the crate
+    float speed = 1.0f;  // speed of the walls, half lengths per second
+    float room = 0.5f;   // final distance between the walls, sides of the jelly
+    float ratio = 1.0f;  // mass of the jelly / mass of the crate
+    float place = 1.5f;  // x of the crate, half lengths; the walls begin at 2
+    int substeps = 8;    // of the jelly
+    int quality = 2;
+};
+
+Squeeze randomSqueeze(std::uint64_t seed) {
+    Random random = Random::seeded(seed);
+    Squeeze squeeze;
+    squeeze.size = std::pow(10.0f, random.between(-1.0f, 0.5f));
+    squeeze.speed = std::pow(10.0f, random.between(-0.6f, 0.3f));
+    squeeze.room = random.between(0.3f, 0.8f);
+    squeeze.ratio = std::pow(10.0f, random.between(0.0f, 3.0f));
+    squeeze.place = random.between(1.3f, 1.7f);
+    squeeze.substeps = seed % 2 == 0 ? 8 : 32;
+    squeeze.quality = static_cast<int>(seed / 2 % 5);
+    return squeeze;
+}
+
+/// Returns the maximum speed of the crate until it has had time to fall asleep, m/s.
+float fastestOf(const Squeeze& squeeze) {
+    const float size = squeeze.size, side = 0.25f * size;  // half lengths of jelly and crate, m
+    World world;
+    world.settings.quality = static_cast<Quality>(squeeze.quality);
+    addFloor(world);
+    BodyId walls[2];
+    for (const int i : {0, 1}) {
+        const auto x = static_cast<double>(i == 0 ? -3.0f * size : 3.0f * size);
+        walls[i] = addBody(world, BodyKind::Kinematic, {x, -2.0 * static_cast<double>(size)},
+                           box({size, 2.0f * size}));
+    }
+    std::vector<Vec2> ring;
+    for (int i = 0; i < 32; ++i) {
+        const Vec2 onTop{-size + 0.25f * size * static_cast<float>(i % 8), -size};
+        ring.push_back(rotate(rotFromAngle(0.25f * kTau * static_cast<float>(i / 8)), onTop));
+    }
+    SoftMaterial material;
+    material.mass = 10.0f;
+    material.radius = 0.06f * size;
+    material.substeps = static_cast<std::uint8_t>(squeeze.substeps);
+    (void)*createJelly(world, {0.0, -1.06 * static_cast<double>(size)}, ring, material);
+    const BodyId crate =
+        addBody(world, BodyKind::Dynamic,
+                {static_cast<double>(squeeze.place * size), -0.3 * static_cast<double>(size)},
+                box({side, side}), {.density = material.mass / (squeeze.ratio * 4.0f * side * side)});
+    run(world, 60);
+    const int closing = static_cast<int>((2.0f - squeeze.room) / (squeeze.speed * kStep));
+    float most = 0.0f;
+    for (int i = 0; i < closing + 120; ++i) {
+        const float speed = i < closing ? squeeze.speed * size : 0.0f;
+        EXPECT_TRUE(setVelocity(world, walls[0], {speed, 0.0f}).ok());
+        EXPECT_TRUE(setVelocity(world, walls[1], {-speed, 0.0f}).ok());
+        run(world, 1);
+        most = std::max(most, length(velocityOf(world, crate)));
+    }
+    return most;
+}
+
+// Regression: a crate that spun within a step, or fell asleep, while a jelly pressed it against a wall was
+// shot away at up to 4000 m/s. Now it is at most as fast as something that falls from the top of the walls.
+TEST(SoftLoads, cratesBetweenAJellyAndAWallAreNotShotAway) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        const Squeeze squeeze = randomSqueeze(seed);
+        const float size = squeeze.size;
+        const float fall = std::sqrt(2.0f * kGravity * 4.0f * size);  // m/s
+        EXPECT_LT(fastestOf(squeeze), 3.0f * (2.0f * squeeze.speed * size + fall))
+            << seed << ": ratio " << squeeze.ratio << ", quality " << squeeze.quality;
+    }
+}
+
 TEST(SoftLoads, aRopeCarriesBodies) {
     for (const float mass : {0.01f, 1.0f, 20.0f}) {
         SCOPED_TRACE(mass);
