@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/ranges.hpp"
+#include "physics/soft/softbody.hpp"
 #include "tests/physics/support/world_of_bodies.hpp"
 
 namespace plumb::physics {
@@ -346,6 +348,29 @@ TEST(Step, aPredictionDoesNotFallWhereGravityIsPinnedOff) {
     scene.run(60);
     EXPECT_EQ(scene.y(body), 5.0);
     EXPECT_EQ(expected.position.y, 5.0f);
+}
+
+// A step of 1e-20 s made particles of soft bodies NaN, one of 1e10 s moved bodies beyond kFarthest.
+TEST(Step, lengthIsLimited) {
+    for (const auto& [length, limit] : {std::pair{1.0e-38f, kShortestStep},
+                                        {1.0e-20f, kShortestStep},
+                                        {1.0e3f, kLongestStep},
+                                        {1.0e10f, kLongestStep}}) {
+        SCOPED_TRACE(length);
+        World world = makePit(6, 1);
+        const SoftBodyId cloth = *createCloth(world, {0.0, 20.0}, {3.0f, 1.5f}, 5, 4, {.mass = 1.0f});
+        static_cast<void>(pinParticle(world, cloth, 0, true));
+        World limited = world;
+        for (int i = 0; i < 30; ++i) {
+            step(world, length);
+            step(limited, limit);
+            EXPECT_EQ(hashOf(world), hashOf(limited));
+        }
+        for (const BodyPose& pose : world.bodies.pose)
+            EXPECT_LT(std::fabs(pose.centre.x) + std::fabs(pose.centre.y), kFarthest);
+        for (const SoftParticle& particle : particlesOf(world, cloth))
+            EXPECT_TRUE(isFinite(particle.velocity));
+    }
 }
 
 }  // namespace

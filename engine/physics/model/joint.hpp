@@ -16,7 +16,7 @@ enum class JointKind : std::uint8_t {
     Wheel,      ///< B rotates freely and moves along A's axis on a spring; a motor rotates it
     Mouse,      ///< pulls a point of B to `target` by a spring of limited force
     Motor,      ///< moves B to an offset from A, or at a velocity, with limited force and torque
-    Gear,       ///< keeps angle of jointA + ratio * angle of jointB constant
+    Gear,       ///< keeps a + ratio * b constant; a, b: angle (rad) or translation (m) of jointA, jointB
     Pulley,     ///< keeps lengthA + ratio * lengthB constant
     Filter,     ///< disables collisions between the two bodies
     Count

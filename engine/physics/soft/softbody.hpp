@@ -44,7 +44,7 @@ void destroySoftBody(World& world, SoftBodyId body);
 
 /// Fixes a particle in its position, or releases it.
 Result<Done> pinParticle(World& world, SoftBodyId body, int particle, bool pinned);
-/// Moves a particle; a pinned one drags its neighbors along.
+/// Moves a particle; a pinned one drags its neighbors along. Before each step: fastens them to a body.
 Result<Done> moveParticle(World& world, SoftBodyId body, int particle, WorldPosition place);
 /// @param velocity  m/s; ignored by pinned particles
 Result<Done> setParticleVelocity(World& world, SoftBodyId body, int particle, Vec2 velocity);
