@@ -198,10 +198,8 @@ void holdPressedBodies(StepContext& step) {
             outward = std::max(outward, std::min(starts[p], -kSweptCore * info.core) - end);
         }
         if (!(outward > 0.0f)) continue;
-        Float4& velocity = work.velocity[static_cast<std::size_t>(slot)];
-        const float closing = std::min(velocity.x * normal.x + velocity.y * normal.y, 0.0f);
-        if ((info.flags & kLockX) == 0) moved.x += outward * normal.x, velocity.x -= closing * normal.x;
-        if ((info.flags & kLockY) == 0) moved.y += outward * normal.y, velocity.y -= closing * normal.y;
+        if ((info.flags & kLockX) == 0) moved.x += outward * normal.x;
+        if ((info.flags & kLockY) == 0) moved.y += outward * normal.y;
     }
 }
 
