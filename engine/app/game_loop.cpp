@@ -95,6 +95,7 @@ Replay GameLoop::start() const {
     start.engine = kEngineVersion;
     start.scene = options_.scene;
     start.seed = seedOf(options_);
+    if (replay_) start.state = replay_->state;
     start.keys = replayPlayer_ ? replay_->keys : player_ ? player_->keyChanges() : std::string{};
     return start;
 }
@@ -129,7 +130,7 @@ void GameLoop::runHeadless() {
 void GameLoop::runScreen() {
     const bool lockstep = isLockstep();
     beginPage();
-    pacer_ = FramePacer{refreshRate()};
+    pacer_.setRefreshRate(refreshRate());
     before_ = wallSeconds();
     rateStart_ = before_;
     runFrames([this, lockstep] {
@@ -181,6 +182,7 @@ void GameLoop::handleEvents() {
         if (isFullscreenKey(event)) {
             screen_->window().setFullscreen(!screen_->window().fullscreen());
             player_->setFullscreen(screen_->window().fullscreen());
+            continue;  // Enter of Alt+Enter confirms nothing
         }
         if (event.kind == EventKind::FocusLost || event.kind == EventKind::FocusGained) {
             focusLost_ = event.kind == EventKind::FocusLost;
@@ -373,6 +375,7 @@ void GameLoop::loadSaved(int slot) {
     Result<std::string> loaded = slots_->load(game_.world, slot);
     if (!loaded) return fail("Not loaded", loaded.error());
     game_.onLoaded();
+    if (sounds_) sounds_->restart();
     logNote("Game", "Loaded slot {}", slot);
     records_.loaded(std::move(*loaded), player_ ? player_->keyChanges() : std::string{}, before);
 }

@@ -19,6 +19,9 @@ public:
     void listen(const World& world);
     /// Plays the collected sounds. Call once per frame.
     void play() { mixer_.play(queue_); }
+    /// Call after a saved game was loaded: sounds of its ticks were not played yet, even if their numbers
+    /// were.
+    void restart() { queue_.reset(); }
     /// @param master, music, sounds  ratios, 0..1
     void setVolumes(float master, float music, float sounds) {
         mixer_.setMasterVolume(master);

@@ -49,10 +49,10 @@ public:
     [[nodiscard]] const InputFrame& frame() const { return frame_; }
     [[nodiscard]] const InputFrame& previousFrame() const { return previous_; }
 
-    /// Hashes the input state on which the next tick depends.
     /// The input is part of a saved game, the bindings are not: they are those of the player.
     void archive(StateArchive& archive);
 
+    /// Hashes the input state on which the next tick depends.
     void addTo(Hasher& hasher) const { previous_.addTo(hasher), frame_.addTo(hasher); }
 
     /// Actions and axes that the game has asked for, by their index in the map.

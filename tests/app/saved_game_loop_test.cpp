@@ -10,6 +10,7 @@
 #include "app/game_content.hpp"
 #include "app/game_loop.hpp"
 #include "app/options/player_settings.hpp"
+#include "app/recording/run_records.hpp"
 #include "app/saved_game.hpp"
 #include "core/log.hpp"
 #include "gameplay/components/controls/save_slot.hpp"
@@ -113,6 +114,22 @@ TEST_F(SavingLoop, aRecordingEndsWhenAGameIsLoadedAndItsReplayUsesNoFiles) {
     EXPECT_EQ(game.world.tick, 80u);
     EXPECT_TRUE(hasSave(game.world, 2)) << "as in the recording";
     EXPECT_FALSE(isSaved());
+}
+
+TEST_F(SavingLoop, aReplayThatBeginsWithASavedGameIsNotRecordedWithoutIt) {
+    Replay start;
+    start.state = "saved";
+    PlayerOptions recorded = options();
+    recorded.record = (folder.path / "run.replay").string();
+    EXPECT_FALSE(RunRecords{}.begin(recorded, start, {}));
+    EXPECT_FALSE(fileExists(recorded.record));
+    PlayerOptions linked = options();
+    linked.printLink = true;
+    RunRecords records;
+    ASSERT_TRUE(records.begin(linked, start, {}));
+    const Result<std::string> link = records.link(std::nullopt);
+    ASSERT_FALSE(link);
+    EXPECT_NE(link.error().what.find("begins with a saved game"), std::string::npos);
 }
 
 TEST(SaveSlot, isThatOfAnActionThatSavesOrLoads) {

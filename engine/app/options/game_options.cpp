@@ -58,10 +58,7 @@ ScreenSettings withPlayerSettings(ScreenSettings settings, const PlayerOptions& 
     if (file.empty() || options.safe || !fileExists(file)) return settings;
     // Problems are reported later, when the keys are read, too.
     std::vector<Error> ignored;
-    const Result<std::string> text = readFile(file);
-    if (!text) return settings;
-    const PlayerSettings player =
-        settingsFromText(*text, projectSettings(settings, {}), file.generic_string(), ignored);
+    const PlayerSettings player = readSettings(file, projectSettings(settings, {}), ignored);
     settings.fullscreen = player.fullscreen;
     if (player.scale > 0) {
         settings.standardWidth = settings.windowWidth;
@@ -84,7 +81,7 @@ GameOptions::GameOptions(const PlayerOptions& options, std::string_view project,
       pacer_{pacer},
       input_{input} {
     // The window is open already, in the mode of the settings or of the command line.
-    applied_.fullscreen = written_.fullscreen = screen.window().fullscreen();
+    applied_.fullscreen = screen.window().fullscreen();
     menu_.setFullscreen(applied_.fullscreen);
     screen_.window().setVsync(applied_.vsync);
     pacer_.setCap(applied_.frameCap);
@@ -120,7 +117,10 @@ std::string GameOptions::keyChanges() const {
 void GameOptions::apply() {
     const PlayerSettings& now = menu_.settings();
     Window& window = screen_.window();
-    if (now.fullscreen != applied_.fullscreen) window.setFullscreen(now.fullscreen);
+    if (now.fullscreen != applied_.fullscreen) {
+        window.setFullscreen(now.fullscreen);
+        choseFullscreen_ = true;
+    }
     if (now.scale != applied_.scale && !now.fullscreen) {
         const ScreenSettings& screen = screen_.settings();
         if (now.scale == 0) {
@@ -144,6 +144,7 @@ void GameOptions::apply() {
 
 void GameOptions::setFullscreen(bool on) {
     applied_.fullscreen = on;
+    choseFullscreen_ = true;
     menu_.setFullscreen(on);
     write();
 }
@@ -206,9 +207,11 @@ void GameOptions::draw(AssetStore& assets) {
 }
 
 void GameOptions::write() {
-    if (file_.empty() || applied_ == written_) return;
-    written_ = applied_;  // once, also if it fails
-    const Result<Done> done = writeSettings(file_, settingsText(applied_, project_), keepsFormer_);
+    PlayerSettings now = applied_;
+    if (!choseFullscreen_) now.fullscreen = written_.fullscreen;
+    if (file_.empty() || now == written_) return;
+    written_ = now;  // once, also if it fails
+    const Result<Done> done = writeSettings(file_, settingsText(now, project_), keepsFormer_);
     keepsFormer_ = keepsFormer_ && !done;
     if (done) return;
     logError("Settings", done.error());

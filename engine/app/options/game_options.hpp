@@ -72,6 +72,7 @@ private:
     SoundOutput& sounds_;
     FramePacer& pacer_;
     Input& input_;
+    bool choseFullscreen_ = false;  // else the mode may be that of the command line, for this run only
     bool keysChanged_ = false;
     bool quits_ = false;
 };

@@ -80,9 +80,12 @@ Key keyOf(PadButton button) {
 /// True for what opens and leaves the menu itself: a game that had these keys could not be configured any
 /// more.
 bool isOfMenu(const Event& event) {
-    return (event.kind == EventKind::KeyDown && (event.key == Key::Escape || event.key == Key::F10)) ||
+    const auto isKey = [&](Key key) { return event.kind == EventKind::KeyDown && event.key == key; };
+    return isKey(Key::Escape) || isKey(Key::F10) || isKey(Key::F11) ||
            (event.kind == EventKind::PadDown && event.padButton == PadButton::Back);
 }
+
+bool isArrow(Key key) { return key == Key::Up || key == Key::Down || key == Key::Left || key == Key::Right; }
 
 OptionsMenu::Row choice(std::string label, std::string value) {
     return {OptionsMenu::Kind::Choice, std::move(label), std::move(value)};
@@ -235,7 +238,9 @@ void OptionsMenu::scroll() {
 OptionsMenu::Request OptionsMenu::handle(const Event& event, Vec2 mouse) {
     if (captures_) return capture(event), Request::None;
     switch (event.kind) {
-        case EventKind::KeyDown: return press(event.key);
+        case EventKind::KeyDown:
+            if (event.repeated && !isArrow(event.key)) break;
+            return press(event.key);
         case EventKind::PadDown: return press(keyOf(event.padButton));
         case EventKind::PadAxisMoved: {
             if (event.padAxis != PadAxis::LeftX && event.padAxis != PadAxis::LeftY) break;

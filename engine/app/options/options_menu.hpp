@@ -33,9 +33,9 @@ public:
 
     void open();
     [[nodiscard]] bool isOpen() const { return isOpen_; }
-    /// False while the game is recorded: a recording has the bindings of its start.
     /// Offers window sizes up to this one. @param scale  1..PlayerSettings::kMostScale
     void setMostScale(int scale) { mostScale_ = scale; }
+    /// False while the game is recorded: a recording has the bindings of its start.
     void allowKeys(bool allowed) { keysAllowed_ = allowed; }
     /// Follows a change that was made elsewhere, e.g. with F11.
     void setFullscreen(bool on);

@@ -70,12 +70,10 @@ PlayerSettings readSettings(const Path& file, const PlayerSettings& project, std
 Result<Done> writeSettings(const Path& file, std::string_view text, bool keeps) {
     std::error_code failed;
     if (keeps && std::filesystem::exists(file, failed)) {
-        const Path kept = file.parent_path() / "settings.old.json";
-        std::filesystem::rename(file, kept, failed);
-        if (failed)
-            return Error{file.generic_string(),
-                         format("the file cannot be renamed to {}", kept.filename().generic_string()),
-                         "allow this user to write into the folder; move away what has this name"};
+        const Result<std::string> former = readFile(file);
+        if (!former) return former.error();
+        const Result<Done> kept = writeFile(file.parent_path() / "settings.old.json", *former);
+        if (!kept) return kept;
     }
     return writeFile(file, text);
 }

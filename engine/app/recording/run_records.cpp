@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/recording/replay_choice.hpp"
 #include "core/crash_report.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
@@ -18,7 +19,13 @@ constexpr double kLongestTick = 5.0;       ///< s: a tick that takes longer is r
 
 bool RunRecords::begin(const PlayerOptions& options, const Replay& start, const Setting& setting) {
     recorder_.replay = start;
+    const bool hasState = !start.state.empty();
     if (!options.record.empty()) {
+        if (hasState) {
+            logError("Input", Error{nameOfReplay(options), "it begins with a saved game, a recording cannot",
+                                    "leave out --record: the report itself replays"});
+            return false;
+        }
         Result<RecordingFile> file = RecordingFile::create(options.record, start);
         if (!file) {
             logError("Input", file.error());
@@ -27,13 +34,14 @@ bool RunRecords::begin(const PlayerOptions& options, const Replay& start, const 
         recording_ = std::move(*file);
         recordingName_ = options.record;
     }
-    if (options.printLink || setting.onPage) link_.emplace(start);
+    if (hasState) whyNoLink_ = "it begins with a saved game";
+    if (!hasState && (options.printLink || setting.onPage)) link_.emplace(start);
     return beginCrashFile(options, setting);
 }
 
 /// Without an option, a game that is played leaves a file in its folder.
 bool RunRecords::beginCrashFile(const PlayerOptions& options, const Setting& setting) {
-    if (!canReportCrashes()) return true;
+    if (!canReportCrashes() || recorder_.replay.state.size() > CrashFile::kMostState) return true;
     const bool isAsked = !options.crashReports.empty();
     const Path folder = isAsked ? Path{options.crashReports} : setting.played ? setting.folder : Path{};
     std::error_code failed;

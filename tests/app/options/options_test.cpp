@@ -13,6 +13,7 @@
 #include "platform/image_file.hpp"
 #include "platform/paths.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace plumb {
@@ -120,7 +121,56 @@ TEST(PlayerSettings, thatCannotBeReadAreKeptWhenOthersAreWritten) {
     EXPECT_EQ(*readFile(file), "third");
 }
 
+TEST(PlayerSettings, stayAsTheyWereIfTheDiskIsFull) {
+    const test::TemporaryFolder folder;
+    const Path file = folder.path / "settings.json";
+    ASSERT_TRUE(writeFile(file, "first"));
+    {
+        const test::FileSizeLimit full{4096};
+        EXPECT_FALSE(writeSettings(file, std::string(100'000, 'x'), true));
+    }
+    EXPECT_EQ(*readFile(file), "first");
+}
+
 // ---- menu
+
+TEST(OptionsMenu, aHeldKeyOnlyMoves) {
+    OptionsMenu menu{project(), project()};
+    menu.open();
+    Event held = keyDown(Key::Enter);
+    held.repeated = true;
+    menu.handle(held, {});
+    EXPECT_EQ(menu.settings(), project()) << "not the row Fullscreen";
+    held.key = Key::F10;
+    EXPECT_EQ(menu.handle(held, {}), OptionsMenu::Request::None);
+    EXPECT_TRUE(menu.isOpen());
+    held.key = Key::Down;
+    menu.handle(held, {});
+    EXPECT_EQ(menu.selected(), 1u);
+}
+
+TEST(GameOptions, theModeOfTheCommandLineIsForOneRun) {
+    const test::TemporaryFolder folder;
+    Result<std::unique_ptr<Screen>> screen =
+        Screen::open({"test", 640, 360, true, {320.0f, 180.0f}, WindowScale::Fit});
+    ASSERT_TRUE(screen) << screen.error().text();
+    if (!(*screen)->window().fullscreen()) GTEST_SKIP() << "this display has no fullscreen mode";
+    AssetStore assets{{}, engineAssets()};
+    SoundOutput sounds{assets};
+    FramePacer pacer;
+    Input input;
+    PlayerOptions run;
+    run.saves = folder.path.string();
+    GameOptions options{run, "P", **screen, sounds, pacer, input};
+    options.handle(keyDown(Key::F10));
+    for (int i = 0; i < 4; ++i) options.handle(keyDown(Key::Down));
+    options.handle(keyDown(Key::Left));  // the volume
+    options.handle(keyDown(Key::Escape));
+    std::vector<Error> warnings;
+    const PlayerSettings kept = readSettings(folder.path / "settings.json", project(), warnings);
+    EXPECT_NEAR(kept.master, 0.9f, 1e-6f);
+    EXPECT_FALSE(kept.fullscreen);
+}
 
 TEST(OptionsMenu, keysChangeSettingsAndCloseIt) {
     OptionsMenu menu{project(), project()};
@@ -191,7 +241,7 @@ TEST(OptionsMenu, doesNotBindWhatOpensIt) {
     Event back;
     back.kind = EventKind::PadDown;
     back.padButton = PadButton::Back;
-    for (const Event& event : {keyDown(Key::F10), keyDown(Key::Escape), back}) {
+    for (const Event& event : {keyDown(Key::F10), keyDown(Key::F11), keyDown(Key::Escape), back}) {
         menu.handle(keyDown(Key::Enter), {});
         ASSERT_TRUE(menu.captures());
         menu.handle(event, {});
