@@ -308,6 +308,8 @@ void refreshColours(World& world, Workspace& work);
 
 /// Adds the keys of contacts that came after the narrow phase, as of bodies that woke, for the solver.
 inline void addKeys(const World& world, Workspace& work) {
+    if (work.contactKeys.size() < world.contacts.size())
+        work.layout.isCurrent = false;  // one of another group may have the index and key of a former one
     while (work.contactKeys.size() < world.contacts.size())
         work.contactKeys.push_back(keyOf(world.contacts[work.contactKeys.size()]));
 }

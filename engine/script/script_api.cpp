@@ -51,7 +51,8 @@ constexpr std::array kHandlers{
         "entity and its components are gone, `self` still has what was assigned to it. Not called when "
         "the scene ends, and cannot wait."},
     HandlerRow{"onReload", "", "After the file of the script was changed while the game runs."},
-    HandlerRow{"onLoad", "", "In the first tick after a saved game was loaded."},
+    HandlerRow{"onLoad", "",
+               "After a saved game was loaded, in the first tick in which the entity is not paused."},
 };
 
 /// A function that declares a property.

@@ -101,7 +101,8 @@ void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptSta
             archive.number(scene);
         }
     }
-    ValueWriter values{state, archive};
+    lua_newtable(state);
+    ValueWriter values{state, archive, lua_gettop(state)};
     const auto eachTable = [&](auto visit) {
         for (const ScriptState::Loaded& script : loaded) {
             if (script.table != 0) visit(script.table);
@@ -119,7 +120,7 @@ void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptSta
     };
     eachTable([&](int ref) { with(ref, [&] { values.name(-1); }); });
     eachSelf([&](int ref) { with(ref, [&] { values.name(-1); }); });
-    eachSelf([&](int ref) { with(ref, [&] { values.writePairs(-1, 0); }); });
+    eachSelf([&](int ref) { with(ref, [&] { values.writePairs(-1); }); });
     eachTable([&](int ref) { with(ref, [&] { writeFunctions(state, archive, values); }); });
 }
 
@@ -179,6 +180,7 @@ void pushSelf(lua_State* state, World& world, const SavedScript& saved, ScriptSt
     becomeSelf(state, saved.script->type);
     lua_pushvalue(state, -1);
     instance.self = luaL_ref(state, LUA_REGISTRYINDEX);
+    instance.loaded = true;
     saved.script->add(instance);
 }
 
@@ -211,7 +213,7 @@ void read(lua_State* state, World& world, ScriptState& scripts, StateArchive& ar
     }
     for (lua_Integer i = 1; i <= count && archive.ok(); ++i) {
         lua_rawgeti(state, selves, i);
-        values.readPairs(-1, 0);
+        values.readPairs(-1);
         lua_pop(state, 1);
     }
     eachTable([&] { readFunctions(state, archive, values); });

@@ -116,16 +116,25 @@ void ScriptRunner::takeSaved() {
     scripts_.isLoaded = true;
 }
 
-/// In the first tick of a saved game: onLoad begins again what handlers were waiting for.
+/// In the first tick after a saved game was loaded in which an instance is not paused: its onLoad begins
+/// again what handlers were waiting for.
 void ScriptRunner::callOnLoad() {
-    if (!std::exchange(scripts_.isLoaded, false)) return;
+    if (!scripts_.isLoaded) return;
+    bool waits = false;
     for (std::size_t i = 0; i < scripts_.loaded.size(); ++i) {
         Loaded& script = scripts_.loaded[i];
         if ((script.handlers & kOnLoad) == 0) continue;
         for (std::size_t k = 0; k < script.instances.size(); ++k) {
-            if (mayRun(script, script.instances[k])) call(script, script.instances[k], nameOf(kOnLoad), 0);
+            if (!script.instances[k].loaded) continue;
+            if (!mayRun(script, script.instances[k])) {
+                waits = true;
+                continue;
+            }
+            script.instances[k].loaded = false;
+            call(script, script.instances[k], nameOf(kOnLoad), 0);
         }
     }
+    scripts_.isLoaded = waits;
 }
 
 // ---- files

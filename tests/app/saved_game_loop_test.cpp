@@ -13,6 +13,7 @@
 #include "app/recording/run_records.hpp"
 #include "app/saved_game.hpp"
 #include "core/log.hpp"
+#include "ecs/paused.hpp"
 #include "gameplay/components/controls/save_slot.hpp"
 #include "gameplay/components/controls/scene_key.hpp"
 #include "gameplay/game_functions.hpp"
@@ -226,6 +227,28 @@ protected:
         for (int i = 0; i < ticks; ++i) tickGame(*game, {});
         return game;
     }
+
+    /// Another game, into which this one was loaded.
+    std::unique_ptr<Game> loaded(Game& game, const GameContent& content) {
+        const Result<std::string> saved = savedGame(game.world, "P");
+        EXPECT_TRUE(saved);
+        auto other = play(content, 3);
+        const Result<Snapshot> snapshot = readSavedGame(*saved, other->world, "P", "test", problems);
+        EXPECT_TRUE(snapshot);
+        other->world.restore(*snapshot);
+        other->onLoaded();
+        return other;
+    }
+
+    /// The value of an integer of the component Box.
+    static int valueOf(Game& game, const char* field) {
+        const TypeInfo& type = *game.types.find("Box");
+        const FieldInfo& info = *type.find(field);
+        int value = 0;
+        game.world.eachOf(type,
+                          [&](EntityId, const void* at) { std::memcpy(&value, info.in(at), sizeof value); });
+        return value;
+    }
 };
 
 constexpr const char* kBox = R"(
@@ -260,14 +283,8 @@ TEST_F(SavedScripts, goOnWithTheirValues) {
     static_cast<void>(content.useScripts({{"box", kBox}}, problems));
     ASSERT_TRUE(problems.empty()) << problems[0].text();
     const auto game = play(content, 40);
-    const Result<std::string> saved = savedGame(game->world, "P");
-    ASSERT_TRUE(saved) << saved.error().text();
-    const auto other = play(content, 3);
-    const Result<Snapshot> snapshot = readSavedGame(*saved, other->world, "P", "test", problems);
-    ASSERT_TRUE(snapshot) << snapshot.error().text();
+    const auto other = loaded(*game, content);
     EXPECT_TRUE(problems.empty());
-    other->world.restore(*snapshot);
-    other->onLoaded();
     EXPECT_EQ(other->world.hash(), game->world.hash());
     for (int i = 0; i < 10; ++i) {
         tickGame(*game, {});
@@ -277,16 +294,67 @@ TEST_F(SavedScripts, goOnWithTheirValues) {
     EXPECT_EQ(loaded.position, (Vec2{51.0f, 7.0f})) << "onLoad was called, and onCreate was not";
     loaded.position.y = 0.0f;
     game->world.first<Transform>().get<Transform>().position.y = 0.0f;
-    const TypeInfo& type = *game->types.find("Box");
-    const FieldInfo& total = *type.find("total");
-    const auto valueOf = [&](Game& of) {
-        int value = 0;
-        of.world.eachOf(type,
-                        [&](EntityId, const void* at) { std::memcpy(&value, total.in(at), sizeof value); });
-        return value;
-    };
-    EXPECT_EQ(valueOf(*other), 50050);
-    EXPECT_EQ(valueOf(*game), 50050);
+    EXPECT_EQ(valueOf(*other, "total"), 50050);
+    EXPECT_EQ(valueOf(*game, "total"), 50050);
+}
+
+constexpr const char* kGraph = R"(
+local Box = script { good = integer { 0 } }
+function Box:onCreate()
+    self.chain = {}
+    local last = self.chain
+    for i = 1, 3000 do
+        last.number = i
+        last.next = { back = last }
+        last = last.next
+    end
+    last.next = self.chain
+    self.key = { 1 }
+    self.names = { [self.key] = "key", [{ 2 }] = "other" }
+end
+function Box:onTick()
+    local node, count = self.chain, 0
+    repeat
+        count = count + 1
+        assert(node.next == self.chain or node.next.back == node)
+        node = node.next
+    until node == self.chain
+    assert(self.names[self.key] == "key" and self.key[1] == 1)
+    self.good = count
+end
+return Box
+)";
+
+TEST_F(SavedScripts, mayHaveTablesInTablesAtAnyDepthAndAsKeys) {
+    GameContent content{Module{}, problems};
+    static_cast<void>(content.useScripts({{"box", kGraph}}, problems));
+    ASSERT_TRUE(problems.empty()) << problems[0].text();
+    const auto game = play(content, 2);
+    const auto other = loaded(*game, content);
+    tickGame(*other, {});
+    EXPECT_EQ(valueOf(*other, "good"), 3001);
+}
+
+constexpr const char* kPaused = R"(
+local Box = script { loads = integer { 0 } }
+function Box:onLoad()
+    self.loads = self.loads + 1
+end
+return Box
+)";
+
+TEST_F(SavedScripts, thatArePausedGetOnLoadWhenTheyGoOn) {
+    GameContent content{Module{}, problems};
+    static_cast<void>(content.useScripts({{"box", kPaused}}, problems));
+    ASSERT_TRUE(problems.empty()) << problems[0].text();
+    const auto game = play(content, 2);
+    game->world.first<Transform>().addComponent<Paused>();
+    const auto other = loaded(*game, content);
+    for (int i = 0; i < 3; ++i) tickGame(*other, {});
+    EXPECT_EQ(valueOf(*other, "loads"), 0);
+    other->world.query<Transform>(withPaused).first().removeComponent<Paused>();
+    for (int i = 0; i < 3; ++i) tickGame(*other, {});
+    EXPECT_EQ(valueOf(*other, "loads"), 1);
 }
 
 // ---- the guide

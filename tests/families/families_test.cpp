@@ -90,6 +90,13 @@ TEST(CardHouses, mostStandAtQuality1) {
     EXPECT_GE(standing, 98);
 }
 
+// Bodies that a soft body woke had contacts with the indices and keys of former ones of another island, and
+// the solver took them for these.
+TEST(Restoring, changesNoBitWhereSoftBodiesWakeBodies) {
+    const Blueprint plan = memberOf(*findFamily("soft-among-rigid"), 272);
+    EXPECT_EQ(play(plan, {.restoreEvery = 7}).bits, play(plan).bits);
+}
+
 TEST(Verdicts, failOnlyForStatisticallySignificantDifferences) {
     Verdict verdict;
     verdict.relation = findRelation("sleep");

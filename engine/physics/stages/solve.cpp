@@ -179,7 +179,7 @@ void solveWithRotation(StepContext& step) {
 void holdPressedBodies(StepContext& step) {
     Workspace& work = step.work;
     const Bodies& bodies = step.world.bodies;
-    for (std::size_t i = 0; i < step.world.contacts.size(); ++i) {
+    for (std::size_t i = 0; i < work.contactKeys.size(); ++i) {
         const Contact& contact = step.world.contacts[i];
         const float starts[] = {contact.separation0, contact.separation1};
         if (!pushes(work.contactKeys[i]) || std::min(starts[0], starts[1]) >= 0.0f) continue;

@@ -1,5 +1,6 @@
 #include "gameplay/game_functions.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <lua.hpp>
@@ -7,6 +8,7 @@
 #include "assets/asset_store.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/touches.hpp"
+#include "input/input_frame.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/transform.hpp"
 #include "scene/physics/physics_queries.hpp"
@@ -123,16 +125,21 @@ int quit(lua_State* state) {
     return 0;
 }
 
+/// Returns the number of a slot; one out of range stays out of range as an int.
+int slotAt(lua_State* state) {
+    return static_cast<int>(std::clamp<lua_Integer>(luaL_optinteger(state, 1, 1), 0, kSaveSlots + 1));
+}
+
 int save(lua_State* state) {
-    saveGame(worldOf(state), static_cast<int>(luaL_optinteger(state, 1, 1)));
+    saveGame(worldOf(state), slotAt(state));
     return 0;
 }
 int load(lua_State* state) {
-    loadGame(worldOf(state), static_cast<int>(luaL_optinteger(state, 1, 1)));
+    loadGame(worldOf(state), slotAt(state));
     return 0;
 }
 int isSaved(lua_State* state) {
-    lua_pushboolean(state, hasSave(worldOf(state), static_cast<int>(luaL_optinteger(state, 1, 1))) ? 1 : 0);
+    lua_pushboolean(state, hasSave(worldOf(state), slotAt(state)) ? 1 : 0);
     return 1;
 }
 int options(lua_State* state) {

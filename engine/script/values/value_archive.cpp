@@ -32,8 +32,6 @@ enum Tag : std::uint32_t {
     Known
 };
 
-constexpr int kDepth = 100;  ///< of tables inside each other
-
 BlockKind kindAt(lua_State* state, int index) {
     const auto* block = static_cast<const BlockKind*>(lua_touserdata(state, index));
     return block == nullptr ? BlockKind{} : *block;
@@ -57,10 +55,33 @@ bool ValueWriter::canWrite(int index) const {
 }
 
 void ValueWriter::name(int index) {
-    numbers_.emplace(lua_topointer(state_, index), static_cast<std::uint32_t>(numbers_.size()));
+    const auto number = static_cast<std::uint32_t>(numbers_.size());
+    if (!numbers_.emplace(lua_topointer(state_, index), number).second) return;
+    lua_pushvalue(state_, index);
+    lua_rawseti(state_, tables_, lua_Integer{number} + 1);
 }
 
-void ValueWriter::write(int at, int depth) {
+void ValueWriter::write(int index) {
+    put(index);
+    putNew();
+}
+
+void ValueWriter::writePairs(int index) {
+    putPairs(index);
+    putNew();
+}
+
+/// Writes the pairs of the tables that were met since, and of those that these contain.
+void ValueWriter::putNew() {
+    for (std::size_t i = 0; i < new_.size(); ++i) {
+        lua_rawgeti(state_, tables_, lua_Integer{new_[i]} + 1);
+        putPairs(-1);
+        lua_pop(state_, 1);
+    }
+    new_.clear();
+}
+
+void ValueWriter::put(int at) {
     const int index = lua_absindex(state_, at);
     switch (lua_type(state_, index)) {
         case LUA_TBOOLEAN: return tag(lua_toboolean(state_, index) != 0 ? True : False);
@@ -84,10 +105,9 @@ void ValueWriter::write(int at, int depth) {
                 tag(Known);
                 return archive_.number(known->second);
             }
-            if (depth >= kDepth || lua_checkstack(state_, 8) == 0) return tag(Nil);
+            new_.push_back(static_cast<std::uint32_t>(numbers_.size()));
             name(index);
-            tag(New);
-            return writePairs(index, depth);
+            return tag(New);
         }
         case LUA_TUSERDATA: break;
         default: return tag(Nil);
@@ -110,12 +130,12 @@ void ValueWriter::write(int at, int depth) {
     archive_.value(entity);
 }
 
-void ValueWriter::writePairs(int at, int depth) {
+void ValueWriter::putPairs(int at) {
     const int index = lua_absindex(state_, at);
     for (lua_pushnil(state_); lua_next(state_, index) != 0; lua_pop(state_, 1)) {
         if (!canWrite(-2) || !canWrite(-1)) continue;
-        write(-2, depth + 1);
-        write(-1, depth + 1);
+        put(-2);
+        put(-1);
     }
     tag(End);
 }
@@ -125,7 +145,29 @@ void ValueReader::name(int index) {
     lua_rawseti(state_, tables_, ++count_);
 }
 
-void ValueReader::readPairs(int at, int depth) {
+void ValueReader::read(int into) {
+    std::uint32_t tag = End;
+    archive_.number(tag);
+    take(tag, into);
+    takeNew();
+}
+
+void ValueReader::readPairs(int index) {
+    takePairs(index);
+    takeNew();
+}
+
+/// Reads the pairs of the tables that were made since, and of those that these contain.
+void ValueReader::takeNew() {
+    for (std::size_t i = 0; i < new_.size() && archive_.ok(); ++i) {
+        lua_rawgeti(state_, tables_, lua_Integer{new_[i]} + 1);
+        takePairs(-1);
+        lua_pop(state_, 1);
+    }
+    new_.clear();
+}
+
+void ValueReader::takePairs(int at) {
     const int index = lua_absindex(state_, at);
     for (lua_pushnil(state_); lua_next(state_, index) != 0;) {
         const bool isFunction = lua_isfunction(state_, -1) != 0;
@@ -136,9 +178,16 @@ void ValueReader::readPairs(int at, int depth) {
         lua_rawset(state_, index);
     }
     while (archive_.ok()) {
-        read(0, depth + 1);  // the key; none at the end
-        if (lua_isnil(state_, -1) != 0) return lua_pop(state_, 1);
-        read(0, depth + 1);
+        std::uint32_t key = End, value = End;
+        archive_.number(key);
+        if (key == End) return;
+        take(key);
+        archive_.number(value);
+        take(value);
+        if (lua_isnil(state_, -2) != 0) {  // a component that is gone
+            lua_pop(state_, 2);
+            continue;
+        }
         const bool isNaN = lua_type(state_, -2) == LUA_TNUMBER && lua_rawequal(state_, -2, -2) == 0;
         if (isNaN) {
             lua_pop(state_, 2);
@@ -149,9 +198,8 @@ void ValueReader::readPairs(int at, int depth) {
     }
 }
 
-void ValueReader::read(int into, int depth) {
-    std::uint32_t tag = End;
-    archive_.number(tag);
+/// Pushes a value of which the tag was read.
+void ValueReader::take(std::uint32_t tag, int into) {
     std::uint64_t bits = 0;
     switch (tag) {
         case False:
@@ -186,14 +234,13 @@ void ValueReader::read(int into, int depth) {
             return pushComponent(state_, entity, *type);
         }
         case New:
-            if (depth > kDepth || lua_checkstack(state_, 8) == 0) break;
             if (into != 0) {
                 lua_pushvalue(state_, into);
             } else {
                 lua_newtable(state_);
             }
-            name(-1);
-            return readPairs(-1, depth);
+            new_.push_back(count_);
+            return name(-1);
         case Known: {
             std::uint32_t number = 0;
             archive_.number(number);
