@@ -42,9 +42,17 @@ bool Game::quitRequested() const {
     return requests != nullptr && requests->quit;
 }
 
-void Game::onLoaded() {
+Result<Done> Game::load(const Snapshot& saved) {
+    const Snapshot before = world.save();
+    world.restore(saved);
     const auto* scripts = world.findResource<ScriptState>();
-    if (scripts != nullptr && !scripts->saved.empty()) static_cast<void>(ScriptRunner{world});
+    if (scripts != nullptr && !scripts->saved.empty() && !ScriptRunner{world}.tookSaved()) {
+        world.restore(before);
+        return Error{"saved game", "the values of its scripts are damaged or do not fit their memory",
+                     "load another one"};
+    }
+    onLoaded();
+    return Done{};
 }
 
 void Game::setGravity(Vec2 gravity) { world.resource<PhysicsSettings>().gravity = gravity; }

@@ -46,7 +46,7 @@ public:
     virtual void onAssetsChanged([[maybe_unused]] std::span<const AssetChange> changes) {}
 
     /// Called between ticks after the state of the world was replaced by that of a saved game.
-    virtual void onLoaded();
+    virtual void onLoaded() {}
 
     /// True if the game ends after this tick: quitGame() was called.
     [[nodiscard]] virtual bool quitRequested() const;
@@ -89,6 +89,10 @@ public:
     /// text that was ever added to texts().
     void show(std::string_view word, std::string_view text);
 
+    /// For the loop, between ticks: replaces the state of the world by that of a saved game (readSavedGame())
+    /// and calls onLoaded().
+    /// @error scripts cannot have their values again; the state is what it was before
+    Result<Done> load(const Snapshot& saved);
     /// For the loop, after changed files were reloaded: reads changed prefabs again, for what is spawned from
     /// now on, logs their problems, and calls onAssetsChanged().
     void followChanges(std::span<const AssetChange> changes);

@@ -230,8 +230,10 @@ bool GameLoop::beginWithState() {
         return false;
     }
     for (const Error& problem : problems) logWarning("Input", problem);
-    game_.world.restore(*state);
-    game_.onLoaded();
+    if (const Result<Done> loaded = game_.load(*state); !loaded) {
+        logError("Input", loaded.error());
+        return false;
+    }
     return true;
 }
 
@@ -372,12 +374,13 @@ void GameLoop::fail(std::string_view what, const Error& error) {
 
 void GameLoop::loadSaved(int slot) {
     const std::uint64_t before = game_.world.hash();
-    Result<std::string> loaded = slots_->load(game_.world, slot);
-    if (!loaded) return fail("Not loaded", loaded.error());
-    game_.onLoaded();
+    Result<SaveSlots::Saved> saved = slots_->read(game_.world, slot);
+    if (!saved) return fail("Not loaded", saved.error());
+    if (const Result<Done> loaded = game_.load(saved->state); !loaded)
+        return fail("Not loaded", loaded.error());
     if (sounds_) sounds_->restart();
     logNote("Game", "Loaded slot {}", slot);
-    records_.loaded(std::move(*loaded), player_ ? player_->keyChanges() : std::string{}, before);
+    records_.loaded(std::move(saved->file), player_ ? player_->keyChanges() : std::string{}, before);
 }
 
 PhysicsShown GameLoop::shownPhysics() {

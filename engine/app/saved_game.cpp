@@ -109,7 +109,7 @@ Result<Done> SaveSlots::save(const World& world, int slot) {
     return written;
 }
 
-Result<std::string> SaveSlots::load(World& world, int slot) const {
+Result<SaveSlots::Saved> SaveSlots::read(const World& world, int slot) const {
     const Path path = fileOf(slot);
     Result<std::string> file = readFile(path);
     if (!file) return file.error();
@@ -117,8 +117,7 @@ Result<std::string> SaveSlots::load(World& world, int slot) const {
     Result<Snapshot> snapshot = readSavedGame(*file, world, project_, path.generic_string(), problems);
     if (!snapshot) return snapshot.error();
     for (const Error& problem : problems) logWarning("Game", problem);
-    world.restore(*snapshot);
-    return file;
+    return Saved{std::move(*file), std::move(*snapshot)};
 }
 
 }  // namespace plumb

@@ -20,7 +20,7 @@ namespace plumb {
 /// @error a type of the game cannot be saved
 Result<std::string> savedGame(const World& world, std::string_view project);
 
-/// Reads a saved game. Its state replaces that of a world by World::restore().
+/// Reads a saved game. Its state replaces that of a game by Game::load().
 /// @param world     of the running game, with its types; is not changed
 /// @param where     of the file, for messages
 /// @param problems  receives what was left out, as this version of the game does not have it
@@ -37,9 +37,12 @@ public:
 
     /// Saves the state of a world. After an error the slot is what it was before.
     Result<Done> save(const World& world, int slot);
-    /// Replaces the state of the world. After an error it is what it was before. What was left out is logged.
-    /// @return the file
-    Result<std::string> load(World& world, int slot) const;
+    struct Saved {
+        std::string file;  ///< its bytes
+        Snapshot state;    ///< for Game::load()
+    };
+    /// Reads the saved game of a slot for a world, which is not changed. What was left out is logged.
+    [[nodiscard]] Result<Saved> read(const World& world, int slot) const;
     /// One bit per slot that has a saved game: InputFrame::saves.
     [[nodiscard]] std::uint32_t filled() const { return filled_; }
     [[nodiscard]] Path fileOf(int slot) const;

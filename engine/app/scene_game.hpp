@@ -33,10 +33,7 @@ public:
 
     /// To be called after a snapshot was restored: loads the assets that the restored world references.
     void restored();
-    void onLoaded() override {
-        Game::onLoaded();
-        restored();
-    }
+    void onLoaded() override { restored(); }
     /// Reads prefabs again when they are needed next.
     void reloadPrefabs() { prefabs_.forget(); }
 

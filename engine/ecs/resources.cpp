@@ -76,6 +76,8 @@ void Resources::write(StateArchive& archive, std::vector<Error>& problems) const
         archive.text(name);
         StateArchive inner = StateArchive::writer(bytes);
         box->copy()->archive(inner);
+        if (!inner.ok())
+            problems.push_back({format("resource {}", name), "it could not be written", "see the log"});
         archive.text(bytes);
     }
 }

@@ -14,10 +14,10 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;
 
 Error notAState() {
-    return {"saved game", "the state in it is damaged or was written by a newer version of the engine",
+    return {"saved game", "the state in it is damaged or was written by another version of the engine",
             "load another saved game"};
 }
 

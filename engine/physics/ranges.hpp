@@ -10,9 +10,9 @@ inline constexpr float kSmallest = 1.0e-4f;   ///< m: minimum size; smaller size
 inline constexpr float kFastest = 1.0e6f;     ///< m/s, rad/s, m/s2, rad/s2: maximum speed, acceleration
 inline constexpr float kStrongest = 1.0e15f;  ///< N, N m, N s, kg: maximum force, torque, impulse, mass
 inline constexpr float kRoughest = 100.0f;    ///< maximum Coulomb coefficient
-inline constexpr float kShortestStep =
-    1.0e-6f;                                 ///< s: minimum step length; shorter ones lose digits in squares
-inline constexpr float kLongestStep = 1.0f;  ///< s: maximum step length
+/// s: minimum step length: kStrongest / h^2 still fits a float in its substeps h of 2^-kMaxQuality of it.
+inline constexpr float kShortestStep = 1.0e-6f;
+inline constexpr float kLongestStep = 1.0f;  ///< s: maximum step length: kFastest (m/s) / kFastest (m/s2)
 inline constexpr int kMaxIterations = 64;    ///< maximum of Settings::iterations
 
 }  // namespace plumb::physics

@@ -26,7 +26,8 @@ void LoadedScene::archive(StateArchive& archive) {
     rest.reset();  // what editors keep of the file
     below = hasPhysics != 0 ? std::make_shared<const PhysicsState>(std::move(paused)) : nullptr;
     Result<Json> read = parseJson(text, path);
-    if (read) effects = std::move(*read);
+    if (!read) return archive.fail();
+    effects = std::move(*read);
 }
 
 void LoadedScenes::archive(StateArchive& archive) {

@@ -1,22 +1,26 @@
 #include "script/script_archive.hpp"
 
-#include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <lua.hpp>
 
+#include "core/log.hpp"
 #include "ecs/component_type.hpp"
 #include "ecs/saved_type.hpp"
 #include "ecs/world.hpp"
 #include "script/script_entity.hpp"
+#include "script/script_errors.hpp"
+#include "script/script_loader.hpp"
 #include "script/script_state.hpp"
 #include "script/values/self.hpp"
 #include "script/values/value_archive.hpp"
 
-// The scripts of a saved game: first the instances, then their `self` tables, then for each file the upvalues
-// of its functions, i.e. its local variables and the table of its global ones, by name.
+// The scripts of a saved game: first the instances, then for each file the upvalues of its functions, i.e.
+// its local variables and the table of its global ones, by name, then the pairs of the `self` tables and of
+// all tables that these or upvalues contain.
 
 namespace plumb {
 namespace {
@@ -24,21 +28,9 @@ namespace {
 using script::ValueReader;
 using script::ValueWriter;
 
-/// Returns the names of the functions of the table on top of the stack, sorted.
-std::vector<std::string> functionNames(lua_State* state) {
-    std::vector<std::string> names;
-    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
-        if (lua_type(state, -2) == LUA_TSTRING && lua_isfunction(state, -1) != 0 &&
-            lua_iscfunction(state, -1) == 0)
-            names.emplace_back(lua_tostring(state, -2));
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// Writes the upvalues of the functions of the table on top of the stack.
 void writeFunctions(lua_State* state, StateArchive& archive, ValueWriter& values) {
-    std::vector<std::string> names = functionNames(state);
+    std::vector<std::string> names = script::functionNames(state);
     archive.count(names.size());
     for (std::string& name : names) {
         archive.text(name);
@@ -119,9 +111,25 @@ void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptSta
         lua_pop(state, 1);
     };
     eachTable([&](int ref) { with(ref, [&] { values.name(-1); }); });
+    const std::uint32_t firstSelf = values.count();
     eachSelf([&](int ref) { with(ref, [&] { values.name(-1); }); });
-    eachSelf([&](int ref) { with(ref, [&] { values.writePairs(-1); }); });
     eachTable([&](int ref) { with(ref, [&] { writeFunctions(state, archive, values); }); });
+    values.writeTables(firstSelf);
+}
+
+/// Writes the scripts. That needs memory of Lua, of a copy of the state: World::toBytes() copies resources.
+/// @return false, which is logged, if there is none left
+bool writeProtected(ScriptMemory& memory, StateArchive& archive, std::vector<ScriptState::Loaded>& loaded) {
+    const ScriptAccess access{memory};
+    lua_State* state = access.state();
+    const std::function<void()> write = [&] { writeScripts(state, archive, loaded); };
+    const int top = lua_gettop(state);
+    const bool written = script::callProtected(state, write);
+    if (!written)
+        logError("Script", Error{"saved game", script::textAt(state, -1),
+                                 "keep fewer values in scripts: 64 MiB are available"});
+    lua_settop(state, top);
+    return written;
 }
 
 }  // namespace
@@ -130,10 +138,7 @@ void ScriptState::archive(StateArchive& archive) {
     if (!archive.reading() && memory.exists()) {
         saved.clear();
         StateArchive inner = StateArchive::writer(saved);
-        const ScriptAccess access{memory};
-        const int top = lua_gettop(access.state());
-        writeScripts(access.state(), inner, loaded);
-        lua_settop(access.state(), top);
+        if (!writeProtected(memory, inner, loaded)) archive.fail();
     }
     archive.text(saved);
     if (archive.reading()) {
@@ -180,7 +185,6 @@ void pushSelf(lua_State* state, World& world, const SavedScript& saved, ScriptSt
     becomeSelf(state, saved.script->type);
     lua_pushvalue(state, -1);
     instance.self = luaL_ref(state, LUA_REGISTRYINDEX);
-    instance.loaded = true;
     saved.script->add(instance);
 }
 
@@ -201,22 +205,16 @@ void read(lua_State* state, World& world, ScriptState& scripts, StateArchive& ar
         }
     };
     eachTable([&] { values.name(-1); });
-    lua_newtable(state);  // the selves, in order
-    const int selves = lua_gettop(state);
-    lua_Integer count = 0;
+    const std::uint32_t firstSelf = values.count();
     for (const SavedScript& each : saved) {
         for (const ScriptState::Instance& instance : each.instances) {
             pushSelf(state, world, each, instance);
             values.name(-1);
-            lua_rawseti(state, selves, ++count);
+            lua_pop(state, 1);
         }
     }
-    for (lua_Integer i = 1; i <= count && archive.ok(); ++i) {
-        lua_rawgeti(state, selves, i);
-        values.readPairs(-1);
-        lua_pop(state, 1);
-    }
     eachTable([&] { readFunctions(state, archive, values); });
+    values.readTables(firstSelf);
 }
 
 }  // namespace

@@ -58,6 +58,15 @@ std::string textAt(lua_State* state, int index) {
     return {text, size};
 }
 
+bool callProtected(lua_State* state, const std::function<void()>& body) {
+    lua_pushcfunction(state, [](lua_State* inner) {
+        (*static_cast<const std::function<void()>*>(lua_touserdata(inner, 1)))();
+        return 0;
+    });
+    lua_pushlightuserdata(state, const_cast<std::function<void()>*>(&body));
+    return lua_pcall(state, 1, 0, 0) == LUA_OK;
+}
+
 std::string placeOf(lua_State* coroutine) {
     const std::vector<ScriptFrame> frames = placesOf(coroutine);
     return frames.empty() ? std::string{"scripts"} : format("{}:{}", frames[0].file, frames[0].line);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace script {
 
 /// Returns the string at an index; a description if the value is no string.
 std::string textAt(lua_State* state, int index);
+
+/// Calls `body`, in which functions of Lua may raise errors. @return false after pushing the message of one
+bool callProtected(lua_State* state, const std::function<void()>& body);
 
 /// Returns file and line of the innermost function of a script that is being called: "scripts/slime.lua:4".
 std::string placeOf(lua_State* coroutine);

@@ -1,5 +1,6 @@
 #include "script/script_loader.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <lua.hpp>
@@ -9,6 +10,7 @@
 #include "script/script_context.hpp"
 #include "script/script_declaration.hpp"
 #include "script/script_entity.hpp"
+#include "script/script_errors.hpp"
 #include "script/script_functions.hpp"
 #include "script/script_library.hpp"
 #include "script/script_set.hpp"
@@ -159,6 +161,16 @@ void forgetFile(lua_State* state, std::string_view name) {
     lua_pushnil(state);
     lua_rawset(state, -3);
     lua_pop(state, 1);
+}
+
+std::vector<std::string> functionNames(lua_State* state) {
+    std::vector<std::string> names;
+    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) == LUA_TSTRING && lua_isfunction(state, -1) != 0)
+            names.push_back(textAt(state, -2));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 void resetBudget(lua_State* state) {

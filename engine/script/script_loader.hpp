@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.hpp"
 
@@ -26,6 +28,9 @@ void openScripts(lua_State* state);
 bool runFile(lua_State* state, const ScriptSet& files, std::string_view name);
 /// Makes the next runFile() run a file again.
 void forgetFile(lua_State* state, std::string_view name);
+
+/// Returns the names of the functions of the table on top of the stack, in the order of their bytes.
+std::vector<std::string> functionNames(lua_State* state);
 
 /// Allows kRounds for what runs next.
 void resetBudget(lua_State* state);

@@ -14,8 +14,10 @@
 #include "scene/game_random.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_stack.hpp"
+#include "script/library/work.hpp"
 #include "script/script_archive.hpp"
 #include "script/script_entity.hpp"
+#include "script/script_errors.hpp"
 #include "script/script_handlers.hpp"
 #include "script/script_loader.hpp"
 #include "script/script_observer.hpp"
@@ -42,20 +44,9 @@ std::uint32_t handlersOf(lua_State* state) {
     return handlers;
 }
 
-/// Returns the names of the functions of the table on top of the stack, in the order of their bytes.
-std::vector<std::string> functionNames(lua_State* state) {
-    std::vector<std::string> names;
-    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
-        if (lua_type(state, -2) == LUA_TSTRING && lua_isfunction(state, -1) != 0)
-            names.emplace_back(lua_tostring(state, -2));
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// Warns of functions of the table on top of the stack that seem to be handlers but are called otherwise.
 void warnOfNames(lua_State* state, const std::string& path) {
-    for (const std::string& name : functionNames(state)) {
+    for (const std::string& name : script::functionNames(state)) {
         const std::string meant = handlerMeant(name);
         if (!meant.empty())
             logWarning("Script", Error{path, format("the engine does not call \"{}\"", name),
@@ -77,7 +68,9 @@ ScriptRunner::ScriptRunner(World& world)
       hostScope_{*this} {
     if (access_.isNew()) protect([&] { script::openScripts(state_); });
     if (scripts_.typesVersion != set_.version()) protect([&] { load(); });
-    if (!scripts_.saved.empty()) protect([&] { takeSaved(); });
+    if (scripts_.saved.empty()) return;
+    tookSaved_ = false;
+    protect([&] { takeSaved(); });
 }
 
 Random& ScriptRunner::random() { return world_.resource<GameRandom>().random; }
@@ -85,12 +78,7 @@ void ScriptRunner::print(std::string_view text) { logNote("Script", "{}", text);
 
 /// Calls `body` so that the lack of memory outside of handlers is an error, not the end of the program.
 void ScriptRunner::protect(const std::function<void()>& body) {
-    lua_pushcfunction(state_, [](lua_State* state) {
-        (*static_cast<const std::function<void()>*>(lua_touserdata(state, 1)))();
-        return 0;
-    });
-    lua_pushlightuserdata(state_, const_cast<std::function<void()>*>(&body));
-    if (lua_pcall(state_, 1, 0, 0) == LUA_OK) return;
+    if (script::callProtected(state_, body)) return;
     logError("Script", Error{"scripts", script::textAt(state_, -1),
                              "keep fewer values in scripts: 64 MiB are available"});
     lua_settop(state_, 0);
@@ -111,30 +99,31 @@ void ScriptRunner::tick(float dt) {
 
 /// After a saved game was loaded: scripts have their values again.
 void ScriptRunner::takeSaved() {
-    if (!script::takeSaved(state_, world_, scripts_))
-        logError("Script", Error{"saved game", "the values of its scripts are damaged", "load another one"});
-    scripts_.isLoaded = true;
+    script::Work::end();  // the memory is the limit, not the work of one handler
+    tookSaved_ = script::takeSaved(state_, world_, scripts_);
+    for (Loaded& script : scripts_.loaded) {
+        for (Instance& instance : script.instances) instance.isLoaded = true;
+    }
+    scripts_.hasLoaded = true;
 }
 
-/// In the first tick after a saved game was loaded in which an instance is not paused: its onLoad begins
-/// again what handlers were waiting for.
+/// After a saved game was loaded, as soon as a script may run: onLoad begins again what handlers were waiting
+/// for.
 void ScriptRunner::callOnLoad() {
-    if (!scripts_.isLoaded) return;
-    bool waits = false;
+    if (!std::exchange(scripts_.hasLoaded, false)) return;
     for (std::size_t i = 0; i < scripts_.loaded.size(); ++i) {
         Loaded& script = scripts_.loaded[i];
-        if ((script.handlers & kOnLoad) == 0) continue;
         for (std::size_t k = 0; k < script.instances.size(); ++k) {
-            if (!script.instances[k].loaded) continue;
-            if (!mayRun(script, script.instances[k])) {
-                waits = true;
-                continue;
+            Instance& instance = script.instances[k];
+            if (!instance.isLoaded) continue;
+            instance.isLoaded = (script.handlers & kOnLoad) != 0 && !mayRun(script, instance);
+            if (instance.isLoaded) {
+                scripts_.hasLoaded = true;
+            } else if ((script.handlers & kOnLoad) != 0) {
+                call(script, instance, nameOf(kOnLoad), 0);
             }
-            script.instances[k].loaded = false;
-            call(script, script.instances[k], nameOf(kOnLoad), 0);
         }
     }
-    scripts_.isLoaded = waits;
 }
 
 // ---- files

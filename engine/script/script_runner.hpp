@@ -22,6 +22,9 @@ public:
     /// The world must have the service ScriptSet.
     explicit ScriptRunner(World& world);
 
+    /// False if scripts could not have the values of a saved game, from ScriptState::saved, again.
+    [[nodiscard]] bool tookSaved() const { return tookSaved_; }
+
     /// Loads new and changed files, ends the scripts of components that are gone and begins those of new ones
     /// (onCreate), goes on with what has waited long enough, and calls onTick.
     void tick(float dt);
@@ -78,6 +81,7 @@ private:
     ScriptAccess access_;
     lua_State* state_;
     script::FailureLog failures_;
+    bool tookSaved_ = true;
     script::Context context_;
     script::ContextScope contextScope_;
     ScriptHostScope hostScope_;

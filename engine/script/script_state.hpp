@@ -21,8 +21,8 @@ struct ScriptState {
     struct Instance {
         EntityId entity;
         int self = 0;             ///< ref of the table `self`
-        bool loaded = false;      ///< it is of a saved game, and its onLoad was not called yet
         bool ticking = false;     ///< its onTick waits: it is not called again before that has ended
+        bool isLoaded = false;    ///< from a saved game, and its onLoad is not called yet
         std::uint32_t scene = 0;  ///< LoadedScene::loading of the entity's scene; 0: none
     };
 
@@ -63,7 +63,7 @@ struct ScriptState {
     /// What a saved game contains of the scripts, until the ScriptRunner has taken it: see
     /// script_archive.cpp.
     std::string saved;
-    bool isLoaded = false;  ///< instances may be `loaded`
+    bool hasLoaded = false;  ///< false: no instance has isLoaded
 
     [[nodiscard]] Loaded* find(TypeKey type);
     /// Returns the ref of the `self` of an entity's script; 0 if there is none.

@@ -20,6 +20,7 @@
 #include "gameplay/tweens.hpp"
 #include "reflect/convert_component.hpp"
 #include "scene/components/transform.hpp"
+#include "scene/loaded_scene.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/file_size_limit.hpp"
@@ -53,9 +54,7 @@ Result<Done> loadFrom(const std::string& bytes, Game& game) {
     Result<Snapshot> snapshot = readSavedGame(bytes, game.world, "P", "test", problems);
     if (!snapshot) return snapshot.error();
     for (const Error& problem : problems) ADD_FAILURE() << problem.text();
-    game.world.restore(*snapshot);
-    game.onLoaded();
-    return Done{};
+    return game.load(*snapshot);
 }
 
 struct Played {
@@ -191,10 +190,11 @@ TEST_F(SavedGame, staysInItsSlotIfTheDiskIsFull) {
     EXPECT_EQ(game->world.hash(), later);
     EXPECT_EQ(slots.filled(), 4u);
     EXPECT_EQ(SaveSlots(folder.path, "P").filled(), 4u);
-    ASSERT_TRUE(slots.load(game->world, 3));
+    const Result<SaveSlots::Saved> saved = slots.read(game->world, 3);
+    ASSERT_TRUE(saved);
+    ASSERT_TRUE(game->load(saved->state));
     EXPECT_EQ(game->world.hash(), hash);
-    EXPECT_FALSE(slots.load(game->world, 4));
-    EXPECT_EQ(game->world.hash(), hash) << "a slot without a saved game changes nothing";
+    EXPECT_FALSE(slots.read(game->world, 4));
 }
 
 TEST_F(SavedGame, cannotBeSavedInAFileThatIsAFolder) {
@@ -202,7 +202,7 @@ TEST_F(SavedGame, cannotBeSavedInAFileThatIsAFolder) {
     // Also for root: it may write into any folder.
     std::filesystem::create_directories(slots.fileOf(2) / "inside");
     EXPECT_FALSE(slots.save(game->world, 2));
-    EXPECT_FALSE(slots.load(game->world, 2));
+    EXPECT_FALSE(slots.read(game->world, 2));
     std::filesystem::remove_all(folder.path / "saves");
     ASSERT_TRUE(writeFile(folder.path / "saves", "a file"));
     const Result<Done> failed = slots.save(game->world, 1);
@@ -352,6 +352,22 @@ TEST(SavedResources, arePlainDataOrSayHowTheyAreSaved) {
     static_cast<void>(world.toBytes(problems));
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_NE(problems[0].where.find("Listed"), std::string::npos);
+}
+
+TEST(SavedResources, areRefusedIfTheEffectsOfASceneAreDamaged) {
+    LoadedScene scene, other;
+    scene.effects["bloom"] = true;
+    std::string bytes;
+    StateArchive writer = StateArchive::writer(bytes);
+    scene.archive(writer);
+    StateArchive reader = StateArchive::reader(bytes);
+    other.archive(reader);
+    EXPECT_TRUE(reader.ok());
+    EXPECT_EQ(other.effects, scene.effects);
+    bytes[bytes.find("bloom") - 1] = '?';
+    StateArchive damaged = StateArchive::reader(bytes);
+    other.archive(damaged);
+    EXPECT_FALSE(damaged.ok());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "ecs/hierarchy.hpp"
+#include "gameplay/game_requests.hpp"
 #include "gameplay/label_values.hpp"
+#include "input/input.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
 #include "scene/components/colliders/box_collider.hpp"
 #include "scene/components/drawing/camera.hpp"
@@ -62,6 +64,31 @@ TEST_F(ScriptFunctions, pushBodiesAndShakeTheCamera) {
     EXPECT_EQ(world.get<RigidBody>(entity).velocity, (Vec2{5.0f, -2.0f}));
     EXPECT_EQ(world.get<Camera>(camera).shakeStrength, 8.0f);
     EXPECT_EQ(logText(), "");
+}
+
+TEST_F(ScriptFunctions, refuseSlotsThatDoNotExistWhateverTheirSize) {
+    const EntityId entity = thing(R"(
+        function Thing:onCreate()
+            for _, slot in ipairs { 0, -1, 33, 4294967297, 4294967295, -4294967295, math.mininteger,
+                                    math.maxinteger } do
+                saveGame(slot)
+                loadGame(slot)
+                assert(not hasSave(slot))
+            end
+            assert(hasSave(1) and hasSave() and hasSave(32))
+            self.done = true
+        end
+    )",
+                                  "done = false");
+    InputFrame frame;
+    frame.saves = 0xffffffff;
+    world.resource<Input>().advance(frame);
+    run();
+    EXPECT_TRUE(property<bool>(entity, "done")) << logText();
+    EXPECT_EQ(world.resource<GameRequests>().save, 0);
+    EXPECT_EQ(world.resource<GameRequests>().load, 0);
+    EXPECT_NE(logText().find("saveGame(33): saved games have the slots 1 to 32"), std::string::npos)
+        << logText();
 }
 
 TEST_F(ScriptFunctions, castRaysWithFilters) {

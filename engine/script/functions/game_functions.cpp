@@ -125,9 +125,11 @@ int quit(lua_State* state) {
     return 0;
 }
 
-/// Returns the number of a slot; one out of range stays out of range as an int.
+/// The slot that is argument 1, by default 1. Every integer that is not the number of a slot becomes another
+/// one that is not, which an int can hold.
 int slotAt(lua_State* state) {
-    return static_cast<int>(std::clamp<lua_Integer>(luaL_optinteger(state, 1, 1), 0, kSaveSlots + 1));
+    const lua_Integer slot = luaL_optinteger(state, 1, 1);
+    return static_cast<int>(std::clamp<lua_Integer>(slot, 0, kSaveSlots + 1));
 }
 
 int save(lua_State* state) {

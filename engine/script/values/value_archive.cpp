@@ -17,20 +17,7 @@
 namespace plumb::script {
 namespace {
 
-enum Tag : std::uint32_t {
-    End,
-    Nil,
-    False,
-    True,
-    Integer,
-    Number,
-    Text,
-    Vector,
-    Entity,
-    Component,
-    New,
-    Known
-};
+enum Tag : std::uint32_t { End, Nil, False, True, Integer, Number, Text, Vector, Entity, Component, Table };
 
 BlockKind kindAt(lua_State* state, int index) {
     const auto* block = static_cast<const BlockKind*>(lua_touserdata(state, index));
@@ -55,33 +42,12 @@ bool ValueWriter::canWrite(int index) const {
 }
 
 void ValueWriter::name(int index) {
-    const auto number = static_cast<std::uint32_t>(numbers_.size());
-    if (!numbers_.emplace(lua_topointer(state_, index), number).second) return;
+    numbers_.emplace(lua_topointer(state_, index), count_);
     lua_pushvalue(state_, index);
-    lua_rawseti(state_, tables_, lua_Integer{number} + 1);
+    lua_rawseti(state_, tables_, lua_Integer{++count_});
 }
 
-void ValueWriter::write(int index) {
-    put(index);
-    putNew();
-}
-
-void ValueWriter::writePairs(int index) {
-    putPairs(index);
-    putNew();
-}
-
-/// Writes the pairs of the tables that were met since, and of those that these contain.
-void ValueWriter::putNew() {
-    for (std::size_t i = 0; i < new_.size(); ++i) {
-        lua_rawgeti(state_, tables_, lua_Integer{new_[i]} + 1);
-        putPairs(-1);
-        lua_pop(state_, 1);
-    }
-    new_.clear();
-}
-
-void ValueWriter::put(int at) {
+void ValueWriter::write(int at) {
     const int index = lua_absindex(state_, at);
     switch (lua_type(state_, index)) {
         case LUA_TBOOLEAN: return tag(lua_toboolean(state_, index) != 0 ? True : False);
@@ -100,14 +66,10 @@ void ValueWriter::put(int at) {
             return archive_.text(copy);
         }
         case LUA_TTABLE: {
-            const auto known = numbers_.find(lua_topointer(state_, index));
-            if (known != numbers_.end()) {
-                tag(Known);
-                return archive_.number(known->second);
-            }
-            new_.push_back(static_cast<std::uint32_t>(numbers_.size()));
-            name(index);
-            return tag(New);
+            if (!numbers_.contains(lua_topointer(state_, index))) name(index);
+            tag(Table);
+            std::uint32_t number = numbers_.at(lua_topointer(state_, index));
+            return archive_.number(number);
         }
         case LUA_TUSERDATA: break;
         default: return tag(Nil);
@@ -130,45 +92,39 @@ void ValueWriter::put(int at) {
     archive_.value(entity);
 }
 
-void ValueWriter::putPairs(int at) {
-    const int index = lua_absindex(state_, at);
+void ValueWriter::writeTables(std::uint32_t first) {
+    for (std::uint32_t number = first; number < count_; ++number) {
+        lua_rawgeti(state_, tables_, lua_Integer{number} + 1);
+        writePairs(lua_gettop(state_));
+        lua_pop(state_, 1);
+    }
+}
+
+void ValueWriter::writePairs(int index) {
     for (lua_pushnil(state_); lua_next(state_, index) != 0; lua_pop(state_, 1)) {
         if (!canWrite(-2) || !canWrite(-1)) continue;
-        put(-2);
-        put(-1);
+        write(-2);
+        write(-1);
     }
     tag(End);
 }
 
 void ValueReader::name(int index) {
     lua_pushvalue(state_, index);
-    lua_rawseti(state_, tables_, ++count_);
+    lua_rawseti(state_, tables_, lua_Integer{++count_});
 }
 
-void ValueReader::read(int into) {
-    std::uint32_t tag = End;
-    archive_.number(tag);
-    take(tag, into);
-    takeNew();
-}
-
-void ValueReader::readPairs(int index) {
-    takePairs(index);
-    takeNew();
-}
-
-/// Reads the pairs of the tables that were made since, and of those that these contain.
-void ValueReader::takeNew() {
-    for (std::size_t i = 0; i < new_.size() && archive_.ok(); ++i) {
-        lua_rawgeti(state_, tables_, lua_Integer{new_[i]} + 1);
-        takePairs(-1);
+void ValueReader::readTables(std::uint32_t first) {
+    for (std::uint32_t number = first; number < count_ && archive_.ok(); ++number) {
+        lua_rawgeti(state_, tables_, lua_Integer{number} + 1);
+        clear(lua_gettop(state_));
+        readPairs(lua_gettop(state_));
         lua_pop(state_, 1);
     }
-    new_.clear();
 }
 
-void ValueReader::takePairs(int at) {
-    const int index = lua_absindex(state_, at);
+/// Removes the values of a table, except functions.
+void ValueReader::clear(int index) {
     for (lua_pushnil(state_); lua_next(state_, index) != 0;) {
         const bool isFunction = lua_isfunction(state_, -1) != 0;
         lua_pop(state_, 1);
@@ -177,29 +133,32 @@ void ValueReader::takePairs(int at) {
         lua_pushnil(state_);
         lua_rawset(state_, index);
     }
-    while (archive_.ok()) {
-        std::uint32_t key = End, value = End;
-        archive_.number(key);
-        if (key == End) return;
-        take(key);
-        archive_.number(value);
-        take(value);
-        if (lua_isnil(state_, -2) != 0) {  // a component that is gone
-            lua_pop(state_, 2);
-            continue;
-        }
+}
+
+void ValueReader::readPairs(int index) {
+    for (std::uint32_t tag = nextTag(); tag != End && archive_.ok(); tag = nextTag()) {
+        readTagged(tag, 0);
+        readTagged(nextTag(), 0);
         const bool isNaN = lua_type(state_, -2) == LUA_TNUMBER && lua_rawequal(state_, -2, -2) == 0;
-        if (isNaN) {
+        if (isNaN) archive_.fail();
+        // A key may be gone: the handle of a component of an entity that was destroyed. Its pair is, too.
+        if (isNaN || lua_isnil(state_, -2) != 0) {
             lua_pop(state_, 2);
-            archive_.fail();
         } else {
             lua_rawset(state_, index);
         }
     }
 }
 
-/// Pushes a value of which the tag was read.
-void ValueReader::take(std::uint32_t tag, int into) {
+std::uint32_t ValueReader::nextTag() {
+    std::uint32_t tag = End;
+    archive_.number(tag);
+    return tag;
+}
+
+void ValueReader::read(int into) { readTagged(nextTag(), into); }
+
+void ValueReader::readTagged(std::uint32_t tag, int into) {
     std::uint64_t bits = 0;
     switch (tag) {
         case False:
@@ -233,26 +192,28 @@ void ValueReader::take(std::uint32_t tag, int into) {
             if (type == nullptr || !world.has(*type, entity)) return lua_pushnil(state_);
             return pushComponent(state_, entity, *type);
         }
-        case New:
-            if (into != 0) {
-                lua_pushvalue(state_, into);
-            } else {
-                lua_newtable(state_);
-            }
-            new_.push_back(count_);
-            return name(-1);
-        case Known: {
-            std::uint32_t number = 0;
-            archive_.number(number);
-            lua_rawgeti(state_, tables_, lua_Integer{number} + 1);
-            return;
-        }
-        case End:
+        case Table: return readTable(into);
         case Nil: return lua_pushnil(state_);
         default: break;
     }
     archive_.fail();
     lua_pushnil(state_);
+}
+
+void ValueReader::readTable(int into) {
+    std::uint32_t number = 0;
+    archive_.number(number);
+    if (!archive_.ok() || number > count_) {
+        archive_.fail();
+        return lua_pushnil(state_);
+    }
+    if (number < count_) return static_cast<void>(lua_rawgeti(state_, tables_, lua_Integer{number} + 1));
+    if (into != 0) {
+        lua_pushvalue(state_, into);
+    } else {
+        lua_newtable(state_);
+    }
+    name(-1);
 }
 
 }  // namespace plumb::script

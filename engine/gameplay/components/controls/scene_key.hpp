@@ -15,15 +15,7 @@ struct SceneKey {
     static void describe(TypeBuilder<SceneKey>& type) {
         type.name("SceneKey").doc("An input action that changes the scene.");
         type.field<&SceneKey::action>("action").doc("Input action, by its name in project.json.");
-        type.field<&SceneKey::does>("does")
-            .names({{"close", 0},
-                    {"goTo", 1},
-                    {"restart", 2},
-                    {"quit", 3},
-                    {"open", 4},
-                    {"save", 5},
-                    {"load", 6},
-                    {"options", 7}})
+        withActionNames(type.field<&SceneKey::does>("does"))
             .doc(
                 "Scene change: close the overlay, change to a scene, restart the scene, quit the game, or "
                 "open a scene as an overlay, save or load the game, or open the options of the player.");
