@@ -80,7 +80,7 @@ std::optional<int> Engine::open() {
         std::fputs(gameUsage(programOf(words_).string()).c_str(), stdout);
         return 0;
     }
-    options = begunAsRecorded(std::move(*options), settings_.title);
+    options = begun(std::move(*options), settings_.title);
     if (!options) {
         logError("Input", options.error());
         return 1;

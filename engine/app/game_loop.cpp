@@ -378,6 +378,7 @@ void GameLoop::loadSaved(int slot) {
     if (!saved) return fail("Not loaded", saved.error());
     if (const Result<Done> loaded = game_.load(saved->state); !loaded)
         return fail("Not loaded", loaded.error());
+    devices_.releaseAll();  // the key that loads the game is not pressed again in it
     if (sounds_) sounds_->restart();
     logNote("Game", "Loaded slot {}", slot);
     records_.loaded(std::move(saved->file), player_ ? player_->keyChanges() : std::string{}, before);

@@ -122,12 +122,12 @@ int playProject(const PlayerOptions& asked, const Module& code) {
         logError("Engine", project.error());
         return 1;
     }
-    const Result<PlayerOptions> begun = begunAsRecorded(asked, project->name);
-    if (!begun) {
-        logError("Input", begun.error());
+    const Result<PlayerOptions> started = begun(asked, project->name);
+    if (!started) {
+        logError("Input", started.error());
         return 1;
     }
-    const PlayerOptions& options = *begun;
+    const PlayerOptions& options = *started;
     for (const Error& warning : project->warnings) {
         logWarning("Engine", warning);
     }

@@ -42,7 +42,7 @@ struct PlayerOptions {
     bool help = false;
 };
 
-/// Returns the seed of the game's random numbers: 1 if the options contain none.
+/// Returns the seed of the game's random numbers: 1 if the options contain none; see begun().
 inline std::uint64_t seedOf(const PlayerOptions& options) { return options.seed.value_or(1); }
 
 /// Parses the options of plumb-player.

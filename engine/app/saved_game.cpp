@@ -111,6 +111,7 @@ Result<Done> SaveSlots::save(const World& world, int slot) {
 
 Result<SaveSlots::Saved> SaveSlots::read(const World& world, int slot) const {
     const Path path = fileOf(slot);
+    if (!fileExists(path)) return Error{format("slot {}", slot), "no game is saved in it", "save one first"};
     Result<std::string> file = readFile(path);
     if (!file) return file.error();
     std::vector<Error> problems;

@@ -108,7 +108,7 @@ Viewport Screen::viewport() const {
 
 void Screen::placeMouse(InputFrame& frame) const {
     const PixelSize window = window_->size(), drawn = window_->drawableSize();
-    if (window.width <= 0 || window.height <= 0) return;
+    if (window.width <= 0 || window.height <= 0 || frame.mouse() == Vec2{}) return;
     const Vec2 place{frame.mouse().x * static_cast<float>(drawn.width) / static_cast<float>(window.width),
                      frame.mouse().y * static_cast<float>(drawn.height) / static_cast<float>(window.height)};
     const Vec2 picture = screenFromWindow(viewport(), settings_.picture, place);

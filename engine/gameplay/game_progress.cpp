@@ -3,15 +3,19 @@
 #include <charconv>
 
 #include "assets/asset_store.hpp"
+#include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "gameplay/components/actors/health.hpp"
 #include "gameplay/components/actors/player_controller.hpp"
+#include "gameplay/key_names.hpp"
 #include "gameplay/label_values.hpp"
 #include "gameplay/physics_counts.hpp"
 
 namespace plumb {
 
 namespace {
+
+constexpr std::string_view kKeyWord = "key:";
 
 void appendNumber(std::string& out, std::int64_t value, int digits = 1) {
     char buffer[24];
@@ -66,7 +70,7 @@ bool appendValue(const World& world, const GameProgress& progress, std::string_v
     }
     if (word == "health") return appendNumber(out, healthOfPlayer(world)), true;
     if (const auto count = physicsCount(world, word)) return appendNumber(out, *count), true;
-    return false;
+    return startsWith(word, kKeyWord) && appendKey(world, word.substr(kKeyWord.size()), out);
 }
 
 }  // namespace

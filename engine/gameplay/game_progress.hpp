@@ -49,7 +49,8 @@ struct GameProgress {
 
 /// Replaces the {words} in the text of a Label by their values: those of LabelValues; of GameProgress
 /// {coins}, {coinsTotal}, {levelCoins}, {levelCoinsTotal}, {keys}, {deaths}, {time} (m:ss), {level} (number
-/// of levels entered) and {levelName}; {health} of the player; counts of the physics in the last tick:
+/// of levels entered) and {levelName}; {health} of the player; {key:Jump}, the key of an action or the keys
+/// of an axis, as the player has them now (appendKey); counts of the physics in the last tick:
 /// {bodies}, {contacts}, {joints}, and of its stages {pairs}, {circles}, {boxes}, {axes}, {kept}, {touching}.
 /// Other words stay as they are.
 /// @param out  receives the text; passing the same string again avoids allocations

@@ -8,11 +8,15 @@
 
 namespace plumb {
 
+/// The slot of a menu item or a SceneKey that saves or loads: that of its SaveSlot, else 1.
+inline int saveSlotOf(const World& world, EntityId asker) {
+    const auto* own = world.find<SaveSlot>(asker);
+    return own == nullptr ? 1 : own->slot;
+}
+
 /// Requests what a menu item or a SceneKey does.
-/// @param asker  entity of the item or the key; a SaveSlot of it is the slot for Save and Load
+/// @param asker  entity of the item or the key
 inline void choose(World& world, EntityId asker, MenuAction action, SceneId scene) {
-    const auto* own = std::as_const(world).find<SaveSlot>(asker);
-    const int slot = own == nullptr ? 1 : own->slot;
     auto& requests = world.resource<SceneRequests>();
     switch (action) {
         case MenuAction::Close: requests.close = true; break;
@@ -23,8 +27,8 @@ inline void choose(World& world, EntityId asker, MenuAction action, SceneId scen
             break;
         case MenuAction::Restart: requests.reload = true; break;
         case MenuAction::Quit: requests.quit = true; break;
-        case MenuAction::Save: saveGame(world, slot); break;
-        case MenuAction::Load: loadGame(world, slot); break;
+        case MenuAction::Save: saveGame(world, saveSlotOf(world, asker)); break;
+        case MenuAction::Load: loadGame(world, saveSlotOf(world, asker)); break;
         case MenuAction::Options: showOptions(world); break;
     }
 }

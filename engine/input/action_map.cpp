@@ -56,12 +56,14 @@ void readBinding(const Json& json, const std::string& where, std::vector<Binding
                                       : format("did you mean \"{}\"?", meant)});
 }
 
-std::vector<Binding> readBindings(const Json& list, const std::string& where, std::vector<Error>& problems) {
+/// @param former  returned if the list has entries and none of them is valid
+std::vector<Binding> readBindings(const Json& list, const std::string& where,
+                                  const std::vector<Binding>& former, std::vector<Error>& problems) {
     std::vector<Binding> bindings;
     if (!list.is_array()) {
         problems.push_back(
             {where, "expected a list, found " + briefText(list), "write [\"Space\", \"Pad A\"]"});
-        return bindings;
+        return former;
     }
     for (const Json& item : list) {
         if (bindings.size() == ActionMap::kMaxBindings) {
@@ -71,7 +73,7 @@ std::vector<Binding> readBindings(const Json& list, const std::string& where, st
         }
         readBinding(item, where, bindings, problems);
     }
-    return bindings;
+    return bindings.empty() && !list.empty() ? former : bindings;
 }
 
 void readActions(JsonFields& fields, ActionMap& map, std::vector<Error>& problems) {
@@ -85,7 +87,7 @@ void readActions(JsonFields& fields, ActionMap& map, std::vector<Error>& problem
     for (const auto& [name, list] : actions->items()) {
         const std::string where = format("{}.actions.{}", fields.where(), name.substr(0, 80));
         if (ActionBindings* action = itemFor(map.actions, name, ActionMap::kMaxActions)) {
-            action->bindings = readBindings(list, where, problems);
+            action->bindings = readBindings(list, where, action->bindings, problems);
         } else {
             problems.push_back(
                 {where, format("more than {} actions", ActionMap::kMaxActions), "remove some"});
@@ -97,7 +99,7 @@ void readAxis(const Json& json, const std::string& where, AxisBindings& axis, st
     JsonFields fields{json, where, problems};
     const auto read = [&](std::string_view key, std::vector<Binding>& bindings) {
         if (const Json* list = fields.find(key))
-            bindings = readBindings(*list, format("{}.{}", where, key), problems);
+            bindings = readBindings(*list, format("{}.{}", where, key), bindings, problems);
     };
     read("negative", axis.negative);
     read("positive", axis.positive);

@@ -1,5 +1,6 @@
 #include "script/script_archive.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -8,11 +9,13 @@
 #include <lua.hpp>
 
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "ecs/component_type.hpp"
 #include "ecs/saved_type.hpp"
 #include "ecs/world.hpp"
 #include "script/script_entity.hpp"
 #include "script/script_errors.hpp"
+#include "script/script_handlers.hpp"
 #include "script/script_loader.hpp"
 #include "script/script_state.hpp"
 #include "script/values/self.hpp"
@@ -80,11 +83,12 @@ void readFunctions(lua_State* state, StateArchive& archive, ValueReader& values)
     }
 }
 
-void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptState::Loaded>& loaded) {
+/// Writes the scripts, without files that have no component: what others have of them are values of theirs.
+void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptState::Loaded> loaded) {
+    std::erase_if(loaded, [](const ScriptState::Loaded& script) { return script.table == 0; });
     archive.count(loaded.size());
     for (ScriptState::Loaded& script : loaded) {
-        TypeKey type = script.table == 0 ? kMaxTypes : script.type;
-        archiveKey(archive, type);
+        archiveKey(archive, script.type);
         archive.count(script.instances.size());
         for (const ScriptState::Instance& instance : script.instances) {
             EntityId entity = instance.entity;
@@ -96,9 +100,7 @@ void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptSta
     lua_newtable(state);
     ValueWriter values{state, archive, lua_gettop(state)};
     const auto eachTable = [&](auto visit) {
-        for (const ScriptState::Loaded& script : loaded) {
-            if (script.table != 0) visit(script.table);
-        }
+        for (const ScriptState::Loaded& script : loaded) visit(script.table);
     };
     const auto eachSelf = [&](auto visit) {
         for (const ScriptState::Loaded& script : loaded) {
@@ -119,7 +121,8 @@ void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptSta
 
 /// Writes the scripts. That needs memory of Lua, of a copy of the state: World::toBytes() copies resources.
 /// @return false, which is logged, if there is none left
-bool writeProtected(ScriptMemory& memory, StateArchive& archive, std::vector<ScriptState::Loaded>& loaded) {
+bool writeProtected(ScriptMemory& memory, StateArchive& archive,
+                    const std::vector<ScriptState::Loaded>& loaded) {
     const ScriptAccess access{memory};
     lua_State* state = access.state();
     const std::function<void()> write = [&] { writeScripts(state, archive, loaded); };
@@ -132,10 +135,28 @@ bool writeProtected(ScriptMemory& memory, StateArchive& archive, std::vector<Scr
     return written;
 }
 
+/// Names the scripts whose handlers wait at the moment and will not go on after loading.
+void warnOfWaits(ScriptState& scripts) {
+    std::vector<TypeKey> named;
+    for (const ScriptState::Wait& wait : scripts.waits) {
+        const ScriptState::Loaded* script = scripts.find(wait.type);
+        if (script == nullptr || (script->handlers & kOnLoad) != 0 ||
+            std::find(named.begin(), named.end(), wait.type) != named.end())
+            continue;
+        named.push_back(wait.type);
+        const std::string_view name = findComponentType(wait.type)->info.name;
+        logWarning("Script",
+                   Error{"saved game",
+                         format("{} waits, and functions that wait are not saved: it will not go on", name),
+                         format("add {}:onLoad(), which begins again what it needs", name)});
+    }
+}
+
 }  // namespace
 
 void ScriptState::archive(StateArchive& archive) {
     if (!archive.reading() && memory.exists()) {
+        warnOfWaits(*this);
         saved.clear();
         StateArchive inner = StateArchive::writer(saved);
         if (!writeProtected(memory, inner, loaded)) archive.fail();

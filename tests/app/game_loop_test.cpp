@@ -119,12 +119,23 @@ TEST(Recording, aReplayStartsLikeItsGame) {
     ASSERT_TRUE(saveReplay(replay, file));
     PlayerOptions options;
     options.replay = file.string();
-    EXPECT_EQ(begunAsRecorded(options, "Any")->scene, replay.scene) << "a replay that names no project";
-    EXPECT_EQ(begunAsRecorded(options, "Any")->seed, 42u);
+    EXPECT_EQ(begun(options, "Any")->scene, replay.scene) << "a replay that names no project";
+    EXPECT_EQ(begun(options, "Any")->seed, 42u);
     std::filesystem::remove(file);
-    EXPECT_FALSE(begunAsRecorded(options, "Any").ok()) << "the file is missing";
-    options.replay.clear();
-    EXPECT_EQ(begunAsRecorded(options, "Any")->seed, options.seed);
+    EXPECT_FALSE(begun(options, "Any").ok()) << "the file is missing";
+}
+
+TEST(Recording, eachRunThatIsPlayedLiveHasItsOwnSeed) {
+    PlayerOptions live;
+    EXPECT_NE(begun(live, "Any")->seed, begun(live, "Any")->seed) << "equal in one of 2^32 runs";
+    live.seed = 7;
+    EXPECT_EQ(begun(live, "Any")->seed, 7u);
+    PlayerOptions headless, ends, picture;
+    headless.headless = true;
+    ends.frames = 60;
+    picture.screenshot = "picture.png";
+    for (const PlayerOptions& options : {headless, ends, picture})
+        EXPECT_EQ(seedOf(*begun(options, "Any")), 1u);
 }
 
 TEST(Recording, ofAnotherProjectIsRefused) {
@@ -134,8 +145,8 @@ TEST(Recording, ofAnotherProjectIsRefused) {
     ASSERT_TRUE(saveReplay(replay, file));
     PlayerOptions options;
     options.replay = file.string();
-    EXPECT_TRUE(begunAsRecorded(options, "Sky Caves").ok());
-    const Result<PlayerOptions> refused = begunAsRecorded(options, "Deep Sea");
+    EXPECT_TRUE(begun(options, "Sky Caves").ok());
+    const Result<PlayerOptions> refused = begun(options, "Deep Sea");
     std::filesystem::remove(file);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().what, "it was recorded by the project \"Sky Caves\", and this is \"Deep Sea\"");

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <SDL2/SDL.h>
 #include <gtest/gtest.h>
 
 #include "app/game_content.hpp"
@@ -12,6 +13,7 @@
 #include "app/options/player_settings.hpp"
 #include "app/recording/run_records.hpp"
 #include "app/saved_game.hpp"
+#include "app/screen.hpp"
 #include "core/log.hpp"
 #include "gameplay/components/controls/save_slot.hpp"
 #include "gameplay/components/controls/scene_key.hpp"
@@ -81,6 +83,40 @@ TEST_F(SavingLoop, savesAndLoadsBetweenTicks) {
     SavingGame other;
     for (int i = 0; i < 50; ++i) tickGame(other, {});
     EXPECT_EQ(other.random().state, game.random().state);
+}
+
+/// Saves in tick 20. From tick 40 on F9 is held, which loads the game.
+class QuickLoadingGame : public Game {
+public:
+    int ticks = 0, loads = 0;
+
+private:
+    void onUpdate(float) override {
+        ++ticks;
+        if (ticks == 20) saveGame(world, 1);
+        if (ticks == 40) {
+            SDL_Event event{};
+            event.type = SDL_KEYDOWN;
+            event.key.keysym.scancode = SDL_SCANCODE_F9;
+            event.key.keysym.sym = SDLK_F9;
+            SDL_PushEvent(&event);
+        }
+        if (!input.isPressed(Key::F9)) return;
+        ++loads;
+        loadGame(world, 1);
+    }
+};
+
+TEST_F(SavingLoop, aKeyThatIsHeldLoadsOnce) {
+    const Result<std::unique_ptr<Screen>> screen = Screen::open({"test", 320, 180, false, {320.0f, 180.0f}});
+    ASSERT_TRUE(screen) << screen.error().text();
+    QuickLoadingGame game;
+    PlayerOptions options = this->options();
+    options.headless = false;
+    EXPECT_EQ((GameLoop{game, screen->get(), options, "P"}.run()), 0);
+    EXPECT_EQ(game.ticks, 100);
+    EXPECT_EQ(game.loads, 1);
+    EXPECT_LT(game.world.tick, 90u);
 }
 
 TEST_F(SavingLoop, goesOnIfLoadingFails) {

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "gameplay/game_requests.hpp"
 #include "scene/components/drawing/camera.hpp"
 #include "scene/components/drawing/label.hpp"
 #include "scene/play_sound.hpp"
@@ -84,6 +85,50 @@ TEST(Menu, activatesTheItemOnConfirm) {
     EXPECT_TRUE(level.requests().quit);
 }
 
+TEST(Menu, aMouseThatRestsOnAnItemWhenTheGameBeginsDoesNotSelectIt) {
+    MenuLevel level;
+    level.world.resource<PictureSize>().size = {320.0f, 180.0f};
+    for (Entity item : {level.first, level.second, level.third})
+        item.get<Label>().text = level.world.texts().add("item");
+    level.run(3);  // where the mouse is becomes known with its first event
+    level.frame.setMouse(level.third.get<Transform>().position + Vec2{2.0f, 2.0f});
+    level.run(3);
+    EXPECT_EQ(level.menu.get<Menu>().selected, 0);
+    level.frame.setMouse(level.third.get<Transform>().position + Vec2{3.0f, 2.0f});
+    level.tick();
+    EXPECT_EQ(level.menu.get<Menu>().selected, 2);
+}
+
+TEST(Menu, itemsThatLoadAnEmptySlotAreDimAndSkipped) {
+    MenuLevel level;
+    Entity load = level.item(0, MenuAction::Load);
+    load.addComponent<SaveSlot>().slot = 3;
+    const auto selected = [&level] { return level.menu.get<Menu>().selected; };
+    level.tick();
+    EXPECT_EQ(selected(), 1);
+    EXPECT_LT(load.get<Label>().color.a, 100);
+    level.press(Key::Up);
+    level.tick();
+    EXPECT_EQ(selected(), 3);
+    level.press(Key::Down);
+    level.tick();
+    EXPECT_EQ(selected(), 1) << "not the first, which loads";
+    level.frame.saves = 1u << 2;  // slot 3
+    level.press(Key::Up);
+    level.tick();
+    EXPECT_EQ(selected(), 0);
+    EXPECT_EQ(load.get<Label>().color, level.menu.get<Menu>().selectedColor);
+    level.press(Key::Enter);
+    EXPECT_EQ(std::exchange(level.world.resource<GameRequests>().load, 0), 3);
+    level.tick();
+    level.frame.saves = 0;
+    level.tick();
+    EXPECT_EQ(selected(), 1);
+    for (Entity item : {level.first, level.second, level.third}) level.world.destroy(item.id());
+    level.press(Key::Enter);
+    EXPECT_EQ(level.world.resource<GameRequests>().load, 0) << "although no other item is left";
+}
+
 TEST(Menu, theMousePointsAndPresses) {
     MenuLevel level;
     level.world.resource<PictureSize>().size = {320.0f, 180.0f};
@@ -94,6 +139,7 @@ TEST(Menu, theMousePointsAndPresses) {
         level.frame.setMouse(place);
         level.tick();
     };
+    moveTo({300.0f, 170.0f});
     level.tick();
     moveTo({120.0f, 54.0f});
     EXPECT_EQ(selected(), 1);

@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include "ecs/hierarchy.hpp"
+#include "gameplay/game_progress.hpp"
 #include "gameplay/pause_scene.hpp"
 #include "gameplay/register_components.hpp"
+#include "input/input.hpp"
 #include "math/portable.hpp"
 #include "reflect/type_registry.hpp"
 #include "scene/components/drawing/hidden.hpp"
@@ -374,6 +376,25 @@ TEST(GameProgress, labelsAreFilledFromIt) {
     EXPECT_EQ(out, "12/0 x3 1:05 03_cave {what} {");
     fillPlaceholders(world, "", out);
     EXPECT_EQ(out, "");
+}
+
+TEST(KeyNames, areThoseThatThePlayerHasNow) {
+    World world;
+    std::string out;
+    fillPlaceholders(world, "{key:Jump}", out);
+    EXPECT_EQ(out, "{key:Jump}") << "without input";
+    ActionMap map = ActionMap::defaults();
+    map.bind("Jump", {*bindingFromText("Pad A"), *bindingFromText("K")});
+    map.bind("Shoot", {*bindingFromText("Mouse Left")});
+    map.bind("Wait", {});
+    auto& input = world.resource<Input>();
+    input.setMap(map);
+    fillPlaceholders(world, "{key:Jump}, {key:Shoot}, {key:Wait}, {key:Horizontal}, {key:Fly}, {key:}", out);
+    EXPECT_EQ(out, "K, Mouse Left, none, Left/Right, {key:Fly}, {key:}");
+    map.bind("Jump", {*bindingFromText("J")});
+    input.setMap(map);
+    fillPlaceholders(world, "{key:Jump} jumps", out);
+    EXPECT_EQ(out, "J jumps");
 }
 
 TEST(GameProgress, countsLevelsAndTheirCoinsOnce) {

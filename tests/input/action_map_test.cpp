@@ -107,6 +107,19 @@ TEST(ActionMapTest, invalidBindingsAreReportedWithTheirPlaceAndASuggestion) {
             "\"Pad Left\"?"});
 }
 
+TEST(ActionMapTest, aListWithoutAValidBindingChangesNothing) {
+    ActionMap map;
+    EXPECT_EQ(problemsOf(R"({"actions": {"Jump": ["Kx"], "Pause": []},
+                             "axes": {"Vertical": {"negative": ["Kx"], "positive": ["Kx", "K"]}}})",
+                         &map)
+                  .size(),
+              3u);
+    ActionMap expected = ActionMap::defaults();
+    expected.bind("Pause", {});
+    expected.axes[1].positive = bindingsOf({"K"});
+    EXPECT_EQ(map, expected);
+}
+
 TEST(ActionMapTest, otherTypesAreReportedWithWhatWasExpected) {
     const struct {
         const char* json;

@@ -164,6 +164,34 @@ TEST_F(ScriptArchive, losesOnlyThePairOfAKeyThatIsGone) {
     EXPECT_EQ(logText(), "");
 }
 
+TEST_F(ScriptArchive, keepsScriptsBesideFilesWithoutAComponent) {
+    const std::string library = R"(
+local library = { count = 0 }
+function library.add() library.count = library.count + 1 return library.count end
+return library)";
+    use({{"before", library},
+         {"thing", R"(
+local before, later = require "before", require "zlater"
+local Thing = script { sum = integer { 0 } }
+local own = 0
+function Thing:onTick()
+    own = own + 1
+    self.sum = own * 10000 + before.add() * 100 + later.add()
+end
+return Thing)"},
+         {"unused", library},
+         {"zlater", library}});
+    ASSERT_TRUE(problems.empty()) << problems[0].text();
+    const EntityId entity = add("Thing");
+    run(5);
+    const std::string bytes = saved();
+    run(7);
+    load(bytes);
+    run();
+    EXPECT_EQ(property<int>(entity, "sum"), 60606);
+    EXPECT_EQ(logText(), "");
+}
+
 TEST_F(ScriptArchive, callsOnLoadOnceWhenTheScriptMayRun) {
     const EntityId paused = thing(R"(
         function Thing:onTick() assert(not self.ticks or self.loads > 0) self.ticks = 1 end
@@ -196,6 +224,18 @@ TEST_F(ScriptArchive, callsOnLoadOnceWhenTheScriptMayRun) {
         if (i == 0) world.restore(waiting);
     }
     EXPECT_EQ(logText(), "");
+}
+
+TEST_F(ScriptArchive, namesScriptsThatWaitAndWillNotGoOn) {
+    thing(R"(
+        function Thing:onCreate() wait(1) end
+        function Thing:onTick() waitFor("never") end)");
+    add("Thing");
+    run();
+    static_cast<void>(saved());
+    EXPECT_EQ(logText(),
+              "saved game: Thing waits, and functions that wait are not saved: it will not go on; add "
+              "Thing:onLoad(), which begins again what it needs\n");
 }
 
 TEST_F(ScriptArchive, changesNothingWhenItSaves) {

@@ -1,5 +1,6 @@
 #include "app/recording/replay_choice.hpp"
 
+#include <random>
 #include <vector>
 
 #include "core/crash_report.hpp"
@@ -21,8 +22,16 @@ Result<Replay> replayOf(const PlayerOptions& options) {
     return options.link.empty() ? loadReplay(options.replay) : replayOfLink(options.link);
 }
 
-Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName) {
-    if (!isReplayed(options)) return options;
+bool isPlayedLive(const PlayerOptions& options) {
+    return !options.headless && !options.effects && options.frames < 0 && options.screenshot.empty() &&
+           options.capture.empty();
+}
+
+Result<PlayerOptions> begun(PlayerOptions options, std::string_view projectName) {
+    if (!isReplayed(options)) {
+        if (!options.seed && isPlayedLive(options)) options.seed = std::random_device{}();
+        return options;
+    }
     const Result<Replay> replay = replayOf(options);
     if (!replay) return replay.error();
     if (!replay->project.empty() && replay->project != projectName) {

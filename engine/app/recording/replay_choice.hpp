@@ -20,11 +20,14 @@ namespace plumb {
 /// @error it cannot be read
 Result<Replay> replayOf(const PlayerOptions& options);
 
-/// Returns `options` with the scene and the seed of the replay that they name, if any; a file without these
-/// lines has those of a run without options.
+/// True for a run that people play: in a window, until it is closed.
+[[nodiscard]] bool isPlayedLive(const PlayerOptions& options);
+
+/// Returns `options` with the scene and the seed of the run. Those of a replay are in it; a file without
+/// these lines has those of a run without options. A run that is played live has another seed each time.
 /// @param projectName  the project to play; recordings of another one are refused
 /// @error the replay cannot be read, or belongs to another project
-Result<PlayerOptions> begunAsRecorded(PlayerOptions options, std::string_view projectName);
+Result<PlayerOptions> begun(PlayerOptions options, std::string_view projectName);
 
 /// Binds the keys as they were when the replay was recorded. What cannot be bound is logged.
 /// @error its keys are no JSON

@@ -47,23 +47,40 @@ Items itemsOf(World& world, EntityId menu) {
     return items;
 }
 
-void move(World& world, EntityId id, Menu& menu, const Input& input, int count) {
+EntityId at(const Items& items, int index) { return items[static_cast<std::size_t>(index)]; }
+
+/// False for an item that loads a slot without a saved game.
+bool isEnabled(const World& world, EntityId id) {
+    return world.get<MenuItem>(id).action != MenuAction::Load || hasSave(world, saveSlotOf(world, id));
+}
+
+/// Returns the next enabled item in a direction, 1 or -1; `from` if there is no other.
+int next(const World& world, const Items& items, int from, int direction) {
+    const auto count = static_cast<int>(items.size());
+    int index = from;
+    do {
+        index = (index + direction + count) % count;
+    } while (index != from && !isEnabled(world, at(items, index)));
+    return index;
+}
+
+void move(World& world, EntityId id, Menu& menu, const Input& input, const Items& items) {
     const float axis = input.getAxis(Axis::Vertical);
     const int push = axis > kPushed ? 1 : axis < -kPushed ? -1 : 0;
     if (push != 0 && push != menu.pushed) {
-        menu.selected = (menu.selected + push + count) % count;
+        menu.selected = next(world, items, menu.selected, push);
         playCue(world, id, &SoundCues::step);
     }
     menu.pushed = push;
 }
 
-/// Returns the index of the item at a position (px, world); -1 for none.
+/// Returns the index of the enabled item at a position (px, world); -1 for none.
 int itemAt(const World& world, const Items& items, const View& view, Vec2 place) {
     const Vec2 corner = view.center - view.size * (0.5f / view.zoom);
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
-        const EntityId item = items[static_cast<std::size_t>(i)];
+        const EntityId item = at(items, i);
         const Label* label = world.find<Label>(item);
-        if (label == nullptr) continue;
+        if (label == nullptr || !isEnabled(world, item)) continue;
         const Pose pose = worldPose(world, item);
         const Vec2 from = label->screen ? corner + pose.position : pose.position;
         const AABB box = roughTextBox(world, *label);
@@ -76,7 +93,9 @@ int itemAt(const World& world, const Items& items, const View& view, Vec2 place)
 /// @return true if it was clicked
 bool point(World& world, EntityId id, Menu& menu, const Input& input, const Items& items) {
     const bool pressed = input.isPressed(MouseButton::Left);
-    if (!pressed && input.mouse() == input.previousFrame().mouse()) return false;
+    const Vec2 before = input.previousFrame().mouse();
+    // Where the mouse is becomes known after the game begins: it may rest on an item and has not moved there.
+    if (!pressed && (input.mouse() == before || before == Vec2{})) return false;
     const View view =
         cameraView(world, world.resource<PictureSize>().size, 1.0f, static_cast<int>(placeOf(world, id)));
     const int under = itemAt(std::as_const(world), items, view, toWorld(view, input.mouse()));
@@ -88,12 +107,14 @@ bool point(World& world, EntityId id, Menu& menu, const Input& input, const Item
 
 void show(World& world, const Menu& menu, const Items& items) {
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
-        if (Label* label = world.find<Label>(items[static_cast<std::size_t>(i)]))
-            label->color = i == menu.selected ? menu.selectedColor : menu.color;
+        Label* label = world.find<Label>(at(items, i));
+        if (label == nullptr) continue;
+        label->color = i == menu.selected ? menu.selectedColor : menu.color;
+        if (!isEnabled(world, at(items, i))) label->color.a = static_cast<std::uint8_t>(menu.color.a / 4);
     }
-    const auto* at = std::as_const(world).find<Transform>(items[static_cast<std::size_t>(menu.selected)]);
+    const auto* place = std::as_const(world).find<Transform>(at(items, menu.selected));
     Transform* cursor = world.find<Transform>(menu.cursor);
-    if (at != nullptr && cursor != nullptr) teleport(*cursor, at->position + menu.cursorOffset);
+    if (place != nullptr && cursor != nullptr) teleport(*cursor, place->position + menu.cursorOffset);
 }
 
 }  // namespace
@@ -109,12 +130,14 @@ void MenuSystem::update(World& world, float) {
         }
         if (items.empty()) continue;
         menu.selected = std::clamp(menu.selected, 0, static_cast<int>(items.size()) - 1);
-        move(world, entity, menu, input, static_cast<int>(items.size()));
+        if (!isEnabled(world, at(items, menu.selected))) menu.selected = next(world, items, menu.selected, 1);
+        move(world, entity, menu, input, items);
         const bool pressed = point(world, entity, menu, input, items);
         show(world, menu, items);
         if (!pressed && !input.isPressed(Action::Confirm)) continue;
+        const EntityId chosen = at(items, menu.selected);
+        if (!isEnabled(world, chosen)) continue;
         playCue(world, entity, &SoundCues::activate);
-        const EntityId chosen = items[static_cast<std::size_t>(menu.selected)];
         const auto& item = std::as_const(world).get<MenuItem>(chosen);
         choose(world, chosen, item.action, item.scene);
     }

@@ -29,9 +29,18 @@ function DropTarget:onCollisionEnter(ball, contact)
     self:setFallen(true)
     if self.noise then playSound(self.noise, 0.5) end
     emit("score", self:hasBankFallen() and self.bonus or self.points, contact.point)
+    self:comeBack()
+end
+
+function DropTarget:comeBack()
     wait(self.away) -- this function goes on later; the game does not stop
     waitUntil(function() return not self.isCovered end)
     self:setFallen(false)
+end
+
+-- A saved game does not contain functions that wait: they begin again.
+function DropTarget:onLoad()
+    if self.boxCollider.isTrigger then self:comeBack() end
 end
 
 function DropTarget:onTriggerEnter() self.isCovered = true end

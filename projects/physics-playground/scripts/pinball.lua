@@ -7,16 +7,25 @@ local Pinball = script {
     pause = number { 1, min = 0, max = 10, unit = "s", doc = "Time until a lost ball comes back." },
 }
 
--- Runs as long as the scene: handlers may wait, so a whole game is written from top to bottom.
 function Pinball:onCreate()
-    local start = self.ball.transform.position
+    self.start = self.ball.transform.position
+    self:play()
+end
+
+-- A saved game does not contain functions that wait: after loading, a new game begins.
+function Pinball:onLoad()
+    self:play()
+end
+
+-- Runs as long as the scene: handlers may wait, so a whole game is written from top to bottom.
+function Pinball:play()
     while true do
         emit("gameStarted")
         local number = 1
         while number <= self.balls do
             showText("ball", number .. " of " .. self.balls)
             showText("message", "")
-            self:serve(start)
+            self:serve(self.start)
             local before = self.score.points -- of the script Score, which the same entity has
             waitFor("ballLost")
             if self.score.points < before + self.least then

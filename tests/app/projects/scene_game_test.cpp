@@ -160,7 +160,7 @@ TEST(SceneGame, thePauseActionOpensTheMenuAndLeadsBackToTheTitle) {
     press(Key::Enter);
     EXPECT_EQ(scenes().size(), 1u) << "the first menu item closes the menu";
     press(Key::P);
-    press(Key::Down);
+    for (int i = 0; i < 3; ++i) press(Key::Down);  // save, then options: there is no game to load
     press(Key::Enter);
     EXPECT_EQ(scenes(), (std::vector<std::string>{"scenes/title.scene.json"}));
     press(Key::P);

@@ -19,10 +19,19 @@ function Coin:onTriggerEnter(other)
     if self.noise then playSound(self.noise) end
     tween(self.transform, { position = self.home - vec(0, 24) }, 0.3, "quadOut")
     tween(self.sprite, { tint = "#ffffff00" }, 0.3)
+    self:comeBack()
+end
+
+function Coin:comeBack()
     wait(self.away) -- the game goes on meanwhile
     self.transform.position = self.home
     tween(self.sprite, { tint = self.tint }, 0.2)
     self.taken = false
+end
+
+-- A saved game does not contain functions that wait: they begin again.
+function Coin:onLoad()
+    if self.taken then self:comeBack() end
 end
 
 return Coin

@@ -26,14 +26,24 @@ function Hero:onEvent_caught()
     self:vanish()
     if self.pain then playSound(self.pain) end
     shakeCamera(3, 0.3)
+    self:comeBack()
+end
+
+function Hero:comeBack()
     wait(self.back) -- the game goes on meanwhile
     teleport(self.entity, self.home)
     setParameter(self.entity, "dead", false)
     self.away = false
 end
 
+-- A saved game does not contain functions that wait: they begin again.
+function Hero:onLoad()
+    if self.away and not self.won then self:comeBack() end
+end
+
 -- Emitted by exit.lua.
 function Hero:onEvent_won()
+    self.won = true
     self:vanish()
 end
 

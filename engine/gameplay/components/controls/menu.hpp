@@ -10,7 +10,8 @@ namespace plumb {
 
 /// A menu of the MenuItems in its scene, sorted by ascending order. The axis
 /// Vertical and the mouse select an item, Confirm and a click activate it;
-/// Cancel and Pause close an overlay. Plays the SoundCues `step` and `activate`.
+/// Cancel and Pause close an overlay. An item that loads a slot without a
+/// saved game is dim and cannot be selected. Plays the SoundCues `step` and `activate`.
 struct Menu {
     Color color;                              ///< color of items that are not selected
     Color selectedColor{255, 216, 102, 255};  ///< color of the selected item
