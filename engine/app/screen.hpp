@@ -39,7 +39,8 @@ public:
     [[nodiscard]] const ScreenSettings& settings() const { return settings_; }
     /// Returns the rectangle of the game image in the window (px).
     [[nodiscard]] Viewport viewport() const;
-    /// Converts the mouse position from px of the window to px of the game image.
+    /// Converts the mouse position from px of the window to px of the game image. (0, 0), the place before
+    /// the first event of the mouse, stays.
     void placeMouse(InputFrame& frame) const;
     [[nodiscard]] std::size_t drawCalls() const {
         return drawCalls_;

@@ -103,6 +103,7 @@ TEST(CodeGuide, wordsOfLabelsHaveValues) {
     const std::string table = guide.substr(from, guide.find("\n## ", from) - from);
     World world;
     static_cast<void>(world.resource<PhysicsState>());
+    static_cast<void>(world.resource<Input>());
     int words = 0;
     for (std::size_t at = table.find("`{"); at != std::string::npos; at = table.find("`{", at + 1)) {
         const std::string word = table.substr(at + 1, table.find('`', at + 1) - at - 1);
@@ -114,7 +115,7 @@ TEST(CodeGuide, wordsOfLabelsHaveValues) {
         EXPECT_EQ(text, "own") << word;
         ++words;
     }
-    EXPECT_EQ(words, 19);
+    EXPECT_EQ(words, 21);
 }
 
 TEST(CodeGuide, shotsPassThroughThePlayerAndEndAtTheGround) {

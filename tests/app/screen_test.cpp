@@ -38,9 +38,13 @@ TEST(Screen, theMousePositionIsInImagePixels) {
     (*opened)->placeMouse(frame);
     EXPECT_EQ(frame.mouseX, 10);
     EXPECT_EQ(frame.mouseY, 20);
-    frame.mouseX = frame.mouseY = 0;
+    frame.mouseX = 1;
+    frame.mouseY = 0;
     (*opened)->placeMouse(frame);
     EXPECT_EQ(frame.mouse(), (Vec2{-18.0f, -7.0f}));
+    frame = {};
+    (*opened)->placeMouse(frame);
+    EXPECT_EQ(frame.mouse(), Vec2{}) << "no event has said yet where it is";
 }
 
 TEST(Screen, antialiasedEdgesAreBetweenInsideAndOutside) {
