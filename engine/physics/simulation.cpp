@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "physics/islands/sleeping.hpp"
+#include "physics/ranges.hpp"
 #include "physics/stages.hpp"
 
 namespace plumb::physics {
