@@ -5,6 +5,7 @@
 #include "physics/continuous/swept_bodies.hpp"
 #include "physics/edits.hpp"
 #include "physics/model/joints.hpp"
+#include "physics/ranges.hpp"
 #include "physics/shapes/shape_types.hpp"
 #include "physics/solver/contact_extras.hpp"
 
@@ -114,8 +115,7 @@ Vec2 overshoot(const StepContext& step, std::size_t slot, std::uint32_t body, Ve
     const float maximum = rounding * (pull.x * pull.x + pull.y * pull.y) * step.dt * step.dt;
     if (isBallistic(step.work, slot) || lengthSquared(gained) > maximum) return {};
     if (fieldMotionOf(step, slot) == FieldMotion::Driven) return {};  // its force is not constant
-    if (step.world.bodies.info[body].firstJoint != kNone)
-        return {};  // otherwise the rotation would also need a correction
+    if (step.world.bodies.info[body].firstJoint != kNone) return {};  // the rotation would need one as well
     return (0.5f * step.work.ballisticDrift[slot].z) * gained;
 }
 
