@@ -1,7 +1,8 @@
 #include "app/game.hpp"
 
-#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/game_content.hpp"
 #include "app/step_clock.hpp"
@@ -79,15 +80,25 @@ Entity Game::spawn(PrefabId prefab, Vec2 place) {
 }
 
 void Game::followChanges(std::span<const AssetChange> changes) {
-    auto* prefabs = world.service<PrefabLibrary>();
-    const auto isPrefab = [](const AssetChange& change) { return change.kind == AssetKind::Prefab; };
-    if (prefabs != nullptr && std::any_of(changes.begin(), changes.end(), isPrefab)) {
-        prefabs->forget();
-        for (const AssetChange& change : changes) {
-            if (isPrefab(change)) static_cast<void>(prefabs->named(assets.pathOf(change.kind, change.path)));
-        }
+    std::vector<std::string> paths;
+    for (const AssetChange& change : changes) {
+        if (change.kind == AssetKind::Prefab) paths.emplace_back(assets.pathOf(change.kind, change.path));
     }
+    auto* prefabs = world.service<PrefabLibrary>();
+    if (prefabs != nullptr && !paths.empty()) prefabs->readAgain(paths);
     onAssetsChanged(changes);
+}
+
+void Game::contentChanged(const ContentChange& change) {
+    convertWorld(world, content, change);
+    effects.tableChanged();
+    if (auto* prefabs = world.service<PrefabLibrary>()) prefabs->forget();  // they name types
+}
+
+void Game::watchPrefabs() {
+    const auto* prefabs = world.service<PrefabLibrary>();
+    if (prefabs == nullptr) return;
+    for (const Prefab& prefab : prefabs->known()) assets.load(AssetKind::Prefab, prefab.path);
 }
 
 Entity Game::camera() {

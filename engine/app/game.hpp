@@ -18,6 +18,7 @@
 
 namespace plumb {
 
+struct ContentChange;
 class GameContent;
 class PrefabLibrary;
 
@@ -94,8 +95,12 @@ public:
     /// @error scripts cannot have their values again; the state is what it was before
     Result<Done> load(const Snapshot& saved);
     /// For the loop, after changed files were reloaded: reads changed prefabs again, for what is spawned from
-    /// now on, logs their problems, and calls onAssetsChanged().
+    /// now on and for scenes that are loaded again, logs their problems, and calls onAssetsChanged().
     void followChanges(std::span<const AssetChange> changes);
+    /// For the loop, after `content` was changed: converts the world, see convertWorld().
+    void contentChanged(const ContentChange& change);
+    /// For the loop: lets `assets` watch the files of all prefabs that were read, for followChanges().
+    void watchPrefabs();
     /// For the loop: provides the prefabs of `assets` to spawn() in systems, which know only the world.
     void provideLibrary();
 

@@ -50,8 +50,13 @@ Result<Done> saveScreenshot(Screen& screen, const Path& path) {
     return png ? writeFile(path, *png) : png.error();
 }
 
-GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName)
-    : game_{game}, screen_{screen}, options_{options}, projectName_{std::move(projectName)} {
+GameLoop::GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName,
+                   GameContent* edited)
+    : game_{game},
+      screen_{screen},
+      options_{options},
+      projectName_{std::move(projectName)},
+      edited_{game, edited} {
     if (screen_ != nullptr) sounds_.emplace(game_.assets);
     if (!options_.allEffects) return;
     for (const EffectRow& row : game_.effects.table().rows()) game_.effects.setProgramPin(row.name, Pin::On);
@@ -239,11 +244,9 @@ bool GameLoop::beginWithState() {
 
 /// Reloads files that were edited while the game runs, but not while it is recorded or replayed.
 void GameLoop::reloadEdited() {
-    if (replayPlayer_ || records_.exact()) return;
-    const std::vector<AssetChange> changes = game_.assets.pollChanges();
-    if (changes.empty()) return;
+    if (replayPlayer_ || records_.exact() || !edited_.look(wallSeconds())) return;
     records_.changed("files of the project were changed", game_.world.hash());
-    game_.followChanges(changes);
+    edited_.take();
 }
 
 bool GameLoop::nextInput(InputFrame& frame) {

@@ -11,6 +11,7 @@
 #include "app/options/game_options.hpp"
 #include "app/player_options.hpp"
 #include "app/recording/run_records.hpp"
+#include "app/reload/edited_files.hpp"
 #include "app/saved_game.hpp"
 #include "app/screen.hpp"
 #include "app/sound_output.hpp"
@@ -24,7 +25,9 @@ namespace plumb {
 class GameLoop {
 public:
     /// @param screen  null: run headless
-    GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName);
+    /// @param edited  content of the game, whose scripts are read again when they change; null: they are not
+    GameLoop(Game& game, Screen* screen, const PlayerOptions& options, std::string projectName,
+             GameContent* edited = nullptr);
 
     /// Runs until the window is closed, the requested number of ticks is reached or the replay ends.
     /// @return the program's exit code
@@ -69,6 +72,7 @@ private:
     FramePacer pacer_;
     DeviceState devices_;
     EventLog events_;
+    EditedFiles edited_;
     std::optional<SoundOutput> sounds_;  ///< empty if headless
     PhysicsTimes physicsTimes_;
     std::vector<Event> pending_;  // window events of this frame; a member, so that its memory is reused

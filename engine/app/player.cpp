@@ -154,7 +154,7 @@ int playProject(const PlayerOptions& asked, const Module& code) {
         listEffects(game, options);
         return 0;
     }
-    const int exitCode = GameLoop{game, screen.get(), options, game.project().name}.run();
+    const int exitCode = GameLoop{game, screen.get(), options, game.project().name, &content}.run();
     screen.reset();  // before the assets that its textures refer to
     return exitCode;
 }

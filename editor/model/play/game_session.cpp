@@ -25,11 +25,7 @@ public:
     [[nodiscard]] AssetStore* assets() override { return &game_.assets; }
     void tick(const InputFrame& input) override { tickGame(game_, input); }
     void restored() override { game_.restored(); }
-    void contentChanged(const GameContent& content, const ContentChange& change) override {
-        convertWorld(game_.world, content, change);
-        game_.effects.tableChanged();
-        game_.reloadPrefabs();
-    }
+    void contentChanged(const ContentChange& change) override { game_.contentChanged(change); }
     bool reload(const std::string& path, const std::string& text) override { return load(path, text).ok(); }
 
 private:

@@ -37,9 +37,9 @@ void PlayMode::stop() {
     paused_ = replaying_ = inside_ = false;
 }
 
-void PlayMode::contentChanged(const GameContent& content, const ContentChange& change) {
+void PlayMode::contentChanged(const ContentChange& change) {
     PLUMB_ASSERT(!inside_, "leaveTick() before the content changes: a snapshot knows only the old types");
-    session_->contentChanged(content, change);
+    session_->contentChanged(change);
     replaying_ = false;
     edits_.clear();
     recording_.begin(ticks_, world());

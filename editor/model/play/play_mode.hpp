@@ -12,7 +12,6 @@
 
 namespace plumb {
 class AssetStore;
-class GameContent;
 struct ContentChange;
 class World;
 }  // namespace plumb
@@ -31,7 +30,7 @@ public:
     /// Called after the world was restored from a snapshot; updates the state outside of the world.
     virtual void restored() {}
     /// Called after the project's code was replaced by another version; converts the world.
-    virtual void contentChanged(const GameContent&, const ContentChange&) {}
+    virtual void contentChanged(const ContentChange&) {}
     /// Restarts with new content of the scene file.
     /// @return false if this is not possible; the caller must create a new session then
     virtual bool reload([[maybe_unused]] const std::string& path, [[maybe_unused]] const std::string& text) {
@@ -121,7 +120,7 @@ public:
 
     /// Converts the running game to another version of the project's code. The recording starts anew: the
     /// past was simulated by the version before. @pre running()
-    void contentChanged(const GameContent& content, const ContentChange& change);
+    void contentChanged(const ContentChange& change);
 
     // Changes by the user.
 

@@ -30,7 +30,7 @@ constexpr const char* kEditorProgram = "plumb-editor";
 ProjectSession::ProjectSession(Project project)
     : project_{std::move(project)},
       code_{project_.root},
-      scriptStamp_{stampOfScripts(project_.root)},
+      scripts_{project_.root},
       assets_{project_.root, engineAssets()},
       prefabs_{content_.types(), project_.root} {
     content_.readScripts(project_.root, scriptProblems_);
@@ -82,11 +82,7 @@ void ProjectSession::useCode(Module code) {
 }
 
 void ProjectSession::followScripts(double now) {
-    if (now < nextScriptCheck_) return;
-    nextScriptCheck_ = now + ProjectCode::kInterval;
-    const std::uint64_t stamp = stampOfScripts(project_.root);
-    if (stamp == scriptStamp_) return;
-    scriptStamp_ = stamp;
+    if (!scripts_.poll(now)) return;
     scriptProblems_.clear();
     change([&] { return content_.readScripts(project_.root, scriptProblems_); });
     for (const Error& problem : scriptProblems_) logError("Script", problem);
@@ -108,7 +104,7 @@ void ProjectSession::change(const std::function<ContentChange()>& update) {
     writeScriptDefinitions(project_.root, content_);
     prefabs_.forget();
     convertWorld(w.document.world, content_, change);
-    if (w.play.running()) w.play.contentChanged(content_, change);
+    if (w.play.running()) w.play.contentChanged(change);
     // The scene's text also contains components of types that the old or the new version does not know.
     const bool reread = isOpen && (!change.added.empty() || !change.types.empty());
     const ConvertedValues converted{w.document, change};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "app/game_content.hpp"
 #include "app/project.hpp"
+#include "app/reload/script_watch.hpp"
 #include "assets/asset_store.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/project/editor_options.hpp"
@@ -70,8 +70,7 @@ private:
     std::vector<Error> scriptProblems_;
     GameContent content_{{}, codeProblems_};
     ProjectCode code_;
-    std::uint64_t scriptStamp_ = 0;  // of the script files that were read
-    double nextScriptCheck_ = 0.0;   // s
+    ScriptWatch scripts_;
     AssetStore assets_;
     PrefabLibrary prefabs_;
     std::unique_ptr<Workspace> workspace_;

@@ -249,6 +249,23 @@ void PrefabLibrary::forget() {
     reported_.clear();
 }
 
+void PrefabLibrary::readAgain(const std::vector<std::string>& changed) {
+    PrefabLibrary fresh{types_, root_};
+    fresh.replacedTexts_ = replacedTexts_;
+    bool complete = true;
+    for (const std::string& path : changed) {
+        const Result<const Prefab*> found = fresh.find(path);
+        if (!found) logError("Scene", found.error());
+        complete = complete && found.ok();
+    }
+    for (const Prefab& prefab : prefabs_) {
+        complete = complete && (!has(prefab.path) || fresh.find(prefab.path).ok());
+    }
+    if (!complete) return;
+    forget();
+    for (const std::string& path : changed) static_cast<void>(named(path));  // logs what is wrong
+}
+
 Result<const Prefab*> PrefabLibrary::find(std::string_view path) {
     std::vector<std::string> open;
     return guarded(path, [&] { return find(path, open); });

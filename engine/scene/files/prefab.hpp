@@ -83,6 +83,11 @@ public:
 
     /// Uses this text instead of the prefab's file, e.g. while an editor changes it.
     void add(std::string_view path, std::string text);
+    /// All prefabs that were read and are cached.
+    [[nodiscard]] const std::deque<Prefab>& known() const { return prefabs_; }
+    /// After files of prefabs were changed: forget(), and logs what is wrong in these files. But if one of
+    /// them or of the known prefabs cannot be read, all prefabs stay as they are until it can.
+    void readAgain(const std::vector<std::string>& changed);
     /// Clears the cache, so all prefabs are read and checked again when
     /// needed: a changed prefab affects those that contain it.
     void forget();
