@@ -41,5 +41,7 @@ printf '%s\n' "$report"
 program=$(sed -n 's/.*start it with "\(.*\)" in this folder/\1/p' <<<"$report")
 name=$(sed -n 's/^Exported "\(.*\)": .*/\1/p' <<<"$report")
 play_first_second
-archive=$(python3 "$here/archive.py" "$target" "$folder" "$name")
+# The folder may have other files, which are not for players.
+mapfile -t written < <(sed -n 's/^Wrote //p' <<<"$report")
+archive=$(python3 "$here/archive.py" "$target" "$folder" "$name" "${written[@]}")
 printf 'Packed it as %s: %s MB\n' "$archive" "$(megabytes "$(stat -c %s "$archive")")"

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -233,23 +234,92 @@ TEST_F(HeadlessTest, anExportContainsWhatNoSceneRefersToButNothingThatIsLeftOut)
     EXPECT_FALSE(fileExists(out / "game/notes.txt"));
 }
 
-TEST_F(HeadlessTest, anExportReplacesAnEarlierExportButNoOtherFolder) {
-    ASSERT_TRUE(exportIt().ok());
-    putFile("assets/new.txt", "new");
-    ASSERT_TRUE(writeFile(out / "old.txt", "of the last export").ok());
-    ASSERT_TRUE(exportIt().ok());
-    EXPECT_TRUE(fs::exists(out / "game.pack"));
-    EXPECT_FALSE(fs::exists(out / "old.txt"));
+using Content = std::map<std::string, std::string>;  // path in a folder -> bytes
+
+Content contentOf(const Path& folder) {
+    Content content;
+    for (const std::string& file : filesBelow(folder, "")) content[file] = *readFile(folder / file);
+    return content;
+}
+
+TEST_F(HeadlessTest, anExportReplacesAnEarlierOneAndLeavesAllOtherFiles) {
+    const Content mine{{"notes.txt", "mine"},
+                       {"soundtrack/a/1.ogg", "song"},
+                       {"game/assets/hero.png", "mod"},
+                       {".hidden", "mine"},
+                       {"Test.txt", "mine"}};
+    for (int round = 0; round < 3; ++round) {
+        putFile("assets/new.txt", format("version {}", round));
+        putFile("player", format("player {}", round));
+        const Result<ExportReport> report = exportIt();
+        ASSERT_TRUE(report.ok()) << report.error().text();
+        Content found = contentOf(out);
+        EXPECT_EQ(found["Test"], format("player {}", round));
+        std::vector<std::string> written;
+        for (const auto& [file, bytes] : found) {
+            if (mine.count(file) == 0) written.push_back(file);
+        }
+        EXPECT_EQ(report->written, written) << "an archive contains these";
+        for (const std::string& file : written) found.erase(file);
+        EXPECT_EQ(found, round == 0 ? Content{} : mine);
+        for (const auto& [file, bytes] : mine) ASSERT_TRUE(writeFile(out / file, bytes).ok());
+    }
+}
+
+TEST_F(HeadlessTest, aFolderWithoutAnEarlierExportOfTheGameIsRefusedAndStaysAsItIs) {
+    const auto refused = [&](std::string_view why) {
+        const Content before = contentOf(out);
+        const Result<ExportReport> report = exportIt();
+        ASSERT_FALSE(report.ok()) << why;
+        EXPECT_NE(report.error().text().find(why), std::string::npos) << report.error().text();
+        EXPECT_EQ(contentOf(out), before);
+        EXPECT_FALSE(fs::exists(out / ".plumb-export"));
+    };
+    ASSERT_TRUE(writeFile(out / "thesis.txt", "mine").ok());
+    refused("has other content: thesis.txt");
+    ASSERT_TRUE(writeFile(out / "game.pack", "x").ok());
+    refused("a game.pack that no export wrote");
+    ASSERT_TRUE(writeFile(out / "game.pack", writePack({{"tiles.png", "of another program"}})).ok());
+    refused("this pack contains no game");
+    ASSERT_TRUE(
+        writeFile(out / "game.pack", writePack({{"game/project.json", R"({"name": "Caves"})"}})).ok());
+    refused("an export of another game, \"Caves\"");
 
     fs::remove_all(out);
-    fs::create_directories(out);
-    ASSERT_TRUE(writeFile(out / "thesis.txt", "mine").ok());
-    EXPECT_FALSE(exportIt().ok());
-    EXPECT_EQ(*readFile(out / "thesis.txt"), "mine");
+    ASSERT_TRUE(exportIt().ok());
+    fs::remove(out / "Test");
+    ASSERT_TRUE(writeFile(out / "Test/diary.txt", "mine").ok());
+    refused("this folder is in the place of a file");
+
     const Project project = *loadProject(root());
     EXPECT_FALSE(exportProject(project, root() / "out", parts()).ok()) << "inside the project";
     EXPECT_FALSE(exportProject(project, root().parent_path(), parts()).ok()) << "around the project";
     EXPECT_FALSE(fs::exists(root() / "out"));
+}
+
+TEST_F(HeadlessTest, anExportThatFailsOrWasKilledLeavesNothingBehind) {
+    putFile("project.json", R"({"name": "Test", "export": {"icon": "none.png"}})");
+    EXPECT_FALSE(exportIt().ok());
+    EXPECT_FALSE(fs::exists(out));
+    putFile("project.json", R"({"name": "Test"})");
+    ASSERT_TRUE(writeFile(out / ".plumb-export/new/game.pack", "half").ok());
+    ASSERT_TRUE(exportIt().ok());
+    EXPECT_FALSE(fs::exists(out / ".plumb-export"));
+}
+
+TEST_F(HeadlessTest, anExportToALinkWritesToTheFolderThatItNames) {
+    const Path link = Path{out}.concat("_link");
+    fs::remove(link);
+    fs::create_directory_symlink(out, link);
+    const Project project = *loadProject(root());
+    EXPECT_FALSE(exportProject(project, link, parts()).ok()) << "to nothing";
+    fs::create_directories(out);
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_TRUE(exportProject(project, link, parts()).ok());
+        EXPECT_TRUE(fs::is_symlink(link));
+        EXPECT_TRUE(fs::exists(out / "Test"));
+    }
+    fs::remove(link);
 }
 
 TEST_F(HeadlessTest, anExportWithoutAPlayerIsRefused) {
@@ -307,6 +377,7 @@ TEST_F(HeadlessTest, aDesktopStartsTheProgramBesideTheEntry) {
             format(
                 R"({"name": "{}", "startScene": "scenes/level.scene.json", "export": {"icon": "hero.png"}})",
                 name));
+        fs::remove_all(out);
         const Result<ExportReport> report = exportIt();
         ASSERT_TRUE(report.ok()) << report.error().text();
         const std::string entry = *readFile(out / (report->program + ".desktop"));

@@ -9,11 +9,16 @@ fail() { echo "$*"; exit 1; }
 rm -rf "$work" && mkdir -p "$work"
 names=("Ünï cödé 名前" plain "two words" 'quo"te' a B .hidden "folder/in/folder/x" "folder/Y" "longlonglong/$(printf 'n%.0s' {1..150})")
 unset SOURCE_DATE_EPOCH
-archive() { python3 "$source/player/targets/archive.py" "$@"; }
+archive() {  # TARGET FOLDER NAME: of all files in the folder but note.txt, in the order in which the system lists them
+    local files
+    mapfile -t files < <(find "$2" -type f ! -name note.txt -printf '%P\n')
+    python3 "$source/player/targets/archive.py" "$@" "${files[@]}"
+}
 
 for case in 1 2 3; do
     first=$work/$case/first/out second=$work/$case/second/elsewhere
     mkdir -p "$first" "$second"
+    echo "not for players" >"$first/note.txt"
     order=()
     for name in "${names[@]}"; do
         [ $((RANDOM % 4)) != 0 ] || continue
@@ -41,7 +46,8 @@ sys.argv[1].endswith(".zip") or shutil.unpack_archive(sys.argv[1], sys.argv[2])
 PY
         inner=$work/$case/$target/"Sky Cäves"
         [ "$target" != web ] || inner=$work/$case/$target
-        diff -r "$inner" "$first" || fail "$target: the archive does not contain the files"
+        diff -r -x note.txt "$inner" "$first" || fail "$target: the archive does not contain the files"
+        [ ! -e "$inner/note.txt" ] || fail "$target: the archive contains a file that is not of the export"
         SOURCE_DATE_EPOCH=1000000000 archive "$target" "$second" "Sky Cäves" >/dev/null
         ! cmp -s "$one" "$other" || fail "$target: SOURCE_DATE_EPOCH is not used"
     done

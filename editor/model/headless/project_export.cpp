@@ -10,6 +10,7 @@
 #include "codec/pack.hpp"
 #include "core/text.hpp"
 #include "editor/model/assets/asset_catalog.hpp"
+#include "editor/model/headless/export_folder.hpp"
 #include "platform/paths.hpp"
 
 namespace plumb::editor {
@@ -100,25 +101,6 @@ std::string withProject(std::string page, const Project& project) {
     return page;
 }
 
-bool isBelow(const Path& inner, const Path& outer) {
-    const Path relative = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
-    return !relative.empty() && *relative.begin() != "..";
-}
-
-Result<Done> checkTarget(const Path& project, const Path& folder) {
-    const std::string name = folder.generic_string();
-    if (isBelow(folder, project))
-        return Error{name, "the folder is inside the project", "choose a folder outside the project"};
-    if (isBelow(project, folder))
-        return Error{name, "the folder contains the project", "choose another folder"};
-    std::error_code none;
-    if (!fs::exists(folder, none)) return Done{};
-    if (!fs::is_directory(folder, none))
-        return Error{name, "this is a file, not a folder", "choose a folder"};
-    if (fs::is_empty(folder, none) || fs::exists(folder / kPackName, none)) return Done{};
-    return Error{name, "the folder has other content", "choose an empty folder"};
-}
-
 Result<Done> copyFile(const Path& from, const Path& to) {
     std::error_code failed;
     fs::create_directories(to.parent_path(), failed);
@@ -180,17 +162,6 @@ Result<std::string> copyPage(const Project& project, const Path& player, const P
     return std::string{kPage};
 }
 
-/// Moves the finished folder to its destination. The old content is removed only afterwards.
-Result<Done> replace(const Path& made, const Path& folder) {
-    const Path before = Path{made}.concat(".before");
-    std::error_code failed, ignored;
-    if (fs::exists(folder, ignored)) fs::rename(folder, before, failed);
-    if (!failed) fs::rename(made, folder, failed);
-    if (failed) return Error{folder.generic_string(), failed.message(), "close programs that use the folder"};
-    fs::remove_all(before, ignored);
-    return Done{};
-}
-
 Result<ExportReport> exportTo(const Project& project, const Path& folder, const ExportParts& parts) {
     const Result<Files> files = filesOf(project, parts.engineAssets);
     if (!files) return files.error();
@@ -221,18 +192,20 @@ Result<ExportReport> exportProject(const Project& project, const Path& wanted, c
     if (!fs::exists(parts.player, ignored))
         return Error{parts.player.generic_string(), "there is no player",
                      "build it: ./plumb export builds it first"};
-    const Path folder = fs::absolute(wanted).lexically_normal();
-    const Path target = folder.has_filename() ? folder : folder.parent_path();
-    if (const Result<Done> good = checkTarget(project.root, target); !good) return good.error();
-    const Path made = target.parent_path() / format(".{}.export", target.filename().string());
-    fs::remove_all(made, ignored);
-    fs::remove_all(Path{made}.concat(".before"), ignored);
-
-    Result<ExportReport> report = exportTo(project, made, parts);
+    Result<ExportFolder> folder = ExportFolder::check(project, wanted);
+    if (!folder) return folder.error();
+    const Result<Path> stage = folder->stage();
+    Result<ExportReport> report =
+        stage ? exportTo(project, *stage, parts) : Result<ExportReport>{stage.error()};
     if (report) {
-        if (Result<Done> done = replace(made, target); !done) report = done.error();
+        Result<std::vector<std::string>> placed = folder->place();
+        if (placed) {
+            report->written = *std::move(placed);
+        } else {
+            report = placed.error();
+        }
     }
-    if (!report) fs::remove_all(made, ignored);
+    folder->clear();
     return report;
 }
 

@@ -21,6 +21,7 @@ struct ExportReport {
     std::size_t files = 0;             ///< in the pack
     std::uintmax_t bytes = 0;          ///< of all files of the export
     std::string program;               ///< what starts the game, relative to the folder
+    std::vector<std::string> written;  ///< paths of all files of the export in the folder, sorted
     std::vector<std::string> largest;  ///< the five largest files of the pack, "assets/music.ogg, 1.2 MB"
 };
 
@@ -33,10 +34,10 @@ struct ExportReport {
 ///     icon.png                       of a page and of NAME, if the project has one
 ///     NAME.desktop                   starts NAME from a desktop
 ///
-/// The folder is created completely or not at all. An earlier export in it is replaced. The same project and
-/// player give the same bytes.
-/// @error  the folder is inside the project or contains it, has other content, or cannot be written; no
-/// player
+/// All files are written, or after an error none. Those of an earlier export of the same game are replaced;
+/// all other files in the folder stay. The same project and player give the same bytes.
+/// @error  the folder is inside the project or contains it, has content but no export of this game, or cannot
+/// be written; no player
 Result<ExportReport> exportProject(const Project& project, const Path& folder, const ExportParts& parts);
 
 }  // namespace plumb::editor

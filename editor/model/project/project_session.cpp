@@ -194,6 +194,7 @@ int ProjectSession::exportGame(const EditorOptions& options) {
     }
     std::printf("The largest of %zu files:\n", report->files);
     for (const std::string& file : report->largest) std::printf("  %s\n", file.c_str());
+    for (const std::string& file : report->written) std::printf("Wrote %s\n", file.c_str());
     std::printf("Exported \"%s\": %s MB in %s; start it with \"%s\" in this folder\n",
                 fileNameOf(project_.name).c_str(),
                 fixedText(static_cast<double>(report->bytes) / 1e6, 1).c_str(), options.exportTo.c_str(),
