@@ -75,8 +75,9 @@ TEST_F(HeadlessTest, everyKindOfFaultIsFoundAndReportedOnce) {
     for (const char* part : {"scenes/broken.scene.json", "position", "assets/none.png",
                              "prefabs/bad.prefab.json", "assets/bad.tileset.json", "startScene", "Spacce"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
-    EXPECT_FALSE(found.playable);
     EXPECT_EQ(found.scenes, 3u);
+    EXPECT_EQ(found.warnings, 1u) << "the key of the project";
+    EXPECT_EQ(found.errors(), found.problems.size() - 1);
 }
 
 TEST_F(HeadlessTest, aMissingFileIsReportedWithTheEntityAndFieldThatReferenceIt) {

@@ -99,6 +99,7 @@ ProjectCheck checkProject(const Project& project, Workspace& workspace, PrefabLi
     ProjectCheck check;
     Problems problems{check};
     problems.add(project.warnings);
+    check.warnings = check.problems.size();
     for (const std::string& path : workspace.scenes()) {
         ++check.scenes;
         const Result<LoadReport> report = workspace.open(path);
@@ -106,13 +107,11 @@ ProjectCheck checkProject(const Project& project, Workspace& workspace, PrefabLi
             problems.add(report->problems);
         } else {
             problems.add(report.error());
-            check.playable = false;
         }
     }
     if (!project.startScene.empty() && !std::filesystem::exists(project.root / project.startScene)) {
         problems.add(Error{"project.json: startScene", format("{} does not exist", project.startScene),
                            "set it to an existing scene"});
-        check.playable = false;
     }
     checkAssets(project.root, workspace, check, problems, prefabs);
     return check;

@@ -16,12 +16,13 @@ class Workspace;
 
 /// Problems of a project, and the number of files checked.
 struct ProjectCheck {
-    std::vector<Error> problems;  ///< without duplicates
+    std::vector<Error> problems;  ///< without duplicates; first the warnings
+    std::size_t warnings = 0;  ///< of the problems: settings in project.json that are replaced by the default
     std::size_t scenes = 0;
     std::size_t prefabs = 0;
     std::size_t assets = 0;
-    bool playable = true;  ///< the code and all scenes can be read, and the start scene exists
 
+    [[nodiscard]] std::size_t errors() const { return problems.size() - warnings; }
     /// Returns one line per problem, and a last line with counts.
     [[nodiscard]] std::string text() const;
 };

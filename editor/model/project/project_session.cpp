@@ -164,8 +164,8 @@ bool ProjectSession::buildCode() {
 ProjectCheck ProjectSession::check() {
     ProjectCheck found = checkProject(project_, *workspace_, prefabs_);
     for (const std::vector<Error>* problems : {&codeProblems_, &scriptProblems_}) {
-        found.problems.insert(found.problems.begin(), problems->begin(), problems->end());
-        found.playable = found.playable && problems->empty();  // the player does not start with them
+        const auto first = found.problems.begin() + static_cast<std::ptrdiff_t>(found.warnings);
+        found.problems.insert(first, problems->begin(), problems->end());
     }
     return found;
 }
@@ -181,8 +181,12 @@ int ProjectSession::exportGame(const EditorOptions& options) {
     if (!buildCode()) return 1;
     const ProjectCheck found = check();
     std::printf("%s", found.text().c_str());
-    if (!found.playable) {
-        std::fprintf(stderr, "plumb-editor: nothing was exported; fix the scenes and the code first\n");
+    if (const std::size_t errors = found.errors(); errors > 0) {
+        std::fprintf(stderr,
+                     "plumb-editor: nothing was exported: fix the %zu problem%s first; the lines above, "
+                     "./plumb edit and "
+                     "--validate show %s\n",
+                     errors, errors == 1 ? "" : "s", errors == 1 ? "it" : "them");
         return 1;
     }
     const Path player = options.player.empty() ? playerOf(project_.root) : Path{options.player};
