@@ -206,10 +206,11 @@ public:
             return failure(std::move(problem), "record it again");
         while (!ended_ && !text_.empty()) {
             if (std::string problem = readLine(takeLine()); !problem.empty()) {
-                return failure(std::move(problem), "record it again, or correct the line");
+                return failure(std::move(problem), remedy("record it again, or correct the line"));
             }
         }
-        if (!ended_) return failure("the file has no \"end\" line: it is incomplete", "record it again");
+        if (!ended_)
+            return failure("the file has no \"end\" line: it is incomplete", remedy("record it again"));
         if (!isCrash() && !trimmed(text_).empty())
             return failure("there is text after the \"end\" line", "remove it");
         return std::move(replay_);
@@ -217,6 +218,14 @@ public:
 
 private:
     [[nodiscard]] bool isCrash() const { return format_ >= 2; }
+    /// What to do about damage. A crash cannot be recorded again, but the player of the game may have the
+    /// file.
+    [[nodiscard]] std::string remedy(std::string_view ofRecording) const {
+        return std::string{
+            isCrash() ? "it was changed on its way: get the report again from the player of the game, "
+                        "as a file in an archive, not as text"
+                      : ofRecording};
+    }
 
     std::string_view takeLine() {
         const std::size_t end = text_.find('\n');

@@ -19,6 +19,7 @@ using link_format::apply, link_format::Change, link_format::eachChange, link_for
 constexpr int kVersion = 2;
 constexpr std::size_t kHeadBytes = 5;
 constexpr std::string_view kLinkMark = "#r=";
+constexpr std::string_view kEscapedMark = "%23r=";
 constexpr const char* kWhere = "link";
 
 std::uint32_t checksumOf(int version, std::string_view stream) {
@@ -188,31 +189,45 @@ private:
     std::uint64_t ticks_ = 0;
 };
 
-/// The base64url of a link: what is after the mark, up to another part of the address or white space.
-Result<std::string_view> digitsOf(std::string_view text) {
-    const std::size_t mark = text.find(kLinkMark);
-    if (mark != std::string_view::npos) {
-        text.remove_prefix(mark + kLinkMark.size());
-    } else if (startsWith(text, kLinkMark.substr(1))) {
+constexpr std::string_view kSpace = " \t\r\n";
+
+/// What is after the mark, up to another part of the address.
+Result<std::string_view> afterMark(std::string_view text) {
+    for (const std::string_view mark : {kLinkMark, kEscapedMark}) {
+        const std::size_t at = text.find(mark);
+        if (at != std::string_view::npos)
+            return text.substr(at + mark.size(), text.find('&', at) - at - mark.size());
+    }
+    if (startsWith(text, kLinkMark.substr(1))) {
         text.remove_prefix(kLinkMark.size() - 1);
     } else if (text.find_first_of(":/#") != std::string_view::npos) {
         return Error{kWhere, "the address contains no replay", format("it must end with {}...", kLinkMark)};
     }
-    text = text.substr(0, std::min(text.size(), text.find_first_of("& \t\r\n")));
-    if (text.empty())
-        return Error{kWhere, "the link is empty", format("give the text from {} on", kLinkMark)};
-    if (text.size() > kMaxLinkBytes)
-        return Error{kWhere, format("the link has {} characters", text.size()),
-                     format("the longest have {}", kMaxLinkBytes)};
-    return text;
+    return text.substr(0, text.find('&'));
 }
 
-}  // namespace
+/// Without white space, plain or escaped ("%20"): programs for mail break long lines.
+std::string withoutSpace(std::string_view text) {
+    std::string digits;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view escape = text.substr(i, 3);
+        if (escape == "%20" || escape == "%09" || escape == "%0A" || escape == "%0D") {
+            i += 2;
+        } else if (kSpace.find(text[i]) == std::string_view::npos) {
+            digits += text[i];
+        }
+    }
+    return digits;
+}
 
-Result<Replay> replayOfLink(std::string_view text) {
-    const Result<std::string_view> digits = digitsOf(text);
-    if (!digits) return digits.error();
-    const Result<std::string> bytes = bytesFromBase64Url(*digits, kWhere);
+/// @param digits  base64url
+Result<Replay> replayOfDigits(std::string_view digits) {
+    if (digits.empty())
+        return Error{kWhere, "the link is empty", format("give the text from {} on", kLinkMark)};
+    if (digits.size() > kMaxLinkBytes)
+        return Error{kWhere, format("the link has {} characters", digits.size()),
+                     format("the longest have {}", kMaxLinkBytes)};
+    const Result<std::string> bytes = bytesFromBase64Url(digits, kWhere);
     if (!bytes) return damaged(format("the link is damaged or incomplete: {}", bytes.error().what));
     if (bytes->size() < kHeadBytes) return damaged("the link is incomplete");
     const int version = static_cast<unsigned char>(bytes->front());
@@ -225,6 +240,21 @@ Result<Replay> replayOfLink(std::string_view text) {
     const std::string_view stream = std::string_view{*bytes}.substr(kHeadBytes);
     if (checksum != checksumOf(version, stream)) return damaged("the link is damaged or incomplete");
     return std::make_unique<LinkReader>(stream)->read();  // too large for the stack
+}
+
+}  // namespace
+
+Result<Replay> replayOfLink(std::string_view text) {
+    const Result<std::string_view> link = afterMark(text);
+    if (!link) return link.error();
+    Result<Replay> replay = replayOfDigits(withoutSpace(*link));
+    if (replay) return replay;
+    // Other words may follow the link.
+    const std::string_view first = trimmed(*link);
+    const std::size_t end = first.find_first_of(kSpace);
+    if (end == std::string_view::npos) return replay;
+    Result<Replay> ofFirst = replayOfDigits(first.substr(0, end));
+    return ofFirst ? ofFirst : replay;
 }
 
 }  // namespace plumb

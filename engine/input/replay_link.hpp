@@ -48,7 +48,8 @@ private:
 /// @error too long for a link
 Result<std::string> linkOf(const Replay& replay);
 
-/// Reads a link: the text from "#r=" or "r=" on, what follows that, or a whole address that ends in one.
+/// Reads a link: the text from "#r=", "%23r=" or "r=" on, what follows that, or a whole address that ends in
+/// one. White space in it is left out, and so are other words after it.
 /// @error no link, damaged or incomplete, of a newer version, too long
 Result<Replay> replayOfLink(std::string_view text);
 

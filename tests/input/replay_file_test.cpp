@@ -51,6 +51,15 @@ TEST(ReplayFile, whatIsNoTextOrTooLargeIsNotRead) {
               "run.replay:0: the file is too large; record less");
 }
 
+TEST(ReplayFile, aDamagedReportOfACrashIsNotToBeRecordedAgain) {
+    for (const char* text : {"plumb-replay 2\npacked 9\nx\nend 1\n", "plumb-replay 2\ncrash x\n",
+                             "plumb-replay 2\nwrong\nend 0\n"}) {
+        EXPECT_NE(errorOf(text).find("get the report again from the player"), std::string::npos)
+            << errorOf(text);
+        EXPECT_EQ(errorOf(text).find("record it again"), std::string::npos) << errorOf(text);
+    }
+}
+
 TEST(ReplayFile, theLastLineHasTheNumberOfTicks) {
     const std::string open = "the file has no \"end\" line: it is incomplete; record it again";
     EXPECT_EQ(errorOf(kHead), "run.replay:1: " + open);

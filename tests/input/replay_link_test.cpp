@@ -116,6 +116,28 @@ TEST(ReplayLink, theTextMayBeAWholeAddressOrItsEnd) {
         << "other characters are changed in addresses and messages";
 }
 
+TEST(ReplayLink, aLinkThatAMailHasBrokenOrEscapedIsTheSame) {
+    Random random = Random::seeded(5);
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const Replay replay = randomRun(seed, 100).replay;
+        std::string link = linkOf(replay)->substr(3);
+        for (int breaks = 0; breaks < 5; ++breaks) {
+            const char* space[] = {" ", "\n", "\r\n", "\t", "%20", "%0A", "%0D%0A", "\n  "};
+            // Not into an earlier escape.
+            const std::size_t at =
+                random.below(static_cast<std::uint32_t>(std::min(link.size(), link.find('%'))));
+            link.insert(at, space[random.below(std::size(space))]);
+        }
+        for (const char* start :
+             {"#r=", "%23r=", "r=", "https://example.org/game/#r=", "https://example.org/%23r="}) {
+            const Result<Replay> read = replayOfLink(start + link);
+            ASSERT_TRUE(read.ok()) << read.error().text() << "\n" << start << link;
+            EXPECT_EQ(*read, replay);
+        }
+        EXPECT_EQ(*replayOfLink(*linkOf(replay) + " is my run"), replay);
+    }
+}
+
 TEST(ReplayLink, whatIsNoLinkIsReportedWithTheReason) {
     EXPECT_EQ(errorOf(""), "link: the link is empty; give the text from #r= on");
     EXPECT_EQ(errorOf("https://example.org/#r="), "link: the link is empty; give the text from #r= on");
