@@ -171,7 +171,11 @@ Result<Done> writeFile(const Path& path, std::string_view bytes) {
     {
         FileHandle file = openFile(temporary, "wb");
         if (!file) {
-            return systemError(path, "could not be written", "check the folder's permissions and the disk");
+            constexpr const char* kRemedy = "check the folder's permissions and the disk";
+            if (!failed) return systemError(path, "could not be written", kRemedy);
+            return Error{path.generic_string(),
+                         "could not be written, as its folder could not be created: " + failed.message(),
+                         kRemedy};
         }
         const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
         if (!written || !os::flushToDisk(file.get()) || std::fclose(file.release()) != 0) {

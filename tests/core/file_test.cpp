@@ -61,6 +61,15 @@ TEST_F(FileTest, anUnwritablePathIsAnErrorAndLeavesNoFile) {
     EXPECT_EQ(filesBelow(root_, ""), std::vector<std::string>{"file"});
 }
 
+// No user may create a folder in /sys, root included.
+TEST_F(FileTest, aFolderThatCannotBeCreatedIsTheCauseThatIsReported) {
+    if (!std::filesystem::exists("/sys/kernel")) GTEST_SKIP() << "Linux only";
+    const Result<Done> written = writeFile("/sys/plumb/saves/1.save", "x");
+    ASSERT_FALSE(written.ok());
+    EXPECT_EQ(written.error().what.find("No such file"), std::string::npos) << written.error().what;
+    EXPECT_NE(written.error().what.find("its folder could not be created"), std::string::npos);
+}
+
 TEST_F(FileTest, aPathOf1024CharactersIsAcceptedAndALongerOneIsRefused) {
     const auto path = [](std::size_t length) {  // in folders, as names have at most 255 characters
         std::string text;
