@@ -85,12 +85,17 @@ bool GameLoop::prepare() {
     if (screen_ == nullptr && options_.frames < 0 && !replay_) options_.frames = kHeadlessTicks;
     if (screen_ != nullptr) player_.emplace(options_, projectName_, *screen_, *sounds_, pacer_, game_.input);
     if (!chooseKeys() || !beginWithState()) return false;
-    if (const Path folder = playerFolder(options_, projectName_); !folder.empty())
-        slots_.emplace(folder, projectName_);
+    if (const Result<Path> folder = playerFolder(options_, projectName_); !folder) {
+        noSlots_ = folder.error();
+        logWarning("Game", *noSlots_);
+    } else if (!folder->empty()) {
+        slots_.emplace(*folder, projectName_);
+    }
     const bool isPlayed = hasDisplay && !replay_ && !options_.allEffects;
+    const Result<Path> crashes = isPlayed ? dataFolder(projectName_) : Path{};
     return records_.begin(options_, start(),
                           {screen_ != nullptr, isPlayed, screen_ != nullptr && hasPage(),
-                           isPlayed ? dataFolder(projectName_) : Path{}, replay_ ? &*replay_ : nullptr});
+                           crashes ? *crashes : Path{}, replay_ ? &*replay_ : nullptr});
 }
 
 /// What a record of this run begins with.
@@ -290,11 +295,15 @@ void GameLoop::checkReplay() {
     const HashCheck* expected = replayPlayer_->checkpoint();
     const bool differs = expected != nullptr && expected->hash != game_.world.hash();
     if (differs) {
+        const std::string engine =
+            replay_->engine == kEngineVersion
+                ? std::string{}
+                : format(", or the engine, then {}, now {}", replay_->engine, kEngineVersion);
         logError("Input",
                  Error{nameOfReplay(options_),
                        format("the simulation differs from the recorded one at tick {}: the scenes or the "
-                              "code of \"{}\" have changed since, or the engine, then {}, now {}",
-                              ticks_, projectName_, replay_->engine, kEngineVersion),
+                              "code of \"{}\" have changed since{}",
+                              ticks_, projectName_, engine),
                        "play it with the version that recorded it; record again if the game was changed "
                        "on purpose"});
         if (!goesOnLive_) {
@@ -354,6 +363,11 @@ void GameLoop::performRequests() {
     if (wanted.options && player_ && screen_->window().hasDisplay() && options_.capture.empty()) {
         player_->open();
         followPause();
+    }
+    if (noSlots_ && !replayPlayer_) {
+        if (wanted.save != 0 || wanted.load != 0)
+            fail(wanted.load != 0 ? "Not loaded" : "Not saved", *noSlots_);
+        return;
     }
     if (!slots_ || replayPlayer_) {
         if (wanted.save != 0 || wanted.load != 0)

@@ -80,6 +80,7 @@ private:
     std::optional<ReplayPlayer> replayPlayer_;
     std::optional<GameOptions> player_;  ///< empty if headless
     std::optional<SaveSlots> slots_;     ///< empty: the game does not save
+    std::optional<Error> noSlots_;       ///< why it cannot, though it should
     RunRecords records_;
     bool goesOnLive_ = false;     // after the replay, or when a key is pressed during it
     Input::Asked shownControls_;  // controls that the page shows

@@ -7,6 +7,8 @@
 
 #include <SDL.h>
 
+#include "platform/user_folder.hpp"
+
 namespace plumb {
 namespace {
 
@@ -71,14 +73,14 @@ std::string fileNameOf(std::string_view game) {
     return name.empty() || name.front() == '.' ? "game" : name;
 }
 
-Path dataFolder(std::string_view game) {
+Result<Path> dataFolder(std::string_view game) {
+    constexpr const char* kWhere = "folder for saved games and settings";
+    if (!findUserFolder())
+        return Error{kWhere, "neither HOME nor XDG_DATA_HOME is set to an absolute path",
+                     "set HOME, or name a folder with --saves DIR"};
     Path folder = takePath(SDL_GetPrefPath("", fileNameOf(game).c_str()));
-    return folder.empty() ? Path{"."} : folder;
-}
-
-Path settingsFolder() {
-    Path folder = takePath(SDL_GetPrefPath("", "plumb"));
-    return folder.empty() ? Path{"."} : folder;
+    if (!folder.empty()) return folder;
+    return Error{kWhere, SDL_GetError(), "check the permissions, or name another folder with --saves DIR"};
 }
 
 }  // namespace plumb

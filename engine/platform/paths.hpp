@@ -26,9 +26,8 @@ std::string fileNameOf(std::string_view game);
 /// The folder for what a game keeps on this computer: saved games, settings of the player, reports of
 /// crashes; created if missing. `$XDG_DATA_HOME/NAME` on Linux, `%APPDATA%/NAME` on Windows.
 /// @param game  its name; that of the folder is fileNameOf(game)
-Path dataFolder(std::string_view game);
-
-/// The folder for user settings; created if missing. `$XDG_DATA_HOME/plumb` on Linux.
-Path settingsFolder();
+/// @error the system has no such folder (neither HOME nor an absolute XDG_DATA_HOME is set), or it cannot be
+/// created
+Result<Path> dataFolder(std::string_view game);
 
 }  // namespace plumb

@@ -24,9 +24,19 @@ PlayerSettings projectSettings(const ScreenSettings& screen, const ActionMap& ke
     return settings;
 }
 
-Path fileOf(const PlayerOptions& options, std::string_view project) {
-    const Path folder = playerFolder(options, project);
-    return folder.empty() ? Path{} : folder / kFile;
+Result<Path> fileOf(const PlayerOptions& options, std::string_view project) {
+    Result<Path> folder = playerFolder(options, project);
+    if (folder && !folder->empty()) *folder /= kFile;
+    return folder;
+}
+
+/// For one line in the window: the place in the file is part of what is wrong, the folder is not.
+Error inFile(Error error, const Path& file) {
+    const std::string folder = (file.parent_path() / "").generic_string();
+    const std::string place =
+        startsWith(error.where, folder) ? error.where.substr(folder.size()) : error.where;
+    error.what = format("{}: {}", place, error.what);
+    return error;
 }
 
 bool has(const std::vector<Binding>& bindings, BindingKind kind, std::uint8_t code) {
@@ -45,20 +55,20 @@ bool isBound(const ActionMap& map, BindingKind kind, std::uint8_t code) {
 
 }  // namespace
 
-Path playerFolder(const PlayerOptions& options, std::string_view project) {
-    if (!options.replay.empty()) return {};
-    if (!options.saves.empty()) return options.saves;
+Result<Path> playerFolder(const PlayerOptions& options, std::string_view project) {
+    if (!options.replay.empty()) return Path{};
+    if (!options.saves.empty()) return Path{options.saves};
     const bool endsItself = options.frames >= 0 || !options.screenshot.empty() || !options.capture.empty();
     return options.headless || endsItself ? Path{} : dataFolder(project);
 }
 
 ScreenSettings withPlayerSettings(ScreenSettings settings, const PlayerOptions& options,
                                   std::string_view project) {
-    const Path file = fileOf(options, project);
-    if (file.empty() || options.safe || !fileExists(file)) return settings;
+    const Result<Path> file = fileOf(options, project);
+    if (!file || file->empty() || options.safe || !fileExists(*file)) return settings;
     // Problems are reported later, when the keys are read, too.
     std::vector<Error> ignored;
-    const PlayerSettings player = readSettings(file, projectSettings(settings, {}), ignored);
+    const PlayerSettings player = readSettings(*file, projectSettings(settings, {}), ignored);
     settings.fullscreen = player.fullscreen;
     if (player.scale > 0) {
         settings.standardWidth = settings.windowWidth;
@@ -90,10 +100,14 @@ GameOptions::GameOptions(const PlayerOptions& options, std::string_view project,
 
 PlayerSettings GameOptions::read(bool safe) {
     std::vector<Error> warnings;
-    PlayerSettings settings = file_.empty() || safe ? project_ : readSettings(file_, project_, warnings);
+    if (!file_ || file_->empty() || safe) {
+        keepsFormer_ = safe;
+        return project_;
+    }
+    PlayerSettings settings = readSettings(*file_, project_, warnings);
     for (const Error& warning : warnings) logWarning("Settings", warning);
-    keepsFormer_ = safe || !warnings.empty();
-    if (!warnings.empty()) notify("Some settings are those of the game", warnings.front());
+    keepsFormer_ = !warnings.empty();
+    if (!warnings.empty()) notify("Some settings are those of the game", inFile(warnings.front(), *file_));
     return settings;
 }
 
@@ -209,9 +223,10 @@ void GameOptions::draw(AssetStore& assets) {
 void GameOptions::write() {
     PlayerSettings now = applied_;
     if (!choseFullscreen_) now.fullscreen = written_.fullscreen;
-    if (file_.empty() || now == written_) return;
+    if ((file_ && file_->empty()) || now == written_) return;
     written_ = now;  // once, also if it fails
-    const Result<Done> done = writeSettings(file_, settingsText(now, project_), keepsFormer_);
+    const Result<Done> done = file_ ? writeSettings(*file_, settingsText(now, project_), keepsFormer_)
+                                    : Result<Done>{file_.error()};
     keepsFormer_ = keepsFormer_ && !done;
     if (done) return;
     logError("Settings", done.error());

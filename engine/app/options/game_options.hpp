@@ -15,7 +15,8 @@ namespace plumb {
 
 /// Returns the folder of saved games and settings: that of --saves, or the system's. Empty for runs that use
 /// neither: replays of files, headless ones, and those that end by themselves.
-Path playerFolder(const PlayerOptions& options, std::string_view project);
+/// @error the system has no folder for them
+Result<Path> playerFolder(const PlayerOptions& options, std::string_view project);
 
 /// Returns the settings of the window with those of the player, which the command line overrides.
 ScreenSettings withPlayerSettings(ScreenSettings settings, const PlayerOptions& options,
@@ -48,6 +49,8 @@ public:
 
     /// Shows what does not work, and why, for some seconds.
     void notify(std::string_view what, const Error& error);
+    /// The line that is shown; empty: none.
+    [[nodiscard]] const std::string& notice() const { return notice_; }
     /// Draws the menu, or a message, over the game.
     void draw(AssetStore& assets);
     /// Writes the settings if they were changed.
@@ -60,7 +63,7 @@ private:
     [[nodiscard]] bool isOpener(const Event& event) const;
     [[nodiscard]] Vec2 inMenu(Vec2 windowPosition) const;
 
-    Path file_;                 // empty: settings are not kept
+    Result<Path> file_;         // empty: settings are not kept in this run; an error: they cannot be
     bool keepsFormer_ = false;  // the file has settings that are not read
     std::string notice_;
     double noticeEnd_ = 0.0;  // s, wall clock

@@ -1,6 +1,8 @@
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +15,7 @@
 #include "platform/image_file.hpp"
 #include "platform/paths.hpp"
 #include "tests/support/damage.hpp"
+#include "tests/support/environment.hpp"
 #include "tests/support/file_size_limit.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -170,6 +173,43 @@ TEST(GameOptions, theModeOfTheCommandLineIsForOneRun) {
     const PlayerSettings kept = readSettings(folder.path / "settings.json", project(), warnings);
     EXPECT_NEAR(kept.master, 0.9f, 1e-6f);
     EXPECT_FALSE(kept.fullscreen);
+}
+
+/// The settings of a game in a window of its own.
+struct OptionsOfGame {
+    explicit OptionsOfGame(const PlayerOptions& run) : options{run, "P", *screen, sounds, pacer, input} {}
+
+    std::unique_ptr<Screen> screen =
+        std::move(*Screen::open({"test", 640, 360, false, {320.0f, 180.0f}, WindowScale::Fit}));
+    AssetStore assets{{}, engineAssets()};
+    SoundOutput sounds{assets};
+    FramePacer pacer;
+    Input input;
+    GameOptions options;
+};
+
+TEST(GameOptions, theLineInTheWindowNamesTheWrongSetting) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeFile(folder.path / "settings.json", R"({"format": 1, "vsync": "yes"})"));
+    PlayerOptions run;
+    run.saves = folder.path.string();
+    const OptionsOfGame game{run};
+    EXPECT_EQ(
+        game.options.notice(),
+        "Some settings are those of the game: settings.json.vsync: expected true or false, found \"yes\"; "
+        "write true or false");
+}
+
+TEST(GameOptions, settingsWithoutAFolderForThemAreNotWrittenAnywhere) {
+    const test::Variable data{"XDG_DATA_HOME", nullptr}, home{"HOME", nullptr};
+    EXPECT_FALSE(playerFolder({}, "P").ok());
+    OptionsOfGame game{{}};
+    EXPECT_EQ(game.options.notice(), "");
+    game.options.setFullscreen(true);
+    EXPECT_NE(game.options.notice().find("The settings are not kept: neither HOME"), std::string::npos)
+        << game.options.notice();
+    EXPECT_NE(game.options.notice().find("--saves DIR"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists("settings.json"));
 }
 
 TEST(OptionsMenu, keysChangeSettingsAndCloseIt) {
