@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "app/benchmark.hpp"
@@ -17,6 +19,7 @@
 #include "core/log.hpp"
 #include "core/profile.hpp"
 #include "core/text.hpp"
+#include "platform/message_box.hpp"
 #include "platform/paths.hpp"
 
 namespace plumb {
@@ -93,9 +96,17 @@ Path projectOf(const PlayerOptions& options) {
     return folderExists(beside) ? beside : Path{"projects/platformer"};
 }
 
+bool lacksPack(const PlayerOptions& options) {
+    return options.project.empty() && !options.exportedAs.empty() &&
+           !fileExists(executableFolder() / kPackName) && !folderExists(executableFolder() / kGameFolder);
+}
+
 /// Opens the project that the options name. Files beside the pack of an exported game replace those in it if
 /// the project allows it.
 Result<Project> openProject(const PlayerOptions& options) {
+    if (lacksPack(options))
+        return Error{options.exportedAs,
+                     format("{} is missing beside the program: unpack the whole archive", kPackName), ""};
     if (const Result<Done> mounted = mountGame(Preferred::Mounted); !mounted) return mounted.error();
     Result<Project> project = loadProject(projectOf(options));
     if (!project || !project->mods) return project;
@@ -113,15 +124,28 @@ void warnOfMissingCode(const Project& project, const Module& code) {
                          "use ./plumb play PROJECT, which builds a player with the code"});
 }
 
+/// Says why the game does not start, in a window too: a desktop does not show what a program prints.
+int refuse(const Error& error, const PlayerOptions& options) {
+    logError("Engine", error);
+    const bool endsItself = options.headless || options.frames >= 0;
+    if (!options.exportedAs.empty() && !endsItself) showMessage(options.exportedAs, error.text());
+    return 1;
+}
+
 }  // namespace
+
+std::string exportedName(std::string_view program, std::string_view built) {
+    std::error_code ignored;
+    const Path real = std::filesystem::canonical(program, ignored);  // it may be a link
+    const Path name = (real.empty() ? Path{program} : real).filename();
+    if (name.empty() || name == built || name == format("{}.exe", built)) return {};
+    return name.extension() == ".exe" ? name.stem().string() : name.string();
+}
 
 int playProject(const PlayerOptions& asked, const Module& code) {
     if (asked.benchmark) return benchmark(asked);
     Result<Project> project = openProject(asked);
-    if (!project) {
-        logError("Engine", project.error());
-        return 1;
-    }
+    if (!project) return refuse(project.error(), asked);
     const Result<PlayerOptions> started = begun(asked, project->name);
     if (!started) {
         logError("Input", started.error());
@@ -140,10 +164,7 @@ int playProject(const PlayerOptions& asked, const Module& code) {
     std::unique_ptr<Screen> screen;
     if (!options.headless && !options.effects) {
         Result<std::unique_ptr<Screen>> opened = Screen::open(screenOf(*project, options));
-        if (!opened) {
-            logError("Engine", opened.error());
-            return 1;
-        }
+        if (!opened) return refuse(opened.error(), options);
         screen = std::move(*opened);
     }
     SceneGame game{std::move(*project), options.scene, seedOf(options), content};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "app/module.hpp"
@@ -11,6 +12,12 @@ namespace plumb {
 // (the project) and "assets" (those of the engine).
 inline constexpr std::string_view kPackName = "game.pack";
 inline constexpr std::string_view kGameFolder = "game";
+
+/// Returns the name of a program of an export: the export gives the player the name of the game. Empty for
+/// the player as it was built.
+/// @param program  argv[0]
+/// @param built    name of the player in the build
+std::string exportedName(std::string_view program, std::string_view built);
 
 /// Runs plumb-player with these options: plays a project,
 /// runs the benchmark, or lists the effects of a scene.

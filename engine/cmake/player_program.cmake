@@ -2,6 +2,11 @@
 set(PLUMB_GAME_RESOURCES "" CACHE PATH "folder with game.rc: the icon and the version of the game, for Windows")
 set(PLUMB_TARGETS ${PROJECT_SOURCE_DIR}/player/targets)
 
+# Gives player/main.cpp its own name: an export renames it.
+function(name_player program)
+    target_compile_definitions(${program} PRIVATE PLUMB_PLAYER="${program}")
+endfunction()
+
 function(finish_player program)
     if(EMSCRIPTEN)
         # The page (player/targets/web) loads what this makes. SDL calls functions of JavaScript, which are named in a

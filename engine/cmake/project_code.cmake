@@ -46,6 +46,7 @@ function(add_project_code name folder)
     add_executable(${name}-player ${PROJECT_SOURCE_DIR}/player/main.cpp)
     target_link_libraries(${name}-player PRIVATE ${name}-objects plumb::engine)
     name_functions(${name}-player)
+    name_player(${name}-player)
     finish_player(${name}-player)
 
     if(NOT PLUMB_EDITOR)

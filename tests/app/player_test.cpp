@@ -146,6 +146,30 @@ TEST_F(PlayerTest, theReplayOfOtherCodeDiffersAndNamesTheProjectAndTheVersions) 
     EXPECT_NE(reported[0].find("differs from the recorded one at tick 3: the scenes or the code of"),
               std::string::npos)
         << reported[0];
+    EXPECT_EQ(reported[0].find("the engine, then"), std::string::npos) << "it is the same: " << reported[0];
+    Replay older = *loadReplay(file);
+    older.engine = "0.0.9";
+    ASSERT_TRUE(saveReplay(older, file).ok());
+    EXPECT_EQ(playProject(options, code), 1);
+    ASSERT_EQ(reported.size(), 2u);
+    EXPECT_NE(reported[1].find("have changed since, or the engine, then 0.0.9, now "), std::string::npos)
+        << reported[1];
+}
+
+TEST(ExportedName, isThatOfAPlayerThatWasRenamed) {
+    const std::pair<const char*, const char*> programs[] = {{"build/release/bin/plumb-player", ""},
+                                                            {"plumb-player", ""},
+                                                            {"plumb-player.exe", ""},
+                                                            {"", ""},
+                                                            {"out/Sky Caves", "Sky Caves"},
+                                                            {"./Record-player", "Record-player"},
+                                                            {"Caves 1.2.exe", "Caves 1.2"},
+                                                            {"Caves 1.2", "Caves 1.2"}};
+    for (const auto& [program, name] : programs) EXPECT_EQ(exportedName(program, "plumb-player"), name);
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeFile(folder.path / "plumb-player", "").ok());
+    std::filesystem::create_symlink("plumb-player", folder.path / "link");
+    EXPECT_EQ(exportedName((folder.path / "link").string(), "plumb-player"), "");
 }
 
 }  // namespace
