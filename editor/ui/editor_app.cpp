@@ -11,14 +11,12 @@
 #include "core/clock.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
-#include "editor/model/play/replay_in_scene.hpp"
 #include "editor/model/project/project_session.hpp"
 #include "editor/model/view/thumbnail.hpp"
 #include "editor/templates/new_project.hpp"
 #include "editor/templates/project_templates.hpp"
 #include "editor/ui/open_project.hpp"
 #include "editor/ui/tour.hpp"
-#include "input/recorder.hpp"
 #include "platform/image_file.hpp"
 #include "platform/paths.hpp"
 #include "platform/process_time.hpp"
@@ -176,14 +174,6 @@ void selectByName(Workspace& workspace, const std::string& name) {
     if (document.selection.empty()) workspace.notice = format("The scene has no entity \"{}\"", name);
 }
 
-/// Opens the first scene of a replay and plays it there.
-Result<Done> openReplay(ProjectSession& session, const std::string& file) {
-    const Result<Replay> replay = loadReplay(file);
-    if (!replay) return replay.error();
-    session.openFirst(replay->scene);
-    return playReplayInScene(session.workspace(), *replay, file);
-}
-
 /// Returns the user's settings, overridden by the command line.
 /// @param file    null: the default settings are used
 /// @param notice  receives the last problem found in the file
@@ -237,7 +227,7 @@ int runEditor(const EditorOptions& given) {
     Workspace& workspace = (*session)->workspace();
     workspace.settings = settings;
     if (!welcome && !options.replay.empty()) {
-        const Result<Done> played = openReplay(**session, options.replay);
+        const Result<Done> played = (*session)->openReplay(options.replay, takesPictures);
         if (!played) return fail(played.error());
     } else if (!welcome) {
         (*session)->openFirst(options.scene);

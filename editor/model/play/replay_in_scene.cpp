@@ -25,7 +25,7 @@ std::string noticeOf(const Workspace& workspace, const Replay& replay) {
 
 }  // namespace
 
-Result<Done> playReplayInScene(Workspace& workspace, const Replay& replay, std::string_view file) {
+Result<Done> checkReplay(const Workspace& workspace, const Replay& replay, std::string_view file) {
     if (!replay.project.empty() && replay.project != workspace.project.name)
         return Error{std::string{file},
                      format("it was recorded by the project \"{}\", and this is \"{}\"", replay.project,
@@ -34,6 +34,11 @@ Result<Done> playReplayInScene(Workspace& workspace, const Replay& replay, std::
     if (!replay.state.empty())
         return Error{std::string{file}, "it begins with a saved game, which the editor does not load",
                      "play it: ./plumb play PROJECT --replay FILE"};
+    return Done{};
+}
+
+Result<Done> playReplayInScene(Workspace& workspace, const Replay& replay, std::string_view file) {
+    if (Result<Done> checked = checkReplay(workspace, replay, file); !checked) return checked;
     PlayMode& play = workspace.play;
     workspace.startPlaying(true);
     if (!play.running()) return Error{std::string{file}, workspace.notice, "correct the scene"};

@@ -155,8 +155,9 @@ void ProjectCode::start(bool withPlayer) {
 
 bool ProjectCode::finish() {
     const ProgramEnd build = build_.get();
-    if (!build.succeeded) logDiagnostics(project_, build.text);
-    return build.succeeded;
+    succeeded_ = build.succeeded;
+    if (!succeeded_) logDiagnostics(project_, build.text);
+    return succeeded_;
 }
 
 bool ProjectCode::buildNow() {

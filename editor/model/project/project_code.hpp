@@ -36,6 +36,10 @@ public:
     bool poll(double now);
     /// Builds the library and the player, and waits. Errors are logged. @return false if the build failed
     bool buildNow();
+    /// True if the code can be built, so that poll() starts a build.
+    [[nodiscard]] bool canBuild() const { return !target_.empty(); }
+    /// True if the last build that has ended was successful.
+    [[nodiscard]] bool succeeded() const { return succeeded_; }
     [[nodiscard]] bool isBuilding() const { return build_.valid(); }
     static constexpr double kInterval = 0.05;  ///< s
 
@@ -49,6 +53,7 @@ private:
     Path buildFolder_;    // empty: this editor cannot build
     std::string target_;  // name of the targets in the build: TARGET-code, TARGET-player
     bool exists_ = false;
+    bool succeeded_ = false;
     double next_ = 0.0;
     std::uint64_t stamp_ = 0;         // hash of names and times of the code files when the last build began
     std::uint64_t libraryStamp_ = 0;  // stamp of the library's file when it was loaded

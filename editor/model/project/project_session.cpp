@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "core/log.hpp"
 #include "core/text.hpp"
@@ -12,6 +13,7 @@
 #include "editor/model/headless/project_export.hpp"
 #include "editor/model/headless/windows_resources.hpp"
 #include "editor/model/play/game_session.hpp"
+#include "editor/model/play/replay_in_scene.hpp"
 #include "editor/model/project/script_definitions.hpp"
 #include "import/import_file.hpp"
 #include "platform/paths.hpp"
@@ -54,11 +56,35 @@ ProjectSession::ProjectSession(Project project)
 void ProjectSession::followCode(double now) {
     const bool wasBuilding = code_.isBuilding();
     const bool hasNewLibrary = code_.poll(now);
-    if (code_.isBuilding() && !wasBuilding) workspace_->notice = "Building the code of the project...";
-    if (!hasNewLibrary) return;
-    loadCodeAndReport();
-    workspace_->notice = "Reloaded the code of the project";
-    logNote("Code", "{}", workspace_->notice);
+    if (code_.isBuilding() && !wasBuilding)
+        workspace_->notice = replay_ ? "Building the code of the project; then the replay begins..."
+                                     : "Building the code of the project...";
+    bool usable = code_.succeeded() && codeProblems_.empty();
+    if (hasNewLibrary) {
+        usable = loadCodeAndReport();
+        workspace_->notice = "Reloaded the code of the project";
+        logNote("Code", "{}", workspace_->notice);
+    }
+    const bool ended = wasBuilding && !code_.isBuilding();
+    if (!ended || !replay_) return;
+    if (usable) return beginReplay();
+    workspace_->notice = "The replay waits: the code of the project has an error, see the Console";
+}
+
+/// Plays the replay that has waited for the code.
+void ProjectSession::beginReplay() {
+    const Replay replay = *std::exchange(replay_, {});
+    Result<Done> played = Done{};
+    if (workspace_->play.running() || workspace_->document.scenePath != replayScene_)
+        played =
+            Error{replayFile_, "not played: another scene or game runs by now", "start the editor again"};
+    else
+        played = playReplayInScene(*workspace_, replay, replayFile_);
+    if (!played) {
+        workspace_->notice = played.error().text();
+        return logError("Editor", played.error());
+    }
+    logNote("Editor", "{}", workspace_->notice);
 }
 
 bool ProjectSession::loadCode() {
@@ -71,9 +97,10 @@ bool ProjectSession::loadCode() {
     return true;
 }
 
-void ProjectSession::loadCodeAndReport() {
-    if (!loadCode()) return;
+bool ProjectSession::loadCodeAndReport() {
+    if (!loadCode()) return false;
     for (const Error& problem : codeProblems_) logError("Code", problem);
+    return codeProblems_.empty();
 }
 
 void ProjectSession::useCode(Module code) {
@@ -153,6 +180,20 @@ void ProjectSession::openFirst(std::string_view scene) {
     }
     if (!scene.empty()) workspace_->notice = format("The project has no scene \"{}\"", scene);
     if (!scenes.empty() && scene.empty()) static_cast<void>(workspace_->open(scenes.front()).ok());
+}
+
+Result<Done> ProjectSession::openReplay(const std::string& file, bool builds) {
+    Result<Replay> replay = loadReplay(file);
+    if (!replay) return replay.error();
+    if (Result<Done> checked = checkReplay(*workspace_, *replay, file); !checked) return checked;
+    if (builds && code_.canBuild() && !buildCode())
+        return Error{project_.root.generic_string(), "its code has errors", "mend them, see above"};
+    openFirst(replay->scene);
+    if (builds || !code_.canBuild()) return playReplayInScene(*workspace_, *replay, file);
+    replay_ = std::move(*replay);
+    replayFile_ = file;
+    replayScene_ = workspace_->document.scenePath;
+    return Done{};
 }
 
 bool ProjectSession::buildCode() {

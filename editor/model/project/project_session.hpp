@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,7 @@
 #include "editor/model/project/editor_options.hpp"
 #include "editor/model/project/project_code.hpp"
 #include "editor/model/workspace.hpp"
+#include "input/recorder.hpp"
 #include "scene/files/prefab.hpp"
 
 namespace plumb::editor {
@@ -37,6 +39,13 @@ public:
     /// project's start scene, or its first scene if it has no start scene.
     void openFirst(std::string_view scene);
 
+    /// Opens the first scene of a replay and plays it there: playReplayInScene(). If the project has code,
+    /// the replay begins when the code is built and loaded, as followCode() of the workspace notices; errors
+    /// are logged then.
+    /// @param builds  build the code in this call: nothing will call followCode()
+    /// @error the file is no replay or one of another project, the code has errors, the replay fails
+    Result<Done> openReplay(const std::string& file, bool builds);
+
     /// Builds the code, checks it and all scenes, prefabs and assets, and prints the problems. @return exit
     /// code of the program
     int validate();
@@ -56,12 +65,13 @@ private:
     explicit ProjectSession(Project project);
 
     void followCode(double now);
+    void beginReplay();
     /// Reads the script files again when one of them has changed.
     void followScripts(double now);
     /// Updates content_, then the open scene and a running game.
     void change(const std::function<ContentChange()>& update);
     bool loadCode();
-    void loadCodeAndReport();
+    bool loadCodeAndReport();
     bool buildCode();
     ProjectCheck check();
 
@@ -71,6 +81,9 @@ private:
     GameContent content_{{}, codeProblems_};
     ProjectCode code_;
     ScriptWatch scripts_;
+    std::optional<Replay> replay_;  // begins when the code was built
+    std::string replayFile_;
+    std::string replayScene_;  // path of the scene that was opened for it
     AssetStore assets_;
     PrefabLibrary prefabs_;
     std::unique_ptr<Workspace> workspace_;

@@ -21,6 +21,16 @@ exported=$("$work/out/$(program)" --headless --frames 300 --hash 2>"$work/warnin
 [ "$exported" = "$expected" ] || fail "the exported game says $exported, the template's player $expected"
 [ ! -s "$work/warnings" ] || fail "$(cat "$work/warnings")"
 
+# The editor has never built the code of this copy: the replay begins when the code is loaded.
+"$player" "$work/game" --headless --frames 300 --record "$work/run.replay" >"$work/report" 2>&1 || fail "$(cat "$work/report")"
+mkdir "$work/copy" && cp -r "$work/game" "$work/copy"
+PLUMB_CONFIG="$work/config" SDL_VIDEODRIVER=offscreen "$editor" "$work/copy/game" --replay "$work/run.replay" >"$work/editor" 2>&1 &
+window=$!
+for _ in $(seq 1200); do grep -q "Tick " "$work/editor" && break; kill -0 $window 2>/dev/null || break; sleep 0.1; done
+kill $window 2>/dev/null || true
+grep -q "Reloaded the code" "$work/editor" || fail "the code was not built: $(cat "$work/editor")"
+grep -q "Tick 180 of 300" "$work/editor" || fail "the replay was not played: $(cat "$work/editor")"
+
 cp "$work/game/code/game.cpp" "$work/game.cpp"
 sed 's|if (!back.hasHome) {|volatile int* volatile nowhere = nullptr; *nowhere = 1; if (!back.hasHome) {|' \
     "$work/game.cpp" >"$work/game/code/game.cpp"
