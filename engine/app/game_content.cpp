@@ -63,13 +63,16 @@ void addMistakes(std::vector<Error>& problems, const TypeInfo& type) {
 
 /// @param where  what gives the type its name: "describe()", or the path of a script, whose name is that of
 /// the type
+/// @param other  the same of the type that has the name already; empty: the engine
 Error nameIsUsed(std::string_view kind, const TypeInfo& type, std::string_view user,
-                 std::string_view where = "describe()") {
+                 std::string_view where = "describe()", std::string_view other = {}) {
     const bool isScript = endsWith(where, ".lua");
+    const std::string_view by = other.empty() ? "" : endsWith(other, ".lua") ? other : "the code";
     return {
         isScript ? std::string{where} : format("code: {} \"{}\"", kind, type.name),
-        isScript ? format("there is a component \"{}\" already", type.name)
-                 : format("there is a {} of this name already", user),
+        isScript
+            ? format("there is a component \"{}\" already{}{}", type.name, by.empty() ? "" : ", that of ", by)
+            : format("there is a {} of this name already", user),
         isScript ? std::string{"give the file another name"} : format("choose another name in {}", where)};
 }
 
@@ -137,13 +140,19 @@ void GameContent::updateTypes(ContentChange& change, std::vector<Error>& problem
     const auto contains = [](const std::vector<std::string>& names, std::string_view name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
-    for (const auto& [type, where] : projectTypes()) {
+    const std::vector<ProjectType> all = projectTypes();
+    for (const auto& [type, where] : all) {
         if (!type.cppName.empty()) addMistakes(problems, type);
         if (type.name.empty()) continue;
         const TypeInfo* known = types_.find(type.name);
-        const bool isOfEngine = known != nullptr && !contains(former, type.name);
-        if (isOfEngine || contains(projectTypes_, type.name)) {
-            problems.push_back(nameIsUsed("component", type, "component", where));
+        const bool isOfProject = contains(projectTypes_, type.name);
+        const bool isOfEngine = known != nullptr && !isOfProject && !contains(former, type.name);
+        if (isOfEngine || isOfProject) {
+            const auto other =
+                std::find_if(all.begin(), all.end(),
+                             [&, name = type.name](const ProjectType& t) { return t.type.name == name; });
+            problems.push_back(nameIsUsed("component", type, "component", where,
+                                          isOfEngine ? std::string_view{} : std::string_view{other->where}));
             continue;
         }
         projectTypes_.emplace_back(type.name);

@@ -27,6 +27,22 @@ bool sameIgnoringCase(std::string_view a, std::string_view b) {
                       [](char x, char y) { return lower(x) == lower(y); });
 }
 
+/// True if one of the two names has a letter more, or the same letters with two neighbours swapped. Another
+/// letter does not count: it often makes another word, as onLoad of onRoad.
+bool isMistyped(std::string_view a, std::string_view b) {
+    const auto same = [](char x, char y) { return lower(x) == lower(y); };
+    while (!a.empty() && !b.empty() && same(a.front(), b.front())) {
+        a.remove_prefix(1);
+        b.remove_prefix(1);
+    }
+    while (!a.empty() && !b.empty() && same(a.back(), b.back())) {
+        a.remove_suffix(1);
+        b.remove_suffix(1);
+    }
+    if (a.size() == 2 && b.size() == 2) return same(a[0], b[1]) && same(a[1], b[0]);
+    return a.size() + b.size() == 1;
+}
+
 }  // namespace
 
 bool isHandlerName(std::string_view name) {
@@ -50,6 +66,9 @@ std::string handlerMeant(std::string_view name) {
         std::string event{name.substr(start)};
         if (!event.empty() && start == kEvent.size()) event[0] = lower(event[0]);
         return std::string{kEventHandler} + event;
+    }
+    for (const std::string_view handler : kScriptHandlers) {
+        if (isMistyped(name, handler)) return std::string{handler};
     }
     return name.size() < kLong ? std::string{} : std::string{closestName(name, kScriptHandlers)};
 }

@@ -44,16 +44,6 @@ std::uint32_t handlersOf(lua_State* state) {
     return handlers;
 }
 
-/// Warns of functions of the table on top of the stack that seem to be handlers but are called otherwise.
-void warnOfNames(lua_State* state, const std::string& path) {
-    for (const std::string& name : script::functionNames(state)) {
-        const std::string meant = handlerMeant(name);
-        if (!meant.empty())
-            logWarning("Script", Error{path, format("the engine does not call \"{}\"", name),
-                                       format("name the function {}", meant)});
-    }
-}
-
 }  // namespace
 
 ScriptRunner::ScriptRunner(World& world)
@@ -181,7 +171,7 @@ void ScriptRunner::loadFile(std::size_t index) {
     }
     script.type = type->key;
     script.handlers = handlersOf(state_);
-    warnOfNames(state_, file.path);
+    for (const Error& warning : file.warnings) logWarning("Script", warning);
     if (script.table == 0)
         script.table = luaL_ref(state_, LUA_REGISTRYINDEX);
     else

@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "ecs/world.hpp"
 #include "script/script_declaration.hpp"
+#include "script/script_handlers.hpp"
 #include "script/script_loader.hpp"
 #include "script/script_memory.hpp"
 #include "script/script_source.hpp"
@@ -45,10 +46,34 @@ Error errorOf(std::string_view message, std::string_view path) {
     return {std::string{message.substr(0, end)}, std::string{message.substr(end + 2)}, "change this line"};
 }
 
+/// Replaces what Lua says of the function around a script (script_loader.cpp), which its author does not see.
+Error plainError(Error error) {
+    constexpr std::string_view kNoEnd = "'end' expected";
+    constexpr std::string_view kNear = "near ";
+    const std::size_t near = error.what.rfind(kNear);
+    if (!startsWith(error.what, kNoEnd) || near == std::string::npos) return error;
+    const std::string found = error.what.substr(near + kNear.size());
+    if (found == "'else'" || found == "'elseif'" || found == "'until'") return error;
+    if (found == "<eof>")
+        return {error.where, "'end' expected: a function, if or loop above is not closed", "close it"};
+    return {error.where, format("{} follows a return, which must be the last statement of its block", found),
+            "move it above the return"};
+}
+
 std::string messageAt(lua_State* state) {
     std::size_t size = 0;
     const char* text = lua_tolstring(state, -1, &size);
     return text == nullptr ? std::string{"an error without a message"} : std::string{text, size};
+}
+
+/// Adds the functions of the table on top of the stack that seem to be handlers but are called otherwise.
+void addWarnings(lua_State* state, ScriptSet::File& file) {
+    for (const std::string& name : script::functionNames(state)) {
+        const std::string meant = handlerMeant(name);
+        if (!meant.empty())
+            file.warnings.push_back({file.path, format("the engine does not call \"{}\"", name),
+                                     format("name the function {}", meant)});
+    }
 }
 
 /// Runs the files in a state of its own, to find the component types that they declare.
@@ -60,7 +85,7 @@ void declareTypes(ScriptSet& set, std::vector<ScriptSet::File>& files, std::vect
     for (ScriptSet::File& file : files) {
         script::resetBudget(state);
         if (!script::runFile(state, set, file.name)) {
-            problems.push_back(errorOf(messageAt(state), file.path));
+            problems.push_back(plainError(errorOf(messageAt(state), file.path)));
             file.textHash = 0;
         } else if (script::isDeclared(state, file.name)) {
             Result<TypeInfo> type =
@@ -70,6 +95,7 @@ void declareTypes(ScriptSet& set, std::vector<ScriptSet::File>& files, std::vect
                     {file.path + ": " + type.error().where, type.error().what, type.error().remedy});
             if (type) file.type = *std::move(type);
             if (!type) file.textHash = 0;
+            addWarnings(state, file);
         }
         lua_settop(state, 0);
     }

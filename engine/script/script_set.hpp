@@ -24,6 +24,7 @@ public:
         std::string text;  ///< prepared for loading (prepareScript)
         std::uint64_t textHash = 0;
         std::optional<TypeInfo> type;  ///< component that the file declares; files without are for require()
+        std::vector<Error> warnings;   ///< of functions that seem to be handlers but are called otherwise
         std::vector<std::string> texts;  ///< texts and paths in default values of properties
     };
 

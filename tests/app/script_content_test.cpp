@@ -104,6 +104,37 @@ TEST_F(ScriptContent, aScriptCannotHaveTheNameOfAComponentOfTheEngine) {
     EXPECT_EQ(content.types().find("Door")->key, engineContent().types().find("Door")->key);
 }
 
+TEST_F(ScriptContent, theErrorOfAUsedNameNamesTheOtherFile) {
+    write("scripts/other/fire_ball.lua", "return script {}");
+    GameContent content{Module{}, problems};
+    static_cast<void>(content.readScripts(folder(), problems));
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].text(),
+              "scripts/weapons/fire_ball.lua: there is a component \"FireBall\" already, that of "
+              "scripts/other/fire_ball.lua; give the file another name");
+}
+
+TEST_F(ScriptContent, errorsOfBlocksDoNotNameTheFunctionAroundTheFile) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"local A = script {}\nreturn A\n\nfunction A:onTick() end\n",
+         "scripts/a.lua:4: 'function' follows a return, which must be the last statement of its block; move "
+         "it above the return"},
+        {"local A = script {}\nfunction A:onTick()\n    return 1\n    print(2)\nend\nreturn A\n",
+         "scripts/a.lua:4: 'print' follows a return, which must be the last statement of its block; move it "
+         "above the return"},
+        {"local A = script {}\nfunction A:onTick()\n    if true then\nend\nreturn A\n",
+         "scripts/a.lua:7: 'end' expected: a function, if or loop above is not closed; close it"},
+    };
+    for (const auto& [text, expected] : cases) {
+        write("scripts/a.lua", text);
+        problems.clear();
+        GameContent content{Module{}, problems};
+        static_cast<void>(content.readScripts(folder(), problems));
+        ASSERT_EQ(problems.size(), 1u) << text;
+        EXPECT_EQ(problems[0].text(), expected);
+    }
+}
+
 TEST_F(ScriptContent, anotherVersionConvertsARunningGame) {
     GameContent content{Module{}, problems};
     static_cast<void>(content.readScripts(folder(), problems));

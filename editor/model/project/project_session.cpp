@@ -204,6 +204,8 @@ bool ProjectSession::buildCode() {
 
 ProjectCheck ProjectSession::check() {
     ProjectCheck found = checkProject(project_, *workspace_, prefabs_);
+    for (const ScriptSet::File& script : content_.scripts().files())
+        found.problems.insert(found.problems.end(), script.warnings.begin(), script.warnings.end());
     for (const std::vector<Error>* problems : {&codeProblems_, &scriptProblems_}) {
         const auto first = found.problems.begin() + static_cast<std::ptrdiff_t>(found.warnings);
         found.problems.insert(first, problems->begin(), problems->end());

@@ -63,6 +63,19 @@ TEST_F(ProjectScripts, ofTheTemplateAreValidAndWrittenAsTheEditorDoes) {
               std::string::npos);
 }
 
+TEST_F(ProjectScripts, withAHandlerOfAnotherNameAreNotValid) {
+    const std::string lift = "local Lift = script {}\nfunction Lift:onTik() end\nreturn Lift\n";
+    ASSERT_TRUE(writeFile(folder / "scripts/lift.lua", lift).ok());
+    open();
+    testing::internal::CaptureStdout();
+    const int code = session->validate();
+    const std::string text = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(code, 1);
+    EXPECT_NE(text.find("scripts/lift.lua: the engine does not call \"onTik\"; name the function onTick"),
+              std::string::npos)
+        << text;
+}
+
 TEST_F(ProjectScripts, ofTheTemplateWalkJumpTakeCoinsAndComeBack) {
     workspace().startPlaying(true);
     play(60, {});
