@@ -136,16 +136,16 @@ void drawOptions(const OptionsMenu& menu, LabelDrawing& labels, DrawList& list) 
 }
 
 void drawNotice(std::string_view text, LabelDrawing& labels, DrawList& list) {
-    constexpr float kBorder = 6.0f;  // px, around the text
+    constexpr float kTextMargin = 6.0f;  // px, around the text
     const Vec2 screen = list.view().size;
     TextStyle style;
     style.shape.size = kTextSize;
     style.shape.align = TextAlign::Center;
-    style.shape.wrapWidth = screen.x - 4.0f * kBorder;
+    style.shape.wrapWidth = screen.x - 4.0f * kTextMargin;
     style.color = kAccent;
     style.layer = kTextLayer;
-    const float height = labels.write(text, {screen.x * 0.5f, kBorder}, style, list).y;
-    list.filledRect({{}, {screen.x, height + 2.0f * kBorder}}, kBack, kPanelLayer);
+    const float height = labels.write(text, {screen.x * 0.5f, kTextMargin}, style, list).y;
+    list.filledRect({{}, {screen.x, height + 2.0f * kTextMargin}}, kBack, kPanelLayer);
 }
 
 }  // namespace plumb
