@@ -175,7 +175,8 @@ int playProject(const PlayerOptions& asked, const Module& code) {
         listEffects(game, options);
         return 0;
     }
-    const int exitCode = GameLoop{game, screen.get(), options, game.project().name, &content}.run();
+    GameContent* edited = options.exportedAs.empty() ? &content : nullptr;  // an export has no files to edit
+    const int exitCode = GameLoop{game, screen.get(), options, game.project().name, edited}.run();
     screen.reset();  // before the assets that its textures refer to
     return exitCode;
 }

@@ -19,28 +19,21 @@ void append(std::string& out, const std::vector<Binding>& bindings) {
     }
 }
 
-/// Returns the element of this name; null if there is none.
-template <class Named>
-const Named* named(const std::vector<Named>& list, std::string_view name) {
-    const auto at =
-        std::find_if(list.begin(), list.end(), [&](const Named& each) { return each.name == name; });
-    return at != list.end() ? &*at : nullptr;
-}
-
 }  // namespace
 
 bool appendKey(const World& world, std::string_view name, std::string& out) {
     const Input* input = world.findResource<Input>();
     if (input == nullptr) return false;
-    if (const ActionBindings* action = named(input->map().actions, name)) {
-        append(out, action->bindings);
+    const ActionMap& map = input->map();
+    if (const int action = map.find(Action{name}); action >= 0) {
+        append(out, map.actions[static_cast<std::size_t>(action)].bindings);
         return true;
     }
-    const AxisBindings* axis = named(input->map().axes, name);
-    if (axis == nullptr) return false;
-    append(out, axis->negative);
+    const int axis = map.find(Axis{name});
+    if (axis < 0) return false;
+    append(out, map.axes[static_cast<std::size_t>(axis)].negative);
     out.append("/");
-    append(out, axis->positive);
+    append(out, map.axes[static_cast<std::size_t>(axis)].positive);
     return true;
 }
 
