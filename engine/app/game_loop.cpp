@@ -185,7 +185,8 @@ void GameLoop::handleEvents() {
     }
     for (const Event& event : pending_) {
         if (event.kind == EventKind::Quit) quit();
-        const bool isOfView = options_.physicsView.handle(event);
+        // An exported game shows its physics only if its command line asks for it.
+        const bool isOfView = options_.exportedAs.empty() && options_.physicsView.handle(event);
         if (isOfView && options_.physicsView.on)
             logNote("Engine",
                     "Physics view on: Ctrl+digit and Ctrl+Shift+digit toggle layers, F3 turns it off");

@@ -134,14 +134,15 @@ bool Window::hasDisplay() const { return !drawsIntoMemory(); }
 
 void Window::setTitle(const std::string& title) { SDL_SetWindowTitle(parts_->window, title.c_str()); }
 void Window::setSize(int width, int height) {
+    const PixelSize before = size();
     SDL_SetWindowSize(parts_->window, width, height);
     SDL_Rect area{};
     const int display = hasDisplay() ? SDL_GetWindowDisplayIndex(parts_->window) : -1;
     if (display < 0 || SDL_GetDisplayUsableBounds(display, &area) != 0) return;
     int x = 0, y = 0;
     SDL_GetWindowPosition(parts_->window, &x, &y);
-    const int left = std::max(area.x, std::min(x, area.x + area.w - width));
-    const int top = std::max(area.y, std::min(y, area.y + area.h - height));
+    const int left = std::max(area.x, std::min(x + (before.width - width) / 2, area.x + area.w - width));
+    const int top = std::max(area.y, std::min(y + (before.height - height) / 2, area.y + area.h - height));
     if (left != x || top != y) SDL_SetWindowPosition(parts_->window, left, top);
 }
 PixelSize Window::largestSize() const {

@@ -69,7 +69,7 @@ public:
     [[nodiscard]] bool hasDisplay() const;  ///< false if it only draws into memory
 
     void setTitle(const std::string& title);
-    /// Moves the window, too, if it would leave its display.
+    /// The window keeps its centre unless it would leave its display.
     void setSize(int width, int height);
     void setFullscreen(bool on);
     [[nodiscard]] bool fullscreen() const;

@@ -10,7 +10,7 @@ shift 3
 case $target in
     web)
         command -v node >/dev/null || { echo "node is not installed" >&2; exit 3; }
-        exec node "$here/web/play_in_node.js" "$folder" "$@"
+        exec node "$here/play_in_node.js" "$folder" "$@"
         ;;
     windows)
         command -v wine >/dev/null || { echo "wine is not installed" >&2; exit 3; }

@@ -19,12 +19,7 @@ say() { printf 'plumb: %s\n' "$*" >&2; }
 fail() { printf 'plumb: %s\n' "$*" >&2; exit 1; }
 
 mkdir -p "$made"
-if [ "$target" = web ]; then
-    # Debian freezes the cache of emscripten; a copy of it may grow.
-    export EM_CACHE=$cache/emscripten EM_FROZEN_CACHE=0
-    export NODE_PATH=/usr/share/nodejs  # acorn; a node that is not Debian's does not look there
-    [ -d "$EM_CACHE" ] || cp -r /usr/share/emscripten/cache "$EM_CACHE"
-fi
+[ "$target" != web ] || . "$here/web/emscripten.sh"
 
 # The headers and libraries of an older Linux, with what the compiler of this computer wants beyond them.
 make_sysroot() {

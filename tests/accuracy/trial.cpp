@@ -11,8 +11,6 @@
 
 namespace plumb::accuracy {
 
-namespace {}  // namespace
-
 Trial::Trial(const Method& method, Vec2 gravity, CountAllocations count) : method_{method}, count_{count} {
     const scenes::WorldSetup setup{.gravity = gravity, .sleeping = false};
     if (method.peer != nullptr) {
@@ -66,6 +64,7 @@ void Trial::run(double seconds, const std::function<void(double)>& look) {
     if (steps_ == 0) {
         scene_->finish();
         if (plumb_ != nullptr) start_ = world();
+        if (watcher_) watcher_(*this);
     }
     const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(kTick)));
     allocated_ = 0;
@@ -82,6 +81,7 @@ void Trial::run(double seconds, const std::function<void(double)>& look) {
         if (plumb_ == nullptr && steps_ % 8 == 0 && scenes::isLost(*scene_)) lost_ = true;
         if (lost_) return;
         if (!(fastest() < Metrics::kRest)) moved_ = time_;
+        if (watcher_) watcher_(*this);
         if (look) look(time_);
     }
 }

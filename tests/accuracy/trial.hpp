@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,8 @@ public:
 
     /// Sets a function that is called before each step with the start time of the step, s, to apply forces.
     void drive(std::function<void(double)> push) { push_ = std::move(push); }
+    /// Sets a function that is called before the first step and after each step.
+    void watch(std::function<void(const Trial&)> watcher) { watcher_ = std::move(watcher); }
     /// Simulates; calls `look` after each step with the time since the start of the trial, s.
     void run(double seconds, const std::function<void(double)>& look = {});
     void report(std::string name, double error, std::string unit, double target);  ///< adds a Finding
@@ -98,6 +101,7 @@ public:
     /// Mean time of a step, µs, without the slowest 2 % of
     /// the steps, which include other work of the machine.
     [[nodiscard]] double microsPerStep() const;
+    [[nodiscard]] std::span<const double> stepTimes() const { return spent_; }  ///< wall time of each step, s
     [[nodiscard]] Metrics metrics() const;
     [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
     /// Returns the world before its first step; empty for other engines.
@@ -108,7 +112,8 @@ private:
     std::unique_ptr<scenes::SceneBuilder> scene_;
     scenes::PlumbWorld* plumb_ = nullptr;  ///< scene_ if it is Plumb's, else null
     CountAllocations count_ = nullptr;
-    std::function<void(double)> push_;  ///< set by drive()
+    std::function<void(double)> push_;           ///< set by drive()
+    std::function<void(const Trial&)> watcher_;  ///< set by watch()
     std::optional<physics::World> start_;
     std::vector<Finding> findings_;
     double time_ = 0.0;   ///< simulated time, s

@@ -1,10 +1,13 @@
 #include "app/game_loop.hpp"
 
 #include <filesystem>
+#include <memory>
 
+#include <SDL2/SDL.h>
 #include <gtest/gtest.h>
 
 #include "app/recording/replay_choice.hpp"
+#include "app/screen.hpp"
 #include "app/sound_place.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
@@ -150,6 +153,42 @@ TEST(Recording, ofAnotherProjectIsRefused) {
     std::filesystem::remove(file);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().what, "it was recorded by the project \"Sky Caves\", and this is \"Deep Sea\"");
+}
+
+/// Presses F3 in its fifth tick.
+class PressesF3 : public Game {
+public:
+    int pressed = 0;  ///< ticks in which the game has seen the key
+
+private:
+    void onUpdate(float) override {
+        if (world.tick == 5) {
+            SDL_Event event{};
+            event.type = SDL_KEYDOWN;
+            event.key.keysym.scancode = SDL_SCANCODE_F3;
+            event.key.keysym.sym = SDLK_F3;
+            SDL_PushEvent(&event);
+        }
+        if (input.isPressed(Key::F3)) ++pressed;
+    }
+};
+
+TEST(GameLoop, anExportedGameKeepsF3WhichShowsThePhysicsElsewhere) {
+    const Result<std::unique_ptr<Screen>> screen = Screen::open({"test", 320, 180, false, {320.0f, 180.0f}});
+    ASSERT_TRUE(screen) << screen.error().text();
+    for (const std::string_view exportedAs : {"", "My Game"}) {
+        int shown = 0;
+        const LogSink before =
+            setLogSink([&](const LogLine& line) { shown += line.text.find("Physics view on") == 0 ? 1 : 0; });
+        PressesF3 game;
+        PlayerOptions options;
+        options.frames = 20;
+        options.exportedAs = exportedAs;
+        EXPECT_EQ((GameLoop{game, screen->get(), options, "P"}.run()), 0);
+        setLogSink(before);
+        EXPECT_EQ(shown, exportedAs.empty() ? 1 : 0);
+        EXPECT_EQ(game.pressed, 15) << "it is a key of the game, too";
+    }
 }
 
 }  // namespace

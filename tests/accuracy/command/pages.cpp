@@ -32,6 +32,15 @@ std::string escaped(std::string_view text) {
     return safe;
 }
 
+std::string quotedForJson(std::string_view value) {
+    std::string result = "\"";
+    for (const char c : value) {
+        if (c == '"' || c == '\\') result += '\\';
+        if (static_cast<unsigned char>(c) >= 0x20) result += c;
+    }
+    return result + "\"";
+}
+
 std::string tablePage(std::string_view title, std::string_view body) {
     return format(
         "<!doctype html><html lang=\"en\"><meta "

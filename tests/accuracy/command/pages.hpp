@@ -10,6 +10,9 @@ namespace plumb::accuracy {
 /// Escapes text for XML and HTML.
 std::string escaped(std::string_view text);
 
+/// Returns a JSON string, with its quotes. Control characters are left out.
+std::string quotedForJson(std::string_view text);
+
 /// Returns a self-contained HTML page of tables; uses dark colors on a dark desktop.
 /// @param body  HTML; cells of the classes "good" and "bad" are green and red
 std::string tablePage(std::string_view title, std::string_view body);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/text.hpp"
+#include "tests/accuracy/command/pages.hpp"
 
 namespace plumb::accuracy {
 
@@ -58,15 +59,6 @@ std::string quotedForCsv(const std::string& value) {
     for (const char c : value) {
         if (c == '"') result += '"';
         result += c;
-    }
-    return result + "\"";
-}
-
-std::string quotedForJson(std::string_view value) {
-    std::string result = "\"";
-    for (const char c : value) {
-        if (c == '"' || c == '\\') result += '\\';
-        if (static_cast<unsigned char>(c) >= 0x20) result += c;
     }
     return result + "\"";
 }
