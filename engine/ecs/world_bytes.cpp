@@ -14,7 +14,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormat = 3;
 
 Error notAState() {
     return {"saved game", "the state in it is damaged or was written by another version of the engine",

@@ -21,9 +21,10 @@
 #include "script/values/self.hpp"
 #include "script/values/value_archive.hpp"
 
-// The scripts of a saved game: first the instances, then for each file the upvalues of its functions, i.e.
-// its local variables and the table of its global ones, by name, then the pairs of the `self` tables and of
-// all tables that these or upvalues contain.
+// The scripts of a saved game: first the instances, then what each file has returned, and all values that are
+// reached from it, i.e. the upvalues of its functions, which are its local variables and the table of its
+// global ones. Last those of the `self` tables: tables that both contain are found by their places in the
+// files.
 
 namespace plumb {
 namespace {
@@ -31,61 +32,27 @@ namespace {
 using script::ValueReader;
 using script::ValueWriter;
 
-/// Writes the upvalues of the functions of the table on top of the stack.
-void writeFunctions(lua_State* state, StateArchive& archive, ValueWriter& values) {
-    std::vector<std::string> names = script::functionNames(state);
-    archive.count(names.size());
+/// Visits what each file has returned, in the order of their names: calls visit(name) with it on top of the
+/// stack.
+template <class Visit>
+void eachResult(lua_State* state, Visit visit) {
+    std::vector<std::string> names;
+    script::pushFileResults(state);
+    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1))
+        names.push_back(script::textAt(state, -2));
+    std::sort(names.begin(), names.end());
     for (std::string& name : names) {
-        archive.text(name);
         lua_getfield(state, -1, name.c_str());
-        for (int i = 1; const char* upvalue = lua_getupvalue(state, -1, i); ++i) {
-            std::string text = values.canWrite(-1) ? upvalue : "";
-            if (!text.empty()) {
-                archive.text(text);
-                values.write(-1);
-            }
-            lua_pop(state, 1);
-        }
-        std::string none;
-        archive.text(none);
+        visit(name);
         lua_pop(state, 1);
     }
+    lua_pop(state, 1);
 }
 
-/// Finds an upvalue of the function on top of the stack and pushes it. @return 0 if there is none
-int upvalueNamed(lua_State* state, const std::string& name) {
-    for (int i = 1; const char* upvalue = lua_getupvalue(state, -1, i); ++i) {
-        if (name == upvalue) return i;
-        lua_pop(state, 1);
-    }
-    return 0;
-}
-
-/// Reads upvalues of functions of the table on top of the stack.
-void readFunctions(lua_State* state, StateArchive& archive, ValueReader& values) {
-    const std::size_t count = archive.count(0);
-    for (std::size_t i = 0; i < count && archive.ok(); ++i) {
-        std::string function, name;
-        archive.text(function);
-        const bool exists = lua_getfield(state, -1, function.c_str()) == LUA_TFUNCTION;
-        for (archive.text(name); !name.empty() && archive.ok(); archive.text(name)) {
-            const int place = exists ? upvalueNamed(state, name) : 0;
-            const bool fills = place != 0 && lua_istable(state, -1) != 0;
-            values.read(fills ? lua_gettop(state) : 0);
-            if (place == 0) {
-                lua_pop(state, 1);
-                continue;
-            }
-            lua_remove(state, -2);
-            if (lua_setupvalue(state, -2, place) == nullptr) lua_pop(state, 1);
-        }
-        lua_pop(state, 1);
-    }
-}
-
-/// Writes the scripts, without files that have no component: what others have of them are values of theirs.
 void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptState::Loaded> loaded) {
     std::erase_if(loaded, [](const ScriptState::Loaded& script) { return script.table == 0; });
+    lua_newtable(state);
+    ValueWriter values{state, archive, lua_gettop(state)};
     archive.count(loaded.size());
     for (ScriptState::Loaded& script : loaded) {
         archiveKey(archive, script.type);
@@ -95,28 +62,22 @@ void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptSta
             std::uint32_t scene = instance.scene;
             archive.value(entity);
             archive.number(scene);
+            lua_rawgeti(state, LUA_REGISTRYINDEX, instance.self);
+            values.name(-1);
+            lua_pop(state, 1);
         }
     }
-    lua_newtable(state);
-    ValueWriter values{state, archive, lua_gettop(state)};
-    const auto eachTable = [&](auto visit) {
-        for (const ScriptState::Loaded& script : loaded) visit(script.table);
-    };
-    const auto eachSelf = [&](auto visit) {
-        for (const ScriptState::Loaded& script : loaded) {
-            for (const ScriptState::Instance& instance : script.instances) visit(instance.self);
-        }
-    };
-    const auto with = [&](int ref, auto visit) {
-        lua_rawgeti(state, LUA_REGISTRYINDEX, ref);
-        visit();
-        lua_pop(state, 1);
-    };
-    eachTable([&](int ref) { with(ref, [&] { values.name(-1); }); });
-    const std::uint32_t firstSelf = values.count();
-    eachSelf([&](int ref) { with(ref, [&] { values.name(-1); }); });
-    eachTable([&](int ref) { with(ref, [&] { writeFunctions(state, archive, values); }); });
-    values.writeTables(firstSelf);
+    const std::uint32_t selves = values.count();
+    eachResult(state, [&](std::string& name) {
+        archive.text(name);
+        values.write(-1);
+    });
+    std::string none;
+    archive.text(none);
+    values.writeContents(selves);
+    const std::uint32_t ofFiles = values.count();
+    if (selves > 0) values.writeContents(0, selves);
+    values.writeContents(ofFiles);
 }
 
 /// Writes the scripts. That needs memory of Lua, of a copy of the state: World::toBytes() copies resources.
@@ -209,24 +170,23 @@ void pushSelf(lua_State* state, World& world, const SavedScript& saved, ScriptSt
     saved.script->add(instance);
 }
 
+/// Reads what the files have returned, into what they return in this version of the game.
+void readResults(lua_State* state, StateArchive& archive, ValueReader& values) {
+    pushFileResults(state);
+    std::string name;
+    for (archive.text(name); !name.empty() && archive.ok(); archive.text(name)) {
+        lua_getfield(state, -1, name.c_str());
+        values.read(lua_gettop(state));
+        lua_pop(state, 2);
+    }
+    lua_pop(state, 1);
+}
+
 void read(lua_State* state, World& world, ScriptState& scripts, StateArchive& archive) {
     const std::vector<SavedScript> saved = readInstances(archive, scripts);
     if (!archive.ok()) return;
     lua_newtable(state);
     ValueReader values{state, archive, lua_gettop(state)};
-    const auto eachTable = [&](auto visit) {
-        for (const SavedScript& each : saved) {
-            if (each.script != nullptr) {
-                lua_rawgeti(state, LUA_REGISTRYINDEX, each.script->table);
-            } else {
-                lua_newtable(state);
-            }
-            visit();
-            lua_pop(state, 1);
-        }
-    };
-    eachTable([&] { values.name(-1); });
-    const std::uint32_t firstSelf = values.count();
     for (const SavedScript& each : saved) {
         for (const ScriptState::Instance& instance : each.instances) {
             pushSelf(state, world, each, instance);
@@ -234,8 +194,13 @@ void read(lua_State* state, World& world, ScriptState& scripts, StateArchive& ar
             lua_pop(state, 1);
         }
     }
-    eachTable([&] { readFunctions(state, archive, values); });
-    values.readTables(firstSelf);
+    const std::uint32_t selves = values.count();
+    readResults(state, archive, values);
+    values.readContents(selves);
+    const std::uint32_t ofFiles = values.count();
+    if (selves > 0) values.readContents(0, selves);
+    values.readContents(ofFiles);
+    values.setMetatables();
 }
 
 }  // namespace

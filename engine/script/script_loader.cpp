@@ -106,7 +106,7 @@ void openScripts(lua_State* state) {
 bool runFile(lua_State* state, const ScriptSet& files, std::string_view name) {
     lua_pushlightuserdata(state, const_cast<ScriptSet*>(&files));
     lua_rawsetp(state, LUA_REGISTRYINDEX, &kFiles);
-    lua_rawgetp(state, LUA_REGISTRYINDEX, &kResults);
+    pushFileResults(state);
     const int results = lua_gettop(state);
     lua_pushlstring(state, name.data(), name.size());
     lua_rawget(state, results);
@@ -156,12 +156,14 @@ bool runFile(lua_State* state, const ScriptSet& files, std::string_view name) {
 }
 
 void forgetFile(lua_State* state, std::string_view name) {
-    lua_rawgetp(state, LUA_REGISTRYINDEX, &kResults);
+    pushFileResults(state);
     lua_pushlstring(state, name.data(), name.size());
     lua_pushnil(state);
     lua_rawset(state, -3);
     lua_pop(state, 1);
 }
+
+void pushFileResults(lua_State* state) { lua_rawgetp(state, LUA_REGISTRYINDEX, &kResults); }
 
 std::vector<std::string> functionNames(lua_State* state) {
     std::vector<std::string> names;

@@ -29,6 +29,9 @@ bool runFile(lua_State* state, const ScriptSet& files, std::string_view name);
 /// Makes the next runFile() run a file again.
 void forgetFile(lua_State* state, std::string_view name);
 
+/// Pushes the table of what each file has returned, by name; false while it runs.
+void pushFileResults(lua_State* state);
+
 /// Returns the names of the functions of the table on top of the stack, in the order of their bytes.
 std::vector<std::string> functionNames(lua_State* state);
 

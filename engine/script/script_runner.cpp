@@ -23,6 +23,7 @@
 #include "script/script_observer.hpp"
 #include "script/script_set.hpp"
 #include "script/script_values.hpp"
+#include "script/values/function_places.hpp"
 #include "script/values/self.hpp"
 
 namespace plumb {
@@ -149,6 +150,7 @@ void ScriptRunner::load() {
         lua_rawgeti(state_, LUA_REGISTRYINDEX, script.table);
         script::defineSelf(state_, *type);
     }
+    script::noteFunctions(state_);
     for (const std::size_t i : reloaded) reset(scripts_.loaded[i]);
     scripts_.typesVersion = set_.version();
 }

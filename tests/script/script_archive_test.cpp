@@ -192,6 +192,114 @@ return Thing)"},
     EXPECT_EQ(logText(), "");
 }
 
+// Where functions and variables of scripts are, see docs/shipping.md: each adds to `sum` in a way of its own.
+TEST_F(ScriptArchive, keepsVariablesOfFunctionsThatOthersCall) {
+    use({{"score", R"(
+local total = 0
+local score = { points = { each = 1 } }
+function score.add() total = total + score.points.each return total end
+return score)"},
+         {"thing", R"(
+local score = require "score"
+local Thing = script { sum = integer { 0 } }
+local n = 0
+local function add() n = n + 1 return n end
+local function addDeeper() return add() end
+Thing.total = 0
+helpers = {}
+function helpers.add() calls = (calls or 0) + 1 return calls end
+function Thing:onTick()
+    Thing.total = Thing.total + 1
+    score.points.each = 1
+    self.sum = addDeeper() * 1000000 + Thing.total * 10000 + score.add() * 100 + helpers.add()
+end
+return Thing)"}});
+    ASSERT_TRUE(problems.empty()) << problems[0].text();
+    const EntityId entity = add("Thing");
+    run(5);
+    const std::string bytes = saved();
+    run(7);
+    load(bytes);
+    run();
+    EXPECT_EQ(property<int>(entity, "sum"), 6060606);
+    EXPECT_EQ(logText(), "");
+}
+
+constexpr const char* kStates = R"(
+local Thing = script { sum = integer { 0 } }
+local Ball = { speed = 2 }
+Ball.__index = Ball
+function Ball:move() self.x = self.x + self.speed end
+local states = {
+    idle = { enter = function(self) self.sum = self.sum + 1 return "run" end },
+    run = { enter = function(self) self.sum = self.sum + 100 return "run" end }
+}
+local update = nil
+local function slow(self) self.sum = self.sum + 10000 end
+local function fast(self) self.sum = self.sum + 1000000 end
+function Thing:onTick()
+    self.state = self.state or states.idle
+    self.state = states[self.state.enter(self)]
+    self.round = self.round or math.floor
+    self.input = self.input or input
+    self.ball = self.ball or setmetatable({ x = 0 }, Ball)
+    self.ball:move()
+    update = update and fast or slow
+    update(self)
+    assert(self.round(1.5) == 1 and self.input == input and not self.input:isPressed("None"))
+    assert(self.state == states.run and self.ball.x % 2 == 0 and getmetatable(self.ball) == Ball)
+end
+return Thing)";
+
+TEST_F(ScriptArchive, keepsFunctionsOfFilesWhereverTheyAre) {
+    use({{"thing", kStates}});
+    ASSERT_TRUE(problems.empty()) << problems[0].text();
+    const EntityId entity = add("Thing");
+    for (const int ticks : {1, 2, 5}) {
+        run(ticks);
+        const int sum = property<int>(entity, "sum");
+        const std::string bytes = saved();
+        run(3);
+        const int after = property<int>(entity, "sum");
+        load(bytes);
+        ASSERT_EQ(property<int>(entity, "sum"), sum);
+        run(3);
+        EXPECT_EQ(property<int>(entity, "sum"), after);
+        EXPECT_EQ(logText(), "");
+    }
+}
+
+TEST_F(ScriptArchive, addsFunctionsOfALaterVersionToTablesOfAnEarlierOne) {
+    constexpr const char* kText = R"(
+local Thing = script { sum = integer { 0 } }
+local states = { idle = { enter = function(self) self.sum = self.sum + 1 end }, list = { 1, 2, 3 } NEW }
+function Thing:onTick()
+    table.remove(states.list)
+    states.idle.enter(self)
+    if states.run then states.run.enter(self) states.idle.leave(self) end
+    self.sum = self.sum + 1000 * #states.list
+end
+return Thing)";
+    const auto with = [&](std::string_view added) {
+        std::string text{kText};
+        text.replace(text.find("NEW"), 3, added);
+        use({{"thing", text}});
+        ASSERT_TRUE(problems.empty()) << problems[0].text();
+    };
+    with("");
+    const EntityId entity = add("Thing");
+    run();
+    EXPECT_EQ(property<int>(entity, "sum"), 2001);
+    const std::string bytes = saved();
+    with(R"(, run = { enter = function(self) self.sum = self.sum + 10 end } }
+            states.idle.leave = function(self) self.sum = self.sum + 100 end
+            local other = { 1 )");
+    load(bytes);
+    run();
+    EXPECT_EQ(property<int>(entity, "sum"), 2001 + 111 + 1000);
+    EXPECT_EQ(logText(), "");
+}
+
 TEST_F(ScriptArchive, callsOnLoadOnceWhenTheScriptMayRun) {
     const EntityId paused = thing(R"(
         function Thing:onTick() assert(not self.ticks or self.loads > 0) self.ticks = 1 end

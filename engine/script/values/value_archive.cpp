@@ -10,29 +10,67 @@
 #include "reflect/type_registry.hpp"
 #include "script/script_context.hpp"
 #include "script/script_entity.hpp"
+#include "script/script_source.hpp"
 #include "script/script_vector.hpp"
 #include "script/values/component.hpp"
+#include "script/values/function_places.hpp"
 #include "script/values/userdata.hpp"
 
 namespace plumb::script {
 namespace {
 
-enum Tag : std::uint32_t { End, Nil, False, True, Integer, Number, Text, Vector, Entity, Component, Table };
+enum Tag : std::uint32_t {
+    End,
+    Nil,
+    False,
+    True,
+    Integer,
+    Number,
+    Text,
+    Vector,
+    Entity,
+    Component,
+    Table,
+    Place
+};
 
 BlockKind kindAt(lua_State* state, int index) {
     const auto* block = static_cast<const BlockKind*>(lua_touserdata(state, index));
     return block == nullptr ? BlockKind{} : *block;
 }
 
+/// Index of the metatable of a table among the objects of a reader.
+lua_Integer metatableOf(std::uint32_t number) { return -lua_Integer{number} - 1; }
+
+/// True if scripts can see the metatable of the table at an index, and set it: pushes it.
+bool pushMetatable(lua_State* state, int index) {
+    if (lua_getmetatable(state, index) == 0) return false;
+    lua_pushliteral(state, "__metatable");
+    const bool isHidden = lua_rawget(state, -2) != LUA_TNIL;
+    lua_pop(state, isHidden ? 2 : 1);
+    return !isHidden;
+}
+
+bool hasFunction(lua_State* state, int table) {
+    for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
+        if (lua_isfunction(state, -1) == 0) continue;
+        lua_pop(state, 2);
+        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
-bool ValueWriter::canWrite(int index) const {
+bool ValueWriter::canWrite(int index) {
     switch (lua_type(state_, index)) {
         case LUA_TNIL:
         case LUA_TBOOLEAN:
         case LUA_TNUMBER:
         case LUA_TSTRING:
         case LUA_TTABLE: return true;
+        case LUA_TFUNCTION:
+            return numbers_.contains(lua_topointer(state_, index)) || !functionPlace(state_, index).empty();
         case LUA_TUSERDATA: {
             const BlockKind kind = kindAt(state_, index);
             return kind == BlockKind::Vector || kind == BlockKind::Entity || kind == BlockKind::Component;
@@ -44,7 +82,7 @@ bool ValueWriter::canWrite(int index) const {
 void ValueWriter::name(int index) {
     numbers_.emplace(lua_topointer(state_, index), count_);
     lua_pushvalue(state_, index);
-    lua_rawseti(state_, tables_, lua_Integer{++count_});
+    lua_rawseti(state_, objects_, lua_Integer{++count_});
 }
 
 void ValueWriter::write(int at) {
@@ -65,12 +103,8 @@ void ValueWriter::write(int at) {
             tag(Text);
             return archive_.text(copy);
         }
-        case LUA_TTABLE: {
-            if (!numbers_.contains(lua_topointer(state_, index))) name(index);
-            tag(Table);
-            std::uint32_t number = numbers_.at(lua_topointer(state_, index));
-            return archive_.number(number);
-        }
+        case LUA_TTABLE:
+        case LUA_TFUNCTION: return writeObject(index);
         case LUA_TUSERDATA: break;
         default: return tag(Nil);
     }
@@ -92,15 +126,34 @@ void ValueWriter::write(int at) {
     archive_.value(entity);
 }
 
-void ValueWriter::writeTables(std::uint32_t first) {
-    for (std::uint32_t number = first; number < count_; ++number) {
-        lua_rawgeti(state_, tables_, lua_Integer{number} + 1);
-        writePairs(lua_gettop(state_));
+/// Writes the number of a table or function, and its place if it has one and is met for the first time.
+void ValueWriter::writeObject(int index) {
+    const auto known = numbers_.find(lua_topointer(state_, index));
+    std::uint32_t number = known != numbers_.end() ? known->second : count_;
+    std::string place = known != numbers_.end() ? std::string{} : functionPlace(state_, index);
+    if (known == numbers_.end()) name(index);
+    if (!place.empty()) atPlaces_.insert(number);
+    tag(place.empty() ? Table : Place);
+    archive_.number(number);
+    if (!place.empty()) archive_.text(place);
+}
+
+void ValueWriter::writeContents(std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t number = first; number < (end != 0 ? end : count_); ++number) {
+        lua_rawgeti(state_, objects_, lua_Integer{number} + 1);
+        const int index = lua_gettop(state_);
+        atPlaces_.contains(number) ? writeUpvalues(index) : writePairs(index);
         lua_pop(state_, 1);
     }
 }
 
 void ValueWriter::writePairs(int index) {
+    if (pushMetatable(state_, index)) {
+        write(-1);
+        lua_pop(state_, 1);
+    } else {
+        tag(Nil);
+    }
     for (lua_pushnil(state_); lua_next(state_, index) != 0; lua_pop(state_, 1)) {
         if (!canWrite(-2) || !canWrite(-1)) continue;
         write(-2);
@@ -109,44 +162,112 @@ void ValueWriter::writePairs(int index) {
     tag(End);
 }
 
-void ValueReader::name(int index) {
-    lua_pushvalue(state_, index);
-    lua_rawseti(state_, tables_, lua_Integer{++count_});
+/// Of something else than a function of a file, which has none that count, writes none.
+void ValueWriter::writeUpvalues(int index) {
+    const bool isOfFile = lua_isfunction(state_, index) != 0 && lua_iscfunction(state_, index) == 0;
+    for (int i = 1; const char* name = isOfFile ? lua_getupvalue(state_, index, i) : nullptr; ++i) {
+        std::string text = name != kBudget && canWrite(-1) ? name : "";
+        if (!text.empty()) {
+            archive_.text(text);
+            write(-1);
+        }
+        lua_pop(state_, 1);
+    }
+    std::string none;
+    archive_.text(none);
 }
 
-void ValueReader::readTables(std::uint32_t first) {
-    for (std::uint32_t number = first; number < count_ && archive_.ok(); ++number) {
-        lua_rawgeti(state_, tables_, lua_Integer{number} + 1);
-        clear(lua_gettop(state_));
-        readPairs(lua_gettop(state_));
-        lua_pop(state_, 1);
+void ValueReader::name(int index) {
+    if (lua_istable(state_, index) != 0) named_.insert(lua_topointer(state_, index));
+    lua_pushvalue(state_, index);
+    lua_rawseti(state_, objects_, lua_Integer{++count_});
+}
+
+void ValueReader::readContents(std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t number = first; number < (end != 0 ? end : count_) && archive_.ok(); ++number) {
+        lua_rawgeti(state_, objects_, lua_Integer{number} + 1);
+        const int index = lua_gettop(state_);
+        if (atPlaces_.contains(number)) {
+            readUpvalues(index);
+        } else {
+            read();
+            lua_rawseti(state_, objects_, metatableOf(number));
+            readPairs(index);
+        }
+        lua_settop(state_, index - 1);
     }
 }
 
-/// Removes the values of a table, except functions.
-void ValueReader::clear(int index) {
+/// Moves the values of a table to the table at `former`.
+void ValueReader::empty(int index, int former) {
     for (lua_pushnil(state_); lua_next(state_, index) != 0;) {
-        const bool isFunction = lua_isfunction(state_, -1) != 0;
-        lua_pop(state_, 1);
-        if (isFunction) continue;
+        lua_pushvalue(state_, -2);
+        lua_insert(state_, -2);
+        lua_rawset(state_, former);
         lua_pushvalue(state_, -1);
         lua_pushnil(state_);
         lua_rawset(state_, index);
     }
 }
 
+/// Puts functions, and tables that have some, back where there is nothing now.
+void ValueReader::putBack(int index, int former) {
+    for (lua_pushnil(state_); lua_next(state_, former) != 0; lua_pop(state_, 1)) {
+        const bool isTable = lua_istable(state_, -1) != 0;
+        if (lua_isfunction(state_, -1) == 0 && !(isTable && hasFunction(state_, lua_gettop(state_))))
+            continue;
+        lua_pushvalue(state_, -2);
+        const bool isReplaced = lua_rawget(state_, index) != LUA_TNIL;
+        lua_pop(state_, 1);
+        if (isReplaced) continue;
+        lua_pushvalue(state_, -2);
+        lua_pushvalue(state_, -2);
+        lua_rawset(state_, index);
+    }
+}
+
 void ValueReader::readPairs(int index) {
+    lua_newtable(state_);
+    const int former = lua_gettop(state_);
+    empty(index, former);
     for (std::uint32_t tag = nextTag(); tag != End && archive_.ok(); tag = nextTag()) {
         readTagged(tag, 0);
-        readTagged(nextTag(), 0);
-        const bool isNaN = lua_type(state_, -2) == LUA_TNUMBER && lua_rawequal(state_, -2, -2) == 0;
+        const bool isNaN = lua_type(state_, -1) == LUA_TNUMBER && lua_rawequal(state_, -1, -1) == 0;
         if (isNaN) archive_.fail();
         // A key may be gone: the handle of a component of an entity that was destroyed. Its pair is, too.
-        if (isNaN || lua_isnil(state_, -2) != 0) {
+        const bool isGone = isNaN || lua_isnil(state_, -1) != 0;
+        lua_pushvalue(state_, -1);
+        lua_rawget(state_, former);
+        readTagged(nextTag(), lua_gettop(state_));
+        lua_remove(state_, -2);
+        if (isGone || lua_isnil(state_, -1) != 0) {
             lua_pop(state_, 2);
         } else {
             lua_rawset(state_, index);
         }
+    }
+    putBack(index, former);
+}
+
+/// @param index  of the function; another value: this version of the game does not have it
+void ValueReader::readUpvalues(int index) {
+    std::string name;
+    for (archive_.text(name); !name.empty() && archive_.ok(); archive_.text(name)) {
+        const int place = pushUpvalue(state_, index, name);
+        if (place == 0) lua_pushnil(state_);
+        read(lua_gettop(state_));
+        if (place == 0 || lua_setupvalue(state_, index, place) == nullptr) lua_pop(state_, 1);
+        lua_pop(state_, 1);
+    }
+}
+
+void ValueReader::setMetatables() {
+    for (std::uint32_t number = 0; number < count_; ++number) {
+        lua_getglobal(state_, "setmetatable");  // refuses what scripts may not use
+        lua_rawgeti(state_, objects_, lua_Integer{number} + 1);
+        const bool has = lua_rawgeti(state_, objects_, metatableOf(number)) != LUA_TNIL;
+        if (has && lua_pcall(state_, 2, 0, 0) != LUA_OK) archive_.fail();
+        lua_settop(state_, objects_);
     }
 }
 
@@ -193,6 +314,7 @@ void ValueReader::readTagged(std::uint32_t tag, int into) {
             return pushComponent(state_, entity, *type);
         }
         case Table: return readTable(into);
+        case Place: return readAtPlace();
         case Nil: return lua_pushnil(state_);
         default: break;
     }
@@ -207,12 +329,28 @@ void ValueReader::readTable(int into) {
         archive_.fail();
         return lua_pushnil(state_);
     }
-    if (number < count_) return static_cast<void>(lua_rawgeti(state_, tables_, lua_Integer{number} + 1));
-    if (into != 0) {
+    if (number < count_) return static_cast<void>(lua_rawgeti(state_, objects_, lua_Integer{number} + 1));
+    if (into != 0 && lua_istable(state_, into) != 0 && !named_.contains(lua_topointer(state_, into))) {
         lua_pushvalue(state_, into);
     } else {
         lua_newtable(state_);
     }
+    name(-1);
+}
+
+void ValueReader::readAtPlace() {
+    std::uint32_t number = 0;
+    std::string place;
+    archive_.number(number);
+    archive_.text(place);
+    if (!archive_.ok() || number != count_) {
+        archive_.fail();
+        return lua_pushnil(state_);
+    }
+    pushAtPlace(state_, place);
+    if (lua_isfunction(state_, -1) == 0 && lua_istable(state_, -1) == 0)
+        lua_pop(state_, 1), lua_pushnil(state_);
+    atPlaces_.insert(number);
     name(-1);
 }
 

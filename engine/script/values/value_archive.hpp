@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <map>
-#include <vector>
+#include <set>
 
 #include "core/state_archive.hpp"
 
@@ -10,68 +10,85 @@ struct lua_State;
 
 namespace plumb::script {
 
-// Values of Lua in a saved game: nil, bools, numbers, texts, vectors, entities, components, and tables of
-// these, also shared ones and those that contain themselves. Functions and coroutines are left out, and so
-// are metatables.
+// Values of Lua in a saved game: nil, bools, numbers, texts, vectors, entities, components, functions that
+// the files define (function_places.hpp), and tables of these, also shared ones, those that contain
+// themselves, and their metatables. Coroutines and functions that handlers make are left out.
 //
-// A table is written as its number; tables have numbers in the order in which they are met. The pairs of the
-// tables follow after all other values, one table after the other, so that no depth of tables is too great.
+// A table or function is written as its number; they have numbers in the order in which they are met, and a
+// function is followed by its place the first time. What they contain follows after all other values, one
+// after the other, so that no depth of tables is too great: the pairs of a table, and the upvalues of a
+// function by name, which are the local variables of its file and the table of its global ones.
 
 class ValueWriter {
 public:
-    /// The tables that were met stay on the stack of `state` at `tables` (a table of tables, which is empty).
-    ValueWriter(lua_State* state, StateArchive& archive, int tables)
-        : state_{state}, archive_{archive}, tables_{tables} {}
+    /// What was met stays on the stack of `state` at `objects` (a table, which is empty).
+    ValueWriter(lua_State* state, StateArchive& archive, int objects)
+        : state_{state}, archive_{archive}, objects_{objects} {}
 
     /// Gives the table at an index the next number, which references to it contain.
     void name(int index);
-    [[nodiscard]] std::uint32_t count() const { return count_; }  ///< of tables that have numbers
+    [[nodiscard]] std::uint32_t count() const {
+        return count_;
+    }  ///< of tables and functions that have numbers
     /// Writes the value at an index.
     void write(int index);
-    /// Writes the pairs of the tables with these numbers or higher ones, also of those that they contain.
-    void writeTables(std::uint32_t first);
-    [[nodiscard]] bool canWrite(int index) const;
+    /// Writes what the tables and functions with these numbers contain.
+    /// @param end  0: up to the last one, also those that are met meanwhile
+    void writeContents(std::uint32_t first, std::uint32_t end = 0);
 
 private:
+    [[nodiscard]] bool canWrite(int index);
     void tag(std::uint32_t tag) { archive_.number(tag); }
+    void writeObject(int index);
     void writePairs(int index);
+    void writeUpvalues(int index);
 
     lua_State* state_;
     StateArchive& archive_;
-    int tables_;
+    int objects_;
     std::uint32_t count_ = 0;
-    std::map<const void*, std::uint32_t> numbers_;  // of tables
+    std::map<const void*, std::uint32_t> numbers_;
+    std::set<std::uint32_t> atPlaces_;  // numbers of what is written with its place
 };
 
 class ValueReader {
 public:
-    /// The tables that were read stay on the stack of `state` at `tables` (a table of tables, which is
-    /// empty).
-    ValueReader(lua_State* state, StateArchive& archive, int tables)
-        : state_{state}, archive_{archive}, tables_{tables} {}
+    /// What was read stays on the stack of `state` at `objects` (a table, which is empty).
+    ValueReader(lua_State* state, StateArchive& archive, int objects)
+        : state_{state}, archive_{archive}, objects_{objects} {}
 
     /// Gives the table at an index the next number.
     void name(int index);
-    [[nodiscard]] std::uint32_t count() const { return count_; }  ///< of tables that have numbers
+    [[nodiscard]] std::uint32_t count() const {
+        return count_;
+    }  ///< of tables and functions that have numbers
     /// Pushes the value that is read; nil if the archive is not ok(). A table has its pairs after
-    /// readTables().
-    /// @param into  index of a table to fill if the value is a new table; 0: a new one is made
+    /// readContents().
+    /// @param into  index of a table to fill if the value is a new table; 0, or another value: a new one is
+    /// made
     void read(int into = 0);
-    /// Reads the pairs of the tables with these numbers or higher ones, also of those that they contain.
-    /// Their former values are removed, except functions.
-    void readTables(std::uint32_t first);
+    /// Reads what the tables and functions with these numbers contain. Functions that a table had before, and
+    /// tables of functions, stay if they are not replaced: this version of the game may have added them.
+    void readContents(std::uint32_t first, std::uint32_t end = 0);
+    /// Gives the tables their metatables. To be called last. What else is above `objects` on the stack goes.
+    void setMetatables();
 
 private:
     [[nodiscard]] std::uint32_t nextTag();
     void readTagged(std::uint32_t tag, int into);
     void readTable(int into);
-    void clear(int index);
+    void readAtPlace();
+    void readUpvalues(int index);
     void readPairs(int index);
+    void empty(int index, int former);
+    void putBack(int index, int former);
 
     lua_State* state_;
     StateArchive& archive_;
-    int tables_;
+    int objects_;
     std::uint32_t count_ = 0;
+    std::set<std::uint32_t> atPlaces_;  // numbers of what was found at its place
+    std::set<const void*> named_;       // tables that have numbers
 };
 
 }  // namespace plumb::script
