@@ -7,7 +7,7 @@
 #include <vector>
 
 /// What differs between operating systems. Each of the folders `posix`, `windows` and `web` implements all of
-/// it; engine/cmake/platforms.cmake chooses the folder.
+/// it; engine/cmake/house.cmake chooses the folder.
 namespace plumb::os {
 
 // ---- files
@@ -22,6 +22,10 @@ void flushFolder(const std::filesystem::path& folder);
 /// Opens or creates a file and locks it. Returns -1 if another process holds the lock, or without permission.
 int lockFile(const std::filesystem::path& path);
 void unlockFile(int handle);
+
+/// Prepares the environment for a library that asks it for the folder of the user's files. Returns false if
+/// the system does not say where they are.
+bool findUserFolder();
 
 // ---- memory
 

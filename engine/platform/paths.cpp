@@ -7,7 +7,7 @@
 
 #include <SDL.h>
 
-#include "platform/user_folder.hpp"
+#include "core/os.hpp"
 
 namespace plumb {
 namespace {
@@ -75,7 +75,7 @@ std::string fileNameOf(std::string_view game) {
 
 Result<Path> dataFolder(std::string_view game) {
     constexpr const char* kWhere = "folder for saved games and settings";
-    if (!findUserFolder())
+    if (!os::findUserFolder())
         return Error{kWhere, "neither HOME nor XDG_DATA_HOME is set to an absolute path",
                      "set HOME, or name a folder with --saves DIR"};
     Path folder = takePath(SDL_GetPrefPath("", fileNameOf(game).c_str()));

@@ -56,6 +56,15 @@ int lockFile(const std::filesystem::path& path) {
 
 void unlockFile(int handle) { ::close(handle); }
 
+// A relative path, and an empty one, which would be the current folder, count as not set.
+// Source: freedesktop.org, "XDG Base Directory Specification" 0.8
+bool findUserFolder() {
+    const auto isAbsolute = [](const char* path) { return path != nullptr && *path == '/'; };
+    if (isAbsolute(std::getenv("XDG_DATA_HOME"))) return true;
+    unsetenv("XDG_DATA_HOME");
+    return isAbsolute(std::getenv("HOME"));
+}
+
 bool reservingIsFree() { return sizeof(void*) == 8; }
 
 std::size_t memoryStep() { return kHugePage; }

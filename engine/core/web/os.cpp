@@ -12,10 +12,12 @@ std::FILE* openFile(const std::filesystem::path& path, const char* mode) {
 
 bool flushToDisk(std::FILE* file) { return std::fflush(file) == 0; }
 
-void flushFolder(const std::filesystem::path&) {}  // in memory; platform/web/saves.cpp stores them
+void flushFolder(const std::filesystem::path&) {}  // in memory; the page keeps the files, see store.js
 
 int lockFile(const std::filesystem::path&) { return 0; }  // a page shares its files with no other process
 void unlockFile(int) {}
+
+bool findUserFolder() { return true; }
 
 bool reservingIsFree() { return false; }
 

@@ -43,6 +43,8 @@ int lockFile(const std::filesystem::path& path) {
 
 void unlockFile(int handle) { _close(handle); }
 
+bool findUserFolder() { return true; }
+
 bool reservingIsFree() { return sizeof(void*) == 8; }
 
 std::size_t memoryStep() { return kHugePage; }

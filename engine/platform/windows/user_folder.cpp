@@ -1,7 +1,0 @@
-#include "platform/user_folder.hpp"
-
-namespace plumb {
-
-bool findUserFolder() { return true; }
-
-}  // namespace plumb
