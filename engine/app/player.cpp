@@ -20,6 +20,7 @@
 #include "core/profile.hpp"
 #include "core/text.hpp"
 #include "platform/message_box.hpp"
+#include "platform/page.hpp"
 #include "platform/paths.hpp"
 
 namespace plumb {
@@ -124,11 +125,12 @@ void warnOfMissingCode(const Project& project, const Module& code) {
                          "use ./plumb play PROJECT, which builds a player with the code"});
 }
 
-/// Says why the game does not start, in a window too: a desktop does not show what a program prints.
+/// Says why the game does not start, in a window too: a page shows what a program prints, a desktop does not.
 int refuse(const Error& error, const PlayerOptions& options) {
     logError("Engine", error);
     const bool endsItself = options.headless || options.frames >= 0;
-    if (!options.exportedAs.empty() && !endsItself) showMessage(options.exportedAs, error.text());
+    if (!options.exportedAs.empty() && !endsItself && !hasPage())
+        showMessage(options.exportedAs, error.text());
     return 1;
 }
 
