@@ -379,7 +379,12 @@ void GameLoop::performRequests() {
     }
     if (wanted.save != 0) {
         const Result<Done> saved = slots_->save(game_.world, wanted.save);
-        saved ? logNote("Game", "Saved in slot {}", wanted.save) : fail("Not saved", saved.error());
+        if (saved) {
+            logNote("Game", "Saved in slot {}", wanted.save);
+            tellPage("saved", "");
+        } else {
+            fail("Not saved", saved.error());
+        }
     }
     if (wanted.load != 0) loadSaved(wanted.load);
 }

@@ -12,8 +12,8 @@ function(finish_player program)
         # The page (player/targets/web) loads what this makes. SDL calls functions of JavaScript, which are named in a
         # file, because shells would replace their $.
         target_link_options(${program} PRIVATE -sUSE_SDL=0 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
-            -sALLOW_MEMORY_GROWTH=1 -sINITIAL_MEMORY=64MB -sTOTAL_STACK=1MB -sFORCE_FILESYSTEM=1 -lidbfs.js
-            -sENVIRONMENT=web,node -sEXPORTED_RUNTIME_METHODS=FS,IDBFS,callMain
+            -sALLOW_MEMORY_GROWTH=1 -sINITIAL_MEMORY=64MB -sTOTAL_STACK=1MB -sFORCE_FILESYSTEM=1
+            -sENVIRONMENT=web,node -sEXPORTED_RUNTIME_METHODS=FS,callMain
             -sDEFAULT_LIBRARY_FUNCS_TO_INCLUDE=@${PLUMB_TARGETS}/web/library_functions.json)
     elseif(MINGW)
         enable_language(RC)

@@ -7,6 +7,7 @@
 #include "core/clock.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "platform/page.hpp"
 #include "platform/paths.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_members.hpp"
@@ -228,7 +229,7 @@ void GameOptions::write() {
     const Result<Done> done = file_ ? writeSettings(*file_, settingsText(now, project_), keepsFormer_)
                                     : Result<Done>{file_.error()};
     keepsFormer_ = keepsFormer_ && !done;
-    if (done) return;
+    if (done) return tellPage("saved", "");
     logError("Settings", done.error());
     notify("The settings are not kept", done.error());
 }

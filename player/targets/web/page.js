@@ -10,6 +10,7 @@
     // Options of the player, e.g. ?args=--headless --frames 600 --hash
     const options = (query.get('args') || '').split(' ').filter(Boolean);
     const replay = location.hash.startsWith('#r=') ? location.hash : '';
+    const game = document.title;  // the name; the player changes the title later
 
     // Shows a message and buttons over the page: {label: function}.
     function ask(message, answers) {
@@ -68,38 +69,15 @@
 
     // ---- what the game stores: SDL's folder for it is kept in the browser's database
 
-    const kStored = '/libsdl';
+    let files = null;
 
-    function mountStored() {
-        FS.mkdirTree(kStored);
-        FS.mount(IDBFS, {}, kStored);
-        return new Promise((done) => FS.syncfs(true, (error) => {
-            if (error) console.warn('what the game stored cannot be read: ' + error);
-            stored = filesToStore();
-            done();
-        }));
+    function readStored() {
+        files = new FileStore(FS, '/libsdl', game, (problem) => say(problem, 0));
+        return files.read();
     }
 
-    // The paths and times of the files, as text.
-    function filesToStore() {
-        let files = '';
-        IDBFS.getLocalSet(FS.lookupPath(kStored).node.mount, (error, set) => { files = JSON.stringify(set && set.entries); });
-        return files;
-    }
-
-    // Only if the game has written since the last time: the database becomes what this page has, so a page that
-    // only stands in another tab would remove what the game here has stored.
-    let storing = false, stored = '';
     function store() {
-        if (storing || !window.readyAt) return;
-        const files = filesToStore();
-        if (files === stored) return;
-        storing = true;
-        FS.syncfs(false, (error) => {
-            storing = false;
-            if (error) console.warn('what the game stores cannot be kept: ' + error);
-            else stored = files;
-        });
+        if (files) files.store();
     }
 
     // ---- links
@@ -161,6 +139,7 @@
         replay: () => say(`Replay: ${usesTouch ? 'touch the picture' : 'press any key'} to take over`, 0),
         live: (why) => say(why, 10),
         controls: (list) => touch.show(JSON.parse(list)),
+        saved: store,
         ended: () => {
             store();
             if (!options.includes('--headless')) ask('The game has ended.', { 'Play again': restart });
@@ -204,7 +183,7 @@
         await loadScript('player.js');
         await ready;
         FS.writeFile('/game.pack', pack);
-        await mountStored();
+        await readStored();
         window.readyAt = performance.now();
     }
 
@@ -212,7 +191,8 @@
         cover.hidden = true;
         element('touch').hidden = !usesTouch;
         canvas.focus();
-        setInterval(store, 2000);
+        say(files.problem, 0);
+        setInterval(store, 2000);  // for what the code of the game writes; what the engine has saved is stored at once
         // Nothing as soon as there is a loop of frames; otherwise what main() returns.
         const code = Module.callMain(link ? [...options, '--link', link] : options);
         if (code) ask(errors.join('\n'), link ? { 'Play without the replay': withoutReplay } : {});
