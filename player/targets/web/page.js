@@ -207,7 +207,11 @@
         usesTouch = true;
         element('touch').hidden = !cover.hidden;
     }, true);
-    window.addEventListener('error', (event) => stop(event.message));
+    // Scripts of others fail too, e.g. those of extensions of the browser: the game goes on.
+    const scripts = ['player.js', 'page.js', 'touch.js', 'store.js'].map((name) => new URL(name, document.baseURI).href);
+    window.addEventListener('error', ({ message, error, filename }) => {
+        if (error instanceof WebAssembly.RuntimeError || scripts.includes(filename)) stop(message);
+    });
     window.addEventListener('unhandledrejection', (event) => console.error(event.reason));
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     // The keys of games must not scroll the page.
@@ -238,6 +242,7 @@
     });
     for (const tool of element('tools').children) tool.addEventListener('mousedown', (event) => event.preventDefault());
     element('copy').addEventListener('click', copyRun);
+    element('full').hidden = !document.fullscreenEnabled;  // iPhones have fullscreen for videos only
     element('full').addEventListener('click', () => {
         if (document.fullscreenElement) document.exitFullscreen();
         else document.documentElement.requestFullscreen();
