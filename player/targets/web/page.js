@@ -219,11 +219,11 @@
         if (!cover.hidden) return;
         if (['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Space', 'Tab'].includes(event.code)) event.preventDefault();
     });
-    // What browsers do with these keys they go on doing: the player takes all other ones from them.
-    const isOfBrowser = (event) => ['F5', 'F12'].includes(event.code) ||
-        ((event.ctrlKey || event.metaKey) && ['KeyR', 'KeyL', 'Digit0', 'Minus', 'Equal'].includes(event.code));
-    for (const kind of ['keydown', 'keyup'])
-        window.addEventListener(kind, (event) => { if (isOfBrowser(event)) event.stopImmediatePropagation(); }, true);
+    // What browsers do with these keys they go on doing: the player takes all other ones from them. It gets every release,
+    // because a key may have been pressed before Ctrl was.
+    const isOfBrowser = ({ key, ctrlKey, metaKey }) => ['F5', 'F12'].includes(key) ||
+        ((ctrlKey || metaKey) && ['r', 'l', '0', '+', '-', '='].includes(String(key).toLowerCase()));
+    window.addEventListener('keydown', (event) => { if (isOfBrowser(event)) event.stopImmediatePropagation(); }, true);
     // A hidden page draws no frames, so that the game stands still by itself, but its sound would go on.
     document.addEventListener('visibilitychange', () => {
         if (document.hidden) store();
