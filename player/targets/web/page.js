@@ -12,7 +12,7 @@
     const replay = location.hash.startsWith('#r=') ? location.hash : '';
     const game = document.title;  // the name; the player changes the title later
 
-    // Shows a message and buttons over the page: {label: function}.
+    // Shows a message and buttons over the page: {label: function}. Until one is pressed, the game has neither input nor sound.
     function ask(message, answers) {
         element('bar').hidden = true;
         text.textContent = message;
@@ -25,7 +25,14 @@
         }));
         element('tools').hidden = element('touch').hidden = element('line').hidden = true;
         cover.hidden = false;
+        followSound();
         if (choices.firstChild) choices.firstChild.focus();
+    }
+
+    // The sound of a game goes on by itself while nothing else does: in a hidden page, and after its end.
+    function followSound() {
+        const audio = window.Module && Module.SDL2 && Module.SDL2.audioContext;
+        if (audio) document.hidden || !cover.hidden ? audio.suspend() : audio.resume();
     }
 
     const restart = () => location.reload();
@@ -216,7 +223,6 @@
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     // The keys of games must not scroll the page.
     window.addEventListener('keydown', (event) => {
-        if (!cover.hidden) return;
         if (['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Space', 'Tab'].includes(event.code)) event.preventDefault();
     });
     // What browsers do with these keys they go on doing: the player takes all other ones from them. It gets every release,
@@ -224,11 +230,17 @@
     const isOfBrowser = ({ key, ctrlKey, metaKey }) => ['F5', 'F12'].includes(key) ||
         ((ctrlKey || metaKey) && ['r', 'l', '0', '+', '-', '='].includes(String(key).toLowerCase()));
     window.addEventListener('keydown', (event) => { if (isOfBrowser(event)) event.stopImmediatePropagation(); }, true);
-    // A hidden page draws no frames, so that the game stands still by itself, but its sound would go on.
+    // Keys press the buttons of the page instead, but not the one that was held when they appeared. The player would start its
+    // sound again at a key or a touch.
+    for (const kind of ['keydown', 'keypress', 'keyup', 'mousedown', 'touchstart']) window.addEventListener(kind, (event) => {
+        if (cover.hidden) return;
+        event.stopImmediatePropagation();
+        if (event.repeat && event.key === 'Enter') event.preventDefault();
+    }, true);
+    // A hidden page draws no frames, so that the game stands still.
     document.addEventListener('visibilitychange', () => {
         if (document.hidden) store();
-        const audio = Module.SDL2 && Module.SDL2.audioContext;
-        if (audio) document.hidden ? audio.suspend() : audio.resume();
+        followSound();
     });
     window.addEventListener('pagehide', store);
     window.addEventListener('hashchange', () => location.reload());  // another replay
