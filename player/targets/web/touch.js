@@ -1,12 +1,12 @@
 // The buttons of a touch screen: a round pad for two axes, and a button for each action. They press the keys that the game
-// has bound. Which of them are there is told by the game (engine/app/touch_controls.hpp), and changes while it runs.
+// has bound. The game says which of them are there (engine/app/touch_controls.hpp), and changes them while it runs.
 window.TouchControls = class {
     // press(usage, down) presses or releases a key.
     constructor(root, press) {
         this.root = root;
         this.press = press;
         this.holds = new Map();  // usage: number of fingers
-        this.parts = new Map();  // name: element of a control that was shown once
+        this.parts = new Map();  // name with the keys: element of a control that was shown once
     }
 
     // controls: {axes: [{name, negative: {key, usage}, positive}], actions: [{name, key, usage}]}
@@ -21,13 +21,13 @@ window.TouchControls = class {
             return this.parts.get(name);
         };
         this.padsOf(controls.axes).forEach((pad, index) => {
-            const name = 'pad ' + Object.values(pad).join(' ');
+            const name = `pad ${JSON.stringify(pad)}`;
             show(name, () => this.makePad(pad)).className = index === 0 ? 'pad first' : 'pad second';
         });
         const twoPads = this.padsOf(controls.axes).length > 1;
         let menus = 0, actions = 0;
         for (const action of controls.actions) {
-            const button = show(`action ${action.name}`, () => this.makeButton(action));
+            const button = show(`action ${action.name} ${action.usage}`, () => this.makeButton(action));
             if (button.classList.contains('menu')) this.placeMenu(button, menus++);
             else this.placeAction(button, actions++, twoPads);
         }
