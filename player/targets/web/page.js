@@ -100,21 +100,49 @@
         }
     }
 
-    // Browsers refuse the clipboard to pages without https: then the text is shown, to be copied by hand.
+    // Browsers refuse the clipboard to pages without https and in frames of other sites.
     async function copy(link) {
         try {
             await navigator.clipboard.writeText(link);
             return true;
         } catch {
-            window.prompt('A link that replays this run:', link);
             return false;
         }
+    }
+
+    // Shows a link below the message, selected, to be copied by hand.
+    function showLink(link) {
+        const place = document.createElement('p');
+        place.textContent = link;
+        text.append(place);
+        getSelection().selectAllChildren(place);
     }
 
     async function copyRun() {
         const link = runLink(false);
         if (!link) return say('The run is too long for a link', 5);
-        if (await copy(link)) say(`Copied a link that replays this run (${link.length} characters)`, 5);
+        if (await copy(link)) {
+            say(`Copied a link that replays this run (${link.length} characters)`, 5);
+            canvas.focus();
+        } else {
+            pause();
+            ask('This link replays the run:', { 'Go on': goOn });
+            showLink(link);
+        }
+    }
+
+    // To the player it is as if another window had the keys: it releases those that are held.
+    function pause() {
+        window.dispatchEvent(new Event('blur'));
+        Module.pauseMainLoop();
+    }
+
+    function goOn() {
+        cover.hidden = true;
+        element('touch').hidden = !usesTouch;
+        followSound();
+        window.dispatchEvent(new Event('focus'));
+        Module.resumeMainLoop();
         canvas.focus();
     }
 
@@ -129,8 +157,10 @@
         store();
         const link = runLink(true);
         const answers = {};
-        if (link) answers['Copy a link to this run'] = async (event) => {
-            if (await copy(link)) event.target.textContent = 'Copied';
+        if (link) answers['Copy a link to this run'] = async ({ target }) => {
+            if (await copy(link)) return target.textContent = 'Copied';
+            target.hidden = true;
+            showLink(link);
         };
         answers['Start again'] = replay ? withoutReplay : restart;
         cover.classList.add('over');
@@ -207,7 +237,7 @@
 
     // ---- page
 
-    // The buttons are for who plays with fingers: who does has touched the page before.
+    // The buttons are for fingers: those that play have touched the page before.
     let usesTouch = false;
     window.addEventListener('pointerdown', (event) => {
         if (event.pointerType !== 'touch' || usesTouch) return;
