@@ -1,58 +1,24 @@
 // Checks the page of an exported platformer in Chromium: what a player does with it, and what a browser does to it.
 //   node page_in_browser.mjs FOLDER PLAYER PROJECT PICTURES [CHECK...]
-// Needs puppeteer-core, found by PUPPETEER=FOLDER/node_modules/puppeteer-core/lib/esm/puppeteer/puppeteer-core.js.
-import http from 'node:http';
+// Needs puppeteer-core, see browser.mjs. What needs no game is checked by page_alone.mjs.
 import fs from 'node:fs';
 import path from 'node:path';
 import { execFileSync, spawnSync } from 'node:child_process';
+import { allowClipboard, browser, expect, isCovered, line, open as openAt, press, run as runChecks, seconds, serve } from './browser.mjs';
 
 const [root, player, project, pictures, ...wanted] = process.argv.slice(2);
-const { default: puppeteer } = await import(process.env.PUPPETEER || 'puppeteer-core');
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
-const server = http.createServer((request, response) => {
-    const name = decodeURIComponent(new URL(request.url, 'http://x').pathname).replace(/\/$/, '/index.html');
+const site = await serve((name) => {
     const file = path.join(root, name);
-    if (!fs.existsSync(file)) return response.writeHead(404), response.end();
-    const head = { 'Content-Type': types[path.extname(file)] || 'application/octet-stream', 'Content-Length': fs.statSync(file).size };
-    response.writeHead(200, head);
-    fs.createReadStream(file).pipe(response);
-}).listen(0, '127.0.0.1');
-await new Promise((done) => server.once('listening', done));
-const site = `http://127.0.0.1:${server.address().port}/`;
-const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', headless: true, protocolTimeout: 240000,
-    args: ['--no-sandbox', '--disable-dev-shm-usage', '--mute-audio', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
-await browser.defaultBrowserContext().overridePermissions(site, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']).catch(() => {});
+    return fs.existsSync(file) ? fs.readFileSync(file) : undefined;
+});
+await allowClipboard(site);
 
-const seconds = (count) => new Promise((done) => setTimeout(done, 1000 * count));
-let failures = 0;
-function expect(isTrue, what) {
-    console.log(`${isTrue ? 'ok    ' : 'FAILED'} ${what}`);
-    if (!isTrue) ++failures;
-}
-
-async function open(hash = '', viewport = { width: 1280, height: 720 }, prepare = () => {}) {
-    const page = await browser.newPage();
-    page.lines = [];
-    page.on('console', (message) => page.lines.push(message.text()));
-    page.on('pageerror', (error) => page.lines.push('error: ' + error.message));
-    await page.setViewport(viewport);
-    await prepare(page);
-    await page.goto(site + hash, { waitUntil: 'load', timeout: 120000 });
-    await page.waitForFunction('window.readyAt && document.querySelector("#choices button")', { timeout: 120000 });
-    return page;
-}
+const open = (hash = '', viewport = undefined, prepare = undefined) => openAt(site + hash, viewport, prepare);
 const start = async (page, touch = false) => {
     const [button] = await page.$$('#choices button');
     await (touch ? button.tap() : button.click());
     await seconds(1.5);
 };
-const press = async (page, key, length = 0.15) => {
-    await page.keyboard.down(key);
-    await seconds(length);
-    await page.keyboard.up(key);
-    await seconds(0.2);
-};
-const line = (page) => page.$eval('#line', (e) => (e.hidden ? '' : e.textContent));
 const linkOf = (page) => page.evaluate('UTF8ToString(Module._plumbLink(0))');
 const picture = (page, name) => page.screenshot({ path: path.join(pictures, name + '.png') });
 
@@ -117,7 +83,7 @@ const checks = {
         await start(damaged);
         const text = await damaged.$eval('#text', (e) => e.textContent);
         await picture(damaged, 'damaged');
-        expect(/damaged or incomplete/.test(text) && !(await damaged.$eval('#cover', (e) => e.hidden)), `a damaged link: "${text}"`);
+        expect(/damaged or incomplete/.test(text) && await isCovered(damaged), `a damaged link: "${text}"`);
         await damaged.close();
     },
     async hidden() {
@@ -282,14 +248,4 @@ const checks = {
     },
 };
 
-for (const [name, check] of Object.entries(checks)) {
-    if (wanted.length ? !wanted.includes(name) : name === 'memory') continue;
-    try {
-        await check();
-    } catch (error) {
-        expect(false, `${name}: ${error.stack}`);
-    }
-}
-await browser.close();
-server.close();
-process.exit(failures === 0 ? 0 : 1);
+await runChecks(checks, wanted.length ? wanted : Object.keys(checks).filter((name) => name !== 'memory'));
