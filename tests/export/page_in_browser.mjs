@@ -19,6 +19,12 @@ const start = async (page, touch = false) => {
     await (touch ? button.tap() : button.click());
     await seconds(1.5);
 };
+// Opens the menu of the pause and chooses a row of it.
+const choosePaused = async (page, row) => {
+    await press(page, 'Escape');
+    for (let down = ['continue', 'save', 'load', 'options', 'back to title', 'quit'].indexOf(row); down > 0; --down) await press(page, 'ArrowDown');
+    await press(page, 'Enter');
+};
 const linkOf = (page) => page.evaluate('UTF8ToString(Module._plumbLink(0))');
 const picture = (page, name) => page.screenshot({ path: path.join(pictures, name + '.png') });
 
@@ -199,15 +205,79 @@ const checks = {
     async saves() {
         const other = await open();  // in another tab, without saves
         await start(other);
-        const page = await open();
+        // The page looks for changes at intervals: without them, only what the engine says makes it store a file.
+        const page = await open('', undefined, (p) => p.evaluateOnNewDocument('window.setInterval = () => 0'));
+        await page.bringToFront();
         await start(page);
-        await page.evaluate("FS.mkdirTree('/libsdl/plumb'); FS.writeFile('/libsdl/plumb/kept.txt', 'kept')");
-        await seconds(4);
+        await press(page, 'Enter');
+        await seconds(2);
+        await choosePaused(page, 'save');
+        await press(page, 'F10');
+        await press(page, 'ArrowRight');
+        await press(page, 'F10');
+        await picture(page, 'saves');
+        const third = await open();
+        const files = await third.evaluate('["/saves/1.save", "/settings.json"].filter((name) => FS.analyzePath("/libsdl/Wickwood" + name).exists).join(" ")');
+        expect(files === '/saves/1.save /settings.json', `a saved game and settings are stored at once: ${files}`);
+        await page.evaluate("FS.writeFile('/libsdl/Wickwood/kept.txt', 'kept')");
         await page.reload();
         await page.waitForFunction('window.readyAt', { timeout: 60000 });
-        expect(await page.evaluate("FS.readFile('/libsdl/plumb/kept.txt', {encoding: 'utf8'})") === 'kept', 'files in the folder for saves are there after a reload');
+        expect(await page.evaluate("FS.readFile('/libsdl/Wickwood/kept.txt', {encoding: 'utf8'})") === 'kept', 'files in the folder for saves are there after a reload');
+        for (const tab of [page, other, third]) await tab.close();
+    },
+    async end() {
+        const page = await open();
+        await start(page);
+        await press(page, 'Enter');
+        await seconds(2);
+        const sound = () => page.evaluate('Module.SDL2.audioContext.state'), before = await sound();
+        await choosePaused(page, 'quit');
+        await seconds(0.5);
+        await picture(page, 'end');
+        const text = await page.$eval('#text', (e) => e.textContent);
+        expect(await isCovered(page) && before === 'running' && await sound() === 'suspended', `"${text}", the sound was ${before} and is ${await sound()}`);
+        await page.evaluate('window.isOld = true');
+        await press(page, 'Enter');
+        await page.waitForFunction('window.isOld === undefined && window.readyAt', { timeout: 20000 });
+        expect(true, 'Enter loads it again');
         await page.close();
-        await other.close();
+    },
+    async clipboard() {
+        const page = await open('', undefined, (p) => p.evaluateOnNewDocument('Object.defineProperty(navigator, "clipboard", { value: undefined })'));
+        await start(page);
+        await press(page, 'Enter');
+        await seconds(2);
+        await page.keyboard.down('ArrowRight');
+        await seconds(0.5);
+        await page.mouse.move(600, 300);
+        await page.click('#copy');
+        await seconds(0.5);
+        await picture(page, 'clipboard');
+        const selected = (await page.evaluate('getSelection().toString()')).trim();
+        expect(selected.startsWith(site + '#r=') && here(selected).ok, 'without a clipboard the link is shown, and plays here');
+        const before = here(await linkOf(page));
+        await page.keyboard.up('ArrowRight');
+        await seconds(1);
+        expect(ticksOf(here(await linkOf(page))) === ticksOf(before), 'meanwhile the game stands still');
+        await page.keyboard.press('Enter');
+        await seconds(1);
+        const after = here(await linkOf(page));
+        expect(after.ok && ticksOf(after) > ticksOf(before) + 20 && /-Right/.test(after.input), 'then it goes on, without the key that was held');
+        await page.close();
+    },
+    async broken() {
+        const dialogs = [];
+        const page = await open('', undefined, async (p) => {
+            p.on('dialog', (dialog) => { dialogs.push(dialog.message()); dialog.dismiss(); });
+            await p.evaluateOnNewDocument(() => {
+                const load = window.fetch;
+                window.fetch = (url) => (url === 'game.pack' ? Promise.resolve(new Response('no pack')) : load(url));
+            });
+        });
+        await start(page);
+        const text = await page.$eval('#text', (e) => e.textContent);
+        expect(await isCovered(page) && /game\.pack/.test(text) && dialogs.length === 0, `a damaged pack: "${text}", ${dialogs.length} dialogs`);
+        await page.close();
     },
     async crash() {
         const page = await open();
