@@ -125,8 +125,7 @@ public:
         if (file_ == nullptr) return memory_.substr(static_cast<std::size_t>(offset), count);
         const std::lock_guard lock{mutex_};
         std::string part(count, '\0');
-        if (std::fseek(file_.get(), static_cast<long>(offset), SEEK_SET) != 0 ||
-            std::fread(part.data(), 1, count, file_.get()) != count)
+        if (!os::seek(file_.get(), offset) || std::fread(part.data(), 1, count, file_.get()) != count)
             return std::nullopt;
         return part;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -14,6 +15,9 @@ namespace plumb::os {
 
 /// Like std::fopen(), for paths with any characters.
 std::FILE* openFile(const std::filesystem::path& path, const char* mode);
+/// Moves to a byte of the file, counted from its start, also beyond 2 GiB. Returns false if that is
+/// impossible.
+bool seek(std::FILE* file, std::uint64_t offset);
 /// Waits until everything written to the file is on the disk. Returns false if that is impossible.
 bool flushToDisk(std::FILE* file);
 /// Makes a rename in this folder durable. Best effort: some file systems do not support it.

@@ -1,6 +1,7 @@
 #include "codec/pack.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,6 +133,28 @@ TEST(Pack, isReadFromAFile) {
     }
     const auto missing = Pack::open(folder.path / "other.pack");
     EXPECT_FALSE(missing);
+}
+
+// The list of files lies behind the contents; the bytes between them take no place on the disk.
+TEST(Pack, isReadBeyond4GiB) {
+    const test::TemporaryFolder folder;
+    const Files files = randomFiles(11);
+    const std::string whole = writePack(files);
+    std::uint32_t tableBytes = 0;
+    for (std::size_t i = 0; i < 4; ++i)  // in the header, see pack.hpp
+        tableBytes |= static_cast<std::uint32_t>(static_cast<unsigned char>(whole[12 + i])) << (8 * i);
+    const std::size_t contents = whole.size() - tableBytes;
+    {
+        std::ofstream file{folder.path / "game.pack", std::ios::binary};
+        file.write(whole.data(), static_cast<std::streamsize>(contents));
+        file.seekp(std::streamoff{5} << 30);
+        file.write(whole.data() + contents, static_cast<std::streamsize>(tableBytes));
+        if (!file.flush()) GTEST_SKIP() << "the disk takes no file of this size";
+    }
+    const auto pack = Pack::open(folder.path / "game.pack");
+    ASSERT_TRUE(pack) << pack.error().text();
+    ASSERT_EQ((*pack)->paths().size(), files.size());
+    EXPECT_TRUE((*pack)->read(0));
 }
 
 }  // namespace

@@ -31,6 +31,10 @@ std::FILE* openFile(const std::filesystem::path& path, const char* mode) {
     return kPathsAreUtf8 ? _wfopen(path.c_str(), wide.c_str()) : nullptr;
 }
 
+bool seek(std::FILE* file, std::uint64_t offset) {
+    return _fseeki64(file, static_cast<std::int64_t>(offset), SEEK_SET) == 0;
+}
+
 bool flushToDisk(std::FILE* file) { return std::fflush(file) == 0 && _commit(_fileno(file)) == 0; }
 
 void flushFolder(const std::filesystem::path&) {}  // NTFS journals its folders
