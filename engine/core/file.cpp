@@ -181,6 +181,7 @@ Result<Done> writeFile(const Path& path, std::string_view bytes) {
         if (!written || !os::flushToDisk(file.get()) || std::fclose(file.release()) != 0) {
             Error error =
                 systemError(path, "could not be written", "free some space; the old file is untouched");
+            file.reset();  // Windows removes no open file
             fs::remove(temporary, failed);
             return error;
         }
