@@ -6,9 +6,12 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string>
 
 namespace plumb {
 namespace {
+
+namespace fs = std::filesystem;
 
 using Char = Path::value_type;
 
@@ -104,6 +107,11 @@ void writeFile(const CrashReport& report, const Crash& what, CrashOutput& termin
             std::rethrow_exception(thrown);
         } catch (const std::bad_alloc&) {
             setCrashReason("out of memory");
+        } catch (const fs::filesystem_error& error) {  // its text has whole paths
+            std::string reason = error.code().message();
+            for (const Path& path : {error.path1(), error.path2()})
+                if (path.has_filename()) reason += ": " + path.filename().string();
+            setCrashReason(reason);
         } catch (const std::exception& exception) {
             setCrashReason(exception.what());
         } catch (...) {

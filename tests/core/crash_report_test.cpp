@@ -4,7 +4,9 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 
@@ -93,6 +95,19 @@ TEST_F(CrashReportFile, ofAnExceptionOrAnAssertionHasItsText) {
             failAssertion("a body has a mass", "bodies.cpp", 1);
         },
         testing::KilledBySignal(SIGABRT), "bodies.cpp:1: a body has a mass.*: a body has a mass\n");
+}
+
+TEST_F(CrashReportFile, ofAnErrorOfTheFileSystemHasNoFolders) {
+    EXPECT_EXIT(
+        {
+            prepare();
+            std::thread{[] {
+                throw std::filesystem::filesystem_error("cannot copy", "/home/me/level.txt", "/root/copy.txt",
+                                                        make_error_code(std::errc::not_a_directory));
+            }}.join();
+        },
+        testing::KilledBySignal(SIGABRT), "Not a directory: level.txt: copy.txt\n");
+    EXPECT_NE(text().find("why Not a directory: level.txt: copy.txt\n"), std::string::npos) << text();
 }
 
 TEST_F(CrashReportFile, ofCrashesInTheSameSecondHaveTheirOwnNames) {
