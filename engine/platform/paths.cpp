@@ -1,5 +1,6 @@
 #include "platform/paths.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -17,6 +18,15 @@ Path takePath(char* text) {
     Path path = text != nullptr ? Path{text} : Path{};
     SDL_free(text);
     return path;
+}
+
+/// True for a name of a device, which no file of Windows can have, whatever its ending is.
+bool isDevice(std::string_view stem) {
+    std::string upper;
+    for (const char c : stem) upper += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (upper.size() == 4 && upper[3] >= '1' && upper[3] <= '9') upper[3] = '1';
+    constexpr std::array<std::string_view, 6> kDevices{"CON", "PRN", "AUX", "NUL", "COM1", "LPT1"};
+    return std::find(kDevices.begin(), kDevices.end(), upper) != kDevices.end();
 }
 
 Path findEngineAssets() {
@@ -70,7 +80,11 @@ std::string fileNameOf(std::string_view game) {
     }
     // Windows ignores dots and spaces at the end of a name.
     while (!name.empty() && (name.back() == '.' || name.back() == ' ')) name.pop_back();
-    return name.empty() || name.front() == '.' ? "game" : name;
+    if (name.empty() || name.front() == '.') return "game";
+    std::string_view stem = std::string_view{name}.substr(0, name.find('.'));
+    while (!stem.empty() && stem.back() == ' ') stem.remove_suffix(1);
+    if (isDevice(stem)) name.insert(stem.size(), "_");
+    return name;
 }
 
 Result<Path> dataFolder(std::string_view game) {

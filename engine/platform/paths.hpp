@@ -20,7 +20,8 @@ const Path& engineAssets();
 /// @param program  name of the program, equal to that of the project's folder
 Path codeGameFolder(const Path& program);
 
-/// The name of a game as that of a file: without characters that some system does not allow there.
+/// The name of a game as that of a file: without characters that some system does not allow there, and with a
+/// '_' if it is the name of a device of Windows, e.g. "Con".
 std::string fileNameOf(std::string_view game);
 
 /// The folder for what a game keeps on this computer: saved games, settings of the player, reports of

@@ -22,6 +22,15 @@ TEST(Paths, aGameHasTheFileNameOfItsNameWithoutWhatSystemsRefuse) {
                                                          {"...", "game"},
                                                          {"", "game"},
                                                          {".hidden", "game"},
+                                                         {"Con", "Con_"},
+                                                         {"nul", "nul_"},
+                                                         {"COM1", "COM1_"},
+                                                         {"aux.2", "aux_.2"},
+                                                         {"Lpt9 .x", "Lpt9_ .x"},
+                                                         {"Console", "Console"},
+                                                         {"COM", "COM"},
+                                                         {"COM0", "COM0"},
+                                                         {"Con 2", "Con 2"},
                                                          {"\u00dcber", "\u00dcber"}};
     for (const auto& [name, file] : names) EXPECT_EQ(fileNameOf(name), file) << name;
 }
