@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -160,8 +161,11 @@ int playProject(const PlayerOptions& asked, const Module& code) {
     std::vector<Error> problems;
     GameContent content{code, problems};
     content.readScripts(project->root, problems);
-    for (const Error& problem : problems) logError("Code", problem);
-    if (!problems.empty()) return 1;
+    if (!problems.empty()) {
+        const int exitCode = refuse(problems.front(), options);
+        for (std::size_t i = 1; i < problems.size(); ++i) logError("Code", problems[i]);
+        return exitCode;
+    }
     warnOfMissingCode(*project, code);
     std::unique_ptr<Screen> screen;
     if (!options.headless && !options.effects) {
@@ -172,7 +176,7 @@ int playProject(const PlayerOptions& asked, const Module& code) {
     SceneGame game{std::move(*project), options.scene, seedOf(options), content};
     game.input.logging = screen != nullptr;
     game.onCreate();
-    if (game.failed()) return 1;
+    if (const std::optional<Error>& failure = game.failure()) return refuse(*failure, options);
     if (options.effects) {
         listEffects(game, options);
         return 0;

@@ -47,15 +47,12 @@ SceneGame::SceneGame(Project project, std::string firstScene, std::uint64_t seed
 
 void SceneGame::onCreate() {
     if (firstScene_.empty()) {
-        logError("Scene", Error{"project.json", "\"startScene\" is missing",
-                                "write \"startScene\": \"scenes/title.scene.json\""});
-        failed_ = quit_ = true;
-        return;
+        failure_ = Error{"project.json", "\"startScene\" is missing",
+                         "write \"startScene\": \"scenes/title.scene.json\""};
+    } else if (const auto opened = openScene(firstScene_); !opened) {
+        failure_ = opened.error();
     }
-    if (const auto opened = openScene(firstScene_); !opened) {
-        logError("Scene", opened.error());
-        failed_ = quit_ = true;
-    }
+    quit_ = failure_.has_value();
 }
 
 Result<Done> SceneGame::openScene(std::string_view path) {

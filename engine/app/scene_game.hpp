@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,8 @@ public:
 
     [[nodiscard]] const Project& project() const { return project_; }
     [[nodiscard]] bool quitRequested() const override { return quit_; }
-    [[nodiscard]] bool failed() const { return failed_; }
+    /// Why onCreate() could not open the first scene; it is not logged.
+    [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
     [[nodiscard]] SceneContext context() { return {types, &prefabs_, project_.root}; }
 
 private:
@@ -59,7 +61,7 @@ private:
     std::vector<SceneId> heldScenes_;  // the scenes whose assets are held
     int ticksToUnload_ = 0;  // ticks until unreferenced assets are unloaded; 0: no unloading is scheduled
     bool quit_ = false;
-    bool failed_ = false;
+    std::optional<Error> failure_;
 };
 
 }  // namespace plumb

@@ -25,7 +25,9 @@ class PlayerTest : public testing::Test {
 protected:
     PlayerTest() {
         before_ = setLogSink([this](const LogLine& line) {
-            if (line.level >= LogLevel::Warning) reported.push_back(line.text);
+            if (line.level < LogLevel::Warning) return;
+            reported.push_back(line.text);
+            channel = line.channel;
         });
         EXPECT_TRUE(
             writeFile(folder_.path / "project.json", R"({"startScene": "scenes/a.scene.json"})").ok());
@@ -37,6 +39,7 @@ protected:
     ~PlayerTest() override { setLogSink(before_); }
 
     std::vector<std::string> reported;
+    std::string channel;  ///< of the last one
     PlayerOptions options;
 
     void write(std::string_view path, std::string_view text) {
@@ -64,6 +67,15 @@ TEST_F(PlayerTest, doesNotStartWithErrorsOfTheCodeAndReportsEachOnce) {
                   "code: system \"Sleeper\": there is no system \"Physic\" to run before or after; use "
                   "a system of the engine, e.g. before<PhysicsSystem>(), or one that the code adds "
                   "earlier"}));
+    EXPECT_EQ(channel, "Engine") << "an exported game shows these errors in a window, too";
+}
+
+TEST_F(PlayerTest, doesNotStartWithoutItsFirstSceneAndReportsItOnce) {
+    write("scenes/a.scene.json", "{");
+    EXPECT_EQ(playProject(options, {}), 1);
+    ASSERT_EQ(reported.size(), 1u);
+    EXPECT_EQ(reported[0].find("scenes/a.scene.json"), 0u) << reported[0];
+    EXPECT_EQ(channel, "Engine") << "an exported game shows these errors in a window, too";
 }
 
 TEST_F(PlayerTest, reportsMissingFilesOfAssetsWithoutAWindowToo) {

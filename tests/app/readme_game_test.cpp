@@ -68,7 +68,7 @@ TEST_P(ReadmeGame, itsPlayerComesBackWhenItFalls) {
     ASSERT_TRUE(problems.empty()) << problems[0].text();
     SceneGame game{*project, "", 1, content};
     game.onCreate();
-    ASSERT_FALSE(game.failed());
+    ASSERT_FALSE(game.failure());
 
     const Vec2 home = heroOf(game.world);
     Vec2 before = home;

@@ -50,7 +50,7 @@ struct Playground {
     explicit Playground(const std::string& scene, const std::string& sample = "physics-playground")
         : played{project(sample), scene} {
         game.onCreate();
-        EXPECT_FALSE(game.failed()) << scene;
+        EXPECT_FALSE(game.failure()) << scene;
     }
 
     void run(int ticks) {

@@ -91,7 +91,8 @@ protected:
         for (const Error& warning : project->warnings) logWarning("Engine", warning);
         SceneGame game{*project};
         game.onCreate();
-        failed_ = game.failed();
+        failed_ = game.failure().has_value();
+        if (failed_) logError("Engine", *game.failure());
         // Saved before the first tick, because playing may change values.
         if (!failed_) saved_ = sceneToJson(game.world, game.context(), sceneId(kScene));
         RecordingDevice device;

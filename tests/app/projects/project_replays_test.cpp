@@ -48,7 +48,7 @@ std::vector<InputFrame> menuAndScenes() {
 
 void begin(SceneGame& game) {
     game.onCreate();
-    ASSERT_FALSE(game.failed());
+    ASSERT_FALSE(game.failure());
 }
 
 bool isOneScene(const ProjectReplay& row) { return !std::string_view{row.scene}.empty(); }

@@ -23,7 +23,7 @@ std::uint64_t hashAfter(const std::string& scene, int ticks) {
     SceneGame game{platformer(), scene};
     game.assets.logging = false;
     game.onCreate();
-    EXPECT_FALSE(game.failed());
+    EXPECT_FALSE(game.failure());
     std::size_t moved = 0;
     for (int i = 0; i < ticks; ++i) {
         InputFrame frame;
