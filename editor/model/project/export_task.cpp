@@ -9,14 +9,14 @@ namespace plumb::editor {
 namespace {
 
 constexpr std::array kTargets{
-    ExportTarget{"", "This computer", "export",
+    ExportTarget{"", "This computer",
                  "For computers with the libraries that are installed here. Quick, to try the game."},
-    ExportTarget{"linux", "Linux", "linux",
+    ExportTarget{"linux", "Linux",
                  "For every 64-bit desktop since 2018, without packages to install. With an archive."},
-    ExportTarget{"windows", "Windows", "windows", "For Windows 10 or later, 64 bit. With an archive."},
-    ExportTarget{"web", "Web browsers", "web",
+    ExportTarget{"windows", "Windows", "For Windows 10 or later, 64 bit. With an archive."},
+    ExportTarget{"web", "Web browsers",
                  "A page for any static web host. With an archive, as hosts of games take it."},
-    ExportTarget{"all", "Linux, Windows and web browsers", "all", "All three, in folders of their own."},
+    ExportTarget{"all", "Linux, Windows and web browsers", "All three, in folders of their own."},
 };
 constexpr int kDeepest = 6;  // folders from the sources to the editor: build/release/bin
 
@@ -39,7 +39,8 @@ std::string exportFolder(const Path& project, const ExportTarget& target) {
     std::error_code failed;
     const Path whole = std::filesystem::absolute(project, failed).lexically_normal();
     const Path root = whole.has_filename() ? whole : whole.parent_path();
-    return (root.parent_path() / format("{}-{}", root.filename().string(), target.ending)).generic_string();
+    const char* ending = *target.name != '\0' ? target.name : "export";
+    return (root.parent_path() / format("{}-{}", root.filename().string(), ending)).generic_string();
 }
 
 void ExportTask::start(const Path& editor, const Path& project, const ExportTarget& target,

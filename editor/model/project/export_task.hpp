@@ -15,10 +15,9 @@ namespace plumb::editor {
 
 /// What an exported game runs on.
 struct ExportTarget {
-    const char* name;    ///< of `plumb export --to`; empty: this computer
-    const char* label;   ///< in the dialog
-    const char* ending;  ///< of the folder that is offered
-    const char* text;    ///< what players need, and what comes out
+    const char* name;   ///< of `plumb export --to`; empty: this computer
+    const char* label;  ///< in the dialog
+    const char* text;   ///< what players need, and what comes out
 };
 
 /// All targets; the first is this computer, which needs nothing but the editor.

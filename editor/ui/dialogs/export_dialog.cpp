@@ -114,7 +114,7 @@ void ExportDialog::drawResult(Ui& ui) {
         ImGui::Text("Exporting for: %s, %d:%02d", target().label, seconds / 60, seconds % 60);
     } else {
         ImGui::TextColored(ImColor{failed_ ? palette::kError : palette::kText}, "%s",
-                           failed_ ? "Nothing was exported" : "Exported");
+                           failed_ ? "The export failed" : "Exported");
     }
     beginChild("report", {0.0f, -ui.px(40.0f)}, true);
     ImGui::PushStyleColor(ImGuiCol_Text, !running && failed_ ? palette::kError : palette::kText);
