@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <utility>
@@ -11,7 +12,6 @@
 #include "core/text.hpp"
 #include "editor/model/headless/project_check.hpp"
 #include "editor/model/headless/project_export.hpp"
-#include "editor/model/project/editor_options.hpp"
 #include "editor/model/project/program.hpp"
 #include "platform/paths.hpp"
 #include "tests/editor/support/editor_fixture.hpp"
@@ -235,6 +235,19 @@ TEST_F(HeadlessTest, anExportContainsWhatNoSceneRefersToButNothingThatIsLeftOut)
     EXPECT_FALSE(fileExists(out / "game/notes.txt"));
 }
 
+TEST_F(HeadlessTest, anExportContainsEveryFileHoweverManyThereAre) {
+    constexpr std::size_t kFiles = 50'001;
+    fs::create_directories(root() / "many");
+    for (std::size_t i = 0; i < kFiles; ++i) std::ofstream{root() / "many" / format("{}.txt", i)} << "x";
+    putFile("data.tmp", "taken along");
+    std::ofstream{root() / "x.json.tmp~"} << "half of a file";
+    ASSERT_TRUE(exportIt().ok());
+    const MountedExport mounted{out};
+    EXPECT_EQ(filesBelow(out / "game/many", "").size(), kFiles);
+    EXPECT_TRUE(fileExists(out / "game/data.tmp"));
+    EXPECT_FALSE(fileExists(out / "game/x.json.tmp~"));
+}
+
 using Content = std::map<std::string, std::string>;  // path in a folder -> bytes
 
 Content contentOf(const Path& folder) {
@@ -296,6 +309,57 @@ TEST_F(HeadlessTest, aFolderWithoutAnEarlierExportOfTheGameIsRefusedAndStaysAsIt
     EXPECT_FALSE(exportProject(project, root() / "out", parts()).ok()) << "inside the project";
     EXPECT_FALSE(exportProject(project, root().parent_path(), parts()).ok()) << "around the project";
     EXPECT_FALSE(fs::exists(root() / "out"));
+}
+
+TEST_F(HeadlessTest, aFileThatNoPackTakesIsRefusedUnlessItIsLeftOut) {
+    ASSERT_TRUE(exportIt().ok());
+    const Content before = contentOf(out);
+    fs::create_directories(root() / "art/deep");
+    for (const char* name : {"a:b.txt", "art/a\\b.txt", "art/a\nb.txt", "art/\xff.txt", "art/link"}) {
+        if (Path{name}.extension().empty()) {
+            fs::create_directory_symlink("deep", root() / name);
+        } else {
+            putFile(name, "x");
+        }
+        const Result<ExportReport> report = exportIt();
+        ASSERT_FALSE(report.ok()) << name;
+        EXPECT_EQ(report.error().where, name);
+        EXPECT_NE(report.error().remedy.find("leave it out with export.leaveOut"), std::string::npos);
+        EXPECT_EQ(contentOf(out), before);
+        fs::remove(root() / name);
+    }
+    putFile("art/a:b.txt", "x");
+    putFile("project.json", R"({"name": "Test", "export": {"leaveOut": ["art/"]}})");
+    EXPECT_TRUE(exportIt().ok());
+}
+
+TEST_F(HeadlessTest, aFolderWithANameThatTheSystemRefusesIsAnError) {
+    const Path link = Path{out}.concat("_loop");
+    fs::remove(link);
+    fs::create_symlink(link, link);
+    for (const Path& folder : {out / std::string(300, 'x'), link / "out", link}) {
+        const Result<ExportReport> report = exportProject(*loadProject(root()), folder, parts());
+        ASSERT_FALSE(report.ok()) << folder;
+        EXPECT_FALSE(report.error().remedy.empty());
+    }
+    EXPECT_FALSE(fs::exists(out));
+    fs::remove(link);
+}
+
+TEST_F(HeadlessTest, aFinishedExportIsPlacedAsAWholeOrNotAtAll) {
+    const Path finished = Path{out}.concat("_finished");
+    fs::remove_all(finished);
+    const Project project = *loadProject(root());
+    ASSERT_TRUE(exportProject(project, finished, parts()).ok());
+    ASSERT_TRUE(placeExport(project, finished, out).ok());
+    EXPECT_EQ(contentOf(out), contentOf(finished));
+    EXPECT_NE(fs::status(out / "Test").permissions() & fs::perms::owner_exec, fs::perms::none);
+    ASSERT_TRUE(placeExport(project, finished, out).ok()) << "again";
+    fs::remove_all(out);
+    ASSERT_TRUE(writeFile(out / "thesis.txt", "mine").ok());
+    EXPECT_FALSE(placeExport(project, finished, out).ok());
+    EXPECT_EQ(contentOf(out), (Content{{"thesis.txt", "mine"}}));
+    fs::remove_all(finished);
 }
 
 TEST_F(HeadlessTest, anExportThatFailsOrWasKilledLeavesNothingBehind) {
@@ -409,52 +473,5 @@ TEST_F(HeadlessTest, theSameProjectGivesTheSameBytes) {
     ASSERT_TRUE(exportIt().ok());
     EXPECT_EQ(*readFile(out / "game.pack"), first);
 }
-
-TEST(EditorOptionsTest, exportOptionsAreParsedAndListedInTheHelp) {
-    const std::vector<const char*> words{"mine", "--export", "to"};
-    const auto options = parseEditorOptions(words);
-    ASSERT_TRUE(options.ok());
-    EXPECT_EQ(options->exportTo, "to");
-    EXPECT_EQ(options->project, "mine");
-    for (const char* option : {"--validate", "--export", "--screenshot"})
-        EXPECT_NE(editorUsage().find(option), std::string::npos);
-    const std::vector<const char*> cut{"--export"};
-    EXPECT_FALSE(parseEditorOptions(cut).ok());
-    const std::vector<const char*> jpeg{"--screenshot", "a.jpg"};
-    EXPECT_FALSE(parseEditorOptions(jpeg).ok());
-}
-
-TEST(EditorOptionsTest, wrongOptionsAreReportedWithTheExpectedOnes) {
-    const auto said = [](const std::vector<const char*>& words) {
-        const auto options = parseEditorOptions(words);
-        return options.ok() ? std::string{} : options.error().text();
-    };
-    EXPECT_EQ(said({"--validat"}), "command line: unknown option \"--validat\"; did you mean --validate?");
-    EXPECT_EQ(
-        said({"--theme", "pink"}),
-        "command line: invalid value \"pink\" for --theme; write --theme NAME: color theme, dark or light");
-    EXPECT_EQ(said({"--size", "12"}),
-              "command line: invalid value \"12\" for --size; write --size WxH: window size in px, "
-              "320x240 to 8192x8192, e.g. 1600x900");
-    EXPECT_EQ(
-        said({"--scale"}),
-        "command line: --scale needs a value; write --scale RATIO: scale of the user interface, 0.75 to 3");
-    EXPECT_EQ(said({"one", "two"}), "command line: \"two\" is a second project; name one project");
-    EXPECT_EQ(said({"one", "--import", "level.tmx", "out.scene.json", "--theme=light"}), "");
-}
-
-TEST(EditorOptionsTest, theHelpStandsInColumnsThatFitATerminal) {
-    const std::string usage = editorUsage();
-    const std::vector<std::string_view> lines =
-        split(trimmed(std::string_view{usage}.substr(usage.find("\n\n"))), '\n');
-    EXPECT_GT(lines.size(), 12u);
-    for (std::size_t i = 1; i < lines.size(); ++i) {
-        EXPECT_LE(lines[i].size(), 80u) << lines[i];
-        ASSERT_GT(lines[i].size(), 26u) << lines[i];
-        EXPECT_EQ(lines[i][25], ' ') << lines[i];
-        EXPECT_NE(lines[i][26], ' ') << lines[i];
-    }
-}
-
 }  // namespace
 }  // namespace plumb::editor

@@ -18,8 +18,9 @@ constexpr const char* kNew = "new";
 constexpr const char* kOld = "old";
 constexpr std::size_t kNamed = 3;  // files in a message
 
+/// @param inner, outer  without links
 bool isBelow(const Path& inner, const Path& outer) {
-    const Path relative = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
+    const Path relative = inner.lexically_relative(outer);
     return !relative.empty() && *relative.begin() != "..";
 }
 
@@ -74,14 +75,17 @@ Error failedAt(const Path& path, const std::error_code& failed, std::string reme
 }  // namespace
 
 Result<ExportFolder> ExportFolder::check(const Project& project, const Path& wanted) {
-    const Path whole = fs::absolute(wanted).lexically_normal();
+    std::error_code failed, none;
+    const Path whole = fs::absolute(wanted, failed).lexically_normal();
     const Path folder = whole.has_filename() ? whole : whole.parent_path();
     const std::string name = folder.generic_string();
-    if (isBelow(folder, project.root))
+    Path real, root;
+    if (!failed) real = fs::weakly_canonical(folder, failed);
+    if (!failed) root = fs::weakly_canonical(project.root, failed);
+    if (failed) return failedAt(wanted, failed, "choose another folder");
+    if (isBelow(real, root))
         return Error{name, "the folder is inside the project", "choose a folder outside the project"};
-    if (isBelow(project.root, folder))
-        return Error{name, "the folder contains the project", "choose another folder"};
-    std::error_code none;
+    if (isBelow(root, real)) return Error{name, "the folder contains the project", "choose another folder"};
     if (!fs::exists(folder, none)) {
         if (!fs::is_symlink(folder, none)) return ExportFolder{folder};
         return Error{name, "this is a link to a folder that does not exist", "choose a folder"};

@@ -9,7 +9,6 @@
 #include "app/player.hpp"
 #include "codec/pack.hpp"
 #include "core/text.hpp"
-#include "editor/model/assets/asset_catalog.hpp"
 #include "editor/model/headless/export_folder.hpp"
 #include "platform/paths.hpp"
 
@@ -25,21 +24,47 @@ constexpr std::size_t kNamed = 5;  // files in the report
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// Adds all files of a folder that are not hidden.
-/// @param leftOut  starts of paths that are not added
+/// The files of a folder that are neither hidden nor what a killed writeFile() left.
+/// @param leftOut  starts of paths that are not listed
+/// @error a folder cannot be read; a link to a folder, which may lead anywhere
+Result<std::vector<std::string>> filesFor(const Path& folder, std::span<const std::string_view> leftOut) {
+    std::vector<std::string> files;
+    std::error_code failed, none;
+    for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end;
+         at.increment(failed)) {
+        const std::string name = at->path().filename().string();
+        const bool isFolder = at->is_directory(none);
+        std::string path = at->path().lexically_relative(folder).generic_string();
+        const std::string whole = isFolder ? path + "/" : path;
+        const bool isLeftOut = std::any_of(leftOut.begin(), leftOut.end(),
+                                           [&](std::string_view start) { return startsWith(whole, start); });
+        if (isLeftOut || startsWith(name, ".") || endsWith(name, ".tmp~")) {
+            at.disable_recursion_pending();
+        } else if (!isFolder) {
+            files.push_back(std::move(path));
+        } else if (at->is_symlink(none)) {
+            return Error{path, "this is a link to a folder, which exports do not follow",
+                         "put the folder itself there, or leave it out with export.leaveOut"};
+        }
+    }
+    if (failed)
+        return Error{folder.generic_string(), failed.message(), "check the permissions of its folders"};
+    return files;
+}
+
+/// Adds the files of filesFor().
+/// @error one that cannot be read or whose path a pack cannot have
 Result<Done> addFiles(Files& files, const Path& from, const std::string& to,
                       std::span<const std::string_view> leftOut) {
-    const auto isLeftOut = [&](std::string_view path) {
-        return std::any_of(leftOut.begin(), leftOut.end(),
-                           [&](std::string_view start) { return startsWith(path, start); });
-    };
-    AssetCatalog catalog{from};
-    catalog.refresh();
-    for (const AssetItem& file : catalog.all()) {
-        if (file.folder || isLeftOut(file.path)) continue;
-        Result<std::string> bytes = readFile(from / file.path);
+    const Result<std::vector<std::string>> found = filesFor(from, leftOut);
+    if (!found) return found.error();
+    for (const std::string& file : *found) {
+        std::string path = to + "/" + file;
+        if (const std::string why = whyPathRefused(path); !why.empty())
+            return Error{file, "the path " + why, "rename it, or leave it out with export.leaveOut"};
+        Result<std::string> bytes = readFile(from / file);
         if (!bytes) return bytes.error();
-        files.emplace_back(to + "/" + file.path, std::move(*bytes));
+        files.emplace_back(std::move(path), std::move(*bytes));
     }
     return Done{};
 }
@@ -109,6 +134,14 @@ Result<Done> copyFile(const Path& from, const Path& to) {
     return Error{to.generic_string(), failed.message(), "check the free disk space and the write permission"};
 }
 
+/// Copies all files of a folder.
+Result<Done> copyFiles(const Path& from, const Path& to) {
+    for (const std::string& file : filesBelow(from, "")) {
+        if (Result<Done> copied = copyFile(from / file, to / file); !copied) return copied;
+    }
+    return Done{};
+}
+
 Result<Done> copyIcon(const Project& project, const Path& folder) {
     if (project.icon.empty()) return Done{};
     const Result<Path> icon = pathInside(project.root, project.icon);
@@ -151,11 +184,9 @@ Result<std::string> copyProgram(const Project& project, const Path& player, cons
 
 /// Copies all files of the page. @return what starts the game
 Result<std::string> copyPage(const Project& project, const Path& player, const Path& folder) {
-    for (const std::string& file : filesBelow(player, "")) {
-        if (Result<Done> copied = copyFile(player / file, folder / file); !copied) return copied.error();
-    }
-    Result<std::string> page = readFile(player / kPage);
+    const Result<std::string> page = readFile(player / kPage);
     if (!page) return page.error();
+    if (Result<Done> copied = copyFiles(player, folder); !copied) return copied.error();
     if (Result<Done> written = writeFile(folder / kPage, withProject(*page, project)); !written)
         return written.error();
     if (Result<Done> copied = copyIcon(project, folder); !copied) return copied.error();
@@ -185,28 +216,45 @@ Result<ExportReport> exportTo(const Project& project, const Path& folder, const 
     return report;
 }
 
+/// Has an empty folder filled, and places what is in it then, or after an error nothing.
+/// @param fill  Result<Done>(const Path& folder)
+/// @return the paths of all files, sorted
+template <class Fill>
+Result<std::vector<std::string>> fillAndPlace(const Project& project, const Path& wanted, const Fill& fill) {
+    Result<ExportFolder> folder = ExportFolder::check(project, wanted);
+    if (!folder) return folder.error();
+    const Result<Path> stage = folder->stage();
+    const Result<Done> filled = stage ? fill(*stage) : Result<Done>{stage.error()};
+    Result<std::vector<std::string>> placed =
+        filled ? folder->place() : Result<std::vector<std::string>>{filled.error()};
+    folder->clear();
+    return placed;
+}
+
 }  // namespace
 
-Result<ExportReport> exportProject(const Project& project, const Path& wanted, const ExportParts& parts) {
+Result<ExportReport> exportProject(const Project& project, const Path& folder, const ExportParts& parts) {
     std::error_code ignored;
     if (!fs::exists(parts.player, ignored))
         return Error{parts.player.generic_string(), "there is no player",
                      "build it: ./plumb export builds it first"};
-    Result<ExportFolder> folder = ExportFolder::check(project, wanted);
-    if (!folder) return folder.error();
-    const Result<Path> stage = folder->stage();
-    Result<ExportReport> report =
-        stage ? exportTo(project, *stage, parts) : Result<ExportReport>{stage.error()};
-    if (report) {
-        Result<std::vector<std::string>> placed = folder->place();
-        if (placed) {
-            report->written = *std::move(placed);
-        } else {
-            report = placed.error();
-        }
-    }
-    folder->clear();
+    ExportReport report;
+    Result<std::vector<std::string>> placed =
+        fillAndPlace(project, folder, [&](const Path& stage) -> Result<Done> {
+            Result<ExportReport> made = exportTo(project, stage, parts);
+            if (!made) return made.error();
+            report = *std::move(made);
+            return Done{};
+        });
+    if (!placed) return placed.error();
+    report.written = *std::move(placed);
     return report;
+}
+
+Result<Done> placeExport(const Project& project, const Path& finished, const Path& folder) {
+    const Result<std::vector<std::string>> placed =
+        fillAndPlace(project, folder, [&](const Path& stage) { return copyFiles(finished, stage); });
+    return placed ? Result<Done>{Done{}} : placed.error();
 }
 
 }  // namespace plumb::editor

@@ -37,7 +37,10 @@ struct ExportReport {
 /// All files are written, or after an error none. Those of an earlier export of the same game are replaced;
 /// all other files in the folder stay. The same project and player give the same bytes.
 /// @error  the folder is inside the project or contains it, has content but no export of this game, or cannot
-/// be written; no player
+/// be written; no player; a file of the project that cannot be read or has a name that no pack takes
 Result<ExportReport> exportProject(const Project& project, const Path& folder, const ExportParts& parts);
+
+/// Copies an export of the project that exportProject() has written to another folder, in the same way.
+Result<Done> placeExport(const Project& project, const Path& finished, const Path& folder);
 
 }  // namespace plumb::editor

@@ -60,6 +60,8 @@ constexpr std::array kOptions{
         [](EditorOptions& o, std::string_view v) { return setText(v, o.player); }},
     Row{"--licences", "FOLDER", "with --export: the licences of the player's libraries",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.licences); }},
+    Row{"--finished", "FOLDER", "with --export: copy this finished export instead of making one",
+        [](EditorOptions& o, std::string_view v) { return setText(v, o.finished); }},
     Row{"--resources", "FOLDER",
         "write icon and version of the program for Windows to a folder, game.rc and game.ico, and exit",
         [](EditorOptions& o, std::string_view v) { return setText(v, o.resources); }},

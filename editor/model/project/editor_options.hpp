@@ -18,6 +18,7 @@ struct EditorOptions {
     std::string exportTo;        ///< folder to export the game to, then exit; empty: no export
     std::string player;          ///< of the export: see ExportParts; empty: the one for this computer
     std::string licences;        ///< of the export: see ExportParts
+    std::string finished;        ///< a finished export to be copied to `exportTo`; empty: one is made
     std::string resources;       ///< folder for writeWindowsResources(), then exit; empty: none
     std::string screenshot;      ///< PNG file for a screenshot of the window, then exit; empty: none
     std::string tour;            ///< script of actions to run, then exit (editor/ui/tour.hpp); empty: none

@@ -27,6 +27,13 @@ constexpr const char* kEditorProgram = "plumb-editor.exe";
 constexpr const char* kEditorProgram = "plumb-editor";
 #endif
 
+/// Prints the error, if there is one. Returns the exit code of the program.
+int endWith(const Result<Done>& done) {
+    if (done) return 0;
+    std::fprintf(stderr, "plumb-editor: %s\n", done.error().text().c_str());
+    return 1;
+}
+
 }  // namespace
 
 ProjectSession::ProjectSession(Project project)
@@ -221,6 +228,7 @@ int ProjectSession::validate() {
 }
 
 int ProjectSession::exportGame(const EditorOptions& options) {
+    if (!options.finished.empty()) return endWith(placeExport(project_, options.finished, options.exportTo));
     if (!buildCode()) return 1;
     const ProjectCheck found = check();
     std::printf("%s", found.text().c_str());
@@ -250,10 +258,7 @@ int ProjectSession::exportGame(const EditorOptions& options) {
 }
 
 int ProjectSession::writeResources(const Path& folder) const {
-    const Result<Done> written = writeWindowsResources(project_, folder);
-    if (written) return 0;
-    std::fprintf(stderr, "plumb-editor: %s\n", written.error().text().c_str());
-    return 1;
+    return endWith(writeWindowsResources(project_, folder));
 }
 
 int importFile(const EditorOptions& options) {
