@@ -16,15 +16,14 @@ set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(CMAKE_NO_SYSTEM_FROM_IMPORTED ON)
 # Paths of sources in the program would differ between computers.
-set(relative "-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=")
+set(relative "\"-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=\"")
 # include: the configuration of libstdc++ for that glibc.
 set(CMAKE_C_FLAGS_INIT "${relative}")
-set(CMAKE_CXX_FLAGS_INIT "-I${PLUMB_SYSROOT}/include ${relative}")
+set(CMAKE_CXX_FLAGS_INIT "\"-I${PLUMB_SYSROOT}/include\" ${relative}")
 # The compiler would find the libraries of this computer first.
 set(places ${PLUMB_SYSROOT}/usr/lib/x86_64-linux-gnu ${PLUMB_SYSROOT}/lib/x86_64-linux-gnu)
-list(TRANSFORM places PREPEND "-L" OUTPUT_VARIABLE search)
-list(JOIN search " " search)
+list(JOIN places "\" \"-L" search)
 list(GET places 0 start)
 # Checks of SDL link with libraries whose own libraries are not here; the player loads all of them when it runs.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-B${start} ${search} -static-libstdc++ -static-libgcc -pthread \
-${PLUMB_SYSROOT}/new_glibc.o -Wl,--allow-shlib-undefined")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "\"-B${start}\" \"-L${search}\" -static-libstdc++ -static-libgcc -pthread \
+\"${PLUMB_SYSROOT}/new_glibc.o\" -Wl,--allow-shlib-undefined")

@@ -15,6 +15,6 @@ set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(CMAKE_NO_SYSTEM_FROM_IMPORTED ON)
 # Paths of sources and the time in the program would differ between builds.
-set(CMAKE_C_FLAGS_INIT "-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=")
+set(CMAKE_C_FLAGS_INIT "\"-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=\"")
 set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT}")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--no-insert-timestamp")

@@ -1,0 +1,30 @@
+cmake_minimum_required(VERSION 3.22)
+
+# The flags of the toolchains of exports are whole words, also if the folders of the sources and of the user have blanks.
+#   cmake -D TARGETS=…/player/targets -D WORK=FOLDER -P toolchains.cmake
+
+file(REMOVE_RECURSE ${WORK})
+set(folder "${WORK}/of a user/sources")
+set(PLUMB_LIBRARIES "${WORK}/of a user/cache/libraries")
+set(CMAKE_SOURCE_DIR ${folder})
+foreach(target IN ITEMS linux windows web)
+    file(READ ${TARGETS}/toolchains/${target}.cmake text)
+    string(REGEX REPLACE "include\\([^)]*\\)" "" text "${text}")  # emscripten may not be installed
+    file(WRITE "${folder}/player/targets/toolchains/${target}.cmake" "${text}")
+    foreach(flags IN ITEMS C_FLAGS CXX_FLAGS EXE_LINKER_FLAGS)
+        unset(CMAKE_${flags}_INIT)
+    endforeach()
+    include("${folder}/player/targets/toolchains/${target}.cmake")
+    foreach(flags IN ITEMS C_FLAGS CXX_FLAGS EXE_LINKER_FLAGS)
+        separate_arguments(words UNIX_COMMAND "${CMAKE_${flags}_INIT}")
+        if(NOT words AND NOT flags STREQUAL "EXE_LINKER_FLAGS")
+            message(FATAL_ERROR "${target}: there are no ${flags}")
+        endif()
+        foreach(word IN LISTS words)
+            if(NOT word MATCHES "^[-/]")
+                message(FATAL_ERROR "${target}: a word of ${flags} begins within a path: ${word}")
+            endif()
+        endforeach()
+    endforeach()
+endforeach()
+file(REMOVE_RECURSE ${WORK})
