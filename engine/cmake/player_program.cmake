@@ -2,9 +2,19 @@
 set(PLUMB_GAME_RESOURCES "" CACHE PATH "folder with game.rc: the icon and the version of the game, for Windows")
 set(PLUMB_TARGETS ${PROJECT_SOURCE_DIR}/player/targets)
 
-# Gives player/main.cpp its own name: an export renames it.
+option(PLUMB_EXPORTED "build the players for exports, which do not contain the names of their targets" OFF)
+
+# Gives player/main.cpp its own name: an export renames it. What is built for exports has none, and its file has the same
+# name for every project: programs for Windows and scripts of pages contain it.
 function(name_player program)
-    target_compile_definitions(${program} PRIVATE PLUMB_PLAYER="${program}")
+    if(PLUMB_EXPORTED)
+        target_compile_definitions(${program} PRIVATE PLUMB_PLAYER="")
+        set(folder ${CMAKE_BINARY_DIR}/exported/${program})
+        set_target_properties(${program} PROPERTIES OUTPUT_NAME player RUNTIME_OUTPUT_DIRECTORY ${folder}
+            ARCHIVE_OUTPUT_DIRECTORY ${folder})
+    else()
+        target_compile_definitions(${program} PRIVATE PLUMB_PLAYER="${program}")
+    endif()
 endfunction()
 
 function(finish_player program)

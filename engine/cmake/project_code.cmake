@@ -38,6 +38,9 @@ function(add_project_code name folder)
     target_precompile_headers(${name}-objects PRIVATE <plumb.hpp>)
     target_compile_options(${name}-objects PRIVATE $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-Wall -Wextra>)
     target_compile_definitions(${name}-objects PRIVATE PLUMB_RELOADABLE)
+    # The program does not depend on where the project is.
+    target_compile_options(${name}-objects PRIVATE
+        "$<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-fmacro-prefix-map=${folder}/=>")
     # Each version of a library that is loaded again has its own types; gcc makes inline variables unique in the program.
     target_compile_options(${name}-objects PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
 

@@ -9,7 +9,8 @@ file(COPY ${ROOT}/engine/cmake/ DESTINATION ${tree}/engine/cmake)
 file(COPY ${ROOT}/projects/CMakeLists.txt DESTINATION ${tree}/projects)
 file(WRITE ${tree}/include/plumb.hpp "#pragma once\n#define PLUMB_MODULE(module) extern const char* module\n")
 file(WRITE ${tree}/player/main.cpp
-    "#include <cstdio>\n#include <plumb.hpp>\nPLUMB_MODULE(word);\nint main() { std::puts(word); }\n")
+    "#include <cstdio>\n#include <plumb.hpp>\nPLUMB_MODULE(word);\n"
+    "int main(int count, char**) { std::puts(count > 1 ? PLUMB_PLAYER : word); }\n")
 file(WRITE ${tree}/CMakeLists.txt [[
 cmake_minimum_required(VERSION 3.22)
 project(paths LANGUAGES CXX)
@@ -27,7 +28,8 @@ set(build "${WORK}/build")
 # Makes a project and enters it into the build. @param name  path of the folder
 function(add_project path)
     file(WRITE "${path}/code/game.cpp"
-        "#include <plumb.hpp>\n#include \"parts/word.hpp\"\nPLUMB_MODULE(word);\nconst char* word = WORD;\n")
+        "#include <plumb.hpp>\n#include \"parts/word.hpp\"\nPLUMB_MODULE(word);\n"
+        "const char* word = WORD;\nconst char* place = __FILE__;\n")
     file(WRITE "${path}/code/parts/word.hpp" "#define WORD \"it is built\"\n")
     foreach(time IN ITEMS first second)
         execute_process(COMMAND ${CMAKE_COMMAND} -D "PROJECT=${path}" -D BUILD=${build}
@@ -75,6 +77,19 @@ foreach(target IN LISTS targets)
     if(NOT output STREQUAL "it is built\n")
         message(FATAL_ERROR "${target}-player prints '${output}'")
     endif()
+endforeach()
+
+# For exports, the same code gives the same bytes wherever it lies, and whatever was exported before.
+file(COPY ${build}/projects.txt DESTINATION ${WORK}/exports)
+run(${CMAKE_COMMAND} -S ${tree} -B ${WORK}/exports -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER} -D PLUMB_EXPORTED=ON)
+set(players "")
+foreach(target IN ITEMS outside-1 outside-3 plain-1)
+    run(${CMAKE_COMMAND} --build ${WORK}/exports --target ${target}-player)
+    list(APPEND players ${WORK}/exports/exported/${target}-player/player)
+endforeach()
+list(GET players 0 first)
+foreach(player IN LISTS players)
+    run(${CMAKE_COMMAND} -E compare_files ${first} ${player})
 endforeach()
 
 # What no build can pass on is an error that says so.

@@ -55,7 +55,7 @@ done
 later=()
 command -v faketime >/dev/null && later=(faketime -f +3d)
 for system in "${systems[@]:1}"; do
-    rm -rf "$root/build/$system/bin"
+    rm -rf "$root/build/$system/exported"
     first=$work/${projects[0]}/$system again=$work/again/$system
     mkdir -p "$work/again"
     "${later[@]}" "$root/plumb" export "${projects[0]}" "$again" --to "$system" >"$again.log" 2>&1 || fail "$(tail -20 "$again.log")"
