@@ -80,21 +80,10 @@ check_linux_player() {
         fail "the player for linux needs glibc $newest, and many desktops have 2.28; see player/targets/linux/new_glibc.c"
 }
 
-# The licences in the sources of the libraries, and of the parts of packages that consist of headers alone.
-gather_licences() {
-    local sources=$1 name file
-    mkdir -p "$made/licences"
-    for name in sdl:LICENSE.txt sdl_image:LICENSE.txt sdl_mixer:LICENSE.txt zlib:README zstd:LICENSE lua:doc/readme.html epoxy:COPYING; do
-        file=$sources/${name%%:*}-prefix/src/${name%%:*}/${name#*:}
-        [ ! -f "$file" ] || cp "$file" "$made/licences/${name%%:*}.txt"
-    done
-    cp /usr/share/doc/nlohmann-json3-dev/copyright "$made/licences/nlohmann-json.txt"
-    cp /usr/share/doc/libstb-dev/copyright "$made/licences/stb.txt"
-}
-
 # The libraries are built anew when their list changes.
 stamp=$libraries/made-from
-recipes=("$here/libraries/CMakeLists.txt" "$here/libraries/plain/CMakeLists.txt" "$here/toolchains/$target.cmake")
+recipes=("$here/libraries/CMakeLists.txt" "$here/libraries/plain/CMakeLists.txt" "$here/toolchains/$target.cmake"
+    "$here/licences.sh")
 if [ "$target" = linux ]; then
     recipes+=("$here/linux/packages.txt" "$here/linux/new_glibc.c")
     sysroot=$made/sysroot
@@ -114,7 +103,7 @@ if [ "$(cat "$stamp" 2>/dev/null)" != "$list" ]; then
         fi
         configure_and_build "$here/libraries" "$made/build-libraries" all -DCMAKE_INSTALL_PREFIX="$libraries"
     )
-    gather_licences "$made/build-libraries"
+    "$here/licences.sh" "$target" "$made/build-libraries" "$made/licences"
     printf '%s\n' "$list" >"$stamp"
     rm -rf "$made/build-libraries"
 fi
@@ -123,21 +112,21 @@ fi
 mkdir -p "$build"
 code=$(cmake -D PROJECT="$project" -D BUILD="$build" -P "$root/engine/cmake/code_target.cmake")
 program=${code:-plumb}-player
-configure_and_build "$root" "$build" "$program" -DPLUMB_TESTS=OFF -DPLUMB_EDITOR=OFF -DPLUMB_UNITY=ON \
+configure_and_build "$root" "$build" "$program" -DPLUMB_TESTS=OFF -DPLUMB_EDITOR=OFF -DPLUMB_UNITY=ON -DPLUMB_EXPORTED=ON \
     -DPLUMB_GAME_RESOURCES="$resources" "${launcher[@]}"
 
 rm -rf "$player"
 mkdir "$player"
+made_player=$build/exported/$program/player
 if [ "$target" = web ]; then
-    cp "$build/bin/$program.js" "$player/player.js"
-    cp "$build/bin/$program.wasm" "$player/player.wasm"
+    cp "$made_player.js" "$made_player.wasm" "$player/"
     cp "$here"/web/index.html "$here"/web/*.js "$player/"
     printf '%s\n' "$player" "$made/licences"
 elif [ "$target" = windows ]; then
-    x86_64-w64-mingw32-strip -o "$player/player.exe" "$build/bin/$program.exe"
+    x86_64-w64-mingw32-strip -o "$player/player.exe" "$made_player.exe"
     printf '%s\n' "$player/player.exe" "$made/licences"
 else
-    strip -o "$player/player" "$build/bin/$program"
+    strip -o "$player/player" "$made_player"
     check_linux_player "$player/player"
     printf '%s\n' "$player/player" "$made/licences"
 fi
