@@ -52,6 +52,8 @@ Result<Done> Game::load(const Snapshot& saved) {
         return Error{"saved game", "the values of its scripts are damaged or do not fit their memory",
                      "load another one"};
     }
+    // Those of the tick in which it was saved have been performed.
+    if (auto* requests = world.findResource<SceneRequests>()) *requests = {};
     onLoaded();
     return Done{};
 }
