@@ -19,6 +19,7 @@ struct ScreenSettings {
     bool smooth = false;  ///< linear texture filter and antialiasing: not for pixel art
     /// px, size of the window without the settings of the player; 0: windowWidth, windowHeight
     int standardWidth = 0, standardHeight = 0;
+    bool standardFullscreen = false;  ///< fullscreen without the settings of the player
 };
 
 /// Returns the settings with those of the command line, which override them: --scale, --window, --fullscreen.

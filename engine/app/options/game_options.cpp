@@ -20,7 +20,7 @@ constexpr std::string_view kFile = "settings.json";
 
 PlayerSettings projectSettings(const ScreenSettings& screen, const ActionMap& keys) {
     PlayerSettings settings;
-    settings.fullscreen = screen.fullscreen;
+    settings.fullscreen = screen.standardFullscreen;
     settings.keys = keys;
     return settings;
 }
@@ -65,6 +65,7 @@ Result<Path> playerFolder(const PlayerOptions& options, std::string_view project
 
 ScreenSettings withPlayerSettings(ScreenSettings settings, const PlayerOptions& options,
                                   std::string_view project) {
+    settings.standardFullscreen = settings.fullscreen;
     const Result<Path> file = fileOf(options, project);
     if (!file || file->empty() || options.safe || !fileExists(*file)) return settings;
     // Problems are reported later, when the keys are read, too.
@@ -83,9 +84,10 @@ ScreenSettings withPlayerSettings(ScreenSettings settings, const PlayerOptions& 
 GameOptions::GameOptions(const PlayerOptions& options, std::string_view project, Screen& screen,
                          SoundOutput& sounds, FramePacer& pacer, Input& input)
     : file_{fileOf(options, project)},
-      project_{projectSettings({}, input.map())},
+      project_{projectSettings(screen.settings(), input.map())},
       applied_{read(options.safe)},
       written_{applied_},
+      windowScale_{applied_.scale},
       menu_{applied_, project_},
       screen_{screen},
       sounds_{sounds},
@@ -136,17 +138,6 @@ void GameOptions::apply() {
         window.setFullscreen(now.fullscreen);
         choseFullscreen_ = true;
     }
-    if (now.scale != applied_.scale && !now.fullscreen) {
-        const ScreenSettings& screen = screen_.settings();
-        if (now.scale == 0) {
-            const bool isOther = screen.standardWidth > 0;
-            window.setSize(isOther ? screen.standardWidth : screen.windowWidth,
-                           isOther ? screen.standardHeight : screen.windowHeight);
-        } else {
-            window.setSize(static_cast<int>(screen.picture.x) * now.scale,
-                           static_cast<int>(screen.picture.y) * now.scale);
-        }
-    }
     if (now.vsync != applied_.vsync) window.setVsync(now.vsync);
     pacer_.setCap(now.frameCap);
     sounds_.setVolumes(now.master, now.music, now.sounds);
@@ -155,12 +146,30 @@ void GameOptions::apply() {
         keysChanged_ = true;
     }
     applied_ = now;
+    fitWindow();
+}
+
+/// Gives the window the chosen size: after fullscreen, if it was chosen there.
+void GameOptions::fitWindow() {
+    if (applied_.fullscreen || applied_.scale == windowScale_) return;
+    windowScale_ = applied_.scale;
+    Window& window = screen_.window();
+    const ScreenSettings& screen = screen_.settings();
+    if (windowScale_ == 0) {
+        const bool isOther = screen.standardWidth > 0;
+        window.setSize(isOther ? screen.standardWidth : screen.windowWidth,
+                       isOther ? screen.standardHeight : screen.windowHeight);
+    } else {
+        window.setSize(static_cast<int>(screen.picture.x) * windowScale_,
+                       static_cast<int>(screen.picture.y) * windowScale_);
+    }
 }
 
 void GameOptions::setFullscreen(bool on) {
     applied_.fullscreen = on;
     choseFullscreen_ = true;
     menu_.setFullscreen(on);
+    fitWindow();
     write();
 }
 

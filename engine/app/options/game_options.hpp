@@ -59,6 +59,7 @@ public:
 private:
     PlayerSettings read(bool safe);
     void apply();
+    void fitWindow();
     [[nodiscard]] int mostScale() const;
     [[nodiscard]] bool isOpener(const Event& event) const;
     [[nodiscard]] Vec2 inMenu(Vec2 windowPosition) const;
@@ -70,6 +71,7 @@ private:
     PlayerSettings project_;
     PlayerSettings applied_;
     PlayerSettings written_;
+    int windowScale_;  // PlayerSettings::scale that the size of the window follows
     OptionsMenu menu_;
     Screen& screen_;
     SoundOutput& sounds_;

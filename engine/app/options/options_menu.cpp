@@ -85,6 +85,12 @@ bool isOfMenu(const Event& event) {
            (event.kind == EventKind::PadDown && event.padButton == PadButton::Back);
 }
 
+/// True for the left stick of a pad.
+bool isOfStick(const Event& event) {
+    return event.kind == EventKind::PadAxisMoved &&
+           (event.padAxis == PadAxis::LeftX || event.padAxis == PadAxis::LeftY);
+}
+
 bool isArrow(Key key) { return key == Key::Up || key == Key::Down || key == Key::Left || key == Key::Right; }
 
 OptionsMenu::Row choice(std::string label, std::string value) {
@@ -105,6 +111,7 @@ OptionsMenu::OptionsMenu(PlayerSettings settings, PlayerSettings project)
 
 void OptionsMenu::open() {
     isOpen_ = true;
+    stick_.reset();
     show(Page::Main);
 }
 
@@ -122,7 +129,8 @@ std::string OptionsMenu::hint() const {
         case Kind::Choice:
         case Kind::Volume: return "Left and Right change it";
         case Kind::Binding:
-            return keysAllowed_ ? "Enter: another key or button" : "Keys cannot be changed in a recording";
+            return keysAllowed_ ? "Enter: another key or button"
+                                : "Keys cannot be changed in a recording or a replay";
         case Kind::Command: return page_ == Page::Main ? "Escape: back to the game" : "Escape: back";
     }
     return {};
@@ -236,22 +244,17 @@ void OptionsMenu::scroll() {
 // ---- input
 
 OptionsMenu::Request OptionsMenu::handle(const Event& event, Vec2 mouse) {
+    if (isOfStick(event) && !beginsPush(event)) return Request::None;
     if (captures_) return capture(event), Request::None;
     switch (event.kind) {
         case EventKind::KeyDown:
             if (event.repeated && !isArrow(event.key)) break;
             return press(event.key);
         case EventKind::PadDown: return press(keyOf(event.padButton));
-        case EventKind::PadAxisMoved: {
-            if (event.padAxis != PadAxis::LeftX && event.padAxis != PadAxis::LeftY) break;
-            if (std::abs(event.value) < kPushed) {
-                if (stick_ && stick_->padAxis == event.padAxis) stick_.reset();
-                break;
-            }
-            if (std::exchange(stick_, event)) break;
+        case EventKind::PadAxisMoved:
+            if (!isOfStick(event)) break;
             if (event.padAxis == PadAxis::LeftX) return press(event.value > 0.0f ? Key::Right : Key::Left);
             return press(event.value > 0.0f ? Key::Down : Key::Up);
-        }
         case EventKind::MouseWheel:
             if (event.motion.y != 0.0f) select(event.motion.y > 0.0f ? -1 : 1);
             break;
@@ -289,6 +292,13 @@ OptionsMenu::Request OptionsMenu::handle(const Event& event, Vec2 mouse) {
     return Request::None;
 }
 
+/// Follows the left stick. @return true for the first of the events of a push
+bool OptionsMenu::beginsPush(const Event& event) {
+    if (std::abs(event.value) >= kPushed) return !std::exchange(stick_, event.padAxis);
+    if (stick_ == event.padAxis) stick_.reset();
+    return false;
+}
+
 OptionsMenu::Request OptionsMenu::press(Key key) {
     drags_ = false;
     switch (key) {
@@ -318,6 +328,7 @@ OptionsMenu::Request OptionsMenu::back() {
     if (page_ == Page::Keys) {
         show(Page::Main);
         selected_ = Controls;
+        scroll();
         return Request::None;
     }
     isOpen_ = false;

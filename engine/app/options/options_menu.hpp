@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool isOpen() const { return isOpen_; }
     /// Offers window sizes up to this one. @param scale  1..PlayerSettings::kMostScale
     void setMostScale(int scale) { mostScale_ = scale; }
-    /// False while the game is recorded: a recording has the bindings of its start.
+    /// False while the game is recorded or replayed: its bindings are those of the start.
     void allowKeys(bool allowed) { keysAllowed_ = allowed; }
     /// Follows a change that was made elsewhere, e.g. with F11.
     void setFullscreen(bool on);
@@ -75,6 +75,7 @@ private:
     void rebuild();
     void show(Page page);
     Request activate();
+    bool beginsPush(const Event& event);
     Request press(Key key);
     Request back();
     void change(int direction);
@@ -92,9 +93,9 @@ private:
     Vec2 screen_{640.0f, 360.0f};
     Page page_ = Page::Main;
     std::size_t selected_ = 0;
-    std::size_t first_ = 0;       // index of the first row that is shown
-    std::size_t shown_ = 0;       // number of rows that are shown
-    std::optional<Event> stick_;  // direction of a stick that is held, so that it moves once
+    std::size_t first_ = 0;         // index of the first row that is shown
+    std::size_t shown_ = 0;         // number of rows that are shown
+    std::optional<PadAxis> stick_;  // of a stick that is pushed, so that it moves once
     bool isOpen_ = false;
     bool captures_ = false;
     int mostScale_ = PlayerSettings::kMostScale;

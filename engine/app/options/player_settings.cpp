@@ -36,7 +36,7 @@ PlayerSettings settingsFromText(std::string_view text, const PlayerSettings& pro
     settings.master = fields.number("master", project.master, 0.0f, 1.0f);
     settings.music = fields.number("music", project.music, 0.0f, 1.0f);
     settings.sounds = fields.number("sounds", project.sounds, 0.0f, 1.0f);
-    settings.language = fields.text("language", project.language);
+    static_cast<void>(fields.find("language"));  // in files of earlier versions
     if (const Json* keys = fields.find("keys"))
         settings.keys = reboundFromJson(project.keys, *keys, where + ": keys", warnings);
     fields.warnUnknown();
@@ -53,7 +53,6 @@ std::string settingsText(const PlayerSettings& settings, const PlayerSettings& p
     json["master"] = settings.master;
     json["music"] = settings.music;
     json["sounds"] = settings.sounds;
-    json["language"] = settings.language;
     json["keys"] = bindingChanges(project.keys, settings.keys);
     return writeJson(json);
 }

@@ -18,11 +18,10 @@ struct PlayerSettings {
     int scale = 0;      ///< size of the window in multiples of the game's resolution; 0: that of the project
     bool vsync = true;  ///< wait for the display before a frame is shown
     int frameCap = 0;   ///< Hz, 0: automatic: FramePacer::rest()
-    float master = 1.0f;   ///< volume of everything, ratio, 0..1
-    float music = 1.0f;    ///< volume of the music, ratio, 0..1
-    float sounds = 1.0f;   ///< volume of the other sounds, ratio, 0..1
-    std::string language;  ///< empty: that of the system
-    ActionMap keys;        ///< all bindings: those of the project with the changes of the player
+    float master = 1.0f;  ///< volume of everything, ratio, 0..1
+    float music = 1.0f;   ///< volume of the music, ratio, 0..1
+    float sounds = 1.0f;  ///< volume of the other sounds, ratio, 0..1
+    ActionMap keys;       ///< all bindings: those of the project with the changes of the player
 
     friend bool operator==(const PlayerSettings&, const PlayerSettings&) = default;
 };
