@@ -5,8 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
+#include "codec/base64.hpp"
 #include "codec/range_coder.hpp"
+#include "core/hash.hpp"
 #include "input/input_frame.hpp"
 
 // The bytes of a link: its version (u8), a checksum of the version and of what follows (u32, little-endian),
@@ -23,8 +26,25 @@
 
 namespace plumb::link_format {
 
+inline constexpr unsigned kVersion = 2;
+inline constexpr std::size_t kHeadBytes = 5;
+inline constexpr std::string_view kMark = "#r=";
 inline constexpr std::uint64_t kMaxNameBytes = 1024;
 inline constexpr std::uint64_t kMaxKeysBytes = 16384;
+
+/// Returns the bytes before a stream.
+inline std::string headOf(std::string_view stream) {
+    const auto checksum = static_cast<std::uint32_t>(mixBits(hashText(stream) + kVersion));
+    std::string head{static_cast<char>(kVersion)};
+    for (int shift = 0; shift < 32; shift += 8) head += static_cast<char>(checksum >> shift & 255);
+    return head;
+}
+
+inline std::string linkOfStream(std::string_view stream) {
+    std::string bytes = headOf(stream);
+    bytes += stream;
+    return std::string{kMark} + toBase64Url(bytes);
+}
 
 // ---- changes of the input
 
@@ -95,20 +115,19 @@ bool flip(Word& word, unsigned bit) {
     return true;
 }
 
+/// @param change  anything that can be decoded
 /// @return false if the frame cannot have this change
 inline bool apply(const Change& change, InputFrame& frame) {
-    if (change.index >= kIndices[static_cast<std::size_t>(change.part)]) return false;
+    const auto part = static_cast<std::size_t>(change.part);
+    if (part >= kParts || change.index >= kIndices[part]) return false;
     switch (change.part) {
-        case Part::Key: return change.index != 0 && flip(frame.keys[change.index / 32], change.index % 32);
+        case Part::Key: return flip(frame.keys[change.index / 32], change.index % 32);
         case Part::MouseButton: return flip(frame.mouseButtons, change.index);
         case Part::Mouse: return move(frame.mouseX, change.x) && move(frame.mouseY, change.y);
         case Part::Wheel: return move(frame.wheelX, change.x) && move(frame.wheelY, change.y);
         case Part::Pad: return flip(frame.connectedPads, change.index);
-        case Part::PadButton: {
-            const unsigned button = change.index % kPadButtonBits;
-            return button < kPadButtonCount &&
-                   flip(frame.pads[change.index / kPadButtonBits].buttons, button);
-        }
+        case Part::PadButton:
+            return flip(frame.pads[change.index / kPadButtonBits].buttons, change.index % kPadButtonBits);
         case Part::PadAxis: {
             const unsigned axis = change.index % kPadAxisBits;
             return axis < kPadAxisCount && move(frame.pads[change.index / kPadAxisBits].axes[axis], change.x);

@@ -65,7 +65,8 @@ void PackedInput::record(const InputFrame& frame) {
     const auto valid = static_cast<std::size_t>(state >> 32);
     const auto ticks = static_cast<std::uint32_t>(state);
     const Closed& before = closed_[valid];
-    if (full_.load(std::memory_order_relaxed) || before.ticks + ticks >= Replay::kMaxTicks) return;
+    if (full_.load(std::memory_order_relaxed)) return;
+    if (before.ticks + ticks == Replay::kMaxTicks) return full_.store(true);
     if (ticks > 0 && frame == frame_) return state_.store(state + 1, std::memory_order_release);
     if (before.size + kLongestRun > size_ || runs_ == Replay::kMaxRuns) return full_.store(true);
     ++runs_;
@@ -115,6 +116,7 @@ std::string unpackInput(std::string_view packed, Replay& replay, std::uint64_t& 
         std::uint64_t rest = 0;
         if ((first & kMore) != 0 && !readNumber(packed, rest)) return fails("no number of ticks");
         const std::uint64_t more = rest << kFirstTicks | (first & ((1u << kFirstTicks) - 1));
+        if (!isPossible(frame)) return fails("input that no device gives");
         if (more == 0 || ticks + more > Replay::kMaxTicks) return fails("too few or too many ticks");
         ticks += more;
         if (!replay.runs.empty() && replay.runs.back().frame == frame) {

@@ -33,7 +33,7 @@ public:
     /// @param bytes  memory, at most kBytes
     explicit PackedInput(std::size_t bytes = kBytes) : size_{bytes}, bytes_{new unsigned char[bytes]} {}
 
-    /// Records the input of the next tick. Does nothing if the memory is full.
+    /// Records the input of the next tick. Does nothing if it is full().
     void record(const InputFrame& frame);
 
     /// What is recorded: `closed`, then `open`.
@@ -44,6 +44,7 @@ public:
         std::uint64_t ticks = 0;
     };
     [[nodiscard]] Content content() const;
+    /// A tick was not recorded: the memory is full, or a replay has no more ticks or changes.
     [[nodiscard]] bool full() const { return full_; }
 
 private:

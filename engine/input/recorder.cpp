@@ -1,6 +1,7 @@
 #include "input/recorder.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace plumb {
 
@@ -10,10 +11,20 @@ std::uint64_t Replay::ticks() const {
     return count;
 }
 
+bool isPossible(const InputFrame& frame) {
+    const auto isWithin = [](std::uint64_t bits, std::size_t count) { return bits >> count == 0; };
+    const std::array<std::uint32_t, 4>& keys = frame.keys;
+    return (keys[0] & 1) == 0 &&  // Key::None
+           isWithin(keys[2] | std::uint64_t{keys[3]} << 32, kKeyCount - 64) &&
+           isWithin(frame.mouseButtons, kMouseButtonCount) && isWithin(frame.connectedPads, kPadCount) &&
+           std::all_of(frame.pads.begin(), frame.pads.end(),
+                       [&](const PadFrame& pad) { return isWithin(pad.buttons, kPadButtonCount); });
+}
+
 void Recorder::record(const InputFrame& frame) {
-    if (ticks_ == Replay::kMaxTicks) return;
     const bool same = !replay.runs.empty() && replay.runs.back().frame == frame;
-    if (!same && replay.runs.size() == Replay::kMaxRuns) return;
+    full_ = full_ || ticks_ == Replay::kMaxTicks || (!same && replay.runs.size() == Replay::kMaxRuns);
+    if (full_) return;
     if (!same) replay.runs.push_back({frame, 0});
     ++replay.runs.back().ticks;
     ++ticks_;
@@ -21,7 +32,7 @@ void Recorder::record(const InputFrame& frame) {
 
 void Recorder::check(std::uint64_t hash) {
     const bool isChecked = !replay.checkpoints.empty() && replay.checkpoints.back().tick == ticks_;
-    if (!isChecked && replay.checkpoints.size() < Replay::kMaxCheckpoints)
+    if (!isChecked && !full_ && replay.checkpoints.size() < Replay::kMaxCheckpoints)
         replay.checkpoints.push_back({ticks_, hash});
 }
 

@@ -43,7 +43,7 @@ struct RecordedCrash {
 /// A recorded game: its initial state and the input of every tick. Its file `*.replay` is text, with one line
 /// for each change of the input; that of a crash contains the input in packed form, see PackedInput.
 struct Replay {
-    static constexpr int kFormat = 2;  ///< 1: without packed input and crash, the only one that is written
+    static constexpr int kFormat = 2;  ///< that of a crash; 1: without packed input and crash, of recordings
     static constexpr std::uint64_t kMaxTicks = std::uint64_t{60} * 3600 * 24;  ///< 24 hours at 60 Hz
     static constexpr std::size_t kMaxRuns = std::size_t{1} << 20;
     static constexpr std::size_t kMaxCheckpoints = std::size_t{1} << 20;
@@ -64,21 +64,27 @@ struct Replay {
     friend bool operator==(const Replay&, const Replay&) = default;
 };
 
+/// True if devices can give this input: a bit that is set belongs to a key, a button, a gamepad or a slot.
+[[nodiscard]] bool isPossible(const InputFrame& frame);
+
 /// Records the input of a running game. Allocates only when the input changes.
 class Recorder {
 public:
     Replay replay;  ///< the caller sets project, engine, scene and seed
 
-    /// Records the input of the next tick. Does nothing beyond the limits of a Replay.
+    /// Records the input of the next tick. Does nothing from the first tick on that exceeds the limits of a
+    /// Replay.
     void record(const InputFrame& frame);
 
-    /// Records the world's hash after the last recorded tick.
+    /// Records the world's hash after the last tick. Does nothing if that was not recorded.
     void check(std::uint64_t hash);
 
     [[nodiscard]] std::uint64_t ticks() const { return ticks_; }
+    [[nodiscard]] bool full() const { return full_; }  ///< ticks were not recorded
 
 private:
     std::uint64_t ticks_ = 0;
+    bool full_ = false;
 };
 
 /// Returns the frames of a replay, one per tick.
@@ -106,8 +112,6 @@ std::string writeReplay(const Replay& replay);
 
 /// @error  not a replay, a newer format, an exceeded limit, or an invalid line; with the line number
 Result<Replay> parseReplay(std::string_view text, std::string_view where);
-
-Result<Done> saveReplay(const Replay& replay, const Path& path);
 
 /// The file of a recording in progress. It is a whole replay after every update(), so that a crash of the
 /// program loses none of it.

@@ -420,10 +420,6 @@ Result<Replay> parseReplay(std::string_view text, std::string_view where) {
     return ReplayReader{text, where}.read();
 }
 
-Result<Done> saveReplay(const Replay& replay, const Path& path) {
-    return writeFile(path, writeReplay(replay));
-}
-
 Result<RecordingFile> RecordingFile::create(const Path& path, const Replay& replay) {
     const std::string header = headerOf(replay);
     std::string text = header;

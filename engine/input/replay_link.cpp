@@ -1,30 +1,21 @@
 #include "input/replay_link.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 
-#include "codec/base64.hpp"
-#include "core/hash.hpp"
 #include "core/text.hpp"
 #include "input/link_format.hpp"
 
 namespace plumb {
 namespace {
 
-using link_format::apply, link_format::Change, link_format::eachChange, link_format::kMaxKeysBytes,
-    link_format::kMaxNameBytes, link_format::LinkModel, link_format::Part;
+using link_format::apply, link_format::Change, link_format::eachChange, link_format::kHeadBytes,
+    link_format::kMaxKeysBytes, link_format::kMaxNameBytes, link_format::kVersion, link_format::LinkModel,
+    link_format::Part;
 
-constexpr int kVersion = 2;
-constexpr std::size_t kHeadBytes = 5;
-constexpr std::string_view kLinkMark = "#r=";
 constexpr std::string_view kEscapedMark = "%23r=";
 constexpr const char* kWhere = "link";
-
-std::uint32_t checksumOf(int version, std::string_view stream) {
-    return static_cast<std::uint32_t>(mixBits(hashText(stream) + static_cast<std::uint64_t>(version)));
-}
 
 Error tooLong(std::uint64_t ticks) {
     return Error{kWhere, format("after {} ticks the run is too long for a link", ticks),
@@ -107,11 +98,7 @@ Result<std::string> LinkWriter::link(std::optional<std::uint64_t> hash) const {
     end->model.code(encoder, Change{}, Part::End, end->frame);
     encoder.bits(hash ? 1 : 0, 1);
     if (hash) encoder.bits(*hash, 64);
-    const std::string stream = encoder.finish();
-    const std::uint32_t checksum = checksumOf(kVersion, stream);
-    std::string bytes{static_cast<char>(kVersion)};
-    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(checksum >> shift & 255);
-    return std::string{kLinkMark} + toBase64Url(bytes + stream);
+    return link_format::linkOfStream(encoder.finish());
 }
 
 Result<std::string> linkOf(const Replay& replay) {
@@ -173,6 +160,7 @@ private:
             lastIndex = change.index;
         }
         if (last == Part::End) return false;
+        if (!isPossible(frame_)) return damaged("the link has input that no device gives");
         model_.lastPart = last;
         const std::uint64_t ticks = model_.codeTicks(decoder_, 1);
         if (ticks > Replay::kMaxTicks - ticks_ || replay_.runs.size() == kMaxLinkRuns)
@@ -193,15 +181,16 @@ constexpr std::string_view kSpace = " \t\r\n";
 
 /// What is after the mark, up to another part of the address.
 Result<std::string_view> afterMark(std::string_view text) {
-    for (const std::string_view mark : {kLinkMark, kEscapedMark}) {
+    for (const std::string_view mark : {link_format::kMark, kEscapedMark}) {
         const std::size_t at = text.find(mark);
         if (at != std::string_view::npos)
             return text.substr(at + mark.size(), text.find('&', at) - at - mark.size());
     }
-    if (startsWith(text, kLinkMark.substr(1))) {
-        text.remove_prefix(kLinkMark.size() - 1);
+    if (startsWith(text, link_format::kMark.substr(1))) {
+        text.remove_prefix(link_format::kMark.size() - 1);
     } else if (text.find_first_of(":/#") != std::string_view::npos) {
-        return Error{kWhere, "the address contains no replay", format("it must end with {}...", kLinkMark)};
+        return Error{kWhere, "the address contains no replay",
+                     format("it must end with {}...", link_format::kMark)};
     }
     return text.substr(0, text.find('&'));
 }
@@ -223,22 +212,19 @@ std::string withoutSpace(std::string_view text) {
 /// @param digits  base64url
 Result<Replay> replayOfDigits(std::string_view digits) {
     if (digits.empty())
-        return Error{kWhere, "the link is empty", format("give the text from {} on", kLinkMark)};
+        return Error{kWhere, "the link is empty", format("give the text from {} on", link_format::kMark)};
     if (digits.size() > kMaxLinkBytes)
         return Error{kWhere, format("the link has {} characters", digits.size()),
                      format("the longest have {}", kMaxLinkBytes)};
     const Result<std::string> bytes = bytesFromBase64Url(digits, kWhere);
     if (!bytes) return damaged(format("the link is damaged or incomplete: {}", bytes.error().what));
     if (bytes->size() < kHeadBytes) return damaged("the link is incomplete");
-    const int version = static_cast<unsigned char>(bytes->front());
+    const unsigned version = static_cast<unsigned char>(bytes->front());
     if (version != kVersion)
         return Error{kWhere, format("the link has version {}, this program reads {}", version, kVersion),
                      "play it with the version of the game that made it"};
-    std::uint32_t checksum = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        checksum |= std::uint32_t{static_cast<unsigned char>((*bytes)[1 + i])} << 8 * i;
     const std::string_view stream = std::string_view{*bytes}.substr(kHeadBytes);
-    if (checksum != checksumOf(version, stream)) return damaged("the link is damaged or incomplete");
+    if (!startsWith(*bytes, link_format::headOf(stream))) return damaged("the link is damaged or incomplete");
     return std::make_unique<LinkReader>(stream)->read();  // too large for the stack
 }
 

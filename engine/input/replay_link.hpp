@@ -50,7 +50,7 @@ Result<std::string> linkOf(const Replay& replay);
 
 /// Reads a link: the text from "#r=", "%23r=" or "r=" on, what follows that, or a whole address that ends in
 /// one. White space in it is left out, and so are other words after it.
-/// @error no link, damaged or incomplete, of a newer version, too long
+/// @error no link, damaged or incomplete, of another version, too long
 Result<Replay> replayOfLink(std::string_view text);
 
 }  // namespace plumb

@@ -16,7 +16,8 @@ InputFrame changed(InputFrame frame, Random& random) {
         frame.pads[random.below(kPadCount)].axes[random.below(kPadAxisCount)] =
             static_cast<std::int16_t>(random.next());
         frame.mouseX = static_cast<std::int16_t>(frame.mouseX + static_cast<int>(random.below(5)) - 2);
-        frame.keys[random.below(4)] ^= 1u << random.below(32);
+        const auto key = static_cast<Key>(1 + random.below(kKeyCount - 1));
+        frame.set(key, !frame.has(key));
     }
     return frame;
 }
@@ -90,12 +91,21 @@ TEST(PackedInput, holdsNoMoreChangesThanAReplay) {
     PackedInput packed;
     InputFrame frame;
     for (std::size_t i = 0; i < Replay::kMaxRuns + 5; ++i) {
-        frame.keys[0] ^= 1u;
+        frame.keys[0] ^= 2u;
         packed.record(frame);
     }
     EXPECT_TRUE(packed.full());
     Replay replay;
     EXPECT_EQ(unpacked(bytesOf(packed.content()), replay), "");
+}
+
+TEST(PackedInput, holdsNoMoreTicksThanAReplay) {
+    PackedInput packed;
+    for (std::uint64_t i = 0; i < Replay::kMaxTicks; ++i) packed.record({});
+    EXPECT_FALSE(packed.full());
+    packed.record({});
+    EXPECT_TRUE(packed.full());
+    EXPECT_EQ(packed.content().ticks, Replay::kMaxTicks);
 }
 
 /// A report of a crash.
@@ -161,6 +171,9 @@ TEST_F(CrashReplay, sErrorsSayWhatIsWrong) {
               std::string::npos);
     EXPECT_NE(errorOf("plumb-replay 2\npacked 1\n\x81\nend 0\n").find("no number of ticks"),
               std::string::npos);
+    for (const std::string& change : {std::string{"\x40\x01"}, std::string{"\x47\x80\x80\x01"}})
+        EXPECT_NE(errorOf(reportOf(change + "\x01", 1)).find("input that no device gives"), std::string::npos)
+            << "no key";
     EXPECT_NE(errorOf("plumb-replay 1\npacked 0\n\nend 0\n").find("unknown keyword"), std::string::npos)
         << "an older format";
 }

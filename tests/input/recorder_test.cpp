@@ -94,6 +94,26 @@ TEST(Recorder, aTickIsCheckedOnce) {
     EXPECT_EQ(recorder.replay.checkpoints[0].tick, 1u);
 }
 
+TEST(Recorder, beyondTheMostChangesNothingIsRecordedAtAWrongTick) {
+    Recorder recorder;
+    InputFrame frame;
+    for (std::size_t i = 0; i < Replay::kMaxRuns; ++i) {
+        frame.set(Key::A, i % 2 == 0);
+        recorder.record(frame);
+    }
+    recorder.check(1);
+    EXPECT_FALSE(recorder.full());
+    InputFrame other = frame;
+    other.set(Key::B, true);
+    recorder.record(other);
+    EXPECT_TRUE(recorder.full());
+    recorder.record(frame);
+    recorder.check(2);
+    EXPECT_EQ(recorder.ticks(), Replay::kMaxRuns);
+    ASSERT_EQ(recorder.replay.checkpoints.size(), 1u);
+    EXPECT_EQ(recorder.replay.checkpoints[0], (HashCheck{Replay::kMaxRuns, 1}));
+}
+
 TEST(Recorder, theFileListsInputChangesAsText) {
     Recorder recorder;
     recorder.replay.project = "Sky\nCaves";
@@ -243,7 +263,7 @@ TEST(RecordingFile, thatCannotBeCreatedIsAnErrorWithTheReason) {
 TEST(Recorder, aSavedReplayLoadsAndAMissingOneIsAnError) {
     const test::TemporaryFolder folder;
     const Replay replay = randomRecording(2).replay;
-    ASSERT_TRUE(saveReplay(replay, folder.path / "a" / "run.replay").ok());
+    ASSERT_TRUE(writeFile(folder.path / "a" / "run.replay", writeReplay(replay)).ok());
 
     EXPECT_EQ(*loadReplay(folder.path / "a" / "run.replay"), replay);
     EXPECT_FALSE(loadReplay(folder.path / "none.replay").ok());

@@ -245,7 +245,7 @@ int solve(const Path& root, const Path& file) {
     std::printf("levels %zu, coins %d of %d, deaths %d, ticks %llu, hash %s\n", progress.levelsReached.size(),
                 progress.coins, progress.coinsTotal, progress.deaths,
                 static_cast<unsigned long long>(recorder.ticks()), hexText(game.world.hash()).c_str());
-    const auto saved = saveReplay(recorder.replay, file);
+    const auto saved = writeFile(file, writeReplay(recorder.replay));
     if (!saved) logError("Input", saved.error());
     return saved ? 0 : 1;
 }

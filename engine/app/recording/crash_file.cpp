@@ -37,6 +37,7 @@ void CrashFile::tickBegins(const InputFrame& input) {
 }
 
 void CrashFile::check(std::uint64_t hash) {
+    if (input_ && input_->full()) return;  // a replay does not get here
     const std::uint64_t count = checkCount_.load(std::memory_order_relaxed);
     checks_[count % kChecks] = {static_cast<std::uint64_t>(begun_.load()), hash};
     checkCount_.store(count + 1, std::memory_order_release);
@@ -58,7 +59,7 @@ void CrashFile::writeFile(CrashOutput& file, const Crash& crash) const {
     if (!crash.reason.empty()) file.text(": ").text(crash.reason);
     file.text("\n");
     if (!crash.running.empty()) file.text("running ").text(crash.running).text("\n");
-    // The input is read first: every tick with a hash is in it.
+    // The number of hashes is read before the input: every tick with a hash is in it.
     const std::uint64_t count = checkCount_.load(std::memory_order_acquire);
     const PackedInput::Content input = input_->content();
     // Not the oldest of the ring, which may be half overwritten.

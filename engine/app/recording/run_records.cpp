@@ -66,7 +66,7 @@ void RunRecords::tickBegins(const InputFrame& input) {
     if (link_) link_->record(input);
     if (recording_) {
         recorder_.record(input);
-        updateRecording();
+        recorder_.full() ? closeRecording("a recording holds no more input") : updateRecording();
     }
     if (!crashFile_) return;
     crashFile_->tickBegins(input);
@@ -118,11 +118,16 @@ void RunRecords::endRecording(const std::string& why, std::uint64_t hash) {
     }
     if (!recording_) return;
     recorder_.check(hash);
+    closeRecording(why);
+}
+
+/// Ends the recording and says why.
+void RunRecords::closeRecording(const std::string& why) {
     updateRecording();
     if (!recording_) return;
     recording_.reset();
     logWarning("Input", Error{recordingName_, format("the recording ends with tick {}: {}", recorded_, why),
-                              "start the game again to get a longer one"});
+                              "start the game again to record another one"});
 }
 
 /// Writes what the recorder has to the file. Ends the recording, but not the game, if that is impossible.

@@ -59,6 +59,7 @@ public:
 private:
     bool beginCrashFile(const PlayerOptions& options, const Setting& setting);
     void endRecording(const std::string& why, std::uint64_t hash);
+    void closeRecording(const std::string& why);
     void updateRecording();
 
     Recorder recorder_;
