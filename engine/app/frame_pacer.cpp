@@ -1,12 +1,14 @@
 #include "app/frame_pacer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace plumb {
 
 StepClock::Frame FramePacer::next(double seconds) {
     if (paused_) return {0, alpha_};
-    if (seconds > 0.0) remainder_ += seconds;
+    const bool wasPaused = std::exchange(resumes_, false);
+    if (seconds > 0.0 && !wasPaused) remainder_ += seconds;
     const double given = std::max(snappedToRefresh(remainder_, refreshRate_), 0.0);
     remainder_ -= given;
     const StepClock::Frame frame = clock_.advance(given);

@@ -28,8 +28,11 @@ public:
 
     /// Stops the game time; next() returns 0 ticks and the last interpolation ratio.
     void pause() { paused_ = true; }
-    /// Resumes the game time.
-    void resume() { paused_ = false; }
+    /// Resumes the game time from now on: the frame in which a pause ends is part of it.
+    void resume() {
+        resumes_ = resumes_ || paused_;
+        paused_ = false;
+    }
     [[nodiscard]] bool paused() const { return paused_; }
 
 private:
@@ -39,6 +42,7 @@ private:
     double remainder_ = 0.0;  // s, measured time not yet passed to the clock; negative after rounding up
     float alpha_ = 1.0f;
     bool paused_ = false;
+    bool resumes_ = false;  // since the last frame
 };
 
 }  // namespace plumb

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/recording/replay_choice.hpp"
-#include "app/touch_controls.hpp"
 #include "core/clock.hpp"
 #include "core/log.hpp"
 #include "gameplay/game_requests.hpp"
@@ -116,11 +115,11 @@ bool GameLoop::beginReplay() {
         logError("Input", replay.error());
         return false;
     }
+    goesOnLive_ = !options_.link.empty() && screen_ != nullptr && !isLockstep();
+    if (goesOnLive_ && replay->ticks() == 0) return true;  // live from the beginning
     replay_ = std::move(*replay);
     replayPlayer_.emplace(*replay_);
-    goesOnLive_ = !options_.link.empty() && screen_ != nullptr && !isLockstep();
     if (!goesOnLive_) return true;
-    if (replay_->ticks() == 0) replayPlayer_.reset();  // live from the beginning
     logNote("Input", "Replaying {} ticks: press any key to take over", replay_->ticks());
     screen_->window().setTitle(projectName_ + " (replay: any key takes over)");
     tellPage("replay", format("{}", replay_->ticks()));
@@ -144,7 +143,7 @@ void GameLoop::runScreen() {
     before_ = wallSeconds();
     rateStart_ = before_;
     runFrames([this, lockstep] {
-        if (running_ && ticks_ != options_.frames) runFrame(lockstep);
+        runFrame(lockstep);  // once also for --frames 0, whose picture is that of the start
         const bool goesOn = running_ && ticks_ != options_.frames;
         if (!goesOn) finish();
         return goesOn;
@@ -198,7 +197,6 @@ void GameLoop::handleEvents() {
         if (event.kind == EventKind::FocusLost || event.kind == EventKind::FocusGained) {
             focusLost_ = event.kind == EventKind::FocusLost;
             sounds_->setPaused(focusLost_);
-            if (focusLost_) devices_.releaseAll();
         }
         if (player_->handle(event)) {
             devices_.releaseAll();
@@ -350,10 +348,7 @@ void GameLoop::beginPage() {
 /// Tells the page which buttons a touch screen needs now: those that the game asks for.
 void GameLoop::updatePage() {
     if (!hasPage() || ticks_ % kControlTicks != 0) return;
-    const Input::Asked asked = game_.input.takeAsked();
-    if (asked == shownControls_) return;
-    shownControls_ = asked;
-    tellPage("controls", touchControls(game_.input.map(), asked));
+    if (shownControls_.look(game_.input)) tellPage("controls", shownControls_.text());
 }
 
 /// Saves or loads what the tick requested.
@@ -361,7 +356,7 @@ void GameLoop::performRequests() {
     auto* requests = game_.world.findResource<GameRequests>();
     if (requests == nullptr) return;
     const GameRequests wanted = std::exchange(*requests, {});
-    if (wanted.options && player_ && screen_->window().hasDisplay() && options_.capture.empty()) {
+    if (wanted.options && player_ && !replayPlayer_ && !isLockstep()) {
         player_->open();
         followPause();
     }

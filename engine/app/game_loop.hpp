@@ -15,6 +15,7 @@
 #include "app/saved_game.hpp"
 #include "app/screen.hpp"
 #include "app/sound_output.hpp"
+#include "app/touch_controls.hpp"
 #include "input/device_state.hpp"
 #include "input/recorder.hpp"
 #include "scene/physics/physics_times.hpp"
@@ -82,8 +83,8 @@ private:
     std::optional<SaveSlots> slots_;     ///< empty: the game does not save
     std::optional<Error> noSlots_;       ///< why it cannot, though it should
     RunRecords records_;
-    bool goesOnLive_ = false;     // after the replay, or when a key is pressed during it
-    Input::Asked shownControls_;  // controls that the page shows
+    bool goesOnLive_ = false;  // after the replay, or when a key is pressed during it
+    TouchControls shownControls_;
     std::int64_t ticks_ = 0;
     std::int64_t framesDrawn_ = 0;
     double before_ = 0.0;          // s, wall clock: start of the last frame

@@ -5,9 +5,9 @@
 
 namespace plumb {
 
-StepClock::Frame StepClock::advance(double seconds, double speed) {
+StepClock::Frame StepClock::advance(double seconds) {
     if (!(seconds > 0.0)) seconds = 0.0;
-    remainder_ += std::min(seconds, kLongestFrame) * std::max(speed, 0.0);
+    remainder_ += std::min(seconds, kLongestFrame);
     // Tolerance for rounding: 60 frames of exactly 1/60 s must be 60 ticks.
     constexpr double kHair = 1.0e-9;
     int ticks = static_cast<int>((remainder_ + kHair) / kStep);

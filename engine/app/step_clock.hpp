@@ -16,11 +16,7 @@ public:
     };
 
     /// @param seconds  s since the previous frame; negative values and NaN count as 0
-    /// @param speed    speed of the game as a ratio; 1 is real time
-    Frame advance(double seconds, double speed = 1.0);
-
-    /// Discards the remainder, e.g. after a pause or a scene change.
-    void reset() { remainder_ = 0.0; }
+    Frame advance(double seconds);
 
 private:
     double remainder_ = 0.0;  // s not yet simulated, 0..kStep

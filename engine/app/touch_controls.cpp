@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "platform/key.hpp"
 #include "platform/key_codes.hpp"
@@ -43,6 +44,11 @@ std::string touchControls(const ActionMap& map, const Input::Asked& asked) {
         actions.push_back(std::move(button));
     }
     return compactText({{"axes", std::move(axes)}, {"actions", std::move(actions)}});
+}
+
+bool TouchControls::look(Input& input) {
+    const std::string before = std::exchange(text_, touchControls(input.map(), input.takeAsked()));
+    return text_ != before;
 }
 
 }  // namespace plumb

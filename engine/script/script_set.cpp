@@ -144,6 +144,7 @@ void ScriptSet::readTexts(const std::vector<std::pair<std::string, std::string>>
 }
 
 void ScriptSet::read(const Path& folder, std::vector<Error>& problems) {
+    stamp_ = stampOfScripts(folder);
     const std::vector<std::pair<std::string, std::string>> texts = readScriptFiles(folder, problems);
     if (texts.empty() && files_.empty()) return;
     readTexts(texts, problems);

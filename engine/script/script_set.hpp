@@ -44,6 +44,8 @@ public:
     /// Increases when files or component types were changed: worlds load them again then.
     [[nodiscard]] std::uint64_t version() const { return version_; }
     void typesChanged();
+    /// stampOfScripts() before the files were read: another one now means that they have changed since.
+    [[nodiscard]] std::uint64_t stamp() const { return stamp_; }
 
     /// Adds the texts of default values to the world.
     void addTexts(World& world) const;
@@ -51,6 +53,7 @@ public:
 private:
     std::vector<File> files_;
     std::uint64_t version_ = 0;
+    std::uint64_t stamp_ = 0;
 };
 
 /// Returns the names and texts of the script files of a project.

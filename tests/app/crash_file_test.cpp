@@ -173,7 +173,7 @@ protected:
         replay->checkpoints.clear();
         ticks = replay->ticks();
         const Path input = folder_.path / "input.replay";
-        EXPECT_TRUE(saveReplay(*replay, input).ok());
+        EXPECT_TRUE(writeFile(input, writeReplay(*replay)).ok());
         PlayerOptions options;
         options.project = (test::sourceFolder() / "projects" / game.project).string();
         options.headless = true;

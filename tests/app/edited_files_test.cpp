@@ -55,13 +55,15 @@ protected:
         });
         game.emplace(*loadProject(folder_.path), std::string{}, std::uint64_t{1}, content_);
         game->onCreate();
-        edited_.emplace(*game, &content_);
+        watch();
     }
     ~EditedFilesTest() override { setLogSink(before_); }
 
     void write(const std::string& path, const std::string& text) {
         ASSERT_TRUE(writeFile(folder_.path / path, text).ok());
     }
+    /// As the loop of a game that begins.
+    void watch() { edited_.emplace(*game, &content_); }
     /// Another frame, some time later. @return true if files had changed
     bool frame() {
         const bool changed = edited_->look(now_ += 1.0);
@@ -93,6 +95,14 @@ TEST_F(EditedFilesTest, aChangedScriptGoesOnWithItsValues) {
     EXPECT_FALSE(frame());
     EXPECT_EQ(place(), (Vec2{105.0f, 1.0f}));
     EXPECT_TRUE(reported.empty()) << reported[0];
+}
+
+TEST_F(EditedFilesTest, aScriptThatIsSavedWhileTheGameStartsIsNoticed) {
+    write("scripts/mover.lua", mover(100));  // after it was read
+    watch();
+    EXPECT_TRUE(frame());
+    EXPECT_EQ(place().x, 101.0f);
+    EXPECT_FALSE(frame());
 }
 
 TEST_F(EditedFilesTest, ofAScriptWithAnErrorTheFormerVersionGoesOn) {

@@ -68,6 +68,8 @@ TEST(FramePacer, aPauseFreezesTheImageAndNoTicksAreCaughtUp) {
         EXPECT_EQ(frame.alpha, alpha);
     }
     pacer.resume();
+    EXPECT_EQ(pacer.next(0.1).ticks, 0) << "the frame that has waited for the end of the pause";
+    pacer.resume();  // as the loop does in every frame
     const auto frame = pacer.next(0.1 / 60.0);
     EXPECT_EQ(frame.ticks, 0);
     EXPECT_NEAR(frame.alpha, alpha + 0.1f, 1e-4f);

@@ -119,7 +119,7 @@ TEST(Recording, aReplayStartsLikeItsGame) {
     Replay replay;
     replay.scene = "scenes/level2.scene.json";
     replay.seed = 42;
-    ASSERT_TRUE(saveReplay(replay, file));
+    ASSERT_TRUE(writeFile(file, writeReplay(replay)));
     PlayerOptions options;
     options.replay = file.string();
     EXPECT_EQ(begun(options, "Any")->scene, replay.scene) << "a replay that names no project";
@@ -145,7 +145,7 @@ TEST(Recording, ofAnotherProjectIsRefused) {
     const Path file = std::filesystem::temp_directory_path() / "plumb_recording_other_test.replay";
     Replay replay;
     replay.project = "Sky Caves";
-    ASSERT_TRUE(saveReplay(replay, file));
+    ASSERT_TRUE(writeFile(file, writeReplay(replay)));
     PlayerOptions options;
     options.replay = file.string();
     EXPECT_TRUE(begun(options, "Sky Caves").ok());
@@ -189,6 +189,19 @@ TEST(GameLoop, anExportedGameKeepsF3WhichShowsThePhysicsElsewhere) {
         EXPECT_EQ(shown, exportedAs.empty() ? 1 : 0);
         EXPECT_EQ(game.pressed, 15) << "it is a key of the game, too";
     }
+}
+
+TEST(GameLoop, aPictureOfTheStartIsSavedWithoutATick) {
+    const Result<std::unique_ptr<Screen>> screen = Screen::open({"test", 320, 180, false, {320.0f, 180.0f}});
+    ASSERT_TRUE(screen) << screen.error().text();
+    const test::TemporaryFolder folder;
+    PlayerOptions options;
+    options.frames = 0;
+    options.screenshot = (folder.path / "start.png").string();
+    Game game;
+    EXPECT_EQ((GameLoop{game, screen->get(), options, "P"}.run()), 0);
+    EXPECT_EQ(game.world.tick, 0u);
+    EXPECT_TRUE(fileExists(options.screenshot));
 }
 
 }  // namespace

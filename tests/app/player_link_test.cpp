@@ -91,7 +91,7 @@ TEST(PlayerLink, randomGamesEndInTheSameState) {
             frame.setMouse({random.between(0.0f, 640.0f), random.between(0.0f, 360.0f)});
             for (std::uint32_t n = 1 + random.below(30); n > 0; --n) recorder.record(frame);
         }
-        ASSERT_TRUE(saveReplay(recorder.replay, options.replay));
+        ASSERT_TRUE(writeFile(options.replay, writeReplay(recorder.replay)));
         const Played recorded = play(options);
         ASSERT_EQ(recorded.code, 0) << recorded.error;
         const Played again = playLink(recorded.link);

@@ -161,7 +161,7 @@ TEST_F(PlayerTest, theReplayOfOtherCodeDiffersAndNamesTheProjectAndTheVersions) 
     EXPECT_EQ(reported[0].find("the engine, then"), std::string::npos) << "it is the same: " << reported[0];
     Replay older = *loadReplay(file);
     older.engine = "0.0.9";
-    ASSERT_TRUE(saveReplay(older, file).ok());
+    ASSERT_TRUE(writeFile(file, writeReplay(older)).ok());
     EXPECT_EQ(playProject(options, code), 1);
     ASSERT_EQ(reported.size(), 2u);
     EXPECT_NE(reported[1].find("have changed since, or the engine, then 0.0.9, now "), std::string::npos)

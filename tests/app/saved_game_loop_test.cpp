@@ -15,6 +15,7 @@
 #include "app/saved_game.hpp"
 #include "app/screen.hpp"
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "gameplay/components/controls/save_slot.hpp"
 #include "gameplay/components/controls/scene_key.hpp"
 #include "gameplay/game_functions.hpp"
@@ -35,7 +36,7 @@ namespace {
 
 class SavingGame : public Game {
 public:
-    int saveAt = 0, loadAt = 0;
+    int saveAt = 0, loadAt = 0, quitAt = 0;
 
 private:
     void onUpdate(float) override {
@@ -43,6 +44,7 @@ private:
         if (static_cast<int>(world.tick) == saveAt) saveGame(world, 2);
         if (static_cast<int>(world.tick) == loadAt) loadGame(world, 2);
         if (static_cast<int>(world.tick) == loadAt) loadAt = 0;
+        if (static_cast<int>(world.tick) == quitAt) quitGame(world);
     }
 };
 
@@ -83,6 +85,19 @@ TEST_F(SavingLoop, savesAndLoadsBetweenTicks) {
     SavingGame other;
     for (int i = 0; i < 50; ++i) tickGame(other, {});
     EXPECT_EQ(other.random().state, game.random().state);
+}
+
+TEST_F(SavingLoop, aGameThatSavedAndQuitInOneTickGoesOnWhenItIsLoaded) {
+    SavingGame leaving;
+    leaving.saveAt = leaving.quitAt = 30;
+    EXPECT_EQ((GameLoop{leaving, nullptr, options(), "P"}.run()), 0);
+    ASSERT_EQ(leaving.world.tick, 30u);
+    SavingGame again;
+    again.loadAt = 5;
+    PlayerOptions options = this->options();
+    options.frames = 50;
+    EXPECT_EQ((GameLoop{again, nullptr, options, "P"}.run()), 0);
+    EXPECT_EQ(again.world.tick, 75u) << "45 ticks after tick 30";
 }
 
 /// Saves in tick 20. From tick 40 on F9 is held, which loads the game.
@@ -153,6 +168,27 @@ TEST_F(SavingLoop, aRecordingEndsWhenAGameIsLoadedAndItsReplayUsesNoFiles) {
     EXPECT_FALSE(isSaved());
 }
 
+TEST_F(SavingLoop, aRecordingThatIsFullEndsWithOneWarning) {
+    PlayerOptions options = this->options();
+    options.record = (folder.path / "run.replay").string();
+    RunRecords records;
+    ASSERT_TRUE(records.begin(options, {}, {}));
+    const World world;
+    InputFrame frame;
+    for (std::size_t i = 0; i < Replay::kMaxRuns + 1000; ++i) {
+        frame.set(Key::A, i % 2 == 0);
+        records.tickBegins(frame);
+        records.tickEnds(world);
+    }
+    records.end(world);
+    EXPECT_FALSE(records.failed());
+    ASSERT_EQ(reported.size(), 1u);
+    EXPECT_NE(reported[0].find(format("the recording ends with tick {}", Replay::kMaxRuns)),
+              std::string::npos)
+        << reported[0];
+    EXPECT_EQ(loadReplay(options.record)->ticks(), Replay::kMaxRuns);
+}
+
 TEST_F(SavingLoop, aReplayThatBeginsWithASavedGameIsNotRecordedWithoutIt) {
     Replay start;
     start.state = "saved";
@@ -210,7 +246,7 @@ TEST_F(SavingLoop, aReplayHasTheKeysOfItsPlayer) {
     replay.runs = {{frame, 3}};
     PlayerOptions options = this->options();
     options.replay = (folder.path / "run.replay").string();
-    ASSERT_TRUE(saveReplay(replay, options.replay));
+    ASSERT_TRUE(writeFile(options.replay, writeReplay(replay)));
     EXPECT_EQ(loadReplay(options.replay)->keys, replay.keys);
     Game game;
     EXPECT_EQ((GameLoop{game, nullptr, options, "P"}.run()), 0);

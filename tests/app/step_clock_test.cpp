@@ -46,7 +46,6 @@ TEST(StepClock, aConstantSpeedSpriteMovesEvenlyOnDisplaysFrom30To240Hz) {
 TEST(StepClock, aLongPauseIsClampedToAQuarterSecond) {
     StepClock clock;
     EXPECT_EQ(clock.advance(0.25).ticks, 15);
-    clock.reset();
     EXPECT_EQ(clock.advance(3600.0).ticks, 15);
     EXPECT_EQ(clock.advance(1.0 / 60.0).ticks, 1);
 }
@@ -65,15 +64,6 @@ TEST(StepClockProperty, alphaStaysBetweenZeroAndOneForAnyFrameTimes) {
         }
         EXPECT_EQ(clock.advance(std::numeric_limits<double>::quiet_NaN()).ticks, 0);
     }
-}
-
-TEST(StepClock, halfSpeedTakesTwiceAsLong) {
-    StepClock clock;
-    int ticks = 0;
-    for (int i = 0; i < 120; ++i) {
-        ticks += clock.advance(1.0 / 60.0, 0.5).ticks;
-    }
-    EXPECT_NEAR(ticks, 60, 1);
 }
 
 TEST(StepClock, aJitteringFrameTimeSnapsToTheDisplayAndARealHitchDoesNot) {

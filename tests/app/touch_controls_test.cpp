@@ -34,5 +34,22 @@ TEST(TouchControls, whatNeedsNoButtonHasNone) {
         R"({"axes":[],"actions":[{"name":"Jump","key":"Space","usage":44},{"name":"Quoted \"name\"","key":"Q","usage":20}]})");
 }
 
+TEST(TouchControls, areOthersAfterTheKeysHaveChanged) {
+    Input input;
+    TouchControls shown;
+    const auto changes = [&] {
+        (void)input.isPressed(Action::Jump);
+        return shown.look(input);
+    };
+    EXPECT_TRUE(changes());
+    EXPECT_FALSE(changes());
+    ActionMap map = input.map();
+    map.bind("Jump", {*bindingFromText("K")});
+    input.setMap(map);
+    EXPECT_TRUE(changes());
+    EXPECT_EQ(shown.text(), R"({"axes":[],"actions":[{"name":"Jump","key":"K","usage":14}]})");
+    EXPECT_TRUE(shown.look(input)) << "the game does not ask for it any more";
+}
+
 }  // namespace
 }  // namespace plumb

@@ -39,7 +39,7 @@ int endWith(const Result<Done>& done) {
 ProjectSession::ProjectSession(Project project)
     : project_{std::move(project)},
       code_{project_.root},
-      scripts_{project_.root},
+      scripts_{content_.scripts(), project_.root},
       assets_{project_.root, engineAssets()},
       prefabs_{content_.types(), project_.root} {
     content_.readScripts(project_.root, scriptProblems_);

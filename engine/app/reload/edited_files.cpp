@@ -9,7 +9,7 @@
 namespace plumb {
 
 EditedFiles::EditedFiles(Game& game, GameContent* content) : game_{game}, content_{content} {
-    if (content != nullptr) scripts_.emplace(game.assets.root());
+    if (content != nullptr) scripts_.emplace(content->scripts(), game.assets.root());
 }
 
 bool EditedFiles::look(double now) {

@@ -6,7 +6,8 @@
 
 namespace plumb {
 
-ScriptWatch::ScriptWatch(Path folder) : folder_{std::move(folder)}, stamp_{stampOfScripts(folder_)} {}
+ScriptWatch::ScriptWatch(const ScriptSet& scripts, Path folder)
+    : scripts_{scripts}, folder_{std::move(folder)} {}
 
 bool ScriptWatch::poll(double now) {
     if (now < next_) return false;
@@ -14,9 +15,6 @@ bool ScriptWatch::poll(double now) {
     return look();
 }
 
-bool ScriptWatch::look() {
-    const std::uint64_t before = std::exchange(stamp_, stampOfScripts(folder_));
-    return stamp_ != before;
-}
+bool ScriptWatch::look() const { return stampOfScripts(folder_) != scripts_.stamp(); }
 
 }  // namespace plumb

@@ -1,29 +1,30 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/file.hpp"
 
 namespace plumb {
 
-/// Notices changed, new and removed script files of a project.
+class ScriptSet;
+
+/// Notices script files of a project that were changed, added or removed since they were read.
 class ScriptWatch {
 public:
     static constexpr double kInterval = 0.05;  ///< s between two looks
 
-    /// @param folder  of the project; its scripts were read already
-    explicit ScriptWatch(Path folder);
+    /// @param scripts  must outlive this
+    /// @param folder   of the project
+    ScriptWatch(const ScriptSet& scripts, Path folder);
 
-    /// Returns true once for each change. Looks every kInterval.
+    /// Returns true if the scripts are to be read again. Looks every kInterval.
     /// @param now  s, of any clock
     bool poll(double now);
     /// As poll(), without waiting for the next look.
-    bool look();
+    [[nodiscard]] bool look() const;
 
 private:
+    const ScriptSet& scripts_;
     Path folder_;
-    std::uint64_t stamp_ = 0;  // of the script files that were read
-    double next_ = 0.0;        // s
+    double next_ = 0.0;  // s
 };
 
 }  // namespace plumb

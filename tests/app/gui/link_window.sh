@@ -1,6 +1,7 @@
 #!/bin/bash
 # Links in a real window under Xvfb: at its end a replay says that the state is the recorded one, and the game goes on live;
 # a key takes over before that. The link of either run ends in the same state as the run.
+# A link without a tick begins the game.
 #   link_window.sh REPLAY TICKS WORK-FOLDER TITLE PROGRAM [PROJECT]
 set -eu
 replay=$1 ticks=$2 work=$3 title=$4
@@ -40,4 +41,13 @@ program=
 grep -q 'You play from tick' "$work/taken" || fail "a key does not take over" "$work/taken"
 ! grep -q 'The replay has ended' "$work/taken" || fail "the replay went on" "$work/taken"
 check taken
+
+# A link without a tick is a game that begins.
+"${game[@]}" --headless --frames 0 --print-link > "$work/recorded" 2>&1 || fail "no link" "$work/recorded"
+link=$(line recorded link)
+play_window none 90
+[ "$(xdotool getwindowname "$window")" = "$title" ] || fail "the window is named as that of a replay"
+wait "$program" || fail "the window fails" "$work/none"
+program=
+! grep -q 'Replaying' "$work/none" || fail "nothing is replayed" "$work/none"
 line taken hash

@@ -30,8 +30,7 @@ struct HeldMasses : Playground {
     void runAt(double speed, double rate) {
         StepClock clock;
         for (int done = 0; done < kTicks;) {
-            for (int ticks = clock.advance(1.0 / rate, speed).ticks; ticks > 0 && done < kTicks;
-                 --ticks, ++done)
+            for (int ticks = clock.advance(speed / rate).ticks; ticks > 0 && done < kTicks; --ticks, ++done)
                 run(1);
         }
     }

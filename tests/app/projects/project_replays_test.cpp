@@ -72,7 +72,7 @@ void recordAnew(const ProjectReplay& row) {
         if (recorder.ticks() % kCheckEvery == 0) recorder.check(game.world.hash());
     }
     if (recorder.ticks() % kCheckEvery != 0) recorder.check(game.world.hash());
-    ASSERT_TRUE(saveReplay(recorder.replay, pathOf(row)));
+    ASSERT_TRUE(writeFile(pathOf(row), writeReplay(recorder.replay)));
 }
 
 /// True if a body is grounded or the solver has a contact.
