@@ -217,10 +217,4 @@ Result<Project> projectFromText(std::string_view text, const Path& root, const s
     return guarded(where, [&] { return readProject(text, root, where); });
 }
 
-std::string scenePath(std::string_view name) {
-    std::string path{name};
-    if (!endsWith(path, ".scene.json") && !endsWith(path, ".scene.bin")) path += ".scene.json";
-    return path.find('/') == std::string::npos ? "scenes/" + path : path;
-}
-
 }  // namespace plumb

@@ -45,7 +45,4 @@ Result<Project> loadProject(const Path& path);
 /// Reads a project from the text of its project.json. @param where  name of the text in error messages
 Result<Project> projectFromText(std::string_view text, const Path& root, const std::string& where);
 
-/// Returns a scene's path in the project for "level1", "level1.scene.json" or "scenes/level1.scene.json".
-std::string scenePath(std::string_view name);
-
 }  // namespace plumb

@@ -9,6 +9,7 @@
 #include "platform/paths.hpp"
 #include "reflect/json.hpp"
 #include "reflect/json_text.hpp"
+#include "scene/files/scene_path.hpp"
 #include "scene/game_random.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/physics/physics_state.hpp"

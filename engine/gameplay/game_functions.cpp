@@ -20,6 +20,7 @@
 #include "scene/components/transform.hpp"
 #include "scene/drawing/draw_scene.hpp"
 #include "scene/files/prefab.hpp"
+#include "scene/files/scene_path.hpp"
 #include "scene/game_random.hpp"
 #include "scene/play_sound.hpp"
 #include "scene/scene_requests.hpp"
@@ -53,10 +54,7 @@ SceneId sceneNamed(World& world, std::string_view scene, std::string_view functi
                                 "current scene again"});
         return {};
     }
-    const std::string folder = startsWith(scene, "scenes/") ? "" : "scenes/";
-    const std::string path =
-        endsWith(scene, ".json") ? std::string{scene} : format("{}{}.scene.json", folder, scene);
-    return {world.texts().add(path)};
+    return {world.texts().add(scenePath(scene))};
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "editor/model/project/script_definitions.hpp"
 #include "import/import_file.hpp"
 #include "platform/paths.hpp"
+#include "scene/files/scene_path.hpp"
 
 namespace plumb::editor {
 namespace {
@@ -179,10 +180,9 @@ void ProjectSession::openFirst(std::string_view scene) {
     if (code_.isBuilt()) loadCodeAndReport();
     for (const Error& problem : scriptProblems_) logError("Script", problem);
     const std::vector<std::string> scenes = workspace_->scenes();
-    const std::string wanted{scene.empty() ? std::string_view{project_.startScene} : scene};
-    for (const std::string& path : {wanted, "scenes/" + wanted, "scenes/" + wanted + ".scene.json"}) {
-        if (std::find(scenes.begin(), scenes.end(), path) == scenes.end()) continue;
-        static_cast<void>(workspace_->open(path).ok());
+    const std::string wanted = scenePath(scene.empty() ? std::string_view{project_.startScene} : scene);
+    if (std::find(scenes.begin(), scenes.end(), wanted) != scenes.end()) {
+        static_cast<void>(workspace_->open(wanted).ok());
         return;
     }
     if (!scene.empty()) workspace_->notice = format("The project has no scene \"{}\"", scene);

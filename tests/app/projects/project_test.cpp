@@ -91,11 +91,5 @@ TEST(Project, invalidProjectsAreErrors) {
     EXPECT_EQ(loadProject("/nowhere/project.json").error().what, "there is no such file");
 }
 
-TEST(Project, sceneNamesMayBeShortOrFullPaths) {
-    EXPECT_EQ(scenePath("level1"), "scenes/level1.scene.json");
-    EXPECT_EQ(scenePath("level1.scene.bin"), "scenes/level1.scene.bin");
-    EXPECT_EQ(scenePath("scenes/level1.scene.json"), "scenes/level1.scene.json");
-}
-
 }  // namespace
 }  // namespace plumb

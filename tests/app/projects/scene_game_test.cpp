@@ -11,6 +11,7 @@
 #include "core/log.hpp"
 #include "gameplay/game_functions.hpp"
 #include "gameplay/game_progress.hpp"
+#include "scene/files/scene_path.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/scene_requests.hpp"
 #include "scene/scene_stack.hpp"
@@ -221,6 +222,24 @@ TEST(SceneGame, aMissingSceneIsAnErrorAndTheOldOneContinues) {
 
 std::string currentScene(const SceneGame& game) {
     return game.world.findResource<LoadedScenes>()->scenes.front().path;
+}
+
+TEST(SceneGame, namesOfScenesAreTheSameInCodeAndOnTheCommandLine) {
+    const std::pair<const char*, const char*> paths[] = {
+        {"level2", "scenes/level2.scene.json"},
+        {"level2.scene.json", "scenes/level2.scene.json"},
+        {"level2.scene.bin", "scenes/level2.scene.bin"},
+        {"scenes/level2", "scenes/level2.scene.json"},
+        {"scenes/level2.scene.json", "scenes/level2.scene.json"},
+        {"caves/level2", "scenes/caves/level2.scene.json"},
+        {"caves/level2.scene.json", "caves/level2.scene.json"},
+    };
+    Game game;
+    for (const auto& [name, path] : paths) {
+        EXPECT_EQ(scenePath(name), path);
+        changeScene(game.world, name);
+        EXPECT_EQ(game.world.texts().find(game.world.resource<SceneRequests>().next), path);
+    }
 }
 
 TEST(SceneGame, theErrorOfAMistypedSceneNamesTheNearestOne) {
