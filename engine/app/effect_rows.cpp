@@ -78,6 +78,12 @@ bool hasAnimatedTiles(const World& world) {
     return false;
 }
 
+/// True if something may read gamepads.
+bool readsPads(const World& world) {
+    return hasScripts(world) || isThereAny<PlayerController, PushControl, SceneLink, Menu, SceneKey,
+                                           ToggleKey, Detonator, Experiment>(world);
+}
+
 /// Returns all effects except those of the physics. To add one,
 /// add a row here and name it at its systems in system_order.cpp.
 std::vector<EffectRow> systemEffectRows() {
@@ -129,6 +135,7 @@ std::vector<EffectRow> systemEffectRows() {
         if (made.name == "plots") made.isRequired = hasPlots;
         if (made.name == "picture") made.isRequired = hasPicture;
         if (made.name == "tile_animation") made.isRequired = hasAnimatedTiles;
+        if (made.name == "pads") made.isRequired = readsPads;
     }
     return rows;
 }

@@ -195,6 +195,10 @@ void GameContent::updateSystems(std::vector<Error>& problems) {
         gated.push_back({system.row.key(), system.row.name, system.row.effect});
         if (!system.effect.name.empty()) effects.push_back(system.effect);
     }
+    for (EffectRow& effect : effects) {
+        if (effect.name == "pads" && !code_.systems().empty())
+            effect.isRequired = [](const World&) { return true; };  // systems may read them
+    }
     effects_ = EffectTable{std::move(effects), std::move(gated)};
 }
 

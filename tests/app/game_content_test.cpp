@@ -178,6 +178,17 @@ TEST_F(GameContentTest, runsSystemsAndHandlersOnlyWhenTheyAreRequired) {
     EXPECT_EQ(game.effects.runsOf(game.world, effect), 3u);
 }
 
+TEST_F(GameContentTest, codeWithSystemsMayReadGamepads) {
+    const World empty;
+    const auto readsPads = [&](const Module& code) {
+        const GameContent content{code, problems};
+        const EffectTable& effects = content.effects();
+        return effects.rows()[effects.find("pads")].isRequired(empty);
+    };
+    EXPECT_FALSE(readsPads(Module{}));
+    EXPECT_TRUE(readsPads(first::module()));
+}
+
 TEST_F(GameContentTest, reportsNamesThatAreUsedAndUnknownSystems) {
     wrong::Named::name = "Transform";
     Module module;

@@ -78,6 +78,7 @@ TEST_F(ScriptContent, scenesContainComponentsOfScripts) {
     game.onCreate();
     for (int i = 0; i < 60; ++i) tickGame(game, {});
     EXPECT_NEAR(game.find("Box").get<Transform>().position.x, 95.0f, 1e-3f);
+    EXPECT_TRUE(game.effects.runs(game.world, "pads")) << "scripts may read gamepads";
     EXPECT_TRUE(reported.empty()) << reported[0];
     EXPECT_EQ(game.effects.runsOf(game.world, "scripts"), 120u) << "two systems";
 }
