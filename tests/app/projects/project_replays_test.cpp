@@ -7,6 +7,7 @@
 
 #include "app/scene_game.hpp"
 #include "scene/components/bodies/rigid_body.hpp"
+#include "scene/files/scene_path.hpp"
 #include "scene/loaded_scene.hpp"
 #include "scene/physics/physics_state.hpp"
 #include "tests/app/playground/pinball_hands.hpp"

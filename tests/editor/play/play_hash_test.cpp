@@ -7,6 +7,7 @@
 #include "core/file.hpp"
 #include "editor/model/play/game_session.hpp"
 #include "editor/model/play/play_mode.hpp"
+#include "scene/files/scene_path.hpp"
 #include "tests/app/projects/project_replays.hpp"
 
 namespace plumb::editor {
