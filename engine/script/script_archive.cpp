@@ -49,8 +49,10 @@ void eachResult(lua_State* state, Visit visit) {
     lua_pop(state, 1);
 }
 
-void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptState::Loaded> loaded) {
+void writeScripts(lua_State* state, StateArchive& out, std::vector<ScriptState::Loaded> loaded) {
     std::erase_if(loaded, [](const ScriptState::Loaded& script) { return script.table == 0; });
+    std::string bytes;
+    StateArchive archive = StateArchive::writer(bytes);
     lua_newtable(state);
     ValueWriter values{state, archive, lua_gettop(state)};
     archive.count(loaded.size());
@@ -78,6 +80,9 @@ void writeScripts(lua_State* state, StateArchive& archive, std::vector<ScriptSta
     const std::uint32_t ofFiles = values.count();
     if (selves > 0) values.writeContents(0, selves);
     values.writeContents(ofFiles);
+    out.count(values.places().size());
+    for (std::string place : values.places()) out.text(place);
+    out.text(bytes);
 }
 
 /// Writes the scripts. That needs memory of Lua, of a copy of the state: World::toBytes() copies resources.
@@ -182,11 +187,16 @@ void readResults(lua_State* state, StateArchive& archive, ValueReader& values) {
     lua_pop(state, 1);
 }
 
-void read(lua_State* state, World& world, ScriptState& scripts, StateArchive& archive) {
+/// @return false if the archive is damaged
+bool read(lua_State* state, World& world, ScriptState& scripts, StateArchive& in) {
+    std::vector<std::string> places(in.count(0));
+    for (std::string& place : places) in.text(place);
+    std::string bytes;
+    in.text(bytes);
+    StateArchive archive = StateArchive::reader(bytes);
     const std::vector<SavedScript> saved = readInstances(archive, scripts);
-    if (!archive.ok()) return;
-    lua_newtable(state);
-    ValueReader values{state, archive, lua_gettop(state)};
+    if (!in.ok() || !archive.ok()) return false;
+    ValueReader values{state, archive, places};
     for (const SavedScript& each : saved) {
         for (const ScriptState::Instance& instance : each.instances) {
             pushSelf(state, world, each, instance);
@@ -201,6 +211,7 @@ void read(lua_State* state, World& world, ScriptState& scripts, StateArchive& ar
     if (selves > 0) values.readContents(0, selves);
     values.readContents(ofFiles);
     values.setMetatables();
+    return archive.ok();
 }
 
 }  // namespace
@@ -209,9 +220,9 @@ bool takeSaved(lua_State* state, World& world, ScriptState& scripts) {
     const std::string bytes = std::exchange(scripts.saved, {});
     StateArchive archive = StateArchive::reader(bytes);
     const int top = lua_gettop(state);
-    read(state, world, scripts, archive);
+    const bool isRead = read(state, world, scripts, archive);
     lua_settop(state, top);
-    return archive.ok();
+    return isRead;
 }
 
 }  // namespace script

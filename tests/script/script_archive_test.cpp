@@ -246,7 +246,7 @@ function Thing:onTick()
     self.ball:move()
     update = update and fast or slow
     update(self)
-    assert(self.round(1.5) == 1 and self.input == input and not self.input:isPressed("None"))
+    assert(self.round(1.5) == 1 and self.input == input and not self.input:isPressed("Jump"))
     assert(self.state == states.run and self.ball.x % 2 == 0 and getmetatable(self.ball) == Ball)
 end
 return Thing)";

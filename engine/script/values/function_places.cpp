@@ -29,6 +29,10 @@ void pushPlaces(lua_State* state) {
     if (lua_rawgetp(state, LUA_REGISTRYINDEX, &kPlaces) != LUA_TNIL) return;
     lua_pop(state, 1);
     lua_newtable(state);
+    lua_createtable(state, 0, 1);  // forgets functions of former versions of files
+    lua_pushliteral(state, "k");
+    lua_setfield(state, -2, "__mode");
+    lua_setmetatable(state, -2);
     lua_pushvalue(state, -1);
     lua_rawsetp(state, LUA_REGISTRYINDEX, &kPlaces);
 }

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <string>
+#include <utility>
 
 #include <lua.hpp>
 
@@ -132,10 +133,13 @@ void ValueWriter::writeObject(int index) {
     std::uint32_t number = known != numbers_.end() ? known->second : count_;
     std::string place = known != numbers_.end() ? std::string{} : functionPlace(state_, index);
     if (known == numbers_.end()) name(index);
-    if (!place.empty()) atPlaces_.insert(number);
     tag(place.empty() ? Table : Place);
     archive_.number(number);
-    if (!place.empty()) archive_.text(place);
+    if (place.empty()) return;
+    auto which = static_cast<std::uint32_t>(places_.size());
+    archive_.number(which);
+    places_.push_back(std::move(place));
+    atPlaces_.insert(number);
 }
 
 void ValueWriter::writeContents(std::uint32_t first, std::uint32_t end) {
@@ -177,6 +181,18 @@ void ValueWriter::writeUpvalues(int index) {
     archive_.text(none);
 }
 
+ValueReader::ValueReader(lua_State* state, StateArchive& archive, const std::vector<std::string>& places)
+    : state_{state}, archive_{archive} {
+    lua_newtable(state);
+    objects_ = lua_gettop(state);
+    lua_newtable(state);
+    places_ = lua_gettop(state);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        pushAtPlace(state, places[i]);
+        lua_rawseti(state, places_, static_cast<lua_Integer>(i) + 1);
+    }
+}
+
 void ValueReader::name(int index) {
     if (lua_istable(state_, index) != 0) named_.insert(lua_topointer(state_, index));
     lua_pushvalue(state_, index);
@@ -190,7 +206,8 @@ void ValueReader::readContents(std::uint32_t first, std::uint32_t end) {
         if (atPlaces_.contains(number)) {
             readUpvalues(index);
         } else {
-            read();
+            if (!pushMetatable(state_, index)) lua_pushnil(state_);
+            read(lua_gettop(state_));
             lua_rawseti(state_, objects_, metatableOf(number));
             readPairs(index);
         }
@@ -267,7 +284,7 @@ void ValueReader::setMetatables() {
         lua_rawgeti(state_, objects_, lua_Integer{number} + 1);
         const bool has = lua_rawgeti(state_, objects_, metatableOf(number)) != LUA_TNIL;
         if (has && lua_pcall(state_, 2, 0, 0) != LUA_OK) archive_.fail();
-        lua_settop(state_, objects_);
+        lua_settop(state_, places_);
     }
 }
 
@@ -339,15 +356,14 @@ void ValueReader::readTable(int into) {
 }
 
 void ValueReader::readAtPlace() {
-    std::uint32_t number = 0;
-    std::string place;
+    std::uint32_t number = 0, place = 0;
     archive_.number(number);
-    archive_.text(place);
+    archive_.number(place);
     if (!archive_.ok() || number != count_) {
         archive_.fail();
         return lua_pushnil(state_);
     }
-    pushAtPlace(state_, place);
+    lua_rawgeti(state_, places_, lua_Integer{place} + 1);
     if (lua_isfunction(state_, -1) == 0 && lua_istable(state_, -1) == 0)
         lua_pop(state_, 1), lua_pushnil(state_);
     atPlaces_.insert(number);
