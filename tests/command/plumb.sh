@@ -56,6 +56,15 @@ for command in "play mine --headles" "play --frame=3" "edit mine --export-to x" 
     [ ! -s "$work/asked" ] || fail "$command asked for: $(cat "$work/asked")"
 done
 
+# The page of the accuracy lab is written to a new folder only: nothing of another one is replaced.
+mkdir -p "$work/site/lab"
+echo mine >"$work/site/index.html"
+plumb accuracy --web "$work/site" && fail "a folder with other files was accepted"
+expect "has files that are none of this page"
+plumb accuracy --web && fail "a page without a folder was accepted"
+expect "name a folder for the page"
+[ "$(cat "$work/site/index.html")" = mine ] && [ -z "$(built)" ] || fail "accuracy --web asked for: $(cat "$work/asked")"
+
 # Without a program there is no help; with one there is, and nothing is built.
 plumb play --help
 expect "program plumb-player: "

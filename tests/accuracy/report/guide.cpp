@@ -25,7 +25,8 @@ constexpr std::string_view kStart = R"(# What accuracy costs
 
 Every simulation has errors. Plumb measures them and the cost of smaller ones, so that you can choose. All figures on this
 page come from `./plumb accuracy --docs docs`, which also writes `accuracy.html` with every scene, and tables for
-spreadsheets. `./plumb accuracy --quick` takes less than a minute; `--scene NAME` runs one.
+spreadsheets. `./plumb accuracy --quick` takes less than a minute; `--scene NAME` runs one. `./plumb accuracy --web FOLDER` writes a page
+for any web server on which each reader moves the slider of the substeps and sees error, time and picture, computed by the engine in the browser.
 
 )";
 
