@@ -158,6 +158,13 @@ const checks = {
         await press(page, 'Enter');
         await page.waitForFunction('window.isOld === undefined && window.readyAt', { timeout: 5000 }).catch(() => {});
         expect(!(await page.evaluate('window.isOld')), 'Enter plays it again');
+        const filled = await started(newGame());
+        await filled.evaluate('document.getElementById("canvas").requestFullscreen()');
+        await seconds(0.5);
+        const before = await filled.evaluate('!!document.fullscreenElement');
+        await filled.evaluate('Module.onGame("ended", "")');
+        await seconds(0.5);
+        expect(before && !(await filled.evaluate('!!document.fullscreenElement')), 'a canvas that fills the screen does not hide the buttons');
         const held = await started(newGame());
         await held.keyboard.down('Enter');
         await held.evaluate('window.isOld = true; Module.onGame("ended", "")');

@@ -25,6 +25,8 @@
         }));
         element('tools').hidden = element('touch').hidden = element('line').hidden = true;
         cover.hidden = false;
+        const { fullscreenElement } = document;  // the canvas alone, if the player has made it fullscreen: it hides the page
+        if (fullscreenElement && fullscreenElement !== document.documentElement) document.exitFullscreen();
         followSound();
         if (choices.firstChild) choices.firstChild.focus();
     }
