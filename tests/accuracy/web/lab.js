@@ -79,7 +79,7 @@
     const canvas = element('picture');
     let shown = null, ghost = null, begun = 0;
 
-    // The rectangle that all moving bodies stay in, as far as they stay near.
+    // The rectangle in which all moving bodies are, as far as they stay near where they began.
     function viewOf(recording) {
         const view = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
         const sizes = recording.moving.map(() => 0);
@@ -87,19 +87,19 @@
             for (let i = 0; i < shape.points.length; i += 2)
                 sizes[shape.body] = Math.max(sizes[shape.body], Math.hypot(shape.points[i], shape.points[i + 1]) + shape.radius);
         }
-        const bodies = recording.moving.length;
+        const addMoment = (moment, isNear) => recording.moving.forEach((moves, body) => {
+            const [x, y] = poseAt(recording, moment, body), size = sizes[body];
+            if (!moves || !isNear(x, y)) return;
+            view.left = Math.min(view.left, x - size);
+            view.right = Math.max(view.right, x + size);
+            view.bottom = Math.min(view.bottom, y - size);
+            view.top = Math.max(view.top, y + size);
+        });
+        addMoment(0, () => true);
+        const start = { ...view }, reach = Math.max(start.right - start.left, start.top - start.bottom, 3);  // m
+        const isNear = (x, y) => x > start.left - reach && x < start.right + reach && y > start.bottom - reach && y < start.top + reach;
         const kept = Math.max(1, Math.floor(recording.moments / 200));  // of so many moments one
-        for (let moment = 0; moment < recording.moments; moment += kept) {
-            for (let body = 0; body < bodies; ++body) {
-                if (!recording.moving[body]) continue;
-                const [x, y] = poseAt(recording, moment, body);
-                if (!(Math.hypot(x, y) < 200)) continue;  // has left the scene
-                view.left = Math.min(view.left, x - sizes[body]);
-                view.right = Math.max(view.right, x + sizes[body]);
-                view.bottom = Math.min(view.bottom, y - sizes[body]);
-                view.top = Math.max(view.top, y + sizes[body]);
-            }
-        }
+        for (let moment = 0; moment < recording.moments; moment += kept) addMoment(moment, isNear);
         return view;
     }
 
