@@ -96,7 +96,9 @@
             view.top = Math.max(view.top, y + size);
         });
         addMoment(0, () => true);
-        const start = { ...view }, reach = Math.max(start.right - start.left, start.top - start.bottom, 3);  // m
+        // A ball that is thrown is seen all the way; stones that have fallen off are not.
+        const isCrowd = recording.moving.filter(Boolean).length > 3;
+        const start = { ...view }, reach = isCrowd ? Math.max(start.right - start.left, start.top - start.bottom) : 200;  // m
         const isNear = (x, y) => x > start.left - reach && x < start.right + reach && y > start.bottom - reach && y < start.top + reach;
         const kept = Math.max(1, Math.floor(recording.moments / 200));  // of so many moments one
         for (let moment = 0; moment < recording.moments; moment += kept) addMoment(moment, isNear);
