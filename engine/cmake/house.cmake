@@ -62,6 +62,11 @@ if(MSVC)
 else()
     add_compile_options(-ffp-contract=off -fno-fast-math)
 endif()
+# For WebAssembly, the SLP vectorizer of clang 14 makes another sum of a loop over two bodies (scene doublependulum of
+# tests/export/accuracy_page.mjs). Behind -O2, which turns it on, so not in toolchains/web.cmake.
+if(EMSCRIPTEN)
+    add_compile_options(-fno-slp-vectorize)
+endif()
 # Despite -ffp-contract=off, gcc (at least 12) generates vfmaddsub if the flags allow FMA (-march=native). So FMA is
 # disabled: in this build if the flags enable it, for users of the library always (PLUMB_NEVER_FUSED).
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86")
