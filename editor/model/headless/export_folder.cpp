@@ -98,12 +98,16 @@ Result<ExportFolder> ExportFolder::check(const Project& project, const Path& wan
 
 Result<Path> ExportFolder::stage() {
     std::error_code failed;
-    made_ = !fs::exists(folder_, failed);
+    made_.clear();
+    for (Path each = folder_; each.has_relative_path() && !fs::exists(each, failed);
+         each = each.parent_path())
+        made_ = each;
     fs::remove_all(folder_ / kStage, failed);
     if (!failed) fs::create_directories(folder_ / kStage / kOld, failed);
     if (!failed) fs::create_directories(folder_ / kStage / kNew, failed);
-    if (failed) return failedAt(folder_, failed, "check the write permission");
-    return folder_ / kStage / kNew;
+    if (!failed) return folder_ / kStage / kNew;
+    clear();
+    return failedAt(folder_, failed, "choose another folder, or check the write permission");
 }
 
 Result<std::vector<std::string>> ExportFolder::place() {
@@ -147,7 +151,10 @@ Result<Done> ExportFolder::checkPlaces(const std::vector<std::string>& files) co
 void ExportFolder::clear() {
     std::error_code ignored;
     fs::remove_all(folder_ / kStage, ignored);
-    if (made_) fs::remove(folder_, ignored);  // not if it has files
+    for (Path each = folder_; !made_.empty(); each = each.parent_path()) {
+        fs::remove(each, ignored);  // not if it has files
+        if (each == made_) break;
+    }
 }
 
 }  // namespace plumb::editor

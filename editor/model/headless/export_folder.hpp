@@ -30,7 +30,7 @@ private:
     [[nodiscard]] Result<Done> checkPlaces(const std::vector<std::string>& files) const;
 
     Path folder_;
-    bool made_ = false;  // by stage()
+    Path made_;  // the outermost folder that stage() has made; empty: none
 };
 
 }  // namespace plumb::editor
