@@ -98,8 +98,9 @@
         addMoment(0, () => true);
         // A ball that is thrown is seen all the way; stones that have fallen off are not.
         const isCrowd = recording.moving.filter(Boolean).length > 3;
-        const start = { ...view }, reach = isCrowd ? Math.max(start.right - start.left, start.top - start.bottom) : 200;  // m
-        const isNear = (x, y) => x > start.left - reach && x < start.right + reach && y > start.bottom - reach && y < start.top + reach;
+        const start = { ...view }, wide = start.right - start.left, high = start.top - start.bottom;
+        const [beside, above] = isCrowd ? [Math.max(wide, high / 4), Math.max(high, wide / 4)] : [200, 200];  // m
+        const isNear = (x, y) => x > start.left - beside && x < start.right + beside && y > start.bottom - above && y < start.top + above;
         const kept = Math.max(1, Math.floor(recording.moments / 200));  // of so many moments one
         for (let moment = 0; moment < recording.moments; moment += kept) addMoment(moment, isNear);
         return view;
