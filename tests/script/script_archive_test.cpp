@@ -21,6 +21,19 @@ protected:
         ASSERT_TRUE(problems.empty()) << problems[0].text();
         world.restore(*snapshot);
     }
+    /// Adds a Thing, saves it after 5 ticks and plays on, then loads it and runs one tick more.
+    /// @return its `sum` then
+    int sumAfterLoading() {
+        EXPECT_TRUE(problems.empty()) << problems[0].text();
+        const EntityId entity = add("Thing");
+        run(5);
+        const std::string bytes = saved();
+        run(7);
+        load(bytes);
+        run();
+        EXPECT_EQ(logText(), "");
+        return property<int>(entity, "sum");
+    }
     EntityId named(const std::string& name) {
         const EntityId entity = world.createEntity().id();
         world.add<Transform>(entity);
@@ -181,15 +194,7 @@ end
 return Thing)"},
          {"unused", library},
          {"zlater", library}});
-    ASSERT_TRUE(problems.empty()) << problems[0].text();
-    const EntityId entity = add("Thing");
-    run(5);
-    const std::string bytes = saved();
-    run(7);
-    load(bytes);
-    run();
-    EXPECT_EQ(property<int>(entity, "sum"), 60606);
-    EXPECT_EQ(logText(), "");
+    EXPECT_EQ(sumAfterLoading(), 60606);
 }
 
 // Where functions and variables of scripts are, see docs/shipping.md: each adds to `sum` in a way of its own.
@@ -214,15 +219,7 @@ function Thing:onTick()
     self.sum = addDeeper() * 1000000 + Thing.total * 10000 + score.add() * 100 + helpers.add()
 end
 return Thing)"}});
-    ASSERT_TRUE(problems.empty()) << problems[0].text();
-    const EntityId entity = add("Thing");
-    run(5);
-    const std::string bytes = saved();
-    run(7);
-    load(bytes);
-    run();
-    EXPECT_EQ(property<int>(entity, "sum"), 6060606);
-    EXPECT_EQ(logText(), "");
+    EXPECT_EQ(sumAfterLoading(), 6060606);
 }
 
 constexpr const char* kStates = R"(
